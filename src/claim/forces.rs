@@ -1,5 +1,7 @@
 //! Is it true, what is said about the forces of gas and masses together: a formula of one cylinder, a largest load?
 
+use std::cell::RefCell;
+
 use super::answer::{Answer, Finding, Status};
 use super::formula::{Formula, Measured};
 use super::grammar::ClaimError;
@@ -107,13 +109,23 @@ fn of_cylinder(rest: &str, what: Measured) -> Result<OfCylinder, ClaimError> {
 pub(super) fn formula(engine: &Engine, says: &OfCylinder) -> Answer {
     let parts = match Parts::new(engine) {
         Ok(parts) => parts,
-        Err(lack) => return Answer::nothing(&lack.to_string()),
+        Err(lack) => return Answer::nothing(&lack),
     };
     let nowhere = || Extreme { value: 0.0, angle: 0.0 };
     let (mut largest, mut off, mut angles) = (nowhere(), nowhere(), 0);
     for psi in torque::angles(parts.period()) {
-        let measured = parts.measured(says.what, psi);
-        let told = says.formula.value(&|letter| parts.letter(letter, psi));
+        let lack = RefCell::new(None);
+        let known = |value: Result<f64, String>| {
+            value.unwrap_or_else(|why| {
+                lack.replace(Some(why));
+                f64::NAN
+            })
+        };
+        let measured = known(parts.measured(says.what, psi));
+        let told = says.formula.value(&|letter| known(parts.letter(letter, psi)));
+        if let Some(lack) = lack.into_inner() {
+            return Answer::nothing(&lack);
+        }
         if !(measured.is_finite() && told.is_finite()) {
             return Answer::nothing("the formula has no value at some crank angle");
         }

@@ -18,8 +18,8 @@ pub struct WrittenAngle {
     pub text: Untrusted,
     /// The angle, exactly as written.
     pub turn: Turn,
-    /// Half a unit of the last decimal, in turns, where decimals are written.
-    rounding: Option<BigRational>,
+    /// How it is rounded, in turns, where decimals are written.
+    rounding: Option<Rounding>,
 }
 
 /// A length as it was written.
@@ -29,8 +29,19 @@ pub struct WrittenLength {
     pub text: Untrusted,
     /// The length, exactly as written; metres where a unit stands behind it.
     pub form: Form,
-    /// Half a unit of the last decimal, where nothing but decimals is written.
-    rounding: Option<BigRational>,
+    /// How it is rounded, where nothing but decimals is written.
+    rounding: Option<Rounding>,
+}
+
+/// How a decimal is rounded.
+#[derive(Clone, Debug)]
+struct Rounding {
+    /// Half a unit of its last digit.
+    half: BigRational,
+    /// Digits from the first that is not 0.
+    digits: usize,
+    /// Digits behind the point.
+    places: usize,
 }
 
 /// How a number that was written agrees with the true one.
@@ -50,16 +61,22 @@ impl WrittenAngle {
     /// # Errors
     /// What would be right.
     pub fn read(text: &str) -> Result<Self, String> {
-        let plain = cell(text)?;
+        let Cell { plain, about } = cell(text)?;
         let turn = Turn::new(units::angle(&plain)?);
         let degrees = ["°", "degrees", "deg"].iter().find_map(|unit| plain.strip_suffix(unit)).unwrap_or(&plain);
-        let rounding = half_a_unit(degrees).map(|half| half / BigRational::from_integer(360.into()));
+        let rounding =
+            rounding(degrees, about).map(|rounding| rounding.scaled(&BigRational::new(1.into(), 360.into())));
         Ok(WrittenAngle { text: Untrusted::new(text), turn, rounding })
     }
 
     /// By how many turns it may have been rounded.
     pub fn rounding(&self) -> BigRational {
-        self.rounding.clone().unwrap_or_default()
+        self.rounding.as_ref().map(|rounding| rounding.half.clone()).unwrap_or_default()
+    }
+
+    /// Whether it is rounded to whole degrees, which are too few digits for one that is none.
+    pub fn is_coarse(&self) -> bool {
+        self.rounding.as_ref().is_some_and(|rounding| rounding.places == 0)
     }
 
     /// Whether it is this angle, modulo a turn.
@@ -69,26 +86,33 @@ impl WrittenAngle {
         let off = if off < back { off } else { back };
         match &self.rounding {
             _ if off == Turn::zero() => Agrees::Exactly,
-            Some(half) if off.turns() <= half => Agrees::Rounded,
+            Some(rounding) if *off.turns() <= rounding.half => Agrees::Rounded,
             Some(_) | None => Agrees::Not,
         }
     }
 }
 
 impl WrittenLength {
-    /// Reads a number, `3.16`, `3,16`, `sqrt(10)`, `2 sin 36°`; of a moment perhaps with mm, cm or m behind it.
+    /// Reads a number, `3.16`, `3,16`, `≈3.16`, `sqrt(10)`, `2 sin 36°`; perhaps with m r behind it, of a moment also with mm, cm or m.
     ///
     /// # Errors
     /// What would be right.
     pub fn read(text: &str) -> Result<Self, String> {
-        let plain = cell(text)?;
+        let Cell { plain, about } = cell(text)?;
         let units = [("mm", 1000), ("cm", 100), ("m", 1)];
+        let plain = without_mass_radius(&plain);
         let unit = units.iter().find_map(|(unit, parts)| Some((plain.strip_suffix(unit)?.trim_end(), *parts)));
-        let (number, parts) = unit.unwrap_or((&plain, 1));
+        let (number, parts) = unit.unwrap_or((plain, 1));
+        let number = without_mass_radius(number);
         let scale = BigRational::new(1.into(), parts.into());
         let form = Form::parse(number).ok_or("a number such as 4, 1.732 or \"2√3\"")?;
-        let rounding = half_a_unit(number).map(|half| half * &scale);
+        let rounding = rounding(number, about).map(|rounding| rounding.scaled(&scale));
         Ok(WrittenLength { text: Untrusted::new(text), form: form.scaled(&scale), rounding })
+    }
+
+    /// Whether it is rounded to fewer significant digits than these.
+    pub fn is_coarse(&self, least: usize) -> bool {
+        self.rounding.as_ref().is_some_and(|rounding| rounding.digits < least)
     }
 
     /// Whether it is the length of this sum.
@@ -104,7 +128,9 @@ impl WrittenLength {
         // Zero is proved or not: it is no rounding of anything, and nothing else is one of it.
         let written = self.form.as_rational().filter(|written| !written.is_zero() && !written.is_negative());
         match (&self.rounding, written) {
-            (Some(half), Some(written)) if !sum.vanishes() && is_within(sum, &written, &(half + slack)) => {
+            (Some(Rounding { half, .. }), Some(written))
+                if !sum.vanishes() && is_within(sum, &written, &(half + slack)) =>
+            {
                 Agrees::Rounded
             }
             _ => Agrees::Not,
@@ -112,27 +138,51 @@ impl WrittenLength {
     }
 }
 
-/// An entry without spaces at its ends, with a point where a comma stands between digits.
-fn cell(text: &str) -> Result<String, String> {
+/// What stands in a cell of a table.
+struct Cell {
+    /// Without spaces at its ends, with a point where a comma stands between digits.
+    plain: String,
+    /// Whether ≈ stands before it: then a whole number is rounded too.
+    about: bool,
+}
+
+fn cell(text: &str) -> Result<Cell, String> {
     if text.chars().count() > LONGEST {
         return Err(format!("at most {LONGEST} signs"));
     }
     let text = text.trim();
+    let about = text.strip_prefix(['≈', '~']).map(str::trim_start);
+    let (text, about) = (about.unwrap_or(text), about.is_some());
     let comma = text.split_once(',').filter(|(before, after)| {
         let digit = |letter: Option<char>| letter.is_some_and(|letter| letter.is_ascii_digit());
         digit(before.chars().next_back()) && digit(after.chars().next()) && !after.contains(',') && !text.contains('.')
     });
-    Ok(comma.map_or_else(|| text.to_owned(), |(before, after)| format!("{before}.{after}")))
+    let plain = comma.map_or_else(|| text.to_owned(), |(before, after)| format!("{before}.{after}"));
+    Ok(Cell { plain, about })
 }
 
-/// Half a unit of the last decimal of a plain decimal.
-fn half_a_unit(number: &str) -> Option<BigRational> {
+/// A length without `m r` behind it, which it is counted in whether that is written or not.
+fn without_mass_radius(length: &str) -> &str {
+    const WRITTEN: [&str; 4] = ["m r", "m·r", "m*r", "mr"];
+    let number = WRITTEN.iter().find_map(|unit| length.strip_suffix(unit));
+    number.map_or(length, str::trim_end)
+}
+
+/// How a plain decimal is rounded: one with a point, or one that ≈ stands before.
+fn rounding(number: &str, about: bool) -> Option<Rounding> {
     let number = number.trim().trim_start_matches(['+', '-', '−']);
-    let (whole, places) = number.split_once('.')?;
+    let (whole, behind) = number.split_once('.').or(about.then_some((number, "")))?;
     let is_plain = |digits: &str| digits.bytes().all(|digit| digit.is_ascii_digit());
-    let is_decimal = is_plain(whole) && is_plain(places) && parse_number(number).is_ok();
-    let half = || BigRational::new(1.into(), 2.into()) / BigRational::from_integer(10.into()).pow(places.len());
-    is_decimal.then(half)
+    let is_decimal = is_plain(whole) && is_plain(behind) && parse_number(number).is_ok();
+    let digits = format!("{whole}{behind}").trim_start_matches('0').len();
+    let half = || BigRational::new(1.into(), 2.into()) / BigRational::from_integer(10.into()).pow(behind.len());
+    is_decimal.then(|| Rounding { half: half(), digits, places: behind.len() })
+}
+
+impl Rounding {
+    fn scaled(self, factor: &BigRational) -> Self {
+        Rounding { half: self.half * factor, ..self }
+    }
 }
 
 /// Whether the form is `|S|`: `v² = S S̄` decides where the square is a sum, else the closed form of the length.

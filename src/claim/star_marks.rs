@@ -92,6 +92,8 @@ pub struct Filled {
 pub enum Judged {
     /// It is right, exactly or as rounded decimals.
     Right,
+    /// It is right as far as it goes, but rounded to too few digits.
+    Coarse,
     /// A sum that is wrong, but right for the wrong phases of its column.
     Consequential,
     /// It is wrong.
@@ -124,17 +126,23 @@ pub struct Marked {
     pub right: RightEntry,
 }
 
-/// Every entry of a table, row by row, then its sums.
-pub fn mark(star: &Star, filled: &Filled) -> Vec<Marked> {
+/// The significant digits that a rounded length needs where nothing else is said; a rounded phase needs a decimal.
+pub const LEAST_DIGITS: usize = 2;
+
+/// Every entry of a table, row by row, then its sums; rounded lengths need at least so many significant digits.
+pub fn mark(star: &Star, filled: &Filled, digits: usize) -> Vec<Marked> {
     let mut marks = Vec::new();
     // The phases that the sums of each column rest on: the true one where what is written is it, rounded perhaps.
     let mut own: [Vec<Option<OwnPhase>>; 2] = [Vec::new(), Vec::new()];
     for (cylinder, right) in star.phases.iter().enumerate() {
         for (sense, right) in SENSES.into_iter().zip(right) {
             let written = filled.phases.iter().find(|(index, own, _)| (*index, *own) == (cylinder, sense));
-            let judged = judged(written.map(|(_, _, written)| written), |angle| angle.agrees(right));
+            let agrees = |angle: &WrittenAngle| (angle.agrees(right), angle.is_coarse());
+            let judged = judged(written.map(|(_, _, written)| written), agrees);
             own[column(sense)].push(match (judged, written) {
-                (Judged::Right, _) => Some(OwnPhase { turn: right.clone(), rounding: BigRational::zero() }),
+                (Judged::Right | Judged::Coarse, _) => {
+                    Some(OwnPhase { turn: right.clone(), rounding: BigRational::zero() })
+                }
                 (_, Some((_, _, Ok(angle)))) => Some(OwnPhase { turn: angle.turn.clone(), rounding: angle.rounding() }),
                 (_, _) => None,
             });
@@ -148,8 +156,11 @@ pub fn mark(star: &Star, filled: &Filled) -> Vec<Marked> {
         for sense in SENSES {
             let sum = star.sum(quantity, sense);
             let written = filled.sums.iter().find(|(of, own, _)| (*of, *own) == (quantity, sense));
-            let judged = match judged(written.map(|(_, _, written)| written), |length| length.agrees(&sum)) {
-                Judged::Wrong if follows(star, own[column(sense)].as_ref(), quantity, written) => Judged::Consequential,
+            let agrees = |length: &WrittenLength| (length.agrees(&sum), length.is_coarse(digits));
+            let judged = match judged(written.map(|(_, _, written)| written), agrees) {
+                Judged::Wrong if follows(star, own[column(sense)].as_ref(), quantity, written, digits) => {
+                    Judged::Consequential
+                }
                 judged => judged,
             };
             let written = written.map(|(_, _, written)| words(written, |length| &length.text));
@@ -159,13 +170,15 @@ pub fn mark(star: &Star, filled: &Filled) -> Vec<Marked> {
     marks
 }
 
-fn judged<T>(written: Option<&Written<T>>, agrees: impl FnOnce(&T) -> Agrees) -> Judged {
+/// By how a number agrees with the right one, and whether it has too few digits.
+fn judged<T>(written: Option<&Written<T>>, agrees: impl FnOnce(&T) -> (Agrees, bool)) -> Judged {
     match written {
         None => Judged::Missing,
         Some(Err(_)) => Judged::Unreadable,
         Some(Ok(written)) => match agrees(written) {
-            Agrees::Exactly | Agrees::Rounded => Judged::Right,
-            Agrees::Not => Judged::Wrong,
+            (Agrees::Rounded, true) => Judged::Coarse,
+            (Agrees::Exactly | Agrees::Rounded, _) => Judged::Right,
+            (Agrees::Not, _) => Judged::Wrong,
         },
     }
 }
@@ -183,19 +196,24 @@ struct OwnPhase {
     rounding: BigRational,
 }
 
-/// Whether a length is that of the sum of the phases that stand in the column, or of the phases that they are the roundings of.
+/// Whether a length is that of the sum of the phases that stand in the column, or of the phases that they are the roundings of, to enough digits.
 fn follows(
     star: &Star,
     own: Option<&Vec<OwnPhase>>,
     quantity: Quantity,
     written: Option<&(Quantity, Sense, Written<WrittenLength>)>,
+    digits: usize,
 ) -> bool {
     let (Some(own), Some((_, _, Ok(length)))) = (own, written) else { return false };
     let sum = star.sum_of(own.iter().map(|phase| phase.turn.clone()).collect(), quantity);
     // A vector moves by less than 44/7 of its length times the turns that it is turned by.
     let moved = sum.terms().iter().zip(own).map(|(term, phase)| term.weight.abs() * &phase.rounding);
     let slack = moved.sum::<BigRational>() * BigRational::new(44.into(), 7.into());
-    length.agrees_within(&sum, &slack) != Agrees::Not
+    match length.agrees_within(&sum, &slack) {
+        Agrees::Exactly => true,
+        Agrees::Rounded => !length.is_coarse(digits),
+        Agrees::Not => false,
+    }
 }
 
 fn length_of(sum: &PhasorSum) -> RightEntry {

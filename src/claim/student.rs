@@ -203,7 +203,7 @@ fn misread(what: &str, text: &Text, right: &str) -> LayoutError {
 impl StarTable {
     /// Its entries with their judgements; those that are missing too.
     pub fn marks(&self) -> Vec<Marked> {
-        star_marks::mark(&Star::of(&self.layout, self.order), &self.filled)
+        star_marks::mark(&Star::of(&self.layout, self.order), &self.filled, star_marks::LEAST_DIGITS)
     }
 }
 
@@ -211,7 +211,7 @@ impl StarTable {
 pub(super) fn judge(table: &StarTable) -> Verdict {
     let marks = table.marks();
     let is_wrong = |mark: &&Marked| match mark.judged {
-        Judged::Wrong | Judged::Consequential | Judged::Unreadable => true,
+        Judged::Wrong | Judged::Coarse | Judged::Consequential | Judged::Unreadable => true,
         Judged::Right | Judged::Missing => false,
     };
     let right = marks.iter().filter(|mark| mark.judged == Judged::Right).count();

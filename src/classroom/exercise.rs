@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::draw::Draw;
-use super::students::Student;
+use super::students::{FILE_NAMES, Student, is_file_name};
 use super::vary::{Vary, escaped, quoted, varied};
 use crate::engine::Engine;
 use crate::file::written::{Table, Text, place, read};
@@ -110,6 +110,10 @@ fn exercise(file: File) -> Result<Exercise, LayoutError> {
     let mut pupils: Vec<Pupil> = Vec::new();
     for table in file.student.iter().flatten().map(|table| &table.get_ref().0) {
         let file = table.file.get_ref().0.clone();
+        if !is_file_name(&file) {
+            let message = format!("`{file}` is no name of a student's files");
+            return Err(LayoutError::new(message, FILE_NAMES, place(&table.file)));
+        }
         if pupils.iter().any(|pupil| pupil.file == file) {
             let right = "each student has files of another name";
             return Err(LayoutError::new(format!("the file `{file}` stands before"), right, place(&table.file)));

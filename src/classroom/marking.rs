@@ -9,6 +9,7 @@ use super::exercise::Pupil;
 use super::scheme::Scheme;
 use crate::claim::{Agrees, Filled, Judged, Marked, Place, mark};
 use crate::proof::Sense;
+use crate::text::Untrusted;
 
 /// A table with every entry judged.
 #[derive(Clone, Debug)]
@@ -32,6 +33,8 @@ pub struct MarkedSheet {
     pub points: BigRational,
     /// The points of a sheet without a mistake.
     pub possible: BigRational,
+    /// What is wrong with rows that belong nowhere in the table, each with its line.
+    pub not_read: Vec<Untrusted>,
 }
 
 /// How many entries are judged so.
@@ -39,6 +42,8 @@ pub struct MarkedSheet {
 pub struct Counts {
     /// Right, exactly or rounded.
     pub right: usize,
+    /// Right, but rounded to too few digits.
+    pub coarse: usize,
     /// Wrong sums that are right given the phases.
     pub consequential: usize,
     /// Wrong.
@@ -55,6 +60,7 @@ impl Counts {
         for entry in entries {
             *match entry.judged {
                 Judged::Right => &mut counts.right,
+                Judged::Coarse => &mut counts.coarse,
                 Judged::Consequential => &mut counts.consequential,
                 Judged::Wrong => &mut counts.wrong,
                 Judged::Unreadable => &mut counts.unreadable,
@@ -96,7 +102,8 @@ pub(super) fn mark_sheet(
     answers: Answers,
     scheme: &Scheme,
 ) -> Result<MarkedSheet, String> {
-    let Answers { convention, tables } = answers;
+    let Answers { convention, tables, not_read } = answers;
+    let not_read: Vec<Untrusted> = not_read.into_iter().map(Untrusted::new).collect();
     if let Some((order, _)) = tables.iter().find(|(order, _)| !orders.contains(order)) {
         let asked: Vec<String> = orders.iter().map(u32::to_string).collect();
         return Err(format!("a table of order {order} is not asked for; the orders are {}", asked.join(", ")));
@@ -105,7 +112,7 @@ pub(super) fn mark_sheet(
     let read = |convention: &Convention| -> Vec<MarkedTable> {
         let table = |order: &u32| {
             let filled = tables.iter().find(|(of, _)| of == order).map_or(&nothing, |(_, filled)| filled);
-            MarkedTable { order: *order, entries: mark(&convention.star(&pupil.engine, *order), filled) }
+            MarkedTable { order: *order, entries: mark(&convention.star(&pupil.engine, *order), filled, scheme.digits) }
         };
         orders.iter().map(table).collect()
     };
@@ -127,16 +134,24 @@ pub(super) fn mark_sheet(
             let tables = read(&undeclared[0]);
             let reduced = points(&tables) * &scheme.undeclared;
             if reduced >= of_declared {
-                return Ok(MarkedSheet { declared: convention, undeclared, tables, points: reduced, possible });
+                return Ok(MarkedSheet {
+                    declared: convention,
+                    undeclared,
+                    tables,
+                    points: reduced,
+                    possible,
+                    not_read,
+                });
             }
         }
     }
-    Ok(MarkedSheet { declared: convention, undeclared: Vec::new(), tables: declared, points: of_declared, possible })
+    let undeclared = Vec::new();
+    Ok(MarkedSheet { declared: convention, undeclared, tables: declared, points: of_declared, possible, not_read })
 }
 
 fn right_phases(tables: &[MarkedTable]) -> usize {
     let is_phase = |entry: &&Marked| match entry.place {
-        Place::Phase(..) => entry.judged == Judged::Right,
+        Place::Phase(..) => matches!(entry.judged, Judged::Right | Judged::Coarse),
         Place::Sum(..) => false,
     };
     tables.iter().flat_map(|table| &table.entries).filter(is_phase).count()

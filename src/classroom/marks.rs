@@ -25,7 +25,7 @@ pub fn marks_table(results: &[StudentResult]) -> Table {
         Column::new(pattern, Unit::NONE, about, Values::Whole(results.iter().map(value).collect()))
     };
     let hundred = || BigRational::from_integer(100.into());
-    Table::new("marks", "a student; then sheets that belong to nobody", results.len())
+    Table::new("marks", "a student; then sheets that belong to nobody, and files that are no tables", results.len())
         .with(person("student", "the name", &|result| Some(result.pupil?.name.clone())))
         .with(words("sheet", "the name of the sheet's files", &|result| Some(result.pupil?.file.clone())))
         .with(words("outcome", "what became of the sheet", &|result| Some(outcome(&result.outcome).to_owned())))
@@ -39,17 +39,18 @@ pub fn marks_table(results: &[StudentResult]) -> Table {
         .with(whole("wrong", "entries that are wrong", &|sheet| sheet.counts().wrong))
         .with(whole("unreadable", "entries that cannot be read", &|sheet| sheet.counts().unreadable))
         .with(whole("missing", "entries that are not there", &|sheet| sheet.counts().missing))
+        .with(whole("coarse", "entries that are right to too few digits", &|sheet| sheet.counts().coarse))
         .with(words("convention", "what the student declared", &|result| Some(declared(&marked(result)?.declared))))
         .with(words("undeclared_convention", "with which more would be right", &|result| {
             marked(result)?.undeclared.first().map(declared)
         }))
-        .with(person("remark", "why there are no points", &|result| remark(result)))
+        .with(person("remark", "why there are no points, or which rows have none", &|result| remark(result)))
 }
 
 fn marked<'a>(result: &'a StudentResult) -> Option<&'a MarkedSheet> {
     match &result.outcome {
         Outcome::Marked(sheet) => Some(sheet),
-        Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice => None,
+        Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice | Outcome::NotRead(_) => None,
     }
 }
 
@@ -59,14 +60,18 @@ fn outcome(outcome: &Outcome) -> &'static str {
         Outcome::Unreadable(_) => "unreadable",
         Outcome::NotHandedIn => "not handed in",
         Outcome::HandedInTwice => "handed in more than once",
+        Outcome::NotRead(_) => "not read",
     }
 }
 
 fn remark(result: &StudentResult) -> Option<Untrusted> {
     let files = || result.files.iter().map(|file| file.escaped(Format::Plain)).collect::<Vec<_>>().join(" ");
     let words = match &result.outcome {
+        Outcome::Marked(sheet) if !sheet.not_read.is_empty() => {
+            sheet.not_read.iter().map(|row| row.escaped(Format::Plain)).collect::<Vec<_>>().join("; ")
+        }
         Outcome::Marked(_) | Outcome::NotHandedIn => return None,
-        Outcome::Unreadable(why) => format!("{}: {}", files(), why.escaped(Format::Plain)),
+        Outcome::Unreadable(why) | Outcome::NotRead(why) => format!("{}: {}", files(), why.escaped(Format::Plain)),
         Outcome::HandedInTwice => files(),
     };
     Some(Untrusted::new(words))

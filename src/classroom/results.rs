@@ -1,19 +1,11 @@
 //! How did the class do? A line for each student, whatever became of the sheet.
 
-use super::answers::{Handed, Whose, in_lines, in_toml};
+use super::answers::{Handed, Whose};
 use super::exercise::{Exercise, Pupil};
+use super::handed_in::HandedIn;
 use super::marking::{MarkedSheet, mark_sheet};
 use super::scheme::Scheme;
 use crate::text::{Format, Untrusted};
-
-/// A file that was handed in.
-#[derive(Clone, Debug)]
-pub struct HandedIn {
-    /// Its name, which ends in `.csv` where it holds lines of a spreadsheet; all else is TOML.
-    pub name: String,
-    /// Its text, or why it has none.
-    pub text: Result<String, String>,
-}
 
 /// What became of a student's sheet.
 #[derive(Clone, Debug)]
@@ -26,6 +18,8 @@ pub enum Outcome {
     NotHandedIn,
     /// It was handed in more than once, and which one counts is not said.
     HandedInTwice,
+    /// It is no table, and was not read, for this reason.
+    NotRead(Untrusted),
 }
 
 /// A line of the table of marks.
@@ -52,11 +46,14 @@ impl Found {
     }
 }
 
-/// Marks all that was handed in: students in the order of the exercise, then sheets that belong to nobody.
+/// Marks all that was handed in: students in the order of the exercise, then sheets that belong to nobody, then files that are no tables.
 pub fn mark_class<'a>(exercise: &'a Exercise, handed_in: Vec<HandedIn>, scheme: &Scheme) -> Vec<StudentResult<'a>> {
+    let left_out = handed_in.iter().filter_map(|file| Some((file.name.clone(), file.left_out()?.to_owned())));
+    let left_out: Vec<(String, String)> = left_out.collect();
+    let handed_in = handed_in.into_iter().filter(HandedIn::is_table);
     let mut of_pupils: Vec<Vec<Found>> = exercise.pupils.iter().map(|_| Vec::new()).collect();
     let mut of_nobody = Vec::new();
-    for found in handed_in.into_iter().flat_map(|file| read(exercise, file)) {
+    for found in handed_in.flat_map(|file| read(exercise, file)) {
         match &found.whose {
             Ok(index) => of_pupils[*index].push(found),
             Err(_) => of_nobody.push(found),
@@ -80,6 +77,10 @@ pub fn mark_class<'a>(exercise: &'a Exercise, handed_in: Vec<HandedIn>, scheme: 
         let why = found.whose.as_ref().err().cloned().unwrap_or_default();
         StudentResult { pupil: None, files: files(&[found]), outcome: Outcome::Unreadable(Untrusted::new(why)) }
     }));
+    results.extend(left_out.into_iter().map(|(name, why)| {
+        let outcome = Outcome::NotRead(Untrusted::new(why));
+        StudentResult { pupil: None, files: vec![Untrusted::new(name)], outcome }
+    }));
     results
 }
 
@@ -93,12 +94,8 @@ fn marked(exercise: &Exercise, pupil: &Pupil, found: &Found, scheme: &Scheme) ->
 
 /// The tables of a file.
 fn read(exercise: &Exercise, file: HandedIn) -> Vec<Found> {
-    let HandedIn { name, text } = file;
-    let is_csv = name.to_ascii_lowercase().ends_with(".csv");
-    let tables = text.and_then(|text| match is_csv {
-        true => in_lines(&text),
-        false => in_toml(text).map(|table| vec![table]),
-    });
+    let name = file.name.clone();
+    let tables = file.tables();
     match tables {
         Ok(tables) => {
             let found = |(whose, handed): (Whose, Handed)| Found {
@@ -139,11 +136,11 @@ fn pupil_of(exercise: &Exercise, whose: &Whose, file: &str) -> Result<usize, Str
             match named.as_slice() {
                 [] => Err(format!("the exercise has no student `{name}`")),
                 [only] => Ok(*only),
-                _ => Err(format!("several students are called `{name}`; sheet = \"…\" tells them apart")),
+                _ => Err(format!("several students are called `{name}`; the name of the sheet tells them apart")),
             }
         }
         (None, None) => {
-            named(exercise, file).ok_or_else(|| "the table does not say whose it is; student = \"…\"".to_owned())
+            named(exercise, file).ok_or_else(|| "the table says neither its sheet nor its student".to_owned())
         }
     }
 }

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde::Deserialize;
 
-use crate::claim::{Judged, Marked, Place};
+use crate::claim::{Judged, LEAST_DIGITS, Marked, Place};
 use crate::file::written::{Text, place, read};
 use crate::file::{LayoutError, exact_number, parse_number};
 
@@ -19,13 +19,27 @@ pub struct Scheme {
     pub consequential: BigRational,
     /// The part of all points of a sheet that is right in a convention which it does not declare.
     pub undeclared: BigRational,
+    /// The significant digits that a rounded length needs.
+    pub digits: usize,
+    /// The part of the points for an entry that is right to fewer digits.
+    pub coarse: BigRational,
 }
+
+/// Nobody rounds to more digits by hand.
+const MOST_DIGITS: usize = 12;
 
 impl Default for Scheme {
     fn default() -> Self {
         let one = BigRational::one;
         let half = BigRational::new(1.into(), 2.into());
-        Scheme { phase: one(), sum: one() + one(), consequential: one(), undeclared: half }
+        Scheme {
+            phase: one(),
+            sum: one() + one(),
+            consequential: one(),
+            undeclared: half.clone(),
+            digits: LEAST_DIGITS,
+            coarse: half,
+        }
     }
 }
 
@@ -36,6 +50,8 @@ struct Keys {
     sum: Option<Text>,
     consequential: Option<Text>,
     undeclared: Option<Text>,
+    digits: Option<Text>,
+    coarse: Option<Text>,
 }
 
 /// Reads a scheme; a key that is left out keeps its default.
@@ -43,7 +59,7 @@ struct Keys {
 /// ```standalone_crate
 /// use crankstar::classroom::{Scheme, parse_scheme};
 /// let scheme = parse_scheme("scheme.toml", "sum = 4\nundeclared = 0").unwrap();
-/// assert_eq!(scheme.to_toml(), "phase = 1\nsum = 4\nconsequential = 1\nundeclared = 0\n");
+/// assert_eq!(scheme.to_toml(), "phase = 1\nsum = 4\nconsequential = 1\nundeclared = 0\ndigits = 2\ncoarse = 0.5\n");
 /// assert_eq!(parse_scheme("scheme.toml", "").unwrap(), Scheme::default());
 /// ```
 ///
@@ -64,7 +80,16 @@ fn scheme(keys: Keys) -> Result<Scheme, LayoutError> {
         sum: number(keys.sum, usual.sum, points, not_negative)?,
         consequential: number(keys.consequential, usual.consequential, part, is_part)?,
         undeclared: number(keys.undeclared, usual.undeclared, part, is_part)?,
+        digits: keys.digits.map_or(Ok(usual.digits), digits)?,
+        coarse: number(keys.coarse, usual.coarse, part, is_part)?,
     })
+}
+
+fn digits(text: Text) -> Result<usize, LayoutError> {
+    let written = &text.get_ref().0;
+    let value = written.parse().ok().filter(|value| (1..=MOST_DIGITS).contains(value));
+    let right = || format!("a whole number of significant digits from 1 to {MOST_DIGITS}");
+    value.ok_or_else(|| LayoutError::new(format!("cannot read `{written}`"), right(), place(&text)))
 }
 
 fn number(
@@ -87,6 +112,8 @@ impl Scheme {
             ("sum", &self.sum),
             ("consequential", &self.consequential),
             ("undeclared", &self.undeclared),
+            ("digits", &BigRational::from_integer(self.digits.into())),
+            ("coarse", &self.coarse),
         ];
         keys.map(|(key, value)| format!("{key} = {}\n", exact_number(value))).concat()
     }
@@ -96,6 +123,7 @@ impl Scheme {
         match entry.judged {
             Judged::Right => self.full(entry),
             Judged::Consequential => self.full(entry) * &self.consequential,
+            Judged::Coarse => self.full(entry) * &self.coarse,
             Judged::Wrong | Judged::Unreadable | Judged::Missing => BigRational::zero(),
         }
     }

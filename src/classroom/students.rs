@@ -64,6 +64,18 @@ pub fn students(list: &str) -> Result<Vec<Student>, String> {
     }
 }
 
+/// What files of a student may be called.
+pub(super) const FILE_NAMES: &str = "small letters, digits and hyphens, as `exercise` writes them";
+
+/// Whether files of a student may be called so: it leads into no other folder, and is no device.
+pub(super) fn is_file_name(name: &str) -> bool {
+    let is_plain =
+        |part: &str| !part.is_empty() && part.bytes().all(|sign| sign.is_ascii_lowercase() || sign.is_ascii_digit());
+    // A number behind a long name makes it longer.
+    let is_long = (LONGEST_FILE + 1..LONGEST_FILE + 10).contains(&name.len());
+    name.split('-').all(is_plain) && (is_long || file_name(name) == name)
+}
+
 /// Small letters and digits of ASCII with hyphens between, never empty, and no device.
 fn file_name(name: &str) -> String {
     let mut file = String::new();

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
-use crankstar::classroom::{self, Pupil, Student, Vary};
+use crankstar::classroom::{self, Pupil, Scheme, Student, Vary};
 use crankstar::file::Layout;
 use crankstar::page::File;
 use crankstar::report;
@@ -34,6 +34,9 @@ pub struct Exercise {
     /// What the table to fill in is written as
     #[arg(long, value_enum, default_value = "toml")]
     table: Written,
+    /// The scheme that `mark` will count by, a TOML file; the sheets say how many digits it asks for
+    #[arg(long, value_name = "FILE")]
+    scheme: Option<PathBuf>,
     #[command(flatten)]
     pages: Pages,
 }
@@ -88,13 +91,15 @@ impl Exercise {
         if self.pages.folder().is_none() && self.students.is_some() {
             return Err(Failure::misuse("sheets of a class need a folder; name it with --output"));
         }
+        let scheme = layouts::scheme(self.scheme.as_deref())?;
         let exercise = classroom::Exercise::draw(engine, &orders, &students, self.seed, vary)?;
         if self.pages.folder().is_none() {
-            let sheet = report::exercise_sheet(&exercise.pupils[0], &orders, &self.table_of(&exercise.pupils[0]));
+            let [pupil, ..] = exercise.pupils.as_slice() else { unreachable!("a list names somebody") };
+            let sheet = report::exercise_sheet(pupil, &orders, &self.table_of(pupil), &scheme);
             return write::to_stdout(&self.pages.files(&sheet)?[0].text);
         }
         let spinner = progress::spinner("writing sheets and solutions");
-        let files = self.files(&exercise);
+        let files = self.files(&exercise, &scheme);
         let written = files.and_then(|files| self.pages.write_files(&files));
         spinner.finish_and_clear();
         let namesakes = students.iter().filter(|student| student.is_namesake);
@@ -142,11 +147,11 @@ impl Exercise {
     }
 
     /// The file for `mark` first, then those of each student: the sheet with its table, and the solutions apart from it.
-    fn files(&self, exercise: &classroom::Exercise) -> Result<Vec<File>, Failure> {
+    fn files(&self, exercise: &classroom::Exercise, scheme: &Scheme) -> Result<Vec<File>, Failure> {
         let mut files = vec![File { name: KEY.to_owned(), text: exercise.to_toml() }];
         for pupil in &exercise.pupils {
             let table = self.table_of(pupil);
-            let sheet = report::exercise_sheet(pupil, &exercise.orders, &table);
+            let sheet = report::exercise_sheet(pupil, &exercise.orders, &table, scheme);
             let solutions = report::exercise_solutions(pupil, &exercise.orders).map_err(Failure::new)?;
             for (folder, document) in [("sheets", sheet), ("solutions", solutions)] {
                 let inside = self.pages.files(&document)?.into_iter();

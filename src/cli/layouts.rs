@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crankstar::classroom::{self, Scheme};
 use crankstar::file::{self, Beside, Entry, Layout};
 use crankstar::text::harmless;
 
@@ -45,20 +46,32 @@ pub fn shown(path: &Path) -> String {
 
 /// The text of a layout or claims file.
 pub fn read_text(path: &Path) -> Result<String, Failure> {
+    String::from_utf8(read_bytes(path)?).map_err(|error| {
+        let (file, place) = (shown(path), error.utf8_error().valid_up_to());
+        Failure::new(format!("`{file}` is not a text: byte {place} is not UTF-8; a TOML text is expected"))
+    })
+}
+
+/// The scheme of this file, or the usual one.
+pub fn scheme(path: Option<&Path>) -> Result<Scheme, Failure> {
+    match path {
+        None => Ok(Scheme::default()),
+        Some(path) => Ok(classroom::parse_scheme(&shown(path), &read_text(path)?)?),
+    }
+}
+
+/// What a file holds, whatever it is.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     let file = shown(path);
     let metadata = path.metadata().map_err(|error| not_found(&file, &error))?;
     if !metadata.is_file() {
-        let expected = near(&file).unwrap_or_else(|| "a TOML text is expected".to_owned());
-        return Err(Failure::new(format!("`{file}` is not a file; {expected}")));
+        let expected = near(&file).map(|near| format!("; {near}")).unwrap_or_default();
+        return Err(Failure::new(format!("`{file}` is not a file{expected}")));
     }
     if metadata.len() > LARGEST_FILE {
         return Err(Failure::new(format!("`{file}` is larger than 4 MiB, which no such file is")));
     }
-    let bytes = std::fs::read(path).map_err(|error| Failure::new(format!("cannot read `{file}`: {error}")))?;
-    String::from_utf8(bytes).map_err(|error| {
-        let place = error.utf8_error().valid_up_to();
-        Failure::new(format!("`{file}` is not a text: byte {place} is not UTF-8; a TOML text is expected"))
-    })
+    std::fs::read(path).map_err(|error| Failure::new(format!("cannot read `{file}`: {error}")))
 }
 
 fn not_found(layout: &str, error: &std::io::Error) -> Failure {

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
-use crankstar::classroom::{self, HandedIn, Outcome, Scheme, StudentResult};
+use crankstar::classroom::{self, Content, HandedIn, Outcome, Scheme, StudentResult};
 use crankstar::page::File;
 use crankstar::{report, table};
 
@@ -19,10 +19,10 @@ use super::{layouts, write};
 /// Arguments of `mark`.
 #[derive(clap::Args)]
 pub struct Mark {
-    /// The folder with the tables that were handed in, or one CSV file with those of all students
-    #[arg(value_name = "FOLDER|CSV")]
+    /// The folder with the tables that were handed in, or one CSV or XLSX file with those of all students
+    #[arg(value_name = "FOLDER|FILE")]
     handed_in: PathBuf,
-    /// What `exercise` wrote for the lecturer [default: exercise.toml in the folder, or beside the CSV file]
+    /// What `exercise` wrote for the lecturer [default: exercise.toml in the folder, or beside the file]
     #[arg(long, value_name = "FILE")]
     exercise: Option<PathBuf>,
     /// The points of each entry, a TOML file; the marks tell the scheme that is used
@@ -61,6 +61,8 @@ impl ValueEnum for Format {
 
 /// The table of marks for a spreadsheet, beside the page.
 const MARKS: &str = "marks.csv";
+/// What `exercise` writes for the lecturer beside the exercise.
+const SOLUTIONS: &str = "solutions";
 /// Folders nest no deeper where tables are looked for.
 const DEEPEST: usize = 5;
 
@@ -76,10 +78,7 @@ impl Mark {
             )));
         }
         let exercise = classroom::parse_exercise(&layouts::shown(&key), &layouts::read_text(&key)?)?;
-        let scheme = match &self.scheme {
-            None => Scheme::default(),
-            Some(path) => classroom::parse_scheme(&layouts::shown(path), &layouts::read_text(path)?)?,
-        };
+        let scheme = layouts::scheme(self.scheme.as_deref())?;
         let results = classroom::mark_class(&exercise, self.handed_in(&key)?, &scheme);
         let csv = || File { name: MARKS.to_owned(), text: table::csv(&classroom::marks_table(&results)) };
         match self.format {
@@ -124,51 +123,75 @@ impl Mark {
         Ok(files)
     }
 
-    /// What was handed in: every TOML and CSV file but the exercise, the scheme and earlier marks.
+    /// What was handed in: every file of the folder but the exercise, the scheme and the pages of `mark` itself.
     fn handed_in(&self, key: &Path) -> Result<Vec<HandedIn>, Failure> {
         if !self.handed_in.is_dir() {
-            let is_csv = self.handed_in.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
-            if !is_csv {
-                let name = layouts::shown(&self.handed_in);
-                return Err(Failure::new(format!("`{name}` is neither a folder nor a CSV file")));
+            let is_table =
+                |ending: &str| self.handed_in.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+            let name = layouts::shown(&self.handed_in);
+            if !self.handed_in.is_file() || !["csv", "xlsx"].into_iter().any(is_table) {
+                return Err(Failure::new(format!("`{name}` is neither a folder nor a CSV or XLSX file")));
             }
-            return Ok(vec![HandedIn {
-                name: layouts::shown(&self.handed_in),
-                text: Ok(layouts::read_text(&self.handed_in)?),
-            }]);
+            return Ok(vec![HandedIn { name, content: Content::Bytes(layouts::read_bytes(&self.handed_in)?) }]);
         }
-        let mut paths = Vec::new();
-        tables(&self.handed_in, DEEPEST, &mut paths)?;
         let real = |path: &Path| path.canonicalize().ok();
-        let others = [Some(key), self.scheme.as_deref()].map(|path| path.and_then(real));
-        paths.retain(|path| {
-            !others.contains(&real(path)) && path.file_name().is_none_or(|name| name != MARKS && name != KEY)
-        });
-        paths.sort();
-        let handed_in = |path: PathBuf| HandedIn {
-            name: layouts::shown(path.strip_prefix(&self.handed_in).unwrap_or(&path)),
-            text: layouts::read_text(&path).map_err(|failure| failure.message().to_owned()),
+        let solutions = key.parent().map(|folder| folder.join(SOLUTIONS));
+        let ours = [Some(key), self.scheme.as_deref(), self.look.folder()];
+        let ours: Vec<PathBuf> = ours.into_iter().flatten().filter_map(real).collect();
+        let mut found = Vec::new();
+        files(&self.handed_in, DEEPEST, &ours, &mut found)?;
+        found.sort_by(|(one, _), (other, _)| one.cmp(other));
+        // A student may be called so: what is a table there is read.
+        let is_solution = |path: &Path| solutions.as_ref().is_some_and(|folder| path.starts_with(folder));
+        let handed_in = |(path, left_out): (PathBuf, Option<&str>)| {
+            let name = layouts::shown(path.strip_prefix(&self.handed_in).unwrap_or(&path));
+            let named = |content| HandedIn { name, content };
+            let file = match left_out {
+                Some(why) => named(Content::LeftOut(why.to_owned())),
+                None => named(Content::Bytes(Vec::new())),
+            };
+            match file.is_table() {
+                false => (!is_solution(&path)).then_some(file),
+                true => Some(HandedIn { content: content(&path), ..file }),
+            }
         };
-        Ok(paths.into_iter().map(handed_in).collect())
+        Ok(found.into_iter().filter_map(handed_in).collect())
     }
 }
 
-/// TOML and CSV files below a folder, those of solutions left out; links are not followed.
-fn tables(folder: &Path, deepest: usize, found: &mut Vec<PathBuf>) -> Result<(), Failure> {
+/// The bytes of a table.
+fn content(path: &Path) -> Content {
+    match layouts::read_bytes(path) {
+        Ok(bytes) => Content::Bytes(bytes),
+        Err(failure) => Content::Unreadable(failure.message().to_owned()),
+    }
+}
+
+/// Files below a folder but those of ours, each with why it is not looked at, where that is so.
+fn files(
+    folder: &Path,
+    deepest: usize,
+    ours: &[PathBuf],
+    found: &mut Vec<(PathBuf, Option<&'static str>)>,
+) -> Result<(), Failure> {
     let fail =
         |error: std::io::Error| Failure::new(format!("cannot read the folder `{}`: {error}", layouts::shown(folder)));
     for entry in fs::read_dir(folder).map_err(fail)? {
         let entry = entry.map_err(fail)?;
-        let (kind, path, name) = (entry.file_type().map_err(fail)?, entry.path(), entry.file_name());
-        let is_table = path
-            .extension()
-            .is_some_and(|ending| ["toml", "csv"].iter().any(|known| ending.eq_ignore_ascii_case(known)));
-        let is_hidden = name.to_string_lossy().starts_with('.');
-        match (kind.is_dir(), kind.is_file() && is_table) {
-            (true, _) if deepest > 0 && name != "solutions" && !is_hidden => tables(&path, deepest - 1, found)?,
-            (false, true) if !is_hidden => found.push(path),
-            _ => {}
-        }
+        let (kind, path) = (entry.file_type().map_err(fail)?, entry.path());
+        let is_hidden = entry.file_name().to_string_lossy().starts_with('.');
+        let left_out = match (kind.is_symlink(), is_hidden, kind.is_dir()) {
+            (true, ..) => Some("links are not followed"),
+            (false, ..) if path.canonicalize().is_ok_and(|path| ours.contains(&path)) => continue,
+            (false, true, _) => Some("hidden files are not read"),
+            (false, false, true) if deepest == 0 => Some("folders inside so many others are not read"),
+            (false, false, true) => {
+                files(&path, deepest - 1, ours, found)?;
+                continue;
+            }
+            (false, false, false) => (!kind.is_file()).then_some("it is no file"),
+        };
+        found.push((path, left_out));
     }
     Ok(())
 }

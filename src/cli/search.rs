@@ -31,8 +31,8 @@ pub struct Search {
     /// The orders whose moments are compared
     #[arg(long, value_delimiter = ',', default_value = "1,2")]
     orders: Vec<u32>,
-    /// A V of this many degrees on shared pins, instead of an in-line engine
-    #[arg(long, value_name = "DEGREES")]
+    /// A V of this many degrees, instead of an in-line engine: on shared pins, unless --pin-split parts them
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
     bank_angle: Option<String>,
     /// For a V: the pin of bank 2 stands this many degrees ahead of that of bank 1
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, requires = "bank_angle")]
@@ -176,11 +176,15 @@ impl Search {
         orders.sort_unstable();
         orders.dedup();
         let degrees = |option: &str, text: &String| {
-            let turns = parse_angle(text).map_err(|right| Failure::new(format!("{option} `{text}`: {right}")))?;
-            Ok::<_, Failure>(Turn::new(turns))
+            parse_angle(text).map_err(|right| Failure::new(format!("{option} `{text}`: {right}")))
         };
-        let bank_angle = self.bank_angle.as_ref().map(|text| degrees("--bank-angle", text)).transpose()?;
-        let pin_split = self.pin_split.as_ref().map(|text| degrees("--pin-split", text)).transpose()?;
+        let banks = |text: &String| {
+            let turns = degrees("--bank-angle", text)?;
+            search::bank_angle(&turns).map_err(|right| Failure::new(format!("--bank-angle `{text}`: {right}")))
+        };
+        let bank_angle = self.bank_angle.as_ref().map(banks).transpose()?;
+        let split = |text: &String| degrees("--pin-split", text).map(Turn::new);
+        let pin_split = self.pin_split.as_ref().map(split).transpose()?;
         let spacings = |text: &String| {
             parse_number(text).map_err(|error| Failure::new(format!("--bank-offset `{text}`: {error}")))
         };

@@ -50,7 +50,8 @@ pub use number::{NumberError, parse_number};
 pub use quantities::{parse_angle, parse_length};
 pub use replaced::with_value;
 pub use rewritten::{
-    balancer_table, comment, counterweight_in_multiples, counterweight_table, exact_number, without_counterweights,
+    balancer_table, comment, counterweight_in_multiples, counterweight_table, exact_number, without_balancers,
+    without_counterweights,
 };
 pub use template::{Key, Template};
 pub use units::turns_per_unit;

@@ -19,8 +19,11 @@ pub fn balancer_table(engine: &Engine, shaft: &Balancer, unit: Option<&BigRation
     };
     let cylinder = shaft.coefficient_of.and_then(|index| engine.cylinders().get(index));
     let coefficient = cylinder.map(|cylinder| format!("coefficient_of = \"{}\"\n", cylinder.name)).unwrap_or_default();
+    let offset = engine.convention().in_the_sense_of_rotation(shaft.offset.clone());
+    let axis = [("height", &shaft.height), ("offset", &offset)].into_iter().filter(|(_, distance)| !distance.is_zero());
+    let axis: String = axis.map(|(key, distance)| format!("{key} = {}\n", exact_number(distance))).collect();
     format!(
-        "[[balancer]]\norder = {}\nsense = \"{sense}\"\nmass_radius = {mass_radius}\n{coefficient}angle = {}\nposition = {}\n",
+        "[[balancer]]\norder = {}\nsense = \"{sense}\"\nmass_radius = {mass_radius}\n{coefficient}angle = {}\nposition = {}\n{axis}",
         shaft.order,
         exact_number(&engine.convention().as_written(&shaft.angle).degrees()),
         exact_number(&shaft.position),
@@ -73,6 +76,19 @@ pub fn exact_number(value: &BigRational) -> String {
         (true, _) => format!("{sign}{whole}"),
         (false, _) => format!("{sign}{whole}.{fraction}"),
     }
+}
+
+/// The text of a layout file without `[[balancer]]` tables.
+pub fn without_balancers(text: &str) -> String {
+    let mut is_left_out = false;
+    let kept = text.lines().filter(|line| {
+        let bare = line.split('#').next().unwrap_or(line).trim();
+        if bare.starts_with('[') {
+            is_left_out = bare == "[[balancer]]";
+        }
+        !is_left_out
+    });
+    kept.collect::<Vec<_>>().join("\n")
 }
 
 /// The text of a layout file without `[[counterweight]]` tables and the keys of `[crankshaft]` that make counterweights.

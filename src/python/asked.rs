@@ -13,6 +13,7 @@ use crate::exact::Turn;
 use crate::file::{parse_angle, parse_number};
 use crate::firing::Weights;
 use crate::order::Masses;
+use crate::search;
 
 /// Orders of force and moment: whole numbers, in a list or an array; none where they are left out.
 pub(super) fn orders(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<u32>>> {
@@ -92,6 +93,13 @@ pub(super) fn skews(value: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Turn>> {
 pub(super) fn angle(name: &str, text: &str) -> PyResult<Turn> {
     let turns = parse_angle(text).map_err(|right| told(format!("{name}: cannot read `{text}`: {right}")))?;
     Ok(Turn::new(turns))
+}
+
+/// The angle between the banks of a V that is searched.
+pub(super) fn bank_angle(text: &str) -> PyResult<Turn> {
+    let refused = |right: &dyn std::fmt::Display| told(format!("bank_angle: cannot read `{text}`: {right}"));
+    let turns = parse_angle(text).map_err(|right| refused(&right))?;
+    search::bank_angle(&turns).map_err(|right| refused(&right))
 }
 
 /// Orders of what repeats once a cycle: `[0.5, 1, "3/2"]`.

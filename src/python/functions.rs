@@ -39,7 +39,7 @@ pub(super) fn verify(py: Python<'_>, document: &Bound<'_, PyAny>) -> PyResult<Ch
 /// The crank stars that balance best: the exact front of all of them, up to their symmetries.
 ///
 /// cylinders: their number. cycle: "two-stroke" or "four-stroke". orders: those whose moments are compared, 1 and 2 where left out.
-/// bank_angle: a V of so many degrees on shared pins, with so many directions of its pins; an engine in line where left out.
+/// bank_angle: a V of so many degrees, on shared pins unless pin_split parts them, with so many directions of its pins; an engine in line where left out.
 /// grid: throws at any multiples of 1/grid turn. neighbours: count neighbours that fire in succession.
 /// pin_split: the pin of bank 2 stands so many degrees ahead. bank_offset: bank 1 stands so many spacings towards the free end of bank 2.
 /// minor_orders: compare firing orders too, by these orders of a mode of torsional vibration, `mode_shape` or one that falls evenly.
@@ -66,7 +66,7 @@ pub(super) fn search(
     resume: Option<PathBuf>,
     threads: Option<u16>,
 ) -> PyResult<Answer> {
-    let bank_angle = bank_angle.map(|angle| asked::angle("bank_angle", &keys::number(angle)?)).transpose()?;
+    let bank_angle = bank_angle.map(|angle| asked::bank_angle(&keys::number(angle)?)).transpose()?;
     let pin_split = pin_split.map(|angle| asked::angle("pin_split", &keys::number(angle)?)).transpose()?;
     let bank_offset = bank_offset.map(|length| asked::exact("bank_offset", &keys::number(length)?)).transpose()?;
     let mut minor_orders = asked::cycle_orders(minor_orders)?;

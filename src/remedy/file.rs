@@ -6,19 +6,12 @@
 
 use std::fmt;
 
-use num_rational::BigRational;
-use num_traits::Signed;
-
 use super::rounded::{is_of_link, leaves_little, rounded};
-use super::{Corrected, Remedy, Shaft, Weight};
-use crate::engine::{Balancer, Counterweight, Cylinder, Engine};
-use crate::exact::{Term, Turn};
-use crate::file::{
-    Beside, LayoutError, balancer_table, comment, counterweight_in_multiples, counterweight_table, parse_beside,
-    without_counterweights,
-};
+use super::tables::{Kept, with_tables};
+use super::{Corrected, Remedy, Weight};
+use crate::engine::{Counterweight, Engine};
+use crate::file::{Beside, LayoutError, parse_beside};
 use crate::order::{self, Factor};
-use crate::proof::Sense;
 
 /// Why no file can be written.
 #[derive(Clone, Debug)]
@@ -78,11 +71,12 @@ pub fn corrected_file(remedy: &Remedy, name: &str, beside: Beside<'_>) -> Result
     if source.trim().is_empty() {
         return Err(FileError::NoFile);
     }
-    let of_links: Vec<Weight> = remedy.weights().into_iter().filter(is_of_link).collect();
+    let built = remedy.built();
+    let of_links: Vec<Weight> = built.iter().map(|plane| plane.becomes.clone()).filter(is_of_link).collect();
     if of_links.iter().any(|weight| rounded(&remedy.subject, weight).is_none()) {
         return Err(FileError::OfLinks);
     }
-    if remedy.weights().iter().any(|weight| weight.vector.parts().keys().any(is_of_faster_crank)) {
+    if built.iter().any(|plane| plane.becomes.vector.parts().keys().any(is_of_faster_crank)) {
         return Err(FileError::OfFasterCrank);
     }
     let text = with_tables(remedy, source);
@@ -117,6 +111,17 @@ fn is_meant(remedy: &Remedy, read: &Engine, of_links: &[Weight]) -> bool {
         && read.reference_plane() == engine.reference_plane()
         && read.geared_cranks() == engine.geared_cranks()
         && read.bearings() == engine.bearings();
+    let kept = Kept::of(remedy);
+    let has = |weight: &Counterweight| {
+        let same = |own: &&Counterweight| {
+            (&own.angle, &own.position, own.crank) == (&weight.angle, &weight.position, weight.crank)
+                && own.mass_radius() == weight.mass_radius()
+        };
+        read.crankshaft().counterweights.iter().any(|own| same(&own))
+    };
+    let same = same
+        && kept.counterweights.iter().all(has)
+        && kept.balancers.iter().all(|shaft| read.crankshaft().balancers.contains(shaft));
     let sum = |judged: &Corrected| {
         let whole = order::all_masses(read, judged.quantity, judged.order, judged.sense);
         whole.parts().contains_key(&judged.factor) != judged.vanishes()
@@ -124,120 +129,4 @@ fn is_meant(remedy: &Remedy, read: &Engine, of_links: &[Weight]) -> bool {
     let is_rounded =
         |judged: &Corrected| of_links.iter().any(|weight| (weight.order, weight.sense) == (judged.order, judged.sense));
     same && remedy.corrected.iter().filter(|judged| !is_rounded(judged)).all(sum)
-}
-
-fn with_tables(remedy: &Remedy, source: &str) -> String {
-    let engine = remedy.subject.engine();
-    // Counterweights that a balance factor makes stand beside no others: they are listed.
-    let (mut text, listed) = match engine.crankshaft().balance_factors.is_empty() {
-        true => (source.trim_end().to_owned() + "\n", &[][..]),
-        false => (without_counterweights(source).trim_end().to_owned() + "\n", &engine.crankshaft().counterweights[..]),
-    };
-    if !listed.is_empty() {
-        text += &format!("\n{}", comment("The counterweights that the balance factor of the file makes."));
-        text.extend(listed.iter().map(|weight| counterweight_of_throw(engine, weight)));
-    }
-    let orders = remedy.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
-    let head = format!(
-        "What takes away force and moment of these orders: {orders}. Tables at one position are parts of one weight."
-    );
-    if !remedy.weights().is_empty() {
-        text += &format!("\n{}", comment(&head));
-    }
-    if remedy.weights().iter().any(is_of_link) {
-        text += &comment(ROUNDED);
-    }
-    let bays = remedy.bays.iter().flat_map(|weight| tables(remedy, weight));
-    text.extend(bays);
-    for shaft in remedy.crankshaft.iter().chain(&remedy.shafts) {
-        text += &format!("\n{}", comment(&heading(shaft)));
-        text.extend(shaft.weights.iter().flat_map(|weight| tables(remedy, weight)));
-    }
-    text
-}
-
-/// What is said of weights that are not exact.
-const ROUNDED: &str = "Against what links on a master rod leave there is no exact size: those weights are decimals, and leave less than 10^-6 of the load.";
-
-fn heading(shaft: &Shaft) -> String {
-    match (shaft.order, shaft.sense) {
-        (1, Sense::Direct) => "On the crankshaft.".to_owned(),
-        (order, Sense::Direct) => format!("A shaft at {order} times crank speed, with the crank."),
-        (order, Sense::Reverse) => format!("A shaft at {order} times crank speed, against the crank."),
-    }
-}
-
-/// One that a balance factor made, with the throw that it belongs to.
-fn counterweight_of_throw(engine: &Engine, weight: &Counterweight) -> String {
-    let throws = crate::engine::throws(engine);
-    let Some((index, throw)) = weight.throw.and_then(|index| Some((index, throws.get(index)?))) else {
-        return counterweight_table(weight, engine.convention());
-    };
-    let turned = Counterweight { angle: &weight.angle - &throw.angle, ..weight.clone() };
-    counterweight_table(&turned, engine.convention()).replacen('\n', &format!("\nthrow = {}\n", index + 1), 1)
-}
-
-/// A table for each vector of a weight.
-fn tables(remedy: &Remedy, weight: &Weight) -> Vec<String> {
-    let engine = remedy.subject.engine();
-    let (radius, unit) = (engine.unit_radius(), engine.unit_mass() * engine.unit_radius());
-    let is_known = remedy.subject.scale().is_some();
-    let table = |coefficient_of: Option<usize>, size: BigRational, angle: Turn| {
-        if (weight.order, weight.sense, coefficient_of) == (1, Sense::Direct, None) {
-            let mass = &size / &radius;
-            let weight = Counterweight {
-                throw: None,
-                angle,
-                mass,
-                radius: radius.clone(),
-                position: weight.position.clone(),
-                crank: 0,
-            };
-            return match is_known {
-                true => counterweight_table(&weight, engine.convention()),
-                false => counterweight_in_multiples(&weight, engine.convention(), &unit),
-            };
-        }
-        let shaft = Balancer {
-            order: weight.order,
-            sense: weight.sense,
-            mass_radius: size,
-            coefficient_of,
-            angle,
-            position: weight.position.clone(),
-            height: BigRational::default(),
-            offset: BigRational::default(),
-        };
-        balancer_table(engine, &shaft, (!is_known).then_some(&unit))
-    };
-    if is_of_link(weight) {
-        let as_written = |size: BigRational| if is_known { size } else { size * &unit };
-        let rounded = rounded(&remedy.subject, weight);
-        return rounded.map(|(size, angle)| table(None, as_written(size), angle)).into_iter().collect();
-    }
-    let parts = weight.vector.parts().iter();
-    let terms = parts.flat_map(|(factor, sum)| sum.terms().iter().map(move |term| (factor, term)));
-    let exact = terms.map(|(factor, term): (&Factor, &Term)| {
-        let (coefficient_of, sign) = coefficient(engine, factor, weight.order);
-        let size = &term.weight * &unit * sign;
-        let angle = if size.is_negative() { term.angle.opposite() } else { term.angle.clone() };
-        table(coefficient_of, size.abs(), angle)
-    });
-    exact.collect()
-}
-
-/// The cylinder whose coefficient a factor is, and the sign between the two; none for 1.
-fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, BigRational) {
-    let one = BigRational::from_integer(1.into());
-    match factor {
-        // Weights against what links leave are not written by their terms, and against what faster cranks leave not at all.
-        Factor::One | Factor::Linkage(_) | Factor::Corrected(..) | Factor::Geared(..) => (None, one),
-        Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
-            let is_plain = |cylinder: &Cylinder| cylinder.link().is_none() && engine.speed_of(cylinder) == 1;
-            let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| is_plain(cylinder));
-            let found = cylinders.map(|(index, cylinder)| (index, Factor::of_rod(cylinder.rod(), order)));
-            let found = found.into_iter().find(|(_, (own, _))| own == factor);
-            found.map_or((None, one), |(index, (_, sign))| (Some(index), sign))
-        }
-    }
 }

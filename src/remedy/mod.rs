@@ -4,24 +4,27 @@
 //! the corrected engine are formed anew and proved to vanish (theory, section 7). Engines without numbers are answered in
 //! multiples of m r, and of c_k where the order has a coefficient.
 
+mod built;
 mod comparable_engine;
 mod corrected;
 mod counterweights;
+mod error;
 mod file;
 mod height;
 mod partial;
 mod rounded;
 mod shafts;
+mod tables;
 mod weight;
-
-use std::fmt;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+pub use built::{Built, Replaced};
 pub use comparable_engine::ComparableEngine;
 pub use corrected::{Corrected, corrected};
 pub use counterweights::{bay_by_bay, one_plane, two_planes};
+pub use error::RemedyError;
 pub use file::{CorrectedFile, FileError, corrected_file};
 pub use height::{PairHeight, pair_height};
 pub use partial::{Ellipse, Partial};
@@ -30,7 +33,6 @@ pub use weight::{Weight, with_counterweights};
 
 use crate::engine::{Engine, GearedCrank, throws};
 use crate::exact::Turn;
-use crate::loads::Missing;
 use crate::proof::Sense;
 
 /// What is asked of a remedy.
@@ -70,7 +72,8 @@ pub struct Remedy {
 }
 
 impl Remedy {
-    /// All weights of the remedy.
+    /// All weights of the remedy: what is added to the engine, where it has weights itself the difference to what they become
+    /// ([`Remedy::built`]).
     pub fn weights(&self) -> Vec<Weight> {
         let shafts = self.crankshaft.iter().chain(&self.shafts).flat_map(|shaft| &shaft.weights);
         self.bays.iter().chain(shafts).cloned().collect()
@@ -81,8 +84,17 @@ impl Remedy {
     pub fn crankshaft_mass(&self) -> Option<f64> {
         let bare = self.subject.engine().crankshaft_mass()?.to_f64()?;
         let own = self.crankshaft.iter().flat_map(|shaft| &shaft.weights);
-        let masses = self.bays.iter().chain(own).map(|weight| weight.mass_at_crank_radius(&self.subject));
-        Some(bare + masses.sum::<Option<f64>>()?)
+        let masses =
+            self.bays.iter().chain(own).filter(|weight| !self.built_of(weight).is_some_and(|plane| plane.is_resized()));
+        let added = masses.map(|weight| weight.mass_at_crank_radius(&self.subject)).sum::<Option<f64>>()?;
+        let there = &self.subject.engine().crankshaft().counterweights;
+        let on_the_crank = |plane: &&Built| (plane.was.order, plane.was.sense) == (1, Sense::Direct);
+        let resized = self.resized();
+        let resized = resized.iter().filter(on_the_crank).map(|plane| {
+            let before = plane.replaced.counterweights.iter().map(|index| there[*index].mass.to_f64());
+            Some(plane.becomes.mass_at_crank_radius(&self.subject)? - before.sum::<Option<f64>>()?)
+        });
+        Some(bare + added + resized.sum::<Option<f64>>()?)
     }
 
     /// Whether every sum of the corrected engine is proved to be zero, but for those that are left out.
@@ -95,55 +107,6 @@ impl Remedy {
         self.left_out.iter().any(|shaft| (shaft.order, shaft.sense) == (order, sense))
     }
 }
-
-/// Why there is no remedy.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum RemedyError {
-    /// What the layout lacks.
-    Missing(Missing),
-    /// Both planes stand at this position.
-    PlanesCoincide(BigRational),
-    /// A plane at this position lies beyond the ends of the crankshaft.
-    BeyondTheShaft(BigRational, Box<[BigRational; 2]>),
-    /// Balance factors where a crankshaft turns otherwise than the first, whose throws they are about.
-    Bays,
-    /// Neither one value for all nor one per throw.
-    TooMany {
-        /// What is given.
-        what: &'static str,
-        /// How many are given.
-        given: usize,
-        /// How many throws there are.
-        throws: usize,
-    },
-}
-
-impl fmt::Display for RemedyError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            RemedyError::Missing(missing) => missing.fmt(f),
-            RemedyError::PlanesCoincide(position) => write!(
-                f,
-                "both planes stand at {position}: weights in one plane make no couple; give planes at two positions"
-            ),
-            RemedyError::BeyondTheShaft(position, ends) => {
-                write!(
-                    f,
-                    "a plane at {position} is beyond the crankshaft, which reaches from {} to {}",
-                    ends[0], ends[1]
-                )
-            }
-            RemedyError::Bays => f.write_str(
-                "balance factors are of crankshafts that all turn as the first one does; leave them out: then weights in two planes are proposed",
-            ),
-            RemedyError::TooMany { what, given, throws } => {
-                write!(f, "{given} {what} for {throws} throws; give one for all, or one per throw")
-            }
-        }
-    }
-}
-
-impl std::error::Error for RemedyError {}
 
 /// Finds the weights that make every vector of the orders asked for vanish, and proves it on the corrected engine.
 ///
@@ -183,11 +146,14 @@ pub fn remedy(engine: &Engine, wish: &Wish) -> Result<Remedy, RemedyError> {
         }
         None => usual_planes(engine),
     };
-    let bays = if wish.factors.is_empty() { Vec::new() } else { bay_by_bay(&subject, &wish.factors, &wish.skews) };
+    let bays = match wish.factors.is_empty() {
+        true => Vec::new(),
+        false => built::in_place_of_what_is_there(&subject, bay_by_bay(&subject, &wish.factors, &wish.skews)),
+    };
     let crankshaft =
         wish.orders.contains(&1).then(|| on_the_crankshaft(&subject, &bays, &planes, wish.planes.is_some()));
     let crankshaft = crankshaft.flatten();
-    let shafts = shafts(&subject, &wish.orders, &planes);
+    let shafts = shafts(&subject, &wish.orders, &planes, wish.planes.is_some());
     let [needed, left_out] = without_slight(&subject, crankshaft.into_iter().chain(shafts).collect());
     let (on_the_crank, shafts): (Vec<Shaft>, Vec<Shaft>) =
         needed.into_iter().partition(|shaft| (shaft.order, shaft.sense) == (1, Sense::Direct));
@@ -224,9 +190,13 @@ fn on_the_crankshaft(
     let ends = subject.engine().shaft_ends();
     let is_beyond =
         |weight: &Weight| ends.as_ref().is_some_and(|[low, high]| weight.position < *low || weight.position > *high);
-    let weights = match planes_named || found.weights.iter().any(is_beyond) {
-        true => two_planes(1, Sense::Direct, &force, &moment, planes),
-        false => found.weights,
+    let in_planes = |planes: &[BigRational; 2]| two_planes(1, Sense::Direct, &force, &moment, planes);
+    let there = if bays.is_empty() { built::planes(subject, 1, Sense::Direct) } else { Vec::new() };
+    let weights = match built::resizing(&found, &there, planes) {
+        _ if planes_named => in_planes(planes),
+        Some(own) => in_planes(&own),
+        None if found.weights.iter().any(is_beyond) => in_planes(planes),
+        None => found.weights,
     };
     Some(Shaft { weights, ..found })
 }

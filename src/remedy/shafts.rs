@@ -5,6 +5,7 @@
 
 use num_rational::BigRational;
 
+use super::built;
 use super::comparable_engine::ComparableEngine;
 use super::counterweights::{one_plane, two_planes};
 use super::weight::Weight;
@@ -58,18 +59,25 @@ pub fn shaft(
 }
 
 /// The least set of shafts that takes away every vector of these orders but the direct ones of order 1, which
-/// counterweights on the crankshaft take away.
-pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational; 2]) -> Vec<Shaft> {
+/// counterweights on the crankshaft take away. Shafts of the engine are resized in their own planes, unless planes were named.
+pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational; 2], planes_named: bool) -> Vec<Shaft> {
     let mut shafts = Vec::new();
     for &order in orders {
+        let there = |sense| if planes_named { Vec::new() } else { built::planes(subject, order, sense) };
         let of_sense = |sense| {
             let (force, moment) = (subject.force(order, sense), subject.moment(order, sense));
-            shaft(order, sense, &force, &moment, planes)
+            let found = shaft(order, sense, &force, &moment, planes)?;
+            let weights = match built::resizing(&found, &there(sense), planes) {
+                Some(own) => two_planes(order, sense, &force, &moment, &own),
+                None => found.weights,
+            };
+            Some(Shaft { weights, ..found })
         };
         let direct = if order == 1 { None } else { of_sense(Sense::Direct) };
         let mut pair: Vec<Shaft> = direct.into_iter().chain(of_sense(Sense::Reverse)).collect();
         if let [a, b] = pair.as_mut_slice()
             && same_length(a, b)
+            && [Sense::Direct, Sense::Reverse].into_iter().all(|sense| built::planes(subject, order, sense).is_empty())
         {
             (a.lanchester, b.lanchester) = (true, true);
         }

@@ -46,6 +46,6 @@ pub use document::{FiringOrderDocument, FrontDocument, MomentDocument, PhaseSumD
 pub use found::{FoundStar, Moment, Standing};
 pub use pieces::Pieces;
 pub use plan::Way;
-pub use problem::{FINEST_GRID, MOST_GRID_STARS, MOST_ORDERS, MOST_THROWS, Problem, ProblemError};
+pub use problem::{FINEST_GRID, MOST_GRID_STARS, MOST_ORDERS, MOST_THROWS, Problem, ProblemError, bank_angle};
 pub use run::{Options, Progress, SearchError, search};
 pub use torsion::{MOST_TORSION_STARS, RankedOrder, StarTorsion, Torsion, mode_shape, torsion};

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use num_rational::BigRational;
+use num_traits::Signed;
 
 use crate::engine::{Cycle, CycleOrder, ORDERS};
 use crate::exact::Turn;
@@ -25,7 +26,7 @@ pub struct Problem {
     pub cylinders: u32,
     /// Two-stroke or four-stroke: fixes the throws of an in-line engine that fires evenly.
     pub cycle: Cycle,
-    /// The angle between the banks of a V on shared pins, `cylinders / 2` of them; `None` for an in-line engine.
+    /// The angle between the banks of a V of `cylinders / 2` throws, from bank 1 to bank 2 ([`bank_angle`]); `None` for an in-line engine.
     pub bank_angle: Option<Turn>,
     /// For a V: how many different directions the pins have, each as often as the others; as many as pins if `None`.
     pub directions: Option<u32>,
@@ -43,6 +44,23 @@ pub struct Problem {
     pub minor_orders: Vec<CycleOrder>,
     /// The deflections of the throws that weigh these sums; falling evenly from the free end if `None`.
     pub mode_shape: Option<Vec<BigRational>>,
+}
+
+/// The angle from bank 1 of a V to bank 2, of turns as they were written: above 0 and below 1, and no other angle for it.
+///
+/// # Errors
+/// What would be right.
+pub fn bank_angle(turns: &BigRational) -> Result<Turn, ProblemError> {
+    let whole = BigRational::from_integer(1.into());
+    let size = turns.abs();
+    match turns.is_negative() {
+        false if *turns < whole => Ok(Turn::new(turns.clone())),
+        true if size < whole => Err(ProblemError::new(format!(
+            "a V of −{0}° is one of {0}° with its banks exchanged; give {0}, and pin split and bank offset with the other sign",
+            Turn::new(size).degrees()
+        ))),
+        _ => Err(ProblemError::new("the angle from bank 1 to bank 2 is between 0 and 360")),
+    }
 }
 
 /// Why a question has no answer: what is wrong, and what would be right.
@@ -125,9 +143,7 @@ impl Problem {
                 ));
             }
             if !cylinders.is_multiple_of(2) {
-                return Err(ProblemError::new(format!(
-                    "a V on shared pins has an even number of cylinders, and {cylinders} is odd"
-                )));
+                return Err(ProblemError::new(format!("a V has an even number of cylinders, and {cylinders} is odd")));
             }
         }
         if self.throws() > MOST_THROWS {

@@ -16,6 +16,10 @@ use super::value::Value;
 const LONGEST: i64 = 1 << 20;
 /// More firing orders than this are not judged: none of them can be left out unseen.
 const MOST_FIRING_ORDERS: u128 = 4_000_000;
+/// By more minor orders than this nearly every firing order is best in something, and each is compared with all others.
+const FEW_MINOR_ORDERS: usize = 3;
+/// Then so many are judged at most.
+const MOST_BY_MANY: u128 = 50_000;
 
 /// The minor orders that are compared, and the deflections that weigh them.
 pub(super) struct Twist {
@@ -52,10 +56,19 @@ impl Twist {
                 "phase-vector sums are compared where every star fires evenly; leave out the minor orders, or give another bank angle or pin split",
             ));
         }
-        if firing_orders(problem) > MOST_FIRING_ORDERS {
+        let firing_orders = firing_orders(problem);
+        if firing_orders > MOST_FIRING_ORDERS {
             return Err(ProblemError::new(format!(
                 "{} cylinders have too many firing orders: by minor orders up to {MOST_FIRING_ORDERS} are compared",
                 problem.cylinders
+            )));
+        }
+        if problem.minor_orders.len() > FEW_MINOR_ORDERS && firing_orders > MOST_BY_MANY {
+            return Err(ProblemError::new(format!(
+                "{} cylinders have {firing_orders} firing orders, too many for {} minor orders, by which nearly each of them is best in something: \
+                 by more than {FEW_MINOR_ORDERS} up to {MOST_BY_MANY} are compared; give {FEW_MINOR_ORDERS} or fewer",
+                problem.cylinders,
+                problem.minor_orders.len()
             )));
         }
         let deflections = whole(&shape).ok_or_else(|| {

@@ -10,6 +10,7 @@ mod named;
 mod parquet;
 mod stream;
 mod unit;
+mod workbook;
 mod write;
 #[cfg(feature = "xlsx")]
 mod xlsx;
@@ -20,6 +21,7 @@ pub use json::Named;
 pub use named::{NotNamed, Single, Value};
 pub use stream::Stream;
 pub use unit::Unit;
+pub use workbook::rows as workbook_rows;
 pub use write::{DataFile, Format, Unwritable};
 
 /// A table: columns of equal length.

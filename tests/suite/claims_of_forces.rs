@@ -166,3 +166,42 @@ fn largest_loads_with_gas_are_those_of_the_bearings_page() {
         assert_eq!(found.peak.value, value, "{what}");
     }
 }
+
+#[test]
+fn what_moves_needs_no_gas_and_what_the_gas_moves_asks_for_it() {
+    let cold = "speed = 3000\n[inline]\nthrows = [0]\n[mechanism]\ncrank_radius = 0.05\nrod_ratio = 0.3\n";
+    let masses = "reciprocating_mass = 0.5\nrotating_mass = 0.2\n";
+    let answered = |layout: &str, says: &str| {
+        let engine = parse("cold.toml", layout).expect("it reads");
+        let statement = parse_statement(says).unwrap_or_else(|mistake| panic!("{says}: {mistake:?}"));
+        answer(&engine, &statement, None)
+    };
+    for (says, holds) in [
+        ("piston acceleration = ω² r (cos θ + λ cos 2θ)", false),
+        ("piston acceleration ≈ ω² r (cos θ + λ cos 2θ) ± 2 %", true),
+        ("piston displacement = r + L − h", true),
+        ("piston velocity = ω r (sin θ + λ sin θ cos θ/√(1 − λ² sin² θ))", true),
+        ("sine of the rod angle = λ sin θ", true),
+        ("rod length = r/λ", true),
+    ] {
+        let found = answered(cold, says);
+        assert_eq!(found.status, if holds { Status::True } else { Status::False }, "{says}: {found:?}");
+    }
+    let heavy = format!("{cold}{masses}");
+    for says in ["inertia force = −m r ω² (cos θ)", "centrifugal force = m_ROT r ω²", "reciprocating mass = m_ALT"]
+    {
+        let found = answered(&heavy, says);
+        assert!(matches!(found.status, Status::True | Status::False), "{says}: {found:?}");
+        let bare = answered(cold, says);
+        assert!(format!("{bare:?}").contains("masses"), "{says}: {bare:?}");
+    }
+    for says in ["piston effort = F", "piston acceleration = F_g/m", "gas force = 0"] {
+        let found = answered(&heavy, says);
+        assert!(!matches!(found.status, Status::True | Status::False), "{says}: {found:?}");
+        assert!(format!("{found:?}").contains("[gas]"), "{says}: {found:?}");
+    }
+    // Without a speed there is no acceleration, but a way.
+    let still = cold.replace("speed = 3000\n", "");
+    assert_eq!(answered(&still, "piston displacement = r + L − h").status, Status::True);
+    assert!(format!("{:?}", answered(&still, "piston velocity = ω r")).contains("speed"));
+}

@@ -7,8 +7,8 @@ use std::path::Path;
 use crankstar::BigRational;
 use crankstar::claim::{Judged, SENSES, SUMS, Star};
 use crankstar::classroom::{
-    Convention, Counts, Exercise, HandedIn, MarkedSheet, Outcome, Pupil, Scheme, Vary, can_be_set, csv_to_fill_in,
-    mark_class, marks_table, parse_exercise, parse_scheme, students, toml_to_fill_in,
+    Content, Convention, Counts, Exercise, HandedIn, MarkedSheet, Outcome, Pupil, Scheme, Vary, can_be_set,
+    csv_to_fill_in, mark_class, marks_table, parse_exercise, parse_scheme, students, toml_to_fill_in,
 };
 use crankstar::engine::Engine;
 use crankstar::file;
@@ -33,7 +33,7 @@ fn draw(layout: &str, names: &str, seed: u64) -> Exercise {
 }
 
 fn handed_in(name: &str, text: impl Into<String>) -> HandedIn {
-    HandedIn { name: name.to_owned(), text: Ok(text.into()) }
+    HandedIn { name: name.to_owned(), content: Content::Bytes(text.into().into_bytes()) }
 }
 
 fn number(value: i64) -> BigRational {
@@ -449,7 +449,7 @@ fn what_cannot_be_marked_is_told_and_stops_no_other() {
         handed_in("f.toml", "student = 'Fred'\n[convention]\nsense = 'left'"),
         handed_in("g.toml", right.replace("sheet = \"ada\"", "sheet = \"george\"\nstudent = \"Ada\"")),
         handed_in("h.toml", "student = 'Mallory'"),
-        HandedIn { name: "i.toml".to_owned(), text: Err("byte 0 is not UTF-8".to_owned()) },
+        HandedIn { name: "i.toml".to_owned(), content: Content::Unreadable("no permission".to_owned()) },
         handed_in("j.csv", "a,b\n1,2"),
     ];
     let results = mark_class(&exercise, files, &Scheme::default());
@@ -460,6 +460,7 @@ fn what_cannot_be_marked_is_told_and_stops_no_other() {
             Outcome::Unreadable(why) => why.escaped(crankstar::text::Format::Plain),
             Outcome::NotHandedIn => "none".to_owned(),
             Outcome::HandedInTwice => "twice".to_owned(),
+            Outcome::NotRead(why) => why.escaped(crankstar::text::Format::Plain),
         })
         .collect();
     let keywords = [
@@ -472,7 +473,7 @@ fn what_cannot_be_marked_is_told_and_stops_no_other() {
         "none",
         "not that of `Ada`",
         "Mallory",
-        "UTF-8",
+        "no permission",
         "columns",
     ];
     assert_eq!(told.len(), keywords.len(), "{told:#?}");
@@ -540,7 +541,7 @@ fn pages_of_a_class_have_german_for_every_phrase_and_show_names_as_texts() {
     let results = mark_class(&exercise, files, &scheme);
     let mut pages = vec![report::marks_page(&exercise, &results, &scheme), report::marks_answer(&results, &scheme)];
     for pupil in &exercise.pupils {
-        pages.push(report::exercise_sheet(pupil, &[1, 2], "x.toml"));
+        pages.push(report::exercise_sheet(pupil, &[1, 2], "x.toml", &scheme));
         pages.push(report::exercise_solutions(pupil, &[1, 2]).expect("orders"));
     }
     for result in &results {
@@ -550,7 +551,7 @@ fn pages_of_a_class_have_german_for_every_phrase_and_show_names_as_texts() {
     }
     let plain =
         Exercise::draw(&engine("I4"), &[1], &students("Ada").expect("a list"), 1, Vary::NOTHING).expect("an engine");
-    pages.push(report::exercise_sheet(&plain.pupils[0], &[1], "x.toml"));
+    pages.push(report::exercise_sheet(&plain.pupils[0], &[1], "x.toml", &scheme));
     let phrases: BTreeSet<&str> = pages.iter().flat_map(|page| page.phrases()).collect();
     let missing: Vec<&&str> = phrases.iter().filter(|words| has_words(words) && !Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "no German for {missing:#?}");

@@ -170,13 +170,19 @@ fn a_factor_that_may_be_the_other_one_is_asked_about() {
 }
 
 #[test]
-fn counterweights_of_a_factor_are_listed_in_the_corrected_file() {
+fn counterweights_of_a_factor_are_listed_in_the_corrected_file_and_resized() {
     let engine = read(
         &format!("{TWIN}[crankshaft]\ncounterweight_radius = '40 mm'\nbalance_factor = 0.5\n")
             .replace("pin_offset = ['2 mm', '-2 mm']\n", ""),
     );
     let corrected = corrected(&found(&engine, &[1, 2, 4]).expect("a remedy"));
-    assert_eq!(corrected.crankshaft().counterweights[0], engine.crankshaft().counterweights[0]);
+    let ([resized], [there]) =
+        (corrected.crankshaft().counterweights.as_slice(), engine.crankshaft().counterweights.as_slice())
+    else {
+        panic!("one throw has one counterweight: {:?}", corrected.crankshaft());
+    };
+    assert_eq!(crankstar::engine::Counterweight { mass: there.mass.clone(), ..resized.clone() }, *there);
+    assert!(resized.mass > there.mass, "half of what is needed was there");
 }
 
 #[test]

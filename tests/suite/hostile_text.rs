@@ -446,7 +446,7 @@ fn every_field_of_a_persons_text_is_tried_here() {
         "claim/study.rs: title", "claim/study.rs: source", "claim/study.rs: in_line", "claim/study.rs: text",
         "claim/provenance.rs: source", "claim/provenance.rs: place", "claim/provenance.rs: words", "claim/study.rs: conclusion", "claim/study.rs: engine", "claim/study.rs: claim",
         "claim/handwritten.rs: text", "claim/star_marks.rs: written",
-        "classroom/students.rs: name", "classroom/exercise.rs: name", "classroom/results.rs: files",
+        "classroom/students.rs: name", "classroom/exercise.rs: name", "classroom/results.rs: files", "classroom/marking.rs: not_read",
         "sweep/run.rs: title", "report/compare/mod.rs: name", "report/atlas/entry.rs: title",
     ]);
     assert_eq!(found_in_source(field), known);
@@ -469,7 +469,7 @@ fn a_persons_text_leaves_its_type_unescaped_in_few_places() {
         // a value of Python, which obeys no text
         "python/columns.rs: ", "python/engine.rs: ",
         // a student's name in the file of an exercise, and in the table that is filled in
-        "classroom/exercise.rs: ", "classroom/answers.rs: ",
+        "classroom/exercise.rs: ", "classroom/fill_in.rs: ",
     ]);
     assert_eq!(found_in_source(file), known);
 }

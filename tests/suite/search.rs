@@ -316,6 +316,16 @@ fn crankstar(arguments: &str) -> (Option<i32>, String, String) {
 }
 
 #[test]
+fn a_v_with_split_pins_is_not_called_one_on_shared_pins() {
+    let asked = "--cylinders 6 --cycle four-stroke --bank-angle 60 --pin-split 60";
+    let (_, told, _) = crankstar(asked);
+    assert!(told.contains("Each throw has two pins") && !told.contains("shared"), "{told}");
+    let odd = "--cylinders 7 --cycle four-stroke --bank-angle 60 --pin-split 60";
+    let (_, _, told) = crankstar(odd);
+    assert!(told.contains("7 is odd") && !told.contains("shared"), "{told}");
+}
+
+#[test]
 fn impossible_questions_are_answered_with_words() {
     let questions = [
         ("--cylinders 0 --cycle two-stroke", 1, "without cylinders"),
@@ -324,6 +334,11 @@ fn impossible_questions_are_answered_with_words() {
         ("--cylinders 4 --cycle six-stroke", 2, "two-stroke, four-stroke"),
         ("--cylinders 7 --cycle four-stroke --bank-angle 60", 1, "7 is odd"),
         ("--cylinders 6 --cycle four-stroke --bank-angle 720", 1, "between 0 and 360"),
+        ("--cylinders 6 --cycle four-stroke --bank-angle=-90", 1, "one of 90° with its banks exchanged"),
+        ("--cylinders 6 --cycle four-stroke --bank-angle=-360", 1, "between 0 and 360"),
+        ("--cylinders 6 --cycle four-stroke --bank-angle 0", 1, "between 0 and 360"),
+        ("--cylinders 10 --cycle two-stroke --minor-orders 1,2,3,4", 1, "362880 firing orders"),
+        ("--cylinders 10 --cycle four-stroke --minor-orders 1/2,1,3/2,2", 1, "give 3 or fewer"),
         ("--cylinders 6 --cycle four-stroke --bank-angle sixty", 1, "not a number"),
         ("--cylinders 6 --cycle four-stroke --bank-angle 60 --directions 2", 1, "cannot share 2 directions"),
         ("--cylinders 6 --cycle four-stroke --directions 3", 1, "fixes the directions"),

@@ -104,7 +104,7 @@ impl Question for Cured {
 
 /// A row a weight.
 fn weights(remedy: &remedy::Remedy) -> Table {
-    let weights = remedy.weights();
+    let weights: Vec<Weight> = remedy.weights().iter().filter_map(|weight| remedy.as_built(weight)).collect();
     let position = match remedy.subject.engine().length_unit() {
         LengthUnit::Metre => Unit::METRE,
         LengthUnit::Spacing => Unit::SPACING,

@@ -1,9 +1,15 @@
 //! How did the class do? The table of marks, what was most often wrong, and the scheme.
 
-use super::student::{points, read_in};
+use num_rational::BigRational;
+use num_traits::Zero;
+
+use super::super::plot::{Axis, Curve, Plot};
+use super::student::{points, read_in, rows_not_read};
 use crate::claim::{Judged, Place};
-use crate::classroom::{Exercise, MarkedSheet, Outcome, Scheme, StudentResult};
-use crate::page::{Block, Document, Table, Text, phrase};
+use crate::classroom::{Distribution, Exercise, MarkedSheet, Outcome, Scheme, StudentResult};
+use crate::numbers::{self, Form};
+use crate::page::number::Amount;
+use crate::page::{Block, Document, Picture, Table, Text, phrase};
 use crate::text::Untrusted;
 
 /// The short answer: the table of marks.
@@ -11,6 +17,7 @@ pub fn marks_answer(results: &[StudentResult], scheme: &Scheme) -> Document {
     let mut page = Document::new("marks", "Marks");
     page.push(Block::Answer(vec![summary(results)]));
     page.push(table(results));
+    page.blocks.extend(Distribution::of(results).map(|points| Block::Paragraph(spread(&points))));
     page.blocks.extend(remarks(results, scheme));
     page.push(Block::Note(phrase!("Points by this scheme: {}.", shown(scheme))));
     page
@@ -22,12 +29,13 @@ pub fn marks_page(exercise: &Exercise, results: &[StudentResult], scheme: &Schem
     page.push(Block::Answer(vec![summary(results)]));
     page.push(table(results));
     page.blocks.extend(remarks(results, scheme));
+    page.blocks.extend(Distribution::of(results).iter().flat_map(distribution));
     page.push(Block::Heading(1, "What was right, column by column".into()));
     page.push(columns(exercise, results));
     page.push(Block::Heading(1, "Scheme".into()));
     page.push(Block::Paragraph(
-        "The points of a right phase and of a right sum; the part of them for a sum that is wrong only because a phase is; and the part of all points of a sheet that is \
-         right in a convention which it does not declare."
+        "The points of a right phase and of a right sum; the part of them for a sum that is wrong only because a phase is; the part of all points of a sheet that is \
+         right in a convention which it does not declare; the significant digits that a rounded length needs, and the part of the points for an entry that is right to fewer."
             .into(),
     ));
     page.push(Block::Verbatim("toml", Untrusted::new(scheme.to_toml())));
@@ -42,42 +50,89 @@ fn shown(scheme: &Scheme) -> Text {
 fn marked<'a>(results: &'a [StudentResult]) -> impl Iterator<Item = &'a MarkedSheet> {
     results.iter().filter_map(|result| match &result.outcome {
         Outcome::Marked(sheet) => Some(sheet.as_ref()),
-        Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice => None,
+        Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice | Outcome::NotRead(_) => None,
     })
+}
+
+/// Mean and spread of the points.
+fn spread(points: &Distribution) -> Text {
+    let no_spread = points.variance.is_zero().then(|| Form::rational(BigRational::zero()));
+    phrase!(
+        "Points: mean {} of {}, standard deviation {}. Sheets: {}.",
+        Amount { exact: Some(Form::rational(points.mean.clone())), decimal: numbers::float(&points.mean) },
+        super::student::points(&points.possible),
+        Amount { exact: no_spread, decimal: numbers::float(&points.variance).sqrt() },
+        points.sheets
+    )
+}
+
+/// The same, and how many sheets have which part of the points.
+fn distribution(points: &Distribution) -> Vec<Block> {
+    let mut table = Table::new(["Part of the points in %", "Sheets"]);
+    let mut steps = Vec::new();
+    for (tenth, sheets) in points.tenths.iter().enumerate() {
+        let (from, to) = (10 * tenth, 10 * tenth + 10);
+        table.push(vec![phrase!("{} to {}", from, to), (*sheets).into()]);
+        steps.extend([from, to].map(|percent| (percent as f64, *sheets as f64)));
+    }
+    let (first, last) = ((0.0, 0.0), (100.0, 0.0));
+    let outline = [first].into_iter().chain(steps).chain([last]).collect();
+    let x = Axis::linear("Part of the points in %");
+    let mut plot = Plot::new("Points", x, Axis::linear("Sheets"));
+    plot.curves.push(Curve::new(0, "sheets", outline));
+    let caption = "How many of the sheets that are marked have which part of the possible points, tenth by tenth. What lies between two tenths counts in the upper one.";
+    let picture = Picture { name: "points".into(), caption: caption.into(), figure: plot.figure() };
+    vec![
+        Block::Heading(1, "How the points are spread".into()),
+        Block::Paragraph(spread(points)),
+        Block::Pictures(vec![picture]),
+        table.into(),
+    ]
 }
 
 fn summary(results: &[StudentResult]) -> Text {
     let count = |is: fn(&Outcome) -> bool| results.iter().filter(|result| is(&result.outcome)).count();
     phrase!(
-        "Marked: {}. Not to be read: {}. Not handed in: {}. Handed in more than once: {}.",
+        "Marked: {}. Not readable: {}. Not handed in: {}. Handed in more than once: {}. Files that are no tables: {}.",
         marked(results).count(),
         count(|outcome| match outcome {
             Outcome::Unreadable(_) => true,
-            Outcome::Marked(_) | Outcome::NotHandedIn | Outcome::HandedInTwice => false,
+            Outcome::Marked(_) | Outcome::NotHandedIn | Outcome::HandedInTwice | Outcome::NotRead(_) => false,
         }),
         count(|outcome| match outcome {
             Outcome::NotHandedIn => true,
-            Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::HandedInTwice => false,
+            Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::HandedInTwice | Outcome::NotRead(_) => false,
         }),
         count(|outcome| match outcome {
             Outcome::HandedInTwice => true,
-            Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::NotHandedIn => false,
-        })
+            Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::NotRead(_) => false,
+        }),
+        results.iter().filter(|result| is_no_table(result)).count()
     )
+}
+
+fn is_no_table(result: &StudentResult) -> bool {
+    match result.outcome {
+        Outcome::NotRead(_) => true,
+        Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice => false,
+    }
 }
 
 /// A line for each student.
 fn table(results: &[StudentResult]) -> Table {
-    let mut table = Table::new(["Student", "Points", "Of", "Right", "Wrong", "Follows", "Missing"]);
-    for result in results {
+    let columns = ["Student", "Points", "Of", "Right", "Wrong", "Follows", "Not readable", "Missing"];
+    let mut table = Table::new(columns);
+    for result in results.iter().filter(|result| !is_no_table(result)) {
         let cells: Vec<Text> = match &result.outcome {
             Outcome::Marked(sheet) => {
                 let counts = sheet.counts();
-                let numbers = [counts.right, counts.wrong + counts.unreadable, counts.consequential, counts.missing];
+                let numbers = [counts.right, counts.wrong, counts.consequential, counts.unreadable, counts.missing];
                 let points = [points(&sheet.points), points(&sheet.possible)];
                 points.into_iter().chain(numbers.map(Text::from)).collect()
             }
-            Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice => vec!["–".into(); 6],
+            Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice | Outcome::NotRead(_) => {
+                vec!["–".into(); columns.len() - 1]
+            }
         };
         table.push([name(result)].into_iter().chain(cells).collect());
     }
@@ -93,10 +148,10 @@ fn remarks(results: &[StudentResult], scheme: &Scheme) -> Option<Block> {
     let remark = |result: &StudentResult| {
         let files = || Text::joined(result.files.iter().map(Text::from), ", ");
         let remark = match &result.outcome {
-            Outcome::Marked(sheet) => Text::joined(read_in(sheet, scheme), " "),
+            Outcome::Marked(sheet) => Text::joined(read_in(sheet, scheme).into_iter().chain(rows_not_read(sheet)), " "),
             Outcome::Unreadable(why) => phrase!("{} cannot be read: {}", files(), why),
             // All of them in one line below.
-            Outcome::NotHandedIn => Text::default(),
+            Outcome::NotHandedIn | Outcome::NotRead(_) => Text::default(),
             Outcome::HandedInTwice => phrase!("handed in more than once: {}", files()),
         };
         (!remark.is_empty()).then(|| phrase!("{}: {}", name(result), remark))
@@ -104,11 +159,26 @@ fn remarks(results: &[StudentResult], scheme: &Scheme) -> Option<Block> {
     let mut remarks: Vec<Text> = results.iter().filter_map(remark).collect();
     let absent = results.iter().filter(|result| match result.outcome {
         Outcome::NotHandedIn => true,
-        Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::HandedInTwice => false,
+        Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::HandedInTwice | Outcome::NotRead(_) => false,
     });
     let absent = Text::joined(absent.map(name), ", ");
     remarks.extend((!absent.is_empty()).then(|| phrase!("Not handed in: {}.", absent)));
+    remarks.extend(not_read(results));
     (!remarks.is_empty()).then_some(Block::List(remarks))
+}
+
+/// The files that are no tables, by why they are none.
+fn not_read(results: &[StudentResult]) -> Vec<Text> {
+    let mut by_reason: Vec<(&Untrusted, Vec<Text>)> = Vec::new();
+    for result in results {
+        let Outcome::NotRead(why) = &result.outcome else { continue };
+        let files = result.files.iter().map(Text::from);
+        match by_reason.iter_mut().find(|(reason, _)| *reason == why) {
+            Some((_, there)) => there.extend(files),
+            None => by_reason.push((why, files.collect())),
+        }
+    }
+    by_reason.into_iter().map(|(why, files)| phrase!("Not read, {}: {}.", why, Text::joined(files, ", "))).collect()
 }
 
 /// Of each kind of entry, how many of the class have it right.

@@ -5,12 +5,12 @@ use super::super::engine_page::CENTRES;
 use super::super::table;
 use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};
 use super::unit_of;
-use crate::classroom::Pupil;
+use crate::classroom::{Pupil, Scheme};
 use crate::page::{Block, Document, Picture, Table, Text, phrase};
 use crate::proof::Quantity;
 
-/// The sheet of a student; `table` is the name of the file with the table to fill in.
-pub fn exercise_sheet(pupil: &Pupil, orders: &[u32], table: &str) -> Document {
+/// The sheet of a student, to be marked by this scheme; `table` is the name of the file with the table to fill in.
+pub fn exercise_sheet(pupil: &Pupil, orders: &[u32], table: &str, scheme: &Scheme) -> Document {
     let mut page = Document::new("sheet", phrase!("Vector-star exercise: {}", &pupil.name));
     page.blocks.extend(given(pupil));
     page.blocks.extend(to_find(pupil, orders));
@@ -19,7 +19,12 @@ pub fn exercise_sheet(pupil: &Pupil, orders: &[u32], table: &str) -> Document {
         "Write your results into the file {}, and hand that file in.",
         Text::code(table)
     )));
-    page.push(Block::List(HINTS.map(Text::from).into()));
+    let digits = phrase!(
+        "A rounded length needs at least {} significant digits, and a rounded angle a digit behind the point: with fewer an entry does not earn all its points.",
+        scheme.digits
+    );
+    let [angle, length, rounded, check, convention] = HINTS.map(Text::from);
+    page.push(Block::List(vec![angle, length, rounded, digits, check, convention]));
     page
 }
 
@@ -80,5 +85,5 @@ const HINTS: [&str; 5] = [
     "A length is a number of 0 or more: 4, 3.16, sqrt(10), 2 sin 36°. What vanishes is 0.",
     "Decimals are right where they are those of the true value, rounded: for √10 both 3.2 and 3.162 are right, 3.15 is not. A number without a point is taken as exact.",
     "Check a star before you add it up: the vectors of one cylinder are as long as each other, and turn opposite ways.",
-    "If you draw angles clockwise, count the throws the other way, exchange direct and reverse, or take moments about another plane, say so below [convention]; then your table is marked in your convention.",
+    "If you draw angles clockwise, count the throws the other way, exchange direct and reverse, or take moments about another plane, say so in the lines of the table that ask for your convention; then your table is marked in your convention.",
 ];

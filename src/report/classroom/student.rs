@@ -15,6 +15,7 @@ pub fn marked_page(pupil: &Pupil, sheet: &MarkedSheet, scheme: &Scheme) -> Docum
     let mut answer =
         vec![phrase!("**{} of {} points.**", points(&sheet.points), points(&sheet.possible)), counts(sheet)];
     answer.extend(read_in(sheet, scheme));
+    answer.extend(rows_not_read(sheet));
     page.push(Block::Answer(answer));
     for table in &sheet.tables {
         page.push(Block::Heading(1, phrase!("Order {}", table.order)));
@@ -36,10 +37,11 @@ pub(super) fn points(value: &BigRational) -> Text {
 pub(super) fn counts(sheet: &MarkedSheet) -> Text {
     let counts = sheet.counts();
     phrase!(
-        "Right: {}. Wrong: {}. Wrong because of another entry: {}. Not to be read: {}. Missing: {}.",
+        "Right: {}. Wrong: {}. Wrong because of another entry: {}. Right to too few digits: {}. Not readable: {}. Missing: {}.",
         counts.right,
         counts.wrong,
         counts.consequential,
+        counts.coarse,
         counts.unreadable,
         counts.missing
     )
@@ -60,6 +62,12 @@ pub(super) fn read_in(sheet: &MarkedSheet, scheme: &Scheme) -> Vec<Text> {
         ));
     }
     told
+}
+
+/// The rows that belong nowhere in the table.
+pub(super) fn rows_not_read(sheet: &MarkedSheet) -> Option<Text> {
+    let rows = Text::joined(sheet.not_read.iter().map(Text::from), ", ");
+    (!sheet.not_read.is_empty()).then(|| phrase!("Rows that cannot be read: {}.", rows))
 }
 
 /// `sense clockwise, vectors swapped`; that of the sheet where nothing is otherwise.
@@ -97,9 +105,10 @@ fn one() -> BigRational {
 fn answer(judged: Judged) -> Text {
     match judged {
         Judged::Right => "right".into(),
+        Judged::Coarse => "**too few digits**".into(),
         Judged::Consequential => "**follows**".into(),
         Judged::Wrong => "**wrong**".into(),
-        Judged::Unreadable => "**not to be read**".into(),
+        Judged::Unreadable => "**not readable**".into(),
         Judged::Missing => "**missing**".into(),
     }
 }

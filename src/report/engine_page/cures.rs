@@ -87,6 +87,7 @@ fn counterweights(engine: &Engine, judged: &Judgement) -> Text {
     }
     let Ok(remedy) = remedy::remedy(engine, &Wish { orders: vec![1], ..Wish::default() }) else { return bare };
     let weights = remedy.crankshaft.iter().flat_map(|shaft| &shaft.weights);
+    let weights = weights.filter_map(|weight| remedy.as_built(weight));
     let sizes: Option<Vec<f64>> = weights.map(|weight| weight.mass_radius(&remedy.subject)).collect();
     let size = |size: f64| Text::from(Piece::Quantity(size, page::Unit::KILOGRAM_METRE));
     match sizes.as_deref() {

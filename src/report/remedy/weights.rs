@@ -7,7 +7,7 @@ use crate::order::Factor;
 use crate::page::number::{Amount, Bearing, given};
 use crate::page::{Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
-use crate::remedy::{Remedy, Weight};
+use crate::remedy::{Built, Remedy, Weight};
 use num_rational::BigRational;
 
 /// Letters of the longest closed form of a mass-radius that is shown.
@@ -27,7 +27,12 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
     let before = ["Weight".into(), "Turns".into(), position].into_iter();
     let sizes = size_of.iter().copied().map(Text::from);
     let mut table = Table::new(before.chain(sizes).chain(["Angle at θ = 0".into()]));
+    let mut told: Vec<Weight> = Vec::new();
     let mut add = |name: Text, weight: &Weight| {
+        // Several parts of a remedy resize a weight together.
+        let Some(weight) = remedy.as_built(weight).filter(|weight| !told.contains(weight)) else { return };
+        told.push(weight.clone());
+        let weight = &weight;
         let before = [name, turns(weight), position_of(remedy.subject.engine(), weight)].into_iter();
         let sizes = in_numbers.then(|| in_short(remedy, weight)).into_iter().chain([size(remedy, weight)]);
         table.push(before.chain(sizes).chain([direction(remedy, weight)]).collect());
@@ -58,8 +63,20 @@ fn position_of(engine: &Engine, weight: &Weight) -> Text {
     }
 }
 
+/// What the engine has in a plane, and what it becomes: `at z = 0 from 0.3 m r at 180° to 0.25 m r at 180°`.
+pub(super) fn resized(remedy: &Remedy, plane: &Built) -> Text {
+    let turns = turns(&plane.was);
+    let at = position_of(remedy.subject.engine(), &plane.was);
+    let size = |weight: &Weight| match weight.vector.vanishes() {
+        true => "nothing".into(),
+        false => phrase!("{} at {}", in_short(remedy, weight), direction(remedy, weight)),
+    };
+    phrase!("z = {}, {}: {}, now {}", at, turns, size(&plane.was), size(&plane.becomes))
+}
+
 /// Weights in a row: how large, and where.
 pub(super) fn listed(remedy: &Remedy, weights: &[Weight]) -> Text {
+    let weights: Vec<Weight> = weights.iter().filter_map(|weight| remedy.as_built(weight)).collect();
     let one = |weight: &Weight| {
         let size = in_short(remedy, weight);
         let at = position_of(remedy.subject.engine(), weight);

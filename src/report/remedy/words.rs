@@ -8,7 +8,7 @@ use super::weights;
 use crate::engine::GearedCrank;
 use crate::page::{Number, Piece, Text, Unit, phrase};
 use crate::proof::Sense;
-use crate::remedy::{Kind, PairHeight, Remedy, Shaft};
+use crate::remedy::{Kind, PairHeight, Remedy, Shaft, Weight};
 
 /// The orders of a remedy.
 fn orders(remedy: &Remedy) -> String {
@@ -17,15 +17,17 @@ fn orders(remedy: &Remedy) -> String {
 
 /// What cancels what, a sentence each, and the proof of it: the answer to what cures an engine.
 pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
-    let mut lines = Vec::new();
-    if !remedy.bays.is_empty() {
+    let mut lines = resized(remedy);
+    let stays = |weights: &[Weight]| weights.iter().any(|weight| remedy.as_built(weight).is_some());
+    if stays(&remedy.bays) {
         lines.push(phrase!(
             "Counterweights by the balance factors asked for: {}.",
             weights::listed(remedy, &remedy.bays)
         ));
     }
-    lines.extend(remedy.crankshaft.iter().map(|shaft| on_the_crankshaft(remedy, shaft)));
-    let mut shafts = remedy.shafts.iter().peekable();
+    let crankshaft = remedy.crankshaft.iter().filter(|shaft| stays(&shaft.weights));
+    lines.extend(crankshaft.map(|shaft| on_the_crankshaft(remedy, shaft)));
+    let mut shafts = remedy.shafts.iter().filter(|shaft| stays(&shaft.weights)).peekable();
     while let Some(shaft) = shafts.next() {
         let partner = shafts.next_if(|next| next.order == shaft.order && next.kind == shaft.kind);
         lines.push(match partner {
@@ -61,6 +63,13 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
         ),
     }
     lines
+}
+
+/// The weights of the file that become others.
+fn resized(remedy: &Remedy) -> Vec<Text> {
+    let planes = remedy.resized();
+    let listed = Text::joined(planes.iter().map(|plane| weights::resized(remedy, plane)), "; ");
+    (!planes.is_empty()).then(|| phrase!("Weights of the engine are resized: {}.", listed)).into_iter().collect()
 }
 
 /// Which shafts may be counterweights on a crankshaft that turns as they do, where crankshafts turn at different speeds.

@@ -1,0 +1,125 @@
+//! What do the rows of a spreadsheet say? One row of a student's table each, whoever the student is.
+
+use super::answers::{Answers, Handed, Whose};
+use super::convention::Convention;
+use super::csv::Row;
+use crate::claim::student::kept;
+use crate::claim::{Filled, SENSES, SUMS, WrittenAngle, WrittenLength};
+use crate::engine::{Engine, HIGHEST_ORDER};
+use crate::proof::Quantity;
+
+/// The columns of a table in lines.
+pub(super) const COLUMNS: [&str; 6] = ["sheet", "student", "order", "row", "direct", "reverse"];
+/// What stands before the name of a cylinder, and before a key of the convention.
+pub(super) const CYLINDER: &str = "cylinder ";
+pub(super) const CONVENTION: &str = "convention ";
+/// What a column of angles may have behind its name.
+const DEGREES: [&str; 5] = ["", "deg", "degree", "degrees", "°"];
+
+pub(super) fn sum_name(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Moment => "sum of moments",
+        Quantity::Force | Quantity::Torque | Quantity::Roll => "sum of forces",
+    }
+}
+
+/// A row that somebody filled in.
+pub(super) struct Record {
+    row_number: usize,
+    order: String,
+    row: String,
+    values: [String; 2],
+}
+
+impl Record {
+    /// Whether it has no entry: the convention is none.
+    pub fn is_empty(&self) -> bool {
+        self.row.starts_with(CONVENTION) || self.values.iter().all(String::is_empty)
+    }
+}
+
+/// The tables in the rows of a spreadsheet, by whose they are, in the order of their first rows.
+pub(super) fn in_rows(rows: Vec<Row>) -> Result<Vec<(Whose, Handed)>, String> {
+    let mut rows = rows.into_iter();
+    let (number, header) = rows.next().ok_or("the file is empty")?;
+    let names = header.iter().map(|column| named(column)).collect::<Vec<_>>();
+    let columns = COLUMNS.map(|name| names.iter().position(|(column, _)| column.eq_ignore_ascii_case(name)));
+    let [sheet, student, order, row, direct, reverse] = columns;
+    let (Some(order), Some(row), Some(direct), Some(reverse), true) =
+        (order, row, direct, reverse, sheet.is_some() || student.is_some())
+    else {
+        return Err(format!("line {number}: the columns are to be {}", COLUMNS.join(", ")));
+    };
+    if let Some(column) = [direct, reverse].into_iter().find(|column| !DEGREES.contains(&names[*column].1.as_str())) {
+        return Err(format!(
+            "line {number}: cannot read the column `{}`; its angles are in degrees, or have their unit behind them",
+            header[column]
+        ));
+    }
+    let mut tables: Vec<(Whose, Vec<Record>)> = Vec::new();
+    for (row_number, fields) in rows {
+        let value = |column: usize| fields.get(column).cloned().unwrap_or_default();
+        let words = |column: Option<usize>| column.map(value).filter(|words| !words.is_empty());
+        let whose = Whose { sheet: words(sheet), student: words(student) };
+        let values = [value(direct), value(reverse)];
+        let record = Record { row_number, order: value(order), row: value(row), values };
+        match tables.iter_mut().find(|(there, _)| *there == whose) {
+            Some((_, records)) => records.push(record),
+            None => tables.push((whose, vec![record])),
+        }
+    }
+    Ok(tables.into_iter().map(|(whose, records)| (whose, Handed::Rows(records))).collect())
+}
+
+/// The name of a column, and the unit that stands behind it: `Direct (deg)`, `direct [°]`.
+fn named(column: &str) -> (String, String) {
+    let (name, unit) = column.split_once(['(', '[']).unwrap_or((column, ""));
+    (name.trim().to_owned(), unit.trim().trim_end_matches([')', ']']).trim().to_lowercase())
+}
+
+/// What is filled in. A row that says nothing of the table costs itself and no other.
+pub(super) fn answers(records: &[Record], engine: &Engine) -> Result<Answers, String> {
+    let mut answers = Answers { convention: Convention::default(), tables: Vec::new(), not_read: Vec::new() };
+    for Record { row_number, order, row, values } in records {
+        let wrong = |message: String, right: &str| format!("line {row_number}: {message}; {right}");
+        if let Some(key) = row.strip_prefix(CONVENTION) {
+            let declared = answers.convention.declare(key.trim(), &values[0], engine);
+            declared.map_err(|right| wrong(format!("cannot read the {key} `{}`", values[0]), &right))?;
+            continue;
+        }
+        let Some(number) = order.parse().ok().filter(|number| (1..=HIGHEST_ORDER).contains(number)) else {
+            answers.not_read.push(wrong(format!("cannot read the order `{order}`"), "a whole number, such as 1"));
+            continue;
+        };
+        let name = row.strip_prefix(CYLINDER).unwrap_or(row).trim();
+        let index = engine.cylinders().iter().position(|cylinder| cylinder.name == name);
+        let quantity = SUMS.into_iter().find(|quantity| sum_name(*quantity) == row);
+        if quantity.is_none() && index.is_none() {
+            let right = "cylinder and its name, sum of forces, or sum of moments";
+            answers.not_read.push(wrong(format!("`{row}` is no row of the table"), right));
+            continue;
+        }
+        let place = answers.tables.iter().position(|(there, _)| *there == number);
+        let place = place.unwrap_or_else(|| {
+            answers.tables.push((number, Filled::default()));
+            answers.tables.len() - 1
+        });
+        let table = &mut answers.tables[place].1;
+        let is_there = match (quantity, index) {
+            (Some(quantity), _) => table.sums.iter().any(|(there, ..)| *there == quantity),
+            (None, Some(index)) => table.phases.iter().any(|(there, ..)| *there == index),
+            (None, None) => false,
+        };
+        if is_there {
+            return Err(wrong(format!("`{row}` of order {number} has a line before"), "one line per row"));
+        }
+        for (sense, words) in SENSES.into_iter().zip(values).filter(|(_, words)| !words.is_empty()) {
+            match (quantity, index) {
+                (Some(quantity), _) => table.sums.push((quantity, sense, kept(words, WrittenLength::read(words)))),
+                (None, Some(index)) => table.phases.push((index, sense, kept(words, WrittenAngle::read(words)))),
+                (None, None) => {}
+            }
+        }
+    }
+    Ok(answers)
+}

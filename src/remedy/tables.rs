@@ -1,0 +1,213 @@
+//! Which tables has the layout file of a corrected engine? Those of the weights that stay, and those of what is built.
+
+use num_rational::BigRational;
+use num_traits::Signed;
+
+use super::rounded::{is_of_link, rounded};
+use super::{Built, Remedy, Replaced, Weight};
+use crate::engine::{Balancer, Counterweight, Cylinder, Engine};
+use crate::exact::{Term, Turn};
+use crate::file::{
+    balancer_table, comment, counterweight_in_multiples, counterweight_table, without_balancers, without_counterweights,
+};
+use crate::order::Factor;
+use crate::proof::Sense;
+
+/// The weights that the file has still: those of the engine that the remedy does not resize, by index.
+pub(super) struct Kept {
+    pub counterweights: Vec<Counterweight>,
+    pub balancers: Vec<Balancer>,
+    /// Whether the file lists its counterweights anew, and its balancer shafts.
+    lists: [bool; 2],
+}
+
+impl Kept {
+    pub fn of(remedy: &Remedy) -> Self {
+        let crankshaft = remedy.subject.engine().crankshaft();
+        let resized = remedy.resized();
+        let goes = |index: &usize, of: fn(&Replaced) -> &Vec<usize>| {
+            resized.iter().any(|plane| of(&plane.replaced).contains(index))
+        };
+        let stays = |index: &usize| !goes(index, |replaced| &replaced.counterweights);
+        let counterweights: Vec<usize> = (0..crankshaft.counterweights.len()).filter(stays).collect();
+        let stays = |index: &usize| !goes(index, |replaced| &replaced.balancers);
+        let balancers: Vec<usize> = (0..crankshaft.balancers.len()).filter(stays).collect();
+        // Counterweights that a balance factor makes stand beside no others.
+        let made = !crankshaft.balance_factors.is_empty();
+        Kept {
+            lists: [
+                made || counterweights.len() < crankshaft.counterweights.len(),
+                balancers.len() < crankshaft.balancers.len(),
+            ],
+            counterweights: counterweights.iter().map(|index| crankshaft.counterweights[*index].clone()).collect(),
+            balancers: balancers.iter().map(|index| crankshaft.balancers[*index].clone()).collect(),
+        }
+    }
+}
+
+/// The text of a layout file with the weights of a remedy behind it.
+pub(super) fn with_tables(remedy: &Remedy, source: &str) -> String {
+    let engine = remedy.subject.engine();
+    let kept = Kept::of(remedy);
+    let mut text = source.to_owned();
+    if kept.lists[0] {
+        text = without_counterweights(&text);
+    }
+    if kept.lists[1] {
+        text = without_balancers(&text);
+    }
+    text = text.trim_end().to_owned() + "\n";
+    if kept.lists.contains(&true) {
+        text += &format!("\n{}", comment(&there(remedy, &kept)));
+    }
+    if kept.lists[0] {
+        text.extend(kept.counterweights.iter().map(|weight| counterweight_of_throw(remedy, weight)));
+    }
+    if kept.lists[1] {
+        text.extend(kept.balancers.iter().map(|shaft| balancer_table(engine, shaft, unit(remedy).as_ref())));
+    }
+    let orders = remedy.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    let head = format!(
+        "What takes away force and moment of these orders: {orders}. Tables at one position are parts of one weight."
+    );
+    let built = remedy.built();
+    if !built.is_empty() {
+        text += &format!("\n{}", comment(&head));
+    }
+    if built.iter().any(|plane| is_of_link(&plane.becomes)) {
+        text += &comment(ROUNDED);
+    }
+    let mut heading = String::new();
+    for plane in &built {
+        let tables = tables(remedy, plane);
+        let own = heading_of(&plane.becomes);
+        if !tables.is_empty() && own != heading {
+            text += &format!("\n{}", comment(&own));
+            heading = own;
+        }
+        text.extend(tables);
+    }
+    text
+}
+
+/// What is said of the weights that the file has of its own, and of those that are resized.
+fn there(remedy: &Remedy, kept: &Kept) -> String {
+    let made = !remedy.subject.engine().crankshaft().balance_factors.is_empty();
+    let listed = match (made, kept.lists) {
+        (true, _) => "The counterweights that the balance factor of the file makes.",
+        (false, [true, false]) => "The counterweights of the file.",
+        (false, [false, true]) => "The balancer shafts of the file.",
+        (false, _) => "The counterweights and balancer shafts of the file.",
+    };
+    let resized = remedy.resized();
+    let was = |plane: &Built| {
+        let size = plane
+            .was
+            .decimals(&remedy.subject)
+            .map(|[size, degrees]| format!(", before {size:.6} m r at {degrees:.3}°"));
+        format!("z = {}{}", plane.was.position, size.unwrap_or_default())
+    };
+    match resized.is_empty() {
+        true => listed.to_owned(),
+        false => {
+            let planes: Vec<String> = resized.iter().map(was).collect();
+            format!("{listed}\nResized, and listed below: {}.", planes.join("; "))
+        }
+    }
+}
+
+/// m r in kilogram-metres, where the file does not give it and weights are multiples of it.
+fn unit(remedy: &Remedy) -> Option<BigRational> {
+    let engine = remedy.subject.engine();
+    remedy.subject.scale().is_none().then(|| engine.unit_mass() * engine.unit_radius())
+}
+
+/// What is said of weights that are not exact.
+const ROUNDED: &str = "Against what links on a master rod leave there is no exact size: those weights are decimals, and leave less than 10^-6 of the load.";
+
+fn heading_of(weight: &Weight) -> String {
+    match (weight.order, weight.sense) {
+        (1, Sense::Direct) => "On the crankshaft.".to_owned(),
+        (order, Sense::Direct) => format!("A shaft at {order} times crank speed, with the crank."),
+        (order, Sense::Reverse) => format!("A shaft at {order} times crank speed, against the crank."),
+    }
+}
+
+/// A counterweight, with the throw that it belongs to.
+fn counterweight_of_throw(remedy: &Remedy, weight: &Counterweight) -> String {
+    let engine = remedy.subject.engine();
+    let table = |weight: &Counterweight| match unit(remedy) {
+        None => counterweight_table(weight, engine.convention()),
+        Some(unit) => counterweight_in_multiples(weight, engine.convention(), &unit),
+    };
+    let throws = crate::engine::throws(engine);
+    let Some((index, throw)) = weight.throw.and_then(|index| Some((index, throws.get(index)?))) else {
+        return table(weight);
+    };
+    let turned = Counterweight { angle: &weight.angle - &throw.angle, ..weight.clone() };
+    table(&turned).replacen('\n', &format!("\nthrow = {}\n", index + 1), 1)
+}
+
+/// A table for each vector of what stands in a plane, none of two that are opposite.
+fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
+    let engine = remedy.subject.engine();
+    let weight = &plane.becomes;
+    let own = engine.unit_mass() * engine.unit_radius();
+    let multiples = unit(remedy);
+    // What is resized keeps its throw and its radius.
+    let resized = plane.replaced.counterweights.first().map(|index| &engine.crankshaft().counterweights[*index]);
+    let radius = resized.map_or_else(|| engine.unit_radius(), |there| there.radius.clone());
+    let throw = resized.and_then(|there| there.throw);
+    // A shaft that is there keeps its axis.
+    let axis = plane.replaced.balancers.first().map(|index| &engine.crankshaft().balancers[*index]);
+    let axis = axis.filter(|there| (there.order, there.sense) != (1, Sense::Direct));
+    let table = |coefficient_of: Option<usize>, size: BigRational, angle: Turn| {
+        if (weight.order, weight.sense, coefficient_of) == (1, Sense::Direct, None) {
+            let mass = &size / &radius;
+            let (radius, position) = (radius.clone(), weight.position.clone());
+            let weight = Counterweight { throw, angle, mass, radius, position, crank: 0 };
+            return counterweight_of_throw(remedy, &weight);
+        }
+        let shaft = Balancer {
+            order: weight.order,
+            sense: weight.sense,
+            mass_radius: size,
+            coefficient_of,
+            angle,
+            position: weight.position.clone(),
+            height: axis.map(|there| there.height.clone()).unwrap_or_default(),
+            offset: axis.map(|there| there.offset.clone()).unwrap_or_default(),
+        };
+        balancer_table(engine, &shaft, multiples.as_ref())
+    };
+    if is_of_link(weight) {
+        let as_written = |size: BigRational| if multiples.is_none() { size } else { size * &own };
+        let rounded = rounded(&remedy.subject, weight);
+        return rounded.map(|(size, angle)| table(None, as_written(size), angle)).into_iter().collect();
+    }
+    let parts = weight.vector.parts().iter();
+    let terms = parts.flat_map(|(factor, sum)| sum.on_lines().into_iter().map(move |term| (factor, term)));
+    let exact = terms.map(|(factor, term): (&Factor, Term)| {
+        let (coefficient_of, sign) = coefficient(engine, factor, weight.order);
+        let size = &term.weight * &own * sign;
+        let angle = if size.is_negative() { term.angle.opposite() } else { term.angle };
+        table(coefficient_of, size.abs(), angle)
+    });
+    exact.collect()
+}
+
+/// The cylinder whose coefficient a factor is, and the sign between the two; none for 1.
+fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, BigRational) {
+    let one = BigRational::from_integer(1.into());
+    match factor {
+        // Weights against what links leave are not written by their terms, and against what faster cranks leave not at all.
+        Factor::One | Factor::Linkage(_) | Factor::Corrected(..) | Factor::Geared(..) => (None, one),
+        Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
+            let is_plain = |cylinder: &Cylinder| cylinder.link().is_none() && engine.speed_of(cylinder) == 1;
+            let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| is_plain(cylinder));
+            let found = cylinders.map(|(index, cylinder)| (index, Factor::of_rod(cylinder.rod(), order)));
+            let found = found.into_iter().find(|(_, (own, _))| own == factor);
+            found.map_or((None, one), |(index, (_, sign))| (Some(index), sign))
+        }
+    }
+}
