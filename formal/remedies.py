@@ -5,7 +5,7 @@ from verify import ONE, SENSES, certify, check_asked, check_engine, collect, dem
 keys("""format title masses orders quantities reference_plane cylinders turning_masses weights sums | left_out;
         throw bank position weight rod | speed knuckle_weight; order sense position angle mass_radius | coefficient_of;
         order sense position parts; coefficient terms modulus angle_deg; quantity order sense coefficient terms certificate;
-        order sense; rod; linkage; corrected; ratio knuckle apart; ratio knuckle master apart correction part; geared; speed of""")
+        order sense; rod; quadrature; linkage; corrected; ratio knuckle apart; ratio knuckle master apart correction part; geared; speed of""")
 
 
 def number_of(coefficient):
@@ -15,7 +15,7 @@ def number_of(coefficient):
     (kind, value), = coefficient.items()
     if kind == "geared":
         return ("geared", value.speed, number_of(value.of))
-    keys = {"rod": "ratio offset", "linkage": "ratio knuckle apart", "corrected": "ratio knuckle master apart correction part"}
+    keys = {"rod": "ratio offset", "quadrature": "ratio offset", "linkage": "ratio knuckle apart", "corrected": "ratio knuckle master apart correction part"}
     return (kind, *(value[key] for key in keys[kind].split()))
 
 

@@ -101,5 +101,5 @@ pub fn is_slight(subject: &ComparableEngine, shaft: &Shaft) -> bool {
 
 fn same_length(a: &Shaft, b: &Shaft) -> bool {
     let ([one], [other]) = (a.weights.as_slice(), b.weights.as_slice()) else { return false };
-    one.vector.is_as_long_as(&other.vector)
+    one.vector.is_as_long_as(&other.vector, a.order)
 }
