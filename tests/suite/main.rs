@@ -80,6 +80,7 @@ mod odd_surroundings;
 mod open_certificate_cheats;
 mod open_circles;
 mod open_firing;
+mod open_ranges;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod output_folder;
@@ -100,6 +101,7 @@ mod search_published;
 mod search_shards;
 mod search_torsion;
 mod second_checker;
+mod several_rods;
 mod shards;
 mod side_force;
 mod sweep;
