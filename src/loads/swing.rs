@@ -23,11 +23,7 @@ impl Swing {
     /// The swing of two vectors with their exact sums.
     ///
     /// Their lengths are compared by the exact sums; only where those are not equal whatever the coefficients are, nothing is proved.
-    pub(super) fn new(
-        [direct, reverse]: [Vector; 2],
-        [direct_sum, reverse_sum]: [&OrderSum; 2],
-        order: u32,
-    ) -> Self {
+    pub(super) fn new([direct, reverse]: [Vector; 2], [direct_sum, reverse_sum]: [&OrderSum; 2], order: u32) -> Self {
         let mut swing = Swing { direct, reverse, path: Path::POINT };
         if !swing.vanishes() {
             let surely_not = swing.smallest() > SURELY_DIFFERENT * swing.largest();

@@ -38,7 +38,8 @@ pub fn difference_of_squares<'a>(
 impl OrderSum {
     /// Whether this direct vector of an order and a reverse one are proved to be equally long, whatever the factors are.
     pub fn is_as_long_as(&self, reverse: &Self, order: u32) -> bool {
-        let sum = |of: &Self, factor: &Factor| of.parts().get(factor).cloned().unwrap_or_else(|| PhasorSum::new(Vec::new()));
+        let sum =
+            |of: &Self, factor: &Factor| of.parts().get(factor).cloned().unwrap_or_else(|| PhasorSum::new(Vec::new()));
         let mut factors: Vec<&Factor> = self.parts().keys().chain(reverse.parts().keys()).collect();
         factors.sort_unstable();
         factors.dedup();

@@ -277,7 +277,8 @@ impl RemedyDocument {
             if let RodStatement::Link(link) = &cylinder.rod {
                 audit.spend(link.steps(order))?;
             }
-            let factors = Factor::of_force(&cylinder.rod, own, do_rods_differ).into_iter().filter(|factor| !factor.is_zero);
+            let factors =
+                Factor::of_force(&cylinder.rod, own, do_rods_differ).into_iter().filter(|factor| !factor.is_zero);
             for Factor { coefficient, parts, .. } in factors {
                 let vectors = parts.iter().map(|part| turned(&angle, &weight, part, Some(sense)));
                 let terms = vectors.map(|vector| (vector.angle, vector.weight));

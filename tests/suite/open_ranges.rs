@@ -17,7 +17,9 @@ fn ratio(above: i64, below: i64) -> BigRational {
 fn told(name: &str, cylinders: &[(&str, &str)], order: u32) -> String {
     let mut text = format!("orders = [{order}]\n");
     for (position, (throw, mass)) in cylinders.iter().enumerate() {
-        text += &format!("[[cylinder]]\nthrow = \"{throw}\"\nbank = 0\nposition = {position}\nreciprocating_mass = \"{mass}\"\n");
+        text += &format!(
+            "[[cylinder]]\nthrow = \"{throw}\"\nbank = 0\nposition = {position}\nreciprocating_mass = \"{mass}\"\n"
+        );
     }
     let path = scratch("open-ranges").join(format!("{name}.toml"));
     fs::write(&path, text).expect("written");

@@ -27,7 +27,8 @@ fn engine(text: &str) -> Engine {
 
 /// Cylinders of throw, bank, position, rod ratio and offset ratio.
 fn file(cylinders: &[(i64, i64, i64, &str, String)], more: &str) -> String {
-    let list = |of: fn(&(i64, i64, i64, &str, String)) -> String| cylinders.iter().map(of).collect::<Vec<_>>().join(", ");
+    let list =
+        |of: fn(&(i64, i64, i64, &str, String)) -> String| cylinders.iter().map(of).collect::<Vec<_>>().join(", ");
     let (ratios, offsets) = (list(|one| format!("{:?}", one.3)), list(|one| format!("{:?}", one.4)));
     let mut text = format!("[mechanism]\nrod_ratio = [{ratios}]\noffset_ratio = [{offsets}]\n{more}");
     for (throw, bank, position, ..) in cylinders {

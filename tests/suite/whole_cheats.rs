@@ -2,8 +2,8 @@
 
 use crankstar::motion::SliderCrank;
 use crankstar::proof::{
-    Certificate, Coefficient, Document, Fault, Masses, Quantity, RodClaim, Sense, Shape, ShapeEvidence,
-    WholeOutcome, check_document, coefficient_bounds, read_document,
+    Certificate, Coefficient, Document, Fault, Masses, Quantity, RodClaim, Sense, Shape, ShapeEvidence, WholeOutcome,
+    check_document, coefficient_bounds, read_document,
 };
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -416,7 +416,10 @@ fn lengths_that_are_equal_without_a_mirror_are_compared_pair_by_pair() {
     assert_holds(&tilted);
     let two = |one: &&crankstar::proof::ShapeClaim| (one.quantity, one.order) == (Quantity::Force, 2);
     let shape = tilted.shapes.iter().find(two).expect("a shape");
-    assert!(shape.shape == Shape::Planar && matches!(&shape.evidence, Some(ShapeEvidence::Pairs(pairs)) if pairs.len() == 3));
+    assert!(
+        shape.shape == Shape::Planar
+            && matches!(&shape.evidence, Some(ShapeEvidence::Pairs(pairs)) if pairs.len() == 3)
+    );
     // Of an engine whose vectors are not equally long no pairs are all zero.
     let mut uneven = tilted.clone();
     uneven.cylinders[2].bank += ratio("1/8");

@@ -33,12 +33,10 @@ pub(super) fn open(circle: &Circle) -> impl Iterator<Item = Text> + '_ {
 pub(super) fn zeros(circle: &Circle) -> Option<Text> {
     let unknown = unknown(circle);
     let times = [circle.polynomial.phi.clone(), circle.polynomial.delta.clone()];
-    let is_meant = |ends: [&BigRational; 2]| {
-        is_in_range(&[Place { times: times.clone(), ends: ends.map(Clone::clone) }])
-    };
+    let is_meant =
+        |ends: [&BigRational; 2]| is_in_range(&[Place { times: times.clone(), ends: ends.map(Clone::clone) }]);
     let rational = circle.rational().filter(|turn| is_meant([turn.turns(); 2]));
-    let rational: Vec<String> =
-        rational.map(|turn| format!("{unknown} ≡ {}", typeset::angle(&turn))).collect();
+    let rational: Vec<String> = rational.map(|turn| format!("{unknown} ≡ {}", typeset::angle(&turn))).collect();
     let irrational: Vec<f64> = circle.irrational().filter(|ends| is_meant(*ends)).map(middle).collect();
     let closed = circle.closed().filter(|_| rational.is_empty());
     let told = match (closed, irrational.as_slice()) {

@@ -130,7 +130,9 @@ fn corners(triangle: &Triangle) -> Option<Text> {
         Corner::Near(degrees) => {
             let each = || triangle.multiples.iter().zip(degrees);
             let places: Vec<Place> = each().map(|(times, degrees)| Place::near(times, *degrees)).collect();
-            is_in_range(&places).then(|| Text::joined(each().map(|([phi, delta], degrees)| near(&unknowns(phi, delta), *degrees)), " and "))
+            is_in_range(&places).then(|| {
+                Text::joined(each().map(|([phi, delta], degrees)| near(&unknowns(phi, delta), *degrees)), " and ")
+            })
         }
     };
     let told: Vec<Text> = triangle.corners.iter().filter_map(corner).collect();

@@ -1,6 +1,8 @@
 //! What does `remedy --json` hold? The engine, the weights, and the sums of the corrected engine with their evidence.
 
-use super::super::document::{coefficient_claim, is_whole, knuckle_weight, rod_statement, shaft_radius, shaft_rod, vectors};
+use super::super::document::{
+    coefficient_claim, is_whole, knuckle_weight, rod_statement, shaft_radius, shaft_rod, vectors,
+};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::Missing;

@@ -5,8 +5,8 @@ use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::evaluate;
 use crankstar::proof::{
-    Coefficient, Cylinder, Document, Format, GearedClaim, Masses, Quantity, RodClaim, RodStatement, Sense,
-    Shape, ShapeClaim, ShapeEvidence, TurningMassClaim, VerdictClaim, WholeClaim, WholeOutcome,
+    Coefficient, Cylinder, Document, Format, GearedClaim, Masses, Quantity, RodClaim, RodStatement, Sense, Shape,
+    ShapeClaim, ShapeEvidence, TurningMassClaim, VerdictClaim, WholeClaim, WholeOutcome,
 };
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -168,7 +168,8 @@ fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
                 Some((y, sign)) => {
                     let aside = senses(quantity).into_iter().map(|sense| {
                         let Term { angle, weight } = term(sense)?;
-                        let quarter = if sense == Some(Sense::Direct) { Turn::fraction(1, 4) } else { Turn::fraction(3, 4) };
+                        let quarter =
+                            if sense == Some(Sense::Direct) { Turn::fraction(1, 4) } else { Turn::fraction(3, 4) };
                         Some(Term { angle: &angle + &quarter, weight: weight * whole(sign) })
                     });
                     let aside = aside.collect();
@@ -285,7 +286,10 @@ fn pairs(groups: &[Sums], order: u32) -> Vec<PhasorSum> {
     };
     let there = groups.iter().filter(|group| !group.is_zero && !group.sums.iter().all(PhasorSum::vanishes));
     let there: Vec<&Sums> = there.collect();
-    assert!(there.iter().all(is_real) || !there.iter().any(is_real), "documents by hand mix no real and imaginary numbers");
+    assert!(
+        there.iter().all(is_real) || !there.iter().any(is_real),
+        "documents by hand mix no real and imaginary numbers"
+    );
     let mut pairs = Vec::new();
     for (place, one) in there.iter().enumerate() {
         for other in &there[place..] {
