@@ -34,14 +34,17 @@ fn with_masses(masses: Masses) -> Document {
     document(masses, &[1, 2, 3], true, vec![cylinder("1", ["0", "0", "0"], rod)], turning)
 }
 
-/// `(1 + ig) + (1 − ig) − 2 = 0`: rods to either side of their axis, and a counterweight.
+/// `(1 − ¾i) + 1 − 2 + ¾i = 0`: an endless rod that stands askew with the slope 3/4, a centric one, and two weights.
 fn coincidence() -> Document {
     let cylinders = vec![
-        cylinder("left", ["0", "0", "0"], Some(["1/4", "1/20"])),
-        cylinder("right", ["0", "0", "0"], Some(["1/4", "-1/20"])),
+        cylinder("left", ["0", "0", "0"], Some(["0", "3/5"])),
+        cylinder("right", ["0", "0", "0"], Some(["1/4", "0"])),
     ];
-    let weight = turning("weight", 1, Sense::Direct, ["0", "1/2", "1"]);
-    document(Masses::All, &[1, 2, 3], false, cylinders, vec![weight])
+    let weights = vec![
+        turning("weight", 1, Sense::Direct, ["0", "1/2", "1"]),
+        turning("aside", 1, Sense::Direct, ["0", "1/4", "3/8"]),
+    ];
+    document(Masses::All, &[1, 2, 3], false, cylinders, weights)
 }
 
 fn fault_of(mut document: Document, change: impl FnOnce(&mut Document)) -> String {
