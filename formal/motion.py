@@ -57,7 +57,7 @@ def number(of, k, bits):
         return number(rest[1], k // rest[0], bits)
     if of == ONE:
         return Interval.of(1, bits), Interval.of(0, bits)
-    found = {"rod": of_rod, "torque": of_torque, "linkage": of_linkage, "corrected": of_corrected}[kind](k, bits, *rest)
+    found = {"rod": of_rod, "quadrature": of_quadrature, "torque": of_torque, "linkage": of_linkage, "corrected": of_corrected}[kind](k, bits, *rest)
     return tuple(part.rounded(bits) for part in found)
 
 
@@ -80,6 +80,11 @@ def of_rod(k, bits, ratio, offset):
 
     re, im = times_power([part * factor for part in harmonic(root, k, points(q, 2, k, fine), fine)], k)
     return re + (1 if k == 1 else 0), im
+
+
+def of_quadrature(k, bits, ratio, offset):
+    """y, the imaginary part of c_1: a real number."""
+    return of_rod(1, bits, ratio, offset)[1], Interval.of(0, bits)
 
 
 def of_torque(k, bits, ratio, offset):

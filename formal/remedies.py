@@ -11,7 +11,7 @@ SLIGHT, BITS = Fraction(1, 10**6), 256
 types("""rod-cylinder: throw bank position weight rod speed?=count knuckle_weight?;
     turning-mass: order=count sense position angle mass_radius coefficient_of?=rod;
     linkage: ratio knuckle apart; part = real imaginary; corrected: ratio knuckle master apart correction part;
-    geared: speed=count of=coefficient; coefficient = one common; coefficient: rod=known; coefficient: linkage; coefficient: corrected; coefficient: geared;
+    geared: speed=count of=coefficient; coefficient = one common; coefficient: rod=known; coefficient: quadrature=known; coefficient: linkage; coefficient: corrected; coefficient: geared;
     weight-part: coefficient terms=[vector] modulus=decimal angle_deg=decimal; turning-weight: order=count sense position parts=[weight-part];
     left-out: order=count sense; corrected-sum: quantity order=count sense coefficient terms=[vector] certificate;
     remedy: format=text title=text masses orders=[count] quantities=[quantity] reference_plane cylinders=[rod-cylinder] turning_masses=[turning-mass]
@@ -25,7 +25,7 @@ def number_of(coefficient):
     (kind, value), = coefficient.items()
     if kind == "geared":
         return ("geared", value.speed, number_of(value.of))
-    keys = {"rod": "ratio offset", "linkage": "ratio knuckle apart", "corrected": "ratio knuckle master apart correction part"}
+    keys = {"rod": "ratio offset", "quadrature": "ratio offset", "linkage": "ratio knuckle apart", "corrected": "ratio knuckle master apart correction part"}
     return (kind, *(value[key] for key in keys[kind].split()))
 
 

@@ -1,7 +1,7 @@
 """The second checker, verify.py: the roll moment of an engine with several crankshafts, as src/proof/README.md tells it."""
 from fractions import Fraction
 
-from verify import demand, of_rod, of_torque, phase, terms_of
+from verify import demand, of_force, of_torque, phase, terms_of
 
 QUARTER, HALF = Fraction(1, 4), Fraction(1, 2)
 
@@ -19,12 +19,12 @@ def arms(c, rod, is_against):
         yield 0, (1 if is_against else -1) * rod[2] * c.crank_radius / rod[1]
 
 
-def of_cylinder(c, rod, k, size):
+def of_cylinder(c, rod, k, size, do_rods_differ):
     """(number, whether it is 0, angle, weight): the force by its arm, and the torque, which turns the engine the other way."""
     angle, is_against = phase(c.throw, c.bank, k, None), c.crankshaft is not None and c.crankshaft.sense == "reverse"
     for turned, arm in arms(c, rod, is_against):
-        number, is_zero, sign = of_rod(rod, k)
-        yield number, is_zero, angle + turned, size * sign * arm
+        for number, is_zero, ahead, sign in of_force(rod, k, do_rods_differ):
+            yield number, is_zero, angle + ahead + turned, size * sign * arm
     yield (*of_torque(rod, k), angle, size * c.crank_radius * (1 if is_against else -1))
 
 

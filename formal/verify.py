@@ -30,11 +30,11 @@ types("""masses = reciprocating rotating counterweights all; quantity = force mo
     certificate polygons: polygons=[polygon]; certificate splitting: steps=[step];
     certificate residue: conductor=integer prime=integer root=integer scale=integer residue=integer;
     not-zero-by-enclosure: bits=count; not-decided: below=decimal;
-    outcome = zero not-zero open; outcome: not-zero-by-enclosure; outcome: not-decided; mirror: sign=sign certificates=[certificate];
+    outcome = zero not-zero open; outcome: not-zero-by-enclosure; outcome: not-decided;
     cylinder: name=text throw bank position reciprocating_mass crank_radius rod speed?=count knuckle_weight? crankshaft?;
     mass: name=text order=count sense position angle mass_radius coefficient_of?=rod axis?=[vector];
     verdict: quantity order=count sense=sense? of?=[text] vanishes=truth terms=[vector] modulus=decimal angle_deg=decimal? certificate;
-    whole: quantity order=count sense=sense? outcome; shape: quantity order=count shape=form certificate? mirror? bits?=count;
+    whole: quantity order=count sense=sense? outcome; shape: quantity order=count shape=form certificate? pairs?=[certificate] bits?=count;
     classify: format=text title=text masses orders=[count] quantities=[quantity] reference_plane cylinders=[cylinder] all_orders=truth
         turning_masses=[mass] verdicts=[verdict] wholes=[whole] shapes=[shape] theorems=[theorem] recurrences?=[recurrence]""")
 CHECKED = [0]  # certificates so far
@@ -144,6 +144,14 @@ def of_rod(rod, k):
         return (rod if offset else ONE), False, 1
     return ("rod", ratio, abs(offset)), ratio == 0 or offset == 0 and k % 2 == 1, -1 if offset < 0 and k % 2 else 1
 
+def of_force(rod, k, do_rods_differ):
+    """The numbers before order k of the force, whether each is 0, and the angle and the part of its vector, turned the other way in the
+    reverse sum. c_1 = 1 + iy of an offset is taken apart where the engine has several rods; y changes its sign with the offset."""
+    if do_rods_differ and k == 1 and rod[0] == "rod" and rod[2]:
+        return [(ONE, False, 0, 1), (("quadrature", rod[1], abs(rod[2])), False, Fraction(1, 4), 1 if rod[2] > 0 else -1)]
+    number, is_zero, sign = of_rod(rod, k)
+    return [(number, is_zero, 0, sign)]
+
 def of_torque(rod, k):
     """The number before order k of the torque, and whether it is 0."""
     return ("common torque",) if rod == ("unknown",) else ("torque", *rod[1:]), rod[0] == "rod" and rod[1] == 0 and k != 2
@@ -159,13 +167,14 @@ def groups(engine, quantity, k):
         sums[sense].append((name, Fraction(angle) % 1, weight))
 
     lever = lambda one: one.position - plane if quantity == "moment" else 1
+    do_rods_differ = len({rod_of(c.rod) for c in cylinders}) > 1
     for c in cylinders:
         speed, rod = c.speed or 1, rod_of(c.rod)
         own, size = k // speed, (c.weight if "weight" in c else c.reciprocating_mass * c.crank_radius) * speed**2
         if k % speed:
             continue
         if quantity == "roll":
-            for number, is_zero, angle, weight in beside("roll").of_cylinder(c, rod, own, size):
+            for number, is_zero, angle, weight in beside("roll").of_cylinder(c, rod, own, size, do_rods_differ):
                 add(number, is_zero, c.get("name"), None, angle, weight, speed)
         elif quantity == "torque":
             add(*of_torque(rod, own), c.get("name"), None, phase(c.throw, c.bank, own, None), size * c.crank_radius * speed, speed)
@@ -173,21 +182,23 @@ def groups(engine, quantity, k):
             for number, is_zero, sense, angle, weight in beside("links").of_piston(c, rod, own):
                 add(number, is_zero, c.get("name"), sense, angle, weight * size * lever(c))
         else:
-            number, is_zero, sign = of_rod(rod, own)
-            for sense in SENSES["force"]:
-                add(number, is_zero, c.get("name"), sense, phase(c.throw, c.bank, own, sense), sign * size * lever(c), speed)
+            for number, is_zero, turned, sign in of_force(rod, own, do_rods_differ):
+                for sense, way in zip(SENSES["force"], (1, -1)):
+                    add(number, is_zero, c.get("name"), sense, phase(c.throw, c.bank, own, sense) + way * turned, sign * size * lever(c), speed)
     for c in cylinders if quantity in ("force", "moment") else []:
         if c.knuckle_weight:
             for number, is_zero, sense, angle, weight in beside("links").of_knuckle(c, rod_of(c.rod), k):
                 add(number, is_zero, f"knuckle of cylinder {c.get('name')}", sense, angle, weight * lever(c))
     for mass in turning if quantity != "torque" else []:
         if mass.order == k:
-            number, is_zero, sign = of_rod(rod_of(mass.coefficient_of), k) if mass.coefficient_of else (ONE, False, 1)
-            if quantity != "roll":
-                add(number, is_zero, mass.get("name"), mass.sense, mass.angle, 2 * k * k * mass.mass_radius * lever(mass) * sign)
-            elif mass.axis:
-                for angle, weight in beside("roll").of_mass(mass, k):
-                    add(number, is_zero, mass.get("name"), None, angle, weight * sign)
+            parts = of_force(rod_of(mass.coefficient_of), k, do_rods_differ) if mass.coefficient_of else [(ONE, False, 0, 1)]
+            for number, is_zero, turned, sign in parts:
+                way = 1 if mass.sense == "direct" else -1
+                if quantity != "roll":
+                    add(number, is_zero, mass.get("name"), mass.sense, mass.angle + way * turned, 2 * k * k * mass.mass_radius * lever(mass) * sign)
+                elif mass.axis:
+                    for angle, weight in beside("roll").of_mass(mass, k):
+                        add(number, is_zero, mass.get("name"), None, angle + turned, weight * sign)
     return found or {ONE: (True, {sense: [] for sense in SENSES[quantity]})}
 
 def plain(terms):
@@ -254,7 +265,7 @@ def check_verdict(entry, quantity, k, number, sense, found):
 def check_shape(entry, quantity, k, zeros, left, found):
     """What both vectors of an order leave together: one, the other, or two that are equally long, or not."""
     equal(entry, quantity=quantity, order=k)
-    evidence = [key for key in ("certificate", "mirror", "bits") if key in entry]
+    evidence = [key for key in ("certificate", "pairs", "bits") if key in entry]
     right = "does-not-exist" if all(is_zero for is_zero, _ in found.values()) else {(True, True): "balanced", (False, True): "rotating", (True, False): "counter-rotating",
              (False, False): None}.get(tuple(zeros), "not-decided")
     if right:

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from enclosures import GUARD, Interval, bits_of, common_denominator, enclose, exact, interval_of
 from motion import number
-from verify import certify, demand, each, plain
+from verify import ONE, certify, collect, conjugate, demand, each, plain, times, unequal
 
 DOUBTFUL, BITS_OF_DOUBT = Fraction(1, 10**15), 256
 
@@ -37,14 +37,16 @@ def check_outcome(outcome, k, sense, left):
 
 
 def check_lengths(entry, k, left, found, evidence):
-    """Planar: direct = ± conj(reverse), sum by sum. Elliptical: an enclosure keeps the lengths apart. Or they are too near to tell."""
+    """Planar: |direct|² − |reverse|² is a quadratic form in real numbers, whose coefficients are zero. Elliptical: an enclosure keeps the
+    lengths apart. Or they are too near to tell."""
     is_known = not any(map(is_open, [*left[0], *left[1]]))
     if entry.shape == "planar":
-        there = [sums for is_zero, sums in found.values() if not is_zero]
-        demand(evidence == ["mirror"] and entry.mirror.sign in (1, -1), "planar is shown by `mirror`")
-        for sums, certificate in each("certificates", entry.mirror.certificates, there):
-            image = [(-t, -entry.mirror.sign * w) for t, w in plain(sums["reverse"])]
-            certify(plain(sums["direct"]) + image, certificate, True)
+        demand(evidence == ["pairs"], "planar is shown by `pairs`")
+        sums = real_sums(found, k, [*left[0], *left[1]])
+        pairs = [(a, b) for place, a in enumerate(sums) for b in sums[place:]]
+        for (a, b), certificate in each("pairs", entry.pairs, pairs):
+            half = times(a[0], conjugate(b[0])) + times(a[1], conjugate(b[1]), -1)
+            certify(unequal(*a) if a is b else half + [(-t, w) for t, w in half], certificate, True)
     elif entry.shape == "elliptical":
         demand(evidence == ["bits"] and is_known, "elliptical is shown by `bits`, of rods that are known")
         demand(Whole(k, left, bits_of(entry)).difference(left).excludes_zero(), "equal lengths are not excluded by an enclosure with so many bits")
@@ -54,6 +56,26 @@ def check_lengths(entry, k, left, found, evidence):
             whole = Whole(k, left, BITS_OF_DOUBT + GUARD)
             near = whole.difference(left).most() <= (whole.largest * whole.scale) ** 2 * DOUBTFUL * 2**whole.bits
             demand(near, "the two lengths are not so near to each other that it could be left open")
+
+
+def real_parts(of, k):
+    """The real numbers that a number is made of, with the turn that each gives to a direct sum, and the other way to a reverse one."""
+    if of[0] == "geared":
+        return [(part if part == ONE else ("geared", of[1], part), turn) for part, turn in real_parts(of[2], k // of[1])]
+    if of[0] == "rod" and k == 1:
+        return [(ONE, 0), (("quadrature", of[1], abs(of[2])), Fraction(1 if of[2] > 0 else -1, 4))]
+    return [(of, Fraction(1, 4) if of[0] == "rod" and k % 2 else 0)]
+
+
+def real_sums(found, k, there):
+    """What stands before each real number, in the order of the numbers: the direct and the reverse sum. `there` is what is not zero in either."""
+    sums = {}
+    for of, (_, (direct, reverse)) in [(of, (zero, both.values())) for of, (zero, both) in found.items() if of in there]:
+        for part, turn in real_parts(of, k):
+            both = sums.setdefault(part, ([], []))
+            both[0].extend((t + turn, w) for t, w in plain(direct))
+            both[1].extend((t - turn, w) for t, w in plain(reverse))
+    return [(collect(direct), collect(reverse)) for direct, reverse in sums.values()]
 
 
 class Whole:

@@ -25,6 +25,13 @@ pub struct Rod {
     pub offset: BigRational,
 }
 
+impl Rod {
+    /// The same rod with its cylinder on the side of ψ = 90°, or centric.
+    pub fn unsigned(&self) -> Rod {
+        Rod { ratio: self.ratio.clone(), offset: self.offset.abs() }
+    }
+}
+
 /// An articulated rod. Its knuckle pin stands, seen from the crankpin, at `γ = Δ + ε` from the master rod: at the angle of its cylinder
 /// where ε is 0. The master rod is centric, on the same crankpin.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

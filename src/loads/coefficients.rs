@@ -60,7 +60,7 @@ impl Motion {
     /// What the two sums of an order trace.
     pub fn swing(&self, [direct, reverse]: [OrderSum; 2], order: u32) -> Swing {
         let vectors = [self.vector(&direct, order, Sense::Direct), self.vector(&reverse, order, Sense::Reverse)];
-        Swing::new(vectors, [&direct, &reverse])
+        Swing::new(vectors, [&direct, &reverse], order)
     }
 
     /// The coefficient that all cylinders have in common, where a vector asked for it.

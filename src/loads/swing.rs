@@ -22,13 +22,12 @@ const SURELY_DIFFERENT: f64 = 1e-9;
 impl Swing {
     /// The swing of two vectors with their exact sums.
     ///
-    /// Sums of one factor are compared with each other: `c S⁺` and, mirrored, `c S̄⁻`. Where several are left, only the
-    /// coefficients could make them equal, and nothing is proved.
-    pub(super) fn new([direct, reverse]: [Vector; 2], [direct_sum, reverse_sum]: [&OrderSum; 2]) -> Self {
+    /// Their lengths are compared by the exact sums; only where those are not equal whatever the coefficients are, nothing is proved.
+    pub(super) fn new([direct, reverse]: [Vector; 2], [direct_sum, reverse_sum]: [&OrderSum; 2], order: u32) -> Self {
         let mut swing = Swing { direct, reverse, path: Path::POINT };
         if !swing.vanishes() {
             let surely_not = swing.smallest() > SURELY_DIFFERENT * swing.largest();
-            swing.path = if surely_not { Path::OPEN } else { Path::of(direct_sum, reverse_sum) };
+            swing.path = if surely_not { Path::OPEN } else { Path::of(direct_sum, reverse_sum, order) };
         }
         swing
     }

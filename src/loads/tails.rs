@@ -130,6 +130,7 @@ impl Tails {
             }
             // A shaft stands before none of these.
             Factor::Torque(_)
+            | Factor::Quadrature(_)
             | Factor::Side(_)
             | Factor::Linkage(_)
             | Factor::Corrected(..)

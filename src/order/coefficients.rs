@@ -35,6 +35,10 @@ impl Coefficients {
             }
             Factor::Open | Factor::OpenTorque => return None,
             Factor::Motion(mechanism) => self.crank(mechanism, |crank| crank.coefficient(order))?,
+            Factor::Quadrature(rod) => {
+                let first = self.crank(&Mechanism::SliderCrank(rod.clone()), |crank| crank.coefficient(1))?;
+                Coefficient { re: first.im, im: Enclosure::zero() }
+            }
             Factor::Side(mechanism) => self.crank(mechanism, |crank| crank.side_part(order))?,
             Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order))?,
             Factor::Linkage(linkage) => Coefficient { re: linkage.motion().number(order), im: Enclosure::zero() },

@@ -86,7 +86,7 @@ impl<'a> Sources<'a> {
         let pistons = self.cylinders_with(order).flat_map(move |(index, cylinder, own)| {
             let weight = geared(mass_radius(self.engine, cylinder), self.engine.speed_of(cylinder), 2);
             let at = phase(cylinder, own, Some(sense));
-            let parts = Factor::parts_of_force(cylinder.mechanism.as_ref(), own).into_iter();
+            let parts = Factor::parts_of_force(self.engine, cylinder.mechanism.as_ref(), own).into_iter();
             parts.map(move |(factor, part)| Contribution {
                 source: Source::Piston(index),
                 position: cylinder.position.clone(),

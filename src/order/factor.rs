@@ -5,7 +5,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::corrected::Corrected;
 use super::link::{Linkage, parts_of};
-use crate::engine::{Mechanism, Rod};
+use crate::engine::{Engine, Mechanism, Rod};
 use crate::exact::{Term, Turn};
 use crate::motion::Component;
 use crate::proof::Quantity;
@@ -17,6 +17,9 @@ pub enum Factor {
     One,
     /// c_k of this mechanism, whose offset is not negative above order 1; conjugated in reverse sums.
     Motion(Mechanism),
+    /// y of the c_1 = 1 + iy of this rod, whose offset is positive: a real number below 0 (theory, section 2). Order 1 of rods that differ
+    /// stands before it, a quarter turn on, and before 1; where all mechanisms are alike it stands before c_1.
+    Quadrature(Rod),
     /// t_k, the coefficient of the inertia torque, of this mechanism.
     Torque(Mechanism),
     /// u_k, the part of the side force that no c_k has ([`SliderCrank::side_part`]), of this mechanism, whose offset is not
@@ -40,20 +43,32 @@ pub enum Factor {
 impl Factor {
     /// What the force of a cylinder with this mechanism stands before: numbers of the motion, each with a part of the vector in the
     /// direct star and the angle that this part is turned by; it is turned the other way in the reverse star.
-    pub fn parts_of_force(mechanism: Option<&Mechanism>, order: u32) -> Vec<(Factor, Term)> {
-        let of_rod = |rod| {
-            let (factor, weight) = Factor::of_rod(rod, order);
-            vec![(factor, Term { angle: Turn::zero(), weight })]
-        };
+    pub fn parts_of_force(engine: &Engine, mechanism: Option<&Mechanism>, order: u32) -> Vec<(Factor, Term)> {
         match mechanism {
-            None => of_rod(None),
-            Some(Mechanism::SliderCrank(rod)) => of_rod(Some(rod)),
+            None => Factor::parts_of_rod(engine, None, order),
+            Some(Mechanism::SliderCrank(rod)) => Factor::parts_of_rod(engine, Some(rod), order),
             Some(Mechanism::Link(link)) => parts_of(link, order),
         }
     }
 
-    /// What the force of a piston stands before that has a rod on the crankpin, and with which sign. A rod of which nothing is
-    /// known is centric.
+    /// The same of a piston that has a rod on the crankpin.
+    pub fn parts_of_rod(engine: &Engine, rod: Option<&Rod>, order: u32) -> Vec<(Factor, Term)> {
+        if let Some(rod) = rod.filter(|rod| order == 1 && !rod.offset.is_zero())
+            && engine.mechanisms().len() > 1
+        {
+            let one = BigRational::one();
+            let weight = if rod.offset.is_negative() { -one.clone() } else { one.clone() };
+            return vec![
+                (Factor::One, Term { angle: Turn::zero(), weight: one }),
+                (Factor::Quadrature(rod.unsigned()), Term { angle: Turn::fraction(1, 4), weight }),
+            ];
+        }
+        let (factor, weight) = Factor::of_rod(rod, order);
+        vec![(factor, Term { angle: Turn::zero(), weight })]
+    }
+
+    /// What the force of a piston stands before that has a rod on the crankpin, as one number, and with which sign. A rod of which
+    /// nothing is known is centric.
     ///
     /// The root `√(1−(λ sinψ−δ)²)` stays as it is where δ changes its sign and ψ goes on by half a turn, so that its
     /// coefficient of order k then changes by (−1)^k; c_1 has the crank's own 1 beside it.
@@ -66,8 +81,7 @@ impl Factor {
             Some(rod) if order == 1 => (Factor::Motion(Mechanism::SliderCrank(rod.clone())), one),
             Some(rod) => {
                 let sign = if rod.offset.is_negative() && order % 2 == 1 { -one } else { one };
-                let mirrored = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
-                (Factor::Motion(Mechanism::SliderCrank(mirrored)), sign)
+                (Factor::Motion(Mechanism::SliderCrank(rod.unsigned())), sign)
             }
         }
     }
@@ -77,8 +91,7 @@ impl Factor {
     pub fn of_side(rod: &Rod, order: u32) -> (Factor, BigRational) {
         let sign =
             if rod.offset.is_negative() && order.is_multiple_of(2) { -BigRational::one() } else { BigRational::one() };
-        let mirrored = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
-        (Factor::Side(Mechanism::SliderCrank(mirrored)), sign)
+        (Factor::Side(Mechanism::SliderCrank(rod.unsigned())), sign)
     }
 
     /// What the inertia torque of a cylinder with this mechanism stands before.
@@ -101,6 +114,7 @@ impl Factor {
             Factor::Geared(speed, factor) => (factor, order / (*speed).max(1)),
             Factor::One
             | Factor::Motion(_)
+            | Factor::Quadrature(_)
             | Factor::Torque(_)
             | Factor::Side(_)
             | Factor::Linkage(_)
@@ -116,6 +130,7 @@ impl Factor {
         match self {
             Factor::One | Factor::OpenTorque => true,
             Factor::Motion(mechanism) => mechanism.has_order(Quantity::Force, order),
+            Factor::Quadrature(rod) => order == 1 && !rod.offset.is_zero(),
             Factor::Torque(mechanism) => mechanism.has_order(Quantity::Torque, order),
             Factor::Side(mechanism) => {
                 super::coefficients::crank(mechanism).is_some_and(|crank| crank.has_side_part(order))
@@ -134,6 +149,7 @@ impl Factor {
     pub fn is_negative(&self, order: u32) -> Option<bool> {
         match self {
             Factor::One => Some(false),
+            Factor::Quadrature(_) => Some(true),
             // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
             Factor::Open | Factor::Linkage(_) => Some(order.is_multiple_of(4)),
             Factor::Motion(mechanism) => mechanism.is_centric().then(|| order.is_multiple_of(4)),
@@ -152,11 +168,40 @@ impl Factor {
             Factor::Geared(_, factor) => factor.may_be_zero(),
             Factor::One
             | Factor::Motion(_)
+            | Factor::Quadrature(_)
             | Factor::Torque(_)
             | Factor::Side(_)
             | Factor::Linkage(_)
             | Factor::Open
             | Factor::OpenTorque => false,
+        }
+    }
+
+    /// The real numbers that it is made of, in an order of the force, each with the angle that it turns a direct sum by, and a reverse one the other way:
+    /// c_k is real for even k, imaginary for odd k above 1, and c_1 = 1 + iy (theory, section 3).
+    pub fn real_parts(&self, order: u32) -> Vec<(Factor, Turn)> {
+        let quarter = Turn::fraction(1, 4);
+        match self {
+            Factor::Geared(speed, factor) => {
+                let parts = factor.real_parts(order / (*speed).max(1)).into_iter();
+                parts.map(|(factor, turn)| (factor.geared(*speed), turn)).collect()
+            }
+            Factor::Motion(Mechanism::SliderCrank(rod)) if order == 1 => {
+                let quarter = if rod.offset.is_negative() { -&quarter } else { quarter };
+                vec![(Factor::One, Turn::zero()), (Factor::Quadrature(rod.unsigned()), quarter)]
+            }
+            Factor::Motion(_) if !order.is_multiple_of(2) => vec![(self.clone(), quarter)],
+            // u_k = i (−i)^k E_k.
+            Factor::Side(_) if order.is_multiple_of(2) => vec![(self.clone(), quarter)],
+            Factor::One
+            | Factor::Motion(_)
+            | Factor::Quadrature(_)
+            | Factor::Torque(_)
+            | Factor::Side(_)
+            | Factor::Linkage(_)
+            | Factor::Corrected(..)
+            | Factor::Open
+            | Factor::OpenTorque => vec![(self.clone(), Turn::zero())],
         }
     }
 }

@@ -14,12 +14,12 @@ pub struct Path {
 }
 
 impl Path {
-    /// The path of two vectors. The factor of a reverse sum is the conjugate one, so that it is its mirror image that is
+    /// The path of the two vectors of an order. The factor of a reverse sum is the conjugate one, so that it is its mirror image that is
     /// compared with the direct sum.
-    pub fn of(direct: &OrderSum, reverse: &OrderSum) -> Self {
+    pub fn of(direct: &OrderSum, reverse: &OrderSum, order: u32) -> Self {
         let nothing_along = Path::has_nothing_along(direct, reverse);
         let nothing_across = Path::has_nothing_across(direct, reverse);
-        let is_line = nothing_along || nothing_across || direct.is_as_long_as(&reverse.mirrored());
+        let is_line = nothing_along || nothing_across || direct.is_as_long_as(reverse, order);
         Path { nothing_along, nothing_across, is_line }
     }
 

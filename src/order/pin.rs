@@ -32,7 +32,7 @@ pub fn pin_contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contr
     let known = cylinders.filter_map(|(index, cylinder)| Some((index, cylinder, cylinder.rod()?)));
     let of_pistons = known.flat_map(|(index, cylinder, rod)| {
         let weight = mass_radius(engine, cylinder);
-        of_piston(rod, order, sense).into_iter().map(move |(factor, part, turned)| Contribution {
+        of_piston(engine, rod, order, sense).into_iter().map(move |(factor, part, turned)| Contribution {
             source: Source::Piston(index),
             position: cylinder.position.clone(),
             factor,
@@ -66,17 +66,16 @@ fn turning(engine: &Engine, order: u32, sense: Sense, is_meant: impl Fn(MassGrou
 
 /// What the vector of a piston in the star of the force stands before: numbers of the motion, each with its part and the angle it
 /// is turned by.
-fn of_piston(rod: &Rod, order: u32, sense: Sense) -> Vec<(Factor, BigRational, Turn)> {
+fn of_piston(engine: &Engine, rod: &Rod, order: u32, sense: Sense) -> Vec<(Factor, BigRational, Turn)> {
     let whole = |number: i64| BigRational::from_integer(number.into());
     let mut parts = Vec::new();
-    let (factor, sign) = Factor::of_rod(Some(rod), order);
-    if factor.exists(order) && order > 0 {
+    let of_force = if order > 0 { Factor::parts_of_rod(engine, Some(rod), order) } else { Vec::new() };
+    for (factor, Term { angle, weight }) in of_force.into_iter().filter(|(factor, _)| factor.exists(order)) {
         let k = i64::from(order);
-        let part = match sense {
-            Sense::Direct => BigRational::new((k - 1).into(), k.into()),
-            Sense::Reverse => BigRational::new((k + 1).into(), k.into()),
-        };
-        parts.push((factor, part * sign, Turn::zero()));
+        parts.push(match sense {
+            Sense::Direct => (factor, BigRational::new((k - 1).into(), k.into()) * weight, angle),
+            Sense::Reverse => (factor, BigRational::new((k + 1).into(), k.into()) * weight, -&angle),
+        });
     }
     if order == 1 {
         let part = match sense {

@@ -65,7 +65,7 @@ fn of_cylinder(engine: &Engine, cylinder: &Cylinder, order: u32) -> Vec<(Factor,
     let speed = engine.speed_of(cylinder);
     let weight = mass_radius(engine, cylinder) * power(speed, 2);
     let of_arm = |arm: Term| {
-        let parts = Factor::parts_of_force(cylinder.mechanism.as_ref(), order).into_iter();
+        let parts = Factor::parts_of_force(engine, cylinder.mechanism.as_ref(), order).into_iter();
         let part = |(factor, part): (Factor, Term)| {
             let angle = &(&star + &part.angle) + &arm.angle;
             (factor.geared(speed), Term { angle, weight: &weight * &part.weight * &arm.weight })

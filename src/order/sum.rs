@@ -86,14 +86,4 @@ impl OrderSum {
     pub fn mirrored(&self) -> Self {
         OrderSum(self.0.iter().map(|(factor, sum)| (factor.clone(), sum.conjugate())).collect())
     }
-
-    /// Whether both are proved to be equally long: zero, or one sum each, before the same factor.
-    pub fn is_as_long_as(&self, other: &Self) -> bool {
-        match (self.only(), other.only()) {
-            (Some((factor, sum)), Some((other_factor, other_sum))) => {
-                factor == other_factor && sum.is_as_long_as(other_sum)
-            }
-            _ => self.vanishes() && other.vanishes(),
-        }
-    }
 }

@@ -82,22 +82,25 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
             (&weight.position, weight.crank),
         )
     });
-    let shafts = crankshaft.balancers.iter().enumerate().map(|(index, shaft)| {
-        let (factor, sign) = shaft_factor(engine, shaft);
-        TurningMass {
+    let shafts = crankshaft.balancers.iter().enumerate().flat_map(|(index, shaft)| {
+        let axis: Vec<Term> = [(&shaft.height, Turn::zero()), (&shaft.offset, Turn::fraction(1, 4))]
+            .into_iter()
+            .filter(|(distance, _)| !distance.is_zero())
+            .map(|(distance, angle)| Term { angle, weight: distance / &radius })
+            .collect();
+        shaft_parts(engine, shaft).into_iter().map(move |(factor, part)| TurningMass {
             source: Source::Balancer(index),
             order: shaft.order,
             sense: shaft.sense,
-            mass_radius: &shaft.mass_radius * sign,
+            mass_radius: &shaft.mass_radius * part.weight,
             factor,
-            angle: shaft.angle.clone(),
+            angle: match shaft.sense {
+                Sense::Direct => &shaft.angle + &part.angle,
+                Sense::Reverse => &shaft.angle - &part.angle,
+            },
             position: shaft.position.clone(),
-            axis: [(&shaft.height, Turn::zero()), (&shaft.offset, Turn::fraction(1, 4))]
-                .into_iter()
-                .filter(|(distance, _)| !distance.is_zero())
-                .map(|(distance, angle)| Term { angle, weight: distance / &radius })
-                .collect(),
-        }
+            axis: axis.clone(),
+        })
     });
     let unit = unit_mass(engine) * &radius;
     let all = rods.chain(pins).chain(webs).chain(weights).chain(shafts);
@@ -130,11 +133,11 @@ fn knuckles(engine: &Engine) -> impl Iterator<Item = TurningMass> {
     })
 }
 
-/// What the mass-radius of a balancer shaft stands before, and with which sign.
-pub fn shaft_factor(engine: &Engine, shaft: &Balancer) -> (Factor, BigRational) {
+/// What the mass-radius of a balancer shaft stands before, as the force of the piston that sizes it: 1 where none does.
+pub fn shaft_parts(engine: &Engine, shaft: &Balancer) -> Vec<(Factor, Term)> {
     match shaft.coefficient_of.and_then(|index| engine.cylinders().get(index)) {
-        Some(cylinder) => Factor::of_rod(cylinder.rod(), shaft.order),
-        None => (Factor::One, BigRational::one()),
+        Some(cylinder) => Factor::parts_of_rod(engine, cylinder.rod(), shaft.order),
+        None => vec![(Factor::One, Term { angle: Turn::zero(), weight: BigRational::one() })],
     }
 }
 

@@ -19,6 +19,8 @@ pub enum Coefficient {
     Common,
     /// c_k of this rod.
     Rod(RodClaim),
+    /// y of c_1 = 1 + iy of this rod, whose offset is positive.
+    Quadrature(RodClaim),
     /// g_k of this link on a master rod.
     Linkage(LinkageClaim),
     /// A part of h_k of this link with a corrected knuckle angle.
@@ -57,7 +59,7 @@ impl Coefficient {
         match self {
             Coefficient::Common | Coefficient::CommonTorque => true,
             Coefficient::Geared(geared) => geared.of.is_open(),
-            Coefficient::One | Coefficient::Rod(_) | Coefficient::Torque(_) => false,
+            Coefficient::One | Coefficient::Rod(_) | Coefficient::Quadrature(_) | Coefficient::Torque(_) => false,
             Coefficient::Linkage(_) | Coefficient::Corrected(_) => false,
         }
     }
@@ -68,7 +70,33 @@ impl Coefficient {
             Coefficient::Corrected(_) => true,
             Coefficient::Geared(geared) => geared.of.may_be_zero(),
             Coefficient::One | Coefficient::Common | Coefficient::Rod(_) | Coefficient::Linkage(_) => false,
-            Coefficient::CommonTorque | Coefficient::Torque(_) => false,
+            Coefficient::Quadrature(_) | Coefficient::CommonTorque | Coefficient::Torque(_) => false,
+        }
+    }
+
+    /// The real numbers that it is made of in an order, each with the turns by which it turns a direct sum, and a reverse one the other way:
+    /// that of a rod is real in even orders, imaginary in odd ones above 1, and 1 + iy in order 1.
+    pub(super) fn real_parts(&self, order: u32) -> Vec<(Coefficient, BigRational)> {
+        let none = || BigRational::zero();
+        let quarter = |sign: i64| BigRational::new(sign.into(), 4.into());
+        match self {
+            Coefficient::Geared(geared) => {
+                let parts = geared.of.real_parts(geared.own_order(order)).into_iter();
+                parts.map(|(part, turn)| (part.geared(geared.speed), turn)).collect()
+            }
+            Coefficient::Rod(rod) if order == 1 => {
+                let sign = if rod.offset.is_negative() { -1 } else { 1 };
+                let y = Coefficient::Quadrature(RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.abs() });
+                vec![(Coefficient::One, none()), (y, quarter(sign))]
+            }
+            Coefficient::Rod(_) if order % 2 == 1 => vec![(self.clone(), quarter(1))],
+            Coefficient::One | Coefficient::Common | Coefficient::Rod(_) | Coefficient::Quadrature(_) => {
+                vec![(self.clone(), none())]
+            }
+            Coefficient::Linkage(_)
+            | Coefficient::Corrected(_)
+            | Coefficient::CommonTorque
+            | Coefficient::Torque(_) => vec![(self.clone(), none())],
         }
     }
 
@@ -103,13 +131,13 @@ impl Factor {
     /// orders above 1 change theirs.
     ///
     /// A link has its master's in part, and one of its own; in order 1 it is as a centric rod.
-    pub fn of_force(rod: &RodStatement, order: u32) -> Vec<Self> {
+    pub fn of_force(rod: &RodStatement, order: u32, do_rods_differ: bool) -> Vec<Self> {
         let is_odd = order % 2 == 1;
         let plain = |coefficient, is_zero| Factor { coefficient, is_zero, parts: along(BigRational::one()) };
         match rod {
             RodStatement::Unknown if order == 1 => vec![plain(Coefficient::One, false)],
             RodStatement::Unknown => vec![plain(Coefficient::Common, is_odd)],
-            RodStatement::Known(rod) => vec![Factor::of_rod(rod, order)],
+            RodStatement::Known(rod) => Factor::of_rod_in_parts(rod, order, do_rods_differ),
             RodStatement::Link(link) if link.is_corrected() => Factor::of_corrected(link, order),
             RodStatement::Link(_) if order == 1 => vec![plain(Coefficient::One, false)],
             RodStatement::Link(link) => {
@@ -145,9 +173,20 @@ impl Factor {
         factors
     }
 
-    /// 1, or −1: what the vector of a rod on the crankpin is multiplied by.
-    pub fn sign(&self) -> BigRational {
-        self.parts.iter().map(|part| &part.weight).sum()
+    /// In the force, of a rod on the crankpin: c_1 = 1 + iy of an offset is taken apart where the engine has rods of several kinds. y changes its sign
+    /// with the offset.
+    fn of_rod_in_parts(rod: &RodClaim, order: u32, do_rods_differ: bool) -> Vec<Self> {
+        if order != 1 || rod.offset.is_zero() || !do_rods_differ {
+            return vec![Factor::of_rod(rod, order)];
+        }
+        let one = BigRational::one();
+        let weight = if rod.offset.is_negative() { -one.clone() } else { one.clone() };
+        let y = Coefficient::Quadrature(RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.abs() });
+        let turned = vec![Vector { angle: BigRational::new(1.into(), 4.into()), weight }];
+        vec![
+            Factor { coefficient: Coefficient::One, is_zero: false, parts: along(one) },
+            Factor { coefficient: y, is_zero: false, parts: turned },
+        ]
     }
 
     /// In the force, of a rod on the crankpin.
@@ -169,13 +208,13 @@ impl Factor {
     }
 
     /// In the force of a mass that turns: that of the rod that it names, or 1. It names no link.
-    pub fn of_shaft(rod: Option<&RodStatement>, order: u32) -> Self {
-        let plain = |coefficient, is_zero| Factor { coefficient, is_zero, parts: along(BigRational::one()) };
+    pub fn of_shaft(rod: Option<&RodStatement>, order: u32, do_rods_differ: bool) -> Vec<Self> {
+        let plain = |coefficient, is_zero| vec![Factor { coefficient, is_zero, parts: along(BigRational::one()) }];
         match rod {
             None => plain(Coefficient::One, false),
             Some(RodStatement::Unknown) if order == 1 => plain(Coefficient::One, false),
             Some(RodStatement::Unknown | RodStatement::Link(_)) => plain(Coefficient::Common, order % 2 == 1),
-            Some(RodStatement::Known(rod)) => Factor::of_rod(rod, order),
+            Some(RodStatement::Known(rod)) => Factor::of_rod_in_parts(rod, order, do_rods_differ),
         }
     }
 

@@ -87,7 +87,7 @@ pub use remedy::{
     check_remedy_document,
 };
 pub use rod::coefficient_bounds;
-pub use shape::{MirrorClaim, Shape, ShapeClaim, ShapeEvidence};
+pub use shape::{Shape, ShapeClaim, ShapeEvidence};
 pub use theorem::{OrderClaim, Survivors, TheoremClaim};
 pub use verdict::{Vector, VerdictClaim};
 pub use whole_sum::{WholeClaim, WholeOutcome};

@@ -21,7 +21,7 @@ use super::engine::{
 use super::fraction;
 use super::left_out::{Left, check_left_out};
 use super::reading::Format;
-use super::source::turned;
+use super::source::{differ, turned};
 use super::verdict::{Vector, phase};
 
 /// A remedy as data: the JSON document of `remedy --json`.
@@ -292,6 +292,7 @@ impl RemedyDocument {
             Quantity::Force | Quantity::Torque | Quantity::Roll => BigRational::one(),
         };
         audit.spend((self.cylinders.len() + self.turning_masses.len() + self.weights.len()) as u64)?;
+        let do_rods_differ = differ(self.cylinders.iter().map(|cylinder| &cylinder.rod));
         for cylinder in &self.cylinders {
             let Some(own) = own_order(cylinder.speed, order) else { continue };
             let weight = &cylinder.weight * arm(&cylinder.position) * power(cylinder.speed, 2);
@@ -299,7 +300,8 @@ impl RemedyDocument {
             if let RodStatement::Link(link) = &cylinder.rod {
                 audit.spend(link.steps(order))?;
             }
-            let factors = Factor::of_force(&cylinder.rod, own).into_iter().filter(|factor| !factor.is_zero);
+            let factors =
+                Factor::of_force(&cylinder.rod, own, do_rods_differ).into_iter().filter(|factor| !factor.is_zero);
             for Factor { coefficient, parts, .. } in factors {
                 let vectors = parts.iter().map(|part| turned(&angle, &weight, part, Some(sense)));
                 let terms = vectors.map(|vector| (vector.angle, vector.weight));
@@ -317,14 +319,13 @@ impl RemedyDocument {
         let k = BigRational::from_integer(BigInt::from(order));
         let double = &k * &k * BigRational::from_integer(2.into());
         for mass in self.turning_masses.iter().filter(|mass| (mass.order, mass.sense) == (order, sense)) {
-            let factor = Factor::of_shaft(mass.coefficient_of.as_ref(), order);
-            let sign = factor.sign();
-            let Factor { coefficient, is_zero, .. } = factor;
-            if is_zero {
-                continue;
+            let factors = Factor::of_shaft(mass.coefficient_of.as_ref(), order, do_rods_differ);
+            let weight = &double * &mass.mass_radius * arm(&mass.position);
+            for Factor { coefficient, parts, .. } in factors.into_iter().filter(|factor| !factor.is_zero) {
+                let vectors = parts.iter().map(|part| turned(&mass.angle, &weight, part, Some(sense)));
+                let terms = vectors.map(|vector| (vector.angle, vector.weight));
+                sums.entry(coefficient).or_default().extend(terms);
             }
-            let weight = &double * &mass.mass_radius * arm(&mass.position) * sign;
-            sums.entry(coefficient).or_default().push((mass.angle.clone(), weight));
         }
         let own: BTreeSet<Coefficient> = sums.keys().cloned().chain([Coefficient::One]).collect();
         for weight in self.weights.iter().filter(|weight| (weight.order, weight.sense) == (order, sense)) {

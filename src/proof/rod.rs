@@ -64,6 +64,10 @@ impl<'a> Motion<'a> {
             Coefficient::Common | Coefficient::CommonTorque => return Ok(None),
             Coefficient::Torque(rod) => torque(rod, order, bits, self.audit)?,
             Coefficient::Rod(rod) => force(rod, order, bits, self.audit)?,
+            Coefficient::Quadrature(rod) => {
+                let first = force(rod, 1, bits, self.audit)?;
+                Complex { re: first.im, im: Ball::exact(0.into()) }
+            }
             Coefficient::Linkage(linkage) => {
                 Complex { re: linkage.number(order, bits, self.audit)?, im: Ball::exact(BigInt::from(0)) }
             }
@@ -106,7 +110,7 @@ pub(super) fn smallness(coefficient: &Coefficient, order: u32, audit: &Audit) ->
         Coefficient::Linkage(linkage) => return linkage.smallness(order, audit),
         Coefficient::Geared(geared) => return smallness(&geared.of, geared.own_order(order), audit),
         Coefficient::Corrected(linkage) => return linkage.smallness(order, audit),
-        Coefficient::Rod(_) | Coefficient::Torque(_) => return Ok(0),
+        Coefficient::Rod(_) | Coefficient::Quadrature(_) | Coefficient::Torque(_) => return Ok(0),
         Coefficient::One | Coefficient::Common | Coefficient::CommonTorque => return Ok(0),
     };
     Ok(strip?.decay(order))

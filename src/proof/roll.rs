@@ -68,18 +68,18 @@ pub(super) fn of_torque(cylinder: &Cylinder, order: u32) -> Vec<Vector> {
     vec![Vector { angle: phase(&cylinder.throw, &cylinder.bank, order, None), weight }]
 }
 
-/// The terms of a mass that turns, whose sign above its coefficient is `factor`.
-pub(super) fn of_turning(mass: &TurningMassClaim, factor: &BigRational) -> Vec<Vector> {
+/// The terms of a mass that turns, whose vector stands before its coefficient with these parts.
+pub(super) fn of_turning(mass: &TurningMassClaim, parts: &[Vector]) -> Vec<Vector> {
     let square = BigRational::from_integer(BigInt::from(mass.order) * mass.order);
     let sign = match mass.sense {
         Sense::Direct => BigRational::one(),
         Sense::Reverse => -BigRational::one(),
     };
-    let term = |axis: &Vector| Vector {
-        angle: &sign * (&mass.angle - &axis.angle - quarter(1)),
-        weight: &square * &mass.mass_radius * &axis.weight * factor,
+    let term = |axis: &Vector, part: &Vector| Vector {
+        angle: &sign * (&mass.angle - &axis.angle - quarter(1)) + &part.angle,
+        weight: &square * &mass.mass_radius * &axis.weight * &part.weight,
     };
-    mass.axis.iter().map(term).collect()
+    parts.iter().flat_map(|part| mass.axis.iter().map(|axis| term(axis, part)).collect::<Vec<_>>()).collect()
 }
 
 fn is_against(cylinder: &Cylinder) -> bool {

@@ -4,9 +4,10 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
-use super::audit::{Audit, Reason};
+use super::audit::{Audit, Reason, steps_of};
 use super::certificate::Certificate;
 use super::check::certify;
+use super::coefficient::Coefficient;
 use super::collected::{Collected, collect, difference_of_squares};
 use super::engine::Quantity;
 use super::judged::{Judged, JudgedGroup};
@@ -52,20 +53,10 @@ pub struct ShapeClaim {
 pub enum ShapeEvidence {
     /// One sum each before the same coefficient: `|direct|² − |reverse|²` is zero (planar) or is not (elliptical).
     Certificate(Certificate),
-    /// Planar: the direct sums are the mirror images of the reverse ones.
-    Mirror(MirrorClaim),
+    /// Planar: each coefficient of `|direct|² − |reverse|²`, a quadratic form in the real numbers that the sums stand before, is zero.
+    Pairs(Vec<Certificate>),
     /// Elliptical: an enclosure with so many bits keeps `|direct|² − |reverse|²` away from zero.
     Bits(u32),
-}
-
-/// That `direct = sign · conj(reverse)`, coefficient by coefficient.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct MirrorClaim {
-    /// 1, or −1.
-    pub sign: i8,
-    /// That `direct − sign · conj(reverse)` is zero, for each coefficient that is not zero.
-    pub certificates: Vec<Certificate>,
 }
 
 /// A shape as a document writes it: its evidence under the key that says which it is.
@@ -78,7 +69,7 @@ struct WrittenShape {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     certificate: Option<Certificate>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    mirror: Option<MirrorClaim>,
+    pairs: Option<Vec<Certificate>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     bits: Option<u32>,
 }
@@ -87,13 +78,13 @@ impl TryFrom<WrittenShape> for ShapeClaim {
     type Error = &'static str;
 
     fn try_from(written: WrittenShape) -> Result<Self, Self::Error> {
-        let WrittenShape { quantity, order, shape, certificate, mirror, bits } = written;
-        let evidence = match (certificate, mirror, bits) {
+        let WrittenShape { quantity, order, shape, certificate, pairs, bits } = written;
+        let evidence = match (certificate, pairs, bits) {
             (None, None, None) => None,
             (Some(certificate), None, None) => Some(ShapeEvidence::Certificate(certificate)),
-            (None, Some(mirror), None) => Some(ShapeEvidence::Mirror(mirror)),
+            (None, Some(pairs), None) => Some(ShapeEvidence::Pairs(pairs)),
             (None, None, Some(bits)) => Some(ShapeEvidence::Bits(bits)),
-            _ => return Err("a shape has one of `certificate`, `mirror` and `bits`"),
+            _ => return Err("a shape has one of `certificate`, `pairs` and `bits`"),
         };
         Ok(ShapeClaim { quantity, order, shape, evidence })
     }
@@ -102,10 +93,10 @@ impl TryFrom<WrittenShape> for ShapeClaim {
 impl From<ShapeClaim> for WrittenShape {
     fn from(claim: ShapeClaim) -> Self {
         let ShapeClaim { quantity, order, shape, evidence } = claim;
-        let mut written = WrittenShape { quantity, order, shape, certificate: None, mirror: None, bits: None };
+        let mut written = WrittenShape { quantity, order, shape, certificate: None, pairs: None, bits: None };
         match evidence {
             Some(ShapeEvidence::Certificate(certificate)) => written.certificate = Some(certificate),
-            Some(ShapeEvidence::Mirror(mirror)) => written.mirror = Some(mirror),
+            Some(ShapeEvidence::Pairs(pairs)) => written.pairs = Some(pairs),
             Some(ShapeEvidence::Bits(bits)) => written.bits = Some(bits),
             None => (),
         }
@@ -145,7 +136,7 @@ fn compare(shape: Shape, evidence: Option<&ShapeEvidence>, judged: &Judged, moti
         }
         (_, None, Some(_)) => Err("a certificate that compares the two moduli is missing".into()),
         (_, _, Some(_)) => Err("one sum a vector, before the same coefficient: a certificate compares them".into()),
-        (Shape::Planar, Some(ShapeEvidence::Mirror(mirror)), None) => check_mirror(mirror, judged, audit),
+        (Shape::Planar, Some(ShapeEvidence::Pairs(pairs)), None) => check_pairs(pairs, judged, audit),
         (Shape::Elliptical, Some(ShapeEvidence::Bits(bits)), None) if !is_open(judged) => {
             match are_unequally_long(judged, *bits, motion)? {
                 true => Ok(()),
@@ -157,7 +148,7 @@ fn compare(shape: Shape, evidence: Option<&ShapeEvidence>, judged: &Judged, moti
             true => Ok(()),
             false => Err("the two lengths are not so near to each other that it could be left open".into()),
         },
-        (_, _, None) => Err("planar is shown by `mirror`, elliptical by `bits`, and `not-decided` by nothing".into()),
+        (_, _, None) => Err("planar is shown by `pairs`, elliptical by `bits`, and `not-decided` by nothing".into()),
     }
 }
 
@@ -176,31 +167,57 @@ fn is_open(judged: &Judged) -> bool {
     left.iter().flatten().any(|group| group.coefficient.is_open())
 }
 
-/// `direct = ± conj(reverse)` where it holds for the sums before each coefficient: those of the reverse vector are the
-/// conjugates of those of the direct one.
-fn check_mirror(mirror: &MirrorClaim, judged: &Judged, audit: &Audit) -> Result<(), Reason> {
-    if ![1, -1].contains(&mirror.sign) {
-        return Err("the sign of a mirror is 1 or -1".into());
+/// One certificate for each coefficient of `|direct|² − |reverse|²` that each is zero.
+fn check_pairs(certificates: &[Certificate], judged: &Judged, audit: &Audit) -> Result<(), Reason> {
+    let real = real_sums(judged, audit)?;
+    let count = real.len() * (real.len() + 1) / 2;
+    if certificates.len() != count {
+        let numbers = real.len();
+        return Err(format!("{} certificates for {count} pairs of {numbers} numbers", certificates.len()).into());
     }
-    let groups: Vec<&JudgedGroup> = judged.groups.iter().filter(|group| !group.is_zero).collect();
-    if groups.len() != mirror.certificates.len() {
-        return Err(format!("{} certificates for {} coefficients", mirror.certificates.len(), groups.len()).into());
-    }
-    let by = BigRational::from_integer(BigInt::from(-mirror.sign));
-    for (group, certificate) in groups.into_iter().zip(&mirror.certificates) {
-        let [direct, reverse] = [0, 1].map(|sense| &group.sums[sense].0);
-        certify(&mirrored_away(direct, reverse, &by, audit)?, true, certificate, audit)?;
+    let mut certificates = certificates.iter();
+    for (place, one) in real.iter().enumerate() {
+        let of_pairs = real[place + 1..].iter().map(|other| of_pair(one, other, audit));
+        let of_itself = difference_of_squares(&one[0], &one[1], audit).map_err(Reason::from);
+        for (sum, certificate) in [of_itself].into_iter().chain(of_pairs).zip(certificates.by_ref()) {
+            certify(&sum?, true, certificate, audit)?;
+        }
     }
     Ok(())
 }
 
-fn mirrored_away(
-    direct: &Collected,
-    reverse: &Collected,
-    by: &BigRational,
-    audit: &Audit,
-) -> Result<Collected, Reason> {
-    let images = reverse.iter().map(|(angle, weight)| (-angle, weight * by));
-    let all = direct.iter().map(|(angle, weight)| (angle.clone(), weight.clone())).chain(images);
-    Ok(collect(all, audit)?)
+/// What stands before each real number in the direct and in the reverse vector, in the order of their first group; groups that are zero in both left out.
+fn real_sums(judged: &Judged, audit: &Audit) -> Result<Vec<[Collected; 2]>, Reason> {
+    let mut real: Vec<(Coefficient, [Vec<(BigRational, BigRational)>; 2])> = Vec::new();
+    for group in judged.groups.iter().filter(|group| !group.is_zero && group.sums.iter().any(|(_, is_zero)| !is_zero)) {
+        for (number, turn) in group.coefficient.real_parts(judged.order) {
+            let place = real.iter().position(|(known, _)| *known == number).unwrap_or_else(|| {
+                real.push((number, [Vec::new(), Vec::new()]));
+                real.len() - 1
+            });
+            for (sense, turn) in [turn.clone(), -turn].iter().enumerate() {
+                let terms = group.sums[sense].0.iter().map(|(angle, weight)| (angle + turn, weight.clone()));
+                real[place].1[sense].extend(terms);
+            }
+        }
+    }
+    let both = |[direct, reverse]: [Vec<_>; 2]| Ok([collect(direct, audit)?, collect(reverse, audit)?]);
+    real.into_iter().map(|(_, sums)| both(sums)).collect()
+}
+
+/// `2 Re(D_a D̄_b − R_a R̄_b)` of two numbers.
+fn of_pair(one: &[Collected; 2], other: &[Collected; 2], audit: &Audit) -> Result<Collected, Reason> {
+    let mut terms = Vec::new();
+    for (sense, sign) in [(0, 1), (1, -1)] {
+        let sign = BigRational::from_integer(BigInt::from(sign));
+        for (s, v) in &one[sense] {
+            audit.spend(other[sense].len() as u64 * steps_of(s).max(steps_of(v)))?;
+            for (t, w) in &other[sense] {
+                let weight = v * w * &sign;
+                terms.push((s - t, weight.clone()));
+                terms.push((t - s, weight));
+            }
+        }
+    }
+    Ok(collect(terms, audit)?)
 }

@@ -14,13 +14,13 @@ use super::roll;
 use super::verdict::{Vector, phase};
 
 /// What makes a force: a cylinder, with what its vector is multiplied by; the mass at the knuckle pin of its link, as far as it moves
-/// as the master's piston does; or a mass that turns, with the sign of its term.
+/// as the master's piston does; or a mass that turns, with what its vector is multiplied by.
 pub(super) enum Source<'a> {
     Cylinder(&'a Cylinder, Vec<Vector>),
     Knuckle(&'a Cylinder, &'a LinkClaim),
     /// The torque on the crank of a cylinder.
     Torque(&'a Cylinder),
-    Turning(&'a TurningMassClaim, BigRational),
+    Turning(&'a TurningMassClaim, Vec<Vector>),
 }
 
 /// The sources of an order whose terms stand before one coefficient.
@@ -46,6 +46,7 @@ impl Document {
     /// whose crankshaft has part in it, then turning masses of either sense. One group without sources where there is none.
     pub(super) fn groups(&self, quantity: Quantity, order: u32) -> Vec<Group<'_>> {
         let mut groups = Groups::default();
+        let do_rods_differ = self.do_rods_differ();
         let cylinders = self.cylinders.iter().filter(|_| self.masses.reciprocate());
         for (cylinder, own) in cylinders.filter_map(|cylinder| Some((cylinder, cylinder.own_order(order)?))) {
             let (has_force, has_torque) = match quantity {
@@ -54,7 +55,7 @@ impl Document {
                 Quantity::Roll => (!roll::arms(cylinder).is_empty(), true),
             };
             if has_force {
-                for force in Factor::of_force(&cylinder.rod, own) {
+                for force in Factor::of_force(&cylinder.rod, own, do_rods_differ) {
                     groups.add(
                         force.coefficient.geared(cylinder.speed),
                         force.is_zero,
@@ -83,9 +84,9 @@ impl Document {
         };
         let turning = self.turning_masses.iter().filter(|mass| self.masses.turn() && mass.order == order);
         for mass in turning.filter(|mass| is_there(mass)) {
-            let factor = Factor::of_shaft(mass.coefficient_of.as_ref(), order);
-            let sign = factor.sign();
-            groups.add(factor.coefficient, factor.is_zero, Source::Turning(mass, sign));
+            for factor in Factor::of_shaft(mass.coefficient_of.as_ref(), order, do_rods_differ) {
+                groups.add(factor.coefficient, factor.is_zero, Source::Turning(mass, factor.parts));
+            }
         }
         groups.or_empty()
     }
@@ -131,12 +132,12 @@ impl Document {
                 let angle = phase(&cylinder.throw, &cylinder.bank, own(cylinder), None);
                 (cylinder.name.clone(), vec![Vector { angle, weight }])
             }
-            Source::Turning(mass, sign) if is_roll => (mass.name.clone(), roll::of_turning(mass, sign)),
-            Source::Turning(mass, sign) => {
+            Source::Turning(mass, parts) if is_roll => (mass.name.clone(), roll::of_turning(mass, parts)),
+            Source::Turning(mass, parts) => {
                 let twice_the_square = BigRational::from_integer(BigInt::from(order) * order * 2);
-                let weight = twice_the_square * &mass.mass_radius * lever(&mass.position) * sign;
-                let vector = Vector { angle: mass.angle.clone(), weight };
-                (mass.name.clone(), if Some(mass.sense) == sense { vec![vector] } else { Vec::new() })
+                let weight = twice_the_square * &mass.mass_radius * lever(&mass.position);
+                let vectors = parts.iter().filter(|_| Some(mass.sense) == sense);
+                (mass.name.clone(), vectors.map(|part| turned(&mass.angle, &weight, part, sense)).collect())
             }
         };
         let named = |source| {
@@ -144,6 +145,11 @@ impl Document {
             terms.into_iter().map(move |term| (name.clone(), term))
         };
         group.sources.iter().flat_map(named).collect()
+    }
+
+    /// Whether the pistons have rods of several kinds.
+    fn do_rods_differ(&self) -> bool {
+        self.masses.reciprocate() && differ(self.cylinders.iter().map(|cylinder| &cylinder.rod))
     }
 
     /// The cylinders with a mass at the knuckle pin of their link.
@@ -163,6 +169,11 @@ impl Document {
             RodStatement::Unknown | RodStatement::Known(_) => steps,
         })
     }
+}
+
+/// Whether rods are not all of one kind.
+pub(super) fn differ<'a>(mut rods: impl Iterator<Item = &'a RodStatement>) -> bool {
+    rods.next().is_some_and(|first| rods.any(|rod| rod != first))
 }
 
 /// What the mass at a knuckle pin is called.

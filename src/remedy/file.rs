@@ -93,6 +93,7 @@ fn is_of_faster_crank(factor: &Factor) -> bool {
         Factor::Geared(..) => true,
         Factor::One
         | Factor::Motion(_)
+        | Factor::Quadrature(_)
         | Factor::Torque(_)
         | Factor::Side(_)
         | Factor::Open

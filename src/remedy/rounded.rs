@@ -25,6 +25,7 @@ pub(super) fn is_of_link(weight: &Weight) -> bool {
         Factor::Linkage(_) | Factor::Corrected(..) => true,
         Factor::One
         | Factor::Motion(_)
+        | Factor::Quadrature(_)
         | Factor::Torque(_)
         | Factor::Side(_)
         | Factor::Open

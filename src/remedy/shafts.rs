@@ -149,5 +149,5 @@ fn part_of_load(subject: &ComparableEngine, shaft: &Shaft) -> [f64; 2] {
 
 fn same_length(a: &Shaft, b: &Shaft) -> bool {
     let ([one], [other]) = (a.weights.as_slice(), b.weights.as_slice()) else { return false };
-    one.vector.is_as_long_as(&other.vector)
+    one.vector.is_as_long_as(&other.vector, a.order)
 }

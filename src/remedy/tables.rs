@@ -5,7 +5,7 @@ use num_traits::Signed;
 
 use super::rounded::{is_of_link, rounded};
 use super::{Built, Remedy, Replaced, Weight};
-use crate::engine::{Balancer, Counterweight, Cylinder, Engine};
+use crate::engine::{Balancer, Counterweight, Cylinder, Engine, Rod};
 use crate::exact::{Term, Turn};
 use crate::file::{
     balancer_table, comment, counterweight_in_multiples, counterweight_table, without_balancers, without_counterweights,
@@ -187,13 +187,37 @@ fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
     }
     let parts = weight.vector.parts().iter();
     let terms = parts.flat_map(|(factor, sum)| sum.on_lines().into_iter().map(move |term| (factor, term)));
-    let exact = terms.map(|(factor, term): (&Factor, Term)| {
-        let (coefficient_of, sign) = coefficient(engine, factor, weight.order);
-        let size = &term.weight * &own * sign;
-        let angle = if size.is_negative() { term.angle.opposite() } else { term.angle };
+    let exact = terms.flat_map(|(factor, term): (&Factor, Term)| {
+        coefficients(engine, factor, weight.order).into_iter().map(move |(coefficient_of, part)| {
+            let turned = match weight.sense {
+                Sense::Direct => &term.angle + &part.angle,
+                Sense::Reverse => &term.angle - &part.angle,
+            };
+            (coefficient_of, &term.weight * part.weight, turned)
+        })
+    });
+    let exact = exact.map(|(coefficient_of, size, angle)| {
+        let size = size * &own;
+        let angle = if size.is_negative() { angle.opposite() } else { angle };
         table(coefficient_of, size.abs(), angle)
     });
     exact.collect()
+}
+
+/// A factor as the coefficients of cylinders, none for 1, each with what its direct vector is multiplied by.
+fn coefficients(engine: &Engine, factor: &Factor, order: u32) -> Vec<(Option<usize>, Term)> {
+    let Factor::Quadrature(rod) = factor else {
+        let (coefficient_of, weight) = coefficient(engine, factor, order);
+        return vec![(coefficient_of, Term { angle: Turn::zero(), weight })];
+    };
+    // y = −i (c_1 − 1), with the other sign where the offset has.
+    let is_it = |own: &Rod| own.unsigned() == *rod;
+    let found = engine.cylinders().iter().position(|one| engine.speed_of(one) == 1 && one.rod().is_some_and(is_it));
+    let is_behind = found.and_then(|index| engine.cylinders()[index].rod()).is_some_and(|own| own.offset.is_negative());
+    let [one, less] = [1, -1].map(|sign| BigRational::from_integer(sign.into()));
+    let [own, plain] = if is_behind { [less, one] } else { [one, less] };
+    let part = |weight| Term { angle: Turn::fraction(3, 4), weight };
+    vec![(found, part(own)), (None, part(plain))]
 }
 
 /// The cylinder whose coefficient a factor is, and the sign between the two; none for 1.
@@ -201,7 +225,9 @@ fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, 
     let one = BigRational::from_integer(1.into());
     match factor {
         // Weights against what links leave are not written by their terms, and against what faster cranks leave not at all.
-        Factor::One | Factor::Linkage(_) | Factor::Corrected(..) | Factor::Geared(..) => (None, one),
+        Factor::One | Factor::Quadrature(_) | Factor::Linkage(_) | Factor::Corrected(..) | Factor::Geared(..) => {
+            (None, one)
+        }
         Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
             let is_plain = |cylinder: &Cylinder| cylinder.link().is_none() && engine.speed_of(cylinder) == 1;
             let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| is_plain(cylinder));

@@ -68,7 +68,12 @@ fn turning_masses(engine: &Engine, masses: Masses, with_roll: bool) -> Vec<Turni
         coefficient_of: shaft_rod(engine, mass),
         axis: if with_roll { vectors(&mass.axis) } else { Vec::new() },
     };
-    Sources::new(engine, masses).turning().iter().map(claim).collect()
+    Sources::new(engine, masses).turning().iter().filter(|mass| is_whole(mass)).map(claim).collect()
+}
+
+/// Whether a claim is made of it: a shaft that is sized by a c_1 is there before 1 and before y, and is one mass.
+pub(super) fn is_whole(mass: &order::TurningMass) -> bool {
+    !matches!(mass.factor, Factor::Quadrature(_))
 }
 
 /// The rod whose coefficient a balancer shaft is sized by, as data.
@@ -78,8 +83,9 @@ pub(super) fn shaft_rod(engine: &Engine, mass: &order::TurningMass) -> Option<Ro
 
 /// The mass-radius of what turns, before the coefficient of that rod: the sign of the coefficient is the checker's to find.
 pub(super) fn shaft_radius(engine: &Engine, mass: &order::TurningMass) -> num_rational::BigRational {
-    let sign = balancer(engine, mass).map(|shaft| order::shaft_factor(engine, shaft).1);
-    sign.map_or_else(|| mass.mass_radius.clone(), |sign| &mass.mass_radius * sign)
+    let parts = balancer(engine, mass).map(|shaft| order::shaft_parts(engine, shaft)).into_iter().flatten();
+    let own = parts.into_iter().find(|(factor, _)| *factor == mass.factor);
+    own.map_or_else(|| mass.mass_radius.clone(), |(_, part)| &mass.mass_radius * part.weight)
 }
 
 fn balancer<'a>(engine: &'a Engine, mass: &order::TurningMass) -> Option<&'a engine::Balancer> {
@@ -148,6 +154,7 @@ pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
                 unreachable!("the sums of a link stand before the number of its master and of its linkage")
             }
         },
+        Factor::Quadrature(rod) => Coefficient::Quadrature(rod_claim(rod)),
         Factor::Linkage(linkage) => Coefficient::Linkage(LinkageClaim {
             ratio: linkage.ratio.clone(),
             knuckle: linkage.knuckle.clone(),

@@ -84,6 +84,11 @@ fn class_words(class: &Class, order: u32) -> String {
             }
             Mechanism::Link(link) => format!(", r/L {}", equals(&link.ratio)),
         },
+        Factor::Quadrature(rod) => {
+            let size = equals(&rod.offset);
+            let size = size.strip_prefix("= ").map_or_else(|| size.clone(), |value| format!("= ±{value}"));
+            format!(", λ {}, δ {size}, Im", equals(&rod.ratio))
+        }
         Factor::Linkage(linkage) => format!(", Δ = ±{}", typeset::degrees(&linkage.apart.degrees())),
         Factor::Corrected(linkage, component) => {
             let [apart, correction] =
@@ -196,7 +201,7 @@ fn is_of_torque(factor: &Factor) -> bool {
     match factor {
         Factor::Geared(_, own) => is_of_torque(own),
         Factor::Torque(_) | Factor::OpenTorque => true,
-        Factor::One | Factor::Motion(_) | Factor::Side(_) | Factor::Open => false,
+        Factor::One | Factor::Motion(_) | Factor::Quadrature(_) | Factor::Side(_) | Factor::Open => false,
         Factor::Linkage(_) | Factor::Corrected(..) => false,
     }
 }

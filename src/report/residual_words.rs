@@ -196,9 +196,9 @@ fn what_is_left(whole: &WholeOrder) -> Option<Text> {
         Some(ShapeEvidence::Certificate(_)) => {
             phrase!("What is left is **{}**: the squares of both lengths are compared exactly.", shape)
         }
-        Some(ShapeEvidence::Mirror(_)) => phrase!(
-            "What is left is **{}**: each sum of one vector is the mirror image of its partner in the other, so that both are equally \
-             long.",
+        Some(ShapeEvidence::Pairs(_)) => phrase!(
+            "What is left is **{}**: both vectors are equally long whatever the coefficients are, for in the difference of the squares of \
+             their lengths what stands before each product of two of them is exactly zero.",
             shape
         ),
         Some(ShapeEvidence::Bits(_)) => {

@@ -8,7 +8,7 @@ use super::residual;
 use super::typeset;
 use crate::engine::{Cylinder, Engine, LengthUnit, Rotation};
 use crate::exact::{Turn, fraction};
-use crate::order::{self, Source, TurningMass};
+use crate::order::{self, Factor, Source, TurningMass};
 use crate::page::{Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict};
@@ -156,7 +156,8 @@ type Parts<'a> = [(i64, &'a BigRational); 2];
 
 /// The vector-star table of order k: how each phase comes about, and the sums.
 pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
-    if engine.has_links() || engine.faster_crank().is_some() {
+    let is_turned = order.class.as_ref().is_some_and(|class| matches!(class.factor, Factor::Quadrature(_)));
+    if is_turned || engine.has_links() || engine.faster_crank().is_some() {
         return term_by_term(engine, order);
     }
     let k = i64::from(order.order);

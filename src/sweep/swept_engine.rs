@@ -211,7 +211,7 @@ fn from_words(
         amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {
             let [direct, reverse] =
                 [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
-            direct.is_as_long_as(&reverse.mirrored())
+            direct.is_as_long_as(&reverse, order)
         })
     })
 }
@@ -264,6 +264,10 @@ fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, moti
     };
     let mut coefficient = |factor: &Factor| match factor.own(order) {
         (Factor::Motion(mechanism), order) => motions.coefficient(mechanism, order, highest),
+        (Factor::Quadrature(rod), _) => {
+            let mechanism = Mechanism::SliderCrank(rod.clone());
+            Complex::new(motions.coefficient(&mechanism, 1, highest).im, 0.0)
+        }
         (Factor::Linkage(linkage), order) => Complex::new(linkage.motion().number(order).to_float(), 0.0),
         (Factor::Corrected(..), order) => motions.corrected(factor, order),
         // Of rods that are not given, amplitudes are in multiples of c_k.
@@ -282,7 +286,7 @@ fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, moti
         total_length += coefficient(factor).norm() * weights.sum::<f64>();
     }
     amplitudes(direct_value, mirrored_value, [plus, minus, along, across], total_length, &|| {
-        direct.is_as_long_as(&mirrored)
+        direct.is_as_long_as(&reverse, order)
     })
 }
 

@@ -131,6 +131,7 @@ impl Class {
             Factor::Geared(..) => true,
             Factor::One => order > 1 && sources.engine().faster_crank().is_some() && !group.sources.is_empty(),
             Factor::Motion(_)
+            | Factor::Quadrature(_)
             | Factor::Torque(_)
             | Factor::Side(_)
             | Factor::Linkage(_)

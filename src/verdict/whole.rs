@@ -8,11 +8,10 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::balance::{Verdict, compared};
-use crate::exact::PhasorSum;
 use crate::motion::Enclosure;
 use crate::numbers;
-use crate::order::{Coefficients, Factor};
-use crate::proof::{Certificate, MirrorClaim, Shape, ShapeEvidence};
+use crate::order::{self, Coefficients, Factor};
+use crate::proof::{Certificate, Shape, ShapeEvidence};
 
 /// What the checker is told to enclose with: more than the coefficients here are known to.
 const CLAIMED_BITS: u32 = 128;
@@ -152,10 +151,8 @@ fn line_or_ellipse(
         let (shape, certificate) = compared(&one.verdict.sum, &other.verdict.sum);
         return Some((shape, ShapeEvidence::Certificate(certificate)));
     }
-    for sign in [1, -1] {
-        if let Some(certificates) = mirrored(direct, reverse, sign) {
-            return Some((Shape::Planar, ShapeEvidence::Mirror(MirrorClaim { sign, certificates })));
-        }
+    if let Some(certificates) = equally_long([direct, reverse], order) {
+        return Some((Shape::Planar, ShapeEvidence::Pairs(certificates)));
     }
     let square = |parts: &[Part]| {
         let [re, im] = enclosed(parts, order, known)?;
@@ -166,15 +163,11 @@ fn line_or_ellipse(
     (!difference.contains_zero()).then_some((Shape::Elliptical, ShapeEvidence::Bits(CLAIMED_BITS)))
 }
 
-/// Evidence that each direct sum is the mirror image of the reverse one in direction 0 (1) or across it (−1).
-fn mirrored(direct: &[Part], reverse: &[Part], sign: i8) -> Option<Vec<Certificate>> {
-    let by = BigRational::from_integer((-i64::from(sign)).into());
-    let pairs = direct.iter().zip(reverse).filter(|(part, _)| part.exists);
-    let certificate = |(one, other): (&Part, &Part)| {
-        let image = other.verdict.sum.conjugate().scaled(&by);
-        let rest = PhasorSum::new(one.verdict.sum.plus(&image).collected());
-        let certificate = rest.certificate();
-        certificate.claims_zero().then_some(certificate)
-    };
-    pairs.map(certificate).collect()
+/// Evidence that both vectors are equally long, whatever the numbers are that their sums stand before.
+fn equally_long([direct, reverse]: [&[Part]; 2], order: u32) -> Option<Vec<Certificate>> {
+    let pairs = direct.iter().zip(reverse);
+    let left = pairs.filter(|(one, other)| one.exists && !(one.verdict.vanishes() && other.verdict.vanishes()));
+    let parts = left.map(|(one, other)| (one.factor, [one.verdict.sum.clone(), other.verdict.sum.clone()]));
+    let certificates = order::difference_of_squares(parts, order).into_iter().map(|sum| sum.certificate());
+    certificates.map(|certificate| certificate.claims_zero().then_some(certificate)).collect()
 }

@@ -86,6 +86,7 @@ mod odd_surroundings;
 mod open_certificate_cheats;
 mod open_circles;
 mod open_firing;
+mod open_ranges;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod output_folder;
@@ -108,6 +109,7 @@ mod search_shards;
 mod search_torsion;
 mod second_checker;
 mod second_checker_reading;
+mod several_rods;
 mod shards;
 mod side_force;
 mod sweep;

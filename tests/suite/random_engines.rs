@@ -14,9 +14,9 @@ use crate::support::verdicts::{self, judged};
 use crate::support::{engines, oracle};
 use crankstar::engine::{Cylinder, Engine};
 use crankstar::file::{Layout, parse_layout};
-use crankstar::order::Source;
+use crankstar::order::{Factor, Source};
 use crankstar::proof::{self, Document, OpenDocument, Quantity, Sense, Shape};
-use crankstar::verdict::{Balance, OrderVerdict, Verdict};
+use crankstar::verdict::{Balance, Class, OrderVerdict, Verdict};
 use crankstar::{family, report};
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -63,7 +63,7 @@ impl Oracle {
 }
 
 /// The vectors of an order from the definition: the force along the axis of its cylinder, at the cylinder's own crank angle.
-fn terms(layout: &Engine, of: &[&Cylinder], verdict: &Verdict) -> Terms {
+fn terms(layout: &Engine, of: &[&Cylinder], verdict: &Verdict, class: Option<&Class>) -> Terms {
     let k = BigRational::from_integer(verdict.order.into());
     let vector = |cylinder: &&Cylinder| {
         let (throw, bank) = (cylinder.throw.turns(), cylinder.bank.turns());
@@ -80,8 +80,10 @@ fn terms(layout: &Engine, of: &[&Cylinder], verdict: &Verdict) -> Terms {
             Quantity::Torque => mass * radius * radius,
             Quantity::Roll => unreachable!("it is not asked for"),
         };
-        // Cylinders whose axes pass the shaft on either side are judged together: odd c_k above 1 change their sign with the offset.
-        let is_mirrored = verdict.sense.is_some() && verdict.order > 1 && verdict.order % 2 == 1;
+        // Cylinders whose axes pass the shaft on either side are judged together: odd c_k above 1 change their sign with the offset, and so
+        // does the imaginary part of c_1.
+        let is_aside = class.is_some_and(|class| matches!(class.factor, Factor::Quadrature(_)));
+        let is_mirrored = is_aside || (verdict.sense.is_some() && verdict.order > 1 && verdict.order % 2 == 1);
         let passes_behind = cylinder.rod().is_some_and(|rod| rod.offset.is_negative());
         let weight = if is_mirrored && passes_behind { -weight } else { weight };
         (angle, weight)
@@ -112,11 +114,12 @@ impl Tally {
         };
         for order in &orders {
             for part in &order.parts {
-                self.shape(oracle, layout, &of(&part.force.direct), &part.force, text);
-                self.shape(oracle, layout, &of(&part.moment.direct), &part.moment, text);
+                let class = part.class.as_ref();
+                self.shape(oracle, (layout, class), &of(&part.force.direct), &part.force, text);
+                self.shape(oracle, (layout, class), &of(&part.moment.direct), &part.moment, text);
             }
             for part in &order.torque.as_ref().expect("a torque was asked for").parts {
-                self.verdict(oracle, &terms(layout, &of(&part.verdict), &part.verdict), &part.verdict, text);
+                self.verdict(oracle, &terms(layout, &of(&part.verdict), &part.verdict, None), &part.verdict, text);
             }
         }
         self.verify(layout, &orders, text);
@@ -128,9 +131,16 @@ impl Tally {
         *(if verdict.vanishes() { &mut self.zero } else { &mut self.other }) += 1;
     }
 
-    fn shape(&mut self, oracle: &mut Oracle, layout: &Engine, of: &[&Cylinder], balance: &Balance, text: &str) {
+    fn shape(
+        &mut self,
+        oracle: &mut Oracle,
+        (layout, class): (&Engine, Option<&Class>),
+        of: &[&Cylinder],
+        balance: &Balance,
+        text: &str,
+    ) {
         let [direct, reverse] = balance.verdicts().map(|verdict| {
-            let terms = terms(layout, of, verdict);
+            let terms = terms(layout, of, verdict, class);
             self.verdict(oracle, &terms, verdict, text);
             terms
         });

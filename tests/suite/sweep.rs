@@ -499,7 +499,7 @@ fn masses_that_turn_are_decided_in_words_as_by_the_exact_sums_in_engines_of_ever
             for (quantity, own) in [(Quantity::Force, swept.force), (Quantity::Moment, swept.moment)] {
                 let [direct, reverse] = [Sense::Direct, Sense::Reverse]
                     .map(|sense| order::all_masses(&layout, quantity, swept.order, sense));
-                let path = order::Path::of(&direct, &reverse);
+                let path = order::Path::of(&direct, &reverse, swept.order);
                 let right = [
                     (own.direct, direct.vanishes()),
                     (own.reverse, reverse.vanishes()),

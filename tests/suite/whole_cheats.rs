@@ -2,8 +2,8 @@
 
 use crankstar::motion::SliderCrank;
 use crankstar::proof::{
-    Certificate, Coefficient, Document, Fault, Masses, MirrorClaim, Quantity, RodClaim, Sense, Shape, ShapeEvidence,
-    WholeOutcome, check_document, coefficient_bounds, read_document,
+    Certificate, Coefficient, Document, Fault, Masses, Quantity, RodClaim, Sense, Shape, ShapeEvidence, WholeOutcome,
+    check_document, coefficient_bounds, read_document,
 };
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -34,14 +34,17 @@ fn with_masses(masses: Masses) -> Document {
     document(masses, &[1, 2, 3], true, vec![cylinder("1", ["0", "0", "0"], rod)], turning)
 }
 
-/// `(1 + ig) + (1 − ig) − 2 = 0`: rods to either side of their axis, and a counterweight.
+/// `(1 − ¾i) + 1 − 2 + ¾i = 0`: an endless rod that stands askew with the slope 3/4, a centric one, and two weights.
 fn coincidence() -> Document {
     let cylinders = vec![
-        cylinder("left", ["0", "0", "0"], Some(["1/4", "1/20"])),
-        cylinder("right", ["0", "0", "0"], Some(["1/4", "-1/20"])),
+        cylinder("left", ["0", "0", "0"], Some(["0", "3/5"])),
+        cylinder("right", ["0", "0", "0"], Some(["1/4", "0"])),
     ];
-    let weight = turning("weight", 1, Sense::Direct, ["0", "1/2", "1"]);
-    document(Masses::All, &[1, 2, 3], false, cylinders, vec![weight])
+    let weights = vec![
+        turning("weight", 1, Sense::Direct, ["0", "1/2", "1"]),
+        turning("aside", 1, Sense::Direct, ["0", "1/4", "3/8"]),
+    ];
+    document(Masses::All, &[1, 2, 3], false, cylinders, weights)
 }
 
 fn fault_of(mut document: Document, change: impl FnOnce(&mut Document)) -> String {
@@ -351,26 +354,24 @@ fn shapes_of_several_sums_have_evidence_of_their_own() {
     let force = |d: &Document, order: u32| {
         d.shapes.iter().position(|one| (one.quantity, one.order) == (Quantity::Force, order)).expect("a shape")
     };
-    // In line: the reverse vectors mirror the direct ones.
+    // Two numbers, and so three products of two of them.
     let two = force(&unequal(), 2);
-    let mirror = || match &unequal().shapes[two].evidence {
-        Some(ShapeEvidence::Mirror(mirror)) => mirror.clone(),
+    let pairs = || match &unequal().shapes[two].evidence {
+        Some(ShapeEvidence::Pairs(pairs)) => pairs.clone(),
         other => panic!("{other:?}"),
     };
-    assert_eq!((mirror().sign, mirror().certificates.len()), (1, 2));
+    assert_eq!(pairs().len(), 3);
     let with = |evidence| move |d: &mut Document| d.shapes[two].evidence = evidence;
-    let changed = |change: fn(&mut MirrorClaim)| {
-        let mut mirror = mirror();
-        change(&mut mirror);
-        with(Some(ShapeEvidence::Mirror(mirror)))
+    let changed = |change: fn(&mut Vec<Certificate>)| {
+        let mut pairs = pairs();
+        change(&mut pairs);
+        with(Some(ShapeEvidence::Pairs(pairs)))
     };
-    assert_refused(unequal(), changed(|one| one.sign = 0), "the sign of a mirror is 1 or -1");
-    assert_refused(unequal(), changed(|one| one.sign = i8::MIN), "the sign of a mirror is 1 or -1");
-    assert_refused(unequal(), changed(|one| one.sign = -1), "shapes");
-    assert_refused(unequal(), changed(|one| drop(one.certificates.pop())), "1 certificates for 2 coefficients");
-    assert_refused(unequal(), changed(|one| one.certificates.push(one.certificates[0].clone())), "3 certificates");
     let none = || Certificate::Polygons { polygons: Vec::new() };
-    let kinds = "planar is shown by `mirror`";
+    assert_refused(unequal(), changed(|all| drop(all.pop())), "2 certificates for 3 pairs of 2 numbers");
+    assert_refused(unequal(), changed(|all| all.push(all[0].clone())), "4 certificates for 3 pairs of 2 numbers");
+    assert_refused(unequal(), changed(Vec::clear), "0 certificates");
+    let kinds = "planar is shown by `pairs`";
     assert_refused(unequal(), with(Some(ShapeEvidence::Certificate(none()))), kinds);
     assert_refused(unequal(), with(Some(ShapeEvidence::Bits(128))), kinds);
     assert_refused(unequal(), with(None), kinds);
@@ -387,11 +388,14 @@ fn shapes_of_several_sums_have_evidence_of_their_own() {
     let hidden = |d: &mut Document| (d.shapes[two].shape, d.shapes[two].evidence) = (Shape::NotDecided, None);
     assert_refused(all(), hidden, "not so near to each other");
     assert_refused(all(), |d| d.shapes[two].evidence = Some(ShapeEvidence::Bits(16)), "32 to 512 bits");
-    assert_refused(all(), |d| d.shapes[two].evidence = Some(ShapeEvidence::Mirror(mirror())), "");
+    let planar = |d: &mut Document| {
+        (d.shapes[two].shape, d.shapes[two].evidence) = (Shape::Planar, Some(ShapeEvidence::Pairs(pairs())));
+    };
+    assert_refused(all(), planar, "shapes");
     // One sum a vector: the certificate, and nothing else.
     let moment = 1;
     assert!(matches!(unequal().shapes[moment].evidence, Some(ShapeEvidence::Certificate(_))));
-    for other in [Some(ShapeEvidence::Bits(128)), Some(ShapeEvidence::Mirror(mirror()))] {
+    for other in [Some(ShapeEvidence::Bits(128)), Some(ShapeEvidence::Pairs(pairs()))] {
         let change = |d: &mut Document| d.shapes[moment].evidence = other;
         assert_refused(unequal(), change, "a certificate compares them");
     }
@@ -404,8 +408,8 @@ fn shapes_of_several_sums_have_evidence_of_their_own() {
 }
 
 #[test]
-fn lengths_that_are_equal_without_a_mirror_are_not_decided() {
-    // The same engine turned by a twelfth: equally long, but no longer mirrored in the reference direction.
+fn lengths_that_are_equal_without_a_mirror_are_compared_pair_by_pair() {
+    // Turned by a twelfth: no longer mirrored in the reference direction.
     let mut tilted = unequal();
     for cylinder in &mut tilted.cylinders {
         cylinder.throw += ratio("1/12");
@@ -414,7 +418,19 @@ fn lengths_that_are_equal_without_a_mirror_are_not_decided() {
     fill(&mut tilted);
     assert_holds(&tilted);
     let two = |one: &&crankstar::proof::ShapeClaim| (one.quantity, one.order) == (Quantity::Force, 2);
-    assert_eq!(tilted.shapes.iter().find(two).map(|one| one.shape), Some(Shape::NotDecided));
+    let shape = tilted.shapes.iter().find(two).expect("a shape");
+    assert!(
+        shape.shape == Shape::Planar
+            && matches!(&shape.evidence, Some(ShapeEvidence::Pairs(pairs)) if pairs.len() == 3)
+    );
+    // Of an engine whose vectors are not equally long no pairs are all zero.
+    let mut uneven = tilted.clone();
+    uneven.cylinders[2].bank += ratio("1/8");
+    fill(&mut uneven);
+    let at = uneven.shapes.iter().position(|one| two(&one)).expect("a shape");
+    assert_eq!(uneven.shapes[at].shape, Shape::Elliptical);
+    let claimed = shape.clone();
+    assert_refused(uneven, |d| d.shapes[at] = claimed, "shapes");
 }
 
 #[test]

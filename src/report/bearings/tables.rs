@@ -109,6 +109,7 @@ fn rod(factor: &Factor) -> Option<&Rod> {
     match factor {
         Factor::One | Factor::Open | Factor::OpenTorque | Factor::Linkage(_) | Factor::Corrected(..) => None,
         Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => mechanism.rod(),
+        Factor::Quadrature(rod) => Some(rod),
         Factor::Geared(_, own) => rod(own),
     }
 }
@@ -118,6 +119,7 @@ pub(in crate::report) fn before(factor: &Factor) -> Option<char> {
     match factor {
         Factor::One => None,
         Factor::Motion(_) | Factor::Open | Factor::OpenTorque => Some('c'),
+        Factor::Quadrature(_) => Some('y'),
         Factor::Torque(_) => Some('t'),
         Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
         Factor::Side(_) => Some('u'),

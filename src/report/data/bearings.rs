@@ -236,6 +236,7 @@ fn coefficient(factor: &Factor) -> String {
         Factor::One => return "1".to_owned(),
         Factor::Open | Factor::OpenTorque => return "c_k".to_owned(),
         Factor::Motion(mechanism) => ("c_k", mechanism),
+        Factor::Quadrature(rod) => return format!("Im c_1 of λ = {}, δ = {}", rod.ratio, rod.offset),
         Factor::Torque(mechanism) => ("t_k", mechanism),
         // Without an offset it is all there is of n_k in an odd order.
         Factor::Side(mechanism) if mechanism.is_centric() => ("n_k", mechanism),

@@ -282,7 +282,7 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
         }
     }
     page.push(Block::Note(residual::LEGEND.into()));
-    page.blocks.extend(conventions::links(engine).into_iter().map(|words| Block::Note(words.into())));
+    page.blocks.extend(conventions::rows(engine).into_iter().map(|words| Block::Note(words.into())));
     page.blocks.extend(articulated::hidden(engine).map(Block::Note));
     page.blocks.extend((!engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
     page.blocks.extend(engine.faster_crank().map(|_| Block::Note(residual::SPEED_LEGEND.into())));

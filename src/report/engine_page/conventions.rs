@@ -34,14 +34,15 @@ pub(super) fn units(engine: &Engine) -> Text {
     };
     let signs = forces.and(" ").and(LARGEST).and(" ").and(moments).and(" ").and(SIGNS);
     let speeds = engine.faster_crank().map(|_| residual::SPEED_LEGEND);
-    links(engine).into_iter().chain(speeds).fold(signs, |signs, words| signs.and(" ").and(words))
+    rows(engine).into_iter().chain(speeds).fold(signs, |signs, words| signs.and(" ").and(words))
 }
 
-/// What the rows of links count in, for those that the engine has.
-pub(super) fn links(engine: &Engine) -> Vec<&'static str> {
+/// What rows count in that name more than orders and cylinders, for those that the engine has.
+pub(super) fn rows(engine: &Engine) -> Vec<&'static str> {
     let of_engine = || engine.cylinders().iter().filter_map(Cylinder::link);
     let plain = of_engine().any(|link| !link.is_corrected()).then_some(LINKS);
-    plain.into_iter().chain(engine.has_corrected_links().then_some(CORRECTED)).collect()
+    let offsets = (engine.has_offset() && engine.mechanisms().len() > 1).then_some(OFFSETS);
+    plain.into_iter().chain(engine.has_corrected_links().then_some(CORRECTED)).chain(offsets).collect()
 }
 
 const LARGEST: &str =
@@ -52,6 +53,8 @@ const SIGNS: &str = "**0** is exact and proved; what stands after ≈ is a decim
 const LINKS: &str = "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
 
 const CORRECTED: &str = "Rows that name ε are about links with a corrected knuckle angle: they count in the real part (Re) or the imaginary part (Im) of h_k where others count in c_k, and rows of order 1 without it in m r ω².";
+
+const OFFSETS: &str = "Of rods that differ order 1 stands before 1 and, with a pin offset, before the imaginary part of $c_1$, whose real part is 1 for every rod: rows of order 1 that name it (Im) count in m r ω² Im $c_1$, the others in m r ω².";
 
 /// What the verdicts rest on.
 fn assumed(engine: &Engine) -> Text {

@@ -6,14 +6,17 @@ use num_traits::Zero;
 use super::super::typeset;
 use super::circle_words::rounded;
 use super::plane_words::near;
-use super::words::unknowns;
-use crate::family::{BoxZero, Boxes};
+use super::words::{NEVER, unknowns};
+use crate::family::{BoxZero, Boxes, Place, is_in_range};
 use crate::page::{Text, phrase};
 
 /// `0 where φ ≡ 90° and δ ≡ 60°, or φ ≈ 12.5° and δ ≈ 75.52°`, and where it is not known.
 pub(super) fn condition(found: &Boxes) -> Text {
     let told: Vec<Text> =
         zeros(found).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open(found)).collect();
+    if told.is_empty() && !found.zeros.is_empty() {
+        return NEVER.into();
+    }
     if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
 }
 
@@ -27,7 +30,19 @@ fn zeros(found: &Boxes) -> Option<Text> {
         }
         None => Text::joined(names.iter().zip(zero.near).map(|(name, turns)| near(name, 360.0 * turns)), " and "),
     };
-    let told: Vec<Text> = found.zeros.iter().map(zero).collect();
+    let is_meant = |zero: &&BoxZero| {
+        let times = [0, 1].map(|place| {
+            let mut times = [BigRational::zero(), BigRational::zero()];
+            times[place] = found.times[place].clone();
+            times
+        });
+        let places = match zero.exact() {
+            Some(turns) => [0, 1].map(|place| Place::exact(&times[place], turns[place].turns())),
+            None => [0, 1].map(|place| Place::near(&times[place], 360.0 * zero.near[place])),
+        };
+        is_in_range(&places)
+    };
+    let told: Vec<Text> = found.zeros.iter().filter(is_meant).map(zero).collect();
     (!told.is_empty()).then(|| Text::joined(told, ", or "))
 }
 

@@ -5,9 +5,11 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::super::typeset;
+use super::plane_words::none_of;
 use super::words::{open_angle, unknowns};
 use crate::engine::Linear;
-use crate::family::{Circle, Closed, Coprime};
+use crate::exact::Turn;
+use crate::family::{Circle, Closed, Coprime, Place, is_in_range};
 use crate::numbers;
 use crate::page::number::Bearing;
 use crate::page::{Piece, Text, phrase};
@@ -16,7 +18,7 @@ use crate::page::{Piece, Text, phrase};
 pub(super) fn condition(circle: &Circle) -> Text {
     let zeros = zeros(circle).map(|zeros| phrase!("0 where {}", zeros));
     let told: Vec<Text> = zeros.into_iter().chain(open(circle)).collect();
-    if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
+    if told.is_empty() { none_of(Some(circle)) } else { Text::joined(told, "; ") }
 }
 
 /// Where it is not known.
@@ -30,24 +32,27 @@ pub(super) fn open(circle: &Circle) -> impl Iterator<Item = Text> + '_ {
 /// `φ ≡ 60°, or φ ≈ 75.52°`: closed forms where there are such; none where no zero is known.
 pub(super) fn zeros(circle: &Circle) -> Option<Text> {
     let unknown = unknown(circle);
-    let rational: Vec<String> =
-        circle.rational().map(|turn| format!("{unknown} ≡ {}", typeset::angle(&turn))).collect();
-    let irrational: Vec<f64> = circle.irrational().map(middle).collect();
+    let times = [circle.polynomial.phi.clone(), circle.polynomial.delta.clone()];
+    let is_meant =
+        |ends: [&BigRational; 2]| is_in_range(&[Place { times: times.clone(), ends: ends.map(Clone::clone) }]);
+    let rational = circle.rational().filter(|turn| is_meant([turn.turns(); 2]));
+    let rational: Vec<String> = rational.map(|turn| format!("{unknown} ≡ {}", typeset::angle(&turn))).collect();
+    let irrational: Vec<f64> = circle.irrational().filter(|ends| is_meant(*ends)).map(middle).collect();
     let closed = circle.closed().filter(|_| rational.is_empty());
     let told = match (closed, irrational.as_slice()) {
         (Some(Closed::Argument(direction)), [decimal]) => {
             let decimal = if *decimal > 180.0 { decimal - 360.0 } else { *decimal };
             vec![phrase!("{} ≡ {}", unknown, Bearing { exact: Some(direction), decimal })]
         }
-        (Some(Closed::Cosine { turn, cosine }), [_, _]) => {
+        (Some(Closed::Cosine { turn, cosine }), [_, ..]) if circle.irrational().count() == 2 => {
             let (phi, delta) = (&circle.polynomial.phi, &circle.polynomial.delta);
             let turned = Linear::constant(turn.turns().clone());
             let of_unknown = |name: &str, times: &BigRational| Linear::symbol(name, times.clone());
             let argument = of_unknown(crate::engine::PHI, phi).plus(&of_unknown(crate::engine::DELTA, delta));
             let argument = open_angle(&argument.plus(&turned));
-            let degrees = libm::acos(cosine.to_float()).to_degrees();
+            let degrees = signed(&times, &turn, libm::acos(cosine.to_float()).to_degrees());
             let value = Text::from(Piece::Form(cosine));
-            vec![phrase!("cos({}) = {}, {} ≈ ±{}°", argument.clone(), value, argument, typeset::decimal(degrees))]
+            vec![phrase!("cos({}) = {}, {} ≈ {}", argument.clone(), value, argument, degrees)]
         }
         (Some(Closed::Argument(_) | Closed::Cosine { .. }) | None, irrational) => {
             let decimals = irrational.iter().map(|at| format!("{unknown} ≈ {}°", typeset::decimal(*at)));
@@ -55,6 +60,18 @@ pub(super) fn zeros(circle: &Circle) -> Option<Text> {
         }
     };
     (!told.is_empty()).then(|| Text::joined(told, ", or "))
+}
+
+/// `±75.52°`, the angle of which a cosine is known that is of multiples of φ and δ and a turn; without the sign that no φ and δ in the range make.
+pub(super) fn signed(times: &[BigRational; 2], turn: &Turn, degrees: f64) -> String {
+    let ahead = 360.0 * numbers::float(turn.turns());
+    let is_there = |degrees: f64| is_in_range(&[Place::near(times, degrees - ahead)]);
+    let sign = match (is_there(degrees), is_there(-degrees)) {
+        (true, false) => "",
+        (false, true) => "−",
+        (true, true) | (false, false) => "±",
+    };
+    format!("{sign}{}°", typeset::decimal(degrees))
 }
 
 /// Why it vanishes there, and nowhere else.

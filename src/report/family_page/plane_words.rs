@@ -6,7 +6,7 @@ use super::super::typeset;
 use super::circle_words;
 use super::words::{self, together, unknowns};
 use crate::exact::Turn;
-use crate::family::{Circle, Classes, Corner, Meeting, Product, Triangle, When};
+use crate::family::{Circle, Classes, Corner, Meeting, Place, Product, Triangle, When, is_in_range};
 use crate::page::number::Bearing;
 use crate::page::{Text, phrase};
 
@@ -18,13 +18,26 @@ pub(super) fn condition(classes: &Classes) -> Text {
     }
     let open = classes.circle.iter().flat_map(circle_words::open);
     let told: Vec<Text> = zeros(classes).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open).collect();
-    if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
+    if told.is_empty() { none_of(classes.circle.as_ref()) } else { Text::joined(told, "; ") }
 }
 
-/// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero is known.
+/// What is said where no zero is told.
+pub(super) fn none_of(circle: Option<&Circle>) -> Text {
+    if circle.is_some_and(|circle| !circle.is_free()) { words::NEVER.into() } else { "never 0".into() }
+}
+
+/// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero in the range is known.
 fn zeros(classes: &Classes) -> Option<Text> {
     let [u, v] = names(classes);
-    let rational = classes.rational().map(|(at, meeting)| {
+    let rational = classes.rational().filter(|(at, meeting)| {
+        let own = Place::exact(&classes.u, at);
+        is_in_range(&match meeting {
+            Meeting::All(_) => vec![own],
+            Meeting::Rational { turn, .. } => vec![own, Place::exact(&classes.v, turn.turns())],
+            Meeting::Once { degrees, .. } => vec![own, Place::near(&classes.v, *degrees)],
+        })
+    });
+    let rational = rational.map(|(at, meeting)| {
         let at = Text::label(format!("{u} ≡ {}", typeset::angle(&Turn::new(at.clone()))));
         let v = match meeting {
             Meeting::All(_) => return at,
@@ -38,6 +51,10 @@ fn zeros(classes: &Classes) -> Option<Text> {
     });
     let irrational = classes
         .irrational()
+        .filter(|(ends, degrees)| {
+            let own = Place { times: classes.u.clone(), ends: ends.map(Clone::clone) };
+            is_in_range(&[own, Place::near(&classes.v, *degrees)])
+        })
         .map(|(ends, degrees)| Text::joined([near(&u, circle_words::middle(ends)), near(&v, degrees)], " and "));
     let told: Vec<Text> = rational.chain(irrational).collect();
     (!told.is_empty()).then(|| Text::joined(told, ", or "))
@@ -102,7 +119,8 @@ fn ended(open: Text) -> Text {
 pub(super) fn triangle_condition(triangle: &Triangle) -> Text {
     match corners(triangle) {
         Some(corners) => phrase!("0 where {}", corners),
-        None => "never 0".into(),
+        None if triangle.corners.is_empty() => "never 0".into(),
+        None => words::NEVER.into(),
     }
 }
 
@@ -110,18 +128,24 @@ fn corners(triangle: &Triangle) -> Option<Text> {
     let corner = |corner: &Corner| match corner {
         Corner::Exact(exact) => together(exact),
         Corner::Near(degrees) => {
-            let each = triangle.multiples.iter().zip(degrees);
-            Text::joined(each.map(|([phi, delta], degrees)| near(&unknowns(phi, delta), *degrees)), " and ")
+            let each = || triangle.multiples.iter().zip(degrees);
+            let places: Vec<Place> = each().map(|(times, degrees)| Place::near(times, *degrees)).collect();
+            is_in_range(&places).then(|| {
+                Text::joined(each().map(|([phi, delta], degrees)| near(&unknowns(phi, delta), *degrees)), " and ")
+            })
         }
     };
-    let told: Vec<Text> = triangle.corners.iter().map(corner).collect();
+    let told: Vec<Text> = triangle.corners.iter().filter_map(corner).collect();
     (!told.is_empty()).then(|| Text::joined(told, ", or "))
 }
 
 /// Why it vanishes there, and nowhere else.
 pub(super) fn triangle_why(triangle: &Triangle) -> Text {
     match (corners(triangle), triangle.corners.len()) {
-        (None, _) => {
+        (None, 1..) => {
+            "Three parts are left, which can be the sides of a triangle (proved), but no angles in (0°, 360°) turn them so.".into()
+        }
+        (None, 0) => {
             "Three parts are left, and one is longer than the others together (proved), so they cancel for no angles."
                 .into()
         }

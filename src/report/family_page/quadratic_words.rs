@@ -2,10 +2,10 @@
 
 use super::super::typeset;
 use super::circle_words;
-use super::plane_words::{near, so};
+use super::plane_words::{near, none_of, so};
 use super::words::unknowns;
 use crate::exact::Turn;
-use crate::family::{Quadratic, Root, Roots};
+use crate::family::{Place, Quadratic, Root, Roots, is_in_range};
 use crate::page::{Text, phrase};
 
 /// `0 where δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`.
@@ -19,13 +19,21 @@ pub(super) fn condition(found: &Quadratic) -> Text {
     }
     let open = found.circle.iter().flat_map(circle_words::open);
     let told: Vec<Text> = zeros(found).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open).collect();
-    if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
+    if told.is_empty() { none_of(found.circle.as_ref()) } else { Text::joined(told, "; ") }
 }
 
 /// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero is known.
 fn zeros(found: &Quadratic) -> Option<Text> {
     let [u, v] = names(found);
     let rational = found.rational().flat_map(|(at, roots)| {
+        let own = Place::exact(&found.u, at);
+        let is_meant = |root: &&Root| {
+            let other = match root {
+                Root::Exact(turn, _) => Place::exact(&found.v, turn.turns()),
+                Root::Near(degrees) => Place::near(&found.v, *degrees),
+            };
+            is_in_range(&[own.clone(), other])
+        };
         let at = Text::label(format!("{u} ≡ {}", typeset::angle(&Turn::new(at.clone()))));
         let with = |root: &Root| {
             let v = match root {
@@ -35,14 +43,19 @@ fn zeros(found: &Quadratic) -> Option<Text> {
             Text::joined([at.clone(), v], " and ")
         };
         match roots {
-            Roots::All(_) => vec![at.clone()],
+            Roots::All(_) if is_in_range(&[own.clone()]) => vec![at.clone()],
+            Roots::All(_) => Vec::new(),
             Roots::None(_) => Vec::new(),
-            Roots::One { at, .. } => vec![with(at)],
-            Roots::Mirror { at, .. } => at.iter().map(with).collect(),
+            Roots::One { at, .. } => [at].into_iter().filter(is_meant).map(with).collect(),
+            Roots::Mirror { at, .. } => at.iter().filter(is_meant).map(with).collect(),
         }
     });
     let irrational = found
         .irrational()
+        .filter(|(ends, degrees)| {
+            let own = Place { times: found.u.clone(), ends: ends.map(Clone::clone) };
+            is_in_range(&[own, Place::near(&found.v, *degrees)])
+        })
         .map(|(ends, degrees)| Text::joined([near(&u, circle_words::middle(ends)), near(&v, degrees)], " and "));
     let told: Vec<Text> = rational.chain(irrational).collect();
     (!told.is_empty()).then(|| Text::joined(told, ", or "))

@@ -28,7 +28,7 @@ pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
         return "never 0".into();
     }
     match verdict.bank_angles() {
-        Some(angles) if angles.is_empty() => "never 0 in (0°, 360°)".into(),
+        Some(angles) if angles.is_empty() => NEVER.into(),
         Some(angles) => phrase!("0 at φ = {}", list(&angles)),
         None => Text::joined(verdict.sums.iter().filter_map(condition_of), "; and "),
     }
@@ -66,7 +66,10 @@ pub(super) fn told(when: &When) -> Option<Text> {
     match when {
         When::Always => None,
         When::Never(_) => Some("never 0".into()),
-        When::Where(angles) => Some(phrase!("0 where {}", conditions(angles))),
+        When::Where(angles) => Some(match conditions(angles) {
+            Some(conditions) => phrase!("0 where {}", conditions),
+            None => NEVER.into(),
+        }),
         When::Irrational { phi, delta, degrees, .. } => {
             let decimal = typeset::decimal(degrees.rem_euclid(360.0));
             Some(phrase!("0 where {} ≈ {}°", unknowns(phi, delta), decimal))
@@ -82,13 +85,17 @@ pub(super) fn told(when: &When) -> Option<Text> {
     }
 }
 
-/// `2φ − δ ≡ 180°`, alternatives joined by "or".
-fn conditions(angles: &Angles) -> Text {
-    Text::joined(angles.alternatives.iter().map(together), ", or ")
+/// Where there is no angle in the range.
+pub(super) const NEVER: &str = "never 0 in (0°, 360°)";
+
+/// `2φ − δ ≡ 180°`, alternatives in the range joined by "or"; none where there is none.
+fn conditions(angles: &Angles) -> Option<Text> {
+    let told: Vec<Text> = angles.alternatives.iter().filter_map(together).collect();
+    (!told.is_empty()).then(|| Text::joined(told, ", or "))
 }
 
-/// `φ ≡ 60° and δ ≡ 90°`.
-pub(super) fn together(alternative: &Alternative) -> Text {
+/// `φ ≡ 60° and δ ≡ 90°`; none where no φ and δ in the range make it.
+pub(super) fn together(alternative: &Alternative) -> Option<Text> {
     let one = |condition: &Condition| {
         // φ, or else δ, is shown entering positively.
         let Condition { phi, delta, turn } = condition;
@@ -97,28 +104,33 @@ pub(super) fn together(alternative: &Alternative) -> Text {
             false => format!("{} ≡ {}", unknowns(phi, delta), typeset::angle(turn)),
         })
     };
-    Text::joined(alternative.conditions.iter().map(one), " and ")
+    alternative.in_range().map(|conditions| Text::joined(conditions.iter().map(one), " and "))
 }
 
 /// `cos(φ) = 0.25, φ ≈ ±75.52°`.
 pub(super) fn cosine(found: &Cosine) -> Text {
     let degrees = found.cosine.to_f64().unwrap_or(f64::NAN).acos().to_degrees();
     let (argument, value) = (argument_of(found), typeset::number(&found.cosine));
-    phrase!("cos({}) = {}, {} ≈ ±{}°", argument.clone(), value, argument, typeset::decimal(degrees))
+    let (phi, delta, turn) = entering_positively(found);
+    let degrees = circle_words::signed(&[phi, delta], &turn, degrees);
+    phrase!("cos({}) = {}, {} ≈ {}", argument.clone(), value, argument, degrees)
 }
 
 /// `φ`, `2φ + 30°`: what the cosine is of.
 fn argument_of(found: &Cosine) -> String {
-    // A cosine is even: φ, or else δ, is shown entering positively.
-    let turned = found.phi.is_negative() || found.phi.is_zero() && found.delta.is_negative();
-    let (phi, delta, turn) = match turned {
-        true => (-&found.phi, -&found.delta, -&found.turn),
-        false => (found.phi.clone(), found.delta.clone(), found.turn.clone()),
-    };
+    let (phi, delta, turn) = entering_positively(found);
     match turn == Turn::zero() {
         true => unknowns(&phi, &delta),
         false => format!("{} + {}", unknowns(&phi, &delta), typeset::degrees(&typeset::signed_degrees(&turn)))
             .replace("+ −", "− "),
+    }
+}
+
+/// A cosine is even: φ, or else δ, is shown entering positively.
+fn entering_positively(found: &Cosine) -> (BigRational, BigRational, Turn) {
+    match found.phi.is_negative() || found.phi.is_zero() && found.delta.is_negative() {
+        true => (-&found.phi, -&found.delta, -&found.turn),
+        false => (found.phi.clone(), found.delta.clone(), found.turn.clone()),
     }
 }
 
@@ -192,11 +204,14 @@ pub(super) fn why(when: &When) -> Text {
         When::Never(Never::Product(product)) | When::Product(product) => plane_words::product_why(product),
         When::Never(Never::Boxes(found)) | When::Boxes(found) => boxes_words::why(found),
         When::Where(angles) => {
+            let Some(conditions) = conditions(angles) else {
+                return "The parts that are left are equally long (proved), but no angles in (0°, 360°) make them cancel.".into();
+            };
             let words = match angles.alternatives.len() {
                 1 => "The parts that are left are equally long (proved), so they cancel exactly where they are opposite: {} (modulo 360°).",
                 _ => "The parts that are left are equally long (proved), so they cancel exactly where they are 120° apart: {} (modulo 360°).",
             };
-            phrase!(words, conditions(angles))
+            phrase!(words, conditions)
         }
         When::Irrational { .. } => {
             "The two parts are equally long (proved) and cancel where they are opposite; no rational turn was found for that.".into()

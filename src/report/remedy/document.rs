@@ -1,6 +1,8 @@
 //! What does `remedy --json` hold? The engine, the weights, and the sums of the corrected engine with their evidence.
 
-use super::super::document::{coefficient_claim, knuckle_weight, rod_statement, shaft_radius, shaft_rod, vectors};
+use super::super::document::{
+    coefficient_claim, is_whole, knuckle_weight, rod_statement, shaft_radius, shaft_rod, vectors,
+};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::Missing;
@@ -72,7 +74,7 @@ fn engine_of(subject: &ComparableEngine) -> RemedyDocument {
         rod: rod_statement(cylinder),
         knuckle_weight: knuckle_weight(cylinder),
     });
-    let masses = order::turning_masses(engine).into_iter().map(|mass| TurningClaim {
+    let masses = order::turning_masses(engine).into_iter().filter(is_whole).map(|mass| TurningClaim {
         order: mass.order,
         sense: mass.sense,
         position: mass.position.clone(),

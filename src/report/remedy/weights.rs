@@ -111,6 +111,7 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
                     let unit = Text::formula(format!("m\\,r\\,\\lvert g_{{{}}}\\rvert", order));
                     phrase!("{} {}", amount, unit)
                 }
+                Factor::Quadrature(_) => phrase!("{} $m\\,r\\,\\lvert \\mathrm{Im}\\, c_1 \\rvert$", amount),
                 Factor::Corrected(..) => match weight.decimals(&remedy.subject) {
                     Some([size, _]) => phrase!("{} $m\\,r$", Number::Decimal(size)),
                     None => depends(weight),

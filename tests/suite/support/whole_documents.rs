@@ -5,8 +5,8 @@ use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::evaluate;
 use crankstar::proof::{
-    Coefficient, Cylinder, Document, Format, GearedClaim, Masses, MirrorClaim, Quantity, RodClaim, RodStatement, Sense,
-    Shape, ShapeClaim, ShapeEvidence, TurningMassClaim, VerdictClaim, WholeClaim, WholeOutcome,
+    Coefficient, Cylinder, Document, Format, GearedClaim, Masses, Quantity, RodClaim, RodStatement, Sense, Shape,
+    ShapeClaim, ShapeEvidence, TurningMassClaim, VerdictClaim, WholeClaim, WholeOutcome,
 };
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -117,6 +117,14 @@ fn before(rod: &RodStatement, quantity: Quantity, order: u32) -> (Coefficient, b
     }
 }
 
+/// y of a rod with an offset, and the sign that it has.
+fn first_aside(rod: &RodStatement) -> Option<(Coefficient, i64)> {
+    let RodStatement::Known(rod) = rod else { return None };
+    let other = RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
+    let sign = if rod.offset.is_negative() { -1 } else { 1 };
+    (!rod.offset.is_zero()).then_some((Coefficient::Quadrature(other), sign))
+}
+
 fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
     let k = i64::from(order);
     let arm = |position: &BigRational| match quantity {
@@ -124,6 +132,7 @@ fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
         _ => BigRational::one(),
     };
     let whole = |number: i64| BigRational::from_integer(number.into());
+    let do_rods_differ = document.cylinders.windows(2).any(|pair| pair[0].rod != pair[1].rod);
     let mut parts = Vec::new();
     if matches!(document.masses, Masses::Reciprocating | Masses::All) {
         // A crank that turns faster has the orders that its speed divides, each as the order of its own motion.
@@ -152,7 +161,23 @@ fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
                 Some(Term { angle, weight: weight.clone() })
             };
             let terms = senses(quantity).into_iter().map(term).collect();
-            parts.push(Part { name: cylinder.name.clone(), coefficient, is_zero, terms });
+            let name = cylinder.name.clone();
+            match first_aside(&cylinder.rod).filter(|_| quantity != Quantity::Torque && own == 1 && do_rods_differ) {
+                None => parts.push(Part { name, coefficient, is_zero, terms }),
+                // c_1 = 1 + iy, conjugated against the crank.
+                Some((y, sign)) => {
+                    let aside = senses(quantity).into_iter().map(|sense| {
+                        let Term { angle, weight } = term(sense)?;
+                        let quarter =
+                            if sense == Some(Sense::Direct) { Turn::fraction(1, 4) } else { Turn::fraction(3, 4) };
+                        Some(Term { angle: &angle + &quarter, weight: weight * whole(sign) })
+                    });
+                    let aside = aside.collect();
+                    let y = if speed == 1 { y } else { Coefficient::Geared(GearedClaim { speed, of: Box::new(y) }) };
+                    parts.push(Part { name: name.clone(), coefficient: Coefficient::One, is_zero: false, terms });
+                    parts.push(Part { name, coefficient: y, is_zero: false, terms: aside });
+                }
+            }
         }
     }
     if quantity != Quantity::Torque {
@@ -198,6 +223,7 @@ pub fn number(coefficient: &Coefficient, order: u32) -> Option<Complex<f64>> {
         Coefficient::One => Some(Complex::one()),
         Coefficient::Common | Coefficient::CommonTorque => None,
         Coefficient::Rod(rod) => Some(crank(rod).coefficient(order).to_complex()),
+        Coefficient::Quadrature(rod) => Some(crank(rod).coefficient(1).to_complex().im.into()),
         Coefficient::Linkage(_) | Coefficient::Corrected(_) => panic!("documents by hand have no links"),
         Coefficient::Geared(geared) => number(&geared.of, order / geared.speed),
         Coefficient::Torque(rod) => Some(crank(rod).torque_coefficient(order).to_complex()),
@@ -252,6 +278,30 @@ fn verdict(quantity: Quantity, order: u32, place: usize, group: &Sums, is_alone:
     }
 }
 
+/// What stands before each product of two numbers in `|direct|² − |reverse|²`, where all numbers are real, or all imaginary.
+fn pairs(groups: &[Sums], order: u32) -> Vec<PhasorSum> {
+    let is_real = |group: &&Sums| match &group.coefficient {
+        Coefficient::Rod(_) => order % 2 == 0,
+        _ => true,
+    };
+    let there = groups.iter().filter(|group| !group.is_zero && !group.sums.iter().all(PhasorSum::vanishes));
+    let there: Vec<&Sums> = there.collect();
+    assert!(
+        there.iter().all(is_real) || !there.iter().any(is_real),
+        "documents by hand mix no real and imaginary numbers"
+    );
+    let mut pairs = Vec::new();
+    for (place, one) in there.iter().enumerate() {
+        for other in &there[place..] {
+            let product = |sense: usize| one.sums[sense].times(&other.sums[sense].conjugate());
+            let half = product(0).minus(&product(1));
+            let whole = if std::ptr::eq(*one, *other) { half } else { half.plus(&half.conjugate()) };
+            pairs.push(PhasorSum::new(whole.collected()));
+        }
+    }
+    pairs
+}
+
 fn shape(groups: &[Sums], quantity: Quantity, order: u32, wholes: [Option<bool>; 2]) -> (Shape, Option<ShapeEvidence>) {
     match wholes {
         _ if groups.iter().all(|group| group.is_zero || group.names.iter().all(Vec::is_empty)) => {
@@ -274,14 +324,9 @@ fn shape(groups: &[Sums], quantity: Quantity, order: u32, wholes: [Option<bool>;
         let shape = if certificate.claims_zero() { Shape::Planar } else { Shape::Elliptical };
         return (shape, Some(ShapeEvidence::Certificate(certificate)));
     }
-    for sign in [1, -1] {
-        let by = BigRational::from_integer(sign.into());
-        let away = |group: &Sums| group.sums[0].minus(&group.sums[1].conjugate().scaled(&by));
-        let away: Vec<PhasorSum> = groups.iter().filter(|group| !group.is_zero).map(away).collect();
-        if away.iter().all(PhasorSum::vanishes) {
-            let certificates = away.iter().map(PhasorSum::certificate).collect();
-            return (Shape::Planar, Some(ShapeEvidence::Mirror(MirrorClaim { sign: sign as i8, certificates })));
-        }
+    let pairs = pairs(groups, order);
+    if pairs.iter().all(PhasorSum::vanishes) {
+        return (Shape::Planar, Some(ShapeEvidence::Pairs(pairs.iter().map(PhasorSum::certificate).collect())));
     }
     let totals = [0, 1].map(|place| total(&left(groups, place), quantity, order, place));
     if let [Some((direct, reach)), Some((reverse, other))] = totals

@@ -1,0 +1,125 @@
+//! Is a solution in the range that is asked about: are there φ and δ from 0° to 360° that make it?
+//!
+//! Conditions are about multiples of φ and δ modulo a turn. A whole multiple takes every value where the unknown runs through one turn; half of φ
+//! takes those up to 180° alone.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+use super::solve::{Alternative, Condition};
+use crate::exact::Turn;
+
+/// That a multiple of φ and one of δ come to an angle between these ends, in turns, modulo a turn.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// How many times φ and δ enter.
+    pub times: [BigRational; 2],
+    /// The ends; equal where the angle is exact.
+    pub ends: [BigRational; 2],
+}
+
+/// How far an angle may be from its decimals, in turns.
+const SLACK: (i64, i64) = (1, 1_000_000);
+
+impl Place {
+    /// At an angle in turns.
+    pub fn exact(times: &[BigRational; 2], turns: &BigRational) -> Self {
+        Place { times: times.clone(), ends: [turns.clone(), turns.clone()] }
+    }
+
+    /// Near an angle in degrees: told wider, so that nothing in the range is lost.
+    pub fn near(times: &[BigRational; 2], degrees: f64) -> Self {
+        let turns = BigRational::from_float(degrees / 360.0).unwrap_or_default();
+        let slack = BigRational::new(SLACK.0.into(), SLACK.1.into());
+        Place { times: times.clone(), ends: [&turns - &slack, turns + slack] }
+    }
+
+    /// The values between which it lies for φ and δ from 0 to a turn: all whole numbers of turns that can be added to it.
+    fn lifted(&self) -> Vec<[BigRational; 2]> {
+        let zero = BigRational::zero();
+        let low: BigRational = self.times.iter().filter(|times| times.is_negative()).sum();
+        let high: BigRational = self.times.iter().filter(|times| **times > zero).sum();
+        let mut turns: BigInt = (low - &self.ends[1]).ceil().to_integer();
+        let last = (high - &self.ends[0]).floor().to_integer();
+        let mut found = Vec::new();
+        while turns <= last {
+            let by = BigRational::from_integer(turns.clone());
+            found.push(self.ends.each_ref().map(|end| end + &by));
+            turns += 1;
+        }
+        found
+    }
+}
+
+/// Whether these places, one or two, have φ and δ from 0 to a turn in common.
+pub fn is_in_range(places: &[Place]) -> bool {
+    let [one, other] = match places {
+        [] => return true,
+        [only] => return !only.lifted().is_empty(),
+        [one, other, ..] => [one, other],
+    };
+    let ([a, b], [c, d]) = (&one.times, &other.times);
+    let determinant = a * d - b * c;
+    if determinant.is_zero() {
+        return places.iter().all(|place| !place.lifted().is_empty());
+    }
+    let others = other.lifted();
+    // φ = (d u − b v)/(ad − bc) and δ = (a v − c u)/(ad − bc).
+    one.lifted().iter().any(|u| {
+        others.iter().any(|v| {
+            let phi = sum(&scaled(u, &(d / &determinant)), &scaled(v, &(-b / &determinant)));
+            let delta = sum(&scaled(v, &(a / &determinant)), &scaled(u, &(-c / &determinant)));
+            [phi, delta].iter().all(|[low, high]| *low <= BigRational::from_integer(1.into()) && !high.is_negative())
+        })
+    })
+}
+
+fn scaled(ends: &[BigRational; 2], by: &BigRational) -> [BigRational; 2] {
+    let [one, other] = ends.each_ref().map(|end| end * by);
+    if one <= other { [one, other] } else { [other, one] }
+}
+
+fn sum([a, b]: &[BigRational; 2], [c, d]: &[BigRational; 2]) -> [BigRational; 2] {
+    [a + c, b + d]
+}
+
+impl Alternative {
+    /// Its conditions without what others imply: those on multiples of one angle are one on the greatest common divisor of the multiples.
+    /// None where they contradict each other, or hold for no φ and δ from 0° to 360°.
+    pub fn in_range(&self) -> Option<Vec<Condition>> {
+        let mut found: Vec<Condition> = Vec::new();
+        for condition in &self.conditions {
+            match found.iter_mut().find(|known| known.is_parallel_to(condition)) {
+                Some(known) => *known = known.with(condition)?,
+                None => found.push(condition.clone()),
+            }
+        }
+        let place = |one: &Condition| Place::exact(&[one.phi.clone(), one.delta.clone()], one.turn.turns());
+        is_in_range(&found.iter().map(place).collect::<Vec<_>>()).then_some(found)
+    }
+}
+
+impl Condition {
+    fn is_parallel_to(&self, other: &Condition) -> bool {
+        &self.phi * &other.delta == &self.delta * &other.phi
+    }
+
+    /// This condition and one on another multiple of the same angle, as one on the greatest common divisor; none where both do not hold together.
+    fn with(&self, other: &Condition) -> Option<Condition> {
+        let own = if self.phi.is_zero() { &self.delta } else { &self.phi };
+        let their = if self.phi.is_zero() { &other.delta } else { &other.phi };
+        // As whole numbers p, q without common divisor: 1 = a p + b q.
+        let ratio = own / their;
+        let euclid = num_integer::Integer::extended_gcd(ratio.numer(), ratio.denom());
+        let [a, b] = [euclid.x, euclid.y].map(BigRational::from_integer);
+        let turn = Turn::new(&a * self.turn.turns() + &b * other.turn.turns());
+        let [p, q] = [ratio.numer(), ratio.denom()].map(|number| BigRational::from_integer(number.clone()));
+        let holds = |times: &BigRational, right: &Turn| Turn::new(turn.turns() * times) == *right;
+        (holds(&p, &self.turn) && holds(&q, &other.turn)).then(|| Condition {
+            phi: &self.phi / &p,
+            delta: &self.delta / &p,
+            turn: turn.clone(),
+        })
+    }
+}
