@@ -205,8 +205,7 @@ fn tables(remedy: &Remedy, weight: &Weight) -> Vec<String> {
             coefficient_of,
             angle,
             position: weight.position.clone(),
-            height: BigRational::default(),
-            offset: BigRational::default(),
+            axis: None,
         };
         balancer_table(engine, &shaft, (!is_known).then_some(&unit))
     };
