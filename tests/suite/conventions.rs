@@ -322,10 +322,10 @@ fn the_pictures_of_the_page_of_keys_are_those_of_the_program() {
     for (name, text) in [("pin-offset", offsets), ("pin-split", split)] {
         let engine = layout(&text);
         let picture = crankstar::page::svg(&crankstar::report::end_view(&engine), engine.title().written());
-        assert!(page.contains(&format!("reports/conventions/{name}.svg")), "{name}");
+        assert!(page.contains(&format!("docs/conventions/{name}.svg")), "{name}");
         files.extend([(format!("{name}.svg"), picture), (format!("{name}.toml"), text)]);
     }
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/conventions");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/conventions");
     crate::reports::compare(&folder, &files);
 }
 
