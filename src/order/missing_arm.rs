@@ -30,13 +30,13 @@ pub fn roll_lacks(engine: &Engine) -> Option<MissingArm> {
         return Some(MissingArm::EndlessRod);
     }
     let turning = turning_masses(engine);
-    let placeless = |(index, _): &(usize, _)| {
-        engine.cylinders().iter().any(|cylinder| cylinder.crank == *index)
-            || turning.iter().any(|mass| mass.crank == Some(*index))
+    let bears = |index: usize| {
+        engine.cylinders().iter().any(|cylinder| cylinder.crank == index)
+            || turning.iter().any(|mass| mass.crank == Some(index))
     };
-    let cranks = engine.geared_cranks().iter().enumerate();
-    let nowhere = cranks.filter(|(_, crank)| crank.left_out == Some(AxisLeftOut::Place));
-    let crank = nowhere.into_iter().find(placeless).map(|(index, _)| MissingArm::Crankshaft(index));
+    let mut cranks = engine.geared_cranks().iter().enumerate();
+    let nowhere = cranks.find(|(index, crank)| crank.left_out == Some(AxisLeftOut::Place) && bears(*index));
+    let crank = nowhere.map(|(index, _)| MissingArm::Crankshaft(index));
     let distance = hangs_on_the_distance(engine, &turning).then_some(MissingArm::Distance);
     let shaft = turning.iter().find_map(|mass| match mass.source {
         Source::Balancer(index) => {

@@ -71,6 +71,7 @@ mod largest;
 mod layout_files;
 mod layout_mistakes;
 mod layout_random;
+mod list_orders;
 mod loads;
 mod loads_page;
 mod mechanism_files;
