@@ -76,9 +76,16 @@ pub struct Balancer {
     pub angle: Turn,
     /// Position of the weight along the crankshaft, in the unit of the positions.
     pub position: BigRational,
-    /// Height of its axis over that of the crankshaft, along the reference direction, in metres.
+    /// Where its axis stands; none where the file leaves it out: then no result may hang on it.
+    pub axis: Option<ShaftAxis>,
+}
+
+/// Where the axis of a balancer shaft stands, from the middle of the engine, which is the axis of an only crankshaft.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ShaftAxis {
+    /// Height along the reference direction, in metres.
     pub height: BigRational,
-    /// Distance of its axis from that of the crankshaft to the left of the reference direction (along angle 90°), in metres.
+    /// Distance to the left of the reference direction (along angle 90°), in metres.
     pub offset: BigRational,
 }
 

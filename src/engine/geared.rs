@@ -1,7 +1,7 @@
 //! Which crankshafts are geared together, where do they stand, which way do they turn, and how fast?
 //!
 //! A piston moves alike on a crank that turns against the reference and on the mirror image of that crank in its cylinder's axis, which
-//! turns with it: throw `2α − β` and offset `−δ` in place of β and δ (theory, section 14). A [`Cylinder`]
+//! turns with it: throw `2α − β` in place of β, and the same offset, which counts with its own crank (theory, section 14). A [`Cylinder`]
 //! holds the throw and the rod of this equivalent crank, so that forces, moments and the output torque need no case of their own;
 //! where its pin stands is [`Engine::pin_angle`].
 //!
@@ -27,8 +27,20 @@ pub struct GearedCrank {
     pub sense: Sense,
     /// How many times it turns while the reference turns once: a whole number ν, at least 1.
     pub speed: u32,
-    /// Where its axis stands in the plane across it, from the middle of the engine: the sum of these, in crank radii of the engine.
+    /// Where its axis stands in the plane across it, from the middle of the engine: the sum of these, in crank radii of the engine;
+    /// none in the middle, and where that is left out.
     pub axis: Vec<Term>,
+    /// What the file leaves out of where its axis stands.
+    pub left_out: Option<AxisLeftOut>,
+}
+
+/// What a file leaves out of where the axis of a crankshaft stands. No result may hang on it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum AxisLeftOut {
+    /// The distance from the other crankshaft: the axis stands so many times that far in this direction.
+    Distance(Term),
+    /// All of it.
+    Place,
 }
 
 impl GearedCrank {
@@ -37,13 +49,18 @@ impl GearedCrank {
         let terms =
             [Term { angle: Turn::zero(), weight: height }, Term { angle: Turn::fraction(1, 4), weight: offset }];
         let axis = terms.into_iter().filter(|term| !term.weight.is_zero()).collect();
-        GearedCrank { name: name.to_owned(), sense, speed: 1, axis }
+        GearedCrank { name: name.to_owned(), sense, speed: 1, axis, left_out: None }
+    }
+
+    /// One of whose axis this is left out.
+    pub fn without(name: &str, sense: Sense, left_out: AxisLeftOut) -> Self {
+        GearedCrank { name: name.to_owned(), sense, speed: 1, axis: Vec::new(), left_out: Some(left_out) }
     }
 
     /// One whose axis stands at this distance, in crank radii, in this direction.
     pub fn towards(name: &str, sense: Sense, distance: BigRational, angle: Turn) -> Self {
         let axis = if distance.is_zero() { Vec::new() } else { vec![Term { angle, weight: distance }] };
-        GearedCrank { name: name.to_owned(), sense, speed: 1, axis }
+        GearedCrank { name: name.to_owned(), sense, speed: 1, axis, left_out: None }
     }
 
     /// The same, turning so many times while the reference turns once.

@@ -28,7 +28,7 @@ mod torsion;
 
 pub use build::{BuildError, MOST_CYLINDERS};
 pub use convention::{Convention, Rotation, SeenFrom};
-pub use crankshaft::{Balancer, BobWeight, Counterweight, Crankshaft, Web};
+pub use crankshaft::{Balancer, BobWeight, Counterweight, Crankshaft, ShaftAxis, Web};
 pub use cycle_order::{CycleOrder, NotACycleOrder};
 pub use cylinder::Cylinder;
 pub use dimensions::{Dimensions, Given, Measure};
@@ -41,7 +41,7 @@ pub use gas::{
     At, Chamber, CompressorStage, DeadCentre, Gas, GasMistake, Heat, IdealCycle, Ignition, MOST_ROWS, PressureLaw,
     PressureTable, Setting,
 };
-pub use geared::GearedCrank;
+pub use geared::{AxisLeftOut, GearedCrank};
 pub use length::{Length, LengthUnit};
 pub use linear::Linear;
 pub use mechanism::{Link, Mechanism, Rod};

@@ -20,7 +20,8 @@ pub struct Throw {
     pub cylinders: Vec<usize>,
 }
 
-/// The throws of a crankshaft, in the order of its pins; the parts of a split pin are throws of their own.
+/// The throws of a crankshaft, in the order of its pins; the parts of a split pin are throws of their own, from the free end on, and
+/// where they stand at one place in the order of their cylinders.
 ///
 /// ```standalone_crate
 /// let v8 = crankstar::file::find("V8-crossplane").unwrap().engine().unwrap();
@@ -55,11 +56,12 @@ pub fn throws(engine: &Engine) -> Vec<Throw> {
             )),
         }
     }
-    let placed = |(_, throw): (usize, Throw)| {
+    for (_, throw) in &mut throws {
         let positions = || throw.cylinders.iter().map(|&index| &engine.cylinders()[index].position);
-        let ends = positions().min().zip(positions().max());
-        let middle = ends.map(|(low, high)| (low + high) / BigRational::from_integer(2.into()));
-        Throw { position: middle.unwrap_or_else(|| throw.position.clone()), ..throw.clone() }
-    };
-    throws.into_iter().map(placed).collect()
+        if let Some((low, high)) = positions().min().zip(positions().max()) {
+            throw.position = (low + high) / BigRational::from_integer(2.into());
+        }
+    }
+    throws.sort_by(|(pin, one), (other_pin, other)| pin.cmp(other_pin).then(other.position.cmp(&one.position)));
+    throws.into_iter().map(|(_, throw)| throw).collect()
 }

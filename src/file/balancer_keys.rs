@@ -9,7 +9,7 @@ use super::error::LayoutError;
 use super::number::parse_number;
 use super::quantities::{self, mass, mass_radius, metres, misread, positive_metres};
 use super::written::{Table, Text, place};
-use crate::engine::{Balancer, Engine, HIGHEST_ORDER};
+use crate::engine::{Balancer, Engine, HIGHEST_ORDER, ShaftAxis};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
@@ -57,6 +57,14 @@ pub(super) fn read(
         }
     };
     let zero = |text: &Option<Text>| text.as_ref().map_or(Ok(BigRational::zero()), metres);
+    let axis = match (&keys.height, &keys.offset) {
+        (None, None) => None,
+        (height, offset) => Some(ShaftAxis {
+            height: zero(height)?,
+            // To the left of the drawing: the side of angle 90 there.
+            offset: convention.in_the_sense_of_rotation(zero(offset)?),
+        }),
+    };
     let shaft = Balancer {
         order: speed_ratio(&keys.order)?,
         sense: match keys.sense.get_ref().0.as_str() {
@@ -70,9 +78,7 @@ pub(super) fn read(
         coefficient_of: keys.coefficient_of.as_ref().map(|text| cylinder(engine, text)).transpose()?,
         angle: Turn::new(convention.in_the_sense_of_rotation(quantities::known_angle(&keys.angle)?)),
         position: along(&keys.position)?,
-        height: zero(&keys.height)?,
-        // To the left of the drawing: the side of angle 90 there.
-        offset: convention.in_the_sense_of_rotation(zero(&keys.offset)?),
+        axis,
     };
     Ok((shaft, in_multiples))
 }

@@ -207,12 +207,7 @@ impl Tables<'_> {
             return Err(misread("length", &text.get_ref().0, "a length whose symbols have values".to_owned(), text));
         };
         if own == LengthUnit::Metre && !engine.positions_given() {
-            let right = "give the engine its spacing or positions, or count in spacings here too";
-            return Err(LayoutError::new(
-                "a length in an engine whose cylinders stand one spacing apart",
-                right,
-                place(text),
-            ));
+            return Err(quantities::among_spacings(place(text)));
         }
         if own == LengthUnit::Metre {
             *unit = own;

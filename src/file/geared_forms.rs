@@ -63,10 +63,6 @@ pub(super) struct Delta {
     positions: Option<List>,
 }
 
-/// Between the axes of opposed pistons where nothing is said of it, in crank radii: they are drawn so. Their cylinders lie on the line from
-/// axis to axis, so that nothing that is judged feels it.
-const BETWEEN_OPPOSED: i64 = 11;
-
 /// One bank of pistons on one of the crankshafts.
 struct Bank {
     crank: usize,
@@ -75,20 +71,23 @@ struct Bank {
     ahead: Linear,
     /// What stands behind the number in its cylinders' names.
     suffix: &'static str,
+    /// Where its crankshaft stands in a list of all throws.
+    listed: usize,
 }
 
 impl Bank {
     fn new(crank: usize, axis: i64, ahead: Linear) -> Self {
-        Bank { crank, axis: degrees(axis), ahead, suffix: "" }
+        Bank { crank, axis: degrees(axis), ahead, suffix: "", listed: crank }
     }
 }
 
 impl OpposedPiston {
     pub fn expand(&self, convention: Convention) -> Result<Expanded, LayoutError> {
         let lead = as_drawn(&optional_angle(&Some(self.lead.clone()))?, convention);
-        let (of_lower, of_upper) = match self.leading.as_ref().map(|text| (text, text.get_ref().0.as_str())) {
-            None | Some((_, "upper")) => (Linear::default(), lead),
-            Some((_, "lower")) => (lead, Linear::default()),
+        let of_upper = match self.leading.as_ref().map(|text| (text, text.get_ref().0.as_str())) {
+            None | Some((_, "upper")) => lead,
+            // The lower throws stand as they are written.
+            Some((_, "lower")) => lead.scaled(&number(-1)),
             Some((text, other)) => {
                 let right = "\"upper\" or \"lower\": the crankshaft whose pistons open the exhaust".to_owned();
                 return Err(misread("leading crankshaft", other, right, text));
@@ -96,13 +95,10 @@ impl OpposedPiston {
         };
         let upper = self.sense.as_ref().map_or(Ok(Sense::Direct), sense)?;
         let banks = [
-            Bank { suffix: "a", ..Bank::new(0, 0, of_lower) },
+            Bank { suffix: "a", ..Bank::new(0, 0, Linear::default()) },
             Bank { suffix: "b", ..Bank::new(1, 180, degrees(180).plus(&of_upper)) },
         ];
-        let cranks = above_each_other(["lower", "upper"], upper, |half| match &self.distance {
-            Some(distance) => Distance::of(half, distance),
-            None => Distance::usual(half * number(BETWEEN_OPPOSED)),
-        });
+        let cranks = above_each_other(["lower", "upper"], upper, self.distance.as_ref());
         expand(Form::OpposedPiston, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
     }
 }
@@ -118,13 +114,13 @@ impl Pair {
     pub fn flat(&self, convention: Convention) -> Result<Expanded, LayoutError> {
         let phase = as_drawn(&optional_angle(&self.phase)?, convention);
         let banks = [
-            Bank::new(0, 90, Linear::default()),
             Bank::new(0, -90, Linear::default()),
-            Bank::new(1, 90, phase.clone()),
-            Bank::new(1, -90, phase),
+            Bank::new(0, 90, Linear::default()),
+            Bank::new(1, -90, phase.clone()),
+            Bank::new(1, 90, phase),
         ];
         let of_lower = sense(&self.sense)?;
-        let cranks = above_each_other(["upper", "lower"], of_lower, |half| Distance::of(half, &self.distance));
+        let cranks = above_each_other(["upper", "lower"], of_lower, Some(&self.distance));
         expand(Form::H, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
     }
 }
@@ -182,12 +178,13 @@ impl Delta {
                 ahead += 60 * sign(corner) - lead;
             }
             let (exhaust, inlet) = (stands_at + 150, stands_at + 330);
-            let mut bank = |crank, axis, ahead, suffix| {
+            let mut bank = |next: usize, axis, ahead, suffix| {
                 let ahead = as_drawn(&degrees(ahead + axis), convention);
-                banks.push(Bank { crank, axis: as_drawn(&degrees(axis), convention), ahead, suffix });
+                let (crank, listed) = ((index + next) % 3, (corner + next) % 3);
+                banks.push(Bank { crank, axis: as_drawn(&degrees(axis), convention), ahead, suffix, listed });
             };
-            bank(index, exhaust, ahead, EXHAUST[corner]);
-            bank((index + 1) % 3, inlet, ahead - lead, INLET[corner]);
+            bank(0, exhaust, ahead, EXHAUST[corner]);
+            bank(1, inlet, ahead - lead, INLET[corner]);
             cranks.push(Geared {
                 speed: 1,
                 name: name.to_owned(),
@@ -198,6 +195,8 @@ impl Delta {
                 ),
             });
         }
+        // Corner after corner, and at each the exhaust pistons before those of the inlet.
+        banks.sort_by_key(|bank| (bank.listed, INLET.contains(&bank.suffix)));
         let rows = angles(&self.rows)?.iter().map(|row| as_drawn(row, convention)).collect();
         of_throws(Form::Delta, rows, self.rows.span(), (&self.spacing, &self.positions), &banks, cranks)
     }
@@ -207,14 +206,17 @@ impl Delta {
 const EXHAUST: [&str; 3] = ["ABe", "BCe", "CAe"];
 const INLET: [&str; 3] = ["ABi", "BCi", "CAi"];
 
-fn above_each_other(names: [&str; 2], of_second: Sense, times: impl Fn(BigRational) -> Distance) -> Vec<Geared> {
+fn above_each_other(names: [&str; 2], of_second: Sense, distance: Option<&Text>) -> Vec<Geared> {
     let of_first = if names[0] == "upper" { 1 } else { -1 };
-    let height = |sign: i64| times(BigRational::new(sign.into(), 2.into()));
-    let crank = |name: &str, sense, sign| Geared {
+    let axis = |half: BigRational| match distance {
+        Some(distance) => Axis::Across(Distance::of(half, distance), Distance::none()),
+        None => Axis::Above(half),
+    };
+    let crank = |name: &str, sense, sign: i64| Geared {
         speed: 1,
         name: name.to_owned(),
         sense,
-        axis: Axis::Across(height(sign), Distance::none()),
+        axis: axis(BigRational::new(sign.into(), 2.into())),
     };
     vec![crank(names[0], Sense::Direct, of_first), crank(names[1], of_second, -of_first)]
 }
@@ -257,7 +259,7 @@ fn of_throws(
     }
     let cylinders = banks.iter().flat_map(|bank| {
         pins.pins.iter().enumerate().map(move |(pin, (throw, position))| {
-            let on = bank.crank * count + pin;
+            let on = bank.listed * count + pin;
             let mut cylinder = Cylinder::new(throw.plus(&bank.ahead), bank.axis.clone(), position.clone(), on);
             cylinder.crank = bank.crank;
             if !bank.suffix.is_empty() {

@@ -11,8 +11,8 @@ use super::error::LayoutError;
 use super::quantities::{self, misread};
 use super::units;
 use super::written::{Table, Text, place};
-use crate::engine::{Convention, Cylinder, Dimensions, GearedCrank, HIGHEST_ORDER, Linear, Mechanism, ORDERS};
-use crate::exact::Turn;
+use crate::engine::{AxisLeftOut, Convention, Dimensions, GearedCrank, HIGHEST_ORDER, Linear, ORDERS};
+use crate::exact::{Term, Turn};
 use crate::proof::Sense;
 
 /// What stands below `crankshaft`: the masses of the only one, or a list of those that are geared together.
@@ -70,6 +70,10 @@ pub(super) enum Axis {
     Across(Distance, Distance),
     /// So far in this direction.
     Towards(Distance, Turn),
+    /// Above (+1/2) or below (−1/2) the middle, so many times a distance that is left out.
+    Above(BigRational),
+    /// Nothing is said of it.
+    LeftOut,
 }
 
 impl Axis {
@@ -84,6 +88,7 @@ impl Axis {
             Axis::Towards(_, angle) => {
                 *angle = Turn::new(convention.in_the_sense_of_rotation(angle.turns().clone()));
             }
+            Axis::Above(_) | Axis::LeftOut => {}
         }
     }
 }
@@ -97,10 +102,6 @@ pub(super) enum Distance {
 impl Distance {
     pub fn none() -> Self {
         Distance::Radii(number(0))
-    }
-
-    pub fn usual(radii: BigRational) -> Self {
-        Distance::Radii(radii)
     }
 
     pub fn of(times: BigRational, written: &Text) -> Self {
@@ -154,6 +155,7 @@ pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRa
     let one = |table: &Spanned<Table<Keys>>| {
         let keys = &table.get_ref().0;
         let axis = match (&keys.distance, &keys.angle) {
+            (None, None) if keys.height.is_none() && keys.offset.is_none() => Axis::LeftOut,
             (None, None) => {
                 let across = |text: &Option<Text>| match text {
                     Some(text) => Distance::of(number(1), text),
@@ -270,22 +272,9 @@ pub(super) fn equivalent(throw: &Linear, bank: &Linear, sense: Sense) -> Linear 
     }
 }
 
-/// The crankshafts with their axes in crank radii; the rods of cylinders on one against the reference become those of the
-/// equivalent crank.
-pub(super) fn placed(
-    geared: &[Geared],
-    dimensions: &Dimensions,
-    cylinders: &mut [Cylinder<Linear, Linear>],
-) -> Result<Vec<GearedCrank>, LayoutError> {
-    for cylinder in cylinders.iter_mut() {
-        if geared.get(cylinder.crank).is_some_and(|crank| crank.sense == Sense::Reverse) {
-            match &mut cylinder.mechanism {
-                Some(Mechanism::SliderCrank(rod)) => rod.offset = -rod.offset.clone(),
-                // Links are read after the crankshafts, and are refused on several.
-                Some(Mechanism::Link(_)) | None => {}
-            }
-        }
-    }
+/// The crankshafts with their axes in crank radii. The offsets of cylinders need nothing here: one counts with its own crank, and so
+/// does that of the equivalent crank.
+pub(super) fn placed(geared: &[Geared], dimensions: &Dimensions) -> Result<Vec<GearedCrank>, LayoutError> {
     let radius = dimensions.crank_radius.as_ref();
     let crank = |crank: &Geared| {
         Ok(match &crank.axis {
@@ -297,6 +286,11 @@ pub(super) fn placed(
                 let distance = distance.read(radius)?;
                 GearedCrank::towards(&crank.name, crank.sense, distance, angle.clone()).turning(crank.speed)
             }
+            Axis::Above(times) => {
+                let term = Term { angle: Turn::zero(), weight: times.clone() };
+                GearedCrank::without(&crank.name, crank.sense, AxisLeftOut::Distance(term)).turning(crank.speed)
+            }
+            Axis::LeftOut => GearedCrank::without(&crank.name, crank.sense, AxisLeftOut::Place).turning(crank.speed),
         })
     };
     geared.iter().map(crank).collect()

@@ -32,7 +32,7 @@ use super::quantities;
 use super::title_block_keys;
 use super::torsion_keys;
 use super::written::{Table, Text, place, read, read_table};
-use crate::engine::{BuildError, Crankshaft, Dimensions, Draft, Effects, Engine, Family, ReferencePlane};
+use crate::engine::{BuildError, Crankshaft, Dimensions, Draft, Effects, Engine, Family, LengthUnit, ReferencePlane};
 use crate::text::Untrusted;
 
 #[derive(Deserialize)]
@@ -172,10 +172,14 @@ fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<La
     convention_keys::turn(&mut expanded.cylinders, &mut expanded.geared, convention);
     firing_throws::follow(&mut expanded, &above)?;
     let dimensions = dimensions(&file, &mut expanded)?;
-    let geared_cranks = geared_keys::placed(&expanded.geared, &dimensions, &mut expanded.cylinders)?;
+    let geared_cranks = geared_keys::placed(&expanded.geared, &dimensions)?;
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
     let plane = file.reference_plane.as_ref().map(|text| quantities::length(text, &mut length_unit)).transpose()?;
+    if length_unit == LengthUnit::Metre && !expanded.positions_given {
+        let value = file.values.iter().flatten().next().map(|(_, text)| text);
+        return Err(quantities::among_spacings(file.reference_plane.as_ref().or(value).and_then(place)));
+    }
     let gas = file.gas.as_ref().map(|table| gas_keys::read(table, &expanded.cylinders, cycle, beside)).transpose()?;
     let given_bearings = file.bearings.as_ref();
     let bearings = given_bearings.map(|list| bearings::read(list, &mut length_unit, expanded.positions_given));
@@ -320,7 +324,12 @@ fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
     forms.extend(file.delta.as_ref().map(|form| (form.span(), form.get_ref().0.expand(above.convention))));
     let right = "one of [[cylinder]], [inline], [vee], [flat], [boxer], [fan], [vr], [w], [radial], [opposed_piston], [u], [square_four], [h] or [delta] says what the engine is";
     match (forms.pop(), forms.pop()) {
-        (Some((_, only)), None) => only,
+        (Some((span, only)), None) => match only? {
+            form if form.length_unit == LengthUnit::Metre && !form.positions_given => {
+                Err(quantities::among_spacings(Some(span)))
+            }
+            form => Ok(form),
+        },
         (None, _) => Err(LayoutError::new("the file describes no engine", right, None)),
         (Some((span, _)), Some(_)) => {
             Err(LayoutError::new("the file describes more than one engine", "one form is enough", Some(span)))

@@ -19,9 +19,11 @@ pub fn balancer_table(engine: &Engine, shaft: &Balancer, unit: Option<&BigRation
     };
     let cylinder = shaft.coefficient_of.and_then(|index| engine.cylinders().get(index));
     let coefficient = cylinder.map(|cylinder| format!("coefficient_of = \"{}\"\n", cylinder.name)).unwrap_or_default();
-    let offset = engine.convention().in_the_sense_of_rotation(shaft.offset.clone());
-    let axis = [("height", &shaft.height), ("offset", &offset)].into_iter().filter(|(_, distance)| !distance.is_zero());
-    let axis: String = axis.map(|(key, distance)| format!("{key} = {}\n", exact_number(distance))).collect();
+    // Without either key the axis is left out: one in the middle is written.
+    let axis = shaft.axis.as_ref().map_or_else(String::new, |axis| {
+        let offset = engine.convention().in_the_sense_of_rotation(axis.offset.clone());
+        format!("height = {}\noffset = {}\n", exact_number(&axis.height), exact_number(&offset))
+    });
     format!(
         "[[balancer]]\norder = {}\nsense = \"{sense}\"\nmass_radius = {mass_radius}\n{coefficient}angle = {}\nposition = {}\n{axis}",
         shaft.order,

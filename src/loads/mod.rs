@@ -38,7 +38,7 @@ use num_complex::Complex;
 
 use crate::engine::{self, Engine};
 use crate::motion::Coefficient;
-use crate::order::{self, Contribution, MassGroup, OrderSum};
+use crate::order::{self, Contribution, MassGroup, MissingArm, OrderSum};
 use crate::proof::{Quantity, Sense};
 
 /// Forces, moments and torque of an engine, in multiples of m r ω².
@@ -60,6 +60,8 @@ pub struct Loads {
     /// The roll moment on the frame, where it is not the torque alone turned round and the file asks for the
     /// torque.
     pub roll: Option<Torque>,
+    /// What keeps the roll moment from being given, where the file asks for the torque.
+    pub roll_lacks: Option<MissingArm>,
     /// What turns multiples into newtons; none where mass, crank radius or speed is missing.
     pub scale: Option<Scale>,
     /// How many values of the motion's coefficients were computed: the cost of the scene.
@@ -146,8 +148,9 @@ pub fn loads_at(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
     let torque = engine.effects().torque.then(|| torque(engine, &motion, torque_orders));
     let has_arms =
         !engine.crankshaft().balancers.is_empty() || engine.has_offset() || !engine.geared_cranks().is_empty();
-    let has_roll = engine.effects().torque && has_arms && order::has_arms(engine);
-    let roll = has_roll.then(|| roll::roll(engine, &motion, torque_orders));
+    let asks = engine.effects().torque && has_arms;
+    let roll_lacks = if asks { order::roll_lacks(engine) } else { None };
+    let roll = (asks && roll_lacks.is_none()).then(|| roll::roll(engine, &motion, torque_orders));
     Ok(Loads {
         groups,
         force,
@@ -155,6 +158,7 @@ pub fn loads_at(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
         torque,
         bearings,
         roll,
+        roll_lacks,
         scale: scale(engine),
         orders: total,
         coefficients: motion.computed(),

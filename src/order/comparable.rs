@@ -37,7 +37,8 @@ impl std::error::Error for NotComparable {}
 pub fn comparable(engine: &Engine) -> Result<(), NotComparable> {
     let (dimensions, crankshaft) = (engine.dimensions(), engine.crankshaft());
     let has_weights = !crankshaft.counterweights.is_empty() || !crankshaft.balancers.is_empty();
-    let has_distances = crankshaft.balancers.iter().any(|shaft| !shaft.height.is_zero() || !shaft.offset.is_zero());
+    let axes = || crankshaft.balancers.iter().filter_map(|shaft| shaft.axis.as_ref());
+    let has_distances = axes().any(|axis| !axis.height.is_zero() || !axis.offset.is_zero());
     let in_metres = !crankshaft.webs.is_empty() || has_distances || (has_weights && !crankshaft.in_multiples);
     let has_rotating = engine.cylinders().iter().any(|cylinder| !cylinder.rotating_mass.is_zero());
     let turns = in_metres || has_rotating || !crankshaft.pins.is_empty();

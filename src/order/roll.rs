@@ -17,7 +17,7 @@ use super::contribution::{Contribution, Sources, power};
 use super::factor::Factor;
 use super::phase::phase;
 use super::source::Source;
-use super::turning::mass_radius;
+use super::turning::{TurningMass, mass_radius};
 use crate::engine::{Cylinder, Engine};
 use crate::exact::{Term, Turn};
 use crate::proof::Sense;
@@ -35,28 +35,26 @@ impl Sources<'_> {
             })
         });
         let turning = self.turning().iter().filter(|mass| mass.order == order).flat_map(|mass| {
-            let square = BigRational::from_integer((u64::from(order) * u64::from(order)).into()) * &mass.mass_radius;
-            mass.axis.iter().map(move |axis| {
-                let ahead = &(&mass.angle - &axis.angle) - &Turn::fraction(1, 4);
-                let angle = match mass.sense {
-                    Sense::Direct => ahead,
-                    Sense::Reverse => -&ahead,
-                };
-                Contribution {
-                    source: mass.source,
-                    position: mass.position.clone(),
-                    factor: mass.factor.clone(),
-                    term: Term { angle, weight: &square * &axis.weight },
-                }
+            mass.axis.iter().map(move |axis| Contribution {
+                source: mass.source,
+                position: mass.position.clone(),
+                factor: mass.factor.clone(),
+                term: of_turning(mass, axis),
             })
         });
         pistons.chain(turning).collect()
     }
 }
 
-/// Whether each cylinder's axis passes the middle at some distance: that of an endless rod with an offset is none.
-pub fn has_arms(engine: &Engine) -> bool {
-    engine.rods().all(|rod| rod.offset.is_zero() || !rod.ratio.is_zero())
+/// Of a mass that turns about an axis there.
+pub(super) fn of_turning(mass: &TurningMass, axis: &Term) -> Term {
+    let square = BigRational::from_integer((u64::from(mass.order) * u64::from(mass.order)).into());
+    let ahead = &(&mass.angle - &axis.angle) - &Turn::fraction(1, 4);
+    let angle = match mass.sense {
+        Sense::Direct => ahead,
+        Sense::Reverse => -&ahead,
+    };
+    Term { angle, weight: square * &mass.mass_radius * &axis.weight }
 }
 
 /// Of the order of its own motion.

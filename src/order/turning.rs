@@ -28,8 +28,10 @@ pub struct TurningMass {
     /// Where it stands along the crankshaft.
     pub position: BigRational,
     /// Where the axis that it turns about stands in the plane across the crankshaft, in crank radii: the sum of these; none in the
-    /// middle.
+    /// middle, and where the file leaves it out ([`roll_lacks`](super::roll_lacks)).
     pub axis: Vec<Term>,
+    /// Which crankshaft it turns with, where it stands on one of several.
+    pub crank: Option<usize>,
 }
 
 impl TurningMass {
@@ -58,6 +60,7 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
         angle: angle.clone(),
         position: position.clone(),
         axis: cranks.get(crank).map_or_else(Vec::new, |crank| crank.axis.clone()),
+        crank: (crank < cranks.len()).then_some(crank),
     };
     let radius = unit_radius(engine);
     let with_rods = engine.cylinders().iter().enumerate().filter(|(_, at)| !at.rotating_mass.is_zero());
@@ -83,8 +86,8 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
         )
     });
     let shafts = crankshaft.balancers.iter().enumerate().flat_map(|(index, shaft)| {
-        let axis: Vec<Term> = [(&shaft.height, Turn::zero()), (&shaft.offset, Turn::fraction(1, 4))]
-            .into_iter()
+        let axis: Vec<Term> = (shaft.axis.iter())
+            .flat_map(|axis| [(&axis.height, Turn::zero()), (&axis.offset, Turn::fraction(1, 4))])
             .filter(|(distance, _)| !distance.is_zero())
             .map(|(distance, angle)| Term { angle, weight: distance / &radius })
             .collect();
@@ -100,6 +103,7 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
             },
             position: shaft.position.clone(),
             axis: axis.clone(),
+            crank: None,
         })
     });
     let unit = unit_mass(engine) * &radius;
@@ -123,6 +127,7 @@ fn knuckles(engine: &Engine) -> impl Iterator<Item = TurningMass> {
             angle,
             position: cylinder.position.clone(),
             axis: Vec::new(),
+            crank: None,
         };
         let taken_off = &mass_radius * &link.knuckle;
         let turned = (&cylinder.throw + &link.knuckle_angle()).opposite();

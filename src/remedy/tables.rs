@@ -175,8 +175,7 @@ fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
             coefficient_of,
             angle,
             position: weight.position.clone(),
-            height: axis.map(|there| there.height.clone()).unwrap_or_default(),
-            offset: axis.map(|there| there.offset.clone()).unwrap_or_default(),
+            axis: axis.and_then(|there| there.axis.clone()),
         };
         balancer_table(engine, &shaft, multiples.as_ref())
     };

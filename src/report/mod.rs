@@ -36,6 +36,7 @@ mod recurrence_words;
 mod remedy;
 mod residual;
 mod residual_words;
+mod roll_asked;
 mod search;
 mod star;
 mod sweep;

@@ -21,11 +21,11 @@ pub struct Judgement {
 }
 
 /// What is judged of an engine: force and moment, the torque where it is asked for; where crankshafts are geared together, the torque
-/// and the roll moment in any case; no roll moment where an endless rod has an offset, which is no length.
+/// and the roll moment in any case; no roll moment where it hangs on a length that is not there ([`order::roll_lacks`]).
 pub fn quantities(engine: &Engine, with_torque: bool) -> Vec<Quantity> {
     let is_geared = !engine.geared_cranks().is_empty();
     let torque = (with_torque || is_geared).then_some(Quantity::Torque);
-    let roll = (is_geared && order::has_arms(engine)).then_some(Quantity::Roll);
+    let roll = (is_geared && order::roll_lacks(engine).is_none()).then_some(Quantity::Roll);
     [Quantity::Force, Quantity::Moment].into_iter().chain(torque).chain(roll).collect()
 }
 

@@ -40,7 +40,7 @@ fn force(order: &OrderVerdict) -> Vec<(Option<Factor>, [f64; 2])> {
     order.parts.iter().filter_map(part).collect()
 }
 
-const TWO: &str = "[[crankshaft]]\nname = 'slow'\nsense = 'with'\n[[crankshaft]]\nname = 'fast'\nsense = 'with'\nspeed = 2\noffset = 4\n";
+const TWO: &str = "[[crankshaft]]\nname = 'slow'\nsense = 'with'\noffset = 0\n[[crankshaft]]\nname = 'fast'\nsense = 'with'\nspeed = 2\noffset = 4\n";
 
 fn single(crank: &str, throw: u32) -> String {
     format!("[[cylinder]]\ncrankshaft = '{crank}'\nthrow = {throw}\nbank = 0\nposition = 0\n")
@@ -88,7 +88,7 @@ fn crankshafts_at_twice_the_speed_are_the_lanchester_pair_of_the_remedy() {
     // Before c_2 in the remedy: U = c_2/8 in each sense, which is no rational number; here 8U is written as c_2 in decimals.
     let crank = plain.cylinders()[0].mechanism.as_ref().and_then(crankstar::order::crank).expect("a rod");
     let size = crank.coefficient(2).re.to_float() / 8.0;
-    let cranks = "[[crankshaft]]\nname = 'one'\nsense = 'with'\n[[crankshaft]]\nname = 'plus'\nsense = 'with'\nspeed = 2\noffset = 3\n[[crankshaft]]\nname = 'minus'\nsense = 'against'\nspeed = 2\noffset = -3\n";
+    let cranks = "[[crankshaft]]\nname = 'one'\nsense = 'with'\noffset = 0\n[[crankshaft]]\nname = 'plus'\nsense = 'with'\nspeed = 2\noffset = 3\n[[crankshaft]]\nname = 'minus'\nsense = 'against'\nspeed = 2\noffset = -3\n";
     let cylinders = [single("one", 0), single("plus", 180), single("minus", 180)].concat();
     let rotating = format!("rotating_mass = ['0 kg', '{size:.17} kg', '{size:.17} kg']\n");
     let geared = layout(&format!("{cranks}{cylinders}{mechanism}{mass}{rotating}"));

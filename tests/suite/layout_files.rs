@@ -189,7 +189,10 @@ fn every_unit_means_what_it_says() {
 fn a_unit_anywhere_makes_the_layout_metric() {
     assert_eq!(read("inline.throws = [0, 0]").length_unit(), LengthUnit::Spacing);
     assert_eq!(read("[inline]\nthrows = [0, 0]\nspacing = \"1 cm\"").length_unit(), LengthUnit::Metre);
-    assert_eq!(read("reference_plane = \"1 mm\"\ninline.throws = [0, 0]").length_unit(), LengthUnit::Metre);
+    assert_eq!(
+        read("reference_plane = \"1 mm\"\n[inline]\nthrows = [0, 0]\nspacing = 0.01").length_unit(),
+        LengthUnit::Metre
+    );
 }
 
 #[test]

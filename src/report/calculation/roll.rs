@@ -1,5 +1,6 @@
 //! How does the frame roll? The largest roll moment of the orders listed, what it is, and its orders.
 
+use super::super::roll_asked::roll_asked;
 use super::amounts::Unit;
 use super::{heading, summary, tables};
 use crate::engine::Engine;
@@ -12,9 +13,12 @@ const OF_ONE: &str = "The roll moment is that on the frame about the middle of t
 const OF_SEVERAL: &str = "The roll moment is that on the frame about the middle of the engine: the torque on each crankshaft turned round, and the \
                           forces of its pistons with the arms of their axes. Assumed: each crankshaft keeps its speed by a flywheel of its own.";
 
-/// What is said of the roll moment: its largest value, and what it is; nothing where the frame feels no more than the torque turned round.
+/// What is said of the roll moment: its largest value, and what it is, or what it lacks; nothing where the frame feels no more than the torque
+/// turned round.
 pub(super) fn roll_lines(engine: &Engine, loads: &Loads) -> Vec<Text> {
-    let Some(roll) = &loads.roll else { return Vec::new() };
+    let Some(roll) = &loads.roll else {
+        return loads.roll_lacks.map(|missing| roll_asked(engine, missing)).into_iter().collect();
+    };
     let unit = Unit::of(engine, loads, Quantity::Roll);
     let words = if engine.geared_cranks().is_empty() { OF_ONE } else { OF_SEVERAL };
     let all_vanish = roll.orders.iter().all(|order| order.vector.outcome == Outcome::Zero);
@@ -32,7 +36,11 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads) -> Vec<Text> {
 
 /// The orders of the roll moment, for a page.
 pub(super) fn roll_section(engine: &Engine, loads: &Loads) -> Vec<Block> {
-    let Some(roll) = &loads.roll else { return Vec::new() };
-    let said = Block::Paragraph(Text::joined(roll_lines(engine, loads), " "));
-    vec![heading(2, "Roll moment"), said, tables::roll(engine, loads, roll).into()]
+    let lines = roll_lines(engine, loads);
+    if lines.is_empty() {
+        return Vec::new();
+    }
+    let said = Block::Paragraph(Text::joined(lines, " "));
+    let table = loads.roll.as_ref().map(|roll| tables::roll(engine, loads, roll).into());
+    [heading(2, "Roll moment"), said].into_iter().chain(table).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::super::calculation::Unit;
 use super::super::{residual, table};
-use super::{articulated, conventions, cures};
+use super::{articulated, conventions, cures, geared};
 use crate::engine::{DOES_NOT_EXIST, Engine, LengthUnit};
 use crate::loads::{self, Loads};
 use crate::order::{self, Factor, Masses};
@@ -285,6 +285,7 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
     page.blocks.extend(conventions::rows(engine).into_iter().map(|words| Block::Note(words.into())));
     page.blocks.extend(articulated::hidden(engine).map(Block::Note));
     page.blocks.extend((!engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
+    page.blocks.extend(geared::roll_asked_of(engine).map(Block::Note));
     page.blocks.extend(engine.faster_crank().map(|_| Block::Note(residual::SPEED_LEGEND.into())));
     page.blocks.extend(residual::turning_unit(judged).map(|words| Block::Note(words.into())));
     let missing =

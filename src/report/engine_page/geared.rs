@@ -1,7 +1,9 @@
 //! Which crankshafts has the engine, and how are those that turn against the reference judged?
 
+use super::super::roll_asked::roll_asked;
 use super::super::typeset;
 use crate::engine::{Engine, GearedCrank};
+use crate::order;
 use crate::page::{Block, Table, Text, phrase};
 use crate::proof::Sense;
 
@@ -23,7 +25,11 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
         table.push(vec![
             crank.name.clone().into(),
             turns(crank),
-            if crank.axis.is_empty() { "in the middle".into() } else { Text::joined(axis, " + ") },
+            match (&crank.left_out, crank.axis.is_empty()) {
+                (Some(_), _) => "not given".into(),
+                (None, true) => "in the middle".into(),
+                (None, false) => Text::joined(axis, " + "),
+            },
             typeset::names(&names).into(),
             pins.join(", ").into(),
         ]);
@@ -47,6 +53,13 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
     let words = if engine.faster_crank().is_none() { TORQUE_AND_ROLL } else { AT_SEVERAL_SPEEDS };
     blocks.push(Block::Paragraph(words.into()));
     blocks
+}
+
+/// What the roll moment of geared crankshafts asks for; none where it is given, and where there is one crankshaft.
+pub(super) fn roll_asked_of(engine: &Engine) -> Option<Text> {
+    let is_geared = !engine.geared_cranks().is_empty();
+    let missing = order::roll_lacks(engine).filter(|_| is_geared)?;
+    Some(roll_asked(engine, missing))
 }
 
 const TORQUE_AND_ROLL: &str = "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is \

@@ -175,7 +175,7 @@ fn results(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Ve
         blocks.extend([table.into(), Block::Paragraph("The same, exactly:".into())]);
     }
     blocks.push(table::summary(engine, &judged.orders, firmness).into());
-    blocks.extend(torque::results(judged));
+    blocks.extend(torque::results(engine, judged));
     if let Some(pistons) = &judged.pistons {
         blocks.push(Block::Paragraph("The pistons alone:".into()));
         blocks.push(table::summary(engine, pistons, table::Firmness::Shown).into());

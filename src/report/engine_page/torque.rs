@@ -3,6 +3,7 @@
 use super::super::calculation::Numbers;
 use super::super::star::{torque_figure, torque_legend};
 use super::super::{argument, residual};
+use super::geared;
 use super::orders::{certified, value};
 use crate::engine::{Engine, WHY_NOT};
 use crate::page::{Block, Fold, Picture, Table, Text, phrase};
@@ -65,16 +66,24 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
 }
 
 /// Torque and roll moment of crankshafts that are geared together, order by order; nothing where there is one.
-pub(super) fn results(judged: &Judgement) -> Vec<Block> {
-    let mut table = Table::new(["Order", "Torque", "Roll"]);
+pub(super) fn results(engine: &Engine, judged: &Judgement) -> Vec<Block> {
+    if engine.geared_cranks().is_empty() {
+        return Vec::new();
+    }
+    let has_roll = judged.orders.iter().any(|order| order.roll.is_some());
+    let mut table = Table::new(["Order", "Torque"].into_iter().chain(has_roll.then_some("Roll")));
     for order in &judged.orders {
-        if let (Some(torque), Some(roll)) = (&order.torque, &order.roll) {
-            table.push(vec![order.order.into(), residual::torque(torque), residual::roll(roll)]);
+        if let Some(torque) = &order.torque {
+            let roll = order.roll.as_ref().map(residual::roll);
+            table.push([order.order.into(), residual::torque(torque)].into_iter().chain(roll).collect());
         }
     }
     match table.rows.is_empty() {
         true => Vec::new(),
-        false => vec![table.into(), Block::Note(residual::ROLL_LEGEND.into())],
+        false => [table.into(), Block::Note(residual::ROLL_LEGEND.into())]
+            .into_iter()
+            .chain(geared::roll_asked_of(engine).map(Block::Paragraph))
+            .collect(),
     }
 }
 

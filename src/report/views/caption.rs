@@ -1,9 +1,12 @@
 //! What do the views of an engine show, in words? Only what is in the picture.
 
+use num_traits::Signed;
+
 use super::super::convention::said;
+use super::super::typeset;
 use super::linkage::{is_shortened, rows};
 use super::rows::banks;
-use crate::engine::{Engine, throws};
+use crate::engine::{AxisLeftOut, Engine, Form, throws};
 use crate::page::{Text, phrase};
 
 /// What stands under the view from the free end.
@@ -19,8 +22,29 @@ pub(in crate::report) fn end_view_caption(engine: &Engine) -> Text {
         (true, true) => "Rods longer than six crank radii are drawn shorter.".into(),
         (false, _) => "The layout gives no rods: they are drawn 3.5 crank radii long.".into(),
     });
+    let left_out = engine.geared_cranks().iter().find_map(|crank| crank.left_out.as_ref());
+    words.extend(left_out.map(|what| match what {
+        AxisLeftOut::Distance(_) => APART.into(),
+        AxisLeftOut::Place => NOWHERE.into(),
+    }));
     words.extend(engine.has_offset().then(|| OFFSET.into()));
+    words.extend(split(engine));
     Text::joined(words, " ")
+}
+
+/// How the parts of the first split pin of a V stand to each other.
+fn split(engine: &Engine) -> Option<Text> {
+    if engine.form() != Form::Vee {
+        return None;
+    }
+    let first = engine.cylinders().first()?;
+    let second = engine.cylinders().iter().find(|other| other.pin == first.pin && other.throw != first.throw)?;
+    let ahead = typeset::signed_degrees(&(&second.throw - &first.throw));
+    let words = match ahead.is_negative() {
+        false => "Split pins: as the crank turns, the pin of {} is {} ahead of the pin of {}.",
+        true => "Split pins: as the crank turns, the pin of {} is {} behind the pin of {}.",
+    };
+    Some(phrase!(words, second.name.clone(), typeset::degrees(&ahead.abs()), first.name.clone()))
 }
 
 const FROM_THE_END: [&str; 2] = [
@@ -31,8 +55,10 @@ const NUMBERS: &str = "Throws, crankpins and rods are coloured, pistons grey, ea
                        name the cylinders that it belongs to.";
 const ROWS: [&str; 3] =
     ["row {} blue with solid rods", "row {} orange with dashed rods", "row {} green with dash-dotted rods"];
-const OFFSET: &str = "The dash-dotted cylinder axes miss the shaft by the offset e, drawn in red: a positive one lies to the left of a cylinder \
-                      that points up.";
+const APART: &str = "The layout gives no distance between the crankshafts: they are drawn 11 crank radii apart.";
+const NOWHERE: &str = "The layout does not say where some crankshaft stands: it is drawn in the middle.";
+const OFFSET: &str = "The dash-dotted cylinder axes miss the shaft by the offset e, drawn in red: a positive one lies on the side to which the pin \
+                      goes after dead centre.";
 
 /// What stands under the view from the side.
 pub(in crate::report) fn side_view_caption(engine: &Engine) -> Text {

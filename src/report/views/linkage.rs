@@ -8,13 +8,15 @@ use num_traits::{ToPrimitive, Zero};
 use super::super::figure::Point;
 use super::super::star::towards;
 use super::super::typeset;
-use crate::engine::{Cylinder, Engine, Form, GearedCrank, Link, Mechanism};
+use crate::engine::{AxisLeftOut, Cylinder, Engine, Form, GearedCrank, Link, Mechanism};
 use crate::exact::Turn;
 use crate::page::{Unit, Units};
 use crate::proof::Sense;
 
 /// The rod ratio that is drawn where the engine has none.
 pub(super) const USUAL_RATIO: f64 = 1.0 / 3.5;
+/// Between the axes of opposed pistons where the file gives no distance, in crank radii.
+const USUAL_DISTANCE: f64 = 11.0;
 /// Longer rods, against their crank radius, are drawn so long.
 const LONGEST_ROD: f64 = 6.0;
 /// From the shaft to the farthest piston pin, in millimetres.
@@ -195,7 +197,12 @@ pub(super) fn linkages(engine: &Engine, units: Units) -> Linkages<'_> {
             crank,
         }
     });
-    let axis = |crank: &GearedCrank| crank.axis.iter().map(|term| towards(&term.angle) * length(&term.weight)).sum();
+    let axis = |crank: &GearedCrank| match &crank.left_out {
+        Some(AxisLeftOut::Distance(term)) => towards(&term.angle) * length(&term.weight) * USUAL_DISTANCE,
+        Some(AxisLeftOut::Place) | None => {
+            crank.axis.iter().map(|term| towards(&term.angle) * length(&term.weight)).sum()
+        }
+    };
     let axes: Vec<Point> = engine.geared_cranks().iter().map(axis).map(|axis: Point| axis * scale).collect();
     Linkages { all: placed.collect(), axes: if axes.is_empty() { vec![Point::default()] } else { axes } }
 }

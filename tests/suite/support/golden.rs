@@ -63,6 +63,11 @@ pub fn compare(folder: &Path, written: &BTreeMap<String, String>) {
     compare_endings(folder, written, &["md", "svg", "tex", "toml", "csv"]);
 }
 
+/// The same for a folder elsewhere, all of which stands there.
+pub fn compare_all(folder: &Path, written: &BTreeMap<String, String>) {
+    compare_kept(folder, written, &["md", "svg", "toml"]);
+}
+
 /// The same for what belongs there in other formats.
 pub fn compare_formats(folder: &Path, written: &BTreeMap<String, String>) {
     compare_endings(folder, written, &["html", "typ", "txt"]);
