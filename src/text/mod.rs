@@ -6,6 +6,7 @@
 
 mod coq;
 mod csv;
+mod decoded;
 mod json;
 mod latex;
 mod markdown;
@@ -15,6 +16,7 @@ mod xml;
 
 pub use coq::coq_comment;
 pub use csv::field;
+pub use decoded::{Encoding, decoded};
 pub use json::json;
 pub use latex::{SUPERSCRIPTS, latex};
 pub use markdown::markdown;

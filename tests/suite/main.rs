@@ -31,6 +31,7 @@ mod corrected_knuckles;
 mod crankshaft;
 mod data;
 mod decision_laws;
+mod decoded_texts;
 mod divided_cheats;
 mod divided_circles;
 mod document_limits;
