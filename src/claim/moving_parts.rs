@@ -14,6 +14,8 @@ pub(super) struct Parts {
     /// Its place among the classes of the course.
     class: usize,
     fires: f64,
+    /// The mass of its piston in multiples of the engine's.
+    multiple: f64,
     axis: Complex<f64>,
     omega: f64,
     ratio: f64,
@@ -42,6 +44,7 @@ impl Parts {
         Ok(Parts {
             class,
             fires,
+            multiple: numbers::float(&cylinder.reciprocating_mass),
             axis: numbers::direction(&cylinder.bank),
             omega: numbers::float(speed) / 60.0 * std::f64::consts::TAU,
             ratio: numbers::float(&rod.ratio),
@@ -60,9 +63,9 @@ impl Parts {
         &self.course.classes()[self.class]
     }
 
-    /// What the inertia gives; 0 where there is none.
+    /// What the inertia gives, in proportion to the mass; 0 where there is none.
     fn of_inertia(&self, value: impl Fn(&Inertia) -> f64) -> f64 {
-        self.known().inertia.as_ref().map_or(0.0, value)
+        self.known().inertia.as_ref().map_or(0.0, |inertia| self.multiple * value(inertia))
     }
 
     fn mass(&self) -> f64 {

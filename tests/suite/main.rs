@@ -110,6 +110,7 @@ mod theorems;
 mod theory;
 mod thesis;
 mod torque;
+mod torque_conventions;
 mod torsion;
 mod two_angles;
 mod v_angles;

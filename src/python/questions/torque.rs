@@ -59,13 +59,13 @@ fn orders(torque: &EngineTorque) -> Table {
             "gas_vanishes",
             Unit::NONE,
             "whether the part of the gas is proved to be 0, for every pressure that equal cylinders share",
-            Values::Truth(orders.iter().map(|order| Some(order.vanishes)).collect()),
+            Values::Truth(orders.iter().map(|order| Some(order.gas_vanishes)).collect()),
         ),
         Column::new(
             "gas_zero_to_peak_{unit}",
             Unit::NEWTON_METRE,
             "the amplitude of the gas",
-            decimals(orders.iter().map(|order| if order.vanishes { 0.0 } else { order.gas.norm() })),
+            decimals(orders.iter().map(|order| order.gas.norm())),
         ),
         Column::new(
             "inertia_zero_to_peak_{unit}",

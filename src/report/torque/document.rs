@@ -41,9 +41,11 @@ struct ExtremeEntry {
 #[derive(Clone, Debug, Serialize)]
 struct Order {
     order: String,
-    /// `true` where every firing star is proved to be zero.
+    /// `true` where gas, and inertia where it is known, are proved to be zero.
     vanishes: bool,
     gas: Vector,
+    /// `true` where every firing star is proved to be zero.
+    gas_vanishes: bool,
     /// Null where masses or speed are not known.
     inertia: Option<Vector>,
     inertia_vanishes: bool,
@@ -146,8 +148,9 @@ fn order(order: &TorqueOrder) -> Order {
         |star: &crate::exact::PhasorSum| star.terms().iter().map(|term| term.angle.turns().to_string()).collect();
     Order {
         order: order.order.exact().to_string(),
-        vanishes: order.vanishes,
+        vanishes: order.vanishes(),
         gas: vector(order.gas),
+        gas_vanishes: order.gas_vanishes,
         inertia: order.inertia.map(vector),
         inertia_vanishes: order.inertia_vanishes,
         total: vector(order.total()),
