@@ -33,6 +33,7 @@ mod mechanism_keys;
 mod narrow;
 mod number;
 mod numbering;
+mod pressure_csv;
 mod quantities;
 mod replaced;
 mod rewritten;

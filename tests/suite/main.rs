@@ -86,6 +86,7 @@ mod optimise;
 mod output_folder;
 mod plane_cheats;
 mod plots;
+mod pressure_files;
 mod printed_lines;
 mod quadratic_cheats;
 mod random_engines;
