@@ -103,6 +103,7 @@ impl Ranges {
 
     /// Sweeps a layout.
     pub fn sweep(&self, layout: &Path, orders: &[u32], firing: &[CycleOrder]) -> Result<sweep::Sweep, Failure> {
+        layouts::warn_of(layout);
         let (name, text) = layouts::source(layout)?;
         let read = |path: &str| layouts::beside(layout, path);
         let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
@@ -129,6 +130,7 @@ impl Ranges {
         firing: &[CycleOrder],
         then: impl FnOnce(&Stream, &Question) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
+        layouts::warn_of(layout);
         let (name, text) = layouts::source(layout)?;
         let read = |path: &str| layouts::beside(layout, path);
         let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));

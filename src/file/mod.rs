@@ -41,6 +41,7 @@ mod template;
 mod title_block_keys;
 mod torsion_keys;
 pub(crate) mod units;
+mod usual;
 pub(crate) mod written;
 
 pub use beside::Beside;
@@ -55,3 +56,4 @@ pub use rewritten::{
 };
 pub use template::{Key, Template};
 pub use units::turns_per_unit;
+pub use usual::{LayoutWarning, warnings};

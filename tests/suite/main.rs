@@ -114,6 +114,7 @@ mod torque;
 mod torque_conventions;
 mod torsion;
 mod two_angles;
+mod usual_quantities;
 mod v_angles;
 mod views;
 #[cfg(feature = "web")]
