@@ -26,7 +26,8 @@ pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value
     let (number, tolerance) = split_tolerance(text);
     let unit = UNITS.iter().find(|(name, ..)| number.ends_with(name));
     let number = unit.map_or(number, |(name, ..)| number[..number.len() - name.len()].trim_end());
-    let (unit, size) = (unit.map(|(_, unit, _)| *unit), BigRational::from_integer(unit.map_or(1, |(.., size)| *size).into()));
+    let (unit, size) =
+        (unit.map(|(_, unit, _)| *unit), BigRational::from_integer(unit.map_or(1, |(.., size)| *size).into()));
     let right = "a number such as 4, 2√3, √(5 − 2√5), 1.732 or 3·cos(40°), 0 or more";
     let form = Form::parse(number).filter(|form| form.to_float() >= 0.0);
     let form = form.ok_or_else(|| ClaimError::new(format!("cannot read the value `{number}`"), right))?;
@@ -36,7 +37,10 @@ pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value
         Some(Unit::NewtonMetre) => quantity == Quantity::Moment,
     };
     if !fits {
-        return Err(ClaimError::new("this unit belongs to another quantity", "a force has N or kN, a moment N·m or kN·m"));
+        return Err(ClaimError::new(
+            "this unit belongs to another quantity",
+            "a force has N or kN, a moment N·m or kN·m",
+        ));
     }
     let tolerance = match tolerance {
         Some(text) => self::tolerance(text, &size)?,

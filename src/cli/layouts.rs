@@ -90,7 +90,9 @@ fn standard_input() -> Result<Vec<u8>, Failure> {
     let all = || {
         let mut bytes = Vec::new();
         match std::io::stdin().lock().take(LARGEST_FILE + 1).read_to_end(&mut bytes) {
-            Ok(_) if bytes.len() as u64 > LARGEST_FILE => Err("standard input is larger than 4 MiB, which no such file is".to_owned()),
+            Ok(_) if bytes.len() as u64 > LARGEST_FILE => {
+                Err("standard input is larger than 4 MiB, which no such file is".to_owned())
+            }
             Ok(_) => Ok(bytes),
             Err(error) => Err(format!("cannot read standard input: {error}")),
         }

@@ -79,7 +79,8 @@ mod run {
             }
             let page = || report::optimise_page(&engine, &front, &wish.couple);
             let beside = named.into_inner().unwrap_or_default().into_iter().map(|(name, text)| File { name, text });
-            let written = self.pages.write(page, || report::optimise_layouts(&front).into_iter().chain(beside).collect())?;
+            let written =
+                self.pages.write(page, || report::optimise_layouts(&front).into_iter().chain(beside).collect())?;
             let answer = report::optimise_answer(&engine, &front, &wish.couple);
             write::to_stdout(&(self.pages.shown(&answer)? + &written))
         }

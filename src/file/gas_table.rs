@@ -79,7 +79,8 @@ fn columns(sheet: &Sheet<'_>, cylinders: &[String]) -> Result<Vec<usize>, Layout
         heading.words.iter().any(is_name)
     };
     let named = |name: &String| {
-        let mut own = (0..count).filter(|&column| sheet.columns.get(column).is_some_and(|heading| is_of(name, heading)));
+        let mut own =
+            (0..count).filter(|&column| sheet.columns.get(column).is_some_and(|heading| is_of(name, heading)));
         own.next().filter(|_| own.next().is_none())
     };
     let by_name: Option<Vec<usize>> = cylinders.iter().map(named).collect();
@@ -95,12 +96,7 @@ fn columns(sheet: &Sheet<'_>, cylinders: &[String]) -> Result<Vec<usize>, Layout
 }
 
 /// The pressures of one column, in the unit of the layout file or of the header.
-fn of_column(
-    sheet: &Sheet<'_>,
-    column: usize,
-    reading: &Reading,
-    cycle: Cycle,
-) -> Result<PressureTable, LayoutError> {
+fn of_column(sheet: &Sheet<'_>, column: usize, reading: &Reading, cycle: Cycle) -> Result<PressureTable, LayoutError> {
     let headed = sheet.columns.get(column).and_then(|heading| heading.unit);
     if let (Some(unit), Some((name, of_header))) = (reading.unit, headed)
         && unit != of_header
@@ -114,7 +110,11 @@ fn of_column(
         let cell = |what: &str, cell: &str, read: Result<BigRational, String>| {
             read.map_err(|right| {
                 let shown: String = cell.chars().take(40).collect();
-                let right = if cell.contains(';') { "the sign of the lines before between its cells".to_owned() } else { right };
+                let right = if cell.contains(';') {
+                    "the sign of the lines before between its cells".to_owned()
+                } else {
+                    right
+                };
                 LayoutError::new(format!("cannot read the {what} `{shown}`"), right, Some(row.span.clone()))
             })
         };

@@ -84,7 +84,10 @@ impl Sheet<'_> {
     /// Takes a line of the header: names, or units.
     fn head(&mut self, cells: &[&str], span: &Range<usize>) -> Result<(), LayoutError> {
         let words = |cell: &str| -> Vec<String> {
-            cell.split(|letter: char| !letter.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+            cell.split(|letter: char| !letter.is_alphanumeric())
+                .filter(|word| !word.is_empty())
+                .map(str::to_owned)
+                .collect()
         };
         if cells.len() > 1 && cells.first().is_some_and(|cell| words(cell).iter().any(|word| word == "rad")) {
             let right = "crank angles in degrees, or in turns with the unit behind each";

@@ -106,8 +106,13 @@ const TORSIONAL_STIFFNESSES: Units = &[
     ("ft lbf/rad", FOOT_POUND),
     ("lbf ft/rad", FOOT_POUND),
 ];
-const MASSES: Units =
-    &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 100_000_000)), ("oz", (45_359_237, 1_600_000_000)), ("t", (1000, 1))];
+const MASSES: Units = &[
+    ("kg", (1, 1)),
+    ("g", (1, 1000)),
+    ("lb", (45_359_237, 100_000_000)),
+    ("oz", (45_359_237, 1_600_000_000)),
+    ("t", (1000, 1)),
+];
 
 /// An angle in turns, not reduced modulo 1; degrees where no unit stands.
 pub(crate) fn angle(text: &str) -> Result<BigRational, String> {
@@ -202,7 +207,8 @@ fn names(units: Units) -> String {
 }
 
 /// π, less than 10^-34 too small: a speed in radians a second is a whole multiple of a millionth of a revolution a minute, the nearest one.
-const PI: (i128, i128) = (31_415_926_535_897_932_384_626_433_832_795_028, 10_000_000_000_000_000_000_000_000_000_000_000);
+const PI: (i128, i128) =
+    (31_415_926_535_897_932_384_626_433_832_795_028, 10_000_000_000_000_000_000_000_000_000_000_000);
 
 /// A speed in revolutions a minute, which is also what a number without a unit means.
 pub(crate) fn speed(text: &str) -> Result<BigRational, String> {

@@ -113,12 +113,15 @@ pub(crate) fn read<T: DeserializeOwned>(source: &str) -> Result<T, LayoutError> 
             Err(error) => Some(error),
         };
         match error {
-            Some(error) if is_rest && is_unknown(&error) && unknown.len() < MOST_UNKNOWN => unknown.push(toml_error(error)),
+            Some(error) if is_rest && is_unknown(&error) && unknown.len() < MOST_UNKNOWN => {
+                unknown.push(toml_error(error))
+            }
             Some(error) if unknown.is_empty() => return Err(toml_error(error)),
             // What is missing besides may be what the unknown keys mean.
             Some(_) | None => break,
         }
     }
+    unknown.sort_by_key(|told| told.span().map(|span| span.start));
     let first = unknown.remove(0);
     Err(first.and(unknown))
 }

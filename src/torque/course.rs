@@ -66,7 +66,8 @@ impl ClassCourse {
 impl Course {
     pub(super) fn new(classes: &[Class]) -> Self {
         let pistons = classes.iter().enumerate().flat_map(|(class, of)| {
-            let piston = move |(turns, mass)| Piston { class, fires: numbers::float(turns) * TAU, mass: numbers::float(mass) };
+            let piston =
+                move |(turns, mass)| Piston { class, fires: numbers::float(turns) * TAU, mass: numbers::float(mass) };
             of.fires.iter().zip(&of.masses).map(piston)
         });
         let period = classes.first().map_or(TAU, |class| class.gas.period());

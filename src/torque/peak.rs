@@ -140,7 +140,8 @@ fn rest(class: &Class) -> f64 {
     let last = 2 * HIGHEST_ORDER / halves;
     let bound = |index: u32| class.harmonics.bound(f64::from(index) / f64::from(revolutions));
     let star = |index: u32| {
-        let stars = CycleOrder::of_halves(index * halves).map(|order| Stars::each_once(std::slice::from_ref(class), order));
+        let stars =
+            CycleOrder::of_halves(index * halves).map(|order| Stars::each_once(std::slice::from_ref(class), order));
         let known = stars.and_then(|stars| stars.sum(|_| Some(Complex::one())));
         known.map_or(class.cylinders.len() as f64, |star| star.norm())
     };

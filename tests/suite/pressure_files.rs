@@ -59,7 +59,8 @@ fn file(dialect: &Dialect) -> String {
 #[track_caller]
 fn assert_read(dialect: &Dialect, layout: &str) {
     let text = file(dialect);
-    let engine = read(layout, text.as_bytes()).unwrap_or_else(|error| panic!("{}\n{error}", &text[..200.min(text.len())]));
+    let engine =
+        read(layout, text.as_bytes()).unwrap_or_else(|error| panic!("{}\n{error}", &text[..200.min(text.len())]));
     for (cylinder, found) in pressures(&engine, 72).into_iter().enumerate() {
         let column = if dialect.columns == 1 { 0 } else { cylinder as i64 };
         let wanted: Vec<BigRational> = (0..72).map(|row| pascals(course(row, column))).collect();
@@ -70,7 +71,9 @@ fn assert_read(dialect: &Dialect, layout: &str) {
 #[test]
 fn separators_decimal_commas_headers_and_units_are_found() {
     let in_bar = format!("{LAYOUT}unit = 'bar'\n");
-    for (separator, decimal) in [(";", ","), (";", "."), ("\t", ","), ("\t", "."), (",", "."), (", ", "."), ("  ", ","), (" ", ".")] {
+    for (separator, decimal) in
+        [(";", ","), (";", "."), ("\t", ","), ("\t", "."), (",", "."), (", ", "."), ("  ", ","), (" ", ".")]
+    {
         for end in ["\n", "\r\n"] {
             let plain = Dialect { head: "", separator, decimal, end, columns: 1, last: 71 };
             assert_read(&plain, &in_bar);
@@ -78,11 +81,18 @@ fn separators_decimal_commas_headers_and_units_are_found() {
             assert_read(&Dialect { last: 72, ..plain }, &in_bar);
         }
     }
-    for head in ["Winkel;Druck\n", "# measured\nangle;pressure\n\n", "\u{feff}Winkel;Druck\n", "Datum 1. 2.\nWinkel;Druck\n"] {
+    for head in
+        ["Winkel;Druck\n", "# measured\nangle;pressure\n\n", "\u{feff}Winkel;Druck\n", "Datum 1. 2.\nWinkel;Druck\n"]
+    {
         assert_read(&Dialect { head, separator: ";", decimal: ",", end: "\n", columns: 1, last: 71 }, &in_bar);
     }
     // The header knows the unit, beside the name or in a line of its own.
-    for head in ["Winkel [°KW];Druck [bar]\n", "Winkel;Druck in bar\n", "Winkel;Druck\n°;bar\n", "\"Winkel (deg)\";\"p / bar\"\n"] {
+    for head in [
+        "Winkel [°KW];Druck [bar]\n",
+        "Winkel;Druck in bar\n",
+        "Winkel;Druck\n°;bar\n",
+        "\"Winkel (deg)\";\"p / bar\"\n",
+    ] {
         assert_read(&Dialect { head, separator: ";", decimal: ",", end: "\n", columns: 1, last: 71 }, LAYOUT);
         assert_read(&Dialect { head, separator: ";", decimal: ",", end: ";\n", columns: 1, last: 71 }, &in_bar);
     }
@@ -90,7 +100,14 @@ fn separators_decimal_commas_headers_and_units_are_found() {
 
 #[test]
 fn every_encoding_is_read() {
-    let text = file(&Dialect { head: "Winkel [°];Druck [bar]\n", separator: ";", decimal: ",", end: "\r\n", columns: 1, last: 71 });
+    let text = file(&Dialect {
+        head: "Winkel [°];Druck [bar]\n",
+        separator: ";",
+        decimal: ",",
+        end: "\r\n",
+        columns: 1,
+        last: 71,
+    });
     let wanted = pressures(&read(LAYOUT, text.as_bytes()).expect("UTF-8"), 72);
     let latin: Vec<u8> = text.chars().map(|letter| u8::try_from(u32::from(letter)).expect("Latin-1")).collect();
     let wide: Vec<u8> = [0xff, 0xfe].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect();
@@ -107,11 +124,25 @@ fn every_encoding_is_read() {
 
 #[test]
 fn a_column_of_each_cylinder_is_that_of_its_name_or_its_place() {
-    let in_order = Dialect { head: "angle,a,b,c,d\ndeg,bar,bar,bar,bar\n", separator: ",", decimal: ".", end: "\n", columns: 4, last: 72 };
+    let in_order = Dialect {
+        head: "angle,a,b,c,d\ndeg,bar,bar,bar,bar\n",
+        separator: ",",
+        decimal: ".",
+        end: "\n",
+        columns: 4,
+        last: 72,
+    };
     assert_read(&in_order, LAYOUT);
     assert_read(&Dialect { head: "angle,p1 bar,p2 bar,p3 bar,p4 bar\n", ..in_order }, LAYOUT);
     // Columns may stand in another order, and others beside them.
-    let text = file(&Dialect { head: "angle;Zyl 4 [bar];Zyl 3 [bar];Zyl 2 [bar];Zyl 1 [bar];mean [bar]\n", separator: ";", decimal: ",", end: "\n", columns: 5, last: 71 });
+    let text = file(&Dialect {
+        head: "angle;Zyl 4 [bar];Zyl 3 [bar];Zyl 2 [bar];Zyl 1 [bar];mean [bar]\n",
+        separator: ";",
+        decimal: ",",
+        end: "\n",
+        columns: 5,
+        last: 71,
+    });
     let engine = read(LAYOUT, text.as_bytes()).expect("columns by their names");
     for (cylinder, found) in pressures(&engine, 72).into_iter().enumerate() {
         let wanted: Vec<BigRational> = (0..72).map(|row| pascals(course(row, 3 - cylinder as i64))).collect();
@@ -162,7 +193,8 @@ fn the_best_counterweights_are_found_and_written_beside_a_table_of_pressures() {
         [crankshaft]\ncounterweights = { rotating = 1, reciprocating = 0.5 }\ncounterweight_radius = '45 mm'\n\
         [gas]\nbore = '86 mm'\ntable = 'a.csv'\n";
     std::fs::write(folder.join("layout.toml"), layout).expect("a file");
-    let dialect = Dialect { head: "Winkel [°];Druck [bar]\n", separator: ";", decimal: ",", end: "\n", columns: 1, last: 72 };
+    let dialect =
+        Dialect { head: "Winkel [°];Druck [bar]\n", separator: ";", decimal: ",", end: "\n", columns: 1, last: 72 };
     std::fs::write(folder.join("a.csv"), file(&dialect)).expect("a file");
     let [layout, output] = ["layout.toml", "best"].map(|name| folder.join(name).display().to_string());
     let answer = call(&["optimise", &layout, "--points", "1", "--output", &output]);

@@ -62,8 +62,12 @@ fn the_error_of_any_method_is_within_what_is_anywhere_and_that_within_what_is_gu
 
 /// An in-line four with these masses of its pistons, and a spacing.
 fn four(masses: &str) -> String {
-    let four = SPARK.replace("throws = [0]", "throws = [0, 180, 180, 0]\nspacing = '90 mm'").replace("'1'", "'1-3-4-2'");
-    format!("speed = 3000\n{}", four.replace("reciprocating_mass = '0.5 kg'", &format!("reciprocating_mass = {masses}")))
+    let four =
+        SPARK.replace("throws = [0]", "throws = [0, 180, 180, 0]\nspacing = '90 mm'").replace("'1'", "'1-3-4-2'");
+    format!(
+        "speed = 3000\n{}",
+        four.replace("reciprocating_mass = '0.5 kg'", &format!("reciprocating_mass = {masses}"))
+    )
 }
 
 #[test]
@@ -112,7 +116,8 @@ fn unequal(dice: &mut Dice) -> (Engine, Engine) {
     let count = 2 + dice.below(5) as usize;
     let table = gas_table::rows(&gas_table::random(dice, 720.0, 40));
     let throws: Vec<u64> = (0..count).map(|_| 30 * dice.below(12)).collect();
-    let fires: Vec<String> = throws.iter().map(|throw| ((720 - throw) % 360 + 360 * dice.below(2)).to_string()).collect();
+    let fires: Vec<String> =
+        throws.iter().map(|throw| ((720 - throw) % 360 + 360 * dice.below(2)).to_string()).collect();
     let masses: Vec<String> = (0..count).map(|_| format!("'{} g'", 100 * dice.below(6))).collect();
     let text = |masses: &str| {
         format!(
@@ -171,7 +176,9 @@ fn measured(rows: &str) -> String {
 #[test]
 fn a_pressure_that_stays_gives_no_mean_torque_and_is_no_multiple_of_it() {
     let every_ten: Vec<String> = (-36..=36).map(|ten| format!("[{}, 7.3]", 10 * ten)).collect();
-    for rows in [every_ten.join(", "), "[-360, 7.3], [360, 7.3]".to_owned(), "[0, 7.3], [123, 7.3], [720, 7.3]".to_owned()] {
+    for rows in
+        [every_ten.join(", "), "[-360, 7.3], [360, 7.3]".to_owned(), "[0, 7.3], [123, 7.3], [720, 7.3]".to_owned()]
+    {
         let torque = torque_of(&measured(&rows));
         assert_eq!((torque.mean, torque.unevenness(), torque.power), (0.0, None, Some(0.0)), "{rows}");
         assert_eq!(torque.classes[0].gas.work(), 0.0);
