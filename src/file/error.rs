@@ -13,22 +13,22 @@ pub struct LayoutError {
     message: String,
     right: String,
     span: Option<Range<usize>>,
-    file: String,
-    source: String,
+    file: Box<str>,
+    source: Box<str>,
     /// Other mistakes of the same file.
-    others: Vec<LayoutError>,
+    others: Box<[LayoutError]>,
 }
 
 impl LayoutError {
     /// A mistake with what would be right, at a byte range of the file.
     pub(crate) fn new(message: impl Into<String>, right: impl Into<String>, span: Option<Range<usize>>) -> Self {
-        let (message, right, others) = (message.into(), right.into(), Vec::new());
-        LayoutError { message, right, span, file: String::new(), source: String::new(), others }
+        let (message, right, others) = (message.into(), right.into(), Box::default());
+        LayoutError { message, right, span, file: Box::default(), source: Box::default(), others }
     }
 
     /// Tells others after this one.
     pub(super) fn and(mut self, others: impl IntoIterator<Item = LayoutError>) -> Self {
-        self.others.extend(others);
+        self.others = self.others.into_iter().chain(others).collect();
         self
     }
 
@@ -37,8 +37,8 @@ impl LayoutError {
         if !self.file.is_empty() {
             return self;
         }
-        self.file = file.to_owned();
-        self.source = source.to_owned();
+        self.file = file.into();
+        self.source = source.into();
         self.others = self.others.into_iter().map(|other| other.in_file(file, source)).collect();
         self
     }
