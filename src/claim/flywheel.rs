@@ -186,7 +186,7 @@ impl Flywheels {
 
     /// Where on the grid an order of the torque vanishes for every pressure that the cylinders share: exactly.
     pub(super) fn vanishing(&self, order: CycleOrder) -> Vec<BigRational> {
-        let vanishes = |point: &&Evened| point.orders.iter().any(|own| own.order == order && own.vanishes);
+        let vanishes = |point: &&Evened| point.orders.iter().any(|own| own.order == order && own.vanishes());
         self.points.iter().filter(vanishes).map(|point| point.at.clone()).collect()
     }
 }

@@ -30,6 +30,8 @@ struct WithGas {
     /// Its place among the classes of the course.
     class: usize,
     fires: f64,
+    /// The mass of its piston in multiples of the engine's.
+    multiple: f64,
     axis: Complex<f64>,
     bore: f64,
 }
@@ -172,17 +174,18 @@ impl WithGas {
             return Err(NoCycleLoads::Masses);
         };
         let area = course.classes()[class].gas.geometry().area;
+        let multiple = numbers::float(&cylinder.reciprocating_mass);
         let bore = (4.0 * area / std::f64::consts::PI).sqrt();
-        Ok(WithGas { class, fires, axis: numbers::direction(&cylinder.bank), bore, course })
+        Ok(WithGas { class, fires, multiple, axis: numbers::direction(&cylinder.bank), bore, course })
     }
 
     fn known(&self) -> &Class {
         &self.course.classes()[self.class]
     }
 
-    /// What the inertia gives; 0 where there is none.
+    /// What the inertia gives, in proportion to the mass; 0 where there is none.
     fn of_inertia(&self, value: impl Fn(&Inertia) -> f64) -> f64 {
-        self.known().inertia.as_ref().map_or(0.0, value)
+        self.known().inertia.as_ref().map_or(0.0, |inertia| self.multiple * value(inertia))
     }
 
     /// Head, cylinder and bearings, in the frame of the axis: outward, and across in the sense of rotation.

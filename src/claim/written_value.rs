@@ -1,7 +1,7 @@
 //! Which number or direction is claimed, and how near does it have to be?
 
 use num_rational::BigRational;
-use num_traits::{Pow, Signed};
+use num_traits::{One, Pow, Signed};
 
 use super::grammar::ClaimError;
 use super::statement::{Angle, Bearing, Tolerance, Unit, Value};
@@ -9,16 +9,25 @@ use crate::file::{parse_number, units};
 use crate::numbers::Form;
 use crate::proof::Quantity;
 
-/// Units with the quantity that is counted in them, longest first.
-const UNITS: [(&str, Unit); 4] =
-    [("N·m", Unit::NewtonMetre), ("N m", Unit::NewtonMetre), ("Nm", Unit::NewtonMetre), ("N", Unit::Newton)];
+/// Units with the quantity that is counted in them, longest first, and their size in newtons or newton-metres.
+const UNITS: [(&str, Unit, i32); 8] = [
+    ("kN·m", Unit::NewtonMetre, 1000),
+    ("kN m", Unit::NewtonMetre, 1000),
+    ("kNm", Unit::NewtonMetre, 1000),
+    ("N·m", Unit::NewtonMetre, 1),
+    ("N m", Unit::NewtonMetre, 1),
+    ("Nm", Unit::NewtonMetre, 1),
+    ("kN", Unit::Newton, 1000),
+    ("N", Unit::Newton, 1),
+];
 
 /// `√3`, `0.449 ± 0.001`, `65.18 N·m ± 1 %`.
 pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value, ClaimError> {
     let (number, tolerance) = split_tolerance(text);
-    let unit = UNITS.iter().find(|(name, _)| number.ends_with(name));
-    let number = unit.map_or(number, |(name, _)| number[..number.len() - name.len()].trim_end());
-    let unit = unit.map(|(_, unit)| *unit);
+    let unit = UNITS.iter().find(|(name, ..)| number.ends_with(name));
+    let number = unit.map_or(number, |(name, ..)| number[..number.len() - name.len()].trim_end());
+    let (unit, size) =
+        (unit.map(|(_, unit, _)| *unit), BigRational::from_integer(unit.map_or(1, |(.., size)| *size).into()));
     let right = "a number such as 4, 2√3, √(5 − 2√5), 1.732 or 3·cos(40°), 0 or more";
     let form = Form::parse(number).filter(|form| form.to_float() >= 0.0);
     let form = form.ok_or_else(|| ClaimError::new(format!("cannot read the value `{number}`"), right))?;
@@ -28,13 +37,16 @@ pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value
         Some(Unit::NewtonMetre) => quantity == Quantity::Moment,
     };
     if !fits {
-        return Err(ClaimError::new("this unit belongs to another quantity", "a force has N, a moment N·m"));
+        return Err(ClaimError::new(
+            "this unit belongs to another quantity",
+            "a force has N or kN, a moment N·m or kN·m",
+        ));
     }
     let tolerance = match tolerance {
-        Some(text) => self::tolerance(text)?,
-        None => unstated(number, about),
+        Some(text) => self::tolerance(text, &size)?,
+        None => unstated(number, about).times(&size),
     };
-    Ok(Value { form, tolerance, unit })
+    Ok(Value { form: form.scaled(&size), tolerance, unit })
 }
 
 /// `4.08375 kg`, `4.0837 kg ± 0.0001 kg`.
@@ -45,7 +57,7 @@ pub(super) fn kilograms(text: &str, about: bool) -> Result<Value, ClaimError> {
     let number = number.strip_suffix("kg").ok_or_else(mistake)?.trim_end();
     let mass = parse_number(number).ok().filter(|mass| !mass.is_negative()).ok_or_else(mistake)?;
     let tolerance = match tolerance {
-        Some(text) => self::tolerance(text.trim_end_matches("kg").trim_end())?,
+        Some(text) => self::tolerance(text.trim_end_matches("kg").trim_end(), &BigRational::one())?,
         None => unstated(number, about),
     };
     Ok(Value { form: Form::rational(mass), tolerance, unit: None })
@@ -67,7 +79,9 @@ pub(super) fn angle(text: &str) -> Result<Angle, ClaimError> {
         None => Bearing::Turns(units::angle(number).map_err(|_| mistake())?),
     };
     let tolerance = match tolerance {
-        Some(text) => self::tolerance(text.trim_end_matches("deg").trim_end_matches('°').trim_end())?,
+        Some(text) => {
+            self::tolerance(text.trim_end_matches("deg").trim_end_matches('°').trim_end(), &BigRational::one())?
+        }
         None => unstated(number.trim_end_matches(|letter: char| !letter.is_ascii_digit()), false),
     };
     if matches!(tolerance, Tolerance::Part(_)) {
@@ -78,7 +92,7 @@ pub(super) fn angle(text: &str) -> Result<Angle, ClaimError> {
 
 /// `3 %`, of the largest value of a cycle.
 pub(super) fn part_of_the_largest(text: &str) -> Result<BigRational, ClaimError> {
-    match tolerance(text)? {
+    match tolerance(text, &BigRational::one())? {
         Tolerance::Part(part) => Ok(part),
         Tolerance::Within(_) | Tolerance::Exact { .. } => {
             Err(ClaimError::new(format!("`{text}` is no part of the largest value"), "percent, such as ± 3 %"))
@@ -93,15 +107,28 @@ fn split_tolerance(text: &str) -> (&str, Option<&str>) {
     }
 }
 
-fn tolerance(text: &str) -> Result<Tolerance, ClaimError> {
+/// A tolerance, of a value in a unit of this size.
+fn tolerance(text: &str, size: &BigRational) -> Result<Tolerance, ClaimError> {
     let (number, is_part) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
-    // The tolerance may repeat the unit of the value.
-    let unit = UNITS.iter().find_map(|(name, _)| number.strip_suffix(name));
-    match parse_number(unit.unwrap_or(number)) {
+    // The tolerance may have a unit of its own.
+    let own = UNITS.iter().find_map(|(name, _, size)| Some((number.strip_suffix(name)?, *size)));
+    let size = own.map_or_else(|| size.clone(), |(_, size)| BigRational::from_integer(size.into()));
+    match parse_number(own.map_or(number, |(number, _)| number)) {
         Ok(value) if value.is_negative() => Err(ClaimError::new("a tolerance is 0 or more", "such as ± 0.01 or ± 1 %")),
         Ok(value) if is_part => Ok(Tolerance::Part(value / BigRational::from_integer(100.into()))),
-        Ok(value) => Ok(Tolerance::Within(value)),
+        Ok(value) => Ok(Tolerance::Within(value * size)),
         Err(_) => Err(ClaimError::new(format!("cannot read the tolerance `{text}`"), "such as ± 0.01 or ± 1 %")),
+    }
+}
+
+impl Tolerance {
+    /// That of a number so many times as large.
+    fn times(self, size: &BigRational) -> Self {
+        match self {
+            Tolerance::Exact { rounding } => Tolerance::Exact { rounding: rounding.map(|rounding| rounding * size) },
+            Tolerance::Within(within) => Tolerance::Within(within * size),
+            Tolerance::Part(part) => Tolerance::Part(part),
+        }
     }
 }
 

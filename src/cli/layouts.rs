@@ -1,20 +1,46 @@
 //! Which engine is meant: a name of the catalogue, or the path of a layout file?
 
+use std::collections::BTreeSet;
+use std::io::Read;
 use std::path::Path;
+use std::sync::{Mutex, OnceLock};
 
 use crankstar::classroom::{self, Scheme};
 use crankstar::file::{self, Beside, Entry, Layout};
-use crankstar::text::harmless;
+use crankstar::text::{decoded, harmless};
 
 use super::failure::Failure;
+use super::write;
 
 /// Layout files are small; a larger file is something else.
 const LARGEST_FILE: u64 = 4 << 20;
 
-/// Reads the engine of this name or path.
+/// The name of a layout that is read from standard input, and what messages call it.
+const STANDARD_INPUT: (&str, &str) = ("-", "standard input");
+
+/// Reads the engine of this name or path; what is odd about its quantities is told on standard error.
 pub fn read(layout: &Path) -> Result<Layout, Failure> {
     let (name, text) = source(layout)?;
-    Ok(file::parse_layout_beside(&name, &text, Beside::new(&|path| beside(layout, path)))?)
+    let read = file::parse_layout_beside(&name, &text, Beside::new(&|path| beside(layout, path)))?;
+    warn(&name, &text, &read);
+    Ok(read)
+}
+
+/// The warnings alone, of a layout that is read in another way.
+pub fn warn_of(layout: &Path) {
+    // What is wrong with it is told by whoever reads it.
+    let _ = read(layout);
+}
+
+/// Tells what is odd about the quantities of a layout, once.
+fn warn(name: &str, text: &str, layout: &Layout) {
+    static TOLD: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    for warning in file::warnings(name, text, layout) {
+        let is_new = TOLD.lock().is_ok_and(|mut told| told.insert(warning.to_string()));
+        if is_new {
+            write::to_stderr(&warning.to_string());
+        }
+    }
 }
 
 /// The text of a file that a layout file names beside itself; what is wrong with it in one line.
@@ -23,7 +49,8 @@ pub fn beside(layout: &Path, path: &str) -> Result<String, String> {
         return Err("nothing stands beside an engine of the catalogue".to_owned());
     }
     let path = layout.parent().unwrap_or(Path::new("")).join(path);
-    read_text(&path).map_err(|failure| failure.message().to_owned())
+    // Tables come from instruments and spreadsheets, in encodings of their own.
+    read_bytes(&path).map(|bytes| decoded(&bytes).0).map_err(|failure| failure.message().to_owned())
 }
 
 /// The engine of the catalogue that an argument names.
@@ -41,13 +68,19 @@ pub fn source(layout: &Path) -> Result<(String, String), Failure> {
 
 /// A path in one line, to be read by a person.
 pub fn shown(path: &Path) -> String {
-    harmless(&path.to_string_lossy())
+    if is_standard_input(path) { STANDARD_INPUT.1.to_owned() } else { harmless(&path.to_string_lossy()) }
 }
 
-/// The text of a layout or claims file.
+fn is_standard_input(path: &Path) -> bool {
+    path.as_os_str() == STANDARD_INPUT.0
+}
+
+/// The text of a layout or claims file, of standard input for `-`.
 pub fn read_text(path: &Path) -> Result<String, Failure> {
-    String::from_utf8(read_bytes(path)?).map_err(|error| {
-        let (file, place) = (shown(path), error.utf8_error().valid_up_to());
+    let bytes = if is_standard_input(path) { standard_input()? } else { read_bytes(path)? };
+    let file = shown(path);
+    String::from_utf8(bytes).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
         Failure::new(format!("`{file}` is not a text: byte {place} is not UTF-8; a TOML text is expected"))
     })
 }
@@ -58,6 +91,22 @@ pub fn scheme(path: Option<&Path>) -> Result<Scheme, Failure> {
         None => Ok(Scheme::default()),
         Some(path) => Ok(classroom::parse_scheme(&shown(path), &read_text(path)?)?),
     }
+}
+
+/// All of standard input, which is read once, however often it is asked for.
+fn standard_input() -> Result<Vec<u8>, Failure> {
+    static READ: OnceLock<Result<Vec<u8>, String>> = OnceLock::new();
+    let all = || {
+        let mut bytes = Vec::new();
+        match std::io::stdin().lock().take(LARGEST_FILE + 1).read_to_end(&mut bytes) {
+            Ok(_) if bytes.len() as u64 > LARGEST_FILE => {
+                Err("standard input is larger than 4 MiB, which no such file is".to_owned())
+            }
+            Ok(_) => Ok(bytes),
+            Err(error) => Err(format!("cannot read standard input: {error}")),
+        }
+    };
+    READ.get_or_init(all).clone().map_err(Failure::new)
 }
 
 /// What a file holds, whatever it is.

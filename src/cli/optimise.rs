@@ -33,12 +33,16 @@ impl Optimise {
 
 #[cfg(feature = "optimise")]
 mod run {
-    use crankstar::file::{Layout, parse_number};
-    use crankstar::optimise::{Couple, Wish, front};
+    use std::collections::BTreeMap;
+    use std::sync::Mutex;
+
+    use crankstar::file::{Beside, Layout, parse_number};
+    use crankstar::optimise::{Couple, Wish, front_beside};
+    use crankstar::page::File;
     use crankstar::report;
     use num_traits::Signed;
 
-    use super::super::{print_json, progress, write};
+    use super::super::{layouts, print_json, progress, write};
     use super::{Failure, Optimise};
 
     /// More points than this say nothing more.
@@ -58,14 +62,25 @@ mod run {
             }
             let wish = Wish { couple: couple(&self.couple)?, points: self.points, orders };
             let spinner = progress::spinner("finding the best counterweights");
-            let front = front(&engine, &wish);
+            // What the layout names beside itself stands beside the layouts that are written, too.
+            let named = Mutex::new(BTreeMap::new());
+            let read = |path: &str| {
+                let text = layouts::beside(self.about.path(), path)?;
+                if let Ok(mut named) = named.lock() {
+                    named.insert(path.to_owned(), text.clone());
+                }
+                Ok(text)
+            };
+            let front = front_beside(&engine, &wish, Beside::new(&read));
             spinner.finish_and_clear();
             let front = front.map_err(Failure::new)?;
             if self.json {
                 return print_json(&report::optimise_document(&engine, &front, &wish.couple));
             }
             let page = || report::optimise_page(&engine, &front, &wish.couple);
-            let written = self.pages.write(page, || report::optimise_layouts(&front))?;
+            let beside = named.into_inner().unwrap_or_default().into_iter().map(|(name, text)| File { name, text });
+            let written =
+                self.pages.write(page, || report::optimise_layouts(&front).into_iter().chain(beside).collect())?;
             let answer = report::optimise_answer(&engine, &front, &wish.couple);
             write::to_stdout(&(self.pages.shown(&answer)? + &written))
         }

@@ -101,6 +101,7 @@ impl Sweep {
 impl Sweep {
     /// Sweeps for a table of any length, which `then` writes.
     fn streamed(&self, then: impl FnOnce(&Stream, &Question) -> Result<(), Failure>) -> Result<(), Failure> {
+        layouts::warn_of(&self.layout);
         let (name, text) = layouts::source(&self.layout)?;
         let read = |path: &str| layouts::beside(&self.layout, path);
         let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
@@ -136,6 +137,7 @@ impl Ranges {
         firing: &[CycleOrder],
         values: &[ValueName],
     ) -> Result<sweep::Sweep, Failure> {
+        layouts::warn_of(layout);
         let (name, text) = layouts::source(layout)?;
         let read = |path: &str| layouts::beside(layout, path);
         let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));

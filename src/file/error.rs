@@ -7,20 +7,29 @@ use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
 use crate::text::{harmless, of_equal_length};
 
-/// One mistake in a layout file or a file of claims, told with the place where it stands.
+/// A mistake in a layout file or a file of claims, told with the place where it stands; unknown keys are told all at once.
 #[derive(Clone, Debug)]
 pub struct LayoutError {
     message: String,
     right: String,
     span: Option<Range<usize>>,
-    file: String,
-    source: String,
+    file: Box<str>,
+    source: Box<str>,
+    /// Other mistakes of the same file.
+    others: Box<[LayoutError]>,
 }
 
 impl LayoutError {
     /// A mistake with what would be right, at a byte range of the file.
     pub(crate) fn new(message: impl Into<String>, right: impl Into<String>, span: Option<Range<usize>>) -> Self {
-        LayoutError { message: message.into(), right: right.into(), span, file: String::new(), source: String::new() }
+        let (message, right, others) = (message.into(), right.into(), Box::default());
+        LayoutError { message, right, span, file: Box::default(), source: Box::default(), others }
+    }
+
+    /// Tells others after this one.
+    pub(super) fn and(mut self, others: impl IntoIterator<Item = LayoutError>) -> Self {
+        self.others = self.others.into_iter().chain(others).collect();
+        self
     }
 
     /// Names the file and keeps its text, so that the message can show the line; a mistake that is told of another file stays there.
@@ -28,8 +37,9 @@ impl LayoutError {
         if !self.file.is_empty() {
             return self;
         }
-        self.file = file.to_owned();
-        self.source = source.to_owned();
+        self.file = file.into();
+        self.source = source.into();
+        self.others = self.others.into_iter().map(|other| other.in_file(file, source)).collect();
         self
     }
 
@@ -61,11 +71,12 @@ impl LayoutError {
     }
 }
 
-impl fmt::Display for LayoutError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl LayoutError {
+    /// The message with its line of the file, as an error or a warning.
+    pub(super) fn shown(&self, level: &Level<'_>) -> String {
         let (message, right, file) = (harmless(&self.message), harmless(&self.right), harmless(&self.file));
         let source = of_equal_length(&self.source);
-        let title = Level::ERROR.primary_title(message.as_str());
+        let title = level.clone().primary_title(message.as_str());
         // A span that is empty, or ends inside a character, still has to point at something.
         let span = self.span.clone().filter(|span| self.source.get(span.clone()).is_some());
         let group = match span {
@@ -75,7 +86,14 @@ impl fmt::Display for LayoutError {
             }
             None => title.element(Level::HELP.message(format!("{file}: {right}"))),
         };
-        f.write_str(&Renderer::plain().render(&[group]))
+        Renderer::plain().render(&[group])
+    }
+}
+
+impl fmt::Display for LayoutError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.shown(&Level::ERROR))?;
+        self.others.iter().try_for_each(|other| write!(f, "\n{other}"))
     }
 }
 

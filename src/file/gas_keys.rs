@@ -106,25 +106,29 @@ pub(super) fn read(
         return Err(LayoutError::new("cylinders are named in [gas]", right, place(list)));
     }
     let unlike = all.cylinder.as_ref().map_or(&[][..], |list| list.get_ref());
-    let owners = owners(unlike, cylinders)?;
+    // A form leaves its cylinders without names, which are their numbers then.
+    let name = |(index, name): (usize, &String)| if name.is_empty() { (index + 1).to_string() } else { name.clone() };
+    let names: Vec<String> = cylinders.iter().map(|cylinder| &cylinder.name).enumerate().map(name).collect();
+    let owners = owners(unlike, &names)?;
     let mut laws: Vec<PressureLaw> = Vec::new();
-    let mut known: Vec<Option<Chamber>> = vec![None; unlike.len() + 1];
+    let mut known: Vec<Option<Vec<Chamber>>> = vec![None; unlike.len() + 1];
     let mut chambers = Vec::new();
-    for (cylinder, owner) in cylinders.iter().zip(owners) {
+    for (index, (cylinder, owner)) in cylinders.iter().zip(owners).enumerate() {
         let own = owner.map(|index| &unlike[index]);
         let layers =
             Layers { own: own.map(|table| &table.get_ref().0), all, span: own.map_or_else(|| place(table), place) };
         let slot = owner.map_or(0, |index| index + 1);
-        let chamber = match &known[slot] {
-            Some(chamber) => chamber.clone(),
-            None => known[slot].insert(layers.chamber(cycle, beside, &mut laws)?).clone(),
+        let of_table = match &known[slot] {
+            Some(of_table) => of_table,
+            None => known[slot].insert(layers.chambers((cycle, &names), beside, &mut laws)?),
         };
         if layers.pick(|keys| &keys.dead_centre).is_none() && cylinder.mechanism.as_ref().is_some_and(is_offset) {
             let right = "dead_centre = \"crank\", where the crank points along the axis, or \"piston\", where the piston is farthest out";
             let message = "with an offset the crank and the piston have dead centres of their own, and angles count from one of them";
             return Err(LayoutError::new(message, right, layers.span));
         }
-        chambers.push(chamber);
+        // A table of pressures may have a column of each cylinder.
+        chambers.push(of_table[index % of_table.len()].clone());
     }
     Ok(Gas { laws, chambers })
 }
@@ -134,14 +138,8 @@ fn is_offset(mechanism: &Mechanism) -> bool {
 }
 
 /// For each cylinder, which of the tables `[[gas.cylinder]]` it is named in.
-fn owners(
-    unlike: &[Spanned<Table<Keys>>],
-    cylinders: &[Cylinder<Linear, Linear>],
-) -> Result<Vec<Option<usize>>, LayoutError> {
-    let mut owners = vec![None; cylinders.len()];
-    // A form leaves its cylinders without names, which are their numbers then.
-    let number = |(index, name): (usize, &String)| if name.is_empty() { (index + 1).to_string() } else { name.clone() };
-    let names_of: Vec<String> = cylinders.iter().map(|cylinder| &cylinder.name).enumerate().map(number).collect();
+fn owners(unlike: &[Spanned<Table<Keys>>], names_of: &[String]) -> Result<Vec<Option<usize>>, LayoutError> {
+    let mut owners = vec![None; names_of.len()];
     for (index, table) in unlike.iter().enumerate() {
         let keys = &table.get_ref().0;
         if let Some(list) = &keys.cylinder {
@@ -170,7 +168,13 @@ fn owners(
 }
 
 impl Layers<'_> {
-    fn chamber(&self, cycle: Cycle, beside: Beside<'_>, laws: &mut Vec<PressureLaw>) -> Result<Chamber, LayoutError> {
+    /// That of all cylinders of the table, or those of all cylinders of the engine.
+    fn chambers(
+        &self,
+        (cycle, names): (Cycle, &[String]),
+        beside: Beside<'_>,
+        laws: &mut Vec<PressureLaw>,
+    ) -> Result<Vec<Chamber>, LayoutError> {
         let Some(bore) = self.pick(|keys| &keys.bore) else {
             let right = "add bore = \"86 mm\"";
             return Err(LayoutError::new("gas in a cylinder without a bore", right, self.span.clone()));
@@ -179,22 +183,31 @@ impl Layers<'_> {
         let crankcase = self.pressure(|keys| &keys.crankcase)?.or_else(|| ambient.clone());
         let assumed = BigRational::from_integer(ATMOSPHERE.into());
         let ambient = ambient.unwrap_or_else(|| assumed.clone());
-        let law = self.law(cycle, beside, &ambient)?;
-        law.check(cycle).map_err(|mistake| self.told(mistake))?;
-        let index = laws.iter().position(|known| *known == law).unwrap_or(laws.len());
-        if index == laws.len() {
-            laws.push(law);
-        }
-        Ok(Chamber {
+        let chamber = Chamber {
             bore: super::quantities::positive_metres(bore)?,
             crankcase_assumed: crankcase.is_none(),
             crankcase: crankcase.unwrap_or(assumed),
-            law: index,
+            law: 0,
             zero: self.pick(|keys| &keys.dead_centre).map_or(Ok(DeadCentre::Crank), dead_centre)?,
-        })
+        };
+        let mut chambers = Vec::new();
+        for law in self.laws((cycle, names), beside, &ambient)? {
+            law.check(cycle).map_err(|mistake| self.told(mistake))?;
+            let index = laws.iter().position(|known| *known == law).unwrap_or(laws.len());
+            if index == laws.len() {
+                laws.push(law);
+            }
+            chambers.push(Chamber { law: index, ..chamber.clone() });
+        }
+        Ok(chambers)
     }
 
-    fn law(&self, cycle: Cycle, beside: Beside<'_>, ambient: &BigRational) -> Result<PressureLaw, LayoutError> {
+    fn laws(
+        &self,
+        (cycle, names): (Cycle, &[String]),
+        beside: Beside<'_>,
+        ambient: &BigRational,
+    ) -> Result<Vec<PressureLaw>, LayoutError> {
         let says = |keys: &Keys| keys.table.is_some() || keys.pressure.is_some() || keys.process.is_some();
         let Some(keys) = self.says(says) else {
             let right = "add process = \"spark-ignition\", \"diesel\" or \"compressor\", table = \"indicator.csv\", or pressure = [[angle, pressure], …]";
@@ -208,12 +221,13 @@ impl Layers<'_> {
             (Some(path), None, None) => {
                 let reading = self.reading(ambient)?;
                 self.only_of_a_table()?;
-                Ok(PressureLaw::Table(gas_table::beside(path, beside, &reading, cycle)?))
+                let tables = gas_table::beside(path, beside, &reading, (cycle, names))?;
+                Ok(tables.into_iter().map(PressureLaw::Table).collect())
             }
             (None, Some(rows), None) => {
                 let reading = self.reading(ambient)?;
                 self.only_of_a_table()?;
-                Ok(PressureLaw::Table(gas_table::inline(rows, &reading, cycle)?))
+                Ok(vec![PressureLaw::Table(gas_table::inline(rows, &reading, cycle)?)])
             }
             (None, None, Some(process)) => {
                 for (key, text) in [("unit", self.pick(|k| &k.unit)), ("reading", self.pick(|k| &k.reading))] {
@@ -223,7 +237,7 @@ impl Layers<'_> {
                         return Err(LayoutError::new(message, right, place(text)));
                     }
                 }
-                gas_process::read(process, &Settings(self), cycle)
+                Ok(vec![gas_process::read(process, &Settings(self), cycle)?])
             }
             (_, Some(rows), _) => twice(place(rows)),
             (Some(path), _, _) => twice(place(path)),

@@ -7,10 +7,11 @@ use serde_spanned::Spanned;
 
 use super::beside::Beside;
 use super::error::LayoutError;
+use super::pressure_csv::{self, Heading, Sheet, decimal};
 use super::quantities::misread;
 use super::units::{self, PressureUnit};
 use super::written::{Text, place};
-use crate::engine::{At, Cycle, GasMistake, MOST_ROWS, PressureTable};
+use crate::engine::{At, Cycle, GasMistake, PressureTable};
 
 /// Rows in the layout file.
 pub(super) type Rows = Spanned<Vec<Spanned<Vec<Text>>>>;
@@ -47,71 +48,84 @@ pub(super) fn inline(list: &Rows, reading: &Reading, cycle: Cycle) -> Result<Pre
     PressureTable::new(rows, cycle).map_err(|mistake| told(mistake, &places, place(list)))
 }
 
-/// The rows of a file beside the layout.
+/// The tables of a file beside the layout: one of all cylinders, or as many as there are, in their order.
 pub(super) fn beside(
     path: &Text,
     beside: Beside<'_>,
     reading: &Reading,
-    cycle: Cycle,
-) -> Result<PressureTable, LayoutError> {
+    (cycle, cylinders): (Cycle, &[String]),
+) -> Result<Vec<PressureTable>, LayoutError> {
     let name = &path.get_ref().0;
     let text = beside.read(name).map_err(|right| {
         let shown: String = name.chars().take(60).collect();
         LayoutError::new(format!("cannot read the table `{shown}`"), right, place(path))
     })?;
-    csv(&text, reading, cycle).map_err(|error| error.in_file(name, &text))
+    let tables = || -> Result<Vec<PressureTable>, LayoutError> {
+        let sheet = pressure_csv::read(&text)?;
+        let columns = columns(&sheet, cylinders)?;
+        columns.into_iter().map(|column| of_column(&sheet, column, reading, cycle)).collect()
+    };
+    tables().map_err(|error| error.in_file(name, &text))
 }
 
-/// Lines of two cells between commas, semicolons, tabs or blanks; a first line of words and lines after `#` are passed over.
-fn csv(text: &str, reading: &Reading, cycle: Cycle) -> Result<PressureTable, LayoutError> {
+/// Which columns of pressures are meant, from 0 on: the only one, of all cylinders; or one of each, by its name in the header, or in their order.
+fn columns(sheet: &Sheet<'_>, cylinders: &[String]) -> Result<Vec<usize>, LayoutError> {
+    let count = sheet.rows.first().map_or(1, |row| row.cells.len() - 1);
+    if count == 1 {
+        return Ok(vec![0]);
+    }
+    let is_of = |name: &String, heading: &Heading| {
+        let is_name = |word: &String| word == name || word.trim_start_matches(char::is_alphabetic) == name;
+        heading.words.iter().any(is_name)
+    };
+    let named = |name: &String| {
+        let mut own =
+            (0..count).filter(|&column| sheet.columns.get(column).is_some_and(|heading| is_of(name, heading)));
+        own.next().filter(|_| own.next().is_none())
+    };
+    let by_name: Option<Vec<usize>> = cylinders.iter().map(named).collect();
+    let in_order = (count == cylinders.len()).then(|| (0..count).collect());
+    by_name.or(in_order).ok_or_else(|| {
+        let message = format!("{count} columns of pressures for {} cylinders", cylinders.len());
+        let right = format!(
+            "one column of all, one of each, or a header that names one of each: {}",
+            cylinders.iter().take(24).map(String::as_str).collect::<Vec<_>>().join(", ")
+        );
+        LayoutError::new(message, right, sheet.rows.first().map(|row| row.span.clone()))
+    })
+}
+
+/// The pressures of one column, in the unit of the layout file or of the header.
+fn of_column(sheet: &Sheet<'_>, column: usize, reading: &Reading, cycle: Cycle) -> Result<PressureTable, LayoutError> {
+    let headed = sheet.columns.get(column).and_then(|heading| heading.unit);
+    if let (Some(unit), Some((name, of_header))) = (reading.unit, headed)
+        && unit != of_header
+    {
+        let message = format!("the header of the table says {name}, and the layout file another unit");
+        return Err(LayoutError::new(message, "leave out `unit` in the layout file, or mend it", None));
+    }
+    let reading = Reading { unit: reading.unit.or(headed.map(|(_, unit)| unit)), added: reading.added.clone() };
     let mut rows = Vec::new();
-    let mut places = Vec::new();
-    let mut start = 0;
-    let mut may_be_head = true;
-    for line in text.split_inclusive('\n') {
-        let (from, cells) = (start, line.trim().trim_start_matches('\u{feff}'));
-        start += line.len();
-        if cells.is_empty() || cells.starts_with('#') {
-            continue;
-        }
-        let span = from..from + line.trim_end().len();
-        let separator = [';', '\t', ','].into_iter().find(|&sign| cells.contains(sign));
-        let cells: Vec<&str> = match separator {
-            Some(sign) => cells.split(sign).map(str::trim).collect(),
-            None => cells.split_whitespace().collect(),
-        };
-        let is_head = std::mem::take(&mut may_be_head) && cells.iter().all(|cell| is_word(cell));
-        if is_head {
-            continue;
-        }
-        let [angle, pressure] = cells.as_slice() else {
-            let message = format!("a line of {} cells", cells.len());
-            let right = "two: the angle and the pressure, with decimal points";
-            return Err(LayoutError::new(message, right, Some(span)));
-        };
-        if rows.len() >= MOST_ROWS {
-            let message = format!("more than {MOST_ROWS} rows");
-            return Err(LayoutError::new(message, "one cycle, averaged", Some(span)));
-        }
+    for row in &sheet.rows {
         let cell = |what: &str, cell: &str, read: Result<BigRational, String>| {
             read.map_err(|right| {
                 let shown: String = cell.chars().take(40).collect();
-                let right = if cell.contains(',') { "a decimal point, no comma".to_owned() } else { right };
-                LayoutError::new(format!("cannot read the {what} `{shown}`"), right, Some(span.clone()))
+                let right = if cell.contains(';') {
+                    "the sign of the lines before between its cells".to_owned()
+                } else {
+                    right
+                };
+                LayoutError::new(format!("cannot read the {what} `{shown}`"), right, Some(row.span.clone()))
             })
         };
+        let (angle, pressure) = (row.cells[0], row.cells[column + 1]);
         rows.push((
-            cell("angle", angle, units::angle(angle))?,
-            cell("pressure", pressure, reading.pressure(pressure))?,
+            cell("angle", angle, units::angle(&decimal(angle)))?,
+            cell("pressure", pressure, reading.pressure(&decimal(pressure)))?,
         ));
-        places.push(span);
     }
+    let places: Vec<Range<usize>> = sheet.rows.iter().map(|row| row.span.clone()).collect();
     PressureTable::new(rows, cycle).map_err(|mistake| told(mistake, &places, places.first().cloned()))
-}
-
-/// Whether a cell names a column: it has no digit, or none before its letters.
-fn is_word(cell: &str) -> bool {
-    cell.starts_with(|letter: char| letter.is_alphabetic() || letter == '"') && units::angle(cell).is_err()
 }
 
 fn told(mistake: GasMistake, rows: &[Range<usize>], all: Option<Range<usize>>) -> LayoutError {

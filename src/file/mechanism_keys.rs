@@ -198,6 +198,11 @@ impl Keys {
         if let (Some(_), Some(list)) = (&self.reciprocating_mass, &self.piston_mass) {
             return Err(twice("reciprocating_mass", "piston_mass", list));
         }
+        if let (Some(_), Some(list)) = (&self.reciprocating_mass, &self.rod_mass) {
+            let message = "rod_mass contradicts reciprocating_mass, which has the rod's part at the piston already";
+            let right = "leave out rod_mass, with reciprocating_mass and rotating_mass; or write piston_mass in place of reciprocating_mass, with rod_mass, rod_length and rod_centre";
+            return Err(LayoutError::new(message, right, place(list)));
+        }
         let parts = [
             (&self.pin_mass, "pin_mass"),
             (&self.piston_rod_mass, "piston_rod_mass"),
@@ -235,7 +240,9 @@ impl Keys {
             };
         };
         if let Some(list) = &self.rotating_mass {
-            return Err(twice("rod_mass", "rotating_mass", list));
+            let message = "rotating_mass contradicts rod_mass, whose part at the crankpin it is";
+            let right = "leave out rotating_mass, with rod_mass, rod_length and rod_centre; or leave out rod_mass and rod_centre, and add the rod's other part to piston_mass";
+            return Err(LayoutError::new(message, right, place(list)));
         }
         let (Some(lengths), Some(centres)) = (lengths, table.column(&self.rod_centre, Measure::RodCentre)?) else {
             let right = "add rod_length and rod_centre, the distance of its centre of gravity from the big end";

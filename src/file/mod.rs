@@ -33,6 +33,7 @@ mod mechanism_keys;
 mod narrow;
 mod number;
 mod numbering;
+mod pressure_csv;
 mod quantities;
 mod replaced;
 mod rewritten;
@@ -40,6 +41,7 @@ mod template;
 mod title_block_keys;
 mod torsion_keys;
 pub(crate) mod units;
+mod usual;
 pub(crate) mod written;
 
 pub use beside::Beside;
@@ -55,3 +57,4 @@ pub use rewritten::{
 };
 pub use template::{Key, Template};
 pub use units::turns_per_unit;
+pub use usual::{LayoutWarning, warnings};

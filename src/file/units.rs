@@ -106,8 +106,13 @@ const TORSIONAL_STIFFNESSES: Units = &[
     ("ft lbf/rad", FOOT_POUND),
     ("lbf ft/rad", FOOT_POUND),
 ];
-const MASSES: Units =
-    &[("kg", (1, 1)), ("g", (1, 1000)), ("lb", (45_359_237, 100_000_000)), ("oz", (45_359_237, 1_600_000_000))];
+const MASSES: Units = &[
+    ("kg", (1, 1)),
+    ("g", (1, 1000)),
+    ("lb", (45_359_237, 100_000_000)),
+    ("oz", (45_359_237, 1_600_000_000)),
+    ("t", (1000, 1)),
+];
 
 /// An angle in turns, not reduced modulo 1; degrees where no unit stands.
 pub(crate) fn angle(text: &str) -> Result<BigRational, String> {
@@ -162,8 +167,12 @@ pub(crate) type PressureUnit = (i64, i64);
 
 /// A unit of pressure by its name.
 pub(crate) fn pressure_unit(name: &str) -> Result<PressureUnit, String> {
-    let unit = PRESSURES.iter().find(|(known, _)| *known == name.trim());
-    unit.map(|(_, size)| *size).ok_or_else(|| format!("one of {}", names(PRESSURES)))
+    pressure_unit_named(name.trim()).map(|(_, size)| size).ok_or_else(|| format!("one of {}", names(PRESSURES)))
+}
+
+/// A unit of pressure by its name, with that name.
+pub(crate) fn pressure_unit_named(name: &str) -> Option<(&'static str, PressureUnit)> {
+    PRESSURES.iter().copied().find(|(known, _)| *known == name)
 }
 
 /// A pressure in pascals; its unit stands behind it, or holds for a whole table.
@@ -197,9 +206,17 @@ fn names(units: Units) -> String {
     units.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
 }
 
+/// π, less than 10^-34 too small: a speed in radians a second is a whole multiple of a millionth of a revolution a minute, the nearest one.
+const PI: (i128, i128) =
+    (31_415_926_535_897_932_384_626_433_832_795_028, 10_000_000_000_000_000_000_000_000_000_000_000);
+
 /// A speed in revolutions a minute, which is also what a number without a unit means.
 pub(crate) fn speed(text: &str) -> Result<BigRational, String> {
-    in_units(text, SPEEDS, "\"6000\", \"6000 rpm\" or \"100 Hz\"")
+    const EXAMPLES: &str = "\"6000\", \"6000 rpm\", \"100 Hz\" or \"314 rad/s\"";
+    let Some(radians) = text.trim().strip_suffix("rad/s") else { return in_units(text, SPEEDS, EXAMPLES) };
+    let radians = in_units(radians.trim_end(), &[], EXAMPLES)?;
+    let millionths = BigRational::from_integer(30_000_000.into()) * BigRational::new(PI.1.into(), PI.0.into());
+    Ok((radians * millionths).round() / BigRational::from_integer(1_000_000.into()))
 }
 
 /// A quantity in the base unit of these, which is also what a number without a unit means.

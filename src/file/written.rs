@@ -97,9 +97,54 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
     }
 }
 
-/// Reads TOML into `T`, whose numbers are [`Written`]: a decimal never passes through a float.
+/// More unknown keys than this are not told at once.
+const MOST_UNKNOWN: usize = 20;
+
+/// Reads TOML into `T`, whose numbers are [`Written`]: a decimal never passes through a float. Unknown keys are told all at once.
 pub(crate) fn read<T: DeserializeOwned>(source: &str) -> Result<T, LayoutError> {
-    table(source).and_then(read_table)
+    let mut unknown: Vec<LayoutError> = Vec::new();
+    loop {
+        // Each time without the keys that are told already.
+        let mut table = table(source)?;
+        let is_rest = unknown.iter().filter_map(LayoutError::span).all(|span| removed(table.get_mut(), &span));
+        let error = match T::deserialize(toml::Deserializer::from(table)) {
+            Ok(read) if unknown.is_empty() => return Ok(read),
+            Ok(_) => None,
+            Err(error) => Some(error),
+        };
+        match error {
+            Some(error) if is_rest && is_unknown(&error) && unknown.len() < MOST_UNKNOWN => {
+                unknown.push(toml_error(error))
+            }
+            Some(error) if unknown.is_empty() => return Err(toml_error(error)),
+            // What is missing besides may be what the unknown keys mean.
+            Some(_) | None => break,
+        }
+    }
+    unknown.sort_by_key(|told| told.span().map(|span| span.start));
+    let first = unknown.remove(0);
+    Err(first.and(unknown))
+}
+
+fn is_unknown(error: &toml::de::Error) -> bool {
+    error.message().starts_with("unknown field")
+}
+
+/// Takes the key at this place out of a table or of those in it; whether it was there.
+fn removed(table: &mut DeTable<'_>, at: &Range<usize>) -> bool {
+    let here = table.keys().find(|key| key.span() == *at).map(|key| key.get_ref().to_string());
+    match here {
+        Some(key) => table.remove(key.as_str()).is_some(),
+        None => table.iter_mut().any(|(_, value)| removed_below(value.get_mut(), at)),
+    }
+}
+
+fn removed_below(value: &mut DeValue<'_>, at: &Range<usize>) -> bool {
+    match value {
+        DeValue::Table(table) => removed(table, at),
+        DeValue::Array(list) => list.iter_mut().any(|value| removed_below(value.get_mut(), at)),
+        _ => false,
+    }
 }
 
 /// The tables of a text, their numbers as they were written.

@@ -1,6 +1,7 @@
 //! What are the harmonics of force, side force and torque, and how sure are they?
 //!
-//! Each smooth piece is integrated by itself, in parts that are halved until nothing changes: the last change is the stated error.
+//! Each smooth piece is integrated by itself, in parts that are halved until nothing changes: the last change, and what the sum can have been
+//! rounded by, is the stated error. What is below it is 0: it has no sign, and nothing is a multiple of it.
 //! What is cut off is bounded by integrating by parts twice: `|t_κ| ≤ 2 Var(T')/(Ψ κ²)`, Var the total variation over a cycle,
 //! jumps at the kinks with it.
 
@@ -20,7 +21,7 @@ pub struct Harmonics {
     pub side: Vec<Complex<f64>>,
     /// t: the torque, in newton-metres.
     pub torque: Vec<Complex<f64>>,
-    /// How much the last refinement changed of each of the three: their stated error.
+    /// How much the last refinement changed of each of the three, and what they are rounded by at most: their stated error.
     pub errors: [f64; 3],
     /// Total variation of `dT/dψ` over a cycle, in newton-metres a radian.
     pub variation: f64,
@@ -37,23 +38,34 @@ const HALVINGS: u32 = 5;
 /// Steps of a smooth piece between which its slope is followed.
 const STEPS: usize = 64;
 
-type Sums = [Vec<Complex<f64>>; 3];
+/// Each term of a sum is rounded so many times at most: in pressure, lever, weight and turning.
+const ROUNDINGS: f64 = 64.0;
+
+/// The sums of the three, with what they are rounded by at most.
+struct Sums {
+    harmonics: [Vec<Complex<f64>>; 3],
+    roundings: [f64; 3],
+}
 
 impl Harmonics {
     /// Those of a cylinder, up to this one.
     pub(super) fn new(gas: &CylinderGas, highest: usize) -> Self {
         let mut sums = sums(gas, highest, 0);
-        let mut errors = [f64::INFINITY; 3];
+        let mut changes = [f64::INFINITY; 3];
         for halvings in 1..=HALVINGS {
             let finer = self::sums(gas, highest, halvings);
-            errors = [0, 1, 2].map(|place| largest_change(&sums[place], &finer[place]));
+            changes = [0, 1, 2].map(|place| largest_change(&sums.harmonics[place], &finer.harmonics[place]));
             sums = finer;
-            let largest = sums.each_ref().map(|all| all.iter().map(|one| one.norm()).fold(0.0, f64::max));
-            if errors.iter().zip(largest).all(|(error, largest)| *error <= ROUNDING * largest * 8.0) {
+            let largest = sums.harmonics.each_ref().map(|all| all.iter().map(|one| one.norm()).fold(0.0, f64::max));
+            if changes.iter().zip(largest).all(|(change, largest)| *change <= ROUNDING * largest * 8.0) {
                 break;
             }
         }
-        let [force, side, torque] = sums;
+        let errors = [0, 1, 2].map(|place| changes[place] + sums.roundings[place]);
+        for (all, error) in sums.harmonics.iter_mut().zip(errors) {
+            all.iter_mut().filter(|one| one.norm() <= error).for_each(|one| *one = Complex::default());
+        }
+        let [force, side, torque] = sums.harmonics;
         Harmonics { revolutions: gas.revolutions(), force, side, torque, errors, variation: variation(gas) }
     }
 
@@ -88,6 +100,9 @@ fn sums(gas: &CylinderGas, highest: usize, halvings: u32) -> Sums {
     let (geometry, law) = (gas.geometry(), gas.law());
     let zero = Complex::new(0.0, 0.0);
     let mut sums = [const { Vec::new() }; 3].map(|_: Vec<Complex<f64>>| vec![zero; highest + 1]);
+    // Each part has sums of its own, which are then added: fewer terms are rounded one after the other.
+    let mut of_part = sums.clone();
+    let (mut sizes, mut parts) = ([0.0; 3], 0.0);
     let base = 1.0 / f64::from(gas.revolutions());
     for piece in &law.pieces {
         let width = piece.to - piece.from;
@@ -95,17 +110,28 @@ fn sums(gas: &CylinderGas, highest: usize, halvings: u32) -> Sums {
         let count = (width / WIDEST).max(phase / MOST_PHASE).ceil().max(1.0) as usize;
         for edge in piece.edges(count << halvings).windows(2) {
             for (psi, weight) in points(edge[0], edge[1]) {
-                let force = (piece.pressure(geometry, psi) - gas.crankcase()) * geometry.area * weight;
-                let values = [force, force * geometry.slope(psi), force * geometry.radius * geometry.lever(psi)];
+                let pressure = piece.pressure(geometry, psi);
+                let force = (pressure - gas.crankcase()) * geometry.area * weight;
+                let (slope, lever) = (geometry.slope(psi), geometry.radius * geometry.lever(psi));
+                let values = [force, force * slope, force * lever];
+                // Pressures that nearly cancel, and the lever and slope that are small at the dead centres, keep the roundings of what they were made of.
+                let size = (pressure + gas.crankcase()) * geometry.area * weight;
+                for (sum, factor) in sizes.iter_mut().zip([1.0, 1.0 + slope.abs(), geometry.radius + lever.abs()]) {
+                    *sum += size * factor;
+                }
                 let step = Complex::cis(-psi * base);
                 let mut turning = Complex::new(1.0, 0.0);
                 for index in 0..=highest {
-                    for (sum, value) in sums.iter_mut().zip(values) {
+                    for (sum, value) in of_part.iter_mut().zip(values) {
                         sum[index] += turning * value;
                     }
                     turning *= step;
                 }
             }
+            for (sum, part) in sums.iter_mut().zip(&mut of_part) {
+                sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += std::mem::take(part));
+            }
+            parts += 1.0;
         }
     }
     let period = law.period;
@@ -114,7 +140,9 @@ fn sums(gas: &CylinderGas, highest: usize, halvings: u32) -> Sums {
             *value *= if index == 0 { 1.0 } else { 2.0 } / period;
         }
     }
-    sums
+    // Adding so many parts rounds so many times; powers of the turning add one with each harmonic.
+    let part = (parts + highest as f64 + ROUNDINGS) * f64::EPSILON * 2.0 / period;
+    Sums { harmonics: sums, roundings: sizes.map(|size| size * part) }
 }
 
 /// The total variation of `dT/dψ`: within the pieces, and its jumps between them.

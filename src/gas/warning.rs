@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::cylinder::CylinderGas;
-use crate::engine::{Cycle, PressureLaw};
+use crate::engine::{Cycle, PressureLaw, PressureTable};
 
 /// Something that a person should look at.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,13 +40,16 @@ impl CylinderGas {
         if !USUAL_PRESSURE.contains(&peak) {
             warnings.push(Warning::Peak(peak));
         }
+        if table.is_some_and(PressureTable::is_constant) {
+            return warnings;
+        }
         let half = self.period() / 2.0;
         let degrees = ((at - self.zero() + half).rem_euclid(self.period()) - half).to_degrees();
         if !USUAL_PEAK.contains(&degrees) {
             warnings.push(Warning::PeakAngle(degrees));
         }
         let mean = self.work() / self.period();
-        if mean <= 0.0 {
+        if mean < 0.0 {
             warnings.push(Warning::TakesWork(mean));
         }
         let widest = table.map(|table| table.widest_step(cycle) * BigRational::from_integer(360.into()));

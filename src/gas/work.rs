@@ -7,13 +7,32 @@ use super::law::{Law, Piece, Shape};
 use super::quadrature::integrate;
 
 impl Law {
-    /// `∮ p dV`.
+    /// `∮ p dV`; 0 where it is below what its sum is rounded by.
     pub fn work(&self, geometry: &Geometry) -> f64 {
-        self.pieces.iter().map(|piece| piece.work(geometry)).sum()
+        let work: f64 = self.pieces.iter().map(|piece| piece.work(geometry)).sum();
+        let largest = geometry.volume(geometry.innermost);
+        let size = |piece: &Piece| {
+            let ends = [piece.from, piece.to].map(|psi| piece.pressure(geometry, psi) * largest);
+            ends.iter().sum::<f64>() + piece.heat().abs()
+        };
+        let size: f64 = self.pieces.iter().map(size).sum();
+        let roundings = self.pieces.len() as f64 + ROUNDINGS;
+        if work.abs() <= roundings * f64::EPSILON * size { 0.0 } else { work }
     }
 }
 
+/// Each piece is rounded so many times at most.
+const ROUNDINGS: f64 = 256.0;
+
 impl Piece {
+    /// The heat that is released in it.
+    fn heat(&self) -> f64 {
+        match &self.shape {
+            Shape::Burning(.., heat) => *heat,
+            Shape::Line(..) | Shape::Polytropic(..) | Shape::Ramp(..) => 0.0,
+        }
+    }
+
     fn work(&self, geometry: &Geometry) -> f64 {
         let [first, last] = [self.from, self.to].map(|psi| self.pressure(geometry, psi) * geometry.volume(psi));
         let over = |count: usize, f: &dyn Fn(f64) -> f64| -> f64 {

@@ -6,7 +6,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 
 use super::Carried;
-use crate::engine::Engine;
+use crate::engine::{self, Engine};
 use crate::gas::Harmonics;
 use crate::numbers;
 use crate::order::{self, MassGroup, Source};
@@ -25,6 +25,8 @@ struct Cylinder {
     class: usize,
     /// Where it fires, in radians of the cycle.
     fires: f64,
+    /// The mass of its piston in multiples of the engine's.
+    mass: f64,
     /// The direction of its axis.
     axis: Complex<f64>,
     /// That of its throw at θ = 0.
@@ -84,10 +86,11 @@ impl Course {
                 Some((class, numbers::float(&of.fires[place]) * TAU))
             })
         };
+        let mass = |cylinder: &engine::Cylinder| numbers::float(&cylinder.reciprocating_mass);
         let cylinders = engine.cylinders().iter().enumerate().map(|(index, cylinder)| {
             let Some((class, fires)) = fires(index) else { unreachable!("every cylinder belongs to a class") };
             let [axis, throw] = [&cylinder.bank, &cylinder.throw].map(numbers::direction);
-            Cylinder { class, fires, axis, throw, rotating: rotating(index) }
+            Cylinder { class, fires, mass: mass(cylinder), axis, throw, rotating: rotating(index) }
         });
         let cylinders = cylinders.collect();
         Course { cylinders, period: classes.first().map_or(TAU, |class| class.gas.period()), classes }
@@ -117,7 +120,8 @@ impl Course {
     pub fn alike(&self) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = Vec::new();
         for (index, cylinder) in self.cylinders.iter().enumerate() {
-            let is_alike = |other: &Cylinder| (other.class, other.rotating) == (cylinder.class, cylinder.rotating);
+            let felt = |one: &Cylinder| (one.class, one.mass, one.rotating);
+            let is_alike = |other: &Cylinder| felt(other) == felt(cylinder);
             match groups.iter_mut().find(|group| is_alike(&self.cylinders[group[0]])) {
                 Some(group) => group.push(index),
                 None => groups.push(vec![index]),
@@ -144,7 +148,7 @@ impl Course {
         let psi = theta - cylinder.fires;
         PistonForces {
             gas: gas(class, psi),
-            inertia: class.inertia.as_ref().map_or(0.0, |inertia| inertia.force(psi)),
+            inertia: class.inertia.as_ref().map_or(0.0, |inertia| cylinder.mass * inertia.force(psi)),
             slope: class.gas.geometry().slope(psi),
         }
     }

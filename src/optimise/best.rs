@@ -16,6 +16,7 @@ use super::solve::{Goal, Least, Solution};
 use super::{Couple, Wish};
 use crate::engine::{Engine, throws};
 use crate::exact::Turn;
+use crate::file::Beside;
 
 /// Part by which the mass, or the peak, may exceed its optimum where the other is made least among all that reach it.
 pub(super) const SLACK: f64 = 1e-6;
@@ -24,6 +25,7 @@ pub(super) const SLACK: f64 = 1e-6;
 pub(super) struct Search<'a> {
     engine: &'a Engine,
     wish: &'a Wish,
+    beside: Beside<'a>,
     pub places: Vec<Place>,
     problem: Problem,
     samples: Samples,
@@ -32,7 +34,7 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub fn new(engine: &'a Engine, wish: &'a Wish) -> Result<Self, OptimiseError> {
+    pub fn new(engine: &'a Engine, wish: &'a Wish, beside: Beside<'a>) -> Result<Self, OptimiseError> {
         let places = places(engine);
         let mut problem = Problem::new(engine, &places, wish)?;
         let own = throws(engine).into_iter().map(|throw| throw.angle);
@@ -49,7 +51,7 @@ impl<'a> Search<'a> {
             problem.most_couple = Some(most - step * moved).filter(|left| *left > most / 2.0);
         }
         let samples = Samples::new(&problem);
-        Ok(Search { engine, wish, places, problem, samples, directions, steps })
+        Ok(Search { engine, wish, beside, places, problem, samples, directions, steps })
     }
 
     fn solve(&mut self, least: Least, mass: Option<f64>, peak: Option<f64>) -> Result<Solution, OptimiseError> {
@@ -87,7 +89,7 @@ impl<'a> Search<'a> {
         let draft = draft.map_err(|error| OptimiseError::Unsolved(error.to_string()))?;
         let notes: Vec<String> = self.places.iter().map(|place| note(&weight(&draft, place))).collect();
         let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple));
-        let engine = file::with_counterweights(self.engine, &weights, &head, &notes)?;
+        let engine = file::with_counterweights((self.engine, self.beside), &weights, &head, &notes)?;
         let design = measure(&engine, &self.places, &self.wish.orders)?;
         if !keeps(&design, &self.wish.couple) {
             return Err(OptimiseError::Unsolved("the rounded counterweights do not keep the balance".to_owned()));

@@ -2,14 +2,14 @@
 
 use super::error::OptimiseError;
 use crate::engine::{Counterweight, Engine};
-use crate::file::{comment, counterweight_table, parse, without_counterweights};
+use crate::file::{Beside, comment, counterweight_table, parse_beside, without_counterweights};
 
 /// The engine with these counterweights, read back from its own file: what is written is what is measured.
 ///
 /// # Errors
 /// [`OptimiseError::File`] where the file names its counterweights in a way that this writer does not find.
 pub(super) fn with_counterweights(
-    engine: &Engine,
+    (engine, beside): (&Engine, Beside<'_>),
     weights: &[Vec<Counterweight>],
     head: &str,
     notes: &[String],
@@ -23,13 +23,8 @@ pub(super) fn with_counterweights(
             text += &counterweight_table(part, engine.convention());
         }
     }
-    let advice = match engine.gas() {
-        None => "write [crankshaft] and [[counterweight]] as tables of their own, one key per line",
-        Some(_) => {
-            "write [crankshaft] and [[counterweight]] as tables of their own, one key per line, and a table of pressures into the layout file itself, as pressure"
-        }
-    };
-    let read = parse("the new file", &text).map_err(|_| OptimiseError::File(advice.to_owned()))?;
+    let advice = "write [crankshaft] and [[counterweight]] as tables of their own, one key per line";
+    let read = parse_beside("the new file", &text, beside).map_err(|_| OptimiseError::File(advice.to_owned()))?;
     let meant: Vec<&Counterweight> = weights.iter().flatten().collect();
     let is_meant = read.crankshaft().counterweights.iter().eq(meant)
         && read.cylinders() == engine.cylinders()

@@ -9,6 +9,7 @@ use super::design::{Design, measure};
 use super::error::OptimiseError;
 use super::place::{Place, uniform};
 use crate::engine::Engine;
+use crate::file::Beside;
 
 /// A crankshaft of the front.
 #[derive(Clone, Debug)]
@@ -66,10 +67,18 @@ pub struct Front {
 /// # Errors
 /// [`OptimiseError`] says what is missing.
 pub fn front(engine: &Engine, wish: &Wish) -> Result<Front, OptimiseError> {
+    front_beside(engine, wish, Beside::nothing())
+}
+
+/// The same of an engine whose layout names a file beside itself, which `beside` reads: the layout is written and read back.
+///
+/// # Errors
+/// [`OptimiseError`] says what is missing.
+pub fn front_beside(engine: &Engine, wish: &Wish, beside: Beside<'_>) -> Result<Front, OptimiseError> {
     if wish.points == 0 {
         return Err(OptimiseError::NoPoints);
     }
-    let mut search = Search::new(engine, wish)?;
+    let mut search = Search::new(engine, wish, beside)?;
     let ends = search.ends()?;
     // Where the least load comes with the least mass, there is one point.
     let steps = if ends[1] - ends[0] > 2.0 * SLACK * ends[0] { wish.points - 1 } else { 0 };

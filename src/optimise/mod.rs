@@ -30,7 +30,7 @@ use num_rational::BigRational;
 
 pub use design::{Design, PlacedWeight, Residual, measure};
 pub use error::OptimiseError;
-pub use front::{Front, Optimum, Uniform, front};
+pub use front::{Front, Optimum, Uniform, front, front_beside};
 pub use place::{Place, places, uniform};
 
 /// What is asked of the counterweights.

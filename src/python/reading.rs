@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use super::error::{self, told};
 use crate::engine::{self, Family};
 use crate::file::{self, Beside, Layout};
+use crate::text::decoded;
 
 /// A layout file, and the engine that it describes.
 pub(super) struct Source {
@@ -62,7 +63,8 @@ impl Source {
     /// A file that the layout names beside itself.
     pub fn beside(&self, path: &str) -> Result<String, String> {
         match &self.folder {
-            Some(folder) => std::fs::read_to_string(folder.join(path))
+            Some(folder) => std::fs::read(folder.join(path))
+                .map(|bytes| decoded(&bytes).0)
                 .map_err(|error| format!("cannot read `{}`: {error}", folder.join(path).display())),
             None => Err("nothing stands beside a layout that is no file; read it with Engine.read(path)".to_owned()),
         }

@@ -1,4 +1,4 @@
-//! Which cylinders are equal, but for when they fire?
+//! Which cylinders are equal, but for when they fire and what their pistons weigh?
 
 use std::f64::consts::TAU;
 
@@ -13,24 +13,26 @@ use crate::motion::SliderCrank;
 use crate::numbers;
 use crate::order;
 
-/// Cylinders of one size, mass and pressure.
+/// Cylinders of one crank, rod, bore and pressure: their gas is the same, and their inertia in proportion to their masses.
 #[derive(Clone, Debug)]
 pub struct Class {
     /// The gas of each.
     pub gas: CylinderGas,
     /// Its harmonics.
     pub harmonics: Harmonics,
-    /// The inertia of each; none where mass or speed is not known.
+    /// The inertia of one whose mass is 1 in the engine's multiples; none where mass or speed is not known.
     pub inertia: Option<Inertia>,
     /// Which cylinders, by index.
     pub cylinders: Vec<usize>,
     /// The crank angle θ at which each fires, in turns of the cycle.
     pub fires: Vec<BigRational>,
-    /// The first class with the same inertia, whatever its gas is.
-    pub same_inertia: usize,
+    /// The mass of each piston in those multiples: [`crate::engine::Cylinder::reciprocating_mass`].
+    pub masses: Vec<BigRational>,
+    /// The first class with the same crank and rod, whatever its gas is.
+    pub same_motion: usize,
 }
 
-/// The inertia torque of a cylinder.
+/// The inertia of a cylinder, in proportion to the mass of its piston.
 #[derive(Clone, Debug)]
 pub struct Inertia {
     crank: SliderCrank,
@@ -100,7 +102,7 @@ pub fn classes(engine: &Engine) -> Result<Vec<Class>, NoTorque> {
     let cylinders = engine.cylinders();
     let moves_alike = |one: usize, other: usize| {
         let (a, b) = (&cylinders[one], &cylinders[other]);
-        a.mechanism == b.mechanism && a.crank_radius == b.crank_radius && a.reciprocating_mass == b.reciprocating_mass
+        a.mechanism == b.mechanism && a.crank_radius == b.crank_radius
     };
     let is_alike = |one: usize, other: usize| gas.chambers[one] == gas.chambers[other] && moves_alike(one, other);
     let mut classes: Vec<Class> = Vec::new();
@@ -109,19 +111,21 @@ pub fn classes(engine: &Engine) -> Result<Vec<Class>, NoTorque> {
             Some(class) => {
                 class.cylinders.push(index);
                 class.fires.push(fires);
+                class.masses.push(cylinders[index].reciprocating_mass.clone());
             }
             None => {
                 let gas = CylinderGas::new(engine, index)?;
                 let harmonics = gas.harmonics((HIGHEST * gas.revolutions()) as usize);
                 let inertia = inertia(engine, index);
-                let same_inertia = classes.iter().position(|class| moves_alike(class.cylinders[0], index));
+                let same_motion = classes.iter().position(|class| moves_alike(class.cylinders[0], index));
                 classes.push(Class {
                     gas,
                     harmonics,
                     inertia,
                     cylinders: vec![index],
                     fires: vec![fires],
-                    same_inertia: same_inertia.unwrap_or(classes.len()),
+                    masses: vec![cylinders[index].reciprocating_mass.clone()],
+                    same_motion: same_motion.unwrap_or(classes.len()),
                 });
             }
         }
@@ -129,10 +133,11 @@ pub fn classes(engine: &Engine) -> Result<Vec<Class>, NoTorque> {
     Ok(classes)
 }
 
+/// That of a cylinder, its mass 1 in the engine's multiples.
 fn inertia(engine: &Engine, index: usize) -> Option<Inertia> {
     let cylinder = &engine.cylinders()[index];
     let mechanism: &Mechanism = cylinder.mechanism.as_ref()?;
-    let mass = engine.dimensions().mass.as_ref()? * &cylinder.reciprocating_mass;
+    let mass = engine.dimensions().mass.as_ref()?;
     let radius = engine.dimensions().crank_radius.as_ref()? * &cylinder.crank_radius;
     let weight = numbers::float(&(mass * &radius * &radius));
     let radius = numbers::float(&radius);

@@ -2,11 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use num_traits::ToPrimitive;
-
 use super::class::{Class, Inertia};
 use super::extreme::{self, Extreme};
 use crate::gas::{CylinderGas, integrate, integrate_short};
+use crate::numbers;
 
 /// The torque over the crank angle θ, in radians.
 #[derive(Clone, Debug)]
@@ -20,6 +19,8 @@ pub struct Course {
 struct Piston {
     class: usize,
     fires: f64,
+    /// In multiples of the engine's.
+    mass: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -65,7 +66,9 @@ impl ClassCourse {
 impl Course {
     pub(super) fn new(classes: &[Class]) -> Self {
         let pistons = classes.iter().enumerate().flat_map(|(class, of)| {
-            of.fires.iter().map(move |turns| Piston { class, fires: turns.to_f64().unwrap_or(f64::NAN) * TAU })
+            let piston =
+                move |(turns, mass)| Piston { class, fires: numbers::float(turns) * TAU, mass: numbers::float(mass) };
+            of.fires.iter().zip(&of.masses).map(piston)
         });
         let period = classes.first().map_or(TAU, |class| class.gas.period());
         Course { pistons: pistons.collect(), classes: classes.iter().map(ClassCourse::new).collect(), period }
@@ -85,9 +88,17 @@ impl Course {
         self.sum(theta, |class, psi| class.gas.torque(psi))
     }
 
+    fn sum_of_inertia(&self, theta: f64, of: impl Fn(&Inertia, f64) -> f64) -> f64 {
+        let of_one = |piston: &Piston| {
+            let inertia = self.classes[piston.class].inertia.as_ref();
+            inertia.map_or(0.0, |inertia| piston.mass * of(inertia, theta - piston.fires))
+        };
+        self.pistons.iter().map(of_one).sum()
+    }
+
     /// The inertia torque; zero where it is not known.
     pub fn inertia(&self, theta: f64) -> f64 {
-        self.sum(theta, |class, psi| class.inertia.as_ref().map_or(0.0, |inertia| inertia.torque(psi)))
+        self.sum_of_inertia(theta, Inertia::torque)
     }
 
     /// Both together.
@@ -97,8 +108,7 @@ impl Course {
 
     /// The roll moment on the frame, `−T − Σ e F_in`: what answers the torque, and the shaking forces beside the shaft.
     pub fn roll(&self, theta: f64) -> f64 {
-        let aside = self.sum(theta, |class, psi| class.inertia.as_ref().map_or(0.0, |inertia| inertia.sideways(psi)));
-        -self.total(theta) - aside
+        -self.total(theta) - self.sum_of_inertia(theta, Inertia::sideways)
     }
 
     /// `∫ (T_gas − mean) dθ`, but for a constant.
@@ -108,19 +118,17 @@ impl Course {
 
     /// `Σ m s'²`, the inertia of what goes back and forth, in kilograms times square metres.
     pub fn reduced_inertia(&self, theta: f64) -> f64 {
-        self.sum(theta, |class, psi| class.inertia.as_ref().map_or(0.0, |inertia| inertia.reduced(psi)))
+        self.sum_of_inertia(theta, Inertia::reduced)
     }
 
     /// `∫ (T − mean) dθ`, but for a constant: `−½ m s'² ω²` is that of the inertia torque.
     pub fn work(&self, theta: f64) -> f64 {
-        self.sum(theta, |class, psi| {
-            let kinetic = class.inertia.as_ref().map_or(0.0, |inertia| {
-                // m s'² times ω², which is the quotient of the two scales.
-                let squared = if inertia.weight == 0.0 { 0.0 } else { inertia.scale / inertia.weight };
-                0.5 * inertia.reduced(psi) * squared
-            });
-            class.work(psi) - kinetic
-        })
+        let kinetic = |inertia: &Inertia, psi: f64| {
+            // m s'² times ω², which is the quotient of the two scales.
+            let squared = if inertia.weight == 0.0 { 0.0 } else { inertia.scale / inertia.weight };
+            0.5 * inertia.reduced(psi) * squared
+        };
+        self.gas_work(theta) - self.sum_of_inertia(theta, kinetic)
     }
 
     /// Angles through the cycle, half a degree apart.

@@ -64,8 +64,13 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
     let classes = classes(engine)?;
     let course = Course::new(&classes);
     let orders = orders(&classes);
-    let work: f64 = classes.iter().map(|class| class.gas.work() * class.cylinders.len() as f64).sum();
-    let mean: f64 = classes.iter().map(|class| class.harmonics.torque[0].re * class.cylinders.len() as f64).sum();
+    let each = |of: &dyn Fn(&Class) -> f64| -> f64 {
+        classes.iter().map(|class| of(class) * class.cylinders.len() as f64).sum()
+    };
+    let work = each(&|class| class.gas.work());
+    let mean = each(&|class| class.harmonics.torque[0].re);
+    // Cylinders that work against each other leave a mean that is none.
+    let mean = if mean.abs() <= each(&|class| class.harmonics.errors[2]) { 0.0 } else { mean };
     // Roundings are those of what goes back and forth within a cycle.
     let moved = |gas: &CylinderGas| (gas.peak_pressure().0 + gas.crankcase()) * gas.geometry().swept();
     let moved: f64 = classes.iter().map(|class| moved(&class.gas)).sum();
@@ -96,7 +101,7 @@ fn series(orders: &[TorqueOrder], theta: f64) -> f64 {
         let kappa = f64::from(order.order.halves()) / 2.0;
         (order.total() * num_complex::Complex::cis(kappa * theta)).re
     };
-    orders.iter().filter(|order| !order.vanishes).map(at).sum()
+    orders.iter().filter(|order| !order.vanishes()).map(at).sum()
 }
 
 impl EngineTorque {
@@ -104,6 +109,11 @@ impl EngineTorque {
     pub fn unevenness(&self) -> Option<f64> {
         let part = (self.highest.value - self.lowest.value) / self.mean.abs();
         part.is_finite().then_some(part)
+    }
+
+    /// The torque that is largest in size: the highest, or the lowest.
+    pub fn largest(&self) -> Extreme {
+        if self.lowest.value.abs() > self.highest.value.abs() { self.lowest } else { self.highest }
     }
 
     /// Whether the masses' inertia is in it.

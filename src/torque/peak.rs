@@ -1,4 +1,4 @@
-//! What is the largest torque by the first orders of the gas, or at so many angles, and how far off is that?
+//! What is the largest torque, in size, by the first orders of the gas, or at so many angles, and how far off is that?
 //!
 //! The torque has kinks where a valve opens or the burning ends, so that its orders fall as 1/κ² and the error of a peak as 1/κ: the peak
 //! is shown by the time law, in which the inertia is closed and needs no orders at all.
@@ -6,13 +6,12 @@
 use std::f64::consts::TAU;
 
 use num_complex::Complex;
-use num_rational::BigRational;
+use num_traits::One;
 
 use super::class::Class;
-use super::order::star;
-use super::{EngineTorque, TorqueOrder, orders};
+use super::order::Stars;
+use super::{EngineTorque, Extreme, TorqueOrder, orders};
 use crate::engine::{CycleOrder, HIGHEST_ORDER};
-use crate::numbers;
 
 /// A way to find the largest torque.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,10 +44,12 @@ const MORE: [u32; 4] = [16, 24, 48, 96];
 /// Steps of a revolution.
 const STEPS: [u32; 4] = [36, 72, 360, 3600];
 
-/// The largest torque by several methods.
+/// The torque that is largest in size, with its sign, by several methods.
 #[derive(Clone, Debug)]
 pub struct Peak<'a> {
     torque: &'a EngineTorque,
+    /// By the time law: the reference of the others. They look for theirs at the same end, the highest torque or the lowest.
+    pub largest: Extreme,
     orders: Vec<TorqueOrder>,
     /// All orders above those together are at most this, in newton-metres.
     rest: f64,
@@ -63,28 +64,30 @@ impl<'a> Peak<'a> {
             class.harmonics = class.gas.harmonics(PeakMethod::HIGHEST * revolutions);
         }
         let rest = classes.iter().map(rest).sum();
-        Peak { torque, orders: orders(&classes), rest }
+        Peak { largest: torque.largest(), torque, orders: orders(&classes), rest }
     }
 
     /// The methods that are compared: every order that is left up to 6, some higher ones, and samples.
     pub fn methods(&self) -> Vec<PeakMethod> {
-        PeakMethod::all(|asked| self.orders.iter().any(|order| order.order == asked && !order.vanishes))
+        PeakMethod::all(|asked| self.orders.iter().any(|order| order.order == asked && !order.gas_vanishes))
     }
 
-    /// The largest torque by a method, in newton-metres.
+    /// This end of the torque by a method, in newton-metres.
     pub fn value(&self, method: PeakMethod) -> f64 {
         let course = &self.torque.course;
+        let sign = self.largest.value.signum();
+        let largest = |torque: &dyn Fn(f64) -> f64| sign * course.extremes(|theta| sign * torque(theta))[0].value;
         match method {
             PeakMethod::Orders(highest) => {
                 let kept = self.kept(highest);
-                course.extremes(|theta| self.torque.mean + series(&kept, theta) + course.inertia(theta))[0].value
+                largest(&|theta| self.torque.mean + series(&kept, theta) + course.inertia(theta))
             }
             PeakMethod::Samples(steps) => {
                 let revolutions = (course.period() / TAU).round() as u32;
-                let at = |place: u32| course.total(TAU * f64::from(place) / f64::from(steps));
-                (0..steps * revolutions).map(at).fold(f64::NEG_INFINITY, f64::max)
+                let at = |place: u32| sign * course.total(TAU * f64::from(place) / f64::from(steps));
+                sign * (0..steps * revolutions).map(at).fold(f64::NEG_INFINITY, f64::max)
             }
-            PeakMethod::TimeLaw => course.extremes(|theta| course.total(theta))[0].value,
+            PeakMethod::TimeLaw => largest(&|theta| course.total(theta)),
         }
     }
 
@@ -114,12 +117,17 @@ impl<'a> Peak<'a> {
 
     /// By which part of the peak of the time law a value differs from it.
     pub fn error(&self, value: f64) -> f64 {
-        let peak = self.torque.highest.value;
-        (value - peak).abs() / peak.abs()
+        self.part(value - self.largest.value)
+    }
+
+    /// A torque as a part of the peak of the time law; 0 where nothing turns the crank at all.
+    pub fn part(&self, torque: f64) -> f64 {
+        let part = torque.abs() / self.largest.value.abs();
+        if part.is_nan() { 0.0 } else { part }
     }
 
     fn kept(&self, highest: CycleOrder) -> Vec<(f64, Complex<f64>)> {
-        let kept = self.orders.iter().filter(|order| order.order <= highest && !order.vanishes);
+        let kept = self.orders.iter().filter(|order| order.order <= highest && !order.gas_vanishes);
         kept.map(|order| (f64::from(order.order.halves()) / 2.0, order.gas)).collect()
     }
 }
@@ -131,10 +139,11 @@ fn rest(class: &Class) -> f64 {
     let computed = u32::try_from(class.harmonics.torque.len()).unwrap_or(u32::MAX);
     let last = 2 * HIGHEST_ORDER / halves;
     let bound = |index: u32| class.harmonics.bound(f64::from(index) / f64::from(revolutions));
-    let one = BigRational::from_integer(1.into());
-    let star = |index: u32| match CycleOrder::of_halves(index * halves) {
-        Some(order) => numbers::evaluate(&star(class, order, |_| one.clone())).norm(),
-        None => class.cylinders.len() as f64,
+    let star = |index: u32| {
+        let stars =
+            CycleOrder::of_halves(index * halves).map(|order| Stars::each_once(std::slice::from_ref(class), order));
+        let known = stars.and_then(|stars| stars.sum(|_| Some(Complex::one())));
+        known.map_or(class.cylinders.len() as f64, |star| star.norm())
     };
     // Σ 1/n² over n > N is below 1/N.
     let above = bound(last) * f64::from(last) * class.cylinders.len() as f64;

@@ -58,3 +58,22 @@ fn forces_beyond_the_decimals_are_refused_with_words() {
     let loads = crankstar::loads::loads(&file::parse("x.toml", &largest).expect("it reads"), &[1, 2]).expect("numbers");
     assert!(loads.scale.expect("newtons").force().is_finite());
 }
+
+#[test]
+fn kilonewtons_are_a_thousand_newtons_with_their_digits_and_tolerances() {
+    // The couple is 0.24183… N·m.
+    for (says, wanted) in [
+        ("sixth-order moment = 0.00024 kN·m", Status::True),
+        ("sixth-order moment ≈ 0.00024 kN m", Status::True),
+        ("sixth-order moment ≈ 0.00025 kNm", Status::False),
+        ("sixth-order moment = 0.0003 kN·m ± 0.0001", Status::True),
+        ("sixth-order moment = 0.0003 kN·m ± 0.0001 kN·m", Status::True),
+        ("sixth-order moment = 0.0003 kN·m ± 0.01 N·m", Status::False),
+        ("sixth-order moment = 0.00025 kN·m ± 5 %", Status::True),
+        ("sixth-order moment = 0.24 kN·m", Status::False),
+        ("sixth-order force = 0 kN", Status::True),
+    ] {
+        assert_eq!(status(&flat_four(), says), wanted, "{says}");
+    }
+    assert!(claim::parse_statement("sixth-order moment = 1 kN").is_err());
+}

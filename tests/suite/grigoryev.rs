@@ -184,7 +184,7 @@ fn the_firing_stars_of_the_sixes_are_those_of_two_banks() {
                 }
                 _ => (0.0, true),
             };
-            assert_eq!(order.vanishes, vanishes, "order {} at {}°", order.order, point.at);
+            assert_eq!(order.vanishes(), vanishes, "order {} at {}°", order.order, point.at);
             let star = numbers::evaluate(point.star(order.order).expect("one class")).norm();
             assert!((star - length).abs() < 1e-12, "order {} at {}°", order.order, point.at);
         }

@@ -44,7 +44,7 @@ fn an_in_line_four_has_the_torque_and_the_flywheel_of_the_theory() {
         assert_near(evenness.energy, energy, 5e-3);
         assert_near(evenness.needed.inertia, flywheel, 5e-7);
         let left: Vec<String> =
-            torque.orders.iter().filter(|order| !order.vanishes).map(|order| order.order.to_string()).collect();
+            torque.orders.iter().filter(|order| !order.vanishes()).map(|order| order.order.to_string()).collect();
         assert_eq!(left, ["2", "4", "6", "8", "10", "12"]);
     }
     let without_masses = four(3000).replace("reciprocating_mass = '0.5 kg'\n", "");
@@ -334,7 +334,7 @@ fn an_order_whose_star_vanishes_is_zero_at_any_pressure() {
         torque_of(&text)
     };
     let zeros = |torque: &EngineTorque| -> Vec<String> {
-        torque.orders.iter().filter(|order| order.vanishes).take(3).map(|order| order.order.to_string()).collect()
+        torque.orders.iter().filter(|order| order.vanishes()).take(3).map(|order| order.order.to_string()).collect()
     };
     // 360-360, and 180-540: the half order is not zero.
     assert_eq!(zeros(&twin("firing_angles = [0, 360]", "[0, 0]")), ["½", "1½", "2½"]);

@@ -34,7 +34,7 @@ pub(super) fn rows(engine: &Engine, timing: Timing) -> Option<Vec<PeakRow>> {
     let peak = Peak::new(&torque);
     let row = |method: PeakMethod| {
         let (value, time) = measured(timing, || peak.value(method));
-        let part = |torques: Option<f64>| torques.map(|value| value / torque.highest.value.abs());
+        let part = |torques: Option<f64>| torques.map(|value| peak.part(value));
         let (farthest, bound) = (part(peak.farthest(method)), part(peak.bound(method)));
         PeakRow { method, value, error: peak.error(value), farthest, bound, time }
     };

@@ -58,12 +58,11 @@ fn orders(torque: &EngineTorque) -> Table {
     let mut table = Filling::new("orders", "an order of the torque", &torque.orders);
     table.decimal("order", Unit::NONE, "the order κ of the crank speed", |order| order.order.exact().to_f64());
     let about = "whether the part of the gas is proved to be 0, for every pressure that equal cylinders share";
-    table.truth("gas_vanishes", about, |order| Some(order.vanishes));
+    table.truth("gas_vanishes", about, |order| Some(order.gas_vanishes));
     let about = "whether the part of the inertia is proved to be 0";
     table.truth("inertia_vanishes", about, |order| order.inertia.map(|_| order.inertia_vanishes));
-    let gas = |order: &TorqueOrder| Some(if order.vanishes { Default::default() } else { order.gas });
-    let inertia = |order: &TorqueOrder| order.inertia.map(|one| if order.inertia_vanishes { Default::default() } else { one });
-    let total = |order: &TorqueOrder| Some(gas(order)? + inertia(order).unwrap_or_default());
+    let (gas, inertia) = (|order: &TorqueOrder| Some(order.gas), |order: &TorqueOrder| order.inertia);
+    let total = |order: &TorqueOrder| Some(order.total());
     type Vector<'a> = &'a dyn Fn(&TorqueOrder) -> Option<num_complex::Complex<f64>>;
     let vectors: [([&'static str; 3], &'static str, Vector); 3] = [
         (["gas_zero_to_peak_{unit}", "gas_cos_{unit}", "gas_sin_{unit}"], "of the gas", &gas),

@@ -7,7 +7,7 @@ use super::words::{angle, cylinders, quantity};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::page::{Number, Table, Text, Unit, number, phrase};
-use crate::torque::{EngineTorque, Evenness, GuideMoments, TorqueOrder};
+use crate::torque::{EngineTorque, Evenness, GuideMoments};
 
 /// Orders up to this one are shown even where they are zero.
 const ALWAYS_SHOWN: u32 = 6;
@@ -47,9 +47,9 @@ pub(super) fn classes(engine: &Engine, torque: &EngineTorque) -> Table {
     table
 }
 
-/// A vector that rotates: 0 where it is proved, else how long it is.
-fn amplitude(order: &TorqueOrder, value: Complex<f64>) -> Text {
-    if order.vanishes { Text::zero() } else { Text::measured(value.norm(), Unit::NEWTON_METRE) }
+/// A vector that rotates: 0 where that is proved, else how long it is.
+fn amplitude(vanishes: bool, value: Complex<f64>) -> Text {
+    if vanishes { Text::zero() } else { Text::measured(value.norm(), Unit::NEWTON_METRE) }
 }
 
 /// The firing star of an order, where all cylinders are alike.
@@ -69,21 +69,17 @@ pub(super) fn orders(torque: &EngineTorque) -> Table {
     }
     header.push("Angle at θ = 0".into());
     let mut table = Table::new(header);
-    for order in torque.orders.iter().filter(|order| order.order.halves() <= 2 * ALWAYS_SHOWN || !order.vanishes) {
+    for order in torque.orders.iter().filter(|order| order.order.halves() <= 2 * ALWAYS_SHOWN || !order.vanishes()) {
         let mut row: Vec<Text> = vec![Text::label(order.order.to_string())];
         if one_class {
             row.extend(order.stars.first().map(star));
         }
-        row.push(amplitude(order, order.gas));
+        row.push(amplitude(order.gas_vanishes, order.gas));
         if let Some(inertia) = order.inertia.filter(|_| with_inertia) {
-            row.push(if order.inertia_vanishes {
-                Text::zero()
-            } else {
-                Text::measured(inertia.norm(), Unit::NEWTON_METRE)
-            });
-            row.push(amplitude(order, order.total()));
+            row.push(amplitude(order.inertia_vanishes, inertia));
+            row.push(amplitude(order.vanishes(), order.total()));
         }
-        row.push(match order.vanishes {
+        row.push(match order.vanishes() {
             true => "–".into(),
             false => angle(order.total().arg().to_degrees()),
         });
@@ -140,7 +136,7 @@ pub(super) fn accuracy(torque: &EngineTorque) -> Text {
     };
     let bound = each(&|class| class.harmonics.bound(f64::from(crate::torque::HIGHEST)));
     phrase!(
-        "Mean torque and area of the loops agree to {} of the work. The orders up to {} miss at most {} of the torque; no order of the gas above them is larger than {}, by the total variation of the torque's slope. The harmonics of the gas are off by at most {}, the last change of their quadrature.",
+        "Mean torque and area of the loops agree to {} of the work. The orders up to {} miss at most {} of the torque; no order of the gas above them is larger than {}, by the total variation of the torque's slope. The harmonics of the gas are off by at most {}, the last change of their quadrature and its roundings.",
         Text::label(number::decimal(torque.balance.max(f64::EPSILON))),
         crate::torque::HIGHEST,
         quantity(torque.missed, Unit::NEWTON_METRE),

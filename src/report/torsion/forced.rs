@@ -43,10 +43,9 @@ pub(super) fn forced(study: &TorsionStudy, speed: f64) -> Vec<ForcedTwist> {
         let hertz = f64::from(order.halves()) / 2.0 * speed / 60.0;
         let mut torques = vec![Complex::default(); shaft.inertias.len()];
         for class in &classes {
-            let one = class.torque_of_one(order);
-            for (&cylinder, fires) in class.cylinders.iter().zip(&class.fires) {
+            for (place, (&cylinder, fires)) in class.cylinders.iter().zip(&class.fires).enumerate() {
                 torques[torsion.pins[engine.cylinders()[cylinder].pin]] +=
-                    one * numbers::direction(&order.phase(fires));
+                    class.torque_of_one(place, order) * numbers::direction(&order.phase(fires));
             }
         }
         let twist = forced_twist(&shaft, &Excitation { omega: TAU * hertz, torques });

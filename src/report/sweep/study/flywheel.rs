@@ -49,7 +49,7 @@ pub(super) fn blocks(family: &Studied) -> Vec<Block> {
 }
 
 fn vanishes(point: &Evened, order: CycleOrder) -> bool {
-    point.orders.iter().any(|own| own.order == order && own.vanishes)
+    point.orders.iter().any(|own| own.order == order && own.vanishes())
 }
 
 fn stars(label: &str, flywheels: &Flywheels, shown: &[CycleOrder]) -> Table {

@@ -1,0 +1,227 @@
+//! Is a unit that was forgotten told, with its key, and nothing told of engines that there are?
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Output, Stdio};
+
+use crankstar::file::{self, Beside, Layout, parse_layout, parse_layout_beside};
+
+use crate::support::program::{call, scratch};
+
+fn warnings(text: &str) -> Vec<String> {
+    let layout = parse_layout("layout.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"));
+    file::warnings("layout.toml", text, &layout).iter().map(ToString::to_string).collect()
+}
+
+const FOUR: &str = "speed = 3000\n[mechanism]\ncrank_radius = '46 mm'\nrod_length = '140 mm'\nreciprocating_mass = '450 g'\nrotating_mass = '0.4 kg'\n\
+    [inline]\nthrows = [0, 180, 180, 0]\nspacing = '90 mm'\n[[counterweight]]\nthrow = 1\nmass = '1 kg'\nradius = '45 mm'\n";
+
+#[test]
+fn a_forgotten_unit_is_told_with_its_key_and_the_unit_that_may_be_meant() {
+    assert_eq!(warnings(FOUR), Vec::<String>::new());
+    for (from, to, words) in [
+        ("'46 mm'", "46", ["crank_radius is read as 46 m", "layout.toml:3", "such as \"46 mm\""]),
+        (
+            "'46 mm'",
+            "'0.046 mm'",
+            ["crank_radius is read as 0.000046 m", "layout.toml:3", "engines have 0.001 m to 3 m"],
+        ),
+        ("crank_radius = '46 mm'", "stroke = 92", ["stroke is read as 92 m", "layout.toml:3", "such as \"92 mm\""]),
+        ("'140 mm'", "140", ["rod_length is read as 140 m", "layout.toml:4", "such as \"140 mm\""]),
+        (
+            "'140 mm'",
+            "[140, '140 mm', '140 mm', '140 mm']",
+            ["rod_length is read as 140 m", "layout.toml:4:15", "such as \"140 mm\""],
+        ),
+        ("'0.4 kg'", "400000", ["rotating_mass is read as 400000 kg", "layout.toml:6", "such as \"400000 g\""]),
+        ("'450 g'", "450", ["a reciprocating mass of 450 kg at a stroke of 92 mm", "layout.toml:5", "\"450 g\""]),
+        ("'90 mm'", "'90 m'", ["spacing is read as 90 m", "layout.toml:9", "engines have 0.002 m to 10 m"]),
+        ("'45 mm'", "45", ["radius is read as 45 m", "layout.toml:13", "such as \"45 mm\""]),
+        ("3000", "0.5", ["speed is read as 0.5 rpm", "layout.toml:1", "such as \"0.5 rev/s\""]),
+        ("3000", "30000", ["speed makes a mean piston speed of 92 m/s", "layout.toml:1", "at most 40 m/s"]),
+        ("3000", "'314 rev/s'", ["speed makes a mean piston speed of 58 m/s", "layout.toml:1", "at most 40 m/s"]),
+    ] {
+        // The crank and its rod are in the same unit, or the rod is too short.
+        let text = match from {
+            _ if to == "46" || to == "stroke = 92" => FOUR.replace(from, to).replace("'140 mm'", "'140 m'"),
+            _ => FOUR.replace(from, to),
+        };
+        let told = warnings(&text).join("\n");
+        assert!(told.starts_with("warning: "), "{to}: {told}");
+        for words in words {
+            assert!(told.contains(words), "{to}: no {words:?} in {told}");
+        }
+    }
+    let fast = FOUR.replace("'46 mm'", "'4 mm'").replace("3000", "95000").replace("'450 g'", "'1 g'");
+    assert!(warnings(&fast).join("").contains("speed makes a piston's acceleration"), "{:?}", warnings(&fast));
+}
+
+#[test]
+fn multiples_and_what_is_left_out_are_no_odd_quantities() {
+    for text in [
+        "[inline]\nthrows = [0, 180, 180, 0]\nspacing = 1\n",
+        "[inline]\nthrows = [0, 180, 180, 0]\nspacing = 100\n",
+        "[mechanism]\nrod_ratio = 0.3\n[u]\nthrows = [0, 180]\nsense = 'against'\nphase = 180\ndistance = 50\n",
+        "speed = 0\n[mechanism]\ncrank_radius = 1\nrod_length = 4\nreciprocating_mass = 1\n[inline]\nthrows = [0]\n",
+        "[[cylinder]]\nthrow = 0\nbank = 0\nposition = 0\nreciprocating_mass = 2\n[[cylinder]]\nthrow = 0\nbank = 0\nposition = 90\n",
+        "[inline]\nthrows = [0, 'phi']\n[values]\nphi = 180\n",
+    ] {
+        assert_eq!(warnings(text), Vec::<String>::new(), "{text}");
+    }
+}
+
+#[test]
+fn marine_model_and_racing_engines_are_usual() {
+    let single = |stroke: &str, rod: &str, mass: &str, speed: u32| {
+        format!(
+            "speed = {speed}\n[mechanism]\nstroke = '{stroke}'\nrod_length = '{rod}'\nreciprocating_mass = '{mass}'\n[inline]\nthrows = [0]\n"
+        )
+    };
+    for text in [
+        single("3.468 m", "3.5 m", "14 t", 80),
+        single("5 mm", "10 mm", "0.5 g", 30_000),
+        single("39.77 mm", "102 mm", "0.3 kg", 20_000),
+        single("12 ft", "24 ft", "8 t", 12),
+        single("26 in", "120 in", "700 lb", 336),
+    ] {
+        assert_eq!(warnings(&text), Vec::<String>::new(), "{text}");
+    }
+}
+
+fn toml_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
+    let nested = folders.iter().flat_map(|folder| toml_files(folder));
+    files.into_iter().filter(|path| path.extension().is_some_and(|ending| ending == "toml")).chain(nested).collect()
+}
+
+#[test]
+fn no_engine_of_this_repository_is_odd() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut read = 0;
+    for path in ["src/file/catalogue", "reports", "formal/engines", "docs", "examples"]
+        .iter()
+        .flat_map(|folder| toml_files(&root.join(folder)))
+    {
+        let text = std::fs::read_to_string(&path).expect("a text");
+        let beside = |name: &str| std::fs::read_to_string(path.with_file_name(name)).map_err(|error| error.to_string());
+        // Files of claims and exercises are no layouts.
+        let Ok(layout) = parse_layout_beside("layout.toml", &text, Beside::new(&beside)) else { continue };
+        let odd: Vec<String> = file::warnings("layout.toml", &text, &layout).iter().map(ToString::to_string).collect();
+        assert!(odd.is_empty(), "{}: {odd:?}", path.display());
+        read += 1;
+    }
+    assert!(read > 60, "only {read} layouts were found");
+}
+
+#[test]
+fn warnings_change_neither_the_answer_nor_the_exit_status() {
+    let folder = scratch("odd-quantities");
+    let [odd, usual] =
+        [("odd.toml", "46", "'140 m'"), ("usual.toml", "'46000 mm'", "'140 m'")].map(|(name, radius, rod)| {
+            std::fs::write(
+                folder.join(name),
+                format!("title = 'four'\n{}", FOUR.replace("'46 mm'", radius).replace("'140 mm'", rod)),
+            )
+            .expect("a file");
+            folder.join(name).display().to_string()
+        });
+    for arguments in [&["loads"][..], &["classify"], &["loads", "--json"]] {
+        let [one, other] = [&odd, &usual].map(|path| call(&[arguments, &[path.as_str()]].concat()));
+        assert_eq!((one.status.code(), &one.stdout), (Some(0), &other.stdout));
+        let told = String::from_utf8_lossy(&one.stderr).into_owned();
+        assert!(told.contains("crank_radius is read as 46 m") && told.contains("odd.toml:4"), "{told}");
+    }
+    let swept = call(&["sweep", &odd, "--speed", "1000..2000:500"]);
+    assert_eq!(String::from_utf8_lossy(&swept.stderr).matches("crank_radius is read as").count(), 1);
+}
+
+#[test]
+fn all_unknown_keys_are_told_in_one_run() {
+    let text = "titel = 'four'\nspeed = 3000\n[mechanism]\nstroke = '86 mm'\nrod_lenght = '143 mm'\n[inline]\nthrows = [0, 180]\nspaceing = 1\n\
+        [[counterweight]]\nthrow = 1\nmas = '1 kg'\nradius = '45 mm'\n";
+    let error = parse_layout("layout.toml", text).expect_err("unknown keys").to_string();
+    for (key, line) in [("titel", 1), ("rod_lenght", 5), ("spaceing", 8), ("mas", 11)] {
+        assert!(error.contains(&format!("unknown key `{key}`")), "{key}: {error}");
+        assert!(error.contains(&format!("layout.toml:{line}:1")), "{key}: {error}");
+    }
+    // What is missing because of them is not told as well.
+    assert!(!error.contains("is missing"), "{error}");
+    let many: String = (0..100).map(|index| format!("key{index} = 1\n")).collect();
+    let error = parse_layout("layout.toml", &many).expect_err("unknown keys").to_string();
+    assert!(error.matches("unknown key").count() >= 10);
+}
+
+/// Calls the program with a text on its standard input.
+fn fed(arguments: &[&str], text: &str) -> Output {
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_crankstar"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program");
+    // Where the layout is a file nobody reads it.
+    let _ = child.stdin.take().expect("a pipe").write_all(text.as_bytes());
+    child.wait_with_output().expect("its end")
+}
+
+#[test]
+fn a_layout_is_read_from_standard_input() {
+    let text = format!("title = 'four'\n{FOUR}");
+    let file = scratch("standard-input").join("four.toml");
+    std::fs::write(&file, &text).expect("a file");
+    let file = file.to_str().expect("a path");
+    for arguments in [&["classify"][..], &["report"], &["loads", "--json"], &["sweep", "--speed", "1000..2000:500"]] {
+        let (first, rest) = arguments.split_first().expect("a command");
+        let [piped, named] = ["-", file].map(|path| fed(&[&[*first, path][..], rest].concat(), &text));
+        assert_eq!(piped.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&piped.stderr));
+        assert_eq!(piped.stdout, named.stdout, "{arguments:?}");
+    }
+    let wrong = fed(&["classify", "-"], "inline.throws = [0, x]\n");
+    let told = String::from_utf8_lossy(&wrong.stderr).into_owned();
+    assert!(wrong.status.code() == Some(1) && told.contains("standard input:1"), "{told}");
+    let empty = fed(&["classify", "-"], "");
+    assert_eq!(empty.status.code(), Some(1));
+}
+
+#[test]
+fn radians_a_second_and_tonnes_are_units() {
+    let of = |text: &str| match parse_layout("layout.toml", text) {
+        Ok(Layout::Known(engine, _)) => engine.dimensions().clone(),
+        other => panic!("{other:?}"),
+    };
+    let one = of(&FOUR.replace("3000", "'314.159265358979 rad/s'").replace("'450 g'", "'0.00045 t'"));
+    let other = of(FOUR);
+    assert_eq!((&one.speed, &one.mass), (&other.speed, &other.mass));
+    // 100 rad/s are 954.929658551… rpm, to a millionth.
+    let hundred = of(&FOUR.replace("3000", "'100 rad/s'")).speed.expect("a speed");
+    assert_eq!(hundred.to_string(), "954929659/1000000");
+    let error = parse_layout("layout.toml", &FOUR.replace("3000", "'fast rad/s'")).expect_err("no number").to_string();
+    assert!(error.contains("cannot read the speed") && error.contains("314 rad/s"), "{error}");
+}
+
+#[test]
+fn a_rod_that_is_given_twice_is_told_with_both_ways_of_writing_it() {
+    let told = |keys: &str| {
+        let text = format!("[mechanism]\nstroke = '86 mm'\nrod_length = '143 mm'\n{keys}[inline]\nthrows = [0]\n");
+        parse_layout("layout.toml", &text).expect_err("a contradiction").to_string()
+    };
+    let rotating =
+        told("piston_mass = '0.4 kg'\nrod_mass = '0.6 kg'\nrod_centre = '40 mm'\nrotating_mass = '0.4 kg'\n");
+    for words in [
+        "rotating_mass contradicts rod_mass",
+        "layout.toml:7",
+        "leave out rotating_mass",
+        "rod_centre",
+        "or leave out rod_mass",
+    ] {
+        assert!(rotating.contains(words), "{words}: {rotating}");
+    }
+    let reciprocating = told("reciprocating_mass = '0.5 kg'\nrod_mass = '0.6 kg'\nrotating_mass = '0.4 kg'\n");
+    for words in
+        ["rod_mass contradicts reciprocating_mass", "layout.toml:5", "piston_mass in place of reciprocating_mass"]
+    {
+        assert!(reciprocating.contains(words), "{words}: {reciprocating}");
+    }
+}
