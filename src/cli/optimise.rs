@@ -57,10 +57,8 @@ mod run {
                 return Err(Failure::new(format!("{} points; ask for {MOST_POINTS} at most", self.points)));
             }
             let wish = Wish { couple: couple(&self.couple)?, points: self.points, orders };
-            let spinner = progress::spinner("finding the best counterweights");
-            let front = front(&engine, &wish);
-            spinner.finish_and_clear();
-            let front = front.map_err(Failure::new)?;
+            progress::doing("finding the best counterweights");
+            let front = front(&engine, &wish).map_err(Failure::new)?;
             if self.json {
                 return print_json(&report::optimise_document(&engine, &front, &wish.couple));
             }

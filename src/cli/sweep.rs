@@ -108,7 +108,7 @@ impl Ranges {
         let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
         let parameters = self.parameters(&template)?;
         let orders = rising(orders);
-        let spinner = progress::spinner("sweeping");
+        progress::doing("sweeping");
         let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default());
         let sweep = sweep.and_then(|mut sweep| {
             let firing = rising(firing);
@@ -117,7 +117,6 @@ impl Ranges {
             }
             Ok(sweep)
         });
-        spinner.finish_and_clear();
         sweep.map_err(Failure::new)
     }
 

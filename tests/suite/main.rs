@@ -86,6 +86,7 @@ mod output_folder;
 mod plane_cheats;
 mod plots;
 mod printed_lines;
+mod progress;
 mod quadratic_cheats;
 mod random_engines;
 mod recurrences;
