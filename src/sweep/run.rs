@@ -68,6 +68,21 @@ pub fn sweep(
     orders: &[u32],
     geometry: &Geometry,
 ) -> Result<Sweep, SweepError> {
+    sweep_until(template, parameters, orders, geometry, &AtomicBool::new(false))
+}
+
+/// The same until a flag is set, which stops it.
+///
+/// # Errors
+/// As [`sweep`], and that it was stopped.
+pub fn sweep_until(
+    template: &Template,
+    parameters: &[Parameter],
+    orders: &[u32],
+    geometry: &Geometry,
+    stop: &AtomicBool,
+) -> Result<Sweep, SweepError> {
+    let all = |count: usize, point: &PointOf| all(count, stop, point);
     let count = count(parameters)?;
     if count > MOST_POINTS {
         let sizes: Vec<String> = parameters.iter().map(|parameter| parameter.range.count().to_string()).collect();
@@ -209,11 +224,11 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// What computes a point.
+type PointOf<'a> = dyn Fn(usize, &mut Motions) -> Result<SweptEngine, SweepError> + Sync + 'a;
+
 /// Computes so many points on all cores; the first that fails is the one to tell.
-fn all(
-    count: usize,
-    point: &(dyn Fn(usize, &mut Motions) -> Result<SweptEngine, SweepError> + Sync),
-) -> Result<Vec<SweptEngine>, SweepError> {
+fn all(count: usize, stop: &AtomicBool, point: &PointOf) -> Result<Vec<SweptEngine>, SweepError> {
     let threads = thread::available_parallelism().map_or(1, NonZero::get).min(count.div_ceil(64)).max(1);
     let failed = AtomicBool::new(false);
     let part = |thread: usize| {
@@ -224,7 +239,11 @@ fn all(
             if thread > 0 && failed.load(Ordering::Relaxed) {
                 break;
             }
-            match point(index, &mut motions) {
+            let point = match stop.load(Ordering::Relaxed) {
+                true => Err(SweepError::new("stopped")),
+                false => point(index, &mut motions),
+            };
+            match point {
                 Ok(point) => points.push(point),
                 Err(error) => {
                     failed.store(true, Ordering::Relaxed);
