@@ -6,7 +6,7 @@ use crate::engine::Engine;
 use crate::journal::{CycleLoads, NoCycleLoads, cycle_loads};
 use crate::loads::{BearingLoads, Method, bearing_loads};
 use crate::page::Document;
-use crate::python::answer::{Answer, Question};
+use crate::python::answer::Question;
 use crate::python::documents;
 use crate::python::error::told;
 use crate::report::{self, BearingsDocument, data};
@@ -20,11 +20,11 @@ struct Bearings {
 }
 
 /// What the main bearings feel at these orders, with the gas where the layout asks for it.
-pub(in crate::python) fn bearings(engine: &Engine, orders: &[u32]) -> PyResult<Answer> {
+pub(in crate::python) fn bearings(engine: &Engine, orders: &[u32]) -> PyResult<impl Question + use<>> {
     let solve = |method| bearing_loads(engine, orders, method).map_err(told);
     let (continuous, determinate) = (solve(Method::Continuous)?, solve(Method::Determinate)?);
     let complete = engine.effects().gas.then(|| cycle_loads(engine));
-    Ok(Answer::new(Bearings { engine: engine.clone(), continuous, determinate, complete }))
+    Ok(Bearings { engine: engine.clone(), continuous, determinate, complete })
 }
 
 impl Bearings {
@@ -38,10 +38,6 @@ impl Bearings {
 }
 
 impl Question for Bearings {
-    fn command(&self) -> &'static str {
-        "bearings"
-    }
-
     fn tables(&self) -> Vec<Table> {
         let complete = self.complete.as_ref().and_then(|loads| loads.as_ref().ok());
         data::bearings(&self.engine, [&self.continuous, &self.determinate], &self.document(), complete)

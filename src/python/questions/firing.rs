@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use crate::engine::{CycleOrder, Engine};
 use crate::firing::{FiringStar, StarOrder, Weights};
 use crate::page::Document;
-use crate::python::answer::{Answer, Question};
+use crate::python::answer::Question;
 use crate::python::documents;
 use crate::python::error::told;
 use crate::report::{self, FiringStudy};
@@ -20,21 +20,21 @@ struct Fired {
 }
 
 /// Judges the firing stars of these orders, weighed by a mode shape where one is given.
-pub(in crate::python) fn firing(engine: &Engine, orders: &[CycleOrder], weights: Weights) -> PyResult<Answer> {
+pub(in crate::python) fn firing(
+    engine: &Engine,
+    orders: &[CycleOrder],
+    weights: Weights,
+) -> PyResult<impl Question + use<>> {
     let study = FiringStudy::new(engine, orders, weights).map_err(told)?;
-    Ok(Answer::new(Fired {
+    Ok(Fired {
         orders: table(&study),
         json: documents::json(&report::firing_document(&study, false))?,
         answer: report::firing_answer(&study),
         page: report::firing_page(&study),
-    }))
+    })
 }
 
 impl Question for Fired {
-    fn command(&self) -> &'static str {
-        "firing"
-    }
-
     fn tables(&self) -> Vec<Table> {
         vec![self.orders.clone()]
     }

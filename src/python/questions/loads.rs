@@ -4,7 +4,7 @@ use pyo3::prelude::*;
 
 use crate::engine::Engine;
 use crate::page::Document;
-use crate::python::answer::{Answer, Question};
+use crate::python::answer::Question;
 use crate::python::documents;
 use crate::python::error::told;
 use crate::report::{self, Numbers, data};
@@ -16,16 +16,12 @@ struct Loads {
 }
 
 /// The loads of an engine at these orders.
-pub(in crate::python) fn loads(engine: &Engine, orders: &[u32]) -> PyResult<Answer> {
+pub(in crate::python) fn loads(engine: &Engine, orders: &[u32]) -> PyResult<impl Question + use<>> {
     let numbers = Numbers::new(engine, orders, None).map_err(told)?;
-    Ok(Answer::new(Loads { engine: engine.clone(), numbers }))
+    Ok(Loads { engine: engine.clone(), numbers })
 }
 
 impl Question for Loads {
-    fn command(&self) -> &'static str {
-        "loads"
-    }
-
     fn tables(&self) -> Vec<Table> {
         data::loads(&self.engine, &self.numbers, &report::loads_document(&self.engine, &self.numbers, None))
     }

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 
 use crate::engine::Engine;
 use crate::page::Document;
-use crate::python::answer::{Answer, Question};
+use crate::python::answer::Question;
 use crate::python::documents;
 use crate::python::error::told;
 use crate::report;
@@ -18,16 +18,12 @@ struct Torque {
 }
 
 /// The torque of gas and inertia.
-pub(in crate::python) fn torque(engine: &Engine) -> PyResult<Answer> {
+pub(in crate::python) fn torque(engine: &Engine) -> PyResult<impl Question + use<>> {
     let torque = torque::torque(engine).map_err(told)?;
-    Ok(Answer::new(Torque { engine: engine.clone(), torque }))
+    Ok(Torque { engine: engine.clone(), torque })
 }
 
 impl Question for Torque {
-    fn command(&self) -> &'static str {
-        "torque"
-    }
-
     fn tables(&self) -> Vec<Table> {
         vec![orders(&self.torque), theta(&self.torque)]
     }
