@@ -14,7 +14,7 @@ MISTAKES: list[tuple[Callable[[], Any], str]] = [
     (lambda: Engine.named("I4").sweep(bank_angle="0..90:10"), "^bank_angle is for layouts"),
     (lambda: Engine.named("I4").sweep(bank_angle="0..90:10"), r'ranges=\{"KEY": "0..90:10"\}'),
     (lambda: Engine.named("V6-60-even").sweep(bank_angle="0..90"), "bank_angle"),
-    (lambda: Engine.named("V6-60-even").sweep(bank_angle=(1, 2)), "bank_angle"),
+    (lambda: Engine.named("V6-60-even").sweep(bank_angle=(1, 2)), "bank_angle"),  # type: ignore[arg-type]
     (lambda: Engine.named("V6-60-even").sweep(bank_angle="0..180:0.001"), "100000 are kept"),
     (lambda: Engine.named("V6-60-even").sweep(rod_ratio="x..y:z"), "rod_ratio"),
     (lambda: crankstar.search(20, "four-stroke", torsion=True, grid=3), "leave out torsion"),
