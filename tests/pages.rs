@@ -2,11 +2,15 @@
 //!
 //! `pages/data.rs` asks it of tables: read by openpyxl and DuckDB for Python, where the features `xlsx` and `parquet` are on.
 //!
+//! `pages/completions.rs` asks it of the shells.
+//!
 //! These tests need pdflatex, Typst for Python, pdftotext, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
 //! `cargo test --test pages -- --ignored`.
 
 #![allow(clippy::disallowed_types)]
 
+#[path = "pages/completions.rs"]
+mod completions;
 #[cfg(any(feature = "xlsx", feature = "parquet"))]
 #[path = "pages/data.rs"]
 mod data;

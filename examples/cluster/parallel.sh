@@ -9,8 +9,8 @@ set -euo pipefail
 # What is asked, with its command.
 : "${ASK:=sweep V8-crossplane --bank-angle 0..179.9982:0.0018 --orders 1,2,4,6}"
 mkdir -p shards
-# A shard that fails, or is killed, is tried three times.
+# A process for each core, and a thread for each process. A shard that fails, or is killed, is tried three times.
 seq "$SHARDS" | parallel --jobs "$JOBS" --retries 3 --halt soon,fail=1 \
-    "$CRANKSTAR $ASK --shard {}/$SHARDS --output shards/{}.shard"
+    "$CRANKSTAR $ASK --threads 1 --shard {}/$SHARDS --output shards/{}.shard"
 # shellcheck disable=SC2086 # several words on purpose
 exec "$CRANKSTAR" $ASK --format csv --output "$1" --merge shards/*.shard

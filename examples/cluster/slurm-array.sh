@@ -11,6 +11,7 @@
 #SBATCH --job-name=crankstar
 #SBATCH --array=1-24
 #SBATCH --ntasks=1
+#SBATCH --cpus-per-task=1
 #SBATCH --requeue
 #SBATCH --open-mode=append
 #SBATCH --output=log-%a.txt
@@ -21,4 +22,4 @@ set -euo pipefail
 mkdir -p shards
 echo "shard $SLURM_ARRAY_TASK_ID on ${SLURMD_NODENAME:-?}, restart ${SLURM_RESTART_COUNT:-0}"
 # shellcheck disable=SC2086 # several words on purpose
-exec "$CRANKSTAR" $ASK --shard "$SLURM_ARRAY_TASK_ID/$SHARDS" --output "shards/$SLURM_ARRAY_TASK_ID.shard"
+exec "$CRANKSTAR" $ASK --threads "${SLURM_CPUS_PER_TASK:-1}" --shard "$SLURM_ARRAY_TASK_ID/$SHARDS" --output "shards/$SLURM_ARRAY_TASK_ID.shard"

@@ -13,7 +13,7 @@ use crankstar::table;
 use super::failure::Failure;
 use super::pages::{self, Look, Measures};
 use super::tables::{Tables, Wanted};
-use super::{tables, written_json, write};
+use super::{tables, write, written_json};
 
 /// What a person may say of an answer that is a page or data.
 #[derive(clap::Args)]

@@ -25,7 +25,9 @@ impl Bearings {
         self.answer.give("bearings", self.json, || {
             let (layout, orders) = self.about.read_for_bearings()?;
             let Layout::Known(engine, _) = layout else {
-                return Err(Failure::new("bearing loads need an engine without unknowns; give them values below [values]"));
+                return Err(Failure::new(
+                    "bearing loads need an engine without unknowns; give them values below [values]",
+                ));
             };
             BearingsStudy::new(&engine, &orders).map_err(Failure::new)
         })

@@ -98,10 +98,8 @@ impl Exercise {
             let sheet = report::exercise_sheet(pupil, &orders, &self.table_of(pupil), &scheme);
             return write::to_stdout(&self.pages.files(&sheet)?[0].text);
         }
-        let spinner = progress::spinner("writing sheets and solutions");
-        let files = self.files(&exercise, &scheme);
-        let written = files.and_then(|files| self.pages.write_files(&files));
-        spinner.finish_and_clear();
+        progress::doing("writing sheets and solutions");
+        let written = self.files(&exercise, &scheme).and_then(|files| self.pages.write_files(&files));
         let namesakes = students.iter().filter(|student| student.is_namesake);
         namesakes.for_each(|student| write::to_stderr(&namesake(student)));
         write::to_stdout(&format!("{} sheets, with solutions. Seed {}.\n{}", students.len(), self.seed, written?))

@@ -47,9 +47,7 @@ impl Firing {
             return self.answer.show(&answer, || report::firing_catalogue_page(&engines, self.cycle.into()));
         };
         match layouts::read(layout)? {
-            Layout::Known(engine, _) => {
-                self.answer.give("firing", false, || study(&engine, &self.orders, &self.mode))
-            }
+            Layout::Known(engine, _) => self.answer.give("firing", false, || study(&engine, &self.orders, &self.mode)),
             Layout::Open(family) => {
                 self.has_no_tables("a layout with unknowns")?;
                 let study = open_study(&family, &self.orders, &self.mode)?;
@@ -62,7 +60,9 @@ impl Firing {
     fn has_no_tables(&self, of: &str) -> Result<(), Failure> {
         match self.answer.wanted("firing")?.is_none() && !self.answer.is_json() {
             true => Ok(()),
-            false => Err(Failure::misuse(format!("{of} has no tables of firing stars; name an engine without unknowns"))),
+            false => {
+                Err(Failure::misuse(format!("{of} has no tables of firing stars; name an engine without unknowns")))
+            }
         }
     }
 }

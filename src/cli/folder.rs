@@ -142,6 +142,7 @@ fn fill(folder: &Path, files: &[Content]) -> io::Result<()> {
 }
 
 fn fill_locked(folder: &Path, files: &[Content]) -> io::Result<()> {
+    are_free(folder, files)?;
     let partial = folder.join(format!(".{ENDING}"));
     let Some((first, others)) = files.split_first() else { return Ok(()) };
     for (name, content) in others.iter().chain([first]) {
@@ -155,6 +156,24 @@ fn fill_locked(folder: &Path, files: &[Content]) -> io::Result<()> {
         placed?;
     }
     sync(folder)
+}
+
+/// What keeps a file from its place is told before the first one is replaced.
+fn are_free(folder: &Path, files: &[Content]) -> io::Result<()> {
+    let told = |kind: ErrorKind, what: &str| Err(io::Error::new(kind, what.to_owned()));
+    for (name, _) in files {
+        let place = folder.join(name);
+        if fs::symlink_metadata(&place).is_ok_and(|there| there.is_dir()) {
+            let what = format!("`{}` is a folder, where a file is to stand; remove it", shown(&place));
+            return told(ErrorKind::IsADirectory, &what);
+        }
+        let mut inside = place.ancestors().skip(1).take_while(|inside| *inside != folder);
+        if let Some(file) = inside.find(|inside| inside.exists() && !inside.is_dir()) {
+            let what = format!("`{}` is a file, where a folder is to stand; remove it", shown(file));
+            return told(ErrorKind::NotADirectory, &what);
+        }
+    }
+    Ok(())
 }
 
 /// Writes a file under another name, and gives it its own when it is on the disk.

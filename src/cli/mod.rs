@@ -6,6 +6,7 @@ mod atlas;
 mod bearings;
 mod check;
 mod classify;
+mod closed;
 mod compare;
 mod exercise;
 mod failure;
@@ -79,6 +80,7 @@ a certificate fails or a claim does not hold; 2 wrong usage.";
 enum Command {
     /// List the engines known by name, and the first order each leaves
     List(list::List),
+    /// Judge force and moment, order by order
     Classify(classify::Classify),
     /// Compute forces, moments and torque in newtons
     Loads(loads::Loads),
@@ -197,8 +199,10 @@ pub fn run() -> ExitCode {
     let done = |()| ExitCode::SUCCESS;
     let command = match command_of(loads::spelled_out(std::env::args_os())) {
         Ok(command) => command,
-        Err(told) => return usage(&told),
+        Err(told) if told.use_stderr() => return misused(&told),
+        Err(help) => return ended(write::to_stdout(&help.render().ansi().to_string()).map(done)),
     };
+    progress::doing("computing");
     let answer = match command {
         Command::List(list) => list.run().map(done),
         Command::Classify(classify) => classify.run().map(done),
@@ -223,6 +227,11 @@ pub fn run() -> ExitCode {
         Command::Sweep(sweep) => sweep.run().map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };
+    ended(answer)
+}
+
+/// The exit status; why there is no answer is told.
+fn ended(answer: Result<ExitCode, Failure>) -> ExitCode {
     match answer {
         Ok(status) => status,
         Err(failure) => {
@@ -238,13 +247,8 @@ fn command_of(arguments: Vec<OsString>) -> Result<Command, clap::Error> {
     Ok(Arguments::from_arg_matches(&asked)?.command)
 }
 
-/// Help, or what is wrong with the arguments, which may be repeated in it.
-fn usage(told: &clap::Error) -> ExitCode {
-    if !told.use_stderr() {
-        // Help and version; where nobody reads them there is nobody to tell.
-        let _ = told.print();
-        return ExitCode::SUCCESS;
-    }
+/// Tells what is wrong with the arguments, which may be repeated in it.
+fn misused(told: &clap::Error) -> ExitCode {
     write::to_stderr(text::harmless_lines(&told.render().to_string()).trim_end());
     ExitCode::from(2)
 }

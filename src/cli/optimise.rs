@@ -61,7 +61,7 @@ mod run {
                 return Err(Failure::new(format!("{} points; ask for {MOST_POINTS} at most", self.points)));
             }
             let wish = Wish { couple: couple(&self.couple)?, points: self.points, orders };
-            let spinner = progress::spinner("finding the best counterweights");
+            progress::doing("finding the best counterweights");
             // What the layout names beside itself stands beside the layouts that are written, too.
             let named = Mutex::new(BTreeMap::new());
             let read = |path: &str| {
@@ -72,7 +72,6 @@ mod run {
                 Ok(text)
             };
             let front = front_beside(&engine, &wish, Beside::new(&read));
-            spinner.finish_and_clear();
             let front = front.map_err(Failure::new)?;
             if self.json {
                 return print_json(&report::optimise_document(&engine, &front, &wish.couple));

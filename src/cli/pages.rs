@@ -111,9 +111,9 @@ pub enum Format {
 /// How formulas are marked in Markdown.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Math {
-    /// $`…`$, as code-hosting pages read it
+    /// Dollars with backticks, as code-hosting pages read it
     Github,
-    /// $…$, as pandoc, Quarto and Jupyter read it
+    /// Dollars alone, as pandoc, Quarto and Jupyter read it
     Dollars,
 }
 

@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use indicatif::ProgressBar;
+
 use crankstar::report::data;
 use crankstar::shard::{Merged, Question, Shard, Store, cores, in_order};
 use crankstar::sweep::Stream;
@@ -25,6 +27,9 @@ pub struct Pieces {
     /// Keep every finished piece of the table of points in this file, and go on from it; interrupt at will
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
+    /// Number of threads that compute the table of points [default: one per core]
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
 }
 
 /// How files of pieces are named.
@@ -37,6 +42,10 @@ enum Made {
 }
 
 impl Pieces {
+    fn threads(&self) -> usize {
+        self.threads.map_or_else(cores, usize::from)
+    }
+
     /// The shard that is asked for.
     pub fn shard(&self) -> Result<Option<Shard>, Failure> {
         self.shard.as_deref().map(|text| Shard::parse(text).map_err(Failure::misuse)).transpose()
@@ -49,10 +58,10 @@ impl Pieces {
 
     /// Sees to it that nothing is said of pieces, where there are none.
     pub fn are_for_tables(&self) -> Result<(), Failure> {
-        match (self.merge.is_empty(), &self.resume) {
-            (true, None) => Ok(()),
-            (false, _) | (_, Some(_)) => Err(Failure::misuse(
-                "pieces are those of the table of points; add --format csv or parquet, and no --output or that of one file",
+        match (self.merge.is_empty(), &self.resume, self.threads) {
+            (true, None, None) => Ok(()),
+            (false, _, _) | (_, Some(_), _) | (_, _, Some(_)) => Err(Failure::misuse(
+                "pieces and threads are those of the table of points; add --format csv or parquet, and no --output or that of one file",
             )),
         }
     }
@@ -64,7 +73,7 @@ impl Pieces {
 
     /// Computes the pieces of a shard that its file lacks.
     pub fn keep(&self, stream: &Stream, question: &Question, shard: Shard, output: &Path) -> Result<(), Failure> {
-        keep(stream, question, shard, output)?;
+        keep(stream, question, shard, output, self.threads())?;
         write::to_stdout(&format!("Written: {}\n", shown(output)))
     }
 
@@ -72,7 +81,7 @@ impl Pieces {
     pub fn write(&self, stream: &Stream, question: &Question, wanted: &Wanted) -> Result<(), Failure> {
         let kept = match &self.resume {
             Some(path) => {
-                keep(stream, question, Shard::WHOLE, path)?;
+                keep(stream, question, Shard::WHOLE, path, self.threads())?;
                 std::slice::from_ref(path)
             }
             None => self.merge.as_slice(),
@@ -89,10 +98,10 @@ impl Pieces {
                         Format::Parquet | Format::Xlsx => Made::Table(of_rows(&like, &rows)?),
                     })
                 };
-                in_order(cores(), &all, &read, &mut |_, made| add(file, made))
+                in_order(self.threads(), &all, &read, &mut |_, made| add(file, made))
             });
         }
-        let bar = bar(&all, 0);
+        let bar = if wanted.shows_itself() { ProgressBar::hidden() } else { bar(&all, 0) };
         let outcome = wanted.stream(like.clone(), |file| {
             let make = |piece| {
                 let table = points(stream, &like, piece)?;
@@ -101,7 +110,7 @@ impl Pieces {
                     Format::Parquet | Format::Xlsx => Made::Table(table),
                 })
             };
-            in_order(cores(), &all, &make, &mut |_, made| {
+            in_order(self.threads(), &all, &make, &mut |_, made| {
                 add(file, made)?;
                 bar.inc(1);
                 Ok(())
@@ -151,14 +160,14 @@ fn points(stream: &Stream, like: &Table, piece: usize) -> Result<Table, Failure>
 }
 
 /// Computes the pieces of a shard that its file lacks, and keeps each.
-fn keep(stream: &Stream, question: &Question, shard: Shard, path: &Path) -> Result<(), Failure> {
+fn keep(stream: &Stream, question: &Question, shard: Shard, path: &Path, threads: usize) -> Result<(), Failure> {
     let mut store = Store::open(path, question, shard).map_err(Failure::new)?;
     let there: BTreeSet<usize> = store.pieces();
     let list: Vec<usize> = (0..question.pieces).filter(|piece| shard.takes(*piece) && !there.contains(piece)).collect();
     let like = data::sweep_points(&stream.first().map_err(Failure::new)?);
     let bar = bar(&list, there.len());
     let make = |piece| points(stream, &like, piece).map(|table| table::rows(&table));
-    let kept = in_order(cores(), &list, &make, &mut |piece, rows| {
+    let kept = in_order(threads, &list, &make, &mut |piece, rows| {
         store.put(piece, rows.as_bytes()).map_err(Failure::new)?;
         bar.inc(1);
         Ok(())
@@ -169,7 +178,7 @@ fn keep(stream: &Stream, question: &Question, shard: Shard, path: &Path) -> Resu
 }
 
 /// A bar for these pieces, of which so many others were done before.
-fn bar(list: &[usize], before: usize) -> indicatif::ProgressBar {
+fn bar(list: &[usize], before: usize) -> ProgressBar {
     let bar = progress::bar("pieces");
     bar.set_length((list.len() + before) as u64);
     bar.set_position(before as u64);

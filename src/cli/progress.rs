@@ -1,22 +1,65 @@
-//! How is a person told that a long command still works? On a terminal only, on standard error.
+//! How is a person told that a long command still works? On a terminal only, on standard error, and gone before anything is printed.
 
 use std::io::IsTerminal;
+use std::sync::mpsc::{self, RecvTimeoutError, Sender};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A bar of so many pieces with the time left.
+/// What takes no longer than this is not told.
+const PATIENCE: Duration = Duration::from_millis(500);
+/// How often the spinner moves.
+const TICK: Duration = Duration::from_millis(200);
+
+/// The spinner that is shown, or will be.
+static SPINNER: Mutex<Option<Spinner>> = Mutex::new(None);
+
+/// A spinner turns in a thread of its own until it is told to stop.
+struct Spinner {
+    stop: Sender<()>,
+    turning: JoinHandle<()>,
+}
+
+/// A bar of so many pieces with the time left, in the place of the spinner.
 pub fn bar(pieces: &str) -> ProgressBar {
+    end();
     with_style(&format!("{{bar:40}} {{pos}}/{{len}} {pieces}, {{eta}} left"))
 }
 
-/// What is being done, and for how long, where no number of pieces is known.
-pub fn spinner(words: &'static str) -> ProgressBar {
-    let spinner = with_style("{spinner} {msg}, {elapsed}").with_message(words);
-    if !spinner.is_hidden() {
-        spinner.enable_steady_tick(Duration::from_millis(200));
+/// From now on these words tell what is being done, and for how long, until [`end`].
+pub fn doing(words: &'static str) {
+    end();
+    if !std::io::stderr().is_terminal() {
+        return;
     }
-    spinner
+    let (stop, told) = mpsc::channel();
+    let turning = thread::spawn(move || {
+        if told.recv_timeout(PATIENCE) != Err(RecvTimeoutError::Timeout) {
+            return;
+        }
+        let spinner = with_style("{spinner} {msg}, {elapsed}").with_message(words).with_elapsed(PATIENCE);
+        spinner.tick();
+        while told.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
+            spinner.tick();
+        }
+        spinner.finish_and_clear();
+    });
+    *spinner() = Some(Spinner { stop, turning });
+}
+
+/// The spinner goes away.
+pub fn end() {
+    if let Some(Spinner { stop, turning }) = spinner().take() {
+        drop(stop);
+        // It cannot be told of a spinner that failed, and the answer does not hang on it.
+        let _ = turning.join();
+    }
+}
+
+fn spinner() -> MutexGuard<'static, Option<Spinner>> {
+    SPINNER.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 fn with_style(template: &str) -> ProgressBar {

@@ -33,10 +33,8 @@ pub struct Report {
 fn accuracy_of(engine: &Engine) -> Result<AccuracyCase, Failure> {
     let torque = engine.effects().torque.then_some(Quantity::Torque);
     let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
-    let spinner = progress::spinner("finding each peak by all methods");
-    let case = AccuracyCase::of(engine, &quantities, Timing::Off);
-    spinner.finish_and_clear();
-    case.map_err(Failure::new)
+    progress::doing("finding each peak by all methods");
+    AccuracyCase::of(engine, &quantities, Timing::Off).map_err(Failure::new)
 }
 
 impl Report {

@@ -68,20 +68,14 @@ impl Sweep {
     pub fn run(&self) -> Result<(), Failure> {
         if let Some(shard) = self.pieces.shard()? {
             let output = self.answer.nothing_but_output("--shard")?;
-            return self.streamed(|stream, question| {
-                self.pieces.keep(stream, question, shard, output)
-            });
+            return self.streamed(|stream, question| self.pieces.keep(stream, question, shard, output));
         }
         let wanted = self.answer.wanted("sweep")?;
         if let Some(output) = self.pieces.merged_into_one(self.answer.output()) {
-            return self.streamed(|_, question| {
-                self.pieces.merge(question, output)
-            });
+            return self.streamed(|_, question| self.pieces.merge(question, output));
         }
         if let Some(wanted) = wanted.as_ref().filter(|wanted| wanted.is_streamed("points")) {
-            return self.streamed(|stream, question| {
-                self.pieces.write(stream, question, wanted)
-            });
+            return self.streamed(|stream, question| self.pieces.write(stream, question, wanted));
         }
         self.pieces.are_for_tables()?;
         let sweep = self.ranges.sweep(&self.layout, &self.orders, &self.firing_orders, &self.value)?;
@@ -143,7 +137,7 @@ impl Ranges {
         let template = Template::new(&name, &text)?.with_beside(Beside::new(&read));
         let parameters = self.parameters(&template)?;
         let orders = rising(orders);
-        let spinner = progress::spinner("sweeping");
+        progress::doing("sweeping");
         let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default());
         let sweep = sweep.and_then(|mut sweep| {
             let firing = rising(firing);
@@ -156,7 +150,6 @@ impl Ranges {
             }
             Ok(sweep)
         });
-        spinner.finish_and_clear();
         sweep.map_err(Failure::new)
     }
 

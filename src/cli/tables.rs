@@ -1,6 +1,6 @@
 //! Which tables are asked for, and where do they go: to standard output, into a file, into a folder?
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::path::Path;
 
 use crankstar::page::Units;
@@ -103,12 +103,17 @@ impl Wanted<'_> {
             stream.finish().map(drop).map_err(Failure::new)
         };
         match self.output {
-            None => fill(Box::new(write::table_to_stdout())),
+            None => fill(Box::new(write::table_to_stdout()?)),
             Some(path) => {
                 folder::grow_file(path, &example, |file| fill(Box::new(file)))?;
                 write::to_stdout(&format!("Written: {}\n", shown(path)))
             }
         }
+    }
+
+    /// Whether its rows are printed on a terminal as they come: they tell how far it is themselves.
+    pub fn shows_itself(&self) -> bool {
+        self.output.is_none() && std::io::stdout().is_terminal()
     }
 
     /// What it is written in.

@@ -43,7 +43,8 @@ impl Values {
         let all: Vec<Result<_, Failure>> = thread::scope(|scope| {
             let part = &part;
             let parts: Vec<_> = self.layouts.chunks(size).map(|some| scope.spawn(move || part(some))).collect();
-            let joined = parts.into_iter().map(|one| one.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+            let joined =
+                parts.into_iter().map(|one| one.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
             joined.flatten().collect()
         });
         all.into_iter().collect()

@@ -5,9 +5,12 @@ use std::io::{ErrorKind, Write};
 use crankstar::text::harmless_but_colours;
 
 use super::failure::Failure;
+use super::{closed, progress};
 
 /// Prints a text; a reader that has seen enough and closes the pipe is no failure.
 pub fn to_stdout(text: &str) -> Result<(), Failure> {
+    is_open()?;
+    progress::end();
     let mut out = anstream::stdout().lock();
     match out.write_all(harmless_but_colours(text).as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -18,8 +21,18 @@ pub fn to_stdout(text: &str) -> Result<(), Failure> {
 }
 
 /// Standard output for a table, whose texts are harmless already; a reader that has seen enough takes the rest.
-pub fn table_to_stdout() -> impl Write + Send {
-    Seen(Some(std::io::stdout()))
+pub fn table_to_stdout() -> Result<impl Write + Send, Failure> {
+    is_open()?;
+    progress::end();
+    Ok(Seen(Some(std::io::stdout())))
+}
+
+/// Nothing can be printed where the caller closed standard output.
+fn is_open() -> Result<(), Failure> {
+    match closed::is_closed() {
+        true => Err(Failure::new("cannot write to standard output: it is closed")),
+        false => Ok(()),
+    }
 }
 
 /// A reader that may leave.
@@ -45,5 +58,6 @@ impl Write for Seen {
 
 /// Tells why there is no answer; where nobody can be told, the exit status says it alone.
 pub fn to_stderr(text: &str) {
+    progress::end();
     let _ = writeln!(anstream::stderr().lock(), "{text}");
 }

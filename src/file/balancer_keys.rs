@@ -24,7 +24,7 @@ pub(super) struct Keys {
     mass_radius: Option<Text>,
     coefficient_of: Option<Text>,
     angle: Text,
-    position: Text,
+    position: Option<Text>,
     height: Option<Text>,
     offset: Option<Text>,
 }
@@ -56,6 +56,10 @@ pub(super) fn read(
             return Err(LayoutError::new("a radius without its mass", "add mass", place(text)));
         }
     };
+    let Some(position) = &keys.position else {
+        let right = "[[balancer]] needs position: where its weight stands along the crankshaft, such as position = 0";
+        return Err(LayoutError::new("a balancer shaft without a position", right, place(table)));
+    };
     let zero = |text: &Option<Text>| text.as_ref().map_or(Ok(BigRational::zero()), metres);
     let axis = match (&keys.height, &keys.offset) {
         (None, None) => None,
@@ -77,7 +81,7 @@ pub(super) fn read(
         mass_radius,
         coefficient_of: keys.coefficient_of.as_ref().map(|text| cylinder(engine, text)).transpose()?,
         angle: Turn::new(convention.in_the_sense_of_rotation(quantities::known_angle(&keys.angle)?)),
-        position: along(&keys.position)?,
+        position: along(position)?,
         axis,
     };
     Ok((shaft, in_multiples))

@@ -20,6 +20,7 @@ mod tikz;
 mod unit;
 mod write;
 
+pub use crate::table::Unit;
 pub use block::{Block, Document, Fold, Live, Moving, Picture, Table};
 pub use language::Language;
 pub use number::Number;
@@ -28,7 +29,6 @@ pub use symbols::Symbols;
 pub(crate) use text::phrase;
 pub use text::{Piece, Text};
 pub use tikz::tikz;
-pub use crate::table::Unit;
 pub use unit::Units;
 pub(crate) use write::say;
 pub use write::{Alone, File, Format, Math, Options, blocks_in, text_in, write};

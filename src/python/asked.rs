@@ -25,7 +25,17 @@ pub(super) fn orders(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<u3
     keys::numbers(value)?.iter().map(read).collect::<PyResult<_>>().map(Some)
 }
 
-/// The ranges of a sweep: those of the flags that are given, and those of keys of the layout.
+/// Exact values as texts that are read again.
+pub(super) fn written(values: &[impl ToString]) -> Vec<String> {
+    values.iter().map(ToString::to_string).collect()
+}
+
+/// An angle as a text that is read again.
+pub(super) fn in_turns(angle: &Turn) -> String {
+    format!("{} turn", angle.turns())
+}
+
+/// The ranges of a sweep: those of the keywords that are given, and those of keys of the layout.
 pub(super) fn ranges(
     flags: [(&'static str, Option<&Bound<'_, PyAny>>); 6],
     keys: Option<&Bound<'_, PyDict>>,

@@ -1,17 +1,24 @@
 //! What is an engine in Python, and what can be asked of it?
 
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use serde_json::{Value, json};
 
+use super::again::{Asked, Reduced, maker};
 use super::answer::Answer;
+use super::asked::written;
 use super::error::told;
+use super::interrupt::interruptible;
 use super::questions::{self, Remedy, Wanted};
 use super::reading::Source;
 use super::verdicts::Verdicts;
 use super::{asked, keys, notebook, pages};
 use crate::engine::{self, Family};
+use crate::firing::Weights;
 use crate::loads;
 use crate::page::Format;
 use crate::report::{self, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
@@ -29,6 +36,8 @@ use crate::verdict;
 /// ("22.5 deg", "3/2"), fractions.Fraction, decimal.Decimal, and numbers and arrays of NumPy.
 ///
 /// Raises LayoutError with the line and column in `layout`, the text that the keywords make.
+///
+/// Engines are equal whose layouts are, with the files that they name; a pickle holds these, and is read where they are not.
 #[pyclass(frozen, module = "crankstar")]
 pub(super) struct Engine {
     pub(super) engine: engine::Engine,
@@ -37,9 +46,13 @@ pub(super) struct Engine {
 }
 
 impl Engine {
-    fn from_source(source: Source) -> PyResult<Self> {
+    pub(super) fn from_source(mut source: Source) -> PyResult<Self> {
         let (engine, family) = source.read()?;
         Ok(Engine { engine, family, source })
+    }
+
+    fn asked(&self, name: &str, keywords: &Value) -> Asked {
+        Asked::of(&self.source, name, keywords)
     }
 
     /// The orders that were asked for, rising, each once; else the usual ones.
@@ -69,7 +82,7 @@ impl Engine {
             above.update(keys.as_mapping())?;
         }
         let text = keys::layout(&above)? + &keys::cylinders([names, throws, banks, positions, masses])?;
-        let source = Source { name: "layout".to_owned(), text, folder: None };
+        let source = Source { name: "layout".to_owned(), text, folder: None, files: BTreeMap::new() };
         py.detach(|| Engine::from_source(source))
     }
 
@@ -84,7 +97,7 @@ impl Engine {
     #[pyo3(signature = (text, name="layout"))]
     fn parse(py: Python<'_>, text: String, name: &str) -> PyResult<Self> {
         let name = name.to_owned();
-        py.detach(|| Engine::from_source(Source { name, text, folder: None }))
+        py.detach(|| Engine::from_source(Source { name, text, folder: None, files: BTreeMap::new() }))
     }
 
     /// An engine of a layout file; files that it names stand beside it.
@@ -124,6 +137,29 @@ impl Engine {
         format!("<Engine: {}, {count} cylinder{plural}>", crate::text::harmless(self.title()))
     }
 
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        let same = |other: &Source| self.source.text == other.text && self.source.files == other.files;
+        other.cast::<Engine>().is_ok_and(|other| same(&other.get().source))
+    }
+
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.source.text.hash(&mut hasher);
+        hasher.finish()
+    }
+
+    fn __copy__(itself: Py<Self>) -> Py<Self> {
+        itself
+    }
+
+    fn __deepcopy__(itself: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        itself
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        Ok((maker(py, "_engine")?, self.source.state().into_pyobject(py)?))
+    }
+
     /// The verdicts, order by order: does force or moment vanish, and what is left?
     ///
     /// orders: 1 to 1000; those of the layout and the usual ones where left out.
@@ -139,14 +175,17 @@ impl Engine {
         torque: bool,
         all_orders: bool,
     ) -> PyResult<Verdicts> {
-        let (orders, masses) = (asked::orders(orders)?, masses.map(asked::masses).transpose()?);
+        let (orders, named) = (self.orders(asked::orders(orders)?), masses);
+        let masses = named.map(asked::masses).transpose()?;
+        let keywords = json!({ "orders": orders, "masses": named, "torque": torque, "all_orders": all_orders });
+        let asked = self.asked("classify", &keywords);
         py.detach(|| {
-            let judged = self.judged(&self.orders(orders), masses, torque)?;
+            let judged = self.judged(&orders, masses, torque)?;
             let theorem = all_orders.then(|| verdict::every_order(&self.engine, judged.masses));
             let theorem = theorem.transpose().map_err(told)?;
             let quantities = verdict::quantities(&self.engine, torque);
             let document = report::document(&self.engine, judged.masses, &judged.orders, &quantities, theorem.as_ref());
-            Verdicts::new(&self.engine, &judged, &document)
+            Verdicts::new(asked, &self.engine, &judged, &document)
         })
     }
 
@@ -155,8 +194,9 @@ impl Engine {
     /// Tables: the orders, and the course over the crank angle. Amplitudes are zero to peak.
     #[pyo3(signature = (orders=None))]
     fn loads(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
-        let orders = asked::orders(orders)?;
-        py.detach(|| Ok(Answer::new(LoadsStudy::new(&self.engine, &self.orders(orders), None).map_err(told)?)))
+        let orders = self.orders(asked::orders(orders)?);
+        let study = py.detach(|| LoadsStudy::new(&self.engine, &orders, None)).map_err(told)?;
+        Ok(Answer::new(self.asked("loads", &json!({ "orders": orders })), study))
     }
 
     /// What the main bearings feel, whose positions the layout gives; with the gas where it has `effects = ["gas"]`.
@@ -164,10 +204,9 @@ impl Engine {
     fn bearings(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
         let orders = asked::orders(orders)?;
         let usual = || loads::usual_bearing_orders(&self.engine);
-        py.detach(|| {
-            let orders = asked::rising(orders.unwrap_or_else(usual));
-            Ok(Answer::new(BearingsStudy::new(&self.engine, &orders).map_err(told)?))
-        })
+        let orders = asked::rising(orders.unwrap_or_else(usual));
+        let study = py.detach(|| BearingsStudy::new(&self.engine, &orders)).map_err(told)?;
+        Ok(Answer::new(self.asked("bearings", &json!({ "orders": orders })), study))
     }
 
     /// The counterweights and balancer shafts that make all vectors of these orders vanish, proved on the corrected engine.
@@ -189,7 +228,8 @@ impl Engine {
             factors: asked::factors(balance_factor)?,
             skews: asked::skews(skew)?,
         };
-        let (answer, remedy) = py.detach(|| questions::remedy(&self.engine, &self.source, &wanted))?;
+        let (question, remedy) = py.detach(|| questions::remedy(&self.engine, &self.source, &wanted))?;
+        let answer = Answer::new(self.asked("remedy", &wanted.keywords()), question);
         Bound::new(py, PyClassInitializer::from(answer).add_subclass(remedy))
     }
 
@@ -204,12 +244,19 @@ impl Engine {
         mode_shape: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Answer> {
         let (orders, weights) = (asked::cycle_orders(orders)?, asked::weights(mode_shape)?);
-        py.detach(|| Ok(Answer::new(FiringStudy::new(&self.engine, &orders, weights).map_err(told)?)))
+        let shape = match &weights {
+            Weights::Rigid => None,
+            Weights::ModeShape(shape) => Some(written(shape)),
+        };
+        let keywords = json!({ "orders": written(&orders), "mode_shape": shape });
+        let study = py.detach(|| FiringStudy::new(&self.engine, &orders, weights)).map_err(told)?;
+        Ok(Answer::new(self.asked("firing", &keywords), study))
     }
 
     /// The torque of gas and inertia, power and flywheel; needs `[gas]` in the layout.
     fn torque(&self, py: Python<'_>) -> PyResult<Answer> {
-        py.detach(|| Ok(Answer::new(TorqueStudy::new(&self.engine).map_err(told)?)))
+        let study = py.detach(|| TorqueStudy::new(&self.engine)).map_err(told)?;
+        Ok(Answer::new(self.asked("torque", &json!({})), study))
     }
 
     /// The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout.
@@ -218,13 +265,14 @@ impl Engine {
     #[pyo3(signature = (orders=None))]
     fn torsion(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
         let orders = asked::cycle_orders(orders)?;
-        py.detach(|| Ok(Answer::new(TorsionStudy::new(&self.engine, &orders).map_err(told)?)))
+        let study = py.detach(|| TorsionStudy::new(&self.engine, &orders)).map_err(told)?;
+        Ok(Answer::new(self.asked("torsion", &json!({ "orders": written(&orders) })), study))
     }
 
     /// How the balance changes with one value of the layout, or with two; exact zeros where the value is an angle.
     ///
     /// A range is "0..180:10", "80..120:5 mm", or a tuple (from, to, step). `ranges` takes any keys of the layout:
-    /// {"vee.bank_offset": "0..20:1 mm"}. firing_orders: judge the firing stars of these orders too.
+    /// {"vee.bank_offset": "0..20:1 mm"}. firing_orders: judge the firing stars of these orders too. An interrupt from the keyboard stops it.
     #[pyo3(signature = (ranges=None, *, bank_angle=None, pin_split=None, spacing=None, rod_ratio=None, balance_factor=None, speed=None,
                         orders=None, firing_orders=None))]
     #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
@@ -241,17 +289,20 @@ impl Engine {
         orders: Option<&Bound<'_, PyAny>>,
         firing_orders: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Answer> {
-        let flags = [
-            ("bank-angle", bank_angle),
-            ("pin-split", pin_split),
+        let short_cuts = [
+            ("bank_angle", bank_angle),
+            ("pin_split", pin_split),
             ("spacing", spacing),
-            ("rod-ratio", rod_ratio),
-            ("balance-factor", balance_factor),
+            ("rod_ratio", rod_ratio),
+            ("balance_factor", balance_factor),
             ("speed", speed),
         ];
-        let ranges = asked::ranges(flags, ranges)?;
+        let ranges = asked::ranges(short_cuts, ranges)?;
         let (orders, firing) = (asked::orders(orders)?, asked::cycle_orders(firing_orders)?);
-        py.detach(|| questions::sweep(&self.source, &ranges, &asked::rising(orders.unwrap_or_default()), &firing))
+        let asked = self.asked("sweep", &ranges.keywords(orders.as_deref(), &firing));
+        let (source, orders) = (self.source.clone(), asked::rising(orders.unwrap_or_default()));
+        let question = interruptible(py, move |stop| questions::sweep(&source, &ranges, &orders, &firing, stop))?;
+        Ok(Answer::new(asked, question))
     }
 
     /// The report as one text.

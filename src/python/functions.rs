@@ -4,8 +4,12 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyString};
+use serde_json::json;
 
+use super::again::Asked;
 use super::answer::Answer;
+use super::asked::{in_turns, written};
+use super::interrupt::interruptible;
 use super::questions::{self, Checked};
 use super::{asked, error, keys};
 use crate::file;
@@ -78,9 +82,10 @@ pub(super) fn search(
             "mode_shape weighs the firing stars of firing orders; give torsion=True or minor_orders",
         ));
     }
-    let cycle = asked::cycle(cycle)?;
+    let (cycle_name, cycle) = (cycle, asked::cycle(cycle)?);
     let orders = asked::rising(asked::orders(orders)?.unwrap_or_else(|| vec![1, 2]));
     let mode_shape = shape.clone();
+    let [bank_angle_text, pin_split_text] = [&bank_angle, &pin_split].map(|angle| angle.as_ref().map(in_turns));
     let asked = Problem {
         bank_angle,
         directions,
@@ -91,5 +96,21 @@ pub(super) fn search(
         ..Problem::inline(cylinders, cycle, &orders)
     };
     let problem = Problem { minor_orders, mode_shape, ..asked };
-    py.detach(|| questions::search(&problem, torsion.then_some(shape), resume, threads))
+    let keywords = json!({
+        "cylinders": cylinders,
+        "cycle": cycle_name,
+        "orders": orders,
+        "bank_angle": bank_angle_text,
+        "directions": directions,
+        "grid": grid,
+        "neighbours": neighbours,
+        "pin_split": pin_split_text,
+        "bank_offset": problem.bank_offset.as_ref().map(ToString::to_string),
+        "minor_orders": written(&problem.minor_orders),
+        "torsion": torsion,
+        "mode_shape": shape.as_deref().map(written),
+    });
+    let torsion = torsion.then_some(shape);
+    let question = interruptible(py, move |stop| questions::search(&problem, torsion, resume, threads, stop))?;
+    Ok(Answer::new(Asked::function("search", &keywords), question))
 }

@@ -2,13 +2,16 @@
 //!
 //! `keywords, text, file, name → layout → Engine → answers: objects, columns, documents, pages`
 
+mod again;
 mod answer;
 mod asked;
+mod bits;
 mod columns;
 mod documents;
 mod engine;
 mod error;
 mod functions;
+mod interrupt;
 mod judged;
 mod keys;
 mod notebook;
@@ -36,6 +39,10 @@ fn _crankstar(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<answer::Answer>()?;
     module.add_class::<questions::Remedy>()?;
     module.add_class::<questions::Checked>()?;
+    module.add_function(wrap_pyfunction!(again::_engine, module)?)?;
+    module.add_function(wrap_pyfunction!(again::_asked, module)?)?;
+    module.add_function(wrap_pyfunction!(answer::_answer, module)?)?;
+    module.add_function(wrap_pyfunction!(verdict::_verdict, module)?)?;
     module.add_function(wrap_pyfunction!(functions::catalogue, module)?)?;
     module.add_function(wrap_pyfunction!(functions::search, module)?)?;
     module.add_function(wrap_pyfunction!(functions::verify, module)?)

@@ -23,8 +23,8 @@ pub(super) fn latex(verdicts: &[Verdict]) -> String {
     let mut quantities: Vec<&str> = Vec::new();
     let mut orders: Vec<u32> = Vec::new();
     for verdict in verdicts {
-        if !quantities.contains(&verdict.quantity) {
-            quantities.push(verdict.quantity);
+        if !quantities.contains(&verdict.quantity.as_str()) {
+            quantities.push(verdict.quantity.as_str());
         }
         if !orders.contains(&verdict.order) {
             orders.push(verdict.order);

@@ -1,17 +1,21 @@
 //! Which engine is it in Python: a name of the catalogue, a text, a file, or keywords?
 
+use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
+use super::again::Files;
 use super::error::{self, told};
 use crate::engine::{self, Family};
 use crate::file::{self, Beside, Layout};
 use crate::text::decoded;
 
 /// A layout file, and the engine that it describes.
+#[derive(Clone)]
 pub(super) struct Source {
     /// What messages call the file.
     pub name: String,
@@ -19,6 +23,8 @@ pub(super) struct Source {
     pub text: String,
     /// The folder that it stands in, if it is one on a disk.
     pub folder: Option<PathBuf>,
+    /// What it names beside itself, once it was read.
+    pub files: BTreeMap<String, String>,
 }
 
 impl Source {
@@ -29,7 +35,7 @@ impl Source {
             let names: Vec<&str> = catalogue.iter().map(|(entry, _)| entry.name).collect();
             return Err(told(format!("`{name}` is no engine of the catalogue, which has {}", names.join(", "))));
         };
-        Ok(Source { name: entry.name.to_owned(), text: entry.text.to_owned(), folder: None })
+        Ok(Source { name: entry.name.to_owned(), text: entry.text.to_owned(), folder: None, files: BTreeMap::new() })
     }
 
     /// A layout file on a disk.
@@ -43,13 +49,29 @@ impl Source {
                 None => PyErr::from(error),
             },
         })?;
-        Ok(Source { name, text, folder: path.parent().map(Path::to_path_buf) })
+        Ok(Source { name, text, folder: path.parent().map(Path::to_path_buf), files: BTreeMap::new() })
     }
 
-    /// The engine, and the family that it is a member of where the file gives values to symbols.
-    pub fn read(&self) -> PyResult<(engine::Engine, Option<Family>)> {
-        let read = |path: &str| self.beside(path);
+    /// What a pickle holds.
+    pub fn state(&self) -> (String, String, Files) {
+        (self.name.clone(), self.text.clone(), self.files.clone().into_iter().collect())
+    }
+
+    /// What a pickle held.
+    pub fn restored((name, text, files): (String, String, Files)) -> Self {
+        Source { name, text, folder: None, files: files.into_iter().collect() }
+    }
+
+    /// The engine, and the family that it is a member of where the file gives values to symbols. The files beside it are kept.
+    pub fn read(&mut self) -> PyResult<(engine::Engine, Option<Family>)> {
+        let found = Mutex::new(BTreeMap::new());
+        let read = |path: &str| {
+            let text = self.beside(path)?;
+            found.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), text.clone());
+            Ok(text)
+        };
         let layout = file::parse_layout_beside(&self.name, &self.text, Beside::new(&read));
+        self.files = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         match layout.map_err(|error| error::layout(&error))? {
             Layout::Known(engine, family) => Ok((*engine, family.map(|family| *family))),
             Layout::Open(family) => {
@@ -62,6 +84,9 @@ impl Source {
 
     /// A file that the layout names beside itself.
     pub fn beside(&self, path: &str) -> Result<String, String> {
+        if let Some(text) = self.files.get(path) {
+            return Ok(text.clone());
+        }
         match &self.folder {
             Some(folder) => std::fs::read(folder.join(path))
                 .map(|bytes| decoded(&bytes).0)

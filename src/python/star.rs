@@ -2,20 +2,21 @@
 
 use pyo3::prelude::*;
 use pyo3::types::PyList;
+use serde::{Deserialize, Serialize};
 
 use super::documents;
 use crate::numbers;
-use crate::proof::{Certificate, Sense};
+use crate::proof::Certificate;
 use crate::report;
 use crate::verdict;
 
 /// One vector star `S = Σ weight · e^{2πi·angle}`, a term for each source of force.
 #[pyclass(frozen, module = "crankstar")]
-#[derive(Clone)]
+#[derive(Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Star {
     /// "direct", which turns with the crank, or "reverse"; None for a torque, which has one vector.
     #[pyo3(get)]
-    sense: Option<&'static str>,
+    sense: Option<String>,
     /// Whether S is proved to be zero; else it is proved not to be.
     #[pyo3(get)]
     vanishes: bool,
@@ -24,9 +25,11 @@ pub(super) struct Star {
     exact: Option<String>,
     /// |S| in decimals, exactly 0.0 where it vanishes.
     #[pyo3(get)]
+    #[serde(with = "super::bits::one")]
     value: f64,
     /// Direction of S in degrees, above −180 and up to 180; None where it vanishes.
     #[pyo3(get)]
+    #[serde(with = "super::bits")]
     angle_deg: Option<f64>,
     terms: Vec<[String; 2]>,
     certificate: Certificate,
@@ -37,7 +40,7 @@ impl Star {
         let length = report::star_length(verdict);
         let terms = verdict.sum.terms().iter();
         Star {
-            sense: verdict.sense.map(Sense::name),
+            sense: verdict.sense.map(|sense| sense.name().to_owned()),
             vanishes: verdict.vanishes(),
             exact: length.exact.map(|form| form.to_string()),
             value: length.decimal,
@@ -65,7 +68,7 @@ impl Star {
     }
 
     fn __repr__(&self) -> String {
-        let sense = self.sense.map_or_else(String::new, |sense| format!("{sense}, "));
+        let sense = self.sense.as_ref().map_or_else(String::new, |sense| format!("{sense}, "));
         match &self.exact {
             Some(exact) => format!("<Star: {sense}|S| = {exact}>"),
             None => format!("<Star: {sense}|S| ≈ {}>", self.value),

@@ -1,7 +1,13 @@
 //! What is left of one quantity of an order, as an object of Python?
 
-use pyo3::prelude::*;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use serde::{Deserialize, Serialize};
+
+use super::again::{Reduced, maker};
+use super::error::told;
 use super::star::Star;
 use crate::page::Text;
 use crate::page::number::Amount;
@@ -11,10 +17,10 @@ use crate::verdict::{Balance, OrderBalance, OrderVerdict, TorqueVerdict, WholeOr
 
 /// What is left of one quantity of one order: of all sums together, or, in `parts`, of one of several.
 #[pyclass(frozen, get_all, module = "crankstar")]
-#[derive(Clone)]
+#[derive(Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Verdict {
     /// "force", "moment", "torque" or "roll".
-    pub(super) quantity: &'static str,
+    pub(super) quantity: String,
     /// The order k: so many swings a revolution.
     pub(super) order: u32,
     /// Whether some mass of the engine has the order; else nothing of it is there whatever its stars are.
@@ -22,11 +28,12 @@ pub(super) struct Verdict {
     /// True: proved zero; False: proved not zero; None: not decided, or it depends on rods of which nothing is known.
     vanishes: Option<bool>,
     /// "balanced", "rotating", "counter-rotating", "planar", "elliptical" or "not decided"; None for a torque and the roll moment.
-    shape: Option<&'static str>,
+    shape: Option<String>,
     /// The largest value of a revolution in closed form, `0` or `4√2`; None where none is known. Forces in m r ω² c_k, moments in that
     /// times the unit of the positions, torques in m r² ω² t_k.
     exact: Option<String>,
     /// The same in decimals, exactly 0.0 where it vanishes; None where several sums make it up, and it is not zero.
+    #[serde(with = "super::bits")]
     value: Option<f64>,
     /// Whether a moment is a couple, the same about every plane: the force of its order vanishes. None for other quantities.
     is_couple: Option<bool>,
@@ -48,6 +55,35 @@ impl Verdict {
         let of = self.of.as_ref().map_or_else(String::new, |of| format!(" ({of})"));
         format!("<Verdict: {} of order {}{of}: {}>", self.quantity, self.order, self.text)
     }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Verdict>().is_ok_and(|other| other.get() == self)
+    }
+
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        (&self.quantity, self.order, &self.of, &self.text).hash(&mut hasher);
+        hasher.finish()
+    }
+
+    fn __copy__(itself: Py<Self>) -> Py<Self> {
+        itself
+    }
+
+    fn __deepcopy__(itself: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        itself
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        let state = serde_json::to_string(self).map_err(told)?;
+        Ok((maker(py, "_verdict")?, PyTuple::new(py, [state])?))
+    }
+}
+
+/// Makes the verdict of a pickle.
+#[pyfunction]
+pub(super) fn _verdict(state: &str) -> PyResult<Verdict> {
+    serde_json::from_str(state).map_err(told)
 }
 
 /// The verdicts on one order: force, moment, and torque and roll moment where they were asked for.
@@ -76,7 +112,7 @@ impl From<Amount> for Size {
 impl Verdict {
     fn new(quantity: Quantity, order: u32, exists: bool, text: &Text) -> Self {
         Verdict {
-            quantity: quantity.name(),
+            quantity: quantity.name().to_owned(),
             order,
             exists,
             vanishes: Some(true),
@@ -118,7 +154,12 @@ fn whole(order: &OrderVerdict, quantity: Quantity, text: Text) -> Verdict {
                 };
                 Verdict { of: balance.class.as_ref().map(report::class_sources), ..part(balance, quantity, &text) }
             });
-            Verdict { is_couple, shape: Some(report::shape_name(whole.shape)), parts: parts.collect(), ..verdict }
+            Verdict {
+                is_couple,
+                shape: Some(report::shape_name(whole.shape).to_owned()),
+                parts: parts.collect(),
+                ..verdict
+            }
         }
     }
 }
@@ -128,7 +169,7 @@ fn part(order: &OrderBalance, quantity: Quantity, text: &Text) -> Verdict {
     let verdict = Verdict::new(quantity, order.order, order.exists, text);
     let shape = if order.exists { balance.shape } else { Shape::DoesNotExist };
     Verdict {
-        shape: Some(report::shape_name(shape)),
+        shape: Some(report::shape_name(shape).to_owned()),
         is_couple: (quantity == Quantity::Moment).then(|| order.moment_is_couple()),
         stars: balance.verdicts().map(Star::new).into(),
         ..verdict.sized(Some(balance.is_balanced()), report::largest_length(balance))

@@ -1,9 +1,13 @@
 //! What is the answer to `classify` in Python? A sequence of verdicts, and its document with the certificates.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use pyo3::exceptions::{PyIndexError, PyKeyError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyIterator, PyList};
 
+use super::again::{Asked, Reduced};
+use super::answer::asked_again;
 use super::verdict::{self, Verdict};
 use super::{columns, documents, notebook, pages};
 use crate::engine::Engine;
@@ -16,6 +20,7 @@ use crate::verdict::Judgement;
 /// The verdicts on an engine, order by order: a sequence.
 #[pyclass(frozen, sequence, module = "crankstar")]
 pub(super) struct Verdicts {
+    asked: Asked,
     pub(super) verdicts: Vec<Verdict>,
     pistons: Option<Vec<Verdict>>,
     tables: Vec<Table>,
@@ -24,9 +29,10 @@ pub(super) struct Verdicts {
 }
 
 impl Verdicts {
-    pub(super) fn new(engine: &Engine, judged: &Judgement, document: &proof::Document) -> PyResult<Self> {
+    pub(super) fn new(asked: Asked, engine: &Engine, judged: &Judgement, document: &proof::Document) -> PyResult<Self> {
         let all = |orders: &[crate::verdict::OrderVerdict]| orders.iter().flat_map(verdict::of_order).collect();
         Ok(Verdicts {
+            asked,
             verdicts: all(&judged.orders),
             pistons: judged.pistons.as_deref().map(all),
             tables: data::classify(engine, judged, document),
@@ -99,6 +105,29 @@ impl Verdicts {
     /// The same as dicts and lists, with every certificate.
     fn document<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         documents::as_python(py, &self.json)
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Verdicts>().is_ok_and(|other| other.get().json == self.json)
+    }
+
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.json.hash(&mut hasher);
+        hasher.finish()
+    }
+
+    fn __copy__(itself: Py<Self>) -> Py<Self> {
+        itself
+    }
+
+    fn __deepcopy__(itself: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        itself
+    }
+
+    /// The engine is judged again where a pickle is read.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        asked_again(py, &self.asked)
     }
 
     fn __str__(&self) -> String {

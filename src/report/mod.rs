@@ -80,7 +80,6 @@ pub use firing::{
     firing_engine, firing_page, open_firing_answer, open_firing_page, run_as as run_in_cycle,
 };
 pub use journal::{complete_bearings_answer, complete_bearings_page, without_gas};
-pub use question::{Question, Unanswered, ask, questions};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]
@@ -88,6 +87,7 @@ pub use optimise::{
     OptimiseDocument, optimise_answer, optimise_document, optimise_layouts, optimise_page, optimise_summary,
 };
 pub use poster::{poster, poster_sheet};
+pub use question::{Question, Unanswered, ask, questions};
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{
     bearing as star_bearing, class_sources, force as force_left, force_summary, largest as largest_length,
@@ -98,6 +98,6 @@ pub use search::{search_answer, search_layouts, search_page, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
 pub use torque::{TorqueStudy, torque_answer, torque_page};
+pub use torsion::{ForcedTwist, NoTorsion, TorsionStudy, torsion_answer, torsion_page};
 pub use value::{ValueName, values_of};
 pub use values::ValuesStudy;
-pub use torsion::{ForcedTwist, NoTorsion, TorsionStudy, torsion_answer, torsion_page};

@@ -80,11 +80,7 @@ pub fn questions() -> impl Iterator<Item = &'static str> {
 }
 
 /// Asks an engine a question by its name, at these orders; at the usual ones where there are none. None where no question is called so.
-pub fn ask(
-    question: &str,
-    engine: &Engine,
-    orders: &[CycleOrder],
-) -> Option<Result<Box<dyn Question>, Unanswered>> {
+pub fn ask(question: &str, engine: &Engine, orders: &[CycleOrder]) -> Option<Result<Box<dyn Question>, Unanswered>> {
     ASKED.iter().find(|(name, _)| *name == question).map(|(_, ask)| ask(engine, orders))
 }
 

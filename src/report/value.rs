@@ -69,8 +69,10 @@ pub fn values_of(engine: &Engine, names: &[ValueName]) -> Vec<Result<Single, Str
     for question in questions().filter(|question| names.iter().any(|name| name.question == *question)) {
         match ask(question, engine, &[]) {
             Some(Ok(answer)) => {
-                let wanted = |table: &&&str| names.iter().any(|name| name.question == question && name.table == **table);
-                let made = tables_of(question).iter().filter(wanted).map(|table| ((question, *table), answer.table(table)));
+                let wanted =
+                    |table: &&&str| names.iter().any(|name| name.question == question && name.table == **table);
+                let made =
+                    tables_of(question).iter().filter(wanted).map(|table| ((question, *table), answer.table(table)));
                 tables.extend(made);
             }
             Some(Err(why)) => answers.push((question, why.to_string())),

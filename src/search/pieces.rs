@@ -55,10 +55,11 @@ impl<'a> Pieces<'a> {
         written::question(self.problem, &self.plan)
     }
 
-    fn first(&self) -> &First {
+    /// Those pieces, but for what is stopped.
+    fn first(&self, options: &Options) -> &First {
         self.first.get_or_init(|| {
             let mut first = First::default();
-            for number in 0..self.plan.len().min(FIRST) {
+            for number in (0..self.plan.len().min(FIRST)).take_while(|_| !options.is_stopped()) {
                 let done = self.judge(number, &first.front);
                 done.points.iter().for_each(|point| first.front.take(point.clone()));
                 first.done.push(done);
@@ -84,8 +85,11 @@ impl<'a> Pieces<'a> {
             return Ok(());
         }
         let mut progress = Progress { done: before, pieces: before + list.len(), judged: 0 };
-        let first = self.first();
-        let make = |number| Ok(first.done.get(number).cloned().unwrap_or_else(|| self.judge(number, &first.front)));
+        let first = self.first(options);
+        let make = |number| match options.is_stopped() {
+            true => Err(SearchError::Stopped),
+            false => Ok(first.done.get(number).cloned().unwrap_or_else(|| self.judge(number, &first.front))),
+        };
         in_order(options.threads, list, &make, &mut |number, done: Done| {
             take(number, &done)?;
             progress.done += 1;

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::answer::Front;
 use super::pieces::Pieces;
@@ -31,12 +32,27 @@ pub struct Options<'a> {
     pub resume: Option<PathBuf>,
     /// Told after each piece; a break stops the search.
     pub progress: &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync),
+    /// Once it is set, no piece is begun any more.
+    pub stop: Option<&'a AtomicBool>,
+}
+
+impl Options<'_> {
+    /// Whether somebody waits for the end.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+    }
 }
 
 impl Default for Options<'_> {
     /// One thread per available core, nothing kept, nothing told.
     fn default() -> Self {
-        Options { threads: cores(), way: Way::default(), resume: None, progress: &|_| ControlFlow::Continue(()) }
+        Options {
+            threads: cores(),
+            way: Way::default(),
+            resume: None,
+            progress: &|_| ControlFlow::Continue(()),
+            stop: None,
+        }
     }
 }
 
@@ -56,7 +72,7 @@ pub enum SearchError {
         /// The files that were read.
         files: String,
     },
-    /// Stopped by the progress callback.
+    /// Stopped by the progress callback, or by the flag.
     Stopped,
 }
 

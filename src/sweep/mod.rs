@@ -25,7 +25,7 @@ pub use firing::{FiringSweep, FiringZeros, StarLength, firing_stars};
 pub use observed::{Observed, ObservedSweep, Observer, observed};
 pub use parameter::{Parameter, SHORT_CUTS};
 pub use range::{MOST_POINTS, Range};
-pub use run::{Sweep, sweep};
+pub use run::{Sweep, sweep, sweep_until};
 pub use stream::Stream;
 pub use swept_engine::{Amplitude, Amplitudes, SweptEngine, SweptOrder, judge};
 pub use zeros::{ZeroSet, Zeros, zeros};

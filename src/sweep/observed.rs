@@ -1,7 +1,9 @@
 //! Which values of other questions stand beside the points of a sweep? Whoever sweeps says how they are found.
 
-use super::run::{Reader, Sweep, on_all_cores};
+use std::sync::atomic::AtomicBool;
+
 use super::SweepError;
+use super::run::{Reader, Sweep, on_all_cores};
 use crate::engine::Engine;
 use crate::file::Template;
 use crate::table::Single;
@@ -52,6 +54,6 @@ pub fn observed(template: &Template, sweep: &Sweep, observer: &Observer<'_>) -> 
     let reader = Reader::new(template, &sweep.parameters);
     let at = |place: usize| Ok((observer.find)(&reader.engine(&sweep.points[place].values)?));
     let mut all = ObservedSweep::new(observer, &reader.engine(&reader.values(0))?)?;
-    all.points = on_all_cores(sweep.points.len(), 1, &|place, _: &mut ()| at(place))?;
+    all.points = on_all_cores(sweep.points.len(), 1, &AtomicBool::new(false), &|place, _: &mut ()| at(place))?;
     Ok(all)
 }

@@ -71,6 +71,20 @@ pub fn sweep(
     orders: &[u32],
     geometry: &Geometry,
 ) -> Result<Sweep, SweepError> {
+    sweep_until(template, parameters, orders, geometry, &AtomicBool::new(false))
+}
+
+/// The same until a flag is set, which stops it.
+///
+/// # Errors
+/// As [`sweep`], and that it was stopped.
+pub fn sweep_until(
+    template: &Template,
+    parameters: &[Parameter],
+    orders: &[u32],
+    geometry: &Geometry,
+    stop: &AtomicBool,
+) -> Result<Sweep, SweepError> {
     let count = count(parameters)?;
     if count > MOST_POINTS {
         let sizes: Vec<String> = parameters.iter().map(|parameter| parameter.range.count().to_string()).collect();
@@ -85,7 +99,9 @@ pub fn sweep(
     let first = reader.engine(&reader.values(0))?;
     let usual = loads::usual_orders(&first);
     let orders = if orders.is_empty() { usual.as_slice() } else { orders };
-    let points = on_all_cores(count, 64, &|index, motions| reader.point(&reader.values(index), orders, geometry, motions))?;
+    let points = on_all_cores(count, 64, stop, &|index, motions| {
+        reader.point(&reader.values(index), orders, geometry, motions)
+    })?;
     let zeros = match parameters {
         [one] => zeros(template, one, orders).map(|mut sets| {
             sets.iter_mut().for_each(|set| set.take_from(&points));
@@ -98,7 +114,7 @@ pub fn sweep(
             let finer = Parameter { range: one.range.finer(SMOOTH.div_ceil(one.range.count() - 1)), ..one.clone() };
             let finer = [finer];
             let between = Reader::new(template, &finer);
-            let finer = on_all_cores(finer[0].range.count(), 64, &|index, motions| {
+            let finer = on_all_cores(finer[0].range.count(), 64, stop, &|index, motions| {
                 between.point(&between.values(index), orders, geometry, motions)
             });
             // Between whole numbers there may be no engine.
@@ -213,11 +229,12 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Computes `count` points on all cores, of which each has at least `fewest`; the first that fails is the one to tell. What a core
-/// knows of the points before is handed to the next.
+/// Computes `count` points on all cores, of which each has at least `fewest`, until `stop` is set; the first that fails is the one to tell.
+/// What a core knows of the points before is handed to the next.
 pub(super) fn on_all_cores<K: Default, P: Send>(
     count: usize,
     fewest: usize,
+    stop: &AtomicBool,
     point: &(dyn Fn(usize, &mut K) -> Result<P, SweepError> + Sync),
 ) -> Result<Vec<P>, SweepError> {
     let threads = thread::available_parallelism().map_or(1, NonZero::get).min(count.div_ceil(fewest)).max(1);
@@ -230,7 +247,11 @@ pub(super) fn on_all_cores<K: Default, P: Send>(
             if thread > 0 && failed.load(Ordering::Relaxed) {
                 break;
             }
-            match point(index, &mut known) {
+            let point = match stop.load(Ordering::Relaxed) {
+                true => Err(SweepError::new("stopped")),
+                false => point(index, &mut known),
+            };
+            match point {
                 Ok(point) => points.push(point),
                 Err(error) => {
                     failed.store(true, Ordering::Relaxed);

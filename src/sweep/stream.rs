@@ -112,7 +112,8 @@ impl<'a> Stream<'a> {
         let firing: Vec<String> = self.firing.iter().map(ToString::to_string).collect();
         let (orders, geometry) = (&self.empty.orders, &self.geometry);
         let (ranges, firing, points) = (ranges.join("; "), firing.join(","), self.points);
-        let values = self.observer.map_or_else(String::new, |observer| format!("values {}; ", observer.names.join(", ")));
+        let values =
+            self.observer.map_or_else(String::new, |observer| format!("values {}; ", observer.names.join(", ")));
         let words = format!(
             "{VERSION}: {ranges}; orders {orders:?}; firing orders {firing}; {values}{points} points a piece; {geometry:?}; {file}"
         );

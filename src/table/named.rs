@@ -121,7 +121,9 @@ impl fmt::Display for NotNamed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NotNamed::Column(asked, there) => write!(f, "no column `{}`; there are {}", harmless(asked), listed(there)),
-            NotNamed::Row(asked, there) if there.is_empty() => write!(f, "no row `{}`; the table is empty", harmless(asked)),
+            NotNamed::Row(asked, there) if there.is_empty() => {
+                write!(f, "no row `{}`; the table is empty", harmless(asked))
+            }
             NotNamed::Row(asked, there) => write!(f, "no row `{}`; there are {}", harmless(asked), listed(there)),
             NotNamed::Keys(keys) if keys.is_empty() => write!(f, "the table has one row; name a column alone"),
             NotNamed::Keys(keys) => write!(f, "a row is named by {}, then a column", keys.join(", then ")),

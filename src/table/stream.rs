@@ -1,6 +1,6 @@
 //! How is a table written that is too long for memory? Some rows at a time.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use super::csv::{self, header};
 use super::{Format, Table, Unwritable};
@@ -22,8 +22,8 @@ fn refused(why: impl ToString) -> Unwritable {
     Unwritable::Refused(harmless(&why.to_string()))
 }
 
-fn failed(error: &io::Error) -> Unwritable {
-    refused(error)
+fn failed(why: impl ToString) -> Unwritable {
+    Unwritable::Failed(harmless(&why.to_string()))
 }
 
 impl<W: Write + Send> Stream<W> {
@@ -36,7 +36,7 @@ impl<W: Write + Send> Stream<W> {
         let file = match format {
             Format::Csv => {
                 let mut sink = sink;
-                sink.write_all(header(&like).as_bytes()).map_err(|error| failed(&error))?;
+                sink.write_all(header(&like).as_bytes()).map_err(failed)?;
                 File::Csv(sink)
             }
             #[cfg(feature = "parquet")]
@@ -54,10 +54,10 @@ impl<W: Write + Send> Stream<W> {
     /// Other columns, or what the file does not take.
     pub fn add(&mut self, table: &Table) -> Result<(), Unwritable> {
         if !self.like.has_the_columns_of(table) {
-            return Err(refused("its columns are not the same in all rows"));
+            return Err(failed("its columns are not the same in all rows"));
         }
         match &mut self.file {
-            File::Csv(sink) => sink.write_all(csv::rows(table).as_bytes()).map_err(|error| failed(&error)),
+            File::Csv(sink) => sink.write_all(csv::rows(table).as_bytes()).map_err(failed),
             #[cfg(feature = "parquet")]
             File::Parquet(groups) => groups.add(table).map_err(refused),
         }
@@ -69,11 +69,11 @@ impl<W: Write + Send> Stream<W> {
     /// What are no such rows, or what the file does not take.
     pub fn add_rows(&mut self, rows: &str) -> Result<(), Unwritable> {
         match &mut self.file {
-            File::Csv(sink) => sink.write_all(rows.as_bytes()).map_err(|error| failed(&error)),
+            File::Csv(sink) => sink.write_all(rows.as_bytes()).map_err(failed),
             #[cfg(feature = "parquet")]
             File::Parquet(groups) => {
                 let table =
-                    csv::from_rows(&self.like, rows).ok_or_else(|| refused("the rows are none of this table"))?;
+                    csv::from_rows(&self.like, rows).ok_or_else(|| failed("the rows are none of this table"))?;
                 groups.add(&table).map_err(refused)
             }
         }
@@ -85,7 +85,7 @@ impl<W: Write + Send> Stream<W> {
     /// What the file does not take.
     pub fn finish(self) -> Result<W, Unwritable> {
         match self.file {
-            File::Csv(mut sink) => sink.flush().map(|()| sink).map_err(|error| failed(&error)),
+            File::Csv(mut sink) => sink.flush().map(|()| sink).map_err(failed),
             #[cfg(feature = "parquet")]
             File::Parquet(groups) => groups.finish().map_err(refused),
         }

@@ -81,7 +81,8 @@ impl Unit {
     /// Newton metres a radian, of a shaft that twists.
     pub const NEWTON_METRE_PER_RADIAN: Unit = Unit { name: "N·m/rad", tex: "N\\,m/rad", suffix: "N_m_per_rad" };
     /// Pounds-force times feet a radian.
-    pub const POUND_FORCE_FOOT_PER_RADIAN: Unit = Unit { name: "lbf·ft/rad", tex: "lbf\\,ft/rad", suffix: "lbf_ft_per_rad" };
+    pub const POUND_FORCE_FOOT_PER_RADIAN: Unit =
+        Unit { name: "lbf·ft/rad", tex: "lbf\\,ft/rad", suffix: "lbf_ft_per_rad" };
     /// Moments in multiples of m r ω² at an arm of one metre.
     pub const MULTIPLE_METRE: Unit = Unit { name: "m r ω²·1 m", tex: "m\\,r\\,\\omega^2\\,m", suffix: "mrw2_m" };
     /// The same at an arm of one inch.
@@ -107,9 +108,11 @@ impl Unit {
     /// Forces where no rod is given.
     pub const OPEN: Unit = Unit { name: "m r ω² c_k", tex: "m\\,r\\,\\omega^2 c_k", suffix: "mrw2_ck" };
     /// Their moments, with arms in spacings.
-    pub const OPEN_SPACING: Unit = Unit { name: "m r ω² c_k a", tex: "m\\,r\\,\\omega^2 c_k\\,a", suffix: "mrw2_ck_a" };
+    pub const OPEN_SPACING: Unit =
+        Unit { name: "m r ω² c_k a", tex: "m\\,r\\,\\omega^2 c_k\\,a", suffix: "mrw2_ck_a" };
     /// Their moments, with arms in metres.
-    pub const OPEN_METRE: Unit = Unit { name: "m r ω² c_k · 1 m", tex: "m\\,r\\,\\omega^2 c_k\\,m", suffix: "mrw2_ck_m" };
+    pub const OPEN_METRE: Unit =
+        Unit { name: "m r ω² c_k · 1 m", tex: "m\\,r\\,\\omega^2 c_k\\,m", suffix: "mrw2_ck_m" };
     /// Torques without a scale.
     pub const TORQUE_MULTIPLE: Unit = Unit { name: "m r² ω²", tex: "m\\,r^2\\,\\omega^2", suffix: "mr2w2" };
     /// Watts.

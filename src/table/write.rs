@@ -20,8 +20,10 @@ pub enum Format {
 pub enum Unwritable {
     /// The program was built without the format: the name of its feature.
     NotBuilt(&'static str),
-    /// The format does not hold so much.
+    /// The format does not hold it; comma-separated values do.
     Refused(String),
+    /// It could not be written in any format: a full disk, rows of other columns.
+    Failed(String),
 }
 
 impl fmt::Display for Unwritable {
@@ -32,6 +34,7 @@ impl fmt::Display for Unwritable {
                 "this program was built without {feature}; build it with `cargo build --release --features {feature}`, or take --format csv"
             ),
             Unwritable::Refused(why) => write!(f, "the tables cannot be written: {why}; take --format csv"),
+            Unwritable::Failed(why) => write!(f, "the tables cannot be written: {why}"),
         }
     }
 }
@@ -87,7 +90,7 @@ impl Format {
             (Format::Parquet, [only]) => parquet(only),
             (Format::Xlsx, several) => xlsx(several),
             (Format::Csv | Format::Parquet, several) => {
-                Err(Unwritable::Refused(format!("{} tables do not stand in one file", several.len())))
+                Err(Unwritable::Failed(format!("{} tables do not stand in one file", several.len())))
             }
         }
     }

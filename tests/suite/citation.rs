@@ -1,4 +1,4 @@
-//! Does CITATION.cff name the program that this is?
+//! Does CITATION.cff name the program that this is, and is its version one?
 
 use std::fs;
 
@@ -16,4 +16,23 @@ fn the_citation_has_name_version_and_licences_of_the_package() {
     let listed: Vec<&str> = listed.map_while(|line| line.strip_prefix("  - ")).collect();
     assert_eq!(listed, licences);
     assert!(!citation.contains("date"), "a date goes out of date");
+}
+
+/// The changelog, both lock files, the citation and the package of Python.
+#[test]
+fn the_version_is_one() {
+    let text = |file: &str| {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+        fs::read_to_string(path).unwrap_or_else(|error| panic!("{file}: {error}"))
+    };
+    let version = env!("CARGO_PKG_VERSION");
+    let changes = text("CHANGELOG.md");
+    let newest = changes.lines().find_map(|line| line.strip_prefix("## "));
+    assert_eq!(newest, Some(version), "the changelog");
+    for lock in ["Cargo.lock", "fuzz/Cargo.lock"] {
+        assert!(text(lock).contains(&format!("name = \"crankstar\"\nversion = \"{version}\"\n")), "{lock}");
+    }
+    assert!(text("CITATION.cff").contains(&format!("\nversion: {version}\n")));
+    let package = text("pyproject.toml");
+    assert!(package.contains("dynamic = [\"version\"]") && !package.lines().any(|line| line.starts_with("version")));
 }

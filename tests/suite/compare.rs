@@ -1,5 +1,7 @@
 //! Does a comparison say what each engine leaves, in which units, and with which remedy?
 
+use std::path::PathBuf;
+
 use std::fs;
 use std::process::{Command, Output};
 
@@ -204,4 +206,29 @@ fn what_cannot_be_compared_is_answered_with_words() {
 fn an_engine_beside_itself_is_the_same_twice() {
     let text = succeeds(&["I3", "I3"]);
     assert_eq!(line(&text, "Moment 1"), "Moment 1 | couple √3 ≈ 1.732, planar | couple √3 ≈ 1.732, planar");
+}
+
+#[test]
+fn no_line_of_a_comparison_is_longer_than_eighty_columns() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let layouts = |folder: &str| -> Vec<PathBuf> {
+        let entries = fs::read_dir(root.join(folder)).expect("a folder").map(|entry| entry.expect("an entry").path());
+        let files = entries.map(|path| if path.is_dir() { path.join("layout.toml") } else { path });
+        let mut files: Vec<PathBuf> =
+            files.filter(|path| path.extension().is_some_and(|it| it == "toml") && path.is_file()).collect();
+        files.sort();
+        files
+    };
+    let all = [layouts("src/file/catalogue"), layouts("reports/examples")].concat();
+    let mut lines = 0;
+    for (index, some) in all.chunks(5).filter(|some| some.len() > 1).enumerate() {
+        let mut arguments: Vec<&str> = some.iter().map(|path| path.to_str().expect("UTF-8")).collect();
+        arguments.extend(if index % 2 == 0 { ["--lang", "en"] } else { ["--lang", "de"] });
+        let answer = succeeds(&arguments);
+        for line in answer.lines() {
+            assert!(line.chars().count() <= 80, "{} columns, {arguments:?}:\n{line}", line.chars().count());
+            lines += 1;
+        }
+    }
+    assert!(lines > 300, "only {lines} lines");
 }

@@ -62,6 +62,42 @@ fn help_names_every_command_once_below_a_question() {
 }
 
 #[test]
+fn help_says_what_each_command_does_and_nothing_of_its_arguments() {
+    let help = succeeds(&["--help"]);
+    for command in commands() {
+        let line = help.lines().find(|line| first_word(line) == command).unwrap_or_default();
+        let about = line.trim_start().strip_prefix(&command).unwrap_or_default().trim();
+        assert!(about.len() > 10 && !about.contains("Arguments"), "{line}");
+    }
+}
+
+/// Fish takes the help of a value in double quotes, and PowerShell takes printers' quotes for quotes.
+#[test]
+fn no_help_in_completions_holds_what_a_shell_would_expand() {
+    let script = succeeds(&["completions", "fish"]);
+    let quoted: Vec<&str> = script.split("-a \"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert!(quoted.len() > 20, "{}", quoted.len());
+    for values in quoted {
+        assert!(!values.contains(['$', '`']), "{values}");
+    }
+    let descriptions: Vec<&str> = script.split("-d '").skip(1).collect();
+    assert!(descriptions.iter().all(|text| !text.lines().next().unwrap_or_default().contains(['‘', '’', '“', '”'])));
+}
+
+#[test]
+fn the_first_table_of_the_page_of_commands_names_every_command_once() {
+    let page = text("docs/commands.md");
+    let table: String = page
+        .lines()
+        .skip_while(|line| !line.starts_with("| Question"))
+        .take_while(|line| line.starts_with('|'))
+        .collect();
+    for command in commands() {
+        assert_eq!(table.matches(&format!("[{command}](#{command})")).count(), 1, "{command} in {table}");
+    }
+}
+
+#[test]
 fn the_readme_names_every_command_once() {
     let readme = text("README.md");
     for command in commands() {

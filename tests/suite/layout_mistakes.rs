@@ -94,6 +94,8 @@ const CRANKSHAFT: &[(&str, usize, &str)] = &[
     ("[[balancer]]\norder = 0\nsense = 'with'\nmass_radius = 1\nangle = 0\nposition = 0",     6, "from 1 to 1000"),
     ("[[balancer]]\norder = 2\nsense = 'left'\nmass_radius = 1\nangle = 0\nposition = 0",     7, "\"with\" or \"against\""),
     ("[[balancer]]\norder = 2\nsense = 'with'\nangle = 0\nposition = 0",                      5, "without a weight"),
+    ("[[balancer]]\norder = 2\nsense = 'with'\nmass_radius = 1\nangle = 0",                    5, "without a position"),
+    ("[[balancer]]\norder = 2\nsense = 'with'\nmass_radius = 1\nangle = 0",                    5, "[[balancer]] needs position"),
     ("[[balancer]]\norder = 2\nsense = 'with'\nmass = 1\nangle = 0\nposition = 0",            8, "add radius"),
     ("[[balancer]]\norder = 2\nsense = 'with'\nradius = 1\nangle = 0\nposition = 0",          8, "add mass"),
     ("[[balancer]]\norder = 2\nsense = 'with'\nradius = 1\nmass = 1\nmass_radius = 1\nangle = 0\nposition = 0", 10, "given twice"),

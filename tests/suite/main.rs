@@ -96,6 +96,7 @@ mod plane_cheats;
 mod plots;
 mod pressure_files;
 mod printed_lines;
+mod progress;
 mod quadratic_cheats;
 mod random_engines;
 mod recurrences;

@@ -24,8 +24,46 @@ fn outputs_that_are_closed_or_full_are_no_panic() {
             assert!(!error.contains("panicked"), "{call} {to}: {error}");
         }
     }
-    let (code, error) = shell("\"$0\" classify I4 >/dev/full");
-    assert!(code == Some(1) && error.starts_with("error: cannot write to standard output"), "{code:?} {error}");
+    for call in ["classify I4", "--help", "--version"] {
+        let (code, error) = shell(&format!("\"$0\" {call} >/dev/full"));
+        assert!(code == Some(1) && error.starts_with("error: cannot write to standard output"), "{code:?} {error}");
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn standard_output_that_is_closed_is_told_and_one_that_is_thrown_away_or_left_is_none() {
+    for call in [
+        "list",
+        "classify I4",
+        "classify I4 --json",
+        "classify I4 --format csv",
+        "sweep V2-90 --bank-angle 0..90:10 --format csv",
+        "--help",
+        "--version",
+        "completions zsh",
+    ] {
+        let (code, error) = shell(&format!("\"$0\" {call} >&-"));
+        assert_eq!(
+            (code, error.as_str()),
+            (Some(1), "error: cannot write to standard output: it is closed\n"),
+            "{call}"
+        );
+        for to in [">/dev/null", "1<>/dev/null", "| head -n 1 >/dev/null", "<&- >/dev/null"] {
+            let (code, error) = shell(&format!("\"$0\" {call} {to}"));
+            assert_eq!((code, error.as_str()), (Some(0), ""), "{call} {to}");
+        }
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn a_full_disk_advises_no_format() {
+    for call in ["classify I4 --format csv", "sweep V2-90 --bank-angle 0..90:10 --format csv"] {
+        let (code, error) = shell(&format!("\"$0\" {call} >/dev/full"));
+        assert_eq!(code, Some(1), "{error}");
+        assert!(error.contains("No space left on device") && !error.contains("--format"), "{call}: {error}");
+    }
 }
 
 #[test]

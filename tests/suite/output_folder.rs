@@ -178,6 +178,32 @@ fn a_mount_point_is_filled() {
 }
 
 #[test]
+fn what_stands_in_the_place_of_a_file_is_told_before_any_file_is_replaced() {
+    let scratch = scratch("output-place");
+    let folder = scratch.join("report");
+    for taken in ["report.md", "order-2.svg", "side-view.svg"] {
+        let _ = fs::remove_dir_all(&folder);
+        assert!(report("I4", &folder).status().expect("it runs").success());
+        fs::remove_file(folder.join(taken)).expect("removed");
+        fs::create_dir(folder.join(taken)).expect("a folder");
+        let before = files(&folder);
+        let output = call(&["report".as_ref(), "V8-crossplane".as_ref(), "--output".as_ref(), folder.as_os_str()]);
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{message}");
+        assert!(message.contains(&format!("{taken}` is a folder, where a file is to stand")), "{message}");
+        assert!(files(&folder) == before, "{taken}: a file was replaced");
+    }
+    // A sheet stands in a folder inside the folder.
+    let class = scratch.join("class");
+    fs::create_dir(&class).expect("a folder");
+    fs::write(class.join("sheets"), "mine").expect("a file");
+    let output = call(&["exercise".as_ref(), "I4".as_ref(), "--output".as_ref(), class.as_os_str()]);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(message.contains("sheets` is a file, where a folder is to stand"), "{message}");
+    assert_eq!(files(&class).len(), 1, "{:?}", files(&class).keys());
+}
+
+#[test]
 fn a_folder_that_cannot_be_is_told() {
     let scratch = scratch("output-cannot");
     fs::write(scratch.join("file"), "").expect("a file");

@@ -118,7 +118,10 @@ fn a_pair_of_balancers_is_resized_in_its_planes_and_keeps_its_axes() {
     let planes: Vec<String> = of(2, Sense::Direct).map(|shaft| shaft.position.to_string()).collect();
     assert!(planes.contains(&"3/2".to_owned()) && planes.contains(&"-1".to_owned()) && planes.len() == 2, "{written}");
     let [tenth, part] = [10, 25].map(|below| BigRational::new(1.into(), below.into()));
-    assert!(of(2, Sense::Direct).all(|shaft| shaft.axis.as_ref().is_some_and(|axis| axis.height == tenth)), "{written}");
+    assert!(
+        of(2, Sense::Direct).all(|shaft| shaft.axis.as_ref().is_some_and(|axis| axis.height == tenth)),
+        "{written}"
+    );
     assert!(of(2, Sense::Direct).any(|shaft| shaft.axis.as_ref().is_some_and(|axis| axis.offset == part)), "{written}");
     // What is not asked about stays as it is.
     assert_eq!(of(4, Sense::Direct).collect::<Vec<_>>(), [&read(text).crankshaft().balancers[2]]);

@@ -61,7 +61,8 @@ fn every_cell_of_every_table_whose_keys_are_its_own_has_a_name() {
             let Some(Ok(answer)) = report::ask(question, &engine, &[]) else { continue };
             // A term of a sum, a star of a class and a crank angle are no answers of their own.
             let tables = answer.tables().into_iter().filter(|table| {
-                !["terms", "theta", "gas_theta"].contains(&table.name()) && (question, table.name()) != ("firing", "orders")
+                !["terms", "theta", "gas_theta"].contains(&table.name())
+                    && (question, table.name()) != ("firing", "orders")
             });
             let all: Vec<(String, Option<String>)> = tables.flat_map(|table| every_name(question, &table)).collect();
             let names: Vec<ValueName> = all.iter().map(|(name, _)| name.parse().expect("a name")).collect();
@@ -143,7 +144,11 @@ fn a_sweep_has_values_of_any_question_beside_its_points_in_every_way_to_compute_
     let streamed = run(&["--format", "csv"]);
     let header = streamed.lines().next().expect("a header");
     let place = header.split(',').position(|name| name == "bearings_worst_force_N").expect("the column");
-    let forces: Vec<f64> = streamed.lines().skip(1).map(|line| line.split(',').nth(place).expect("a field").parse().expect("a number")).collect();
+    let forces: Vec<f64> = streamed
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').nth(place).expect("a field").parse().expect("a number"))
+        .collect();
     let expected: Vec<f64> = [2000, 3000, 4000]
         .iter()
         .map(|speed| {

@@ -126,7 +126,7 @@ impl<'a> Composer<'a> {
                 self.fill("answer", &Items { items, language })
             }
             Block::List(items) => {
-                let items = items.iter().map(|text| self.writer.paragraph(self.text(text))).collect();
+                let items = items.iter().map(|text| self.writer.item(self.text(text))).collect();
                 self.fill("list", &Items { items, language })
             }
             Block::Table(table) => {

@@ -180,6 +180,10 @@ trait Writer {
     fn paragraph(&self, text: String) -> String {
         text
     }
+    /// One of a list, which a mark stands before.
+    fn item(&self, text: String) -> String {
+        self.paragraph(text)
+    }
     /// Whether a reader's page runs scripts.
     fn has_scripts(&self) -> bool {
         false

@@ -132,6 +132,11 @@ impl Writer for Terminal {
     fn paragraph(&self, text: String) -> String {
         wrapped(&text, self.width)
     }
+
+    fn item(&self, text: String) -> String {
+        let mark = "- ".len();
+        wrapped(&text, self.width.saturating_sub(mark)).replace('\n', &format!("\n{:mark$}", ""))
+    }
 }
 
 /// No rule but one under the head.

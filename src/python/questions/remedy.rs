@@ -3,12 +3,15 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use pyo3::prelude::*;
+use serde_json::{Value, json};
 
 use crate::engine::{Engine, LengthUnit};
 use crate::exact::Turn;
 use crate::file::{Beside, parse_length};
 use crate::page::Document;
-use crate::python::answer::Answer;
+use crate::python::again::Reduced;
+use crate::python::answer::{Answer, asked_again};
+use crate::python::asked::{in_turns, written};
 use crate::python::error::told;
 use crate::python::reading::Source;
 use crate::remedy::{self, Weight, Wish};
@@ -21,6 +24,20 @@ pub(in crate::python) struct Wanted {
     pub planes: Option<[String; 2]>,
     pub factors: Vec<BigRational>,
     pub skews: Vec<Turn>,
+}
+
+impl Wanted {
+    /// The same as the keywords of Python.
+    pub fn keywords(&self) -> Value {
+        let skews: Vec<String> = self.skews.iter().map(in_turns).collect();
+        let some = |texts: Vec<String>| (!texts.is_empty()).then_some(texts);
+        json!({
+            "orders": self.orders,
+            "planes": self.planes,
+            "balance_factor": some(written(&self.factors)),
+            "skew": some(skews),
+        })
+    }
 }
 
 /// Counterweights and balancer shafts that balance an engine, proved on the corrected engine: an answer, its main table the weights.
@@ -42,12 +59,21 @@ impl Remedy {
     fn layout(&self) -> PyResult<&str> {
         self.layout.as_deref().map_err(told)
     }
+
+    /// The weights are found again where a pickle is read.
+    fn __reduce__<'py>(itself: PyRef<'py, Self>) -> PyResult<Reduced<'py>> {
+        asked_again(itself.py(), itself.as_super().asked())
+    }
 }
 
 struct Cured(remedy::Remedy);
 
 /// Finds the weights, and writes the corrected engine.
-pub(in crate::python) fn remedy(engine: &Engine, source: &Source, wanted: &Wanted) -> PyResult<(Answer, Remedy)> {
+pub(in crate::python) fn remedy(
+    engine: &Engine,
+    source: &Source,
+    wanted: &Wanted,
+) -> PyResult<(impl Question + use<>, Remedy)> {
     let planes =
         wanted.planes.as_ref().map(|[first, second]| Ok::<_, PyErr>([plane(engine, first)?, plane(engine, second)?]));
     let Wanted { orders, factors, skews, .. } = wanted;
@@ -59,7 +85,7 @@ pub(in crate::python) fn remedy(engine: &Engine, source: &Source, wanted: &Wante
         .map(|file| file.text)
         .map_err(|error| error.to_string());
     let holds = cured.holds();
-    Ok((Answer::new(Cured(cured)), Remedy { holds, layout }))
+    Ok((Cured(cured), Remedy { holds, layout }))
 }
 
 /// A position in the unit of the engine.

@@ -2,17 +2,16 @@
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use num_rational::BigRational;
 use pyo3::prelude::*;
 
 use crate::page::Document;
-use crate::python::answer::Answer;
 use crate::python::error::told;
-use crate::report::{self, Question};
 use crate::report::data;
-use crate::search::{self, Front, Options, Problem, SearchError, Torsion};
+use crate::report::{self, Question};
+use crate::search::{self, Front, Options, Problem, Torsion};
 use crate::table::Table;
 
 struct Searched {
@@ -20,35 +19,26 @@ struct Searched {
     torsion: Option<Torsion>,
 }
 
-/// Searches; an interrupt from the keyboard stops it.
+/// Searches until the flag stops it.
 pub(in crate::python) fn search(
     problem: &Problem,
     torsion: Option<Option<Vec<BigRational>>>,
     resume: Option<PathBuf>,
     threads: Option<u16>,
-) -> PyResult<Answer> {
+    stop: &AtomicBool,
+) -> PyResult<impl Question + use<>> {
     if let Some(shape) = &torsion {
         search::mode_shape(problem, shape.clone()).map_err(told)?;
     }
-    let interrupt = Mutex::new(None);
-    let progress = |_| match Python::attach(|py| py.check_signals()) {
-        Ok(()) => ControlFlow::Continue(()),
-        Err(raised) => {
-            *interrupt.lock().unwrap_or_else(PoisonError::into_inner) = Some(raised);
-            ControlFlow::Break(())
-        }
+    let progress = |_| match stop.load(Ordering::Relaxed) {
+        false => ControlFlow::Continue(()),
+        true => ControlFlow::Break(()),
     };
     let threads = threads.map_or(Options::default().threads, usize::from);
-    let front = search::search(problem, &Options { threads, resume, progress: &progress, ..Options::default() });
-    let front = front.map_err(|error| {
-        let raised = interrupt.into_inner().unwrap_or_else(PoisonError::into_inner);
-        match (error, raised) {
-            (SearchError::Stopped, Some(raised)) => raised,
-            (error, _) => told(error),
-        }
-    })?;
+    let options = Options { threads, resume, progress: &progress, stop: Some(stop), ..Options::default() };
+    let front = search::search(problem, &options).map_err(told)?;
     let torsion = torsion.map(|shape| search::torsion(&front, shape)).transpose().map_err(told)?;
-    Ok(Answer::new(Searched { front, torsion }))
+    Ok(Searched { front, torsion })
 }
 
 impl Searched {

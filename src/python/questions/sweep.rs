@@ -1,26 +1,40 @@
 //! `sweep`: how does the balance change with a value of the layout?
 
 use std::collections::BTreeSet;
+use std::sync::atomic::AtomicBool;
 
 use pyo3::prelude::*;
+use serde_json::{Map, Value, json};
 
 use crate::engine::CycleOrder;
 use crate::file::{Beside, Template};
 use crate::page::Document;
-use crate::python::answer::Answer;
+use crate::python::asked::written;
 use crate::python::error::{self, told};
 use crate::python::reading::Source;
-use crate::report::{self, Question};
 use crate::report::data;
+use crate::report::{self, Question};
 use crate::sweep::{self, Geometry, Parameter, Sweep};
 use crate::table::Table;
 
-/// The values that are swept: flags of the command line and keys of the file, each with its range.
+/// The values that are swept: keywords and keys of the file, each with its range.
 pub(in crate::python) struct Ranges {
-    /// `bank-angle`, …
+    /// `bank_angle`, …
     pub flags: Vec<(&'static str, String)>,
     /// `vee.bank_offset`, …
     pub keys: Vec<(String, String)>,
+}
+
+impl Ranges {
+    /// All that a sweep is asked, as the keywords of Python.
+    pub fn keywords(&self, orders: Option<&[u32]>, firing: &[CycleOrder]) -> Value {
+        let ranges: Map<String, Value> = self.keys.iter().map(|(key, range)| (key.clone(), json!(range))).collect();
+        let mut keywords = Map::from_iter(self.flags.iter().map(|(name, range)| ((*name).to_owned(), json!(range))));
+        keywords.insert("ranges".to_owned(), Value::Object(ranges));
+        keywords.insert("orders".to_owned(), json!(orders));
+        keywords.insert("firing_orders".to_owned(), json!(written(firing)));
+        Value::Object(keywords)
+    }
 }
 
 struct Swept(Sweep);
@@ -31,19 +45,21 @@ pub(in crate::python) fn sweep(
     ranges: &Ranges,
     orders: &[u32],
     firing: &[CycleOrder],
-) -> PyResult<Answer> {
+    stop: &AtomicBool,
+) -> PyResult<impl Question + use<>> {
     let read = |path: &str| source.beside(path);
     let template = Template::new(&source.name, &source.text).map_err(|error| error::layout(&error))?;
     let template = template.with_beside(Beside::new(&read));
-    let flags = ranges.flags.iter().map(|(flag, range)| Parameter::short_cut(flag, range, &template));
+    let flags =
+        ranges.flags.iter().map(|(flag, range)| Parameter::short_cut(&flag.replace('_', "-"), range, &template));
     let keys = ranges.keys.iter().map(|(key, range)| Parameter::parse(&format!("{key}={range}")));
     let parameters = flags.chain(keys).collect::<Result<Vec<_>, _>>().map_err(told)?;
-    let mut sweep = sweep::sweep(&template, &parameters, orders, &Geometry::default()).map_err(told)?;
+    let mut sweep = sweep::sweep_until(&template, &parameters, orders, &Geometry::default(), stop).map_err(told)?;
     if !firing.is_empty() {
         let firing: Vec<CycleOrder> = firing.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
         sweep.firing = Some(sweep::firing_stars(&template, &sweep, &firing).map_err(told)?);
     }
-    Ok(Answer::new(Swept(sweep)))
+    Ok(Swept(sweep))
 }
 
 impl Question for Swept {

@@ -126,9 +126,12 @@ fn worst(study: &BearingsStudy, units: Units) -> Option<Table> {
     let about = "the main bearing with the largest load, of gas and masses where the layout asks for the gas";
     let mut table = Filling::new("worst", about, &rows).keyed(0);
     table.whole("bearing", "its number in the file, from 1; the first of equal ones", |(index, ..)| index + 1);
-    table.decimal("force_zero_to_peak_{unit}", units.force, "its largest load, on a continuous beam", |(_, force, _)| {
-        Some(*force)
-    });
+    table.decimal(
+        "force_zero_to_peak_{unit}",
+        units.force,
+        "its largest load, on a continuous beam",
+        |(_, force, _)| Some(*force),
+    );
     table.decimal("theta_{unit}", Unit::DEGREE, THETA, |(.., angle)| *angle);
     table.truth("with_gas", "whether the gas is in it", |_| Some(with_gas));
     Some(table.done())
@@ -224,7 +227,9 @@ fn terms(study: &BearingsStudy) -> Table {
     table.whole("bearing", NUMBER, |row| row.0);
     table.whole("order", "the order k", |row| row.1 as usize);
     table.words("sense", "direct: with the crank; reverse: against it", |row| Some(row.2.to_owned()));
-    table.words("coefficient", "the number of the motion that the term is multiplied by", |row| Some(coefficient(row.3)));
+    table.words("coefficient", "the number of the motion that the term is multiplied by", |row| {
+        Some(coefficient(row.3))
+    });
     table.exact("angle_turns", Unit::NONE, "its angle in turns", |row| Some(row.4.angle.turns().to_string()));
     table.exact("weight", Unit::NONE, "its weight", |row| Some(row.4.weight.to_string()));
     table.done()
@@ -258,7 +263,8 @@ fn theta(loads: &BearingLoads, units: Units) -> Table {
     let circle = Circle::new(STEPS);
     let all: Vec<Vec<Complex<f64>>> = loads.bearings.iter().map(|bearing| bearing.waveform.sample(&circle)).collect();
     let rows: Vec<usize> = (0..STEPS).collect();
-    let about = "a crank angle: what each bearing feels of the masses on a continuous beam, all orders of `orders` together";
+    let about =
+        "a crank angle: what each bearing feels of the masses on a continuous beam, all orders of `orders` together";
     let mut table = Filling::new("theta", about, &rows);
     table.decimal("theta_{unit}", Unit::DEGREE, "the crank angle θ, every degree of a revolution", |theta| {
         Some(*theta as f64)
@@ -277,7 +283,8 @@ pub(super) fn components<R>(
     unit: Unit,
     force: impl Fn(&R) -> Option<Complex<f64>>,
 ) {
-    let (along, across) = ("force on this bearing along the reference direction y", "force on it along x, to the right of y");
+    let (along, across) =
+        ("force on this bearing along the reference direction y", "force on it along x, to the right of y");
     table.decimal(("bearing_{bearing}_y_{unit}", bearing), unit, along, |row| force(row).map(|force| force.re));
     table.decimal(("bearing_{bearing}_x_{unit}", bearing), unit, across, |row| force(row).map(|force| -force.im));
 }

@@ -63,7 +63,8 @@ const WITHOUT_GAS: [&str; 4] =
 fn peak<R>(table: &mut Filling<R>, [size, angle, y, x]: [&'static str; 4], of: impl Fn(&R) -> &CyclePeak) {
     table.decimal(size, Unit::NEWTON, "largest force in a cycle", |row| Some(of(row).value));
     table.decimal(angle, Unit::DEGREE, "crank angle of the cycle where it stands", |row| Some(of(row).angle));
-    let (along, across) = ("its component there along the reference direction y", "its component there along x, to the right of y");
+    let (along, across) =
+        ("its component there along the reference direction y", "its component there along x, to the right of y");
     table.decimal(y, Unit::NEWTON, along, |row| Some(of(row).vector.re));
     table.decimal(x, Unit::NEWTON, across, |row| Some(0.0 - of(row).vector.im));
 }
@@ -94,21 +95,17 @@ fn of_cylinders(engine: &Engine, loads: &CycleLoads) -> Table {
             "least force along the rod, negative where it is pulled",
             |loads| loads.peaks.rod[1],
         ),
-        (
-            ["big_end_pull_{unit}", "big_end_pull_theta_{unit}"],
-            "largest pull of the big end, for the bolts",
-            |loads| loads.peaks.pull,
-        ),
+        (["big_end_pull_{unit}", "big_end_pull_theta_{unit}"], "largest pull of the big end, for the bolts", |loads| {
+            loads.peaks.pull
+        }),
         (
             ["side_greatest_{unit}", "side_greatest_theta_{unit}"],
             "greatest side force of the wall on the piston, a quarter turn from the axis in the sense of rotation",
             |loads| loads.peaks.side[0],
         ),
-        (
-            ["side_least_{unit}", "side_least_theta_{unit}"],
-            "least of it, negative to the other side",
-            |loads| loads.peaks.side[1],
-        ),
+        (["side_least_{unit}", "side_least_theta_{unit}"], "least of it, negative to the other side", |loads| {
+            loads.peaks.side[1]
+        }),
     ];
     for ([size, angle], about, of) in extremes {
         table.decimal(size, Unit::NEWTON, about, |(_, loads)| Some(of(loads).value));
@@ -123,10 +120,14 @@ fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
     let about = "a crankpin with several rods: what all of them load it with together";
     let mut table = Filling::new("gas_pins", about, &rows);
     table.whole("crankpin", "the number of its throw, from 1", |pin| pin.throw + 1);
-    table.words("cylinders", "the cylinders whose rods it carries, by their numbers in the file, with a space between", |pin| {
-        let numbers: Vec<String> = pin.cylinders.iter().map(|index| (index + 1).to_string()).collect();
-        Some(numbers.join(" "))
-    });
+    table.words(
+        "cylinders",
+        "the cylinders whose rods it carries, by their numbers in the file, with a space between",
+        |pin| {
+            let numbers: Vec<String> = pin.cylinders.iter().map(|index| (index + 1).to_string()).collect();
+            Some(numbers.join(" "))
+        },
+    );
     table.exact("position_{unit}", position_unit(engine), PLACE, |pin| Some(exact_number(&pin.position)));
     peak(&mut table, WITH_GAS, |pin| &pin.peak);
     gas(&mut table, |pin| &pin.peak);
@@ -176,10 +177,26 @@ fn of_orders<R>(table: &mut Filling<R>, of: impl Fn(&R) -> &JournalOrder) {
     });
     type Pick = fn(&JournalOrder) -> Complex<f64>;
     let vectors: [([&str; 2], &str, Pick); 4] = [
-        (["gas_direct_y_{unit}", "gas_direct_x_{unit}"], "of the gas, the vector that turns with the crank, at θ = 0", |order| order.gas[0]),
-        (["gas_reverse_y_{unit}", "gas_reverse_x_{unit}"], "of the gas, the vector that turns against it, at θ = 0", |order| order.gas[1]),
-        (["masses_direct_y_{unit}", "masses_direct_x_{unit}"], "of the masses, the vector that turns with the crank, at θ = 0", |order| order.inertia[0]),
-        (["masses_reverse_y_{unit}", "masses_reverse_x_{unit}"], "of the masses, the vector that turns against it, at θ = 0", |order| order.inertia[1]),
+        (
+            ["gas_direct_y_{unit}", "gas_direct_x_{unit}"],
+            "of the gas, the vector that turns with the crank, at θ = 0",
+            |order| order.gas[0],
+        ),
+        (
+            ["gas_reverse_y_{unit}", "gas_reverse_x_{unit}"],
+            "of the gas, the vector that turns against it, at θ = 0",
+            |order| order.gas[1],
+        ),
+        (
+            ["masses_direct_y_{unit}", "masses_direct_x_{unit}"],
+            "of the masses, the vector that turns with the crank, at θ = 0",
+            |order| order.inertia[0],
+        ),
+        (
+            ["masses_reverse_y_{unit}", "masses_reverse_x_{unit}"],
+            "of the masses, the vector that turns against it, at θ = 0",
+            |order| order.inertia[1],
+        ),
     ];
     for ([y, x], about, vector) in vectors {
         table.decimal(y, Unit::NEWTON, about, |row| Some(vector(of(row)).re));

@@ -25,14 +25,19 @@ pub fn torque(study: &TorqueStudy, name: &str) -> Option<Table> {
 
 fn cycle(torque: &EngineTorque) -> Table {
     let rows = [torque];
-    let mut table = Filling::new("cycle", "the torque through a cycle, positive in the sense of rotation", &rows).keyed(0);
+    let mut table =
+        Filling::new("cycle", "the torque through a cycle, positive in the sense of rotation", &rows).keyed(0);
     let moment = Unit::NEWTON_METRE;
     table.decimal("mean_{unit}", moment, "its mean", |torque| Some(torque.mean));
     type Pick = fn(&EngineTorque) -> Extreme;
     let extremes: [([&str; 2], &str, Pick); 4] = [
         (["highest_{unit}", "highest_theta_{unit}"], "the largest torque", |torque| torque.highest),
         (["lowest_{unit}", "lowest_theta_{unit}"], "the smallest, which may be negative", |torque| torque.lowest),
-        (["roll_highest_{unit}", "roll_highest_theta_{unit}"], "the largest roll moment on the frame, without that of balancer shafts", |torque| torque.roll[0]),
+        (
+            ["roll_highest_{unit}", "roll_highest_theta_{unit}"],
+            "the largest roll moment on the frame, without that of balancer shafts",
+            |torque| torque.roll[0],
+        ),
         (["roll_lowest_{unit}", "roll_lowest_theta_{unit}"], "the smallest", |torque| torque.roll[1]),
     ];
     for ([value, angle], about, of) in extremes {
@@ -41,7 +46,9 @@ fn cycle(torque: &EngineTorque) -> Table {
     }
     let about = "the largest less the smallest torque, over the mean; empty where the mean is zero";
     table.decimal("unevenness", Unit::NONE, about, |torque| torque.unevenness());
-    table.decimal("power_{unit}", Unit::WATT, "mean torque times speed; empty where no speed is given", |torque| torque.power);
+    table.decimal("power_{unit}", Unit::WATT, "mean torque times speed; empty where no speed is given", |torque| {
+        torque.power
+    });
     let about = "how far mean torque and the area of the loops are apart, as a part of the work";
     table.decimal("energy_balance", Unit::NONE, about, |torque| Some(torque.balance));
     let about = "how much of the torque the orders of `orders` miss at most, looked for through a cycle";
@@ -76,14 +83,17 @@ fn orders(torque: &EngineTorque) -> Table {
     for ([size, cos, sin], about, of) in vectors {
         table.decimal(size, Unit::NEWTON_METRE, about, |order| of(order).map(|one| one.norm()));
         table.decimal(cos, Unit::NEWTON_METRE, "a of a cos κθ + b sin κθ", |order| of(order).map(|one| one.re));
-        table.decimal(sin, Unit::NEWTON_METRE, "b of a cos κθ + b sin κθ", |order| of(order).map(|one| 0.0 - one.im));
+        table.decimal(sin, Unit::NEWTON_METRE, "b of a cos κθ + b sin κθ", |order| {
+            of(order).map(|one| 0.0 - one.im)
+        });
     }
     table.done()
 }
 
 fn flywheel(evenness: &Evenness) -> Table {
     let rows = [evenness];
-    let mut table = Filling::new("flywheel", "the flywheel that the torque needs at the speed of the layout", &rows).keyed(0);
+    let mut table =
+        Filling::new("flywheel", "the flywheel that the torque needs at the speed of the layout", &rows).keyed(0);
     let inertia = Unit::KILOGRAM_SQUARE_METRE;
     let about = "energy fluctuation ΔW: the largest less the smallest work of the torque above its mean";
     table.decimal("energy_{unit}", Unit::JOULE, about, |one| Some(one.energy));
@@ -93,7 +103,9 @@ fn flywheel(evenness: &Evenness) -> Table {
     table.decimal("irregularity", Unit::NONE, about, |one| Some(one.needed.irregularity));
     let about = "whether the layout wants none, so that the one before is an example";
     table.truth("is_example", about, |one| Some(one.needed.is_example));
-    table.decimal("inertia_{unit}", inertia, "the inertia that it needs, J = ΔW/(δ ω²)", |one| Some(one.needed.inertia));
+    table.decimal("inertia_{unit}", inertia, "the inertia that it needs, J = ΔW/(δ ω²)", |one| {
+        Some(one.needed.inertia)
+    });
     let about = "the same less that of the reciprocating masses";
     table.decimal("refined_inertia_{unit}", inertia, about, |one| Some(one.needed.refined));
     let about = "the inertia that the layout gives; empty where it gives none";
@@ -116,13 +128,22 @@ fn classes(torque: &EngineTorque) -> Table {
         joined(class.cylinders.iter().map(|index| (index + 1).to_string()).collect())
     });
     let full = BigRational::from_integer(360.into());
-    table.exact("fires_{unit}", Unit::DEGREE, "crank angles of the cycle at which they fire, with a space between", |(_, class)| {
-        joined(class.fires.iter().map(|turns| (turns * &full).to_string()).collect())
+    table.exact(
+        "fires_{unit}",
+        Unit::DEGREE,
+        "crank angles of the cycle at which they fire, with a space between",
+        |(_, class)| joined(class.fires.iter().map(|turns| (turns * &full).to_string()).collect()),
+    );
+    table.decimal("peak_pressure_{unit}", Unit::PASCAL, "highest pressure, absolute", |(_, class)| {
+        Some(class.gas.peak_pressure().0)
     });
-    table.decimal("peak_pressure_{unit}", Unit::PASCAL, "highest pressure, absolute", |(_, class)| Some(class.gas.peak_pressure().0));
-    table.decimal("mean_pressure_{unit}", Unit::PASCAL, "mean effective pressure", |(_, class)| Some(class.gas.mean_pressure()));
+    table.decimal("mean_pressure_{unit}", Unit::PASCAL, "mean effective pressure", |(_, class)| {
+        Some(class.gas.mean_pressure())
+    });
     table.decimal("work_{unit}", Unit::JOULE, "work of a cycle", |(_, class)| Some(class.gas.work()));
-    table.decimal("heat_{unit}", Unit::JOULE, "heat of a cycle; empty where none is given", |(_, class)| class.gas.heat());
+    table.decimal("heat_{unit}", Unit::JOULE, "heat of a cycle; empty where none is given", |(_, class)| {
+        class.gas.heat()
+    });
     let errors: [(&str, &str); 3] = [
         ("force_error_{unit}", "stated error of the harmonics of the force"),
         ("side_force_error_{unit}", "stated error of the harmonics of the side force"),
@@ -143,7 +164,8 @@ fn guides(engine: &Engine, torque: &EngineTorque) -> Option<Table> {
     table.decimal("order", Unit::NONE, "the order κ of the crank speed", |one| one.order.exact().to_f64());
     let about = "H, the order of the torque, which rocks the frame about the shaft; 0 where it is proved";
     table.decimal("h_zero_to_peak_{unit}", Unit::NEWTON_METRE, about, |one| Some(one.rocking.unwrap_or(0.0)));
-    let about = "X, the sum of the couples, each times its distance from the middle, over the rod length; 0 where it is proved";
+    let about =
+        "X, the sum of the couples, each times its distance from the middle, over the rod length; 0 where it is proved";
     table.decimal("x_zero_to_peak_{unit}", Unit::NEWTON_METRE, about, |one| Some(one.twisting.unwrap_or(0.0)));
     Some(table.done())
 }

@@ -51,9 +51,12 @@ fn critical(study: &TorsionStudy) -> Table {
     table.decimal("star", Unit::NONE, "the length of the star of the order on the mode", |(.., order)| {
         Some(order.star.norm())
     });
-    table.decimal("part_{unit}", Unit::PERCENT, "the same as a part of the longest star of the mode", |(_, speeds, order)| {
-        Some(100.0 * order.star.norm() / speeds.longest)
-    });
+    table.decimal(
+        "part_{unit}",
+        Unit::PERCENT,
+        "the same as a part of the longest star of the mode",
+        |(_, speeds, order)| Some(100.0 * order.star.norm() / speeds.longest),
+    );
     table.done()
 }
 
@@ -64,9 +67,12 @@ fn discs(study: &TorsionStudy) -> Table {
     table.whole("disc", DISC, |(index, _)| index + 1);
     table.decimal("inertia_{unit}", Unit::KILOGRAM_SQUARE_METRE, "its moment of inertia", |(_, one)| one.to_f64());
     let unit = Unit::NEWTON_METRE_PER_RADIAN;
-    table.decimal("stiffness_{unit}", unit, "the torsional stiffness to the next disc; empty at the last", |(index, _)| {
-        torsion.stiffnesses.get(*index).and_then(ToPrimitive::to_f64)
-    });
+    table.decimal(
+        "stiffness_{unit}",
+        unit,
+        "the torsional stiffness to the next disc; empty at the last",
+        |(index, _)| torsion.stiffnesses.get(*index).and_then(ToPrimitive::to_f64),
+    );
     table.done()
 }
 
@@ -77,7 +83,9 @@ fn shapes(study: &TorsionStudy) -> Table {
         .modes
         .iter()
         .enumerate()
-        .flat_map(|(mode, speeds)| speeds.mode.shape.iter().enumerate().map(move |(disc, value)| (mode + 1, disc + 1, value)))
+        .flat_map(|(mode, speeds)| {
+            speeds.mode.shape.iter().enumerate().map(move |(disc, value)| (mode + 1, disc + 1, value))
+        })
         .collect();
     let mut table = Filling::new("shapes", "a disc in a mode", &rows).keyed(2);
     table.whole("mode", MODE, |(mode, ..)| *mode);
@@ -107,7 +115,8 @@ fn forced(study: &TorsionStudy) -> Option<Table> {
     if rows.is_empty() {
         return None;
     }
-    let about = "an order of the torque of gas and inertia: how far it twists the undamped shaft at the speed of the layout";
+    let about =
+        "an order of the torque of gas and inertia: how far it twists the undamped shaft at the speed of the layout";
     let mut table = Filling::new("forced", about, &rows);
     table.exact("order", Unit::NONE, "the order κ", |one| Some(one.order.exact().to_string()));
     table.decimal("frequency_{unit}", Unit::HERTZ, "its frequency", |one| Some(one.hertz));

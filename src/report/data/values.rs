@@ -21,7 +21,9 @@ pub fn values(study: &ValuesStudy) -> Table {
 pub(super) fn columns(name: &str, like: Option<&Single>, all: &[&Result<Single, String>]) -> [Column; 2] {
     let values = match like {
         Some(like) => like.column(name, all.iter().map(|one| one.as_ref().ok())),
-        None => Column::named("{value}", &[name], Unit::NONE, "no engine has it", Values::Decimal(vec![None; all.len()])),
+        None => {
+            Column::named("{value}", &[name], Unit::NONE, "no engine has it", Values::Decimal(vec![None; all.len()]))
+        }
     };
     let why = all.iter().map(|one| one.as_ref().err().cloned()).collect();
     let about = "why there is no such value; empty where there is one";

@@ -1,8 +1,8 @@
 //! Which tables tell of a shaft that twists? Its discs, its modes, its critical speeds.
 
 use super::super::typeset;
-use super::TorsionStudy;
 use super::ForcedTwist;
+use super::TorsionStudy;
 use super::words::part;
 use crate::page::{Number, Table, Text, Unit, number, phrase};
 
