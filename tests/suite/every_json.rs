@@ -82,7 +82,7 @@ fn whole(dice: &mut Dice) -> String {
     format!(
         "cycle = 'two-stroke'\nspeed = 3000\nbearings = ['100 mm', 0, '-100 mm']\n{form}spacing = '90 mm'\n\
          [mechanism]\nstroke = '90 mm'\nrod_length = '150 mm'\nreciprocating_mass = '0.5 kg'\n\
-         [gas]\nbore = '85 mm'\nprocess = 'spark-ignition'\ncompression_ratio = 10\nmean_pressure = '10 bar'\n\
+         [gas]\nbore = '85 mm'\nprocess = 'spark-ignition'\ncompression_ratio = 10\nmean_pressure = '10 bar'\nintake_pressure = '1 bar'\n\
          [torsion]\ninertias = [0.03, 0.03, 0.3]\nstiffnesses = ['1 MN m/rad', '1 MN m/rad']\n"
     )
 }
