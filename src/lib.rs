@@ -3,6 +3,21 @@
 //! An engine's inertia forces are sums of rotating vectors, one per cylinder and order. Whether such a sum vanishes is
 //! decided here in exact arithmetic, and every verdict carries a certificate that a separate checker accepts.
 //!
+//! The cross-plane V8 shakes with no force; its moment of order 1 rotates, so that counterweights cancel it, and order 2 vanishes:
+//!
+//! ```
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! use crankstar::{Masses, Quantity, classify, parse};
+//! let v8 = parse("V8.toml", "title = 'V8'\nvee = { bank_angle = 90, throws = [0, 90, 270, 180] }")?;
+//! let [first, second] = &classify(&v8, &[1, 2], Masses::All, &[Quantity::Force, Quantity::Moment])?[..] else { panic!() };
+//! assert!(first.force.is_balanced() && !first.moment.is_balanced());
+//! assert!(second.force.is_balanced() && second.moment.is_balanced());
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! An engine is built of cylinders too, and each verdict is checked by itself:
+//!
 //! ```
 //! use crankstar::{BigRational, Cylinder, Draft, Masses, Quantity, Turn, check_certificate, classify};
 //!

@@ -6,6 +6,7 @@ use num_rational::BigRational;
 
 /// Why supports, ends or a load make no beam. Supports are indices into the list as given; messages count from 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum BeamError {
     /// This many supports, 0 or 1, do not hold a beam.
     FewerThanTwoSupports(usize),

@@ -56,6 +56,7 @@ pub enum Condition {
 
 /// What a status rests on.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Evidence {
     /// A verdict of the engine.
     Verdict(Verdict),
@@ -104,6 +105,7 @@ impl Evidence {
 
 /// What is the case.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Finding {
     /// One order of the force and the moment.
     Order(Box<OrderBalance>),

@@ -43,6 +43,7 @@ impl Statement {
 
 /// A claim about an engine, as the grammar reads it.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Statement {
     /// One order of the force, the moment or the torque.
     Order {

@@ -11,6 +11,7 @@ use crankstar::page::File;
 
 use super::failure::Failure;
 use super::layouts::shown;
+use super::lock::{lock, lock_abandoned, lock_staging};
 
 /// Marks folders and files that are not finished.
 const ENDING: &str = "crankstar-partial";
@@ -109,7 +110,7 @@ fn staging(parent: &Path, name: &str) -> io::Result<(PathBuf, Handle)> {
             Err(error) if error.kind() == ErrorKind::AlreadyExists => continue,
             created => created?,
         }
-        let lock = lock(&staging)?;
+        let lock = lock_staging(&staging)?;
         // Before the lock was held, somebody may have taken it for abandoned.
         if staging.is_dir() {
             return Ok((staging, lock));
@@ -126,7 +127,7 @@ fn clear_abandoned(parent: &Path, name: &str) {
         let is_ours = number.is_some_and(|number| {
             number.ends_with('.') && number.trim_end_matches('.').bytes().all(|b| b.is_ascii_digit() || b == b'-')
         });
-        if is_ours && Handle::open(entry.path()).is_ok_and(|handle| handle.try_lock().is_ok()) {
+        if let Some(_lock) = is_ours.then(|| lock_abandoned(&entry.path())).flatten() {
             // Nobody waits for it; what cannot be removed stays.
             let _ = fs::remove_dir_all(entry.path());
         }
@@ -187,24 +188,6 @@ fn put(partial: &Path, place: &Path, content: &[u8]) -> io::Result<()> {
     file.write_all(content)?;
     file.sync_all()?;
     fs::rename(partial, place)
-}
-
-/// A lock on a folder, which ends with the process at the latest.
-#[cfg(unix)]
-fn lock(folder: &Path) -> io::Result<Handle> {
-    let handle = Handle::open(folder)?;
-    match handle.lock() {
-        // A file system without locks: there one writer at a time is the caller's.
-        Err(error) if error.kind() == ErrorKind::Unsupported => Ok(handle),
-        locked => locked.map(|()| handle),
-    }
-}
-
-/// Where folders cannot be locked a file in them is.
-#[cfg(not(unix))]
-fn lock(folder: &Path) -> io::Result<Handle> {
-    let handle = Handle::create(folder.join(".crankstar-lock"))?;
-    handle.lock().map(|()| handle)
 }
 
 /// The names in a folder reach the disk.

@@ -16,6 +16,7 @@ mod folder;
 mod layouts;
 mod list;
 mod loads;
+mod lock;
 mod mark;
 mod masses;
 mod notation;

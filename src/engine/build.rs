@@ -26,6 +26,7 @@ const USUALLY_UP_TO: u32 = 6;
 
 /// Why a draft is no engine.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum BuildError {
     /// No cylinder, or more than [`MOST_CYLINDERS`].
     Cylinders(usize),

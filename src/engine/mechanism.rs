@@ -8,6 +8,7 @@ use crate::motion::{CorrectedLinkage, Linkage};
 
 /// What moves the piston of a cylinder: the harmonics of its motion are the coefficients c_k and t_k.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Mechanism {
     /// A crank and a connecting rod, with or without an offset of the cylinder axis. A Scotch yoke moves as the infinitely
     /// long rod λ = 0 does.

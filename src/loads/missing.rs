@@ -8,6 +8,7 @@ use crate::order::NotComparable;
 
 /// Why a layout has no numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Missing {
     /// No rod: without λ no coefficient is known.
     Rods,

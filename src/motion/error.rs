@@ -6,6 +6,7 @@ use num_rational::BigRational;
 
 /// A slider-crank that cannot turn, or whose harmonics would take too long.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoFullTurn {
     /// The rod ratio is negative.
     NegativeRatio(BigRational),

@@ -6,6 +6,7 @@ use crate::loads::Missing;
 
 /// Why an engine cannot be optimised.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum OptimiseError {
     /// What the engine lacks for the loads of its bearings.
     Missing(Missing),

@@ -12,6 +12,7 @@ use crate::proof::Quantity;
 
 /// The number that a sum stands before in an order.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Factor {
     /// 1: masses that turn, and order 1 of centric rods.
     One,

@@ -4,6 +4,7 @@ use crate::proof::Masses;
 
 /// What in the engine a force comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum MassGroup {
     /// Pistons, pins, and the reciprocating part of the rods.
     Reciprocating,

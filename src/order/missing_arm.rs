@@ -13,6 +13,7 @@ use crate::exact::{PhasorSum, Term};
 
 /// A length that is not there, and that changes the roll moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum MissingArm {
     /// The offset of an endless rod: it is no length.
     EndlessRod,

@@ -7,6 +7,7 @@ use crate::engine::Engine;
 
 /// What makes a force; by its index in the layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Source {
     /// The reciprocating mass of a cylinder.
     Piston(usize),

@@ -53,6 +53,7 @@ fn pictures(blocks: &[Block]) -> Vec<&Picture> {
 
 /// A part of a document.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Block {
     /// A heading: 1 of a section, 2 below it.
     Heading(u8, Text),

@@ -9,6 +9,7 @@ use super::fraction;
 /// Evidence that a sum `S = Σ weight · e^{2πi·angle}` is zero, or that it is not.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum Certificate {
     /// `S = 0`: the corners of these regular polygons, collected, are the collected terms.
     Polygons {

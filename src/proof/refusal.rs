@@ -10,6 +10,7 @@ use super::check::{LARGEST_CONDUCTOR, MOST_CORNERS};
 
 /// Why a certificate is not accepted.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Refusal {
     /// The verdict says one thing and the certificate is of the kind for the other.
     WrongKind,

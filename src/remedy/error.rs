@@ -8,6 +8,7 @@ use crate::loads::Missing;
 
 /// Why there is no remedy.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum RemedyError {
     /// What the layout lacks.
     Missing(Missing),

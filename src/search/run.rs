@@ -58,6 +58,7 @@ impl Default for Options<'_> {
 
 /// Why a search has no front.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SearchError {
     /// The question makes no sense.
     Problem(ProblemError),

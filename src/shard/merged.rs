@@ -29,8 +29,8 @@ impl Merged {
             let file = File::open(path).map_err(|error| ShardError::reading(path, &error))?;
             let found = frame::read(path, &mut BufReader::with_capacity(1 << 20, file), question)?;
             if !found.is_finished {
-                let what =
-                    format_args!("is not finished: it stops after {} pieces; run its shard again", found.frames.len());
+                let count = found.frames.len();
+                let what = format_args!("is not finished: it stops after {count} pieces; run its shard again");
                 return Err(ShardError::of(path, what));
             }
             merged.shard = merged.shard.or(found.head.shard());

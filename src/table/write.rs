@@ -17,6 +17,7 @@ pub enum Format {
 
 /// Why tables cannot be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Unwritable {
     /// The program was built without the format: the name of its feature.
     NotBuilt(&'static str),

@@ -7,6 +7,7 @@ use crate::gas::NoGas;
 
 /// Why an engine has no torque through its cycle.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum NoTorque {
     /// Its gas has no numbers.
     Gas(NoGas),

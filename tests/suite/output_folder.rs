@@ -113,6 +113,23 @@ fn two_writers_at_once_leave_the_report_of_one_of_them() {
     }
 }
 
+/// A staged folder that a writer holds.
+#[cfg(unix)]
+fn locked(staging: &Path) -> fs::File {
+    let lock = fs::File::open(staging).expect("a folder");
+    lock.lock().expect("a lock");
+    lock
+}
+
+/// The same on Windows: a file beside the folder, which nobody else can open.
+#[cfg(windows)]
+fn locked(staging: &Path) -> fs::File {
+    use std::os::windows::fs::OpenOptionsExt;
+    let mut options = fs::File::options();
+    options.write(true).create(true).truncate(false).share_mode(0);
+    options.open(staging.with_extension("crankstar-lock")).expect("a lock")
+}
+
 #[test]
 fn what_another_writer_has_staged_is_left_alone_and_what_a_killed_one_has_is_not() {
     let scratch = scratch("output-staging");
@@ -125,8 +142,7 @@ fn what_another_writer_has_staged_is_left_alone_and_what_a_killed_one_has_is_not
         fs::create_dir(folder).expect("a folder");
         fs::write(folder.join("report.md"), "half").expect("a file");
     }
-    let lock = fs::File::open(&held).expect("a folder");
-    lock.lock().expect("a lock");
+    let _lock = locked(&held);
     assert!(report("I4", &scratch.join("report")).status().expect("it runs").success());
     assert!(held.join("report.md").is_file() && foreign.join("report.md").is_file() && !abandoned.exists());
 }

@@ -44,6 +44,7 @@ pub struct Chamber {
 
 /// The absolute pressure of a cylinder through its cycle.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PressureLaw {
     /// Measured or computed elsewhere: rows of angle and pressure, joined by straight lines.
     Table(PressureTable),

@@ -21,6 +21,7 @@ use pattern::Pattern;
 
 /// A language of pages.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Language {
     /// English.
     #[default]

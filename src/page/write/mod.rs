@@ -33,6 +33,7 @@ pub struct File {
 
 /// What a document is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Format {
     /// Markdown, with pictures beside it.
     Markdown(Math),
