@@ -553,8 +553,8 @@ fn a_document_without_an_engine_or_with_one_name_twice_is_refused() {
 #[test]
 fn orders_and_quantities_that_were_not_asked_for_or_are_not_judged_are_refused() {
     let missing = "this verdict is missing";
-    let more = fault(|document| document.orders.push(6));
-    assert_eq!(more, ["verdicts[20] (force, order 6, direct)", missing]);
+    let more = fault(|document| document.orders.push(8));
+    assert_eq!(more, ["verdicts[20] (force, order 8, direct)", missing]);
     let fewer = fault(|document| document.orders.truncate(3));
     assert_eq!(fewer[1], "this verdict was not asked for, or stands here again");
     for wrong in [vec![], vec![0, 1, 2, 3, 4], vec![1, 2, 2, 3, 4], vec![2, 1, 3, 4]] {

@@ -103,12 +103,12 @@ fn proved_zeros_of_the_gas_are_printed_and_written_as_zeros_beside_unequal_pisto
     let document: serde_json::Value = serde_json::from_str(&printed(&["torque", layout, "--json"])).expect("JSON");
     for order in document["orders"].as_array().expect("orders") {
         let halves = order["gas_vanishes"].as_bool().expect("a truth");
-        let is_zero = order["gas"]["cos"] == 0.0 && order["gas"]["sin"] == 0.0;
+        let is_zero = order["gas_cos_N_m"] == 0.0 && order["gas_sin_N_m"] == 0.0;
         assert_eq!(halves, is_zero, "{order}");
     }
     assert_eq!(document["orders"][0]["gas_vanishes"], true);
-    assert_eq!(document["orders"][1]["vanishes"], false);
-    assert_eq!(document["cylinders"].as_array().map(Vec::len), Some(1));
+    assert_eq!(document["orders"][1]["total_vanishes"], false);
+    assert_eq!(document["classes"].as_array().map(Vec::len), Some(1));
 }
 
 /// An engine of cylinders that differ in nothing but their masses, and the same with equal ones.

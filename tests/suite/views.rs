@@ -111,9 +111,20 @@ fn boxes_of(page: &str) -> ((f64, f64), Vec<TextBox>) {
     let number = |text: &str| text.parse::<f64>().expect("a number");
     let view = value(page.lines().next().expect("a line"), "viewBox");
     let size: Vec<f64> = view.split(' ').map(number).collect();
-    let texts = page.lines().filter(|line| line.starts_with("<text"));
-    let read = |line: &str| {
-        let anchor = match value(line, "text-anchor").as_str() {
+    // What texts share stands at their group.
+    let mut group = "";
+    let mut texts = Vec::new();
+    for line in page.lines() {
+        match line {
+            _ if line.starts_with("<g") => group = line,
+            "</g>" => group = "",
+            _ if line.starts_with("<text") => texts.push((line, group)),
+            _ => {}
+        }
+    }
+    let read = |(line, group): (&str, &str)| {
+        let own = if line.contains(" text-anchor=") { line } else { group };
+        let anchor = match value(own, "text-anchor").as_str() {
             "start" => Anchor::Start,
             "end" => Anchor::End,
             _ => Anchor::Middle,
@@ -122,7 +133,7 @@ fn boxes_of(page: &str) -> ((f64, f64), Vec<TextBox>) {
         let text = line.split_once('>').and_then(|(_, rest)| rest.split_once('<')).expect("a text").0;
         text_box(&text.replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">"), at, anchor)
     };
-    ((size[2], size[3]), texts.map(read).collect())
+    ((size[2], size[3]), texts.into_iter().map(read).collect())
 }
 
 fn assert_readable(name: &str, size: (f64, f64), boxes: &[TextBox]) {

@@ -68,6 +68,8 @@ fn orders(torque: &EngineTorque) -> Table {
     table.truth("gas_vanishes", about, |order| Some(order.gas_vanishes));
     let about = "whether the part of the inertia is proved to be 0";
     table.truth("inertia_vanishes", about, |order| order.inertia.map(|_| order.inertia_vanishes));
+    let about = "whether both are";
+    table.truth("total_vanishes", about, |order| Some(order.vanishes()));
     let (gas, inertia) = (|order: &TorqueOrder| Some(order.gas), |order: &TorqueOrder| order.inertia);
     let total = |order: &TorqueOrder| Some(order.total());
     type Vector<'a> = &'a dyn Fn(&TorqueOrder) -> Option<num_complex::Complex<f64>>;
