@@ -50,6 +50,7 @@ mod source;
 mod splitting;
 mod theorem;
 mod triangle_check;
+mod twist_check;
 mod unknown;
 mod verdict;
 mod when;

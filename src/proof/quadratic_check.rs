@@ -15,12 +15,13 @@ use super::audit::{Audit, Reason, steps_of};
 use super::certificate::Certificate;
 use super::check::certify;
 use super::circle::{ArcClaim, CircleClaim};
-use super::circle_check::{check_free, check_whole};
+use super::circle_check::check_whole;
 use super::classes_check::{check_circle, of_powers};
 use super::collected::{Collected, collect, difference_of_squares};
 use super::plane::TriangleShape;
-use super::quadratic::{QuadraticClaim, RootClaim, RootsClaim, TwistClaim};
+use super::quadratic::{QuadraticClaim, RootClaim, RootsClaim};
 use super::triangle_check::check_sign;
+use super::twist_check::check_signs;
 use super::unknown::product;
 use super::when::Part;
 
@@ -28,7 +29,7 @@ use super::when::Part;
 const HIGHEST_TIMES: i64 = 512;
 
 /// Sums by the power of y before them.
-type Laurent = BTreeMap<i64, Collected>;
+pub(super) type Laurent = BTreeMap<i64, Collected>;
 
 /// Checks that the parts make these classes, and where they cancel.
 pub(super) fn check_quadratic(claim: &QuadraticClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
@@ -66,7 +67,9 @@ pub(super) fn check_quadratic(claim: &QuadraticClaim, left: &[Part<'_>], audit: 
                 Some(claim) => {
                     let left = left_of(twist.into_iter(), &claim.coefficients, audit)?.into_iter().collect();
                     check_whole(circle, u, &of_powers(&left), audit)?;
-                    check_signs(claim, circle, &classes, audit)?;
+                    let double = doubled(&classes[0]);
+                    let number = combined([(&double, &double), (&classes[1], &classes[1])], audit)?;
+                    check_signs(&claim.signs, circle, &number, audit)?;
                 }
             }
             check_roots(claim, circle, &classes, audit)
@@ -152,6 +155,14 @@ fn polynomials([first, second, third]: &[Laurent; 3], audit: &Audit) -> Result<[
     Ok([difference, twist, polynomial])
 }
 
+fn doubled(class: &Laurent) -> Laurent {
+    class.iter().map(|(power, sum)| (*power, twice(sum))).collect()
+}
+
+fn twice(sum: &Collected) -> Collected {
+    sum.iter().map(|(angle, weight)| (angle.clone(), weight + weight)).collect()
+}
+
 /// `conj(a) b − conj(c) d`.
 fn combined(pairs: [(&Laurent, &Laurent); 2], audit: &Audit) -> Result<Laurent, Reason> {
     let mut terms: BTreeMap<i64, Vec<(BigRational, BigRational)>> = BTreeMap::new();
@@ -165,40 +176,6 @@ fn combined(pairs: [(&Laurent, &Laurent); 2], audit: &Audit) -> Result<Laurent, 
         }
     }
     terms.into_iter().map(|(power, terms)| Ok((power, collect(terms, audit)?))).collect()
-}
-
-/// On each crossing `4|A|² − |B|²` has the sign that is said: it has it where the arc begins, and vanishes nowhere on it.
-fn check_signs(
-    claim: &TwistClaim,
-    circle: &CircleClaim,
-    [first, second, _]: &[Laurent; 3],
-    audit: &Audit,
-) -> Result<(), Reason> {
-    let starts = [&circle.from].into_iter().chain(circle.arcs.iter().map(ArcClaim::to));
-    let crossings = starts.zip(&circle.arcs).filter_map(|(from, arc)| match arc {
-        ArcClaim::Crossing { to } => Some([from, to]),
-        ArcClaim::Free { .. } | ArcClaim::Monotone { .. } | ArcClaim::Rational { .. } | ArcClaim::Open { .. } => None,
-    });
-    let crossings: Vec<[&BigRational; 2]> = crossings.collect();
-    if crossings.len() != claim.signs.len() {
-        return Err(format!("{} signs for {} crossings", claim.signs.len(), crossings.len()).into());
-    }
-    if crossings.is_empty() {
-        return Ok(());
-    }
-    let two = BigRational::from_integer(2.into());
-    let twice = |sum: &Collected| sum.iter().map(|(angle, weight)| (angle.clone(), weight * &two)).collect();
-    let double: Laurent = first.iter().map(|(power, sum)| (*power, twice(sum))).collect();
-    let number = combined([(&double, &double), (second, second)], audit)?;
-    for ([from, _], sign) in crossings.iter().zip(&claim.signs) {
-        let there = value(&number, from, audit)?;
-        match sign {
-            TriangleShape::Never { bits } => check_sign(&there, false, *bits, audit)?,
-            TriangleShape::Two { bits } => check_sign(&there, true, *bits, audit)?,
-            TriangleShape::Flat { .. } => return Err("at an irrational turn no sum is shown to be zero".into()),
-        }
-    }
-    check_free(crossings.into_iter(), circle.bits, &of_powers(&number), audit)
 }
 
 /// What stands for each rational turn of u.
@@ -229,8 +206,7 @@ fn check_roots(
             RootsClaim::Mirror { lengths, first, shape, at } => {
                 certify(&difference_of_squares(&a, &c, audit)?, true, lengths, audit)?;
                 certify(&a, false, first, audit)?;
-                let double: Collected = a.iter().map(|(angle, weight)| (angle.clone(), weight + weight)).collect();
-                let number = difference_of_squares(&double, &b, audit)?;
+                let number = difference_of_squares(&twice(&a), &b, audit)?;
                 let most = match shape {
                     TriangleShape::Never { bits } => check_sign(&number, false, *bits, audit).map(|()| 0)?,
                     TriangleShape::Flat { certificate } => certify(&number, true, certificate, audit).map(|()| 1)?,
@@ -256,7 +232,7 @@ fn check_each(
 }
 
 /// A class at a turn of u.
-fn value(class: &Laurent, turn: &BigRational, audit: &Audit) -> Result<Collected, Reason> {
+pub(super) fn value(class: &Laurent, turn: &BigRational, audit: &Audit) -> Result<Collected, Reason> {
     let mut terms = Vec::new();
     for (times, sum) in class {
         let turned = turn * BigRational::from_integer((*times).into());

@@ -109,9 +109,9 @@ fn classes<const N: usize>(masses: [[u32; N]; 3]) -> String {
 }
 
 /// Outer classes that are equally long for each δ, `A = 2 + y` and `C = 1 + 2y`. At cos δ = 1/4 and −1/4 they meet a middle one that is shorter
-/// than both, and one that is longer; at no δ but 0, and at δ = 120° too.
+/// than both, and one that is longer; at δ = 90° and at δ = 120° as they do at δ = 0.
 pub fn twists() -> Vec<String> {
-    [[5, 2, 2], [7, 6, 2], [1, 0, 0], [0, 0, 1]].map(|middle| classes([[2, 1, 0], middle, [1, 2, 0]])).into()
+    [[5, 2, 2], [7, 6, 2], [2, 1, 1], [0, 0, 1]].map(|middle| classes([[2, 1, 0], middle, [1, 2, 0]])).into()
 }
 
 /// Both outer classes, and the middle one, times `2 + y + 2y²`: at cos δ = −1/4 all three vanish.

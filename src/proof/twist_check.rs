@@ -1,0 +1,38 @@
+//! Has a real polynomial the sign at each crossing of a circle that is said?
+
+use num_rational::BigRational;
+
+use super::audit::{Audit, Reason};
+use super::circle::{ArcClaim, CircleClaim};
+use super::circle_check::check_free;
+use super::classes_check::of_powers;
+use super::plane::TriangleShape;
+use super::quadratic_check::{Laurent, value};
+use super::triangle_check::check_sign;
+
+/// It has the sign where the arc begins, and vanishes nowhere on it.
+pub(super) fn check_signs(
+    signs: &[TriangleShape],
+    circle: &CircleClaim,
+    number: &Laurent,
+    audit: &Audit,
+) -> Result<(), Reason> {
+    let starts = [&circle.from].into_iter().chain(circle.arcs.iter().map(ArcClaim::to));
+    let crossings = starts.zip(&circle.arcs).filter_map(|(from, arc)| match arc {
+        ArcClaim::Crossing { to } => Some([from, to]),
+        ArcClaim::Free { .. } | ArcClaim::Monotone { .. } | ArcClaim::Rational { .. } | ArcClaim::Open { .. } => None,
+    });
+    let crossings: Vec<[&BigRational; 2]> = crossings.collect();
+    if crossings.len() != signs.len() {
+        return Err(format!("{} signs for {} crossings", signs.len(), crossings.len()).into());
+    }
+    for ([from, _], sign) in crossings.iter().zip(signs) {
+        let there = value(number, from, audit)?;
+        match sign {
+            TriangleShape::Never { bits } => check_sign(&there, false, *bits, audit)?,
+            TriangleShape::Two { bits } => check_sign(&there, true, *bits, audit)?,
+            TriangleShape::Flat { .. } => return Err("at an irrational turn no sum is shown to be zero".into()),
+        }
+    }
+    check_free(crossings.into_iter(), circle.bits, &of_powers(number), audit)
+}
