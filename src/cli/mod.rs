@@ -39,7 +39,7 @@ mod verify;
 mod write;
 
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -145,11 +145,6 @@ struct EngineAndOrders {
 }
 
 impl EngineAndOrders {
-    /// The name or the path of the engine.
-    fn path(&self) -> &Path {
-        &self.layout
-    }
-
     /// The orders that were asked for.
     fn asked(&self) -> Result<Vec<u32>, Failure> {
         self.orders.iter().map(|&order| whole(order)).collect()

@@ -188,7 +188,8 @@ fn check_pairs(certificates: &[Certificate], judged: &Judged, audit: &Audit) -> 
 
 /// What stands before each real number in the direct and in the reverse vector, in the order of their first group; groups that are zero in both left out.
 fn real_sums(judged: &Judged, audit: &Audit) -> Result<Vec<[Collected; 2]>, Reason> {
-    let mut real: Vec<(Coefficient, [Vec<(BigRational, BigRational)>; 2])> = Vec::new();
+    type Terms = Vec<(BigRational, BigRational)>;
+    let mut real: Vec<(Coefficient, [Terms; 2])> = Vec::new();
     for group in judged.groups.iter().filter(|group| !group.is_zero && group.sums.iter().any(|(_, is_zero)| !is_zero)) {
         for (number, turn) in group.coefficient.real_parts(judged.order) {
             let place = real.iter().position(|(known, _)| *known == number).unwrap_or_else(|| {

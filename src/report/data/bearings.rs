@@ -70,7 +70,8 @@ fn of_bearings(study: &BearingsStudy, units: Units) -> Table {
     table.whole("bearing", NUMBER, |(_, number, _)| *number);
     let unit = position_unit(&study.engine);
     table.exact("position_{unit}", unit, PLACE, |(.., bearing)| Some(exact_number(&bearing.position)));
-    let peaks: [([&str; 2], &str, fn(&BearingLoad) -> &Peak); 3] = [
+    type Of = fn(&BearingLoad) -> &Peak;
+    let peaks: [([&str; 2], &str, Of); 3] = [
         (["force_zero_to_peak_{unit}", "theta_{unit}"], "largest force that the bearing feels", |one| &one.peak),
         (
             ["force_y_zero_to_peak_{unit}", "force_y_theta_{unit}"],

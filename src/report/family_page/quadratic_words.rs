@@ -43,7 +43,7 @@ fn zeros(found: &Quadratic) -> Option<Text> {
             Text::joined([at.clone(), v], " and ")
         };
         match roots {
-            Roots::All(_) if is_in_range(&[own.clone()]) => vec![at.clone()],
+            Roots::All(_) if is_in_range(std::slice::from_ref(&own)) => vec![at.clone()],
             Roots::All(_) => Vec::new(),
             Roots::None(_) => Vec::new(),
             Roots::One { at, .. } => [at].into_iter().filter(is_meant).map(with).collect(),
