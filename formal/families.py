@@ -20,14 +20,14 @@ types("""open-cylinder: name=text throw=linear bank=linear position=linear recip
     area never: bits=count; area flat: certificate; area two: bits=count;
     meeting all: certificates=[certificate]; meeting rational: first=certificate turn certificate; meeting once: first=certificate;
     root: turn certificate; roots all: certificates=[certificate]; roots none: certificates=[certificate]; roots one: lengths=certificate at=[root];
-    roots mirror: lengths=certificate first=certificate shape=area at=[root]; zero: s t reach certificate=certificate?;
+    roots mirror: lengths=certificate first=certificate shape=area at=[root]; twist: coefficients=[certificate] signs=[area]; zero: s t reach certificate=certificate?;
     when always:; when never:; when not-solved:; when unequal-lengths: certificate; when equal-lengths: certificate;
     when where: alternatives=[turned] equal_lengths=[certificate]; when cosine: middle=count phi delta turn cosine multiples=[certificate];
     when coprime: phi delta conductor=count prime=count root=count scale=integer u=[count] v=[count];
     when circle: phi delta divided? bits=count mirrored=[certificate] from arcs=[arc]; when triangle: shape=area alternatives=[turned];
     when product: groups=[[count]] certificates=[certificate] group=when firsts=when;
     when classes: phi delta second=[count] squares=[certificate] circle=circle? meetings=[meeting];
-    when quadratic: phi delta second=[count] third=[count] coefficients=[certificate] lengths=[certificate] circle=circle? roots=[roots];
+    when quadratic: phi delta second=[count] third=[count] coefficients=[certificate] lengths=[certificate] twist? circle=circle? roots=[roots];
     when boxes: phi delta tree=text zeros=[zero];
     open-sum: symbol=text? parts=[part-sum] when; open-verdict: quantity order=count sense sums=[open-sum];
     family: format=text title=text masses orders=[count] quantities=[quantity] reference_plane=linear cylinders=[open-cylinder] open_verdicts=[open-verdict]""")

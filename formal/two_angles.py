@@ -1,7 +1,7 @@
 """The second checker, verify.py: when sums are zero that two open angles turn on their own: triangles, products, classes of parts."""
-from arcs import circle
+from arcs import circle, is_free
 from enclosures import bits_of, common_denominator, enclose
-from families import alternative, check_when, minus, multiples
+from families import alternative, check_when, divided, minus, multiples
 from verify import CHECKED, certify, collect, conjugate, demand, each, times, unequal
 
 
@@ -78,22 +78,33 @@ def at(polynomial, turn, more=0):
     return [(t + n * turn + more, w) for n, total in polynomial.items() for t, w in total.items()]
 
 
-def real_zeros(claim, name, powers, notes):
-    """Where a real polynomial  Σ P_m y^m,  P_−m = conj(P_m), is zero: judges the P_m, and has the circle checked, which is there unless
-    the polynomial is constant. Returns whether any P_m is not zero, and the zeros that are rational turns."""
-    due = sorted((m, total) for m, total in powers.items() if m >= 0)
-    there = {m: total for (m, total), certificate in each(name, claim[name], due) if not certify(total, certificate)}
+def not_zero(name, certificates, powers):
+    """The coefficients that are not zero, by their powers, as the certificates show."""
+    return {m: total for (m, total), certificate in each(name, certificates, sorted(powers.items())) if not certify(total, certificate)}
+
+
+def half(powers):
+    """A real polynomial Σ P_m y^m has P_−m = conj(P_m)."""
+    return {m: total for m, total in powers.items() if m >= 0}
+
+
+def zeros(claim, there, notes, twist=None):
+    """Where a real polynomial is zero of which these coefficients are not zero: has the circle checked, which is there unless the
+    polynomial is constant. Returns the zeros that are rational turns. `twist` has the same zeros on the circle, be it once or several times."""
     if not any(there):
         demand(claim.circle is None, "the polynomial is constant, so there is no circle")
-        return bool(there), []
+        return []
     demand(claim.circle is not None, "where the polynomial is zero is not said")
     demand((claim.circle.phi, claim.circle.delta) == (claim.phi, claim.delta), "the circle is not that of u")
-    demand(claim.circle.divided is None, "here a crossing has to be a simple zero of the polynomial itself")
-    degree = max(there)
-    whole = {degree - m: conjugate(total) for m, total in there.items()}
-    whole.update({degree + m: total for m, total in there.items()})
-    circle(claim.circle, sorted(whole.items()), notes)
-    return True, [arc["at"] for arc in claim.circle.arcs if arc.kind == "rational"]
+    demand(twist or claim.circle.divided is None, "here a crossing has to be a simple zero of the polynomial itself")
+    whole = from_zero(twist or {**{-m: conjugate(total) for m, total in there.items()}, **there})
+    circle(claim.circle, divided(claim.circle, whole) if claim.circle.divided else whole, notes)
+    return [arc["at"] for arc in claim.circle.arcs if arc.kind == "rational"]
+
+
+def from_zero(powers):
+    """The polynomial up to a power of y, as pairs, exponents from 0 on."""
+    return [(m - min(powers), total) for m, total in sorted(powers.items())]
 
 
 def classes(claim, left, notes):
@@ -101,7 +112,7 @@ def classes(claim, left, notes):
     |A|² − |B|², which is real, has a double zero, so that it is no crossing."""
     A, B = split(claim, left, [claim.second])
     demand(min(A) == min(B) == 0, "u enters a part a negative number of times")
-    _, turns = real_zeros(claim, "squares", laurent([(A, A, 1), (B, B, -1)]), notes)
+    turns = zeros(claim, not_zero("squares", claim.squares, half(laurent([(A, A, 1), (B, B, -1)]))), notes)
     for turn, meeting in each("meetings", claim.meetings, turns):
         demand(meeting.kind in ("all", "rational", "once"), "a meeting is of no such kind")
         if meeting.kind == "all":
@@ -116,14 +127,20 @@ def classes(claim, left, notes):
 def quadratic(claim, left, notes):
     """f = A(y) + B(y) x + C(y) x². With D = |A|² − |C|² and E = conj(A) B − conj(B) C it is conj(A) f − C x² conj(f) = D + E x, so that
     f = 0 needs D² = |E|². There, if D ≠ 0, x = −D/E alone leaves |A||f| = |C||f|, so f = 0; at a simple zero D is not 0. If D = E = 0 and
-    A ≠ 0, f/x turned is real, 2|A| cos ξ ± |B|."""
+    A ≠ 0, f/x turned is real, 2|A| cos ξ ± |B|. If D = 0 for every y, D² − |E|² is −|E|², and the arcs are about E (`twist`): on a crossing
+    4|A|² − |B|² keeps its sign, so that x is one of two (A is then not zero) or there is none, be A zero or not."""
     A, B, C = split(claim, left, [claim.second, claim.third])
     D, E = laurent([(A, A, 1), (C, C, -1)]), laurent([(A, B, 1), (B, C, -1)])
-    is_there, turns = real_zeros(claim, "coefficients", laurent([(D, D, 1), (E, E, -1)]), notes)
+    there = not_zero("coefficients", claim.coefficients, half(laurent([(D, D, 1), (E, E, -1)])))
+    demand(claim.twist is None or any(there), "the polynomial is constant, so that no twist belongs here")
     # On a curve, where D² = |E|² for every y, the certificates tell for which of them D is zero.
-    due = [] if is_there else [total for power, total in sorted(D.items()) if power >= 0]
-    for total, certificate in each("lengths", claim["lengths"], due):
-        certify(total, certificate)
+    lengths = not_zero("lengths", claim.lengths, half(D) if claim.twist or not there else {})
+    if claim.twist:
+        demand(not lengths, "first and third class are not equally long for every y")
+        turns = zeros(claim, there, notes, not_zero("coefficients", claim.twist.coefficients, E))
+        signs(claim, laurent([(A, A, 4), (B, B, -1)]))
+    else:
+        turns = zeros(claim, there, notes)
     for turn, roots in each("roots", claim.roots, turns):
         a, b, c = (collect(at(of, turn)) for of in (A, B, C))
         demand(roots.kind in ("all", "none", "one", "mirror"), "roots are of no such kind")
@@ -140,3 +157,16 @@ def quadratic(claim, left, notes):
         demand(len(found) <= most and len(set(found)) == len(found), f"{len(found)} turns are named where there are {most}, or one twice")
         for x, root in zip(found, roots["at"]):
             certify([(t + n * x, w) for n, of in enumerate((a, b, c)) for t, w in of.items()], root.certificate, True)
+
+
+def signs(claim, number):
+    """On every crossing a real polynomial has the sign that is said: where the arc begins, and it is zero nowhere on it."""
+    arcs, bits = claim.circle.arcs, bits_of(claim.circle)
+    starts = [claim.circle["from"], *(arc.to for arc in arcs)]
+    scale = common_denominator(list(number.values()))
+    curve = [(2 * m, enclose(total, scale, bits)) for m, total in from_zero(number)]
+    due = [(low, arc.to) for low, arc in zip(starts, arcs) if arc.kind == "crossing"]
+    for (low, high), sign in each("signs", claim.twist.signs, due):
+        demand(sign.kind != "flat", "at an irrational turn no sum is shown to be zero")
+        sign_of(sign, at(number, low))
+        demand(is_free(curve, low, high, bits), "no line keeps the number away from 0")

@@ -20,7 +20,7 @@ pub use comparable::{NotComparable, comparable};
 pub use component::{Component, component_zeros};
 pub use firing::{EvenFiring, even_firing, even_firing_lines};
 pub use left::{Left, left};
-pub use plane::{BoxZero, Boxes, Classes, Corner, Meeting, Product, Quadratic, Root, Roots, Shape, Triangle};
+pub use plane::{BoxZero, Boxes, Classes, Corner, Meeting, Product, Quadratic, Root, Roots, Shape, Triangle, Twist};
 pub use range::{Place, is_in_range};
 pub use solve::{Alternative, Angles, Condition, Cosine, Never, When};
 pub use torque::{NoOpenStar, OpenStar, SpanStar, firing_stars};

@@ -26,13 +26,28 @@ const MOST_BITS: u32 = 512;
 
 /// Checks the arcs against the parts.
 pub(super) fn check_circle(claim: &CircleClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
-    let unknown = Unknown::of(left, &claim.phi, &claim.delta, audit)?;
+    let u = [&claim.phi, &claim.delta];
+    check_whole(claim, u, &Unknown::of(left, u[0], u[1], audit)?, audit)
+}
+
+/// Checks the arcs against a polynomial, or against the factor of it that they are about: a crossing is a zero, once or several times.
+pub(super) fn check_whole(
+    claim: &CircleClaim,
+    u: [&BigRational; 2],
+    unknown: &Unknown<'_>,
+    audit: &Audit,
+) -> Result<(), Reason> {
+    check_unknown(claim, u)?;
     match &claim.divided {
-        None => check_arcs(claim, &unknown, audit),
-        Some(divided) => {
-            let factor = check_divided(divided, [&claim.phi, &claim.delta], &unknown, audit)?;
-            check_arcs(claim, &of_coefficients(&factor), audit)
-        }
+        None => check_arcs(claim, unknown, audit),
+        Some(divided) => check_arcs(claim, &of_coefficients(&check_divided(divided, u, unknown, audit)?), audit),
+    }
+}
+
+fn check_unknown(claim: &CircleClaim, u: [&BigRational; 2]) -> Result<(), Reason> {
+    match [&claim.phi, &claim.delta] == u {
+        true => Ok(()),
+        false => Err("the circle is not that of u".into()),
     }
 }
 
@@ -63,11 +78,29 @@ fn check_arcs(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Audit) -> Resu
 }
 
 /// Checks the arcs against a polynomial itself: a crossing of them is a simple zero of it.
-pub(super) fn check_undivided(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Audit) -> Result<(), Reason> {
+pub(super) fn check_undivided(
+    claim: &CircleClaim,
+    u: [&BigRational; 2],
+    unknown: &Unknown<'_>,
+    audit: &Audit,
+) -> Result<(), Reason> {
+    check_unknown(claim, u)?;
     match claim.divided {
         None => check_arcs(claim, unknown, audit),
         Some(_) => Err("here the arcs are about the whole sum".into()),
     }
+}
+
+/// Checks that a polynomial vanishes nowhere on any of these arcs, their ends among them.
+pub(super) fn check_free<'a>(
+    arcs: impl Iterator<Item = [&'a BigRational; 2]>,
+    bits: u32,
+    unknown: &Unknown<'_>,
+    audit: &Audit,
+) -> Result<(), Reason> {
+    let ground = Ground::new(unknown, bits, audit)?;
+    let curve = ground.derivative(0);
+    arcs.map(|ends| ground.demand_free(&curve, ends)).collect()
 }
 
 /// Evidence that the centred sum stays on one line is there where an arc rests on it, and only there.

@@ -119,9 +119,6 @@ pub(super) fn check_circle(
     coefficients: Vec<(i64, Collected)>,
     audit: &Audit,
 ) -> Result<(), Reason> {
-    if [&circle.phi, &circle.delta] != u {
-        return Err("the circle is not that of u".into());
-    }
     let degree = coefficients.last().map_or(0, |(m, _)| *m);
     let mut whole: BTreeMap<i64, Collected> = BTreeMap::new();
     for (m, sum) in coefficients {
@@ -129,8 +126,14 @@ pub(super) fn check_circle(
         whole.insert(degree - m, conjugate);
         whole.insert(degree + m, sum);
     }
-    let unknown = Unknown { exponents: whole.keys().copied().collect(), sums: whole.values().collect() };
-    check_undivided(circle, &unknown, audit)
+    check_undivided(circle, u, &of_powers(&whole), audit)
+}
+
+/// The polynomial with these coefficients by the power of y, up to a power of y.
+pub(super) fn of_powers(coefficients: &BTreeMap<i64, Collected>) -> Unknown<'_> {
+    let lowest = coefficients.keys().next().copied().unwrap_or(0);
+    let exponents = coefficients.keys().map(|power| power - lowest).collect();
+    Unknown { exponents, sums: coefficients.values().collect() }
 }
 
 /// One meeting for each rational turn.

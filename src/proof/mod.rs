@@ -78,7 +78,7 @@ pub use open::{
 };
 pub use open_check::check_open_document;
 pub use plane::{ClassesClaim, MeetingClaim, ProductClaim, TriangleClaim, TriangleShape};
-pub use quadratic::{QuadraticClaim, RootClaim, RootsClaim};
+pub use quadratic::{QuadraticClaim, RootClaim, RootsClaim, TwistClaim};
 pub use reading::{AnyDocument, Difference, Format, LARGEST_DOCUMENT, Unreadable, read_document};
 pub use recurrence::{ClassClaim, FactorClaim, FirstOrderClaim, RayClaim, RecurrenceClaim, SumVerdict, Zeros};
 pub use refusal::Refusal;

@@ -27,13 +27,27 @@ pub struct QuadraticClaim {
     /// of m = 0 is not: nowhere. All are zero: along a curve, one x for each u at which A and C differ in length; where they do not, none, one or
     /// two as `4|A|² − |B|²` is negative, zero or positive, and all or none where A = C = 0.
     pub coefficients: Vec<Certificate>,
-    /// Along a curve: the same for every coefficient of `|A|² − |C|²`. All are zero: A and C are equally long for every u.
+    /// Along a curve, and beside a `twist`: the same for every coefficient of `|A|² − |C|²`. All are zero: A and C are equally long for every u.
     pub lengths: Vec<Certificate>,
+    /// Where A and C are equally long for every u, and a coefficient of m > 0 is not zero: `conj(A) B − C conj(B)`, which the circle is about.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub twist: Option<TwistClaim>,
     /// Where a coefficient of m > 0 is not zero: where the polynomial vanishes.
     pub circle: Option<CircleClaim>,
     /// One for each `rational` arc of the circle, in their order. (At a `crossing` there is one x: A and C are not equally long there, for
-    /// the polynomial would have a double zero.)
+    /// the polynomial would have a double zero. With a `twist`, as many as its `signs` say.)
     pub roots: Vec<RootsClaim>,
+}
+
+/// `E = conj(A) B − C conj(B)`, whose zeros are those of the polynomial where A and C are equally long for every u.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TwistClaim {
+    /// For every m that products of the parts lead to, rising: evidence that the coefficient of `y^m` in E is zero, or that it is not.
+    pub coefficients: Vec<Certificate>,
+    /// For each `crossing` of the circle, in their order: the sign that `4|A|² − |B|²` has where the arc begins, and on all of it. Positive: two x;
+    /// negative: none.
+    pub signs: Vec<TriangleShape>,
 }
 
 /// For which x on the circle the sum vanishes at a rational turn of u at which the polynomial does.

@@ -3,7 +3,8 @@
 //! `f = A + B x + C x²` with `|x| = 1`. With `D = |A|² − |C|²` and `E = conj(A) B − C conj(B)`, `conj(A) f − C x² conj(f) = D + E x`. So f = 0
 //! needs D² = |E|², which is a real polynomial in y. Where that holds and D ≠ 0, `x = −D/E` is on the circle, and
 //! `|A| |f| = |C| |f|` leaves f = 0. Where D = 0, so that E = 0 too, and A ≠ 0, `f/x` turned stays on one line and is `2|A| cos ξ ± |B|`. At a
-//! simple zero of the polynomial D is not 0.
+//! simple zero of the polynomial D is not 0. Where D = 0 for every y the polynomial is `−|E|²`, and the arcs are about E: where `4|A|² > |B|²` two x
+//! are left, A not being 0, and where `4|A|² < |B|²` none, be A zero or not.
 
 use std::collections::BTreeMap;
 
@@ -14,10 +15,11 @@ use super::audit::{Audit, Reason, steps_of};
 use super::certificate::Certificate;
 use super::check::certify;
 use super::circle::{ArcClaim, CircleClaim};
-use super::classes_check::check_circle;
+use super::circle_check::{check_free, check_whole};
+use super::classes_check::{check_circle, of_powers};
 use super::collected::{Collected, collect, difference_of_squares};
 use super::plane::TriangleShape;
-use super::quadratic::{QuadraticClaim, RootClaim, RootsClaim};
+use super::quadratic::{QuadraticClaim, RootClaim, RootsClaim, TwistClaim};
 use super::triangle_check::check_sign;
 use super::unknown::product;
 use super::when::Part;
@@ -31,27 +33,42 @@ type Laurent = BTreeMap<i64, Collected>;
 /// Checks that the parts make these classes, and where they cancel.
 pub(super) fn check_quadratic(claim: &QuadraticClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
     let classes = classes(claim, left, audit)?;
-    let [difference, polynomial] = polynomials(&classes, audit)?;
-    let coefficients = left_of(polynomial, &claim.coefficients, audit)?;
+    let [difference, twist, polynomial] = polynomials(&classes, audit)?;
+    let coefficients = left_of(half(polynomial), &claim.coefficients, audit)?;
+    let is_constant = coefficients.iter().all(|(power, _)| *power == 0);
+    if is_constant && claim.twist.is_some() {
+        return Err("the polynomial is constant, so that no twist belongs here".into());
+    }
     if coefficients.is_empty() {
         // The certificates say of each coefficient of D whether it is zero; D + E x = 0 says the rest.
-        left_of(difference, &claim.lengths, audit)?;
+        left_of(half(difference), &claim.lengths, audit)?;
         return match claim.circle.is_none() && claim.roots.is_empty() {
             true => Ok(()),
             false => Err("there is no circle, and there are no roots, where every coefficient is zero".into()),
         };
     }
-    if !claim.lengths.is_empty() {
-        return Err("only on a curve are all lengths compared".into());
+    if claim.twist.is_some() {
+        if !left_of(half(difference), &claim.lengths, audit)?.is_empty() {
+            return Err("first and third class are not equally long for every angle".into());
+        }
+    } else if !claim.lengths.is_empty() {
+        return Err("only on a curve, or with a twist, are all lengths compared".into());
     }
-    let is_constant = coefficients.iter().all(|(power, _)| *power == 0);
     match &claim.circle {
         None if is_constant && claim.roots.is_empty() => Ok(()),
         None if is_constant => Err("no roots are called for".into()),
         None => Err("where the polynomial vanishes is not said".into()),
         Some(_) if is_constant => Err("there is no circle where the polynomial is constant".into()),
         Some(circle) => {
-            check_circle([&claim.phi, &claim.delta], circle, coefficients, audit)?;
+            let u = [&claim.phi, &claim.delta];
+            match &claim.twist {
+                None => check_circle(u, circle, coefficients, audit)?,
+                Some(claim) => {
+                    let left = left_of(twist.into_iter(), &claim.coefficients, audit)?.into_iter().collect();
+                    check_whole(circle, u, &of_powers(&left), audit)?;
+                    check_signs(claim, circle, &classes, audit)?;
+                }
+            }
             check_roots(claim, circle, &classes, audit)
         }
     }
@@ -102,14 +119,23 @@ fn classes(claim: &QuadraticClaim, left: &[Part<'_>], audit: &Audit) -> Result<[
     Ok([of_class(&first, 0)?, of_class(&claim.second, 1)?, of_class(&claim.third, 2)?])
 }
 
-/// The coefficients of `y^m` that are not zero, m from 0 on, of a real polynomial.
-fn left_of(polynomial: Laurent, certificates: &[Certificate], audit: &Audit) -> Result<Vec<(i64, Collected)>, Reason> {
+/// The coefficients of `y^m` in a real polynomial, m from 0 on.
+fn half(polynomial: Laurent) -> impl ExactSizeIterator<Item = (i64, Collected)> {
     let half: Vec<(i64, Collected)> = polynomial.into_iter().filter(|(power, _)| *power >= 0).collect();
-    if half.len() != certificates.len() {
-        return Err(format!("{} certificates for {} coefficients", certificates.len(), half.len()).into());
+    half.into_iter()
+}
+
+/// The coefficients that are not zero.
+fn left_of(
+    coefficients: impl ExactSizeIterator<Item = (i64, Collected)>,
+    certificates: &[Certificate],
+    audit: &Audit,
+) -> Result<Vec<(i64, Collected)>, Reason> {
+    if coefficients.len() != certificates.len() {
+        return Err(format!("{} certificates for {} coefficients", certificates.len(), coefficients.len()).into());
     }
     let mut left = Vec::new();
-    for ((power, sum), certificate) in half.into_iter().zip(certificates) {
+    for ((power, sum), certificate) in coefficients.zip(certificates) {
         certify(&sum, certificate.claims_zero(), certificate, audit)?;
         if !certificate.claims_zero() {
             left.push((power, sum));
@@ -118,12 +144,12 @@ fn left_of(polynomial: Laurent, certificates: &[Certificate], audit: &Audit) -> 
     Ok(left)
 }
 
-/// D and `D² − |E|²`.
-fn polynomials([first, second, third]: &[Laurent; 3], audit: &Audit) -> Result<[Laurent; 2], Reason> {
+/// D, E and `D² − |E|²`.
+fn polynomials([first, second, third]: &[Laurent; 3], audit: &Audit) -> Result<[Laurent; 3], Reason> {
     let difference = combined([(first, first), (third, third)], audit)?;
     let twist = combined([(first, second), (second, third)], audit)?;
     let polynomial = combined([(&difference, &difference), (&twist, &twist)], audit)?;
-    Ok([difference, polynomial])
+    Ok([difference, twist, polynomial])
 }
 
 /// `conj(a) b − conj(c) d`.
@@ -139,6 +165,40 @@ fn combined(pairs: [(&Laurent, &Laurent); 2], audit: &Audit) -> Result<Laurent, 
         }
     }
     terms.into_iter().map(|(power, terms)| Ok((power, collect(terms, audit)?))).collect()
+}
+
+/// On each crossing `4|A|² − |B|²` has the sign that is said: it has it where the arc begins, and vanishes nowhere on it.
+fn check_signs(
+    claim: &TwistClaim,
+    circle: &CircleClaim,
+    [first, second, _]: &[Laurent; 3],
+    audit: &Audit,
+) -> Result<(), Reason> {
+    let starts = [&circle.from].into_iter().chain(circle.arcs.iter().map(ArcClaim::to));
+    let crossings = starts.zip(&circle.arcs).filter_map(|(from, arc)| match arc {
+        ArcClaim::Crossing { to } => Some([from, to]),
+        ArcClaim::Free { .. } | ArcClaim::Monotone { .. } | ArcClaim::Rational { .. } | ArcClaim::Open { .. } => None,
+    });
+    let crossings: Vec<[&BigRational; 2]> = crossings.collect();
+    if crossings.len() != claim.signs.len() {
+        return Err(format!("{} signs for {} crossings", claim.signs.len(), crossings.len()).into());
+    }
+    if crossings.is_empty() {
+        return Ok(());
+    }
+    let two = BigRational::from_integer(2.into());
+    let twice = |sum: &Collected| sum.iter().map(|(angle, weight)| (angle.clone(), weight * &two)).collect();
+    let double: Laurent = first.iter().map(|(power, sum)| (*power, twice(sum))).collect();
+    let number = combined([(&double, &double), (second, second)], audit)?;
+    for ([from, _], sign) in crossings.iter().zip(&claim.signs) {
+        let there = value(&number, from, audit)?;
+        match sign {
+            TriangleShape::Never { bits } => check_sign(&there, false, *bits, audit)?,
+            TriangleShape::Two { bits } => check_sign(&there, true, *bits, audit)?,
+            TriangleShape::Flat { .. } => return Err("at an irrational turn no sum is shown to be zero".into()),
+        }
+    }
+    check_free(crossings.into_iter(), circle.bits, &of_powers(&number), audit)
 }
 
 /// What stands for each rational turn of u.

@@ -13,14 +13,15 @@ use crate::firing::Weights;
 use crate::loads::{usual_bearing_orders, usual_orders};
 use crate::page::Document;
 use crate::table::{Named, Table};
+use crate::text::Untrusted;
 
 /// A question that was asked, and what answers it.
 pub trait Question: Send + Sync {
     /// The command that asks it.
     fn command(&self) -> &'static str;
 
-    /// Whose answer it is.
-    fn title(&self) -> &str;
+    /// The engine whose answer it is, by its title; none where there is no single one.
+    fn title(&self) -> Option<&Untrusted>;
 
     /// The table of this name, one of [`super::data::TABLES`]; none where this answer has none.
     fn table(&self, name: &str) -> Option<Table>;
@@ -42,14 +43,19 @@ pub trait Question: Send + Sync {
     /// What cannot be written as JSON.
     fn json(&self) -> serde_json::Result<String> {
         let (format, tables) = (format!("crankstar {} 2", self.command()), self.tables());
-        serde_json::to_string_pretty(&Answer { format, title: self.title(), tables: Named(&tables) })
+        serde_json::to_string_pretty(&Answer {
+            format,
+            title: self.title().map(Untrusted::written),
+            tables: Named(&tables),
+        })
     }
 }
 
 #[derive(Serialize)]
 struct Answer<'a> {
     format: String,
-    title: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    title: Option<&'a str>,
     #[serde(flatten)]
     tables: Named<'a>,
 }

@@ -67,8 +67,8 @@ impl Question for ValuesStudy {
         "values"
     }
 
-    fn title(&self) -> &str {
-        "values"
+    fn title(&self) -> Option<&Untrusted> {
+        None
     }
 
     fn table(&self, name: &str) -> Option<Table> {

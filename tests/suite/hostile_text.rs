@@ -144,7 +144,9 @@ fn typst_is_whole(what: &str, text: &str) {
 fn csv_is_inert(what: &str, text: &str) {
     for field in text.lines().flat_map(|line| line.split(',')) {
         let begin = field.trim_start_matches('"');
-        let number = begin.parse::<f64>().is_ok();
+        let fraction = begin.strip_prefix('-').and_then(|number| number.split_once('/'));
+        let whole = |digits: &str| digits.bytes().all(|byte| byte.is_ascii_digit());
+        let number = begin.parse::<f64>().is_ok() || fraction.is_some_and(|(above, below)| whole(above) && whole(below));
         assert!(number || !begin.starts_with(['=', '+', '-', '@']), "{what}: {field} is a formula");
     }
 }

@@ -168,6 +168,7 @@ mod support {
     pub mod tables;
     pub mod time_domain;
     pub mod torus;
+    pub mod trust;
     pub mod two_angles;
     pub mod v_angles;
     pub mod v_pictures;

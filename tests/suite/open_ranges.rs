@@ -13,13 +13,12 @@ fn ratio(above: i64, below: i64) -> BigRational {
     BigRational::new(above.into(), below.into())
 }
 
-/// What `classify` prints of cylinders with these throws and masses, without the breaks of its cells.
+/// What `classify` prints of cylinders in one plane with these throws and masses: their moment vanishes.
 fn told(name: &str, cylinders: &[(&str, &str)], order: u32) -> String {
     let mut text = format!("orders = [{order}]\n");
-    for (position, (throw, mass)) in cylinders.iter().enumerate() {
-        text += &format!(
-            "[[cylinder]]\nthrow = \"{throw}\"\nbank = 0\nposition = {position}\nreciprocating_mass = \"{mass}\"\n"
-        );
+    for (throw, mass) in cylinders {
+        text +=
+            &format!("[[cylinder]]\nthrow = \"{throw}\"\nbank = 0\nposition = 0\nreciprocating_mass = \"{mass}\"\n");
     }
     let path = scratch("open-ranges").join(format!("{name}.toml"));
     fs::write(&path, text).expect("written");

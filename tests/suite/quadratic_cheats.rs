@@ -1,14 +1,14 @@
 //! Is every way to cheat either checker with three classes of parts caught?
 
 use crankstar::proof::{
-    ArcClaim, Certificate, OpenDocument, QuadraticClaim, RootClaim, RootsClaim, TriangleShape, WhenClaim,
+    ArcClaim, Certificate, OpenDocument, QuadraticClaim, RootClaim, RootsClaim, TriangleShape, TwistClaim, WhenClaim,
     check_open_document,
 };
 use num_rational::BigRational;
 
 use crate::plane_cheats::{Cheat, change_bits_of, divided, forged, half, tried};
 use crate::support::second;
-use crate::support::two_angles::quadratic_documents;
+use crate::support::two_angles::{document, quadratic_documents, twists};
 
 /// The first entry of `roots` that a change fits.
 fn first(claim: &mut QuadraticClaim, change: impl Fn(&mut RootsClaim) -> bool) -> bool {
@@ -228,6 +228,116 @@ const ROOTS: [Cheat<QuadraticClaim>; 14] = [
     }),
 ];
 
+/// The first sign that a change fits.
+fn first_sign(claim: &mut QuadraticClaim, change: impl Fn(&mut TriangleShape) -> bool) -> bool {
+    claim.twist.iter_mut().flat_map(|twist| &mut twist.signs).any(change)
+}
+
+fn zeros(certificates: &[Certificate]) -> Vec<Certificate> {
+    certificates.iter().map(|_| Certificate::Polygons { polygons: Vec::new() }).collect()
+}
+
+const TWISTS: [Cheat<QuadraticClaim>; 16] = [
+    ("no twist", |claim| claim.twist.take().is_some()),
+    ("no twist and no lengths", |claim| {
+        claim.lengths.clear();
+        claim.twist.take().is_some()
+    }),
+    ("no lengths beside a twist", |claim| {
+        claim.lengths.clear();
+        claim.twist.is_some()
+    }),
+    ("a twist whose lengths differ", |claim| {
+        claim.lengths = zeros(&claim.coefficients);
+        let new = TwistClaim { coefficients: claim.coefficients.clone(), signs: Vec::new() };
+        claim.twist.replace(new).is_none() && claim.circle.is_some()
+    }),
+    ("a twist without a circle", |claim| {
+        claim.roots.clear();
+        claim.twist.is_some() && claim.circle.take().is_some()
+    }),
+    ("a coefficient of the twist without evidence", |claim| {
+        claim.twist.as_mut().is_some_and(|twist| twist.coefficients.pop().is_some())
+    }),
+    ("forged evidence of the twist", |claim| {
+        let twist = claim.twist.iter_mut().flat_map(|twist| &mut twist.coefficients);
+        twist.map(|certificate| *certificate = forged(certificate)).count() > 0
+    }),
+    ("a coefficient of the twist left out as zero", |claim| {
+        let each = claim.twist.iter_mut().flat_map(|twist| &mut twist.coefficients);
+        let last = each.filter(|certificate| !certificate.claims_zero()).last();
+        last.map(|certificate| *certificate = Certificate::Polygons { polygons: Vec::new() }).is_some()
+    }),
+    ("no twist at all as one", |claim| {
+        claim.twist.as_mut().map(|twist| twist.coefficients = zeros(&twist.coefficients)).is_some()
+    }),
+    ("the arcs about the twist itself", |claim| {
+        claim.circle.as_mut().is_some_and(|circle| circle.divided.take().is_some())
+    }),
+    ("a sign left out", |claim| claim.twist.as_mut().is_some_and(|twist| twist.signs.pop().is_some())),
+    ("a sign too many", |claim| {
+        claim.twist.as_mut().map(|twist| twist.signs.push(TriangleShape::Two { bits: 96 })).is_some()
+    }),
+    ("two at an irrational turn as none", |claim| {
+        first_sign(claim, |sign| match sign {
+            TriangleShape::Two { bits } => {
+                *sign = TriangleShape::Never { bits: *bits };
+                true
+            }
+            TriangleShape::Never { .. } | TriangleShape::Flat { .. } => false,
+        })
+    }),
+    ("none at an irrational turn as two", |claim| {
+        first_sign(claim, |sign| match sign {
+            TriangleShape::Never { bits } => {
+                *sign = TriangleShape::Two { bits: *bits };
+                true
+            }
+            TriangleShape::Two { .. } | TriangleShape::Flat { .. } => false,
+        })
+    }),
+    ("one at an irrational turn", |claim| {
+        first_sign(claim, |sign| {
+            *sign = TriangleShape::Flat { certificate: Certificate::Polygons { polygons: Vec::new() } };
+            true
+        })
+    }),
+    ("too few bits for a sign", |claim| first_sign(claim, |sign| change_bits_of(sign, 8))),
+];
+
+/// With the first crossing begun at an earlier turn, and another sign there.
+fn begun(document: &OpenDocument, turn: [i64; 2], sign: &TriangleShape) -> OpenDocument {
+    let (mut document, mut changed) = (document.clone(), 0);
+    let start = BigRational::new(turn[0].into(), turn[1].into());
+    for sum in document.open_verdicts.iter_mut().flat_map(|verdict| &mut verdict.sums) {
+        let WhenClaim::Quadratic(claim) = &mut sum.when else { continue };
+        let (Some(twist), Some(circle)) = (&mut claim.twist, &mut claim.circle) else { continue };
+        let arcs = &mut circle.arcs;
+        let crossing = arcs.iter().position(|arc| matches!(arc, ArcClaim::Crossing { .. })).expect("a crossing");
+        let cut = arcs.iter().position(|arc| *arc.to() > start).expect("an arc");
+        assert!(cut < crossing);
+        arcs.splice(cut..crossing, [ArcClaim::Monotone { to: start.clone() }]);
+        twist.signs[0] = sign.clone();
+        changed += 1;
+    }
+    assert!(changed > 0);
+    document
+}
+
+/// E vanishes at 75.52°, and `4|A|² − |B|²` at 72.88°.
+#[test]
+fn a_sign_holds_on_the_whole_of_its_crossing() {
+    let texts = twists();
+    let document = document(&texts[0], &[1]);
+    let honest = begun(&document, [37, 180], &TriangleShape::Two { bits: 96 });
+    check_open_document(&honest).expect("it holds");
+    second::accepts(&[honest], &[]);
+    let cheat = begun(&document, [1, 5], &TriangleShape::Never { bits: 96 });
+    let fault = check_open_document(&cheat).expect_err("a sign that changes").to_string();
+    assert!(fault.contains("no line keeps it away from 0"), "{fault}");
+    second::refuses(&[("a sign that changes on its crossing", cheat)]);
+}
+
 #[test]
 fn every_cheat_with_three_classes_is_caught() {
     let documents = quadratic_documents();
@@ -239,7 +349,15 @@ fn every_cheat_with_three_classes_is_caught() {
     }
     second::accepts(&documents, &[]);
     let is_quadratic = |when: &WhenClaim| matches!(when, WhenClaim::Quadratic(_));
-    for (name, cheat) in CLASSES.into_iter().chain(ROOTS) {
+    let is_twisted = |when: &WhenClaim| matches!(when, WhenClaim::Quadratic(claim) if claim.twist.is_some());
+    for (name, cheat) in CLASSES {
+        let change = |when: &mut WhenClaim| match when {
+            WhenClaim::Quadratic(claim) => cheat(claim),
+            _ => false,
+        };
+        tried(&documents, name, is_twisted, change);
+    }
+    for (name, cheat) in CLASSES.into_iter().chain(ROOTS).chain(TWISTS) {
         let change = |when: &mut WhenClaim| match when {
             WhenClaim::Quadratic(claim) => cheat(claim),
             _ => false,

@@ -6,10 +6,10 @@
 //! `reports/trust/README.md` anew, `CRANKSTAR_ENGINES` as many as it says.
 
 use std::collections::BTreeMap;
-use std::path::Path;
-use std::{env, fs};
+use std::env;
 
 use crate::support::dice::Dice;
+use crate::support::trust::{grouped, renew};
 use crate::support::verdicts::{self, judged};
 use crate::support::{engines, oracle};
 use crankstar::engine::{Cylinder, Engine};
@@ -221,21 +221,8 @@ fn a_hundred_thousand_random_engines_are_judged_as_the_oracle_judges_them() {
     let count = env::var("CRANKSTAR_ENGINES").map_or(MANY, |count| count.parse().expect("a number of engines"));
     let tallies = run(count);
     let page = page(count, &tallies);
-    println!("{page}");
-    if env::var_os("CRANKSTAR_RENEW").is_some() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/trust");
-        fs::create_dir_all(&folder).expect("a folder");
-        fs::write(folder.join("README.md"), page).expect("the page");
-    }
+    renew("README.md", &page);
     assert_all_verify(&tallies);
-}
-
-/// `1234567` as `1,234,567`.
-fn grouped(number: usize) -> String {
-    let digits = number.to_string();
-    let groups: Vec<&str> =
-        digits.as_bytes().rchunks(3).rev().map(|group| std::str::from_utf8(group).expect("digits")).collect();
-    groups.join(",")
 }
 
 fn page(count: u64, tallies: &BTreeMap<&str, Tally>) -> String {
@@ -263,7 +250,8 @@ fn page(count: u64, tallies: &BTreeMap<&str, Tally>) -> String {
          Each `classify --json` document was written, read again and checked as `verify` does.\n\n\
          | Form | Engines | Zero | Not zero | Planar | Elliptical | Documents that verify | Certificates |\n\
          | --- | --- | --- | --- | --- | --- | --- | --- |\n{rows}{all}\n\
-         `CRANKSTAR_RENEW=1 cargo test --release --test suite -- --ignored a_hundred_thousand` writes this page anew.\n",
+         `CRANKSTAR_RENEW=1 cargo test --release --test suite -- --ignored a_hundred_thousand` writes this page anew. \
+         Beside it: [documents of finely told engines](documents.md), [changed documents](checkers.md).\n",
         grouped(usize::try_from(count).expect("a small number")),
     )
 }

@@ -20,7 +20,7 @@ fn seed(name: &str) -> Value {
 }
 
 fn stored(folder: &str, name: &str, document: &Value) -> PathBuf {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(folder).join(name);
+    let path = scratch(folder).join(name);
     fs::write(&path, document.to_string()).expect("written");
     path
 }

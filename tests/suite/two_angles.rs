@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crankstar::family::{
-    self, Alternative, Boxes, Circle, Classes, Corner, Meeting, Never, Quadratic, Root, Roots, When,
+    self, Alternative, Boxes, Circle, Classes, Corner, Meeting, Never, Quadratic, Root, Roots, Shape, When,
 };
 use crankstar::file::{self, Layout};
 use crankstar::proof::check_open_document;
@@ -13,7 +13,8 @@ use num_rational::BigRational;
 use crate::support::dice::Dice;
 use crate::support::plane_star::{Star, float};
 use crate::support::two_angles::{
-    broad_arrow, curves, family, fan, mixed, quadratics, regular_vee, split_broad_arrow, tori, vee,
+    broad_arrow, curves, family, fan, mixed, quadratics, random_twist, regular_vee, split_broad_arrow, tori, twists,
+    vanishing_twist, vee,
 };
 
 /// How far a number of turns is from another, modulo a turn.
@@ -179,6 +180,10 @@ struct Told {
     quadratics: usize,
     boxes: usize,
     exact: usize,
+    /// Sums of three classes, the outer ones equally long throughout.
+    twists: usize,
+    /// What stands at irrational u of these: none, and two.
+    signs: [usize; 2],
     /// What stands at rational u: all v, none, one; of classes of one length none, one, two.
     roots: [usize; 6],
     open: usize,
@@ -276,6 +281,12 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
             }
             check_points(star, &roots(found), at, told, place);
             told.open += usize::from(found.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
+            if let Some(twist) = &found.twist {
+                told.twists += 1;
+                for sign in &twist.signs {
+                    told.signs[usize::from(matches!(sign, Shape::Two(_)))] += 1;
+                }
+            }
             for (_, roots) in found.rational() {
                 told.roots[match roots {
                     Roots::All(_) => 0,
@@ -401,6 +412,33 @@ fn three_classes_vanish_at_all_turns_or_none_or_some_where_their_lengths_say_so(
     assert_eq!([told.not_solved, told.open], [0, 2], "{told:?}");
     let [all, none, one, mirrors @ ..] = told.roots;
     assert!(all > 0 && none > 0 && one > 0 && mirrors.iter().all(|count| *count > 0), "{told:?}");
+}
+
+#[test]
+fn outer_classes_of_one_length_throughout_cancel_exactly_where_it_is_told() {
+    let mut told = Told::default();
+    for text in twists() {
+        search(&text, &[1], &mut told);
+    }
+    assert_eq!([told.not_solved, told.open], [0, 0], "{told:?}");
+    assert!(told.twists >= 8 && told.signs.iter().all(|count| *count >= 2), "{told:?}");
+}
+
+#[test]
+fn random_outer_classes_of_one_length_throughout_cancel_exactly_where_it_is_told() {
+    let (mut dice, mut told) = (Dice::new(26), Told::default());
+    for _ in 0..30 {
+        search(&random_twist(&mut dice), &[1], &mut told);
+    }
+    assert_eq!([told.not_solved, told.open], [0, 0], "{told:?}");
+    assert!(told.twists > 40 && told.signs.iter().all(|count| *count > 10) && told.never > 2, "{told:?}");
+}
+
+#[test]
+fn where_three_classes_vanish_at_an_irrational_turn_its_arc_stays_open() {
+    let mut told = Told::default();
+    search(&vanishing_twist(), &[1], &mut told);
+    assert_eq!([told.not_solved, told.open, told.twists], [0, 2, 2], "{told:?}");
 }
 
 /// What is small at both ends of an arc is smaller still as a product: the checker once lost its sign in rounding.

@@ -108,7 +108,7 @@ pub(super) fn cover(polynomial: Polynomial) -> Circle {
 }
 
 /// Open arcs that touch as one.
-fn joined(arcs: Vec<Arc>) -> Vec<Arc> {
+pub(super) fn joined(arcs: Vec<Arc>) -> Vec<Arc> {
     let mut joined: Vec<Arc> = Vec::new();
     for arc in arcs {
         match (joined.last_mut(), &arc.kind) {

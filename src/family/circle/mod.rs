@@ -15,6 +15,7 @@ mod images;
 mod never;
 mod polynomial;
 mod rational;
+mod settled;
 
 pub use arcs::{Arc, Circle, Kind};
 pub use closed::Closed;
@@ -43,7 +44,7 @@ pub(super) fn solve(parts: &[&Part]) -> Option<Solved> {
 }
 
 /// The arcs of a sum; where some are open, those of the factor that has all its zeros on the circle, each once.
-fn whole(polynomial: Polynomial) -> Circle {
+pub(super) fn whole(polynomial: Polynomial) -> Circle {
     let circle = arcs::cover(polynomial);
     if circle.is_complete() {
         return circle;

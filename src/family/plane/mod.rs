@@ -17,7 +17,7 @@ mod triangle;
 pub use boxes::{BoxZero, Boxes};
 pub use classes::{Classes, Meeting};
 pub use product::Product;
-pub use quadratic::Quadratic;
+pub use quadratic::{Quadratic, Twist};
 pub use roots::{Root, Roots};
 pub use triangle::{Corner, Shape, Triangle};
 

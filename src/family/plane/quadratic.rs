@@ -1,6 +1,7 @@
 //! When do three classes of parts cancel, `A(y) + B(y) x + C(y) x²` with `x = e^{iv}` and `y = e^{iu}`? Where a real polynomial in y vanishes.
 //!
-//! Theory, section 17: with `D = |A|² − |C|²` and `E = conj(A) B − C conj(B)` every zero has `D + E x = 0`, so that `D² = |E|²`.
+//! Theory, section 17: with `D = |A|² − |C|²` and `E = conj(A) B − C conj(B)` every zero has `D + E x = 0`, so that `D² = |E|²`. Where D = 0
+//! throughout, that has double zeros alone, and E is solved in its place.
 
 use num_rational::BigRational;
 
@@ -8,8 +9,9 @@ use super::super::Part;
 use super::super::circle::{self, Circle, Polynomial};
 use super::super::solve::{Never, When};
 use super::laurent::{Laurent, conjugate_times, less, value};
-use super::roots::{Roots, near, roots};
+use super::roots::{Roots, mirrored, near, roots};
 use super::split::{Three, three};
+use super::triangle::{Shape, enclosed_sign};
 use crate::exact::PhasorSum;
 use crate::proof::Certificate;
 
@@ -24,14 +26,25 @@ pub struct Quadratic {
     pub classes: [Vec<usize>; 2],
     /// Evidence for every coefficient of `D² − |E|²`, from the constant one on. All are zero: the classes cancel along a curve.
     pub coefficients: Vec<Certificate>,
-    /// On a curve, evidence for every coefficient of `D = |A|² − |C|²`, from the constant one on; else none.
+    /// On a curve, and where D = 0 throughout, evidence for every coefficient of `D = |A|² − |C|²`, from the constant one on; else none.
     pub lengths: Vec<Certificate>,
+    /// Where D = 0 throughout, and `|E|²` is not constant: E in the place of `D² − |E|²`.
+    pub twist: Option<Twist>,
     /// Where `D² − |E|²` vanishes; none where it is constant.
     pub circle: Option<Circle>,
     /// For which v the sum vanishes at each rational u of the circle, in their order.
     pub roots: Vec<Roots>,
-    /// For which v, in degrees, it does at each irrational u, in their order: one, for D = 0 makes a double zero.
-    pub degrees: Vec<f64>,
+    /// For which v, in degrees, it does at each irrational u, in their order: one where D is not 0, else none or two.
+    pub degrees: Vec<Vec<f64>>,
+}
+
+/// What is known of E where A and C are equally long for every u.
+#[derive(Clone, Debug)]
+pub struct Twist {
+    /// Evidence for every coefficient of E, by rising powers.
+    pub coefficients: Vec<Certificate>,
+    /// The sign of `4|A|² − |B|²` at each irrational zero of E, in their order: it keeps it on the arc about that.
+    pub signs: Vec<Shape>,
 }
 
 /// When the classes cancel; `None` where the parts do not make three equally far apart.
@@ -55,25 +68,56 @@ fn solve(parts: &[&Part]) -> Option<Quadratic> {
     let coefficients: Vec<Certificate> = half.iter().map(|(_, sum)| sum.certificate()).collect();
     let left = half.into_iter().zip(&coefficients).filter(|(_, certificate)| !certificate.claims_zero());
     let left: Vec<(i64, PhasorSum)> = left.map(|(coefficient, _)| coefficient).collect();
-    let lengths = match left.last() {
-        Some(_) => Vec::new(),
-        None => difference.iter().filter(|(power, _)| **power >= 0).map(|(_, sum)| sum.certificate()).collect(),
+    let degree = left.last().map(|(degree, _)| *degree);
+    let is_twisted = degree.is_some_and(|degree| degree > 0) && difference.values().all(PhasorSum::vanishes);
+    let lengths = match degree.is_none() || is_twisted {
+        true => difference.iter().filter(|(power, _)| **power >= 0).map(|(_, sum)| sum.certificate()).collect(),
+        false => Vec::new(),
     };
-    let circle = left.last().map(|(degree, _)| *degree).filter(|degree| *degree > 0).map(|degree| {
-        let mirrored = left.iter().rev().filter(|(power, _)| *power > 0);
-        let mirrored = mirrored.map(|(power, sum)| (degree - power, sum.conjugate()));
-        let whole = mirrored.chain(left.iter().map(|(power, sum)| (degree + power, sum.clone())));
-        let (exponents, sums) = whole.unzip();
-        let [phi, delta] = u.clone();
-        circle::arcs_of_polynomial(Polynomial { phi, delta, exponents, sums })
-    });
+    let (circle, twist) = match degree.filter(|degree| *degree > 0) {
+        None => (None, None),
+        Some(_) if is_twisted => {
+            let (circle, twist) = twisted(&u, &polynomials, twist);
+            (Some(circle), Some(twist))
+        }
+        Some(_) => {
+            let mirrored = left.iter().rev().filter(|(power, _)| *power > 0);
+            let mirrored = mirrored.map(|(power, sum)| (-power, sum.conjugate()));
+            let whole = mirrored.chain(left.iter().cloned()).collect();
+            (Some(circle::arcs_of_polynomial(polynomial(&u, whole))), None)
+        }
+    };
     let at = |turn: &BigRational| polynomials.each_ref().map(|polynomial| value(polynomial, turn));
     let rational = circle.iter().flat_map(Circle::rational_in_order);
     let roots = rational.map(|turn| roots(&at(turn))).collect::<Option<Vec<_>>>()?;
     let middle = |[low, high]: [&BigRational; 2]| (low + high) / BigRational::from_integer(2.into());
-    let degrees = circle.iter().flat_map(Circle::irrational).map(|ends| near(&at(&middle(ends)))).collect();
+    let irrational = circle.iter().flat_map(Circle::irrational).map(|ends| at(&middle(ends)));
+    let degrees = match &twist {
+        None => irrational.map(|sums| vec![near(&sums)]).collect(),
+        Some(twist) => irrational.zip(&twist.signs).map(|(sums, sign)| mirrored(&sums, sign)).collect(),
+    };
     let [_, second, third] = classes.map(|class| class.into_iter().map(|(_, place)| place).collect());
-    Some(Quadratic { u, v, classes: [second, third], coefficients, lengths, circle, roots, degrees })
+    Some(Quadratic { u, v, classes: [second, third], coefficients, lengths, twist, circle, roots, degrees })
+}
+
+/// The zeros of E on the circle, with the sign of `4|A|² − |B|²` at the irrational ones; where it is not found the arc is opened.
+fn twisted(u: &[BigRational; 2], [first, second, _]: &[Laurent; 3], twist: Laurent) -> (Circle, Twist) {
+    let coefficients: Vec<Certificate> = twist.values().map(PhasorSum::certificate).collect();
+    let left = twist.into_iter().zip(&coefficients).filter(|(_, certificate)| !certificate.claims_zero());
+    let circle = circle::whole(polynomial(u, left.map(|(coefficient, _)| coefficient).collect()));
+    let four = BigRational::from_integer(4.into());
+    let squares = conjugate_times(first, first).into_iter().map(|(power, sum)| (power, sum.scaled(&four))).collect();
+    let number = less(squares, &conjugate_times(second, second));
+    let sign = |turn: &BigRational| enclosed_sign(&value(&number, turn));
+    let (circle, signs) = circle.settled(&polynomial(u, number.clone().into_iter().collect()), sign);
+    (circle, Twist { coefficients, signs })
+}
+
+/// Up to a power of y.
+fn polynomial([phi, delta]: &[BigRational; 2], rising: Vec<(i64, PhasorSum)>) -> Polynomial {
+    let lowest = rising.first().map_or(0, |(power, _)| *power);
+    let (exponents, sums) = rising.into_iter().map(|(power, sum)| (power - lowest, sum)).unzip();
+    Polynomial { phi: phi.clone(), delta: delta.clone(), exponents, sums }
 }
 
 /// D and E.
@@ -86,7 +130,7 @@ fn eliminants([first, second, third]: &[Laurent; 3]) -> [Laurent; 2] {
 impl Quadratic {
     fn is_never(&self) -> bool {
         let Some(circle) = &self.circle else { return !self.is_curve() };
-        circle.is_complete() && circle.irrational().next().is_none() && self.roots.iter().all(Roots::is_none)
+        circle.is_complete() && self.degrees.iter().all(Vec::is_empty) && self.roots.iter().all(Roots::is_none)
     }
 
     /// Whether `D² = |E|²` for every u, so that the classes cancel along a curve.
@@ -104,8 +148,9 @@ impl Quadratic {
         self.circle.iter().flat_map(Circle::rational_in_order).zip(&self.roots)
     }
 
-    /// Between which turns each irrational u is, narrowly, with its v in degrees.
+    /// Between which turns each irrational u is, narrowly, with each of its v in degrees.
     pub fn irrational(&self) -> impl Iterator<Item = ([&BigRational; 2], f64)> {
-        self.circle.iter().flat_map(Circle::irrational).zip(self.degrees.iter().copied())
+        let each = self.circle.iter().flat_map(Circle::irrational).zip(&self.degrees);
+        each.flat_map(|(ends, degrees)| degrees.iter().map(move |degrees| (ends, *degrees)))
     }
 }

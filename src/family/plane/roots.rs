@@ -75,12 +75,7 @@ pub(super) fn roots(sums: &[PhasorSum; 3]) -> Option<Roots> {
     }
     let four = BigRational::from_integer(4.into());
     let shape = sign(first.squared_modulus().scaled(&four).minus(&second.squared_modulus()))?;
-    let signs: &[f64] = match &shape {
-        Shape::Never(_) => &[],
-        Shape::Flat(_) => &[1.0],
-        Shape::Two(_) => &[1.0, -1.0],
-    };
-    let at = signs.iter().map(|sign| root(sums, mirrored(sums, *sign))).collect();
+    let at = mirrored(sums, &shape).into_iter().map(|degrees| root(sums, degrees)).collect();
     Some(Roots::Mirror { lengths, first: evidence, shape, at })
 }
 
@@ -92,13 +87,21 @@ pub(super) fn near(sums: &[PhasorSum; 3]) -> f64 {
     numbers::degrees(-twist.conj() * difference).rem_euclid(360.0)
 }
 
+/// The x in degrees, where A and C are equally long.
+///
 /// With `C = A e^{iγ}` the sum is `A e^{iγ/2} x (2 cos(ξ + γ/2) + r)`, ξ the angle of x, and r real.
-fn mirrored(sums: &[PhasorSum; 3], sign: f64) -> f64 {
+pub(super) fn mirrored(sums: &[PhasorSum; 3], shape: &Shape) -> Vec<f64> {
+    let signs: &[f64] = match shape {
+        Shape::Never(_) => &[],
+        Shape::Flat(_) => &[1.0],
+        Shape::Two(_) => &[1.0, -1.0],
+    };
     let [a, b, c] = sums.each_ref().map(numbers::evaluate);
     let half = numbers::degrees(c * a.conj()) / 2.0;
     let (sin, cos) = libm::sincos(half.to_radians());
     let ratio = (b / (a * Complex::new(cos, sin))).re;
-    (sign * libm::acos((-ratio / 2.0).clamp(-1.0, 1.0)).to_degrees() - half).rem_euclid(360.0)
+    let apart = libm::acos((-ratio / 2.0).clamp(-1.0, 1.0)).to_degrees();
+    signs.iter().map(|sign| (sign * apart - half).rem_euclid(360.0)).collect()
 }
 
 /// A rational turn near the degrees at which the sum vanishes exactly, or the degrees.

@@ -81,6 +81,11 @@ pub(super) fn sign(area: PhasorSum) -> Option<Shape> {
     if area.vanishes() {
         return Some(Shape::Flat(area.certificate()));
     }
+    enclosed_sign(&area)
+}
+
+/// The sign of a real sum that has terms, where an enclosure tells it.
+pub(super) fn enclosed_sign(area: &PhasorSum) -> Option<Shape> {
     let total: BigRational = area.terms().iter().map(|term| term.weight.abs()).sum();
     let area = area.scaled(&total.recip());
     BITS.iter().find_map(|&bits| {

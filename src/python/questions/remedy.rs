@@ -17,6 +17,7 @@ use crate::python::reading::Source;
 use crate::remedy::{self, Weight, Wish};
 use crate::report::{self, Question};
 use crate::table::{Column, Table, Unit, Values};
+use crate::text::Untrusted;
 
 /// What is wanted of a remedy, as it was written.
 pub(in crate::python) struct Wanted {
@@ -103,8 +104,8 @@ impl Question for Cured {
         "remedy"
     }
 
-    fn title(&self) -> &str {
-        self.0.subject.engine().title().written()
+    fn title(&self) -> Option<&Untrusted> {
+        Some(self.0.subject.engine().title())
     }
 
     fn table(&self, name: &str) -> Option<Table> {

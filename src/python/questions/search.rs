@@ -13,6 +13,7 @@ use crate::report::data;
 use crate::report::{self, Question};
 use crate::search::{self, Front, Options, Problem, Torsion};
 use crate::table::Table;
+use crate::text::Untrusted;
 
 struct Searched {
     front: Front,
@@ -53,8 +54,8 @@ impl Question for Searched {
         "search"
     }
 
-    fn title(&self) -> &str {
-        "search"
+    fn title(&self) -> Option<&Untrusted> {
+        None
     }
 
     fn table(&self, name: &str) -> Option<Table> {

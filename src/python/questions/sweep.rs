@@ -16,6 +16,7 @@ use crate::report::data;
 use crate::report::{self, Question};
 use crate::sweep::{self, Geometry, Parameter, Sweep};
 use crate::table::Table;
+use crate::text::Untrusted;
 
 /// The values that are swept: keywords and keys of the file, each with its range.
 pub(in crate::python) struct Ranges {
@@ -67,8 +68,8 @@ impl Question for Swept {
         "sweep"
     }
 
-    fn title(&self) -> &str {
-        self.0.title.written()
+    fn title(&self) -> Option<&Untrusted> {
+        Some(&self.0.title)
     }
 
     fn table(&self, name: &str) -> Option<Table> {

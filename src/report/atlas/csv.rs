@@ -59,7 +59,11 @@ fn amount(left: &Left) -> [String; 3] {
     if left.shape == Shape::Balanced {
         return ["0".to_owned(), "0".to_owned(), shape];
     }
+    // Of an order that does not exist it is the length of the star.
     let Some(largest) = &left.largest else { return [String::new(), String::new(), shape] };
+    if largest.exact.as_ref().is_some_and(|form| form.terms().is_empty()) {
+        return ["0".to_owned(), "0".to_owned(), shape];
+    }
     let exact = largest.exact.as_ref().map(ToString::to_string).unwrap_or_default();
     [format!("{:.9}", largest.decimal), exact, shape]
 }

@@ -93,6 +93,7 @@ fn cell(engine: &EngineRow, order: &Order, quantity: Quantity) -> Text {
     let exact = largest.exact.clone().filter(|form| letters(form) <= LONGEST_IN_TABLE);
     let amount = Amount { exact, ..*largest };
     match engine.origin {
+        Origin::Catalogue if left.shape == Shape::DoesNotExist => shape_name(left.shape).into(),
         Origin::Catalogue => phrase!("{}, {}", amount, shape_name(left.shape)),
         Origin::Found(_) => amount.into(),
     }

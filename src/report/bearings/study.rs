@@ -9,6 +9,7 @@ use crate::journal::{CycleLoads, NoCycleLoads, cycle_loads};
 use crate::loads::{BearingLoads, Method, Missing, bearing_loads};
 use crate::page::Document;
 use crate::table::Table;
+use crate::text::Untrusted;
 
 /// What the main bearings of an engine feel.
 #[derive(Clone, Debug)]
@@ -47,8 +48,8 @@ impl Question for BearingsStudy {
         "bearings"
     }
 
-    fn title(&self) -> &str {
-        self.engine.title().written()
+    fn title(&self) -> Option<&Untrusted> {
+        Some(self.engine.title())
     }
 
     fn table(&self, name: &str) -> Option<Table> {

@@ -7,6 +7,7 @@ use crate::engine::Engine;
 use crate::loads::{Missing, Needed};
 use crate::page::Document;
 use crate::table::Table;
+use crate::text::Untrusted;
 
 /// The loads of an engine.
 pub struct LoadsStudy {
@@ -34,8 +35,8 @@ impl Question for LoadsStudy {
         "loads"
     }
 
-    fn title(&self) -> &str {
-        self.engine.title().written()
+    fn title(&self) -> Option<&Untrusted> {
+        Some(self.engine.title())
     }
 
     fn table(&self, name: &str) -> Option<Table> {

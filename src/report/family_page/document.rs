@@ -11,7 +11,7 @@ use crate::proof::{
     AlternativeClaim, ArcClaim, BoxZeroClaim, BoxesClaim, CircleClaim, ClassesClaim, ConditionClaim, CoprimeClaim,
     DividedClaim, Exact, Format, LinearClaim, Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim,
     PartClaim, ProductClaim, QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, TriangleShape,
-    WhenClaim,
+    TwistClaim, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -232,6 +232,10 @@ fn quadratic(found: &Quadratic) -> QuadraticClaim {
         third,
         coefficients: found.coefficients.clone(),
         lengths: found.lengths.clone(),
+        twist: found.twist.as_ref().map(|twist| TwistClaim {
+            coefficients: twist.coefficients.clone(),
+            signs: twist.signs.iter().map(shape).collect(),
+        }),
         circle: found.circle.as_ref().map(circle),
         roots: found.roots.iter().map(roots).collect(),
     }

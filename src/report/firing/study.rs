@@ -5,14 +5,15 @@ use super::super::question::Question;
 use super::{FiringStudy, firing_answer, firing_document, firing_page};
 use crate::page::Document;
 use crate::table::Table;
+use crate::text::Untrusted;
 
 impl Question for FiringStudy {
     fn command(&self) -> &'static str {
         "firing"
     }
 
-    fn title(&self) -> &str {
-        self.engine.title().written()
+    fn title(&self) -> Option<&Untrusted> {
+        Some(self.engine.title())
     }
 
     fn table(&self, name: &str) -> Option<Table> {

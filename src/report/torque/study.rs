@@ -6,6 +6,7 @@ use super::{torque_answer, torque_page};
 use crate::engine::Engine;
 use crate::page::Document;
 use crate::table::Table;
+use crate::text::Untrusted;
 use crate::torque::{EngineTorque, NoTorque, torque};
 
 /// The torque of an engine.
@@ -31,8 +32,8 @@ impl Question for TorqueStudy {
         "torque"
     }
 
-    fn title(&self) -> &str {
-        self.engine.title().written()
+    fn title(&self) -> Option<&Untrusted> {
+        Some(self.engine.title())
     }
 
     fn table(&self, name: &str) -> Option<Table> {

@@ -95,16 +95,53 @@ pub fn quadratics() -> Vec<String> {
 /// Three classes that cancel along a curve: outer ones of one length with two turns for each δ, and `(1 + 2y + (2 + y) x) (3 + y + x)`, with
 /// one.
 pub fn curves() -> Vec<String> {
-    let with = |[a, b, c]: [[u32; 3]; 3]| {
-        let classes = [("0", a), ("phi", b), ("2phi", c)];
-        let each = classes.iter().flat_map(|(throw, masses)| {
-            let split = ["", " + delta", " + 2delta"].into_iter().zip(masses).filter(|(_, mass)| **mass > 0);
-            split.map(move |(split, mass)| (format!("{throw}{split}"), *mass))
-        });
-        let each: Vec<(String, u32)> = each.collect();
-        throws(&each.iter().map(|(throw, mass)| (throw.as_str(), *mass)).collect::<Vec<_>>())
+    vec![classes([[1, 1, 3], [1, 1, 1], [3, 1, 1]]), classes([[3, 7, 2], [7, 7, 1], [2, 1, 0]])]
+}
+
+/// Three classes of cylinders whose pins are split by 0, δ, 2δ and 3δ, by their masses.
+fn classes<const N: usize>(masses: [[u32; N]; 3]) -> String {
+    let each = ["0", "phi", "2phi"].into_iter().zip(masses).flat_map(|(throw, masses)| {
+        let split = ["", " + delta", " + 2delta", " + 3delta"].into_iter().zip(masses).filter(|(_, mass)| *mass > 0);
+        split.map(move |(split, mass)| (format!("{throw}{split}"), mass))
+    });
+    let each: Vec<(String, u32)> = each.collect();
+    throws(&each.iter().map(|(throw, mass)| (throw.as_str(), *mass)).collect::<Vec<_>>())
+}
+
+/// Outer classes that are equally long for each δ, `A = 2 + y` and `C = 1 + 2y`. At cos δ = 1/4 and −1/4 they meet a middle one that is shorter
+/// than both, and one that is longer; at no δ but 0, and at δ = 120° too.
+pub fn twists() -> Vec<String> {
+    [[5, 2, 2], [7, 6, 2], [1, 0, 0], [0, 0, 1]].map(|middle| classes([[2, 1, 0], middle, [1, 2, 0]])).into()
+}
+
+/// Both outer classes, and the middle one, times `2 + y + 2y²`: at cos δ = −1/4 all three vanish.
+pub fn vanishing_twist() -> String {
+    classes([[4, 4, 5, 2], [2, 1, 2, 0], [2, 5, 4, 4]])
+}
+
+/// Outer classes that are equally long for each δ, with a middle one at random.
+pub fn random_twist(dice: &mut Dice) -> String {
+    let outer = [(); 2].map(|()| (30 * dice.below(12), 1 + dice.below(5)));
+    let against = 30 * dice.below(12);
+    let mut text = String::new();
+    let mut add = |angle: u64, class: u32, split: usize, mass: u64| {
+        text += &format!(
+            "[[cylinder]]\nthrow = '{} + {class}phi + {split}delta'\nbank = 0\nposition = 0\nreciprocating_mass = {mass}\n",
+            angle % 360
+        );
     };
-    vec![with([[1, 1, 3], [1, 1, 1], [3, 1, 1]]), with([[3, 7, 2], [7, 7, 1], [2, 1, 0]])]
+    for (split, (angle, mass)) in outer.into_iter().enumerate() {
+        add(angle, 0, split, mass);
+        // The mirror image of the first.
+        add(360 + against - angle, 2, 1 - split, mass);
+    }
+    for split in [0, 2, 3] {
+        let (angle, mass) = (30 * dice.below(12), dice.below(6));
+        if split == 2 || mass > 0 {
+            add(angle, 1, split, 1 + mass);
+        }
+    }
+    text
 }
 
 /// Four parts that no reduction fits: with rational zeros, some of them double; with others; and with none.
@@ -166,10 +203,11 @@ pub fn documents() -> Vec<OpenDocument> {
 
 /// Documents on engines whose parts make three classes.
 pub fn quadratic_documents() -> Vec<OpenDocument> {
-    quadratics().iter().chain(&curves()).map(|text| document(text, &[1])).collect()
+    quadratics().iter().chain(&curves()).chain(&twists()).map(|text| document(text, &[1])).collect()
 }
 
-fn document(text: &str, orders: &[u32]) -> OpenDocument {
+/// The document on an engine.
+pub fn document(text: &str, orders: &[u32]) -> OpenDocument {
     let family = family(text);
     report::open_document(&family, &family::classify(&family, orders).expect("orders"))
 }

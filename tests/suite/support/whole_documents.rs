@@ -278,24 +278,27 @@ fn verdict(quantity: Quantity, order: u32, place: usize, group: &Sums, is_alone:
     }
 }
 
-/// What stands before each product of two numbers in `|direct|² − |reverse|²`, where all numbers are real, or all imaginary.
+/// What each product of two numbers in `|direct|² − |reverse|²` is multiplied by.
 fn pairs(groups: &[Sums], order: u32) -> Vec<PhasorSum> {
-    let is_real = |group: &&Sums| match &group.coefficient {
+    let is_real = |group: &Sums| match &group.coefficient {
         Coefficient::Rod(_) => order % 2 == 0,
         _ => true,
     };
     let there = groups.iter().filter(|group| !group.is_zero && !group.sums.iter().all(PhasorSum::vanishes));
-    let there: Vec<&Sums> = there.collect();
-    assert!(
-        there.iter().all(is_real) || !there.iter().any(is_real),
-        "documents by hand mix no real and imaginary numbers"
-    );
+    // An imaginary number is a real one a quarter turn on, and in a reverse sum back.
+    let there: Vec<[PhasorSum; 2]> = there
+        .map(|group| match is_real(group) {
+            true => [group.sums[0].clone(), group.sums[1].clone()],
+            false => [(0, 1), (1, 3)]
+                .map(|(sense, quarter): (usize, i64)| group.sums[sense].turned(&Turn::fraction(quarter, 4))),
+        })
+        .collect();
     let mut pairs = Vec::new();
     for (place, one) in there.iter().enumerate() {
         for other in &there[place..] {
-            let product = |sense: usize| one.sums[sense].times(&other.sums[sense].conjugate());
+            let product = |sense: usize| one[sense].times(&other[sense].conjugate());
             let half = product(0).minus(&product(1));
-            let whole = if std::ptr::eq(*one, *other) { half } else { half.plus(&half.conjugate()) };
+            let whole = if std::ptr::eq(one, other) { half } else { half.plus(&half.conjugate()) };
             pairs.push(PhasorSum::new(whole.collected()));
         }
     }
