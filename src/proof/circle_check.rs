@@ -93,14 +93,14 @@ pub(super) fn check_undivided(
 
 /// Checks that a polynomial vanishes nowhere on any of these arcs, their ends among them.
 pub(super) fn check_free<'a>(
-    arcs: impl Iterator<Item = [&'a BigRational; 2]>,
+    mut arcs: impl Iterator<Item = [&'a BigRational; 2]>,
     bits: u32,
     unknown: &Unknown<'_>,
     audit: &Audit,
 ) -> Result<(), Reason> {
     let ground = Ground::new(unknown, bits, audit)?;
     let curve = ground.derivative(0);
-    arcs.map(|ends| ground.demand_free(&curve, ends)).collect()
+    arcs.try_for_each(|ends| ground.demand_free(&curve, ends))
 }
 
 /// Evidence that the centred sum stays on one line is there where an arc rests on it, and only there.
