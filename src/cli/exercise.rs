@@ -101,7 +101,7 @@ impl Exercise {
         progress::doing("writing sheets and solutions");
         let written = self.files(&exercise, &scheme).and_then(|files| self.pages.write_files(&files));
         let namesakes = students.iter().filter(|student| student.is_namesake);
-        namesakes.for_each(|student| write::to_stderr(&namesake(student)));
+        namesakes.for_each(|student| write::warn(&namesake(student)));
         write::to_stdout(&format!("{} sheets, with solutions. Seed {}.\n{}", students.len(), self.seed, written?))
     }
 

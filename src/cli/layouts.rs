@@ -38,7 +38,7 @@ fn warn(name: &str, text: &str, layout: &Layout) {
     for warning in file::warnings(name, text, layout) {
         let is_new = TOLD.lock().is_ok_and(|mut told| told.insert(warning.to_string()));
         if is_new {
-            write::to_stderr(&warning.to_string());
+            write::warn(&warning.to_string());
         }
     }
 }

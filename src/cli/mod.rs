@@ -17,6 +17,7 @@ mod layouts;
 mod list;
 mod loads;
 mod lock;
+mod man;
 mod mark;
 mod masses;
 mod notation;
@@ -38,7 +39,7 @@ mod verify;
 mod write;
 
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -54,6 +55,9 @@ use failure::Failure;
 #[derive(Parser)]
 #[command(version, after_help = EXAMPLES, max_term_width = 80)]
 struct Arguments {
+    /// Tell neither warnings nor progress, only why there is no answer
+    #[arg(long, global = true)]
+    quiet: bool,
     #[command(subcommand)]
     command: Command,
 }
@@ -121,6 +125,8 @@ enum Command {
     Atlas(atlas::Atlas),
     /// Vary the bank angle, or any value of a layout file
     Sweep(sweep::Sweep),
+    /// Write the pages of the manual
+    Man(man::Man),
     /// Print completions for a shell
     Completions {
         /// Which shell
@@ -139,11 +145,6 @@ struct EngineAndOrders {
 }
 
 impl EngineAndOrders {
-    /// The name or the path of the engine.
-    fn path(&self) -> &Path {
-        &self.layout
-    }
-
     /// The orders that were asked for.
     fn asked(&self) -> Result<Vec<u32>, Failure> {
         self.orders.iter().map(|&order| whole(order)).collect()
@@ -198,11 +199,14 @@ fn masses_of_a_family() -> Failure {
 /// Answers the command line.
 pub fn run() -> ExitCode {
     let done = |()| ExitCode::SUCCESS;
-    let command = match command_of(loads::spelled_out(std::env::args_os())) {
-        Ok(command) => command,
+    let Arguments { quiet, command } = match asked(loads::spelled_out(std::env::args_os())) {
+        Ok(asked) => asked,
         Err(told) if told.use_stderr() => return misused(&told),
         Err(help) => return ended(write::to_stdout(&help.render().ansi().to_string()).map(done)),
     };
+    if quiet {
+        progress::silence();
+    }
     progress::doing("computing");
     let answer = match command {
         Command::List(list) => list.run().map(done),
@@ -226,6 +230,7 @@ pub fn run() -> ExitCode {
         Command::Atlas(atlas) => atlas.run().map(done),
         Command::Torsion(torsion) => torsion.run().map(done),
         Command::Sweep(sweep) => sweep.run().map(done),
+        Command::Man(man) => man.run(Arguments::command()).map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };
     ended(answer)
@@ -243,9 +248,9 @@ fn ended(answer: Result<ExitCode, Failure>) -> ExitCode {
 }
 
 /// What is asked for, read with the help that groups the commands.
-fn command_of(arguments: Vec<OsString>) -> Result<Command, clap::Error> {
+fn asked(arguments: Vec<OsString>) -> Result<Arguments, clap::Error> {
     let asked = questions::by_question(Arguments::command()).try_get_matches_from(arguments)?;
-    Ok(Arguments::from_arg_matches(&asked)?.command)
+    Arguments::from_arg_matches(&asked)
 }
 
 /// Tells what is wrong with the arguments, which may be repeated in it.

@@ -65,7 +65,7 @@ mod run {
             // What the layout names beside itself stands beside the layouts that are written, too.
             let named = Mutex::new(BTreeMap::new());
             let read = |path: &str| {
-                let text = layouts::beside(self.about.path(), path)?;
+                let text = layouts::beside(&self.about.layout, path)?;
                 if let Ok(mut named) = named.lock() {
                     named.insert(path.to_owned(), text.clone());
                 }

@@ -1,6 +1,7 @@
 //! How is a person told that a long command still works? On a terminal only, on standard error, and gone before anything is printed.
 
 use std::io::IsTerminal;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
@@ -16,10 +17,23 @@ const TICK: Duration = Duration::from_millis(200);
 /// The spinner that is shown, or will be.
 static SPINNER: Mutex<Option<Spinner>> = Mutex::new(None);
 
+/// Whether nothing is to be told but why there is no answer.
+static IS_SILENT: AtomicBool = AtomicBool::new(false);
+
 /// A spinner turns in a thread of its own until it is told to stop.
 struct Spinner {
     stop: Sender<()>,
     turning: JoinHandle<()>,
+}
+
+/// From now on neither progress nor warnings are told.
+pub fn silence() {
+    IS_SILENT.store(true, Ordering::Relaxed);
+}
+
+/// Whether [`silence`] was asked for.
+pub fn is_silent() -> bool {
+    IS_SILENT.load(Ordering::Relaxed)
 }
 
 /// A bar of so many pieces with the time left, in the place of the spinner.
@@ -31,7 +45,7 @@ pub fn bar(pieces: &str) -> ProgressBar {
 /// From now on these words tell what is being done, and for how long, until [`end`].
 pub fn doing(words: &'static str) {
     end();
-    if !std::io::stderr().is_terminal() {
+    if !is_shown() {
         return;
     }
     let (stop, told) = mpsc::channel();
@@ -58,12 +72,16 @@ pub fn end() {
     }
 }
 
+fn is_shown() -> bool {
+    !is_silent() && std::io::stderr().is_terminal()
+}
+
 fn spinner() -> MutexGuard<'static, Option<Spinner>> {
     SPINNER.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 fn with_style(template: &str) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
+    if !is_shown() {
         return ProgressBar::hidden();
     }
     let style = ProgressStyle::with_template(template);

@@ -14,7 +14,7 @@ const QUESTIONS: [(&str, &[&str]); 9] = [
     ("Which is best?", &["compare", "values", "search"]),
     ("Is it true?", &["check", "verify"]),
     ("In the classroom?", &["exercise", "mark"]),
-    ("In a shell", &["completions"]),
+    ("In a shell", &["completions", "man"]),
 ];
 
 /// The program with its commands listed by questions, in place of one long list.

@@ -1,7 +1,7 @@
 //! `values`: which values have these engines, each by its name?
 
 use std::num::NonZero;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::thread;
 
 use crankstar::file::Layout;
@@ -50,7 +50,7 @@ impl Values {
         all.into_iter().collect()
     }
 
-    fn of(&self, layout: &PathBuf) -> Result<Vec<Result<Single, String>>, Failure> {
+    fn of(&self, layout: &Path) -> Result<Vec<Result<Single, String>>, Failure> {
         match layouts::read(layout)? {
             Layout::Known(engine, _) => Ok(ValuesStudy::row(&engine, &self.value)),
             Layout::Open(_) => {

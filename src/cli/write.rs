@@ -56,6 +56,13 @@ impl Write for Seen {
     }
 }
 
+/// Tells what is odd about the input, unless nobody wants to know.
+pub fn warn(text: &str) {
+    if !progress::is_silent() {
+        to_stderr(text);
+    }
+}
+
 /// Tells why there is no answer; where nobody can be told, the exit status says it alone.
 pub fn to_stderr(text: &str) {
     progress::end();

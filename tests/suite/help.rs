@@ -113,10 +113,10 @@ fn the_page_of_commands_tells_every_option() {
         let (_, rest) = page.split_once(&format!("\n## {name}\n")).unwrap_or_else(|| panic!("no section of {name}"));
         rest.split("\n## ").next().unwrap_or_default().to_owned()
     };
-    let every_page = section("Every page");
+    let (every_command, every_page) = (section("Every command"), section("Every page"));
     let mut found = 0;
     for command in commands() {
-        let own = section(&command);
+        let own = section(&command) + &every_command;
         let told = match own.contains("[every page](#every-page)") {
             true => own + &every_page,
             false => own,

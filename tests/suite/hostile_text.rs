@@ -146,7 +146,8 @@ fn csv_is_inert(what: &str, text: &str) {
         let begin = field.trim_start_matches('"');
         let fraction = begin.strip_prefix('-').and_then(|number| number.split_once('/'));
         let whole = |digits: &str| digits.bytes().all(|byte| byte.is_ascii_digit());
-        let number = begin.parse::<f64>().is_ok() || fraction.is_some_and(|(above, below)| whole(above) && whole(below));
+        let number =
+            begin.parse::<f64>().is_ok() || fraction.is_some_and(|(above, below)| whole(above) && whole(below));
         assert!(number || !begin.starts_with(['=', '+', '-', '@']), "{what}: {field} is a formula");
     }
 }

@@ -79,6 +79,7 @@ mod left_out;
 mod list_orders;
 mod loads;
 mod loads_page;
+mod man;
 mod marking;
 mod mechanism_files;
 mod motion;

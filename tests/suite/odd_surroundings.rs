@@ -200,7 +200,9 @@ fn no_output_holds_an_infinite_number() {
                 let odd = words.into_iter().find(|word| ["inf", "NaN", "nan", "Infinity"].contains(word));
                 assert_eq!(odd, None, "{command}, {keys} {size}");
                 let is_null = |line: &&str| {
-                    line.contains("null") && !line.contains("_theta_deg") && (line.contains("value") || line.contains("force") || line.contains("peak"))
+                    line.contains("null")
+                        && !line.contains("_theta_deg")
+                        && (line.contains("value") || line.contains("force") || line.contains("peak"))
                 };
                 assert!(
                     !command.contains("json") || out.lines().find(is_null).is_none(),

@@ -131,9 +131,20 @@ fn warnings_change_neither_the_answer_nor_the_exit_status() {
         assert_eq!((one.status.code(), &one.stdout), (Some(0), &other.stdout));
         let told = String::from_utf8_lossy(&one.stderr).into_owned();
         assert!(told.contains("crank_radius is read as 46 m") && told.contains("odd.toml:4"), "{told}");
+        let quiet = call(&[arguments, &[odd.as_str(), "--quiet"]].concat());
+        assert_eq!((quiet.status.code(), &quiet.stdout, quiet.stderr.as_slice()), (Some(0), &one.stdout, &b""[..]));
     }
     let swept = call(&["sweep", &odd, "--speed", "1000..2000:500"]);
     assert_eq!(String::from_utf8_lossy(&swept.stderr).matches("crank_radius is read as").count(), 1);
+}
+
+#[test]
+fn a_quiet_program_tells_why_there_is_no_answer() {
+    for arguments in [["--quiet", "classify", "I44"], ["classify", "I44", "--quiet"]] {
+        let told = call(&arguments);
+        assert_eq!(told.status.code(), Some(1));
+        assert!(String::from_utf8_lossy(&told.stderr).contains("I44"), "{told:?}");
+    }
 }
 
 #[test]

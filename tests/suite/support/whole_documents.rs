@@ -281,7 +281,7 @@ fn verdict(quantity: Quantity, order: u32, place: usize, group: &Sums, is_alone:
 /// What each product of two numbers in `|direct|² − |reverse|²` is multiplied by.
 fn pairs(groups: &[Sums], order: u32) -> Vec<PhasorSum> {
     let is_real = |group: &Sums| match &group.coefficient {
-        Coefficient::Rod(_) => order % 2 == 0,
+        Coefficient::Rod(_) => order.is_multiple_of(2),
         _ => true,
     };
     let there = groups.iter().filter(|group| !group.is_zero && !group.sums.iter().all(PhasorSum::vanishes));
