@@ -1,7 +1,7 @@
 //! Do numbers agree with the verdicts that stand beside them?
 //!
 //! The documents of loads, comparisons and sweeps hold documents of verdicts under `evidence`, which are checked as any.
-//! Of all else only what repeats a verdict is compared with it.
+//! All else in those of loads and comparisons is numbers with their labels: a 0 is compared with the verdicts, which alone say what is zero.
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize, Serializer};
@@ -9,10 +9,12 @@ use serde_json::Value;
 
 use super::audit::{Audit, Fault};
 use super::checked::Checked;
+use super::decimals::Decimal;
 use super::document::Document;
 use super::document_check::judge;
 use super::engine::{Quantity, Sense};
 use super::judged::Judged;
+use super::outside;
 use super::reading::{Format, Unreadable, typed};
 use super::shape::{Shape, ShapeClaim};
 
@@ -38,54 +40,56 @@ impl Serialize for EvidenceDocument {
 struct LoadsOrder {
     quantity: Quantity,
     order: u32,
-    vanishes: Option<bool>,
-    direct: Said,
-    reverse: Said,
+    direct: Amplitude,
+    reverse: Amplitude,
 }
 
 /// One order of the torque.
 #[derive(Deserialize)]
 struct LoadsTorque {
     order: u32,
-    vanishes: Option<bool>,
+    amplitude: Option<Decimal>,
 }
 
-/// Whether something is zero; null where that is not decided.
 #[derive(Deserialize)]
-struct Said {
-    vanishes: Option<bool>,
+struct Amplitude {
+    amplitude: Option<Decimal>,
 }
 
 #[derive(Deserialize)]
 struct Loads {
+    title: String,
     orders: Vec<LoadsOrder>,
     torque: Vec<LoadsTorque>,
 }
 
 #[derive(Deserialize)]
 struct Compared {
+    orders: Vec<u32>,
     engines: Vec<ComparedEngine>,
 }
 
 #[derive(Deserialize)]
 struct ComparedEngine {
+    title: String,
     orders: Vec<ComparedOrder>,
 }
 
 #[derive(Deserialize)]
 struct ComparedOrder {
     order: u32,
-    force: ComparedShape,
-    moment: ComparedShape,
+    force: ComparedAmount,
+    moment: ComparedAmount,
 }
 
 #[derive(Deserialize)]
-struct ComparedShape {
-    shape: Shape,
+struct ComparedAmount {
+    largest: Option<Decimal>,
 }
 
 impl EvidenceDocument {
     pub(super) fn read(format: Format, tree: Value) -> Result<Self, Unreadable> {
+        outside::check(format, &tree)?;
         let list = tree.get("evidence").and_then(Value::as_array);
         let list = list.ok_or_else(|| Unreadable::Malformed("it has no list `evidence`".to_owned()))?;
         let one = |(index, entry): (usize, &Value)| {
@@ -110,13 +114,13 @@ impl EvidenceDocument {
             judged.push(judge(document, &audit).map_err(inside)?);
         }
         match (self.format, &judged[..]) {
-            (Format::Loads, [only]) => check_loads(&self.rest()?, only)?,
+            (Format::Loads, [only]) => check_loads(&self.rest()?, &self.evidence[0], only)?,
             (Format::Loads, _) => return Err(Fault::new("evidence", "loads are those of one engine")),
             (Format::Compare, _) => self.check_compared(&self.rest()?)?,
             (_, []) => return Err(Fault::new("evidence", "the list is empty, there is nothing to check")),
             _ => (),
         }
-        Ok(Checked::evidence(&self.evidence, audit.counts()))
+        Ok(Checked::evidence(self.format, &self.evidence, audit.counts()))
     }
 
     fn rest<T: DeserializeOwned>(&self) -> Result<T, Fault> {
@@ -128,14 +132,25 @@ impl EvidenceDocument {
             return Err(Fault::new("evidence", "a comparison has one document for each of its engines"));
         }
         for (index, (engine, document)) in compared.engines.iter().zip(&self.evidence).enumerate() {
+            let at = |key: &str| format!("engines[{index}].{key}");
+            check_title(at("title"), &engine.title, document)?;
+            let told: Vec<u32> = engine.orders.iter().map(|entry| entry.order).collect();
+            if told != document.orders || told != compared.orders {
+                return Err(Fault::new(at("orders"), "these are not the orders of the evidence"));
+            }
             for (place, entry) in engine.orders.iter().enumerate() {
                 for (quantity, said) in [(Quantity::Force, &entry.force), (Quantity::Moment, &entry.moment)] {
                     let is_it = |claim: &&ShapeClaim| (claim.quantity, claim.order) == (quantity, entry.order);
-                    let proved = document.shapes.iter().find(is_it).map(|claim| claim.shape);
-                    if proved != Some(said.shape) {
-                        let place = format!("engines[{index}].orders[{place}].{}.shape", quantity.name());
-                        return Err(Fault::new(place, "it is not the one of the evidence"));
-                    }
+                    let shape = document.shapes.iter().find(is_it).map(|claim| claim.shape);
+                    let is_zero = match shape {
+                        Some(Shape::Balanced | Shape::DoesNotExist) => Some(Some(true)),
+                        Some(Shape::NotDecided) => Some(None),
+                        Some(Shape::Rotating | Shape::CounterRotating | Shape::Planar | Shape::Elliptical) => {
+                            Some(Some(false))
+                        }
+                        None => None,
+                    };
+                    agrees(at(&format!("orders[{place}].{}.largest", quantity.name())), said.largest, is_zero)?;
                 }
             }
         }
@@ -143,31 +158,49 @@ impl EvidenceDocument {
     }
 }
 
-fn check_loads(loads: &Loads, judged: &[Judged]) -> Result<(), Fault> {
+fn check_title(place: String, title: &str, document: &Document) -> Result<(), Fault> {
+    if title == document.title { Ok(()) } else { Err(Fault::new(place, "it is not the title of the evidence")) }
+}
+
+/// A size is 0 exactly where the evidence proves that it is; where that is not decided any number may stand.
+#[expect(clippy::float_cmp, reason = "0 is written for what is proved to be zero, and for nothing else")]
+fn agrees(place: String, size: Option<Decimal>, is_zero: Option<Option<bool>>) -> Result<(), Fault> {
+    match is_zero {
+        None => Err(Fault::new(place, "the evidence says nothing of it")),
+        Some(Some(is_zero)) if is_zero != (size == Some(0.0)) => {
+            Err(Fault::new(place, "it is not what the evidence says"))
+        }
+        Some(_) => Ok(()),
+    }
+}
+
+/// Every order of the evidence has its numbers, those of force and moment together.
+fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged]) -> Result<(), Fault> {
+    check_title("title".to_owned(), &loads.title, evidence)?;
     let find =
         |quantity: Quantity, order: u32| judged.iter().find(|one| (one.quantity, one.order) == (quantity, order));
-    let agree = |place: String, said: Option<bool>, proved: Option<Option<bool>>| match proved {
-        Some(proved) if proved == said => Ok(()),
-        Some(_) => Err(Fault::new(place, "it is not what the evidence says")),
-        None => Err(Fault::new(place, "the evidence says nothing of it")),
-    };
     for (index, entry) in loads.orders.iter().enumerate() {
         let at = |key: &str| format!("orders[{index}].{key}");
         let found = find(entry.quantity, entry.order).filter(|one| one.quantity.senses().len() == 2);
         let of = |sense: Sense| found.and_then(|one| one.place(Some(sense)).map(|place| one.vanishes(place)));
-        let (direct, reverse) = (of(Sense::Direct), of(Sense::Reverse));
-        agree(at("direct.vanishes"), entry.direct.vanishes, direct)?;
-        agree(at("reverse.vanishes"), entry.reverse.vanishes, reverse)?;
-        let both = direct.zip(reverse).map(|both| match both {
-            (Some(true), Some(true)) => Some(true),
-            (Some(false), _) | (_, Some(false)) => Some(false),
-            _ => None,
-        });
-        agree(at("vanishes"), entry.vanishes, both)?;
+        agrees(at("direct.amplitude"), entry.direct.amplitude, of(Sense::Direct))?;
+        agrees(at("reverse.amplitude"), entry.reverse.amplitude, of(Sense::Reverse))?;
     }
     for (index, entry) in loads.torque.iter().enumerate() {
         let found = find(Quantity::Torque, entry.order).map(|one| one.vanishes(0));
-        agree(format!("torque[{index}].vanishes"), entry.vanishes, found)?;
+        agrees(format!("torque[{index}].amplitude"), entry.amplitude, found)?;
+    }
+    let of = |quantity: Quantity| -> Vec<u32> {
+        loads.orders.iter().filter(|entry| entry.quantity == quantity).map(|entry| entry.order).collect()
+    };
+    let (force, moment) = (of(Quantity::Force), of(Quantity::Moment));
+    let torque: Vec<u32> = loads.torque.iter().map(|entry| entry.order).collect();
+    let mut all = [&force[..], &torque].concat();
+    all.sort_unstable();
+    all.dedup();
+    let rise = |orders: &[u32]| orders.windows(2).all(|pair| pair[0] < pair[1]);
+    if force != moment || all != evidence.orders || !rise(&force) || !rise(&torque) {
+        return Err(Fault::new("orders", "these are not the orders of the evidence, each once"));
     }
     Ok(())
 }

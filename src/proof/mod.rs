@@ -34,6 +34,7 @@ mod knuckle;
 mod link;
 mod open;
 mod open_check;
+mod outside;
 mod plane;
 mod product_check;
 mod quadratic;

@@ -14,19 +14,19 @@ use crate::support::whole_documents::{cylinder, document, turning};
 
 /// One step into a document.
 #[derive(Clone, Debug)]
-enum Step {
+pub enum Step {
     Key(String),
     Index(usize),
 }
 
-fn at<'a>(root: &'a mut Value, path: &[Step]) -> &'a mut Value {
+pub fn at<'a>(root: &'a mut Value, path: &[Step]) -> &'a mut Value {
     path.iter().fold(root, |value, step| match step {
         Step::Key(key) => &mut value[key.as_str()],
         Step::Index(index) => &mut value[*index],
     })
 }
 
-fn written(path: &[Step]) -> String {
+pub fn written(path: &[Step]) -> String {
     let step = |step: &Step| match step {
         Step::Key(key) => format!(".{key}"),
         Step::Index(_) => "[]".to_owned(),
@@ -34,7 +34,7 @@ fn written(path: &[Step]) -> String {
     path.iter().map(step).collect()
 }
 
-fn walk(value: &Value, path: &mut Vec<Step>, all: &mut Vec<(Vec<Step>, Value)>) {
+pub fn walk(value: &Value, path: &mut Vec<Step>, all: &mut Vec<(Vec<Step>, Value)>) {
     all.push((path.clone(), value.clone()));
     let children: Vec<(Step, &Value)> = match value {
         Value::Object(map) => map.iter().map(|(key, child)| (Step::Key(key.clone()), child)).collect(),
@@ -49,7 +49,7 @@ fn walk(value: &Value, path: &mut Vec<Step>, all: &mut Vec<(Vec<Step>, Value)>) 
 }
 
 /// Other values in the place of one.
-fn changes(value: &Value) -> Vec<Value> {
+pub fn changes(value: &Value) -> Vec<Value> {
     match value {
         Value::Null => vec![json!(0), json!("direct"), json!([])],
         Value::Bool(truth) => vec![json!(!truth), Value::Null, json!("true")],
