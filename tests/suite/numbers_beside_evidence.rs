@@ -11,7 +11,7 @@ use crate::document_mutations::{Step, at, changes, walk, written};
 use crate::support::program::{call, scratch};
 use crate::support::second::second_checker;
 
-const LOADS: &str = "inline.throws = [0, 120, 240]\n[mechanism]\nrod_ratio = '1/4'\nrotating_mass = '1/3'\nreciprocating_mass = 1\n\
+const LOADS: &str = "inline.throws = [0, 120, 240]\n[mechanism]\nrod_ratio = '1/4'\nrotating_mass = '1/3'\nreciprocating_mass = 1\ncrank_radius = '40 mm'\n\
                      [[counterweight]]\nangle = 20\nmass_radius = '1/5'\nposition = 1\n";
 
 fn document(folder: &str, text: &str, arguments: &[&str]) -> Value {
@@ -52,6 +52,7 @@ fn is_number(path: &str, before: &Value, after: &Value) -> bool {
             ".left_out.inertia_torque",
         ]
         .contains(&path.trim_start_matches(".engines[]")),
+        (Value::Null, Value::Array(after)) => after.is_empty() && path.ends_with(".newtons"),
         (Value::Object(_), Value::Object(_)) => {
             [("below"), ("inertia_torque"), ("torque"), ("roll"), ("auto"), ("worst_bearing_with_gas")]
                 .iter()
