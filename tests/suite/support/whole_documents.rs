@@ -254,7 +254,7 @@ fn verdict(quantity: Quantity, order: u32, place: usize, group: &Sums, is_alone:
 
 fn shape(groups: &[Sums], quantity: Quantity, order: u32, wholes: [Option<bool>; 2]) -> (Shape, Option<ShapeEvidence>) {
     match wholes {
-        _ if groups.iter().all(|group| group.is_zero || group.names[0].is_empty()) => {
+        _ if groups.iter().all(|group| group.is_zero || group.names.iter().all(Vec::is_empty)) => {
             return (Shape::DoesNotExist, None);
         }
         [Some(true), Some(true)] => return (Shape::Balanced, None),
