@@ -24,7 +24,7 @@ from reading import PLACE, Decimal, NoDocument, Refused, demand, each, equal, ha
 # ---- 1. What a document on an engine holds ---------------------------------------------------------------------------------
 
 types("""masses = reciprocating rotating counterweights all; quantity = force moment torque roll; sense = direct reverse;
-    form = balanced rotating counter-rotating planar elliptical not-decided; vector: angle weight; known: ratio offset;
+    form = balanced rotating counter-rotating planar elliptical not-decided does-not-exist; vector: angle weight; known: ratio offset;
     link: master knuckle angle ratio correction?; rod = unknown; rod: known; rod: link; crankshaft: sense axis=[vector];
     polygon: sides=count rotation weight; class: angle modulus=integer; compare: prime=count first=count second=count; step: class; step: compare;
     certificate polygons: polygons=[polygon]; certificate splitting: steps=[step];
@@ -288,7 +288,7 @@ def beside(name):
 
 LARGEST = 4 << 20  # bytes
 CHECKS = {"classify 2": None, "family 2": "families", "remedy 2": "remedies", "firing 1": "firing",
-          "loads 2": "evidence", "compare 2": "evidence", "sweep 2": "evidence"}
+          "loads 3": "evidence", "compare 3": "evidence", "sweep 2": "evidence"}
 
 def integer_of(text):
     return Decimal(text) if text == "-0" else int(text)
