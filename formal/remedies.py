@@ -32,7 +32,7 @@ def number_of(coefficient):
 def rank(number):
     """Where a number stands among others."""
     kind, *rest = number
-    at = ["one", "common", "rod", "linkage", "corrected", "geared"].index(kind)
+    at = ["one", "common", "rod", "quadrature", "linkage", "corrected", "geared"].index(kind)
     return {"corrected": lambda: (at, *rest[:-1], rest[-1] == "imaginary"), "geared": lambda: (at, rest[0], rank(rest[1]))}.get(kind, lambda: (at, *rest))()
 
 
