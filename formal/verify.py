@@ -24,7 +24,7 @@ from reading import PLACE, Decimal, NoDocument, Refused, demand, each, equal, ha
 # ---- 1. What a document on an engine holds ---------------------------------------------------------------------------------
 
 types("""masses = reciprocating rotating counterweights all; quantity = force moment torque roll; sense = direct reverse;
-    form = balanced rotating counter-rotating planar elliptical not-decided does-not-exist; vector: angle weight; known: ratio offset;
+    form = does-not-exist balanced rotating counter-rotating planar elliptical not-decided; vector: angle weight; known: ratio offset;
     link: master knuckle angle ratio correction?; rod = unknown; rod: known; rod: link; crankshaft: sense axis=[vector];
     polygon: sides=count rotation weight; class: angle modulus=integer; compare: prime=count first=count second=count; step: class; step: compare;
     certificate polygons: polygons=[polygon]; certificate splitting: steps=[step];
