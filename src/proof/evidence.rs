@@ -178,7 +178,7 @@ fn agrees(place: &str, size: Decimal, is_zero: bool) -> Result<(), Fault> {
     }
 }
 
-#[expect(clippy::float_cmp, reason = "0 is written for what is proved to be zero, and for nothing else")]
+/// 0 is written for what is proved to be zero, and for nothing else.
 fn is_nothing(size: Decimal) -> bool {
     size == 0.0
 }
