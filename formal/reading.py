@@ -5,6 +5,7 @@ number in another spelling, nothing that is to be left out where it is nothing.
 """
 import re
 from fractions import Fraction
+from math import isfinite
 
 PLACE = []  # where the checker is, for its answer
 
@@ -28,13 +29,13 @@ TYPES, OPTIONAL = {}, set()  # {type: (the words it may be, the objects it may b
 
 def types(text):
     """`name = word word` or `name: key=type key=type` between semicolons, `name kind:` for the object of that kind. `[type]` is a list,
-    `type?` may be null, `key?` may be left out; a key without a type has the type of that name, or is an exact number."""
+    `(type,type)` has one of each, `type?` may be null, `key?` may be left out; `_` in a word is a space; a key without a type has the type of that name, or is an exact number."""
     for part in text.split(";"):
         head, mark, body = re.fullmatch(r"\s*([\w -]+?)\s*([=:])(.*)", part, re.DOTALL).groups()
         name, *kind = head.split()
         words, objects = TYPES.setdefault(name, (set(), []))
         if mark == "=":
-            words.update(body.split())
+            words.update(word.replace("_", " ") for word in body.split())
             continue
         needed, types_of = {"kind"} if kind else set(), {"kind": "text"} if kind else {}
         for key, _, of in (one.partition("=") for one in body.split()):
@@ -49,7 +50,8 @@ def exact_of(text):
     return Fraction(text)
 
 PLAIN = {"truth": lambda value: type(value) is bool, "count": lambda value: type(value) is int and 0 <= value < 2**32,
-         "sign": lambda value: type(value) is int, "decimal": lambda value: type(value) in (int, Decimal),
+         "sign": lambda value: type(value) is int, "decimal": lambda value: type(value) in (int, Decimal) and isfinite(float(value)),
+         "document": lambda value: type(value) is dict,
          "text": lambda value: type(value) is str and not re.search("[\ud800-\udfff]", value)}
 
 def read(value, of, key="it"):
@@ -58,6 +60,8 @@ def read(value, of, key="it"):
         return value if value is None else read(value, of[:-1], key)
     if of[0] == "[":
         return [read(one, of[1:-1], key) for one in each(key, value)]
+    if of[0] == "(":
+        return [read(one, inner, key) for inner, one in each(key, value, of[1:-1].split(","))]
     if of == "linear":  # an expression of a family: symbols with their coefficients, and the known part
         demand(type(value) is dict and "1" in value, f"{key} has no known part, under \"1\"")
         return {symbol: exact_of(number) for symbol, number in value.items()}
@@ -95,6 +99,9 @@ class Decimal:
 
     def __repr__(self):
         return self.text
+
+    def __float__(self):
+        return float(self.text)
 
 def harmless(text):
     """What a document says, as it may be printed: a terminal obeys what has no shape."""

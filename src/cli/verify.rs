@@ -17,9 +17,9 @@ use super::{layouts, write};
 pub struct Verify {
     /// The JSON file, or - for standard input
     file: PathBuf,
-    /// Compare the document's engine with this layout: a name of the catalogue, or the path of a layout file
+    /// Compare the document's engine with this layout: a name of the catalogue, or the path of a layout file; of a comparison once for each engine, in their order
     #[arg(long, value_name = "LAYOUT")]
-    engine: Option<PathBuf>,
+    engine: Vec<PathBuf>,
 }
 
 impl Verify {
@@ -32,11 +32,12 @@ impl Verify {
         let json = self.read().map_err(|error| Failure::new(format!("cannot read {name}: {error}")))?;
         let document = read_document(&json).map_err(|error| unreadable(&name, &error))?;
         let checked = document.check().map_err(|fault| Failure::new(format!("{name}: {fault}")))?;
-        let engine = match &self.engine {
-            None => "the engine: the document's own; --engine LAYOUT compares it with one that you trust".to_owned(),
-            Some(layout) => {
-                compare(&name, &document, layout)?;
-                format!("the engine: that of {}", layouts::shown(layout))
+        let engine = match self.engine.as_slice() {
+            [] => "the engine: the document's own; --engine LAYOUT compares it with one that you trust".to_owned(),
+            layouts => {
+                compare_each(&name, document.clone(), layouts)?;
+                let shown: Vec<String> = layouts.iter().map(|layout| layouts::shown(layout)).collect();
+                format!("the engine: that of {}", shown.join(", "))
             }
         };
         write::to_stdout(&summary(&document, &checked, &engine))
@@ -63,6 +64,22 @@ fn unreadable(name: &str, error: &Unreadable) -> Failure {
     }
 }
 
+/// Refuses a document whose engines are not those of the layouts, one each.
+fn compare_each(name: &str, document: AnyDocument, layouts: &[PathBuf]) -> Result<(), Failure> {
+    let engines = match document {
+        AnyDocument::Evidence(document) => document.evidence.into_iter().map(AnyDocument::Classify).collect(),
+        own => vec![own],
+    };
+    if engines.len() != layouts.len() {
+        let count = if engines.len() == 1 { "1 engine".to_owned() } else { format!("{} engines", engines.len()) };
+        return Err(Failure::new(format!(
+            "{name} is about {count}, and --engine names {}; name one for each, in their order",
+            layouts.len()
+        )));
+    }
+    engines.iter().zip(layouts).try_for_each(|(engine, layout)| compare(name, engine, layout))
+}
+
 /// Refuses a document whose engine is not that of the layout.
 fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Failure> {
     let shown = layouts::shown(layout);
@@ -78,9 +95,7 @@ fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Fail
             AnyDocument::Firing(report::firing_engine(&layout, own).map_err(Failure::new)?)
         }
         (AnyDocument::Family(_), Layout::Open(family)) => AnyDocument::Family(report::open_document(&family, &[])),
-        (AnyDocument::Evidence(_), _) => {
-            return Err(Failure::new(format!("{name} holds documents of engines; --engine compares one of its own")));
-        }
+        (AnyDocument::Evidence(_), _) => unreachable!("each engine of the evidence is compared by itself"),
         (AnyDocument::Family(_), Layout::Known(..)) => return Err(other("a family with open angles or lengths")),
         (AnyDocument::Classify(_) | AnyDocument::Remedy(_) | AnyDocument::Firing(_), Layout::Open(_)) => {
             return Err(other("an engine without unknowns"));

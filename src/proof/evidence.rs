@@ -1,18 +1,19 @@
 //! Do numbers agree with the verdicts that stand beside them?
 //!
 //! The documents of loads, comparisons and sweeps hold documents of verdicts under `evidence`, which are checked as any.
-//! Of all else only what repeats a verdict is compared with it.
+//! All else in those of loads and comparisons is numbers with their labels: a 0 is compared with the verdicts, which alone say what is zero.
 
-use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use super::audit::{Audit, Fault};
 use super::checked::Checked;
+use super::decimals::Decimal;
 use super::document::Document;
 use super::document_check::judge;
 use super::engine::{Quantity, Sense};
 use super::judged::Judged;
+use super::outside::{Compared, Comparison, Loads};
 use super::reading::{Format, Unreadable, typed};
 use super::shape::{Shape, ShapeClaim};
 
@@ -23,8 +24,18 @@ pub struct EvidenceDocument {
     pub format: Format,
     /// The verdicts: on the one engine of `loads`, on each of `compare`, on some of `sweep`.
     pub evidence: Vec<Document>,
+    outside: Outside,
     /// All of the document.
     tree: Value,
+}
+
+/// What stands outside of the evidence.
+#[derive(Clone, Debug, PartialEq)]
+enum Outside {
+    Loads(Box<Loads>),
+    Comparison(Comparison),
+    /// It is not read.
+    Sweep,
 }
 
 impl Serialize for EvidenceDocument {
@@ -33,66 +44,20 @@ impl Serialize for EvidenceDocument {
     }
 }
 
-/// One order of force or moment in `loads`.
-#[derive(Deserialize)]
-struct LoadsOrder {
-    quantity: Quantity,
-    order: u32,
-    vanishes: Option<bool>,
-    direct: Said,
-    reverse: Said,
-}
-
-/// One order of the torque.
-#[derive(Deserialize)]
-struct LoadsTorque {
-    order: u32,
-    vanishes: Option<bool>,
-}
-
-/// Whether something is zero; null where that is not decided.
-#[derive(Deserialize)]
-struct Said {
-    vanishes: Option<bool>,
-}
-
-#[derive(Deserialize)]
-struct Loads {
-    orders: Vec<LoadsOrder>,
-    torque: Vec<LoadsTorque>,
-}
-
-#[derive(Deserialize)]
-struct Compared {
-    engines: Vec<ComparedEngine>,
-}
-
-#[derive(Deserialize)]
-struct ComparedEngine {
-    orders: Vec<ComparedOrder>,
-}
-
-#[derive(Deserialize)]
-struct ComparedOrder {
-    order: u32,
-    force: ComparedShape,
-    moment: ComparedShape,
-}
-
-#[derive(Deserialize)]
-struct ComparedShape {
-    shape: Shape,
-}
-
 impl EvidenceDocument {
     pub(super) fn read(format: Format, tree: Value) -> Result<Self, Unreadable> {
+        let outside = match format {
+            Format::Loads => Outside::Loads(Box::new(typed(&tree)?)),
+            Format::Compare => Outside::Comparison(typed(&tree)?),
+            Format::Classify | Format::Family | Format::Remedy | Format::Firing | Format::Sweep => Outside::Sweep,
+        };
         let list = tree.get("evidence").and_then(Value::as_array);
         let list = list.ok_or_else(|| Unreadable::Malformed("it has no list `evidence`".to_owned()))?;
         let one = |(index, entry): (usize, &Value)| {
             typed(entry).map_err(|error| Unreadable::Malformed(format!("evidence[{index}]: {error}")))
         };
         let evidence = list.iter().enumerate().map(one).collect::<Result<_, _>>()?;
-        Ok(EvidenceDocument { format, evidence, tree })
+        Ok(EvidenceDocument { format, evidence, outside, tree })
     }
 
     /// Its title, or that of its first engine.
@@ -101,7 +66,7 @@ impl EvidenceDocument {
         own.or_else(|| self.evidence.first().map(|document| document.title.as_str())).unwrap_or_default()
     }
 
-    /// Checks the evidence, and what the rest repeats of it.
+    /// Checks the evidence, and what the rest says beside it.
     pub(super) fn check(&self) -> Result<Checked, Fault> {
         let audit = Audit::new();
         let mut judged = Vec::new();
@@ -109,65 +74,111 @@ impl EvidenceDocument {
             let inside = |fault: Fault| Fault { place: format!("evidence[{index}].{}", fault.place), ..fault };
             judged.push(judge(document, &audit).map_err(inside)?);
         }
-        match (self.format, &judged[..]) {
-            (Format::Loads, [only]) => check_loads(&self.rest()?, only)?,
-            (Format::Loads, _) => return Err(Fault::new("evidence", "loads are those of one engine")),
-            (Format::Compare, _) => self.check_compared(&self.rest()?)?,
-            (_, []) => return Err(Fault::new("evidence", "the list is empty, there is nothing to check")),
-            _ => (),
+        match (&self.outside, &judged[..]) {
+            (Outside::Loads(loads), [only]) => check_loads(loads, &self.evidence[0], only)?,
+            (Outside::Loads(_), _) => return Err(Fault::new("evidence", "loads are those of one engine")),
+            (Outside::Comparison(comparison), _) => check_comparison(comparison, &self.evidence)?,
+            (Outside::Sweep, []) => return Err(Fault::new("evidence", "the list is empty, there is nothing to check")),
+            (Outside::Sweep, _) => (),
         }
-        Ok(Checked::evidence(&self.evidence, audit.counts()))
-    }
-
-    fn rest<T: DeserializeOwned>(&self) -> Result<T, Fault> {
-        T::deserialize(&self.tree).map_err(|error| Fault::new("the numbers", error.to_string()))
-    }
-
-    fn check_compared(&self, compared: &Compared) -> Result<(), Fault> {
-        if compared.engines.is_empty() || compared.engines.len() != self.evidence.len() {
-            return Err(Fault::new("evidence", "a comparison has one document for each of its engines"));
-        }
-        for (index, (engine, document)) in compared.engines.iter().zip(&self.evidence).enumerate() {
-            for (place, entry) in engine.orders.iter().enumerate() {
-                for (quantity, said) in [(Quantity::Force, &entry.force), (Quantity::Moment, &entry.moment)] {
-                    let is_it = |claim: &&ShapeClaim| (claim.quantity, claim.order) == (quantity, entry.order);
-                    let proved = document.shapes.iter().find(is_it).map(|claim| claim.shape);
-                    if proved != Some(said.shape) {
-                        let place = format!("engines[{index}].orders[{place}].{}.shape", quantity.name());
-                        return Err(Fault::new(place, "it is not the one of the evidence"));
-                    }
-                }
-            }
-        }
-        Ok(())
+        Ok(Checked::evidence(self.format, &self.evidence, audit.counts()))
     }
 }
 
-fn check_loads(loads: &Loads, judged: &[Judged]) -> Result<(), Fault> {
+/// Every order of the evidence has its numbers: those of the force, the same of the moment, those of the torque.
+fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged]) -> Result<(), Fault> {
+    check_title("title", &loads.title, evidence)?;
     let find =
         |quantity: Quantity, order: u32| judged.iter().find(|one| (one.quantity, one.order) == (quantity, order));
-    let agree = |place: String, said: Option<bool>, proved: Option<Option<bool>>| match proved {
-        Some(proved) if proved == said => Ok(()),
-        Some(_) => Err(Fault::new(place, "it is not what the evidence says")),
-        None => Err(Fault::new(place, "the evidence says nothing of it")),
-    };
+    // In newtons all is 0 of an engine at rest, in multiples of m r ω² it is not.
+    let is_at_rest = loads.scale.as_ref().is_some_and(|scale| is_nothing(scale.m_r_omega_squared_n));
     for (index, entry) in loads.orders.iter().enumerate() {
         let at = |key: &str| format!("orders[{index}].{key}");
-        let found = find(entry.quantity, entry.order).filter(|one| one.quantity.senses().len() == 2);
-        let of = |sense: Sense| found.and_then(|one| one.place(Some(sense)).map(|place| one.vanishes(place)));
-        let (direct, reverse) = (of(Sense::Direct), of(Sense::Reverse));
-        agree(at("direct.vanishes"), entry.direct.vanishes, direct)?;
-        agree(at("reverse.vanishes"), entry.reverse.vanishes, reverse)?;
-        let both = direct.zip(reverse).map(|both| match both {
-            (Some(true), Some(true)) => Some(true),
-            (Some(false), _) | (_, Some(false)) => Some(false),
-            _ => None,
-        });
-        agree(at("vanishes"), entry.vanishes, both)?;
+        let found = find(entry.quantity, entry.order);
+        let of = |sense: Sense| {
+            let place = found.and_then(|one| one.place(Some(sense)).map(|place| one.vanishes(place)));
+            place.ok_or_else(|| Fault::new(at("order"), "the evidence says nothing of it"))
+        };
+        let [direct, reverse] = [of(Sense::Direct)?, of(Sense::Reverse)?].map(|is_zero| is_zero == Some(true));
+        agrees(&at("direct.amplitude"), entry.direct.amplitude, direct || is_at_rest)?;
+        agrees(&at("reverse.amplitude"), entry.reverse.amplitude, reverse || is_at_rest)?;
+        agrees(&at("largest"), entry.largest, direct && reverse || is_at_rest)?;
+        agrees(&at("dimensionless"), entry.dimensionless, direct && reverse)?;
     }
     for (index, entry) in loads.torque.iter().enumerate() {
+        let at = |key: &str| format!("torque[{index}].{key}");
         let found = find(Quantity::Torque, entry.order).map(|one| one.vanishes(0));
-        agree(format!("torque[{index}].vanishes"), entry.vanishes, found)?;
+        let found = found.ok_or_else(|| Fault::new(at("order"), "the evidence says nothing of it"))?;
+        agrees(&at("amplitude"), entry.amplitude, found == Some(true) || is_at_rest)?;
+        agrees(&at("dimensionless"), entry.dimensionless, found == Some(true))?;
+    }
+    let said: Vec<(Quantity, u32)> = loads.orders.iter().map(|entry| (entry.quantity, entry.order)).collect();
+    let shaking: Vec<u32> =
+        said.iter().filter(|(quantity, _)| *quantity == Quantity::Force).map(|(_, order)| *order).collect();
+    let torque: Vec<u32> = loads.torque.iter().map(|entry| entry.order).collect();
+    let of = |quantity: Quantity| shaking.iter().map(move |order| (quantity, *order));
+    let mut all = [&shaking[..], &torque].concat();
+    all.sort_unstable();
+    all.dedup();
+    let rise = |orders: &[u32]| orders.windows(2).all(|pair| pair[0] < pair[1]);
+    let are_due = said.into_iter().eq(of(Quantity::Force).chain(of(Quantity::Moment)));
+    if !are_due || all != evidence.orders || !rise(&shaking) || !rise(&torque) {
+        return Err(Fault::new("orders", "these are not the orders of the evidence, force and then moment, each once"));
     }
     Ok(())
+}
+
+fn check_comparison(comparison: &Comparison, evidence: &[Document]) -> Result<(), Fault> {
+    if comparison.engines.is_empty() || comparison.engines.len() != evidence.len() {
+        return Err(Fault::new("evidence", "a comparison has one document for each of its engines"));
+    }
+    for (index, (engine, document)) in comparison.engines.iter().zip(evidence).enumerate() {
+        let at = |key: &str| format!("engines[{index}].{key}");
+        check_title(&at("title"), &engine.title, document)?;
+        check_compared(&at, engine, document)?;
+        if document.orders != comparison.orders {
+            return Err(Fault::new("orders", "these are not the orders of the evidence"));
+        }
+    }
+    Ok(())
+}
+
+fn check_compared(at: &dyn Fn(&str) -> String, engine: &Compared, evidence: &Document) -> Result<(), Fault> {
+    let right = |key: &str, orders: Vec<u32>| match orders == evidence.orders {
+        true => Ok(()),
+        false => Err(Fault::new(at(key), "these are not the orders of the evidence")),
+    };
+    right("orders", engine.orders.iter().map(|entry| entry.order).collect())?;
+    if let Some(newtons) = &engine.newtons {
+        right("newtons", newtons.iter().map(|entry| entry.order).collect())?;
+    }
+    for (place, entry) in engine.orders.iter().enumerate() {
+        for (quantity, said) in [(Quantity::Force, &entry.force), (Quantity::Moment, &entry.moment)] {
+            let at = at(&format!("orders[{place}].{}.largest", quantity.name()));
+            let is_it = |claim: &&ShapeClaim| (claim.quantity, claim.order) == (quantity, entry.order);
+            let claim = evidence.shapes.iter().find(is_it);
+            let claim = claim.ok_or_else(|| Fault::new(at.clone(), "the evidence says nothing of it"))?;
+            let is_zero = matches!(claim.shape, Shape::Balanced | Shape::DoesNotExist);
+            // Null where several sums make up the order.
+            agrees(&at, said.largest.unwrap_or(Decimal::INFINITY), is_zero)?;
+        }
+    }
+    Ok(())
+}
+
+fn check_title(place: &str, title: &str, document: &Document) -> Result<(), Fault> {
+    if title == document.title { Ok(()) } else { Err(Fault::new(place, "it is not the title of the evidence")) }
+}
+
+/// A size is 0 exactly where the evidence proves that it is.
+fn agrees(place: &str, size: Decimal, is_zero: bool) -> Result<(), Fault> {
+    match is_nothing(size) == is_zero {
+        true => Ok(()),
+        false => Err(Fault::new(place, "it is not what the evidence says")),
+    }
+}
+
+/// 0 is written for what is proved to be zero, and for nothing else.
+fn is_nothing(size: Decimal) -> bool {
+    size == 0.0
 }

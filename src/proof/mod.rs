@@ -35,6 +35,7 @@ mod left_out;
 mod link;
 mod open;
 mod open_check;
+mod outside;
 mod plane;
 mod product_check;
 mod quadratic;

@@ -40,10 +40,10 @@ pub enum Format {
     #[serde(rename = "crankstar firing 1")]
     Firing,
     /// Numbers of one engine, with the verdicts on it.
-    #[serde(rename = "crankstar loads 2")]
+    #[serde(rename = "crankstar loads 3")]
     Loads,
     /// Engines side by side, with the verdicts on each.
-    #[serde(rename = "crankstar compare 2")]
+    #[serde(rename = "crankstar compare 3")]
     Compare,
     /// Engines over a range, with verdicts on some.
     #[serde(rename = "crankstar sweep 2")]
@@ -97,7 +97,7 @@ impl fmt::Display for Unreadable {
             Unreadable::Format(Some(name)) => write!(
                 f,
                 "the format {name} is not known; known are \"crankstar classify 2\", \"crankstar family 2\", \
-                 \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 2\", \"crankstar compare 2\" and \"crankstar sweep 2\""
+                 \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 3\", \"crankstar compare 3\" and \"crankstar sweep 2\""
             ),
         }
     }

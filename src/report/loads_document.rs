@@ -20,7 +20,6 @@ pub struct LoadsDocument {
     /// Dispatches it among the documents that `verify` reads.
     format: Format,
     title: String,
-    reference_plane: String,
     amplitudes: &'static str,
     units: Units,
     scale: Option<ScaleEntry>,
@@ -73,9 +72,11 @@ struct CoefficientEntry {
 pub(super) struct OrderEntry {
     pub(super) quantity: &'static str,
     pub(super) order: u32,
-    /// Whether some piston or shaft has the order at all.
+    /// Whether some piston or shaft has the order at all. In JSON the evidence says this, and what is zero.
+    #[serde(skip)]
     pub(super) exists: bool,
-    /// `true` proved zero, `false` proved not zero, null not decided.
+    /// `true` proved zero, `false` proved not zero, none not decided.
+    #[serde(skip)]
     pub(super) vanishes: Option<bool>,
     pub(super) direct: VectorEntry,
     pub(super) reverse: VectorEntry,
@@ -92,14 +93,16 @@ pub(super) struct OrderEntry {
 pub(super) struct VectorEntry {
     pub(super) amplitude: f64,
     pub(super) angle_deg: Option<f64>,
+    #[serde(skip)]
     pub(super) vanishes: Option<bool>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Where it is not decided whether it is zero: it is shorter than this.
     pub(super) below: Option<f64>,
 }
 
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct TorqueEntry {
     pub(super) order: u32,
+    #[serde(skip)]
     pub(super) vanishes: Option<bool>,
     pub(super) amplitude: f64,
     pub(super) phase_deg: Option<f64>,
@@ -126,7 +129,6 @@ struct PeakEntry {
 struct AutoEntry {
     /// As a part of each peak.
     accuracy: f64,
-    reached: bool,
     kept: Vec<u32>,
     dropped: Vec<u32>,
     torque_kept: Vec<u32>,
@@ -148,7 +150,8 @@ pub(super) struct LargestEntry {
     pub(super) value: f64,
     pub(super) theta_deg: Option<f64>,
     pub(super) error_bound: f64,
-    /// `true` proved zero at every order, `false` not zero, null not decided.
+    /// `true` proved zero at every order, `false` not zero, none not decided; no evidence of it is in the document.
+    #[serde(skip)]
     pub(super) vanishes: Option<bool>,
 }
 
@@ -205,9 +208,9 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
         let orders = torque.iter().flat_map(|torque| &torque.orders).map(|order| TorqueEntry {
             order: order.order,
             vanishes: vanishes(&order.vector),
-            amplitude: order.vector.value.norm() * torque_factor,
+            amplitude: amplitude(&order.vector, torque_factor),
             phase_deg: angle(&order.vector),
-            dimensionless: order.vector.value.norm(),
+            dimensionless: amplitude(&order.vector, 1.0),
         });
         orders.collect()
     };
@@ -225,7 +228,6 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
         format: Format::Loads,
         evidence: vec![evidence(engine, loads)],
         title: engine.title().written().to_owned(),
-        reference_plane: engine.reference_plane().to_string(),
         amplitudes: "zero-to-peak",
         units: units(engine, loads.scale.as_ref()),
         scale: loads.scale.as_ref().map(|scale| ScaleEntry {
@@ -258,7 +260,6 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
         coefficients_computed: loads.coefficients,
         auto: needed.map(|needed| AutoEntry {
             accuracy: needed.accuracy,
-            reached: needed.reached,
             kept: needed.kept.clone(),
             dropped: needed.dropped.clone(),
             torque_kept: needed.torque_kept.clone(),
@@ -303,7 +304,7 @@ pub(super) fn share(waveform: &Waveform, peak: &Peak) -> f64 {
 
 fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swing: &Swing, factor: f64) -> OrderEntry {
     let vector = |vector: &Vector| VectorEntry {
-        amplitude: vector.value.norm() / 2.0 * factor,
+        amplitude: amplitude(vector, factor / 2.0),
         angle_deg: angle(vector),
         vanishes: vanishes(vector),
         below: match vector.outcome {
@@ -312,6 +313,7 @@ fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swin
         },
     };
     let (direct, reverse) = (vector(&swing.direct), vector(&swing.reverse));
+    let is_zero = [&direct, &reverse].into_iter().all(|one| one.vanishes == Some(true));
     OrderEntry {
         quantity,
         order: order.order,
@@ -321,15 +323,24 @@ fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swin
             (Some(false), _) | (_, Some(false)) => Some(false),
             _ => None,
         },
+        largest: size(swing.largest(), factor, is_zero),
         direct,
         reverse,
-        largest: swing.largest() * factor,
         smallest: if swing.path.is_line { 0.0 } else { swing.smallest() * factor },
         direction_deg: swing.direction(),
         along: if swing.path.nothing_along { 0.0 } else { swing.along() * factor },
         across: if swing.path.nothing_across { 0.0 } else { swing.across() * factor },
-        dimensionless: swing.largest(),
+        dimensionless: size(swing.largest(), 1.0, is_zero),
     }
+}
+
+fn amplitude(vector: &Vector, factor: f64) -> f64 {
+    size(vector.value.norm(), factor, vanishes(vector) == Some(true))
+}
+
+/// 0 says that it is proved to be zero, or that the engine is at rest: all else has a decimal above it, however small it is.
+fn size(multiple: f64, unit: f64, is_zero: bool) -> f64 {
+    if is_zero || unit == 0.0 { 0.0 } else { (multiple * unit).max(f64::MIN_POSITIVE) }
 }
 
 fn vanishes(vector: &Vector) -> Option<bool> {

@@ -85,6 +85,7 @@ mod mechanism_files;
 mod motion;
 mod moving;
 mod narrow_banks;
+mod numbers_beside_evidence;
 mod odd_surroundings;
 mod open_certificate_cheats;
 mod open_circles;

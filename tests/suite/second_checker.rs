@@ -332,7 +332,7 @@ fn false_identities_that_show_a_sum_to_vanish_for_no_angle_are_refused() {
 fn numbers_that_contradict_their_evidence_are_refused() {
     let mut cheats = Cheats::default();
     let compare = told(&["compare", "I4", "V8-crossplane", "--json"]);
-    cheats.put(&compare, "/engines/0/orders/0/force/shape", json!("elliptical"), "differs");
+    cheats.put(&compare, "/engines/0/orders/0/force/largest", json!(7), "differs");
     cheats.put(&compare, "/evidence/1/verdicts/0/terms/0/weight", json!("7"), "evidence[1].verdicts");
     cheats.drop(&compare, "/evidence", "2 engines where 1 are due");
     cheats.are_refused("second-checker-numbers");
@@ -367,7 +367,7 @@ fn what_is_not_checked_is_named_and_what_is_no_document_is_told_apart() {
     fs::write(&nothing, "{\"format\":\"crankstar torque 2\"}").expect("written");
     fs::write(&twice, "{\"format\":\"crankstar family 2\",\"format\":\"crankstar family 2\"}").expect("written");
     let Some((told, code)) = second_checker(&[sweep]) else { return };
-    let named = ["all numbers outside of `evidence`", "titles and names"];
+    let named = ["all that stands outside of `evidence`", "titles and names"];
     assert!(named.iter().all(|words| told.contains(&format!("not checked: {words}"))), "{told}");
     assert_eq!(code, 0);
     for file in [nothing, twice, folder.join("is-not-there.json")] {

@@ -49,16 +49,19 @@ fn an_order_that_no_rod_has_is_zero_and_who_says_the_contrary_is_refused() {
     let path = scratch("second-checker-third").join("one.toml");
     fs::write(&path, "inline.throws = [0]\n[mechanism]\nrod_ratio = 0.25").expect("written");
     let honest = told(&["loads", path.to_str().expect("UTF-8"), "--orders", "3"]);
-    assert_eq!(honest["orders"][0]["vanishes"], true);
     second::accepts(&[&honest], &[]);
-    let all = ["/orders/0/vanishes", "/orders/0/direct/vanishes", "/orders/0/reverse/vanishes"];
+    let all =
+        ["direct/amplitude", "reverse/amplitude", "largest", "dimensionless"].map(|key| format!("/orders/0/{key}"));
     let mut cheat = honest.clone();
-    for place in all {
-        *cheat.pointer_mut(place).expect("a place") = json!(false);
+    for place in &all {
+        let size = cheat.pointer_mut(place).expect("a place");
+        assert_eq!(*size, json!(0.0));
+        *size = json!(0.5);
     }
-    let each = all.map(|place| put(&honest, place, json!(false)));
     assert!(is_accepted(&honest) && !is_accepted(&cheat));
-    second::refuses(&[("all of it", &cheat), (all[0], &each[0]), (all[1], &each[1]), (all[2], &each[2])]);
+    second::refuses(&[("all of it", &cheat)]);
+    let each = all.each_ref().map(|place| (place.as_str(), put(&honest, place, json!(0.5))));
+    second::refuses(&each);
 }
 
 #[test]

@@ -4,22 +4,21 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 use super::super::{document, engine_cells, residual};
-use super::{Compared, notes, orders_of};
+use super::{Compared, orders_of};
 use crate::engine::LengthUnit;
 use crate::loads::{BearingLoads, OrderLoads};
 use crate::numbers;
-use crate::page::Text;
 use crate::proof::{Document, Format, Quantity, Shape};
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, WholeOrder};
 
-/// Engines side by side, as data.
+/// Engines side by side, as data. In JSON it holds the verdicts once, with their certificates, and numbers beside them; what else is said of
+/// an engine here stands in tables.
 #[derive(Clone, Debug, Serialize)]
 pub struct CompareDocument {
     /// Dispatches it among the documents that `verify` reads.
     format: Format,
     orders: Vec<u32>,
     amplitudes: &'static str,
-    notes: Vec<String>,
     pub(in crate::report) engines: Vec<EngineEntry>,
     /// The verdicts on each engine, with their certificates.
     evidence: Vec<Document>,
@@ -27,15 +26,18 @@ pub struct CompareDocument {
 
 #[derive(Clone, Debug, Serialize)]
 pub(in crate::report) struct EngineEntry {
-    pub(in crate::report) name: String,
     pub(in crate::report) title: String,
+    #[serde(skip)]
     pub(in crate::report) cylinders: usize,
     pub(in crate::report) position_unit: &'static str,
     pub(in crate::report) firing: Option<Firing>,
     pub(in crate::report) orders: Vec<Order>,
     /// Lowest order of force and moment that is left, in words.
+    #[serde(skip)]
     pub(in crate::report) first_force_left: String,
+    #[serde(skip)]
     pub(in crate::report) first_moment_left: String,
+    #[serde(skip)]
     pub(in crate::report) remedy: String,
     /// Forces in N and moments in N·m; null where the layout lacks numbers.
     pub(in crate::report) newtons: Option<Vec<Newtons>>,
@@ -47,6 +49,7 @@ pub(in crate::report) struct EngineEntry {
 
 #[derive(Clone, Debug, Serialize)]
 pub(in crate::report) struct Firing {
+    #[serde(skip)]
     pub(in crate::report) even: bool,
     pub(in crate::report) intervals_deg: Vec<f64>,
 }
@@ -56,17 +59,19 @@ pub(in crate::report) struct Firing {
 pub(in crate::report) struct Order {
     pub(in crate::report) order: u32,
     /// Whether some mass has the order: centric cranks have order 1 and the even ones.
+    #[serde(skip)]
     pub(in crate::report) exists: bool,
     pub(in crate::report) force: Amount,
     pub(in crate::report) moment: Amount,
+    #[serde(skip)]
     pub(in crate::report) moment_is_couple: bool,
     /// Its sums, where what they stand before differs.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip)]
     pub(in crate::report) parts: Vec<Part>,
 }
 
 /// One sum of an order.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub(in crate::report) struct Part {
     pub(in crate::report) of: String,
     pub(in crate::report) exists: bool,
@@ -76,9 +81,11 @@ pub(in crate::report) struct Part {
 
 #[derive(Clone, Debug, Serialize)]
 pub(in crate::report) struct Amount {
+    #[serde(skip)]
     pub(in crate::report) shape: Shape,
     /// In m r ω² c_k, moments times the unit of the positions; 0 is exact; null where several sums make up the order.
     pub(in crate::report) largest: Option<f64>,
+    #[serde(skip)]
     pub(in crate::report) exact: Option<String>,
 }
 
@@ -122,7 +129,6 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
         format: Format::Compare,
         orders: orders_of(engines),
         amplitudes: "zero-to-peak",
-        notes: notes::notes(engines).iter().map(Text::plain).collect(),
         engines: engines.iter().map(engine).collect(),
         evidence: engines.iter().map(evidence).collect(),
     }
@@ -137,7 +143,6 @@ fn engine(engine: &Compared) -> EngineEntry {
         intervals_deg: firing.intervals().iter().map(|turns| numbers::float(&(turns * &full))).collect(),
     });
     EngineEntry {
-        name: engine.name.written().to_owned(),
         title: engine.engine.title().written().to_owned(),
         cylinders: engine.engine.cylinders().len(),
         position_unit: match engine.engine.length_unit() {
