@@ -103,8 +103,7 @@ fn no_key_turns_the_check_of_the_others_off_and_no_number_stands_for_a_truth() {
         let truth = verdicts.pointer(place).and_then(Value::as_bool).expect("a truth");
         cheats.push((place.to_owned(), put(&verdicts, place, json!(i32::from(truth)))));
     }
-    cheats.push(("loads".to_owned(), put(&loads, "/orders/0/vanishes", json!(0))));
-    cheats.push(("loads".to_owned(), put(&loads, "/orders/2/direct/vanishes", json!(1))));
+    cheats.push(("loads".to_owned(), put(&loads, "/evidence/0/verdicts/0/vanishes", json!(0))));
     for (place, value) in [
         ("/orders/0", json!("1")),
         ("/cylinders/0/throw", json!(0)),

@@ -124,7 +124,7 @@ fn the_command_tabulates_values_of_many_layouts_and_says_why_one_has_none() {
     assert!(lines[2].starts_with("I4,,") && lines[2].contains("bearings"), "{}", lines[2]);
     assert_eq!(lines[1], lines[3]);
     let text = run(&[]);
-    assert!(text.contains("I4 has no bearings.worst.force:") && text.contains("bearings.worst.force in"), "{text}");
+    assert!(text.contains("I4 has no bearings.worst.force:"), "{text}");
     let json: serde_json::Value = serde_json::from_str(&run(&["--format", "json"])).expect("JSON");
     assert_eq!(json["values"][1]["bearings_worst_force_N"], serde_json::Value::Null);
 }
