@@ -2,6 +2,7 @@
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pandas
@@ -195,3 +196,10 @@ def test_what_the_layout_lacks_is_said():
         Engine.named("I4").bearings()
     with pytest.raises(crankstar.CrankstarError, match="gas"):
         Engine.named("I4").torque()
+
+
+def test_a_shaft_that_twists_has_its_frequencies_in_columns() -> None:
+    six = Engine.read(Path(__file__).parents[2] / "reports/examples/i6-torsion/layout.toml")
+    modes = six.torsion(["1/2", 3]).tables["modes"]
+    assert list(modes["mode"][:2]) == [1, 2] and modes["frequency_Hz"][0] < modes["frequency_Hz"][1]
+    assert set(six.torsion([3]).tables["critical"]["order"]) == {"3"}

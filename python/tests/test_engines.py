@@ -150,7 +150,7 @@ table = "indicator.csv"
 unit = "bar"
 """
     (tmp_path / "one.toml").write_text(layout, encoding="utf-8")
-    assert "mean" in Engine.read(tmp_path / "one.toml").torque().document()
+    assert "mean_N_m" in Engine.read(tmp_path / "one.toml").torque().document()["cycle"]
     with pytest.raises(LayoutError, match="indicator.csv"):
         Engine.parse(layout)
 
