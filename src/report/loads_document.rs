@@ -207,7 +207,7 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
     let torque_orders = |torque: &Option<crate::loads::Torque>| -> Vec<TorqueEntry> {
         let orders = torque.iter().flat_map(|torque| &torque.orders).map(|order| TorqueEntry {
             order: order.order,
-            vanishes: vanishes(&order.vector),
+            vanishes: order.vector.outcome.vanishes(),
             amplitude: amplitude(&order.vector, torque_factor),
             phase_deg: angle(&order.vector),
             dimensionless: amplitude(&order.vector, 1.0),
@@ -306,7 +306,7 @@ fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swin
     let vector = |vector: &Vector| VectorEntry {
         amplitude: amplitude(vector, factor / 2.0),
         angle_deg: angle(vector),
-        vanishes: vanishes(vector),
+        vanishes: vector.outcome.vanishes(),
         below: match vector.outcome {
             Outcome::Undecided { below } => Some(below / 2.0 * factor),
             Outcome::Zero | Outcome::NotZero => None,
@@ -335,20 +335,12 @@ fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swin
 }
 
 fn amplitude(vector: &Vector, factor: f64) -> f64 {
-    size(vector.value.norm(), factor, vanishes(vector) == Some(true))
+    size(vector.value.norm(), factor, vector.vanishes())
 }
 
 /// 0 says that it is proved to be zero, or that the engine is at rest: all else has a decimal above it, however small it is.
 fn size(multiple: f64, unit: f64, is_zero: bool) -> f64 {
     if is_zero || unit == 0.0 { 0.0 } else { (multiple * unit).max(f64::MIN_POSITIVE) }
-}
-
-fn vanishes(vector: &Vector) -> Option<bool> {
-    match vector.outcome {
-        Outcome::Zero => Some(true),
-        Outcome::NotZero => Some(false),
-        Outcome::Undecided { .. } => None,
-    }
 }
 
 fn angle(vector: &Vector) -> Option<f64> {
