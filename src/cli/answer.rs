@@ -13,7 +13,7 @@ use crankstar::table;
 use super::failure::Failure;
 use super::pages::{self, Look, Measures};
 use super::tables::{Tables, Wanted};
-use super::{tables, write, written_json};
+use super::{tables, verify, write};
 
 /// What a person may say of an answer that is a page or data.
 #[derive(clap::Args)]
@@ -97,8 +97,8 @@ impl Answer {
         let asked = ask()?;
         match wanted {
             Some(wanted) => wanted.give(asked.tables()),
-            None if is_json || self.is_json() => self.show_json(question, written_json(asked.json())?),
-            None => self.show(&asked.answer(), || asked.page()),
+            None if is_json || self.is_json() => self.show_json(question, verify::checked(&asked)?),
+            None => self.show_with(&asked.answer(), || asked.page(), || asked.beside().map_err(Failure::new)),
         }
     }
 
@@ -138,6 +138,11 @@ impl Answer {
         self.format == Some(Format::Data(DataFormat::Json))
     }
 
+    /// Whether data are asked for, and no page.
+    pub fn is_data(&self) -> bool {
+        matches!(self.format, Some(Format::Data(_)))
+    }
+
     /// Prints a document, or writes it where that is asked for.
     pub fn show_json(&self, question: &str, text: String) -> Result<(), Failure> {
         tables::show_json(question, text, self.look.folder())
@@ -145,11 +150,10 @@ impl Answer {
 
     /// Prints the short answer, or the page where its format is named; writes the page into the folder where one is.
     pub fn show(&self, answer: &Document, page: impl FnOnce() -> Document) -> Result<(), Failure> {
-        let written = self.look.write(|| self.look.files(&page(), self.page_format()))?;
-        write::to_stdout(&(self.look.shown(answer)? + &written))
+        self.show_with(answer, page, || Ok(Vec::new()))
     }
 
-    /// The same, with other files beside the page; without a folder a format that is named is printed, in place of the answer.
+    /// The same, with other files beside the page.
     pub fn show_with(
         &self,
         answer: &Document,

@@ -5,13 +5,12 @@ use std::path::{Path, PathBuf};
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
-use crankstar::report::{self, CompareDocument, Compared, data};
+use crankstar::report::{CompareStudy, Compared};
 use crankstar::text::Untrusted;
 
 use super::answer::Answer;
 use super::failure::Failure;
 use super::layouts;
-use super::verify::proved_or_without;
 
 /// Arguments of `compare`.
 #[derive(clap::Args)]
@@ -35,25 +34,17 @@ const MOST_ENGINES: usize = 24;
 impl Compare {
     /// Prints the table, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let wanted = self.answer.wanted("compare")?;
-        let engines = self.read()?;
-        let mut orders = match self.orders.as_slice() {
-            [] => engines.iter().flat_map(|(_, engine)| usual_orders(engine)).collect(),
-            asked => asked.to_vec(),
-        };
-        orders.sort_unstable();
-        orders.dedup();
-        let compared = engines.iter().map(|(name, engine)| Compared::new(name.clone(), engine, &orders));
-        let compared = compared.collect::<Result<Vec<Compared>, _>>().map_err(Failure::new)?;
-        if let Some(wanted) = wanted {
-            return wanted.give(data::compare(&compared));
-        }
-        if self.json || self.answer.is_json() {
-            let document = report::compare_document(&compared);
-            let text = proved_or_without(document, CompareDocument::without_evidence)?;
-            return self.answer.show_json("compare", text);
-        }
-        self.answer.show(&report::compare_answer(&compared), || report::compare_page(&compared))
+        self.answer.give("compare", self.json, || {
+            let engines = self.read()?;
+            let mut orders = match self.orders.as_slice() {
+                [] => engines.iter().flat_map(|(_, engine)| usual_orders(engine)).collect(),
+                asked => asked.to_vec(),
+            };
+            orders.sort_unstable();
+            orders.dedup();
+            let compared = engines.iter().map(|(name, engine)| Compared::new(name.clone(), engine, &orders));
+            Ok(CompareStudy { engines: compared.collect::<Result<_, _>>().map_err(Failure::new)? })
+        })
     }
 
     /// The engines with short names; with their arguments where two would have the same.

@@ -5,12 +5,11 @@ use std::ffi::{OsStr, OsString};
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::{self, Needed};
-use crankstar::report::{self, LoadsDocument, Numbers, data};
+use crankstar::report::LoadsStudy;
 
 use super::EngineAndOrders;
 use super::answer::Answer;
 use super::failure::Failure;
-use super::verify::proved_or_without;
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";
@@ -71,22 +70,13 @@ impl Auto {
 impl Loads {
     /// Prints the loads, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let wanted = self.answer.wanted("loads")?;
-        let (layout, orders) = self.about.read()?;
-        let Layout::Known(engine, _) = layout else {
-            return Err(Failure::new("loads need an engine without unknowns; give them values below [values]"));
-        };
-        let needed = self.auto.needed(&engine)?;
-        let numbers = Numbers::new(&engine, &orders, needed.as_ref()).map_err(Failure::new)?;
-        let document = || report::loads_document(&engine, &numbers, needed.as_ref());
-        if let Some(wanted) = wanted {
-            return wanted.give(data::loads(&engine, &numbers, &document()));
-        }
-        if self.json || self.answer.is_json() {
-            let text = proved_or_without(document(), LoadsDocument::without_evidence)?;
-            return self.answer.show_json("loads", text);
-        }
-        let answer = report::loads_answer(&engine, &numbers, needed.as_ref());
-        self.answer.show(&answer, || report::loads_page(&engine, &numbers, needed.as_ref()))
+        self.answer.give("loads", self.json, || {
+            let (layout, orders) = self.about.read()?;
+            let Layout::Known(engine, _) = layout else {
+                return Err(Failure::new("loads need an engine without unknowns; give them values below [values]"));
+            };
+            let needed = self.auto.needed(&engine)?;
+            LoadsStudy::new(&engine, &orders, needed).map_err(Failure::new)
+        })
     }
 }

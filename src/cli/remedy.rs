@@ -6,13 +6,11 @@ use crankstar::engine::{Engine, LengthUnit};
 use crankstar::exact::Turn;
 use crankstar::file::{Beside, Layout, parse_angle, parse_length, parse_number};
 use crankstar::remedy::{self, Wish};
-use crankstar::report;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
+use super::answer::Answer;
 use super::failure::Failure;
-use super::pages::Pages;
-use super::verify::proved;
 use super::{EngineAndOrders, layouts, write};
 
 /// Arguments of `remedy`.
@@ -36,10 +34,10 @@ pub struct Remedy {
     #[arg(long, value_name = "FILE")]
     write: Option<PathBuf>,
     /// Print the remedy as JSON with its certificates, for `verify`
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
     #[command(flatten)]
-    pages: Pages,
+    answer: Answer,
 }
 
 /// What is said of a file whose weights are not all exact.
@@ -49,17 +47,22 @@ const ROUNDED: &str = "The weights against what links on a master rod leave have
 impl Remedy {
     /// Prints the remedy, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let (layout, orders) = self.about.read()?;
-        let Layout::Known(engine, _) = layout else {
-            return Err(Failure::new("a remedy needs an engine without unknowns; give them values below [values]"));
-        };
-        let remedy = remedy::remedy(&engine, &self.wish(&engine, orders)?).map_err(Failure::new)?;
-        let written = self.write.as_deref().map(|file| self.write_corrected(&remedy, file)).transpose()?;
-        if self.json {
-            return write::to_stdout(&proved(&report::remedy_document(&remedy))?);
+        let mut written = String::new();
+        self.answer.give("remedy", self.json, || {
+            let (layout, orders) = self.about.read()?;
+            let Layout::Known(engine, _) = layout else {
+                return Err(Failure::new("a remedy needs an engine without unknowns; give them values below [values]"));
+            };
+            let remedy = remedy::remedy(&engine, &self.wish(&engine, orders)?).map_err(Failure::new)?;
+            if let Some(file) = &self.write {
+                written = self.write_corrected(&remedy, file)?;
+            }
+            Ok(remedy)
+        })?;
+        match self.json || self.answer.is_data() {
+            true => Ok(()),
+            false => write::to_stdout(&written),
         }
-        self.pages.show(&report::remedy_answer(&remedy), || report::remedy_page(&remedy))?;
-        written.map_or(Ok(()), |written| write::to_stdout(&written))
     }
 
     /// Writes the layout file of the corrected engine, which names what lies beside the file that was read.

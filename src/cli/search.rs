@@ -8,8 +8,7 @@ use clap::ValueEnum;
 use crankstar::engine::{self, CycleOrder};
 use crankstar::exact::Turn;
 use crankstar::file::{parse_angle, parse_number};
-use crankstar::page::Document;
-use crankstar::report::{self, data};
+use crankstar::report::SearchStudy;
 use crankstar::search::{self, Front, Options, Pieces, Problem, Progress, SearchError, Way};
 use crankstar::shard::Shard;
 
@@ -17,7 +16,7 @@ use super::answer::Answer;
 use super::failure::Failure;
 use super::firing::ModeShape;
 use super::layouts::shown;
-use super::{json, pieces, progress, write};
+use super::{pieces, progress, write};
 
 /// Arguments of `search`.
 #[derive(clap::Args)]
@@ -97,7 +96,7 @@ impl From<Cycle> for engine::Cycle {
 impl Search {
     /// Searches, prints the front, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let wanted = self.answer.wanted("search")?;
+        self.answer.wanted("search")?;
         let problem = self.problem()?;
         if self.mode.is_given() && !self.torsion && self.minor_orders.is_empty() {
             return Err(Failure::new(
@@ -115,27 +114,11 @@ impl Search {
             let question = Pieces::new(&problem, Way::default()).map_err(Failure::new)?.question();
             return pieces::merge(&self.merge, &question, one);
         }
-        let front = self.front(&problem)?;
-        let torsion = self.torsion.then(|| search::torsion(&front, shape)).transpose().map_err(Failure::new)?;
-        let with_torsion = |mut page: Document| {
-            page.blocks.extend(torsion.iter().flat_map(|torsion| report::search_torsion(&front, torsion)));
-            page
-        };
-        if let Some(wanted) = wanted {
-            return wanted.give(data::search(&front, torsion.as_ref()));
-        }
-        if self.json || self.answer.is_json() {
-            let document = search::document(&front);
-            let document = match &torsion {
-                Some(torsion) => document.with_torsion(torsion),
-                None => document,
-            };
-            return self.answer.show_json("search", json(&document)?);
-        }
-        // Beside a page stand the stars as layout files.
-        let beside = || Ok(report::search_layouts(&front));
-        let answer = with_torsion(report::search_answer(&front));
-        self.answer.show_with(&answer, || with_torsion(report::search_page(&front)), beside)
+        self.answer.give("search", self.json, || {
+            let front = self.front(&problem)?;
+            let torsion = self.torsion.then(|| search::torsion(&front, shape)).transpose().map_err(Failure::new)?;
+            Ok(SearchStudy { front, torsion })
+        })
     }
 
     /// From the files that are merged, or by searching.

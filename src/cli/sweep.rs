@@ -5,15 +5,14 @@ use std::path::{Path, PathBuf};
 
 use crankstar::engine::{CycleOrder, Engine};
 use crankstar::file::{Beside, Template};
-use crankstar::page::File;
-use crankstar::report::{self, ValueName, data, values_of};
+use crankstar::report::{ValueName, values_of};
 use crankstar::shard::Question;
 use crankstar::sweep::{self, Geometry, Observer, Parameter, Stream};
 
 use super::answer::Answer;
 use super::failure::Failure;
 use super::pieces::Pieces;
-use super::{json, layouts, progress};
+use super::{layouts, progress};
 
 /// Arguments of `sweep`.
 #[derive(clap::Args)]
@@ -78,17 +77,8 @@ impl Sweep {
             return self.streamed(|stream, question| self.pieces.write(stream, question, wanted));
         }
         self.pieces.are_for_tables()?;
-        let sweep = self.ranges.sweep(&self.layout, &self.orders, &self.firing_orders, &self.value)?;
-        if let Some(wanted) = wanted {
-            return wanted.give(data::sweep(&sweep));
-        }
-        let document = || json(&report::sweep_document(&sweep));
-        if self.answer.is_json() {
-            return self.answer.show_json("sweep", document()?);
-        }
-        // Beside a page stand the points and the data.
-        let beside = || Ok(vec![report::sweep_csv(&sweep), File { name: "sweep.json".into(), text: document()? }]);
-        self.answer.show_with(&report::sweep_answer(&sweep), || report::sweep_page(&sweep), beside)
+        self.answer
+            .give("sweep", false, || self.ranges.sweep(&self.layout, &self.orders, &self.firing_orders, &self.value))
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crankstar::file::Layout;
 use crankstar::proof::{AnyDocument, Checked, Counts, Difference, LARGEST_DOCUMENT, Unreadable, read_document};
-use crankstar::report;
+use crankstar::report::{self, Question};
 
 use serde_json::Value;
 
@@ -152,27 +152,32 @@ fn summary(document: &AnyDocument, checked: &Checked, engine: &str) -> String {
 /// # Errors
 /// Where it is too large for `verify`, and where it does not hold, which is a fault of this program.
 pub fn proved(document: &impl serde::Serialize) -> Result<String, Failure> {
-    text_of(document)?.map_err(|why| {
-        Failure::new(format!(
-            "the proof is larger than `verify` takes, so it is not printed: {why}; ask for fewer orders"
-        ))
-    })
+    let json = super::json(document)?;
+    accepted(&json)?.map(|()| json).map_err(|why| too_large(&why))
 }
 
-/// The same of a document that says more than its evidence proves: without that where it is too large for `verify`.
+fn too_large(why: &str) -> Failure {
+    Failure::new(format!("the proof is larger than `verify` takes, so it is not printed: {why}; ask for fewer orders"))
+}
+
+/// The document of an answer, checked where it has certificates; without its evidence where that is too large for `verify`.
 ///
 /// # Errors
-/// Where it does not hold, which is a fault of this program.
-pub fn proved_or_without<D: serde::Serialize>(document: D, without: impl FnOnce(D) -> D) -> Result<String, Failure> {
-    match text_of(&document)? {
-        Ok(text) => Ok(text),
-        Err(_) => super::json(&without(document)),
+/// See [`proved`].
+pub fn checked(question: &impl Question) -> Result<String, Failure> {
+    let json = super::written_json(question.json())?;
+    if !question.is_certified() {
+        return Ok(json);
+    }
+    match (accepted(&json)?, question.json_without_evidence()) {
+        (Ok(()), _) => Ok(json),
+        (Err(_), Some(bare)) => super::written_json(bare),
+        (Err(why), None) => Err(too_large(&why)),
     }
 }
 
-/// The text, or why `verify` does not take it.
-fn text_of(document: &impl serde::Serialize) -> Result<Result<String, String>, Failure> {
-    let json = super::json(document)?;
+/// Whether `verify` takes a document, or why it is too large for it.
+fn accepted(json: &str) -> Result<Result<(), String>, Failure> {
     let fault = |why: &dyn std::fmt::Display| {
         Failure::new(format!(
             "this is a fault of crankstar, so nothing is printed: its checker refuses the proof: {why}"
@@ -186,7 +191,7 @@ fn text_of(document: &impl serde::Serialize) -> Result<Result<String, String>, F
         }
     };
     match read.check() {
-        Ok(_) => Ok(Ok(json)),
+        Ok(_) => Ok(Ok(())),
         Err(error) => match error.reason {
             crankstar::proof::Reason::TooManySteps => Ok(Err(error.to_string())),
             crankstar::proof::Reason::Wrong(_) => Err(fault(&error)),

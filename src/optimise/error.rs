@@ -2,7 +2,9 @@
 
 use std::fmt;
 
+use super::front::MOST_POINTS;
 use crate::loads::Missing;
+use crate::text::harmless;
 
 /// Why an engine cannot be optimised.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,8 +24,10 @@ pub enum OptimiseError {
     Offset,
     /// The first order, which counterweights work on, is not among the orders.
     NoFirstOrder,
-    /// No points asked for.
-    NoPoints,
+    /// No points asked for, or more than say anything more.
+    Points(usize),
+    /// What is no bound of a couple.
+    Couple(String),
     /// The gas is asked for, and something lacks for it.
     Gas(String),
     /// The gas is asked for, and the crankshaft stands still: no counterweight makes a force.
@@ -57,7 +61,10 @@ impl fmt::Display for OptimiseError {
             OptimiseError::NoFirstOrder => {
                 f.write_str("counterweights work on order 1, which is not among the orders; add it to `orders` or --orders")
             }
-            OptimiseError::NoPoints => f.write_str("a front of 0 points; ask for 1 or more"),
+            OptimiseError::Points(points) => write!(f, "a front of {points} points; ask for 1 to {MOST_POINTS}"),
+            OptimiseError::Couple(text) => {
+                write!(f, "`{}` is no bound of a couple; write zero, or newton-metres such as 50", harmless(text))
+            }
             OptimiseError::Gas(lack) => write!(
                 f,
                 "effects ask for the gas: {lack}. Without \"gas\" in effects the loads of the masses alone are made least"

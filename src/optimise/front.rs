@@ -11,6 +11,9 @@ use super::place::{Place, uniform};
 use crate::engine::Engine;
 use crate::file::Beside;
 
+/// More points than this say nothing more.
+pub(super) const MOST_POINTS: usize = 200;
+
 /// A crankshaft of the front.
 #[derive(Clone, Debug)]
 pub struct Optimum {
@@ -75,8 +78,8 @@ pub fn front(engine: &Engine, wish: &Wish) -> Result<Front, OptimiseError> {
 /// # Errors
 /// [`OptimiseError`] says what is missing.
 pub fn front_beside(engine: &Engine, wish: &Wish, beside: Beside<'_>) -> Result<Front, OptimiseError> {
-    if wish.points == 0 {
-        return Err(OptimiseError::NoPoints);
+    if !(1..=MOST_POINTS).contains(&wish.points) {
+        return Err(OptimiseError::Points(wish.points));
     }
     let mut search = Search::new(engine, wish, beside)?;
     let ends = search.ends()?;

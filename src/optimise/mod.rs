@@ -26,7 +26,12 @@ mod problem;
 mod sample;
 mod solve;
 
+use std::str::FromStr;
+
 use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+use crate::file::parse_number;
 
 pub use design::{Design, PlacedWeight, Residual, measure};
 pub use error::OptimiseError;
@@ -51,4 +56,23 @@ pub enum Couple {
     Zero,
     /// At most so many newton-metres.
     AtMost(BigRational),
+}
+
+impl FromStr for Couple {
+    type Err = OptimiseError;
+
+    /// `zero`, or newton-metres: `50`, `50 N·m`.
+    fn from_str(text: &str) -> Result<Self, OptimiseError> {
+        let text = text.trim();
+        if text == "zero" {
+            return Ok(Couple::Zero);
+        }
+        let unit = ["N·m", "N m", "Nm"].into_iter().find(|unit| text.ends_with(unit));
+        let number = unit.map_or(text, |unit| text[..text.len() - unit.len()].trim_end());
+        match parse_number(number) {
+            Ok(most) if most.is_positive() => Ok(Couple::AtMost(most)),
+            Ok(most) if most.is_zero() => Ok(Couple::Zero),
+            Ok(_) | Err(_) => Err(OptimiseError::Couple(text.chars().take(40).collect())),
+        }
+    }
 }

@@ -8,18 +8,26 @@ use super::documents;
 use super::engine::Engine;
 use super::reading::Source;
 
-/// A question as Python asks it: a method of an engine, or a function of the module, with its keywords.
+/// A question as Python asks it: a method of an engine, or a function of the module, of engines or of none; with its keywords.
 #[derive(Clone)]
 pub(super) struct Asked {
-    engine: Option<Source>,
+    of: Of,
+    engines: Vec<Source>,
     /// The method; on the command line the same word.
     pub name: String,
     /// The keywords as JSON.
     keywords: String,
 }
 
-/// What an [`Asked`] is in a pickle: the engine, the method, its keywords.
-pub(super) type State = (Option<(String, String, Files)>, String, String);
+/// What has the name that is asked.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Of {
+    Engine,
+    Module,
+}
+
+/// What an [`Asked`] is in a pickle: whether it is a method, the engines, the name, its keywords.
+pub(super) type State = (bool, Vec<(String, String, Files)>, String, String);
 
 /// Files beside a layout: their names, and what is in them.
 pub(super) type Files = Vec<(String, String)>;
@@ -27,30 +35,35 @@ pub(super) type Files = Vec<(String, String)>;
 impl Asked {
     /// A method of an engine.
     pub fn of(engine: &Source, name: &str, keywords: &Value) -> Self {
-        Asked { engine: Some(engine.clone()), name: name.to_owned(), keywords: keywords.to_string() }
+        Asked { of: Of::Engine, engines: vec![engine.clone()], name: name.to_owned(), keywords: keywords.to_string() }
     }
 
-    /// A function of the module.
-    pub fn function(name: &str, keywords: &Value) -> Self {
-        Asked { engine: None, name: name.to_owned(), keywords: keywords.to_string() }
+    /// A function of the module; where there are engines, they are a list before its keywords.
+    pub fn function(name: &str, engines: Vec<Source>, keywords: &Value) -> Self {
+        Asked { of: Of::Module, engines, name: name.to_owned(), keywords: keywords.to_string() }
     }
 
     pub fn state(&self) -> State {
-        (self.engine.as_ref().map(Source::state), self.name.clone(), self.keywords.clone())
+        let engines = self.engines.iter().map(Source::state).collect();
+        (self.of == Of::Engine, engines, self.name.clone(), self.keywords.clone())
     }
 
-    pub fn restored((engine, name, keywords): State) -> Self {
-        Asked { engine: engine.map(Source::restored), name, keywords }
+    pub fn restored((is_method, engines, name, keywords): State) -> Self {
+        let of = if is_method { Of::Engine } else { Of::Module };
+        Asked { of, engines: engines.into_iter().map(Source::restored).collect(), name, keywords }
     }
 
     /// Asks it.
     pub fn again<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let asked = match &self.engine {
-            Some(source) => Bound::new(py, Engine::from_source(source.clone())?)?.into_any(),
-            None => py.import("crankstar")?.into_any(),
-        };
+        let engines = self.engines.iter().map(|source| Bound::new(py, Engine::from_source(source.clone())?));
+        let engines = engines.collect::<PyResult<Vec<_>>>()?;
         let keywords = documents::as_python(py, &self.keywords)?;
-        asked.call_method(self.name.as_str(), (), Some(keywords.cast::<PyDict>()?))
+        let keywords = Some(keywords.cast::<PyDict>()?);
+        match (self.of, engines.as_slice()) {
+            (Of::Engine, [engine, ..]) => engine.call_method(self.name.as_str(), (), keywords),
+            (Of::Engine | Of::Module, []) => py.import("crankstar")?.call_method(self.name.as_str(), (), keywords),
+            (Of::Module, _) => py.import("crankstar")?.call_method(self.name.as_str(), (engines,), keywords),
+        }
     }
 }
 

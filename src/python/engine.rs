@@ -18,9 +18,15 @@ use super::reading::Source;
 use super::verdicts::Verdicts;
 use super::{asked, keys, notebook, pages};
 use crate::engine::{self, Family};
+#[cfg(feature = "optimise")]
+use crate::file::Beside;
 use crate::firing::Weights;
 use crate::loads;
+#[cfg(feature = "optimise")]
+use crate::optimise::Wish;
 use crate::page::Format;
+#[cfg(feature = "optimise")]
+use crate::report::OptimiseStudy;
 use crate::report::{self, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
 use crate::verdict;
 
@@ -267,6 +273,29 @@ impl Engine {
         let orders = asked::cycle_orders(orders)?;
         let study = py.detach(|| TorsionStudy::new(&self.engine, &orders)).map_err(told)?;
         Ok(Answer::new(self.asked("torsion", &json!({ "orders": written(&orders) })), study))
+    }
+
+    /// For each mass of the crankshaft the counterweights with the least load of the main bearings, the first-order force that turns with
+    /// the crank removed exactly. Tables: the points with their layout files, counterweights, bearings, uniform balance factors.
+    ///
+    /// couple: "zero", or what may remain of the first-order couple in N·m. points: how many, from the lightest to the least loaded.
+    #[cfg(feature = "optimise")]
+    #[pyo3(signature = (orders=None, *, couple=None, points=9))]
+    fn optimise(
+        &self,
+        py: Python<'_>,
+        orders: Option<&Bound<'_, PyAny>>,
+        couple: Option<&Bound<'_, PyAny>>,
+        points: usize,
+    ) -> PyResult<Answer> {
+        let usual = || loads::usual_bearing_orders(&self.engine);
+        let orders = asked::rising(asked::orders(orders)?.unwrap_or_else(usual));
+        let couple = couple.map(keys::number).transpose()?.unwrap_or_else(|| "zero".to_owned());
+        let keywords = json!({ "orders": orders, "couple": couple, "points": points });
+        let wish = Wish { couple: couple.parse().map_err(told)?, points, orders };
+        let read = |path: &str| self.source.beside(path);
+        let study = py.detach(|| OptimiseStudy::new(&self.engine, wish, Beside::new(&read))).map_err(told)?;
+        Ok(Answer::new(self.asked("optimise", &keywords), study))
     }
 
     /// How the balance changes with one value of the layout, or with two; exact zeros where the value is an angle.

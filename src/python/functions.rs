@@ -1,4 +1,4 @@
-//! What is asked without an engine: the catalogue, a search, a document to be checked?
+//! What is asked of several engines, or of none: a comparison, values, the catalogue, a search, a document to be checked?
 
 use std::path::PathBuf;
 
@@ -9,10 +9,13 @@ use serde_json::json;
 use super::again::Asked;
 use super::answer::Answer;
 use super::asked::{in_turns, written};
+use super::engine::Engine;
+use super::error::told;
 use super::interrupt::interruptible;
 use super::questions::{self, Checked};
 use super::{asked, error, keys};
 use crate::file;
+use crate::report::{CompareStudy, Compared, ValueName, ValuesStudy};
 use crate::search::Problem;
 
 /// The names of the engines that are known, as `Engine.named` takes them.
@@ -112,5 +115,46 @@ pub(super) fn search(
     });
     let torsion = torsion.then_some(shape);
     let question = interruptible(py, move |stop| questions::search(&problem, torsion, resume, threads, stop))?;
-    Ok(Answer::new(Asked::function("search", &keywords), question))
+    Ok(Answer::new(Asked::function("search", Vec::new(), &keywords), question))
+}
+
+/// Engines side by side: what each leaves by order, remedy, firing, main bearings. They are called by their titles.
+///
+/// orders: those of the layouts and the usual ones where left out.
+#[pyfunction]
+#[pyo3(signature = (engines, orders=None))]
+pub(super) fn compare(
+    py: Python<'_>,
+    engines: Vec<PyRef<'_, Engine>>,
+    orders: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Answer> {
+    if engines.len() < 2 {
+        return Err(error::told("engines: two or more are compared"));
+    }
+    let usual = || engines.iter().flat_map(|engine| engine.orders(None)).collect();
+    let orders = asked::rising(asked::orders(orders)?.unwrap_or_else(usual));
+    let sources = engines.iter().map(|engine| engine.source.clone()).collect();
+    let engines: Vec<crate::engine::Engine> = engines.iter().map(|engine| engine.engine.clone()).collect();
+    let asked = Asked::function("compare", sources, &json!({ "orders": orders }));
+    let study = py.detach(|| {
+        let compared = engines.iter().map(|engine| Compared::new(engine.title().clone(), engine, &orders));
+        Ok::<_, PyErr>(CompareStudy { engines: compared.collect::<Result<_, _>>().map_err(told)? })
+    })?;
+    Ok(Answer::new(asked, study))
+}
+
+/// Any values of any question, by their names, for each engine: a column each, and one that says why an engine has none.
+///
+/// names: such as ["bearings.worst.force", "torsion.modes.1.frequency"]: question, table, the keys of a row, column; docs/data.md lists them.
+#[pyfunction]
+pub(super) fn values(py: Python<'_>, engines: Vec<PyRef<'_, Engine>>, names: Vec<String>) -> PyResult<Answer> {
+    let read = |name: &String| name.parse().map_err(|why| told(format!("names: {why}")));
+    let values: Vec<ValueName> = names.iter().map(read).collect::<PyResult<_>>()?;
+    let sources = engines.iter().map(|engine| engine.source.clone()).collect();
+    let engines: Vec<crate::engine::Engine> = engines.iter().map(|engine| engine.engine.clone()).collect();
+    let asked = Asked::function("values", sources, &json!({ "names": names }));
+    let rows = py.detach(|| {
+        engines.iter().map(|engine| (engine.title().clone(), ValuesStudy::row(engine, &values))).collect::<Vec<_>>()
+    });
+    Ok(Answer::new(asked, ValuesStudy { names: values, rows }))
 }

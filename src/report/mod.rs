@@ -65,7 +65,7 @@ pub use calculation::{LoadsStudy, Numbers, loads_answer, loads_page};
 pub use catalogue::{catalogue_answer, catalogue_page};
 pub use claims::{claim_evidence, claim_finding, claim_status, claims_answer, claims_page, table_finding};
 pub use classroom::{exercise_sheet, exercise_solutions, marked_page, marks_answer, marks_page};
-pub use compare::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
+pub use compare::{CompareDocument, CompareStudy, Compared, compare_answer, compare_document, compare_page};
 pub use coq::{NotStated, coq_file};
 pub use document::document;
 pub use engine_page::{Contents, engine_answer, engine_at_a_glance, engine_page, engine_proofs, engine_summary};
@@ -83,9 +83,7 @@ pub use journal::{complete_bearings_answer, complete_bearings_page, without_gas}
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]
-pub use optimise::{
-    OptimiseDocument, optimise_answer, optimise_document, optimise_layouts, optimise_page, optimise_summary,
-};
+pub use optimise::{OptimiseStudy, optimise_answer, optimise_layouts, optimise_page, optimise_summary};
 pub use poster::{poster, poster_sheet};
 pub use question::{Question, Unanswered, ask, questions};
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
@@ -94,7 +92,7 @@ pub use residual::{
     modulus as star_length, moment as moment_left, moment_summary, order_name, roll as roll_left, shape_name,
     torque as torque_left, torque_part as torque_part_left, whole as force_and_moment_left, whole_summary,
 };
-pub use search::{search_answer, search_layouts, search_page, search_torsion};
+pub use search::{SearchStudy, search_answer, search_layouts, search_page, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
 pub use torque::{TorqueStudy, torque_answer, torque_page};

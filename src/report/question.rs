@@ -7,11 +7,18 @@ use std::error::Error;
 
 use serde::Serialize;
 
+#[cfg(feature = "optimise")]
+use super::OptimiseStudy;
 use super::{BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
 use crate::engine::{CycleOrder, Engine};
+#[cfg(feature = "optimise")]
+use crate::file::Beside;
 use crate::firing::Weights;
 use crate::loads::{usual_bearing_orders, usual_orders};
-use crate::page::Document;
+#[cfg(feature = "optimise")]
+use crate::optimise::{self, Couple};
+use crate::page::{Document, File};
+use crate::remedy::{self, Wish};
 use crate::table::{Named, Table};
 use crate::text::Untrusted;
 
@@ -32,6 +39,14 @@ pub trait Question: Send + Sync {
     /// The page.
     fn page(&self) -> Document;
 
+    /// What stands beside the page: layout files, data.
+    ///
+    /// # Errors
+    /// What cannot be written as JSON.
+    fn beside(&self) -> serde_json::Result<Vec<File>> {
+        Ok(Vec::new())
+    }
+
     /// All tables, the main one first.
     fn tables(&self) -> Vec<Table> {
         super::data::tables_of(self.command()).iter().filter_map(|name| self.table(name)).collect()
@@ -49,6 +64,16 @@ pub trait Question: Send + Sync {
             tables: Named(&tables),
         })
     }
+
+    /// Whether its document has certificates, which are checked before it is given away.
+    fn is_certified(&self) -> bool {
+        false
+    }
+
+    /// The document without its evidence, where it says more than that proves: for evidence that is too large to be checked.
+    fn json_without_evidence(&self) -> Option<serde_json::Result<String>> {
+        None
+    }
 }
 
 #[derive(Serialize)]
@@ -63,10 +88,14 @@ struct Answer<'a> {
 /// Why a question has no answer, in its own words.
 pub type Unanswered = Box<dyn Error + Send + Sync>;
 
+/// Points of a front where no number is asked for.
+#[cfg(feature = "optimise")]
+const USUAL_POINTS: usize = 9;
+
 type Ask = fn(&Engine, &[CycleOrder]) -> Result<Box<dyn Question>, Unanswered>;
 
 /// The questions that any engine can be asked, with how.
-const ASKED: [(&str, Ask); 5] = [
+const ASKED: &[(&str, Ask)] = &[
     ("loads", |engine, orders| {
         let orders = whole_or(orders, || usual_orders(engine));
         Ok(Box::new(LoadsStudy::new(engine, &orders, None)?))
@@ -78,6 +107,16 @@ const ASKED: [(&str, Ask); 5] = [
     ("firing", |engine, orders| Ok(Box::new(FiringStudy::new(engine, orders, Weights::Rigid)?))),
     ("torque", |engine, _| Ok(Box::new(TorqueStudy::new(engine)?))),
     ("torsion", |engine, orders| Ok(Box::new(TorsionStudy::new(engine, orders)?))),
+    ("remedy", |engine, orders| {
+        let orders = whole_or(orders, || usual_orders(engine));
+        Ok(Box::new(remedy::remedy(engine, &Wish { orders, ..Wish::default() })?))
+    }),
+    #[cfg(feature = "optimise")]
+    ("optimise", |engine, orders| {
+        let orders = whole_or(orders, || usual_bearing_orders(engine));
+        let wish = optimise::Wish { couple: Couple::Zero, points: USUAL_POINTS, orders };
+        Ok(Box::new(OptimiseStudy::new(engine, wish, Beside::nothing())?))
+    }),
 ];
 
 /// The names of the questions that [`ask`] knows.

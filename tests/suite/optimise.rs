@@ -10,6 +10,7 @@ use std::sync::OnceLock;
 use std::{env, fs};
 
 use crankstar::beam::Beam;
+use crankstar::data::exact_number;
 use crankstar::engine::{Draft, Engine};
 use crankstar::file::parse;
 use crankstar::journal::{bearing_peaks, cycle_loads};
@@ -529,7 +530,7 @@ fn what_is_missing_is_named() {
         front(layout, &wish(layout, couple, points)).err().map(|refused| refused.to_string()).unwrap_or_default()
     };
     let i3 = engine("[0, 120, 240]", beam, WEBS);
-    assert_eq!(refused(&i3, Couple::Zero, 0), OptimiseError::NoPoints.to_string());
+    assert_eq!(refused(&i3, Couple::Zero, 0), OptimiseError::Points(0).to_string());
     let no_first = front(&i3, &Wish { couple: Couple::Zero, points: 1, orders: vec![2] });
     assert_eq!(no_first.err(), Some(OptimiseError::NoFirstOrder));
     let no_bearings = Draft { bearings: Vec::new(), ..i3.clone().into_draft() }.build().expect("it holds");
@@ -580,18 +581,24 @@ fn the_command_writes_page_and_points_that_read_and_json_that_holds_them() {
     let run = crankstar(&["optimise", file, "--points", "1", "--couple", "50 N·m", "--json"]);
     let json: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON");
     let point = &json["points"][0];
-    assert_eq!(point["direct_first_order_force"]["vanishes"], true);
-    assert!(point["direct_first_order_couple"]["at_most"].as_f64().expect("a number") <= 50.0);
-    assert!(point["largest_load_at_least"].as_f64() <= point["largest_load"].as_f64());
+    assert_eq!(point["force_1_direct_vanishes"], true);
+    assert!(point["couple_1_direct_zero_to_peak_N_m"].as_f64().expect("a number") <= 50.0);
+    assert!(point["largest_load_at_least_N"].as_f64() <= point["largest_load_N"].as_f64());
     let layout = parse("point.toml", point["layout"].as_str().expect("a file")).expect("it reads");
-    assert_eq!(layout.crankshaft_mass().expect("a mass").to_string(), point["mass"].as_str().expect("a fraction"));
+    let mass = exact_number(&layout.crankshaft_mass().expect("a mass"));
+    assert_eq!(mass, point["mass_exact_kg"].as_str().expect("a number"));
+    let bearings = json["bearings"].as_array().expect("a table").len();
+    assert_eq!(bearings, layout.bearings().len());
+    let csv = crankstar(&["optimise", file, "--points", "1", "--format", "csv", "--table", "counterweights"]);
+    let csv = String::from_utf8(csv.stdout).expect("UTF-8");
+    assert_eq!(csv.lines().count(), 1 + json["counterweights"].as_array().expect("a table").len(), "{csv}");
 }
 
 #[test]
 fn the_command_refuses_what_is_no_bound() {
-    for (couple, reason) in [("much", "no bound of a couple"), ("-1", "0 N·m or more")] {
+    for (couple, reason) in [("much", "no bound of a couple"), ("-1", "no bound of a couple")] {
         let run = crankstar(&["optimise", "I3", &format!("--couple={couple}")]);
-        assert_eq!(run.status.code(), Some(1));
+        assert_eq!(run.status.code(), Some(1), "{couple}");
         assert!(String::from_utf8_lossy(&run.stderr).contains(reason));
     }
 }

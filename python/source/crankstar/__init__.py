@@ -13,7 +13,9 @@ from ._crankstar import (
     Verdicts,
     __version__,
     catalogue,
+    compare,
     search,
+    values,
     verify,
 )
 
@@ -30,6 +32,8 @@ __all__ = [
     "Verdicts",
     "__version__",
     "catalogue",
+    "compare",
     "search",
+    "values",
     "verify",
 ]

@@ -1,6 +1,6 @@
 """Decides exactly how a reciprocating engine balances, and writes the proof."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from os import PathLike
@@ -267,6 +267,8 @@ class Engine:
         """The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout."""
     def torque(self) -> Answer:
         """The torque of gas and inertia in N m; needs `[gas]` in the layout."""
+    def optimise(self, orders: _Orders | None = None, *, couple: _Number = "zero", points: int = 9) -> Answer:
+        """For each mass of the crankshaft the counterweights with the least bearing load."""
     def sweep(
         self,
         ranges: dict[str, _Range] | None = None,
@@ -299,6 +301,8 @@ class Engine:
     def _repr_latex_(self) -> str: ...
 
 def catalogue() -> list[str]: ...
+def compare(engines: Sequence[Engine], orders: _Orders | None = None) -> Answer: ...
+def values(engines: Sequence[Engine], names: Sequence[str]) -> Answer: ...
 def search(
     cylinders: int,
     cycle: Literal["two-stroke", "four-stroke"],

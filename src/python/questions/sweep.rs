@@ -8,15 +8,10 @@ use serde_json::{Map, Value, json};
 
 use crate::engine::CycleOrder;
 use crate::file::{Beside, Template};
-use crate::page::Document;
 use crate::python::asked::written;
 use crate::python::error::{self, told};
 use crate::python::reading::Source;
-use crate::report::data;
-use crate::report::{self, Question};
 use crate::sweep::{self, Geometry, Parameter, Sweep};
-use crate::table::Table;
-use crate::text::Untrusted;
 
 /// The values that are swept: keywords and keys of the file, each with its range.
 pub(in crate::python) struct Ranges {
@@ -38,8 +33,6 @@ impl Ranges {
     }
 }
 
-struct Swept(Sweep);
-
 /// Sweeps the layout of an engine.
 pub(in crate::python) fn sweep(
     source: &Source,
@@ -47,7 +40,7 @@ pub(in crate::python) fn sweep(
     orders: &[u32],
     firing: &[CycleOrder],
     stop: &AtomicBool,
-) -> PyResult<impl Question + use<>> {
+) -> PyResult<Sweep> {
     let read = |path: &str| source.beside(path);
     let template = Template::new(&source.name, &source.text).map_err(|error| error::layout(&error))?;
     let template = template.with_beside(Beside::new(&read));
@@ -60,35 +53,5 @@ pub(in crate::python) fn sweep(
         let firing: Vec<CycleOrder> = firing.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
         sweep.firing = Some(sweep::firing_stars(&template, &sweep, &firing).map_err(told)?);
     }
-    Ok(Swept(sweep))
-}
-
-impl Question for Swept {
-    fn command(&self) -> &'static str {
-        "sweep"
-    }
-
-    fn title(&self) -> Option<&Untrusted> {
-        Some(&self.0.title)
-    }
-
-    fn table(&self, name: &str) -> Option<Table> {
-        self.tables().into_iter().find(|table| table.name() == name)
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        data::sweep(&self.0)
-    }
-
-    fn json(&self) -> serde_json::Result<String> {
-        serde_json::to_string_pretty(&report::sweep_document(&self.0))
-    }
-
-    fn answer(&self) -> Document {
-        report::sweep_answer(&self.0)
-    }
-
-    fn page(&self) -> Document {
-        report::sweep_page(&self.0)
-    }
+    Ok(sweep)
 }

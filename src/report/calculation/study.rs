@@ -1,7 +1,8 @@
 //! What is asked for the loads? Forces, moments and torques of an engine at some orders.
 
+use super::super::data;
+use super::super::loads_document::{LoadsDocument, loads_document};
 use super::super::question::Question;
-use super::super::{data, loads_document};
 use super::{Numbers, loads_answer, loads_page};
 use crate::engine::Engine;
 use crate::loads::{Missing, Needed};
@@ -28,6 +29,10 @@ impl LoadsStudy {
         let numbers = Numbers::new(engine, orders, needed.as_ref())?;
         Ok(LoadsStudy { engine: engine.clone(), numbers, needed })
     }
+
+    fn document(&self) -> LoadsDocument {
+        loads_document(&self.engine, &self.numbers, self.needed.as_ref())
+    }
 }
 
 impl Question for LoadsStudy {
@@ -44,8 +49,7 @@ impl Question for LoadsStudy {
     }
 
     fn tables(&self) -> Vec<Table> {
-        let document = loads_document::loads_document(&self.engine, &self.numbers, self.needed.as_ref());
-        data::loads(&self.engine, &self.numbers, &document)
+        data::loads(&self.engine, &self.numbers, &self.document())
     }
 
     fn answer(&self) -> Document {
@@ -56,8 +60,15 @@ impl Question for LoadsStudy {
         loads_page(&self.engine, &self.numbers, self.needed.as_ref())
     }
 
-    /// The document with certificates.
     fn json(&self) -> serde_json::Result<String> {
-        serde_json::to_string_pretty(&loads_document::loads_document(&self.engine, &self.numbers, self.needed.as_ref()))
+        serde_json::to_string_pretty(&self.document())
+    }
+
+    fn is_certified(&self) -> bool {
+        true
+    }
+
+    fn json_without_evidence(&self) -> Option<serde_json::Result<String>> {
+        Some(serde_json::to_string_pretty(&self.document().without_evidence()))
     }
 }

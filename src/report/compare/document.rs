@@ -123,7 +123,7 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
     let quantities = [Quantity::Force, Quantity::Moment];
     let evidence = |engine: &Compared| {
         let judged = &engine.judged;
-        document::document(engine.engine, judged.masses, &judged.orders, &quantities, None)
+        document::document(&engine.engine, judged.masses, &judged.orders, &quantities, None)
     };
     CompareDocument {
         format: Format::Compare,
@@ -135,7 +135,7 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
 }
 
 fn engine(engine: &Compared) -> EngineEntry {
-    let first_left = engine_cells::first_left(engine.engine, &engine.theorem);
+    let first_left = engine_cells::first_left(&engine.engine, &engine.theorem);
     let [first_force_left, first_moment_left] = first_left.map(|text| text.plain());
     let full = BigRational::from_integer(360.into());
     let firing = engine.engine.firing().map(|firing| Firing {

@@ -3,10 +3,12 @@
 pub(super) mod document;
 mod notes;
 mod page;
+mod question;
 mod rows;
 
 pub use document::{CompareDocument, compare_document};
 pub use page::{compare_answer, compare_page};
+pub use question::CompareStudy;
 
 use crate::engine::{Engine, NotAnOrder};
 use crate::journal::{self, CyclePeak, NoCycleLoads};
@@ -18,11 +20,11 @@ use crate::verdict::{self, EveryOrderTheorem, Judgement, NoTheorem, OrderVerdict
 
 /// An engine of a comparison, judged.
 #[derive(Clone, Debug)]
-pub struct Compared<'a> {
+pub struct Compared {
     /// What it is called in the comparison.
     pub name: Untrusted,
     /// The engine.
-    pub engine: &'a Engine,
+    pub engine: Engine,
     /// The verdicts, rising by order; several an order where rods differ.
     pub judged: Judgement,
     /// The statements on every order.
@@ -37,17 +39,17 @@ pub struct Compared<'a> {
     pub with_gas: Option<Result<Vec<[CyclePeak; 2]>, NoCycleLoads>>,
 }
 
-impl<'a> Compared<'a> {
+impl Compared {
     /// Judges an engine at these orders.
     ///
     /// # Errors
     /// A number that is no order.
-    pub fn new(name: Untrusted, engine: &'a Engine, orders: &[u32]) -> Result<Self, NotAnOrder> {
+    pub fn new(name: Untrusted, engine: &Engine, orders: &[u32]) -> Result<Self, NotAnOrder> {
         let judged = Judgement::new(engine, orders, &[Quantity::Force, Quantity::Moment])?;
         let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
         Ok(Compared {
             name,
-            engine,
+            engine: engine.clone(),
             theorem: verdict::every_order(engine, judged.masses),
             judged,
             remedy: remedy::remedy(engine, &wish),
@@ -78,7 +80,7 @@ impl<'a> Compared<'a> {
     /// Whether force and moment come out in N and N·m.
     fn has_newtons(&self) -> bool {
         let scaled = self.loads.as_ref().is_ok_and(|loads| loads.scale.is_some());
-        scaled && loads::Arm::of(self.engine) == loads::Arm::Metre
+        scaled && loads::Arm::of(&self.engine) == loads::Arm::Metre
     }
 }
 

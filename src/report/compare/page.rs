@@ -78,7 +78,7 @@ fn lowest_left(engine: &Compared) -> Option<u32> {
 /// The lowest order of the force and of the moment that is left, with its shape; none of all where it is not known.
 fn first_left(engine: &Compared) -> Option<[Option<(u32, &'static str)>; 2]> {
     let theorem = engine.theorem.as_ref().ok()?;
-    let first = |quantity| match theorem.first_left(engine.engine, quantity) {
+    let first = |quantity| match theorem.first_left(&engine.engine, quantity) {
         FirstLeft::Nothing => Some(None),
         FirstLeft::Order(order, shape) => Some(Some((order, residual::shape_name(shape)))),
         FirstLeft::NotKnown => None,
@@ -116,7 +116,7 @@ fn largest(engine: &Compared) -> Option<Text> {
     let loads = engine.loads.as_ref().ok()?;
     let of = |quantity: Quantity, value: fn(&OrderLoads) -> f64| {
         let largest = loads.orders.iter().max_by(|one, other| value(one).total_cmp(&value(other)))?;
-        let unit = Unit::of(engine.engine, loads, quantity);
+        let unit = Unit::of(&engine.engine, loads, quantity);
         let size = phrase!("{} {}", Text::measured(value(largest) * unit.factor, unit.unit), unit.label());
         (value(largest) * unit.factor > 0.0).then_some((size, largest.order))
     };
@@ -166,5 +166,5 @@ fn columns<'a>(engine: &'a Compared, order: u32) -> impl Iterator<Item = Column<
         Some(class) => format!("{}, {}", engine.name.escaped(Format::Plain), residual::class_sources(class)),
     };
     let parts = engine.at(order).into_iter().flat_map(|judged| &judged.parts);
-    parts.map(move |judged| Column { name: name(judged), engine: engine.engine, order: judged })
+    parts.map(move |judged| Column { name: name(judged), engine: &engine.engine, order: judged })
 }

@@ -34,7 +34,7 @@ pub(super) fn table(all: &[Compared], shown: &[Compared]) -> Table {
             }
         }
     }
-    let first = |engine: &Compared| engine_cells::first_left(engine.engine, &engine.theorem);
+    let first = |engine: &Compared| engine_cells::first_left(&engine.engine, &engine.theorem);
     add("First force left".into(), &|engine| first(engine)[0].clone());
     add("First moment left".into(), &|engine| first(engine)[1].clone());
     add("Remedy".into(), &|engine| engine_cells::remedy(&engine.remedy));
@@ -65,9 +65,9 @@ pub(super) fn speed(engine: &Compared) -> Text {
 
 fn newtons(engine: &Compared, order: u32, quantity: Quantity) -> Text {
     let Ok(loads) = &engine.loads else { return Text::default() };
-    let unit = Unit::of(engine.engine, loads, quantity);
+    let unit = Unit::of(&engine.engine, loads, quantity);
     let swing = |loads: &OrderLoads| match quantity {
-        _ if !loads.exists(engine.engine) => DOES_NOT_EXIST.into(),
+        _ if !loads.exists(&engine.engine) => DOES_NOT_EXIST.into(),
         Quantity::Force => calculation::largest(&loads.force, unit),
         Quantity::Moment | Quantity::Torque | Quantity::Roll => calculation::largest(&loads.moment, unit),
     };

@@ -23,7 +23,7 @@ pub fn compare(engines: &[Compared]) -> Vec<Table> {
 
 fn orders(engines: &[Compared], document: &CompareDocument) -> Table {
     let rows = engines.iter().zip(&document.engines).flat_map(|(compared, entry)| {
-        let [_, moment] = units(compared.engine);
+        let [_, moment] = units(&compared.engine);
         entry.orders.iter().map(move |order| Row { name: &compared.name, entry, order, moment })
     });
     let rows: Vec<Row> = rows.collect();

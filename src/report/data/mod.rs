@@ -11,6 +11,9 @@ mod filling;
 mod firing;
 mod gas_loads;
 mod loads;
+#[cfg(feature = "optimise")]
+mod optimise;
+mod remedy;
 mod search;
 mod sweep;
 mod torque;
@@ -25,6 +28,9 @@ pub use classify::classify;
 pub use compare::compare;
 pub use firing::firing;
 pub use loads::loads;
+#[cfg(feature = "optimise")]
+pub use optimise::optimise;
+pub use remedy::remedy;
 pub use search::search;
 pub use sweep::{points as sweep_points, sweep};
 pub use torque::torque;
@@ -32,7 +38,7 @@ pub use torsion::torsion;
 pub use values::values;
 
 /// The questions that have tables, each with the names of all tables that its answer may have, the main one first.
-pub const TABLES: [(&str, &[&str]); 10] = [
+pub const TABLES: [(&str, &[&str]); 12] = [
     ("classify", &["orders", "sums", "torque", "roll"]),
     ("loads", &["orders", "torque", "roll", "theta", "largest"]),
     (
@@ -58,6 +64,8 @@ pub const TABLES: [(&str, &[&str]); 10] = [
     ("torque", &["orders", "cycle", "flywheel", "classes", "guides", "theta"]),
     ("values", &["values"]),
     ("torsion", &["modes", "critical", "discs", "shapes", "cylinders", "forced"]),
+    ("remedy", &["weights"]),
+    ("optimise", &["points", "counterweights", "bearings", "uniform"]),
     ("compare", &["orders", "engines"]),
     ("search", &["stars", "question", "firing_orders"]),
     ("sweep", &["points", "zeros", "firing_zeros"]),

@@ -28,7 +28,10 @@ impl Question for FiringStudy {
         firing_page(self)
     }
 
-    /// The document with certificates.
+    fn is_certified(&self) -> bool {
+        true
+    }
+
     fn json(&self) -> serde_json::Result<String> {
         serde_json::to_string_pretty(&firing_document(self, false))
     }

@@ -11,7 +11,7 @@ use crate::page::{Piece, Text, Unit, phrase};
 
 /// What loads and couples are counted in.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Units {
+pub(in crate::report) struct Units {
     pub force: Unit,
     /// Forces in a multiple of m r ω².
     pub newtons: f64,

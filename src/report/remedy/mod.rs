@@ -3,6 +3,7 @@
 mod alone;
 mod document;
 mod page;
+mod question;
 mod weights;
 mod words;
 

@@ -3,9 +3,11 @@
 mod front;
 mod page;
 mod pictures;
+mod study;
 mod table;
 mod torsion;
 
 pub use front::search_layouts;
 pub use page::{search_answer, search_page};
+pub use study::SearchStudy;
 pub use torsion::search_torsion;

@@ -8,6 +8,7 @@ mod findings;
 mod firing;
 mod page;
 mod plots;
+mod question;
 mod sentences;
 mod study;
 mod tables;

@@ -1,0 +1,39 @@
+//! What is a remedy as an answer? A table with a row a weight, a document with certificates.
+
+use super::super::data;
+use super::super::question::Question;
+use super::{remedy_answer, remedy_document, remedy_page};
+use crate::page::Document;
+use crate::remedy::Remedy;
+use crate::table::Table;
+use crate::text::Untrusted;
+
+impl Question for Remedy {
+    fn command(&self) -> &'static str {
+        "remedy"
+    }
+
+    fn title(&self) -> Option<&Untrusted> {
+        Some(self.subject.engine().title())
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        (name == "weights").then(|| data::remedy(self))
+    }
+
+    fn answer(&self) -> Document {
+        remedy_answer(self)
+    }
+
+    fn page(&self) -> Document {
+        remedy_page(self)
+    }
+
+    fn json(&self) -> serde_json::Result<String> {
+        serde_json::to_string_pretty(&remedy_document(self))
+    }
+
+    fn is_certified(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,63 @@
+//! What is asked of crank stars? The best of them, and where that is wanted the firing orders that twist the shaft least.
+
+use super::super::data;
+use super::super::question::Question;
+use super::{search_answer, search_layouts, search_page, search_torsion};
+use crate::page::{Document, File};
+use crate::search::{self, Front, Torsion};
+use crate::table::Table;
+use crate::text::Untrusted;
+
+/// What a search found.
+pub struct SearchStudy {
+    /// The best stars.
+    pub front: Front,
+    /// Their firing orders, where these are asked for.
+    pub torsion: Option<Torsion>,
+}
+
+impl SearchStudy {
+    fn with_torsion(&self, mut page: Document) -> Document {
+        page.blocks.extend(self.torsion.iter().flat_map(|torsion| search_torsion(&self.front, torsion)));
+        page
+    }
+}
+
+impl Question for SearchStudy {
+    fn command(&self) -> &'static str {
+        "search"
+    }
+
+    fn title(&self) -> Option<&Untrusted> {
+        None
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        self.tables().into_iter().find(|table| table.name() == name)
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        data::search(&self.front, self.torsion.as_ref())
+    }
+
+    fn answer(&self) -> Document {
+        self.with_torsion(search_answer(&self.front))
+    }
+
+    fn page(&self) -> Document {
+        self.with_torsion(search_page(&self.front))
+    }
+
+    /// The stars as layout files.
+    fn beside(&self) -> serde_json::Result<Vec<File>> {
+        Ok(search_layouts(&self.front))
+    }
+
+    fn json(&self) -> serde_json::Result<String> {
+        let document = search::document(&self.front);
+        serde_json::to_string_pretty(&match &self.torsion {
+            Some(torsion) => document.with_torsion(torsion),
+            None => document,
+        })
+    }
+}
