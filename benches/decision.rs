@@ -25,7 +25,7 @@ fn cross_plane_v8() -> Engine {
 fn sums() -> Vec<PhasorSum> {
     let v8 = cross_plane_v8();
     let senses = [Some(Sense::Direct), Some(Sense::Reverse)];
-    let quantities = [Quantity::Force, Quantity::Moment];
+    let quantities = [Quantity::FORCE, Quantity::MOMENT];
     let choices = ORDERS.iter().flat_map(|&order| quantities.map(|quantity| (order, quantity)));
     choices.flat_map(|(order, quantity)| senses.map(|sense| order::star(&v8, quantity, order, sense))).collect()
 }

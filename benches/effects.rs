@@ -61,7 +61,7 @@ fn b_loads(bencher: Bencher, gas: Gas) {
 fn c_report(bencher: Bencher, gas: Gas) {
     let engine = gas.engine();
     bencher.bench_local(|| {
-        let judged = Judgement::new(black_box(&engine), engine.orders(), &[Quantity::Force, Quantity::Moment]);
+        let judged = Judgement::new(black_box(&engine), engine.orders(), &Quantity::PLANAR);
         let contents = report::Contents {
             engine: &engine,
             judged: &judged.expect("orders"),

@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 fn forms(engine: &Engine) -> Duration {
     let start = Instant::now();
     for order in [1, 2, 4, 6] {
-        for quantity in [Quantity::Force, Quantity::Moment] {
+        for quantity in [Quantity::FORCE, Quantity::MOMENT] {
             let vectors =
                 [Sense::Direct, Sense::Reverse].map(|sense| order::star(engine, quantity, order, Some(sense)));
             for sum in vectors.iter().filter(|sum| !sum.vanishes()) {

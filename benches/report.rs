@@ -17,7 +17,7 @@ fn main() {
 
 const ENGINES: [&str; 6] = ["I4", "I5-12453", "V6-90-split", "V8-crossplane", "V12-60", "radial-18"];
 
-const QUANTITIES: [Quantity; 2] = [Quantity::Force, Quantity::Moment];
+const QUANTITIES: [Quantity; 2] = [Quantity::FORCE, Quantity::MOMENT];
 
 fn engine(name: &str) -> Engine {
     file::find(name).expect("in the catalogue").engine().expect("it reads")

@@ -61,7 +61,7 @@ fn d_hundred_layouts_from_their_text(bencher: Bencher) {
             .iter()
             .map(|text| {
                 let layout = file::parse("v8.toml", black_box(text)).expect("it reads");
-                verdict::classify(&layout, &[1, 2, 4, 6], Masses::Reciprocating, &[Quantity::Force, Quantity::Moment])
+                verdict::classify(&layout, &[1, 2, 4, 6], Masses::Reciprocating, &Quantity::PLANAR)
                     .expect("orders")
                     .len()
             })

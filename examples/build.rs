@@ -14,7 +14,7 @@ pub fn run() -> Result<String, Box<dyn Error>> {
     }
     let engine = draft.build()?;
     let mut lines = format!("{}\n", engine.title().written());
-    for judged in classify(&engine, engine.orders(), Masses::All, &[Quantity::Force, Quantity::Moment])? {
+    for judged in classify(&engine, engine.orders(), Masses::All, &Quantity::PLANAR)? {
         let balances = judged.parts.iter().flat_map(|part| [&part.force, &part.moment]);
         for verdict in balances.flat_map(|balance| balance.verdicts()) {
             // The checker reads the terms and the evidence, and knows nothing of how it was found.

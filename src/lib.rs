@@ -9,7 +9,7 @@
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! use crankstar::{Masses, Quantity, classify, parse};
 //! let v8 = parse("V8.toml", "title = 'V8'\nvee = { bank_angle = 90, throws = [0, 90, 270, 180] }")?;
-//! let [first, second] = &classify(&v8, &[1, 2], Masses::All, &[Quantity::Force, Quantity::Moment])?[..] else { panic!() };
+//! let [first, second] = &classify(&v8, &[1, 2], Masses::All, &Quantity::PLANAR)?[..] else { panic!() };
 //! assert!(first.force.is_balanced() && !first.moment.is_balanced());
 //! assert!(second.force.is_balanced() && second.moment.is_balanced());
 //! # Ok(())
@@ -28,7 +28,7 @@
 //! }
 //! let four = four.build().unwrap();
 //!
-//! let judged = classify(&four, &[1, 2], Masses::All, &[Quantity::Force, Quantity::Moment]).unwrap();
+//! let judged = classify(&four, &[1, 2], Masses::All, &Quantity::PLANAR).unwrap();
 //! assert!(judged[0].force.is_balanced() && !judged[1].force.is_balanced());
 //! // The checker knows nothing of how the verdict was found.
 //! let second_order = &judged[1].parts[0].force.direct;
@@ -149,7 +149,8 @@ pub use exact::{PhasorSum, Turn};
 pub use file::{Layout, LayoutError, find, parse, parse_layout};
 pub use order::Masses;
 pub use proof::{
-    AnyDocument, Certificate, Checked, Fault, Quantity, Refusal, Sense, Unreadable, check_certificate, read_document,
+    AnyDocument, Axial, Certificate, Checked, Fault, Planar, Quantity, Refusal, Sense, Unreadable, check_certificate,
+    read_document,
 };
 #[cfg(feature = "report")]
 pub use report::data;

@@ -49,7 +49,7 @@ fn write_page(name: &str, document: &Document, format: Format) -> PathBuf {
 }
 
 fn report_of(engine: &Engine) -> Document {
-    let judged = Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders");
+    let judged = Judgement::new(engine, engine.orders(), &Quantity::PLANAR).expect("orders");
     report::engine_page(Contents {
         engine,
         judged: &judged,

@@ -53,7 +53,7 @@ fn sums(conductor: u64) -> Vec<Sum> {
     let banks: Vec<bool> = v8.cylinders().iter().map(|cylinder| cylinder.bank == v8.cylinders()[0].bank).collect();
     let mut sums = Vec::new();
     for order in ORDERS {
-        for quantity in [Quantity::Force, Quantity::Moment] {
+        for quantity in [Quantity::FORCE, Quantity::MOMENT] {
             for sense in [Sense::Direct, Sense::Reverse] {
                 let star = order::star(&v8, quantity, order, Some(sense));
                 let terms = star.terms().iter().zip(&banks).map(|(term, first)| {

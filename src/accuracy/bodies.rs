@@ -55,9 +55,8 @@ impl<T: Real> Bodies<T> {
             let axis = || direction(&cylinder.bank);
             let along = |weight: BigRational| axis().iter().map(|part| part.times(&number(&weight))).collect();
             let parts = match quantity {
-                Quantity::Force => along(mass_radius),
-                Quantity::Moment => along(mass_radius * engine.arm(cylinder)),
-                Quantity::Torque | Quantity::Roll => vec![number(&(mass_radius * &cylinder.crank_radius))],
+                Quantity::Planar(planar) => along(mass_radius * order::lever(engine, planar, &cylinder.position)),
+                Quantity::Axial(_) => vec![number(&(mass_radius * &cylinder.crank_radius))],
             };
             let crank = Crank {
                 one: number(&one),
@@ -95,8 +94,8 @@ impl<T: Real> Bodies<T> {
         for (piston, direction) in self.pistons.iter().zip(cylinders) {
             let Motion { shaking, velocity } = piston.crank.motion(&direction);
             let load = match self.quantity {
-                Quantity::Torque | Quantity::Roll => velocity.times(&shaking),
-                Quantity::Force | Quantity::Moment => shaking,
+                Quantity::Axial(_) => velocity.times(&shaking),
+                Quantity::Planar(_) => shaking,
             };
             for (sum, part) in sums.iter_mut().zip(&piston.parts) {
                 *sum = sum.plus(&part.times(&load));
@@ -113,12 +112,10 @@ impl<T: Real> Bodies<T> {
 
 /// The masses that turn with the crank, with their weights in the force or the moment, in multiples of m r.
 pub(super) fn turning(engine: &Engine, quantity: Quantity) -> Vec<(Turn, BigRational)> {
-    if quantity == Quantity::Torque {
-        return Vec::new();
-    }
-    let weight = |mass: TurningMass| match quantity {
-        Quantity::Moment => (mass.angle, mass.mass_radius * (mass.position - engine.reference_plane())),
-        Quantity::Force | Quantity::Torque | Quantity::Roll => (mass.angle, mass.mass_radius),
+    let Quantity::Planar(planar) = quantity else { return Vec::new() };
+    let weight = |mass: TurningMass| {
+        let lever = order::lever(engine, planar, &mass.position);
+        (mass.angle, mass.mass_radius * lever)
     };
     order::turning_masses(engine).into_iter().filter(TurningMass::turns_with_the_crank).map(weight).collect()
 }

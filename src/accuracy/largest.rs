@@ -89,9 +89,9 @@ impl LargestLoads {
     /// What the engine lacks for numbers.
     pub fn new(engine: &Engine) -> Result<Self, Missing> {
         Ok(LargestLoads {
-            force: largest(engine, Quantity::Force)?,
-            moment: largest(engine, Quantity::Moment)?,
-            torque: engine.effects().torque.then(|| largest(engine, Quantity::Torque)).transpose()?,
+            force: largest(engine, Quantity::FORCE)?,
+            moment: largest(engine, Quantity::MOMENT)?,
+            torque: engine.effects().torque.then(|| largest(engine, Quantity::TORQUE)).transpose()?,
         })
     }
 }
@@ -107,7 +107,7 @@ pub fn largest(engine: &Engine, quantity: Quantity) -> Result<Largest, Missing> 
     }
     let (mut best, mut searched) = (Largest::Below(f64::INFINITY), false);
     for highest in SUMMED {
-        spectrum.raise(highest, quantity == Quantity::Torque);
+        spectrum.raise(highest, quantity == Quantity::TORQUE);
         best = best.or(of_orders(&spectrum, quantity));
         // Where the orders fall slowly it is searched at once, before many of them are computed.
         let slow = spectrum.rest_above(quantity, ENOUGH) > SURE * best.at_most() && best.at_most().is_finite();
@@ -130,11 +130,7 @@ fn turns_as_one(engine: &Engine) -> bool {
 }
 
 fn of_orders(spectrum: &Spectrum, quantity: Quantity) -> Largest {
-    let waveform = spectrum.waveform(quantity);
-    let peak = match quantity {
-        Quantity::Force | Quantity::Moment => waveform.peak(),
-        Quantity::Torque | Quantity::Roll => waveform.real_peak(),
-    };
+    let peak = spectrum.waveform(quantity).peak_of(quantity);
     Largest::of(peak.value, peak.angle, spectrum.rest(quantity) + spectrum.doubt(quantity))
 }
 

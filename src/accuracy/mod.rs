@@ -10,7 +10,7 @@
 //!
 //! let i4 = crankstar::file::find("I4").unwrap().engine().unwrap();
 //! let i4 = accuracy::with_rod_ratio(&i4, &BigRational::new(3.into(), 10.into())).unwrap();
-//! let force = accuracy::study(&i4, Quantity::Force, Timing::Off).unwrap();
+//! let force = accuracy::study(&i4, Quantity::FORCE, Timing::Off).unwrap();
 //! let second_order = force.rows.iter().find(|row| row.method == Method::Orders(2)).unwrap();
 //! assert!(0.02 < second_order.error && second_order.error < second_order.bound.unwrap());
 //! ```

@@ -24,7 +24,7 @@ pub(super) struct Orders {
 impl Orders {
     pub fn new(engine: &Engine, quantity: Quantity, highest: u32) -> Result<Self, Missing> {
         let mut spectrum = Spectrum::new(engine)?.with_tails(Tails::with_coefficients(engine, highest)?);
-        spectrum.raise(highest, quantity == Quantity::Torque);
+        spectrum.raise(highest, quantity == Quantity::TORQUE);
         Ok(Orders {
             quantity,
             waveform: spectrum.waveform(quantity),
@@ -56,7 +56,7 @@ impl Orders {
         match self.waveform.harmonics() {
             [] => true,
             [only] => {
-                self.quantity != Quantity::Torque && (only.direct.norm_sqr() == 0.0 || only.reverse.norm_sqr() == 0.0)
+                self.quantity != Quantity::TORQUE && (only.direct.norm_sqr() == 0.0 || only.reverse.norm_sqr() == 0.0)
             }
             _ => false,
         }
@@ -82,17 +82,10 @@ impl Orders {
 
     /// Crank angle of the peak in degrees.
     pub fn angle(&self) -> f64 {
-        let peak = match self.quantity {
-            Quantity::Torque | Quantity::Roll => self.waveform.real_peak(),
-            Quantity::Force | Quantity::Moment => self.waveform.peak(),
-        };
-        peak.angle.unwrap_or(0.0)
+        self.waveform.peak_of(self.quantity).angle.unwrap_or(0.0)
     }
 
     pub fn peak(&self, waveform: &Waveform) -> f64 {
-        match self.quantity {
-            Quantity::Torque | Quantity::Roll => waveform.real_peak().value,
-            Quantity::Force | Quantity::Moment => waveform.peak().value,
-        }
+        waveform.peak_of(self.quantity).value
     }
 }

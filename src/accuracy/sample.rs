@@ -36,17 +36,16 @@ impl Doubles {
     /// A crank cannot turn round.
     pub fn new(engine: &Engine, quantity: Quantity) -> Result<Self, Missing> {
         let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
-        let arm = |cylinder| match quantity {
-            Quantity::Moment => float(&engine.arm(cylinder)),
-            Quantity::Force | Quantity::Torque | Quantity::Roll => 1.0,
-        };
         let mut pistons = Vec::new();
         for ((cylinder, mechanism), phase) in engine.moved().zip(phases(engine)) {
             let Some(crank) = order::crank(mechanism) else { continue };
-            let weight = float(&order::mass_radius(engine, cylinder)) * arm(cylinder);
+            let weight = float(&order::mass_radius(engine, cylinder));
             let part = match quantity {
-                Quantity::Torque | Quantity::Roll => Complex::new(weight * float(&cylinder.crank_radius), 0.0),
-                Quantity::Force | Quantity::Moment => numbers::direction(&cylinder.bank) * weight,
+                Quantity::Axial(_) => Complex::new(weight * float(&cylinder.crank_radius), 0.0),
+                Quantity::Planar(planar) => {
+                    let lever = float(&order::lever(engine, planar, &cylinder.position));
+                    numbers::direction(&cylinder.bank) * (weight * lever)
+                }
             };
             pistons.push(Piston { crank, phase: float(phase.turns()) * TAU, part });
         }
@@ -60,8 +59,8 @@ impl Doubles {
         let length = |place: u32| {
             let theta = TAU * f64::from(place) / f64::from(angles);
             let load = |piston: &Piston| match self.quantity {
-                Quantity::Torque | Quantity::Roll => piston.part * piston.crank.torque(theta + piston.phase),
-                Quantity::Force | Quantity::Moment => piston.part * -piston.crank.acceleration(theta + piston.phase),
+                Quantity::Axial(_) => piston.part * piston.crank.torque(theta + piston.phase),
+                Quantity::Planar(_) => piston.part * -piston.crank.acceleration(theta + piston.phase),
             };
             let rotating = self.rotating * Complex::cis(theta);
             self.pistons.iter().map(load).fold(rotating, |sum, load| sum + load).norm()

@@ -70,7 +70,7 @@ pub(super) fn answer(
     numbers: Option<&Numbers>,
     evidence: Vec<Evidence>,
 ) -> Answer {
-    let balance = if subject.quantity == Quantity::Moment { &order.moment } else { &order.force };
+    let balance = if subject.quantity == Quantity::MOMENT { &order.moment } else { &order.force };
     let vanishes = match subject.sense {
         None => balance.is_balanced(),
         Some(Sense::Direct) => balance.direct.vanishes(),
@@ -88,8 +88,8 @@ pub(super) fn answer(
     };
     let star = half_of_lengths(sums).1;
     let arm = match (subject.quantity, engine.length_unit(), &numbers.spacing) {
-        (Quantity::Moment, LengthUnit::Spacing, None) => return Answer::nothing("a value in N·m needs the spacing"),
-        (Quantity::Moment, LengthUnit::Spacing, Some(spacing)) => numbers::float(spacing),
+        (Quantity::MOMENT, LengthUnit::Spacing, None) => return Answer::nothing("a value in N·m needs the spacing"),
+        (Quantity::MOMENT, LengthUnit::Spacing, Some(spacing)) => numbers::float(spacing),
         _ => 1.0,
     };
     let omega = numbers::float(&numbers.speed) / 60.0 * TAU;

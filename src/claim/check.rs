@@ -6,7 +6,7 @@ use serde::Deserialize;
 use crate::engine::CycleOrder;
 use crate::file::parse_number;
 use crate::file::written::Text;
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::Zeros;
 
 #[derive(Deserialize)]
@@ -64,7 +64,7 @@ pub(super) enum Check {
 /// A part of a force or moment, as it was written.
 pub(super) struct Part {
     pub words: String,
-    pub quantity: Quantity,
+    pub quantity: Planar,
     pub order: u32,
     pub of: Zeros,
 }
@@ -218,8 +218,8 @@ impl Part {
             _ => ("", "", None),
         };
         let quantity = match name {
-            "moment" => Some(Quantity::Moment),
-            "force" => Some(Quantity::Force),
+            "moment" => Some(Planar::Moment),
+            "force" => Some(Planar::Force),
             _ => None,
         };
         match (quantity, order.parse(), of) {

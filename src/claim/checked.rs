@@ -66,7 +66,7 @@ pub(super) fn checked(
             (format!("{at_words}{says}"), answer.status.holds(), Found::Claim(Box::new((statement, answer))))
         }
         Check::Counterweight(expected) => {
-            let expected_value = value(&expected, false, Quantity::Force).map_err(|mistake| mistake.message)?;
+            let expected_value = value(&expected, false, Quantity::FORCE).map_err(|mistake| mistake.message)?;
             let sum = couple(&layout()?).ok_or_else(|| format!("`{engine}` needs no counterweights"))?;
             let (exact, decimal) = (numbers::modulus(&sum), numbers::evaluate(&sum).norm());
             let (status, _) = compare::length(&expected_value, [&sum, &sum], exact.as_ref(), decimal);

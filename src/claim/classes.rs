@@ -2,19 +2,20 @@
 
 use super::absolute::Numbers;
 use super::answer::{Answer, Finding, Status};
+use super::every::{TORQUE, planar};
 use super::order;
 use super::shafts::evidence;
 use super::statement::{Orders, Predicate, Statement, Subject};
 use crate::engine::Engine;
 use crate::order::Masses;
-use crate::proof::{Quantity, Sense, Shape};
+use crate::proof::{Planar, Quantity, Sense, Shape};
 use crate::verdict::{self, OrderVerdict, WholeOrder};
 
 /// Answers whether orders vanish and which shape is left; sizes and directions are compared where an order is one sum.
 pub(super) fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
     match statement {
-        Statement::Order { subject, predicate } if ![Quantity::Torque, Quantity::Roll].contains(&subject.quantity) => {
-            one(engine, *subject, predicate, numbers)
+        Statement::Order { subject: subject @ Subject { quantity: Quantity::Planar(quantity), .. }, predicate } => {
+            one(engine, *subject, *quantity, predicate, numbers)
         }
         Statement::Vanish { orders: Orders::Listed(orders), quantities } => listed(engine, orders, quantities),
         Statement::Order { .. }
@@ -37,18 +38,23 @@ pub(super) fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Nu
 }
 
 fn judged(engine: &Engine, order: u32, masses: Masses) -> Option<OrderVerdict> {
-    let quantities = [Quantity::Force, Quantity::Moment];
-    verdict::classify(engine, &[order], masses, &quantities).ok()?.into_iter().next()
+    verdict::classify(engine, &[order], masses, &Quantity::PLANAR).ok()?.into_iter().next()
 }
 
-fn one(engine: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
+fn one(
+    engine: &Engine,
+    subject: Subject,
+    quantity: Planar,
+    predicate: &Predicate,
+    numbers: Option<&Numbers>,
+) -> Answer {
     let Some(order) = judged(engine, subject.order, subject.masses) else { return Answer::nothing("no order") };
     // Order 1 of centric rods and of links is one sum whatever the rods are, and an order that does not exist is 0.
     let is_single = order.parts.len() == 1 && engine.faster_crank().is_none();
     if is_single || !order.exists() {
         return order::answer(engine, subject, predicate, numbers);
     }
-    let whole = whole(&order, subject.quantity);
+    let whole = order.whole(quantity);
     let vanishes = vanish(whole, subject.sense);
     let holds = match (predicate, subject.sense) {
         (Predicate::Vanishes(claimed), _) => vanishes.map(|vanishes| vanishes == *claimed),
@@ -71,11 +77,12 @@ fn one(engine: &Engine, subject: Subject, predicate: &Predicate, numbers: Option
 }
 
 fn listed(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Answer {
+    let Some(quantities) = planar(quantities) else { return Answer::nothing(TORQUE) };
     let orders: Vec<OrderVerdict> =
         orders.iter().filter_map(|order| judged(engine, *order, Masses::Reciprocating)).collect();
     let asked = orders.iter().filter(|order| order.exists());
     let outcomes: Vec<Option<bool>> =
-        asked.flat_map(|order| quantities.iter().map(|quantity| vanish(whole(order, *quantity), None))).collect();
+        asked.flat_map(|order| quantities.iter().map(|quantity| vanish(order.whole(*quantity), None))).collect();
     let holds = match (outcomes.contains(&Some(false)), outcomes.contains(&None)) {
         (true, _) => Some(false),
         (false, true) => None,
@@ -83,13 +90,6 @@ fn listed(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Answer {
     };
     let evidence = orders.iter().flat_map(evidence).collect();
     Answer { status: status(holds), finding: Finding::Whole(orders), evidence }
-}
-
-fn whole(order: &OrderVerdict, quantity: Quantity) -> &WholeOrder {
-    match quantity {
-        Quantity::Moment => &order.moment,
-        Quantity::Force | Quantity::Torque | Quantity::Roll => &order.force,
-    }
 }
 
 fn vanish(whole: &WholeOrder, sense: Option<Sense>) -> Option<bool> {

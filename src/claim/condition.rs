@@ -8,7 +8,7 @@ use crate::engine::{Cylinder, Engine, Form};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers;
 use crate::order;
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 use crate::verdict::OrderBalance;
 
 const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
@@ -53,7 +53,7 @@ fn takes_offset(engine: &Engine) -> bool {
 /// What an offset of the banks adds to the moment: the force of one bank less that of the other.
 fn offset_sum(engine: &Engine, order: u32, sense: Sense) -> PhasorSum {
     let first: Option<&Turn> = engine.cylinders().first().map(|cylinder| &cylinder.bank);
-    let force = order::star(engine, Quantity::Force, order, Some(sense));
+    let force = order::star(engine, Planar::Force, order, Some(sense));
     let signed = engine.cylinders().iter().zip(force.terms()).map(|(cylinder, term)| Term {
         angle: term.angle.clone(),
         weight: if Some(&cylinder.bank) == first { term.weight.clone() } else { BigRational::zero() - &term.weight },

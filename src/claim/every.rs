@@ -7,17 +7,17 @@ use super::condition::{of_vanishing, senses};
 use super::masses;
 use super::statement::Orders;
 use crate::engine::Engine;
-use crate::proof::Quantity;
+use crate::proof::{Planar, Quantity};
 use crate::verdict::{self, Balance, OrderBalance};
 
+/// Of many orders of it nothing is said.
+pub(super) const TORQUE: &str = "the inertia torque is judged order by order: claim one order of it at a time";
 /// Longer periods than this are not gone through.
 const LONGEST_PERIOD: u32 = 2000;
 
 /// Answers a claim that orders vanish. Without pin offset the orders that exist are 1 and the even ones.
 pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) -> Answer {
-    if quantities.contains(&Quantity::Torque) {
-        return Answer::nothing("the inertia torque is judged order by order: claim one order of it at a time");
-    }
+    let Some(quantities) = planar(quantities) else { return Answer::nothing(TORQUE) };
     if !engine.is_centric() && !matches!(orders, Orders::Listed(_)) {
         return Answer::nothing(match engine.has_offset() {
             true => "with a pin offset every order exists: name the orders",
@@ -32,13 +32,13 @@ pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) 
     };
     let balances: Vec<OrderBalance> = judged.iter().filter_map(|order| masses::pistons(engine, *order)).collect();
     let (vanishing, surviving): (Vec<&OrderBalance>, Vec<&OrderBalance>) =
-        balances.iter().partition(|order| asked(order, quantities).all(Balance::is_balanced));
+        balances.iter().partition(|order| asked(order, &quantities).all(Balance::is_balanced));
     // A couple that is free of the reference plane is the plainest counterexample.
     let counterexample = surviving.iter().find(|order| order.moment_is_couple()).or(surviving.first());
     let status = match counterexample {
         Some(_) => Status::False,
         None => {
-            let with_moment = quantities.contains(&Quantity::Moment);
+            let with_moment = quantities.contains(&Planar::Moment);
             let mut conditions = Vec::new();
             for order in vanishing.iter().filter(|_| with_moment) {
                 conditions.extend(of_vanishing(engine, order, &senses(None)));
@@ -53,20 +53,20 @@ pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) 
         }
     };
     let shown: Vec<&OrderBalance> = counterexample.map_or(vanishing, |order| vec![order]);
-    let verdicts = shown.iter().flat_map(|order| asked(order, quantities).flat_map(Balance::verdicts));
+    let verdicts = shown.iter().flat_map(|order| asked(order, &quantities).flat_map(Balance::verdicts));
     let evidence = verdicts.map(|verdict| Evidence::Verdict(verdict.clone())).collect();
     let first = counterexample.map(|order| Box::new((*order).clone()));
     let surviving = surviving.iter().map(|order| order.order).collect();
     Answer { status, finding: Finding::Orders { surviving, judged: judged.len(), period, first }, evidence }
 }
 
-fn asked<'a>(order: &'a OrderBalance, quantities: &'a [Quantity]) -> impl Iterator<Item = &'a Balance> {
-    let of = |quantity: &Quantity| match quantity {
-        Quantity::Force => Some(&order.force),
-        Quantity::Moment => Some(&order.moment),
-        Quantity::Torque | Quantity::Roll => None,
-    };
-    quantities.iter().filter_map(of)
+fn asked<'a>(order: &'a OrderBalance, quantities: &'a [Planar]) -> impl Iterator<Item = &'a Balance> {
+    quantities.iter().map(|quantity| order.balance(*quantity))
+}
+
+/// Force and moment among these, where they are all that is asked for.
+pub(super) fn planar(quantities: &[Quantity]) -> Option<Vec<Planar>> {
+    quantities.iter().map(|quantity| quantity.planar()).collect()
 }
 
 /// The even period of all phases kβ − (k−1)α and −kβ + (k+1)α.

@@ -152,9 +152,9 @@ fn said(words: &str) -> Option<Said> {
                 "higher" => said.higher = true,
                 "direct" => said.senses.push(Sense::Direct),
                 "reverse" => said.senses.push(Sense::Reverse),
-                "force" | "forces" => said.quantities.push(Quantity::Force),
-                "moment" | "moments" | "couple" | "couples" => said.quantities.push(Quantity::Moment),
-                "torque" | "torques" => said.quantities.push(Quantity::Torque),
+                "force" | "forces" => said.quantities.push(Quantity::FORCE),
+                "moment" | "moments" | "couple" | "couples" => said.quantities.push(Quantity::MOMENT),
+                "torque" | "torques" => said.quantities.push(Quantity::TORQUE),
                 "primary" => said.orders.push(1),
                 "secondary" => said.orders.push(2),
                 "=" | "≠" => {
@@ -210,7 +210,7 @@ impl Said {
             let question = "is it the force, the moment, or both? such as \"second-order force vanishes\", \"second-order moment vanishes\" or \"orders 2 vanish\"";
             return Err(asked(words, question));
         }
-        if self.quantities.contains(&Quantity::Torque) && !self.inertia {
+        if self.quantities.contains(&Quantity::TORQUE) && !self.inertia {
             return Err(asked(
                 words,
                 "\"order 2 of the gas torque vanishes\" or \"second-order torque vanishes\", the inertia torque",
@@ -233,14 +233,14 @@ impl Said {
                     quantity: *quantity,
                     masses: Masses::Reciprocating,
                 };
-                match (quantity, subject.sense) {
-                    (Quantity::Torque, Some(_)) => {
+                match (*quantity, subject.sense) {
+                    (Quantity::TORQUE, Some(_)) => {
                         Err(ClaimError::new("a torque has no direct and reverse vector", "leave the word out"))
                     }
                     _ => Ok(Statement::Order { subject, predicate: Predicate::Vanishes(vanishes) }),
                 }
             }
-            (_, quantities, []) if vanishes && !quantities.contains(&Quantity::Torque) => {
+            (_, quantities, []) if vanishes && !quantities.contains(&Quantity::TORQUE) => {
                 Ok(Statement::Vanish { orders, quantities: self.quantities })
             }
             (_, _, []) => {

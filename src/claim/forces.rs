@@ -81,7 +81,7 @@ fn load(rest: &str) -> Result<Value, ClaimError> {
         (_, Some(written)) => (true, written),
         (None, None) => return Err(ClaimError::new(format!("`{rest}` says nothing that is understood"), right)),
     };
-    let value = value(written.trim(), about, Quantity::Force)?;
+    let value = value(written.trim(), about, Quantity::FORCE)?;
     match value.unit {
         Some(Unit::Newton) => Ok(value),
         Some(Unit::NewtonMetre) | None => Err(ClaimError::new("a load with gas is in N", right)),

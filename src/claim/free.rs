@@ -14,7 +14,7 @@ use crate::verdict::OrderBalance;
 
 /// Answers the claim that no order leaves a free moment.
 pub(super) fn answer(engine: &Engine) -> Answer {
-    let about_the_plane = every::answer(engine, &Orders::Every, &[Quantity::Moment]);
+    let about_the_plane = every::answer(engine, &Orders::Every, &[Quantity::MOMENT]);
     let Answer { status, finding, mut evidence } = about_the_plane;
     match (status, finding) {
         (Status::TrueOnlyIf { conditions, met }, finding) => {

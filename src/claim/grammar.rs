@@ -74,7 +74,7 @@ pub(super) fn strict(words: &str) -> Result<Statement, ClaimError> {
         lower if lower.starts_with("largest main-bearing load ") => {
             let (sign, written) = next(&words["largest main-bearing load ".len()..]);
             return match sign {
-                "=" | "≈" => Ok(Statement::BearingLoad(value(written, sign == "≈", Quantity::Force)?)),
+                "=" | "≈" => Ok(Statement::BearingLoad(value(written, sign == "≈", Quantity::FORCE)?)),
                 _ => Err(ClaimError::new(
                     format!("`{words}` says nothing that is understood"),
                     "largest main-bearing load = 18733 N ± 1 %",
@@ -96,7 +96,7 @@ fn many(text: &str) -> Result<Statement, ClaimError> {
     let no_claim = || ClaimError::new(format!("`{text}` is no claim about many orders"), right);
     let rest = text.strip_suffix(" vanishes").or_else(|| text.strip_suffix(" vanish")).ok_or_else(no_claim)?;
     let (rest, quantities) = match rest.split_once(" of the ") {
-        None => (rest, vec![Quantity::Force, Quantity::Moment]),
+        None => (rest, vec![Quantity::FORCE, Quantity::MOMENT]),
         Some((rest, word)) => (rest, vec![quantity(word).ok_or_else(no_claim)?]),
     };
     let orders = match rest {
@@ -162,10 +162,10 @@ fn subject(words: &str) -> Result<(Subject, &str), ClaimError> {
     })?;
     let named = MASSES.iter().find_map(|(words, masses)| Some((rest.strip_prefix(words)?.trim_start(), *masses)));
     let (rest, masses) = named.unwrap_or((rest, Masses::Reciprocating));
-    if quantity == Quantity::Torque && named.is_some() {
+    if quantity == Quantity::TORQUE && named.is_some() {
         return Err(ClaimError::new("the torque is that of the pistons", "leave the words of the masses out"));
     }
-    if quantity == Quantity::Torque && sense.is_some() {
+    if quantity == Quantity::TORQUE && sense.is_some() {
         return Err(ClaimError::new("a torque has no direct and reverse vector", "leave the word out"));
     }
     Ok((Subject { order, sense, quantity, masses }, rest))
@@ -173,7 +173,7 @@ fn subject(words: &str) -> Result<(Subject, &str), ClaimError> {
 
 fn predicate(text: &str, subject: Subject) -> Result<Predicate, ClaimError> {
     let right = "vanishes, does not vanish, is planar, = VALUE, ≈ VALUE ± TOLERANCE, = VALUE at ANGLE, or plane ANGLE";
-    let is_plain = subject.sense.is_some() || subject.quantity == Quantity::Torque;
+    let is_plain = subject.sense.is_some() || subject.quantity == Quantity::TORQUE;
     let (word, rest) = next(text);
     match (word, rest) {
         ("vanishes" | "vanish", "") => Ok(Predicate::Vanishes(true)),
@@ -208,9 +208,9 @@ fn next(text: &str) -> (&str, &str) {
 
 fn quantity(word: &str) -> Option<Quantity> {
     match word {
-        "force" | "forces" => Some(Quantity::Force),
-        "moment" | "moments" | "couple" | "couples" => Some(Quantity::Moment),
-        "torque" => Some(Quantity::Torque),
+        "force" | "forces" => Some(Quantity::FORCE),
+        "moment" | "moments" | "couple" | "couples" => Some(Quantity::MOMENT),
+        "torque" => Some(Quantity::TORQUE),
         _ => None,
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn balance_of(engine: &Engine, order: u32, masses: Masses) -> Result<
 
 /// One order of the pistons, which have one coefficient.
 pub(super) fn pistons(engine: &Engine, order: u32) -> Option<OrderBalance> {
-    let quantities = [Quantity::Force, Quantity::Moment];
+    let quantities = [Quantity::FORCE, Quantity::MOMENT];
     let judged = verdict::classify(engine, &[order], Masses::Reciprocating, &quantities).ok()?;
     judged.into_iter().flat_map(|verdict| verdict.parts).next()
 }
@@ -33,7 +33,7 @@ pub(super) fn pistons(engine: &Engine, order: u32) -> Option<OrderBalance> {
 /// One order of the force and the moment of these masses, in multiples of m r c_k as that of the pistons.
 fn balance(engine: &Engine, order: u32, masses: Masses) -> Result<OrderBalance, String> {
     order::comparable(engine).map_err(|missing| missing.to_string())?;
-    let judged = verdict::classify(engine, &[order], masses, &[Quantity::Force, Quantity::Moment]);
+    let judged = verdict::classify(engine, &[order], masses, &Quantity::PLANAR);
     let judged = judged.map_err(|number| number.to_string())?;
     let parts = judged.into_iter().flat_map(|verdict| verdict.parts);
     let has_terms = |part: &OrderBalance| {

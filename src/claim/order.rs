@@ -33,7 +33,7 @@ impl<'a> Vectors<'a> {
                 }),
             },
         };
-        of(if subject.quantity == Quantity::Force { &order.force } else { &order.moment })
+        of(if subject.quantity == Quantity::FORCE { &order.force } else { &order.moment })
     }
 
     fn vanish(&self) -> bool {
@@ -48,7 +48,7 @@ impl<'a> Vectors<'a> {
 
 /// Answers a claim about one order.
 pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
-    if subject.quantity == Quantity::Torque {
+    if subject.quantity == Quantity::TORQUE {
         return of_torque(engine, subject, predicate);
     }
     let order = match masses::balance_of(engine, subject.order, subject.masses) {
@@ -134,11 +134,11 @@ fn missing(predicate: &Predicate) -> Status {
 fn vanishing(engine: &Engine, subject: Subject, order: &OrderBalance, vanishes: bool, claimed: bool) -> Status {
     let senses = senses(subject.sense);
     let plane = || match subject.quantity {
-        Quantity::Moment => plane_of_vanishing(engine, order, &senses),
+        Quantity::MOMENT => plane_of_vanishing(engine, order, &senses),
         _ => None,
     };
     let conditions = match (vanishes, claimed) {
-        (true, true) if subject.quantity == Quantity::Moment => of_vanishing(engine, order, &senses),
+        (true, true) if subject.quantity == Quantity::MOMENT => of_vanishing(engine, order, &senses),
         (false, true) => plane().map(Condition::AboutPlane).into_iter().collect(),
         (false, false) => plane().map(Condition::NotAboutPlane).into_iter().collect(),
         _ => Vec::new(),
@@ -155,7 +155,7 @@ fn largest(vectors: &Vectors, subject: Subject, value: &Value) -> (Status, Vec<E
     let empty = PhasorSum::new(Vec::new());
     let sums: [&PhasorSum; 2] = match vectors.verdicts.as_slice() {
         [direct, reverse] => [&direct.sum, &reverse.sum],
-        [only] if subject.quantity == Quantity::Torque => [&only.sum, &only.sum],
+        [only] if subject.quantity == Quantity::TORQUE => [&only.sum, &only.sum],
         [only] => [&only.sum, &empty],
         _ => [&empty, &empty],
     };

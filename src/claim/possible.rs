@@ -12,7 +12,7 @@ use crate::exact::PhasorSum;
 use crate::file::units;
 use crate::numbers;
 use crate::order::{self, Factor, OrderSum};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 use crate::remedy::{ComparableEngine, Weight, two_planes};
 
 /// Bits behind the point of the enclosures that masses are compared by.
@@ -72,8 +72,7 @@ pub(super) fn answer(engine: &Engine, claimed: &Possible) -> Answer {
         Err(missing) => return Answer::nothing(&missing.to_string()),
     };
     let plane = engine.reference_plane();
-    let [force, moment] =
-        [Quantity::Force, Quantity::Moment].map(|quantity| order::all_masses(engine, quantity, 1, Sense::Direct));
+    let [force, moment] = Planar::BOTH.map(|quantity| order::all_masses(engine, quantity, 1, Sense::Direct));
     let [Some(force), Some(moment)] = [&force, &moment].map(plain) else {
         return Answer::nothing("with a pin offset a coefficient stands before the first order");
     };

@@ -45,7 +45,7 @@ pub(super) fn parse(text: &str) -> Option<Result<Statement, ClaimError>> {
 
 /// Finds the least set of shafts for the order, beside counterweights where it is order 1.
 pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
-    let judged = match Judgement::new(engine, &[order], &[Quantity::Force, Quantity::Moment]) {
+    let judged = match Judgement::new(engine, &[order], &Quantity::PLANAR) {
         Ok(judged) => judged,
         Err(number) => return Answer::nothing(&number.to_string()),
     };

@@ -8,7 +8,7 @@ use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers::{self, Form};
 use crate::order;
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 use crate::text::Untrusted;
 
 /// The vector star of one order as a table has it: a row per cylinder (theory, section 3).
@@ -25,7 +25,7 @@ pub struct Star {
 /// The columns of a table.
 pub const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
 /// The rows below those of the cylinders.
-pub const SUMS: [Quantity; 2] = [Quantity::Force, Quantity::Moment];
+pub const SUMS: [Planar; 2] = Planar::BOTH;
 
 impl Star {
     /// The star of the pistons of an engine without links.
@@ -40,19 +40,19 @@ impl Star {
     }
 
     /// One of its four sums.
-    pub fn sum(&self, quantity: Quantity, sense: Sense) -> PhasorSum {
+    pub fn sum(&self, quantity: Planar, sense: Sense) -> PhasorSum {
         let column = self.phases.iter().map(|phases| phases[column(sense)].clone());
         self.sum_of(column.collect(), quantity)
     }
 
     /// The sum where the phases of a column are these.
-    fn sum_of(&self, phases: Vec<Turn>, quantity: Quantity) -> PhasorSum {
+    fn sum_of(&self, phases: Vec<Turn>, quantity: Planar) -> PhasorSum {
         let vectors = phases.into_iter().zip(&self.weights).zip(&self.arms);
         let term = |((angle, weight), arm): ((Turn, &BigRational), &BigRational)| Term {
             angle,
             weight: match quantity {
-                Quantity::Moment => weight * arm,
-                Quantity::Force | Quantity::Torque | Quantity::Roll => weight.clone(),
+                Planar::Moment => weight * arm,
+                Planar::Force => weight.clone(),
             },
         };
         PhasorSum::new(vectors.map(term).collect())
@@ -72,7 +72,7 @@ pub enum Place {
     /// The phase of a cylinder, by its index.
     Phase(usize, Sense),
     /// The length of a sum.
-    Sum(Quantity, Sense),
+    Sum(Planar, Sense),
 }
 
 /// An entry: what was written, or the words that cannot be read and what would be right.
@@ -84,7 +84,7 @@ pub struct Filled {
     /// Phases: cylinder by index, sense.
     pub phases: Vec<(usize, Sense, Written<WrittenAngle>)>,
     /// Lengths of sums.
-    pub sums: Vec<(Quantity, Sense, Written<WrittenLength>)>,
+    pub sums: Vec<(Planar, Sense, Written<WrittenLength>)>,
 }
 
 /// What is said of an entry.
@@ -200,8 +200,8 @@ struct OwnPhase {
 fn follows(
     star: &Star,
     own: Option<&Vec<OwnPhase>>,
-    quantity: Quantity,
-    written: Option<&(Quantity, Sense, Written<WrittenLength>)>,
+    quantity: Planar,
+    written: Option<&(Planar, Sense, Written<WrittenLength>)>,
     digits: usize,
 ) -> bool {
     let (Some(own), Some((_, _, Ok(length)))) = (own, written) else { return false };

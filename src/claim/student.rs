@@ -11,7 +11,7 @@ use crate::exact::Turn;
 use crate::file::LayoutError;
 use crate::file::written::{Table, Text, place};
 use crate::numbers::Form;
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 use crate::text::Untrusted;
 
 /// A vector-star table of one order, as a student fills it in.
@@ -46,7 +46,7 @@ pub enum Verdict {
     /// The first wrong sum, all phases being right.
     WrongSum {
         /// Force or moment.
-        quantity: Quantity,
+        quantity: Planar,
         /// Direct or reverse.
         sense: Sense,
         /// What was written.
@@ -141,12 +141,12 @@ impl Sums {
         self.entries().into_iter().filter_map(|(_, _, text)| text.as_ref().and_then(entry)).next().is_none()
     }
 
-    fn entries(&self) -> [(Quantity, Sense, &Option<Text>); 4] {
+    fn entries(&self) -> [(Planar, Sense, &Option<Text>); 4] {
         [
-            (Quantity::Force, Sense::Direct, &self.force_direct),
-            (Quantity::Force, Sense::Reverse, &self.force_reverse),
-            (Quantity::Moment, Sense::Direct, &self.moment_direct),
-            (Quantity::Moment, Sense::Reverse, &self.moment_reverse),
+            (Planar::Force, Sense::Direct, &self.force_direct),
+            (Planar::Force, Sense::Reverse, &self.force_reverse),
+            (Planar::Moment, Sense::Direct, &self.moment_direct),
+            (Planar::Moment, Sense::Reverse, &self.moment_reverse),
         ]
     }
 }

@@ -44,7 +44,7 @@ fn all_of(words: &str, names: &[Symbol]) -> Result<Statement, ClaimError> {
     let mut orders: Vec<u32> = names.iter().map(|name| name.order).collect();
     orders.sort_unstable();
     orders.dedup();
-    let quantities = [Quantity::Force, Quantity::Moment];
+    let quantities = [Quantity::FORCE, Quantity::MOMENT];
     let quantities: Vec<Quantity> =
         quantities.into_iter().filter(|quantity| names.iter().any(|name| name.quantity == *quantity)).collect();
     let is_whole = names.len() == orders.len() * quantities.len() && names.iter().all(|name| name.sense.is_none());
@@ -71,8 +71,8 @@ impl Symbol {
 /// `F2`, `F_2`, `F_{2}`, `F₂⁺`, and what stands behind it.
 fn symbol(words: &str) -> Option<(Symbol, &str)> {
     let (quantity, rest) = match (words.strip_prefix('F'), words.strip_prefix(['M', 'C'])) {
-        (Some(rest), _) => (Quantity::Force, rest),
-        (None, Some(rest)) => (Quantity::Moment, rest),
+        (Some(rest), _) => (Quantity::FORCE, rest),
+        (None, Some(rest)) => (Quantity::MOMENT, rest),
         (None, None) => return None,
     };
     let rest = rest.strip_prefix('_').unwrap_or(rest);

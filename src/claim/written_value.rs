@@ -33,8 +33,8 @@ pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value
     let form = form.ok_or_else(|| ClaimError::new(format!("cannot read the value `{number}`"), right))?;
     let fits = match unit {
         None => true,
-        Some(Unit::Newton) => quantity == Quantity::Force,
-        Some(Unit::NewtonMetre) => quantity == Quantity::Moment,
+        Some(Unit::Newton) => quantity == Quantity::FORCE,
+        Some(Unit::NewtonMetre) => quantity == Quantity::MOMENT,
     };
     if !fits {
         return Err(ClaimError::new(

@@ -6,7 +6,7 @@ use super::csv::Row;
 use crate::claim::student::kept;
 use crate::claim::{Filled, SENSES, SUMS, WrittenAngle, WrittenLength};
 use crate::engine::{Engine, HIGHEST_ORDER};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 
 /// The columns of a table in lines.
 pub(super) const COLUMNS: [&str; 6] = ["sheet", "student", "order", "row", "direct", "reverse"];
@@ -16,10 +16,10 @@ pub(super) const CONVENTION: &str = "convention ";
 /// What a column of angles may have behind its name.
 const DEGREES: [&str; 5] = ["", "deg", "degree", "degrees", "°"];
 
-pub(super) fn sum_name(quantity: Quantity) -> &'static str {
+pub(super) fn sum_name(quantity: Planar) -> &'static str {
     match quantity {
-        Quantity::Moment => "sum of moments",
-        Quantity::Force | Quantity::Torque | Quantity::Roll => "sum of forces",
+        Planar::Moment => "sum of moments",
+        Planar::Force => "sum of forces",
     }
 }
 

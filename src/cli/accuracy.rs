@@ -52,7 +52,7 @@ impl Accuracy {
                 engines.collect::<Result<_, _>>().map_err(Failure::new)?
             }
         };
-        let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
+        let quantities = [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE];
         let bar = progress::bar("loads by all methods");
         bar.set_length((engines.len() * AccuracyCase::steps(&quantities)) as u64);
         let cases =

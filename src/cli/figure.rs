@@ -134,7 +134,7 @@ impl Figure {
         family: Option<&Family>,
         orders: &[u32],
     ) -> Result<Vec<NamedPicture>, Failure> {
-        let judged = self.masses.judge(engine, orders, &[Quantity::Force, Quantity::Moment])?;
+        let judged = self.masses.judge(engine, orders, &Quantity::PLANAR)?;
         let open = classified(family, orders)?;
         let mut pages = vec![report::engine_page(Contents {
             engine,

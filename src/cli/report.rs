@@ -31,8 +31,8 @@ pub struct Report {
 }
 
 fn accuracy_of(engine: &Engine) -> Result<AccuracyCase, Failure> {
-    let torque = engine.effects().torque.then_some(Quantity::Torque);
-    let quantities: Vec<Quantity> = [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect();
+    let torque = engine.effects().torque.then_some(Quantity::TORQUE);
+    let quantities: Vec<Quantity> = [Quantity::FORCE, Quantity::MOMENT].into_iter().chain(torque).collect();
     progress::doing("finding each peak by all methods");
     AccuracyCase::of(engine, &quantities, Timing::Off).map_err(Failure::new)
 }

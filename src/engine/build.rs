@@ -212,7 +212,7 @@ impl<A, L: Length> Draft<A, L> {
         dimensions.mass.iter().try_for_each(|mass| not_negative(mass, || "the reciprocating mass".into()))?;
         dimensions.speed.iter().try_for_each(|speed| not_negative(speed, || "the speed".into()))?;
         dimensions.crank_radius.iter().try_for_each(|radius| positive(radius, || "the crank radius".into()))?;
-        let has_order = |&order: &u32| pistons_have_order(&self.cylinders, &self.geared_cranks, Quantity::Force, order);
+        let has_order = |&order: &u32| pistons_have_order(&self.cylinders, &self.geared_cranks, Quantity::FORCE, order);
         let usual: Vec<u32> = (1..=USUALLY_UP_TO).filter(has_order).collect();
         are_orders(&self.orders).map_err(BuildError::Order)?;
         self.orders.sort_unstable();

@@ -66,9 +66,9 @@ impl Link {
         let has_odd = self.is_corrected() && !self.ratio.is_zero();
         match (quantity, order) {
             (_, 0) => false,
-            (Quantity::Torque | Quantity::Roll, _) => true,
-            (Quantity::Force | Quantity::Moment, 1) => true,
-            (Quantity::Force | Quantity::Moment, _) => !is_endless && (order.is_multiple_of(2) || has_odd),
+            (Quantity::Axial(_), _) => true,
+            (Quantity::Planar(_), 1) => true,
+            (Quantity::Planar(_), _) => !is_endless && (order.is_multiple_of(2) || has_odd),
         }
     }
 }
@@ -77,11 +77,9 @@ impl Rod {
     fn has_order(&self, quantity: Quantity, order: u32) -> bool {
         match (quantity, order) {
             (_, 0) => false,
-            (Quantity::Torque | Quantity::Roll, _) => order == 2 || !self.ratio.is_zero(),
-            (Quantity::Force | Quantity::Moment, 1) => true,
-            (Quantity::Force | Quantity::Moment, _) => {
-                !self.ratio.is_zero() && (order.is_multiple_of(2) || !self.offset.is_zero())
-            }
+            (Quantity::Axial(_), _) => order == 2 || !self.ratio.is_zero(),
+            (Quantity::Planar(_), 1) => true,
+            (Quantity::Planar(_), _) => !self.ratio.is_zero() && (order.is_multiple_of(2) || !self.offset.is_zero()),
         }
     }
 }
@@ -117,7 +115,7 @@ pub(super) fn pistons_have_order<A, L>(
 fn has_order(mechanism: Option<&Mechanism>, quantity: Quantity, order: u32) -> bool {
     match (mechanism, quantity) {
         (Some(mechanism), _) => mechanism.has_order(quantity, order),
-        (None, Quantity::Torque | Quantity::Roll) => order > 0,
-        (None, Quantity::Force | Quantity::Moment) => order == 1 || (order > 0 && order.is_multiple_of(2)),
+        (None, Quantity::Axial(_)) => order > 0,
+        (None, Quantity::Planar(_)) => order == 1 || (order > 0 && order.is_multiple_of(2)),
     }
 }

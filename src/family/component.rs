@@ -9,7 +9,7 @@ use num_traits::One;
 use super::zeros::{Zeros, sums_zeros};
 use super::{phase, sums_of};
 use crate::engine::{Cylinder, Family, Linear, PHI};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 
 /// A part of the force or the moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub enum Component {
 /// open too.
 pub fn component_zeros(
     family: &Family,
-    quantity: Quantity,
+    quantity: Planar,
     order: u32,
     component: Component,
     range: [&BigRational; 2],

@@ -34,7 +34,7 @@ use num_traits::{One, Zero};
 use crate::engine::{Cylinder, DELTA, Family, Linear, NotAnOrder, PHI, are_orders};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::order;
-use crate::proof::{Certificate, Quantity, Sense};
+use crate::proof::{Certificate, Planar, Sense};
 
 /// The factor `e^{i(phi·φ + delta·δ)}` with the sum behind it.
 #[derive(Clone, Debug)]
@@ -71,7 +71,7 @@ impl OpenSum {
 #[derive(Clone, Debug)]
 pub struct OpenVerdict {
     /// Force or moment.
-    pub quantity: Quantity,
+    pub quantity: Planar,
     /// The order k.
     pub order: u32,
     /// Direct or reverse.
@@ -132,15 +132,12 @@ pub struct OpenOrder {
 pub fn classify(family: &Family, orders: &[u32]) -> Result<Vec<OpenOrder>, NotAnOrder> {
     are_orders(orders)?;
     let judge = |quantity, order| [Sense::Direct, Sense::Reverse].map(|sense| verdict(family, quantity, order, sense));
-    let order = |&order: &u32| OpenOrder {
-        order,
-        force: judge(Quantity::Force, order),
-        moment: judge(Quantity::Moment, order),
-    };
+    let order =
+        |&order: &u32| OpenOrder { order, force: judge(Planar::Force, order), moment: judge(Planar::Moment, order) };
     Ok(orders.iter().map(order).collect())
 }
 
-fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> OpenVerdict {
+fn verdict(family: &Family, quantity: Planar, order: u32, sense: Sense) -> OpenVerdict {
     let terms: Vec<(Linear, Linear)> = family
         .cylinders()
         .iter()
@@ -150,11 +147,10 @@ fn verdict(family: &Family, quantity: Quantity, order: u32, sense: Sense) -> Ope
 }
 
 /// What a cylinder's vector weighs.
-fn weight(family: &Family, cylinder: &Cylinder<Linear, Linear>, quantity: Quantity) -> Linear {
+fn weight(family: &Family, cylinder: &Cylinder<Linear, Linear>, quantity: Planar) -> Linear {
     match quantity {
-        Quantity::Moment => family.arm(cylinder).scaled(&cylinder.weight()),
-        Quantity::Force => Linear::constant(cylinder.weight()),
-        Quantity::Torque | Quantity::Roll => Linear::constant(cylinder.weight() * &cylinder.crank_radius),
+        Planar::Moment => family.arm(cylinder).scaled(&cylinder.weight()),
+        Planar::Force => Linear::constant(cylinder.weight()),
     }
 }
 

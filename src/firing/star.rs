@@ -76,7 +76,7 @@ impl FiringStar {
 impl<'a> From<&'a FiringStar> for JudgedStar<'a> {
     fn from(star: &'a FiringStar) -> Self {
         let FiringStar { sources, sum, certificate } = star;
-        JudgedStar { quantity: Quantity::Torque, sources, sum, certificate }
+        JudgedStar { quantity: Quantity::TORQUE, sources, sum, certificate }
     }
 }
 

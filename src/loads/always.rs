@@ -23,26 +23,20 @@ use num_traits::{Signed, Zero};
 use crate::engine::{Cylinder, Engine, Link, Mechanism, Rod};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::order::{self, mass_radius};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Quantity, Sense};
 
 /// How fast a crank turns, its rod, and where its piston is in its stroke.
 type Moving = (u32, Mechanism, Turn);
 
 /// Whether a load vanishes at every order, proved; it may vanish without a proof only where rods or the speeds of crankshafts differ.
 pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
-    let is_judged = match quantity {
-        Quantity::Force | Quantity::Moment => true,
-        Quantity::Torque | Quantity::Roll => !engine.has_links(),
-    };
-    if !is_judged {
-        return false;
-    }
     let alone = match quantity {
+        Quantity::Axial(_) if engine.has_links() => false,
         // An endless rod has the second order of its crank alone.
-        Quantity::Torque | Quantity::Roll => speeds(engine).all(|speed| order::torque(engine, 2 * speed).vanishes()),
-        Quantity::Force | Quantity::Moment => {
+        Quantity::Axial(_) => speeds(engine).all(|speed| order::torque(engine, 2 * speed).vanishes()),
+        Quantity::Planar(planar) => {
             let shafts = engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
-            let vanishes = |order, sense| order::all_masses(engine, quantity, order, sense).vanishes();
+            let vanishes = |order, sense| order::all_masses(engine, planar, order, sense).vanishes();
             speeds(engine).chain(shafts).all(|k| vanishes(k, Sense::Direct) && vanishes(k, Sense::Reverse))
         }
     };
@@ -62,7 +56,8 @@ fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<Moving, PhasorSum> {
         let rod = match mechanism {
             Mechanism::SliderCrank(rod) => rod,
             Mechanism::Link(link) => {
-                for ((rod, own), term) in of_link(engine, quantity, cylinder, link) {
+                let parts = quantity.planar().map(|planar| of_link(engine, planar, cylinder, link));
+                for ((rod, own), term) in parts.into_iter().flatten() {
                     groups.entry((engine.speed_of(cylinder), rod, own)).or_default().push(term);
                 }
                 continue;
@@ -72,17 +67,17 @@ fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<Moving, PhasorSum> {
         let weight = mass_radius(engine, cylinder);
         let ((rod, own), term) = match quantity {
             _ if rod.ratio.is_zero() => continue,
-            Quantity::Torque | Quantity::Roll => {
+            Quantity::Axial(_) => {
                 ((mechanism.clone(), own), Term { angle: Turn::zero(), weight: weight * &cylinder.crank_radius })
             }
-            Quantity::Force | Quantity::Moment => {
+            Quantity::Planar(planar) => {
                 let own = match (rod.offset.is_zero(), rod.offset.is_negative()) {
                     (true, _) => own.times(2),
                     (_, true) => own.opposite(),
                     (_, false) => own,
                 };
                 let rod = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
-                let weight = weight * order::lever(engine, quantity, &cylinder.position);
+                let weight = weight * order::lever(engine, planar, &cylinder.position);
                 ((Mechanism::SliderCrank(rod), own), Term { angle: cylinder.bank.clone(), weight })
             }
         };
@@ -92,7 +87,7 @@ fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<Moving, PhasorSum> {
 }
 
 /// The terms of the force, or of the moment, of a link on a master rod.
-fn of_link(engine: &Engine, quantity: Quantity, cylinder: &Cylinder, link: &Link) -> Vec<((Mechanism, Turn), Term)> {
+fn of_link(engine: &Engine, quantity: Planar, cylinder: &Cylinder, link: &Link) -> Vec<((Mechanism, Turn), Term)> {
     let lever = order::lever(engine, quantity, &cylinder.position);
     let (own, knuckle) = (&cylinder.throw - &cylinder.bank, &cylinder.knuckle_mass * &cylinder.crank_radius);
     let piston = mass_radius(engine, cylinder);

@@ -39,7 +39,7 @@ use num_complex::Complex;
 use crate::engine::{self, Engine};
 use crate::motion::Coefficient;
 use crate::order::{self, Contribution, MassGroup, MissingArm, OrderSum};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Quantity, Sense};
 
 /// Forces, moments and torque of an engine, in multiples of m r ω².
 #[derive(Clone, Debug)]
@@ -168,7 +168,7 @@ pub fn loads_at(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
 /// Force and moment of an order, of the contributions that are meant.
 fn swings(engine: &Engine, motion: &Motion, order: u32, is_meant: impl Fn(&Contribution) -> bool) -> [Swing; 2] {
     let contributions = SENSES.map(|sense| order::contributions(engine, order, sense));
-    [Quantity::Force, Quantity::Moment].map(|quantity| {
+    Planar::BOTH.map(|quantity| {
         let sums = contributions.each_ref().map(|of_sense| {
             let meant = of_sense.iter().filter(|one| is_meant(one));
             OrderSum::new(meant.map(|one| one.weighed(|position| order::lever(engine, quantity, position))))
@@ -183,9 +183,17 @@ impl OrderLoads {
         OrderLoads { order, coefficient: motion.common(order), force, moment }
     }
 
+    /// The force or the moment.
+    pub fn swing(&self, quantity: Planar) -> &Swing {
+        match quantity {
+            Planar::Force => &self.force,
+            Planar::Moment => &self.moment,
+        }
+    }
+
     /// Whether there is something to judge: a piston has the order, or a shaft turns so, or a crankshaft with masses.
     pub fn exists(&self, engine: &Engine) -> bool {
-        engine.pistons_have_order(Quantity::Force, self.order) || turning_orders(engine).contains(&self.order)
+        engine.pistons_have_order(Quantity::FORCE, self.order) || turning_orders(engine).contains(&self.order)
     }
 }
 

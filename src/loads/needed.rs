@@ -77,11 +77,7 @@ pub(super) struct Choice {
 impl Choice {
     fn new(spectrum: &Spectrum, quantity: Quantity) -> Self {
         let rest = spectrum.rest(quantity) + spectrum.doubt(quantity);
-        let waveform = spectrum.waveform(quantity);
-        let peak = match quantity {
-            Quantity::Force | Quantity::Moment => waveform.peak(),
-            Quantity::Torque | Quantity::Roll => waveform.real_peak(),
-        };
+        let peak = spectrum.waveform(quantity).peak_of(quantity);
         Choice { lengths: spectrum.lengths(quantity), rest, peak: (peak.value - rest).max(0.0) }
     }
 
@@ -124,14 +120,14 @@ impl Choices {
                 choice
             };
             let choices = Choices {
-                swings: [of(Quantity::Force), of(Quantity::Moment)],
-                torque: with_torque.then(|| of(Quantity::Torque)),
+                swings: [of(Quantity::FORCE), of(Quantity::MOMENT)],
+                torque: with_torque.then(|| of(Quantity::TORQUE)),
                 looked_at: highest,
             };
             let few = |choice: &Choice| choice.rest <= FOR_THE_REST * accuracy * choice.peak;
             let enough = choices.swings.iter().chain(&choices.torque).all(few);
             // Where the orders fall so slowly that the last of these would not do, more of them tell nothing.
-            let quantities = [Quantity::Force, Quantity::Moment, Quantity::Torque];
+            let quantities = [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE];
             let hopeless =
                 quantities.into_iter().zip(choices.swings.iter().chain(&choices.torque)).any(|(quantity, choice)| {
                     !choice.lengths.is_empty()

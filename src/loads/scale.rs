@@ -66,14 +66,14 @@ pub fn scale(engine: &Engine) -> Option<Scale> {
 }
 
 /// What forces, moments or torques of a layout are counted in: newtons where the scale is known, else multiples.
-pub fn unit(engine: &Engine, scale: Option<&Scale>, quantity: Quantity) -> Unit {
-    match (scale, quantity, Arm::of(engine)) {
-        (Some(_), Quantity::Force, _) => Unit::NEWTON,
-        (Some(_), Quantity::Moment, Arm::Spacing) => Unit::NEWTON_SPACING,
-        (Some(_), Quantity::Moment, Arm::Metre) | (Some(_), Quantity::Torque | Quantity::Roll, _) => Unit::NEWTON_METRE,
-        (None, Quantity::Force, _) => Unit::MULTIPLE,
-        (None, Quantity::Moment, Arm::Spacing) => Unit::MULTIPLE_SPACING,
-        (None, Quantity::Moment, Arm::Metre) => Unit::MULTIPLE_METRE,
-        (None, Quantity::Torque | Quantity::Roll, _) => Unit::TORQUE_MULTIPLE,
+pub fn unit(engine: &Engine, scale: Option<&Scale>, quantity: impl Into<Quantity>) -> Unit {
+    match (scale, quantity.into(), Arm::of(engine)) {
+        (Some(_), Quantity::FORCE, _) => Unit::NEWTON,
+        (Some(_), Quantity::MOMENT, Arm::Spacing) => Unit::NEWTON_SPACING,
+        (Some(_), Quantity::MOMENT, Arm::Metre) | (Some(_), Quantity::Axial(_), _) => Unit::NEWTON_METRE,
+        (None, Quantity::FORCE, _) => Unit::MULTIPLE,
+        (None, Quantity::MOMENT, Arm::Spacing) => Unit::MULTIPLE_SPACING,
+        (None, Quantity::MOMENT, Arm::Metre) => Unit::MULTIPLE_METRE,
+        (None, Quantity::Axial(_), _) => Unit::TORQUE_MULTIPLE,
     }
 }

@@ -4,7 +4,7 @@ use num_complex::Complex;
 
 use super::{Harmonic, Missing, Motion, OrderLoads, Swing, Tails, TorqueOrder, Waveform};
 use crate::engine::Engine;
-use crate::proof::Quantity;
+use crate::proof::{Planar, Quantity};
 
 /// All orders of an engine that exist, up to one that can be raised.
 pub struct Spectrum<'a> {
@@ -36,10 +36,10 @@ impl<'a> Spectrum<'a> {
         let (engine, motion) = (self.engine, &self.motion);
         let turning = super::turning_orders(engine);
         for order in self.highest + 1..=highest {
-            if engine.pistons_have_order(Quantity::Force, order) || turning.contains(&order) {
+            if engine.pistons_have_order(Quantity::FORCE, order) || turning.contains(&order) {
                 self.orders.push(OrderLoads::new(engine, motion, order));
             }
-            if with_torque && engine.pistons_have_order(Quantity::Torque, order) {
+            if with_torque && engine.pistons_have_order(Quantity::TORQUE, order) {
                 self.torque.push(TorqueOrder::new(engine, motion, order));
             }
         }
@@ -51,16 +51,18 @@ impl<'a> Spectrum<'a> {
         self.highest
     }
 
+    fn swings(&self, quantity: Planar) -> impl Iterator<Item = (u32, &Swing)> {
+        self.orders.iter().map(move |order| (order.order, order.swing(quantity)))
+    }
+
     /// Each order that does not vanish, with its largest length and how much of that may be missing.
     pub fn lengths(&self, quantity: Quantity) -> Vec<(u32, f64)> {
-        let swings = |swing: fn(&OrderLoads) -> &Swing| {
-            let left = self.orders.iter().filter(move |order| !swing(order).vanishes());
-            left.map(move |order| (order.order, swing(order).largest() + swing(order).doubt())).collect()
-        };
         match quantity {
-            Quantity::Force => swings(|order| &order.force),
-            Quantity::Moment => swings(|order| &order.moment),
-            Quantity::Torque | Quantity::Roll => {
+            Quantity::Planar(planar) => {
+                let left = self.swings(planar).filter(|(_, swing)| !swing.vanishes());
+                left.map(|(order, swing)| (order, swing.largest() + swing.doubt())).collect()
+            }
+            Quantity::Axial(_) => {
                 let left = self.torque.iter().filter(|order| !order.vector.vanishes());
                 left.map(|order| (order.order, order.vector.value.norm() + order.vector.doubt())).collect()
             }
@@ -69,25 +71,21 @@ impl<'a> Spectrum<'a> {
 
     /// The sum of the orders.
     pub fn waveform(&self, quantity: Quantity) -> Waveform {
-        let swings = |swing: fn(&OrderLoads) -> &Swing| {
-            Waveform::new(self.orders.iter().map(|order| super::harmonic(order.order, swing(order))))
-        };
         match quantity {
-            Quantity::Force => swings(|order| &order.force),
-            Quantity::Moment => swings(|order| &order.moment),
-            Quantity::Torque | Quantity::Roll => Waveform::new(self.torque.iter().map(TorqueOrder::harmonic)),
+            Quantity::Planar(planar) => {
+                Waveform::new(self.swings(planar).map(|(order, swing)| super::harmonic(order, swing)))
+            }
+            Quantity::Axial(_) => Waveform::new(self.torque.iter().map(TorqueOrder::harmonic)),
         }
     }
 
     /// How much of the sum is not known: vectors that are not decided, and roundings of its floats.
     pub fn doubt(&self, quantity: Quantity) -> f64 {
-        let swings = |swing: fn(&OrderLoads) -> &Swing| {
-            self.orders.iter().map(|order| swing(order).doubt() + ROUNDING * swing(order).largest()).sum()
-        };
         match quantity {
-            Quantity::Force => swings(|order| &order.force),
-            Quantity::Moment => swings(|order| &order.moment),
-            Quantity::Torque | Quantity::Roll => {
+            Quantity::Planar(planar) => {
+                self.swings(planar).map(|(_, swing)| swing.doubt() + ROUNDING * swing.largest()).sum()
+            }
+            Quantity::Axial(_) => {
                 let doubts = self.torque.iter().map(|order| &order.vector);
                 doubts.map(|vector| vector.doubt() + ROUNDING * vector.value.norm()).sum()
             }

@@ -94,17 +94,17 @@ impl Tails {
     pub fn above(&self, engine: &Engine, quantity: Quantity, order: u32) -> f64 {
         let pistons = self.sum(engine, quantity, &|parts, speed| match (quantity, order / speed.max(1)) {
             // A crank that turns faster has had so few of its own orders up to this one.
-            (Quantity::Force | Quantity::Moment, 0) => 1.0 + parts.force(0),
-            (Quantity::Force | Quantity::Moment, own) => parts.force(own),
-            (Quantity::Torque, 0 | 1) => f64::INFINITY,
-            (Quantity::Torque, own) => parts.of_rod(|tail| tail.torque(own)),
-            (Quantity::Roll, _) => f64::INFINITY,
+            (Quantity::Planar(_), 0) => 1.0 + parts.force(0),
+            (Quantity::Planar(_), own) => parts.force(own),
+            (Quantity::TORQUE, 0 | 1) => f64::INFINITY,
+            (Quantity::TORQUE, own) => parts.of_rod(|tail| tail.torque(own)),
+            (Quantity::ROLL, _) => f64::INFINITY,
         });
         let [force, moment] = self.faster_shafts(engine, order);
         let shafts = match quantity {
-            Quantity::Force => force,
-            Quantity::Moment => moment,
-            Quantity::Torque | Quantity::Roll => 0.0,
+            Quantity::FORCE => force,
+            Quantity::MOMENT => moment,
+            Quantity::Axial(_) => 0.0,
         };
         (pistons + shafts) * SLACK
     }
@@ -171,9 +171,9 @@ impl Tails {
         self.sum(engine, quantity, &|parts, _| {
             let shaking = 1.0 + parts.force(0);
             match quantity {
-                Quantity::Force | Quantity::Moment => shaking,
-                Quantity::Torque => shaking * shaking,
-                Quantity::Roll => f64::INFINITY,
+                Quantity::Planar(_) => shaking,
+                Quantity::TORQUE => shaking * shaking,
+                Quantity::ROLL => f64::INFINITY,
             }
         })
     }
@@ -186,18 +186,13 @@ impl Tails {
             let (weight, speed) = (mass_radius(engine, cylinder).abs(), engine.speed_of(cylinder));
             let faster = |exponent| num_traits::pow(BigRational::from_integer(speed.into()), exponent);
             let weight = match quantity {
-                Quantity::Force => weight * faster(2),
-                Quantity::Moment => weight * engine.arm(cylinder).abs() * faster(2),
-                Quantity::Torque | Quantity::Roll => weight * &cylinder.crank_radius * faster(3),
+                Quantity::Planar(planar) => weight * order::lever(engine, planar, &cylinder.position).abs() * faster(2),
+                Quantity::Axial(_) => weight * &cylinder.crank_radius * faster(3),
             };
             *weights.entry((mechanism.clone(), speed)).or_insert_with(BigRational::zero) += weight;
-            let is_along_axes = match quantity {
-                Quantity::Force | Quantity::Moment => true,
-                Quantity::Torque | Quantity::Roll => false,
-            };
-            if let Some(link) = cylinder.link().filter(|_| is_along_axes) {
+            if let (Some(link), Some(planar)) = (cylinder.link(), quantity.planar()) {
                 // The mass at the knuckle pin moves as the master's piston does, in part.
-                let lever = order::lever(engine, quantity, &cylinder.position).abs();
+                let lever = order::lever(engine, planar, &cylinder.position).abs();
                 let weight = &cylinder.knuckle_mass * &cylinder.crank_radius * &link.knuckle * lever;
                 let master = Mechanism::SliderCrank(link.master_rod());
                 *weights.entry((master, speed)).or_insert_with(BigRational::zero) += weight;

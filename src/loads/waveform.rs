@@ -6,6 +6,8 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
+use crate::proof::Quantity;
+
 /// One order of a waveform: `direct · e^{ikθ} + reverse · e^{−ikθ}`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Harmonic {
@@ -149,13 +151,21 @@ impl Waveform {
 
     /// The largest length in a revolution.
     pub fn peak(&self) -> Peak {
-        self.peak_of(|vector| vector.norm_sqr())
+        self.peak_by(|vector| vector.norm_sqr())
     }
 
     /// The largest size of the real part: that of a torque.
     pub fn real_peak(&self) -> Peak {
-        let peak = self.peak_of(|vector| vector.re * vector.re);
+        let peak = self.peak_by(|vector| vector.re * vector.re);
         Peak { value: peak.vector.re.abs(), ..peak }
+    }
+
+    /// The peak of what these vectors are: the largest length, or the largest size of the real part.
+    pub fn peak_of(&self, quantity: Quantity) -> Peak {
+        match quantity {
+            Quantity::Planar(_) => self.peak(),
+            Quantity::Axial(_) => self.real_peak(),
+        }
     }
 
     /// The largest size of the component in a direction of length 1.
@@ -164,7 +174,7 @@ impl Waveform {
         Peak { vector: peak.vector * direction, ..peak }
     }
 
-    fn peak_of(&self, size: impl Fn(Complex<f64>) -> f64) -> Peak {
+    fn peak_by(&self, size: impl Fn(Complex<f64>) -> f64) -> Peak {
         if let [only] = self.harmonics.as_slice()
             && (only.direct.norm_sqr() == 0.0 || only.reverse.norm_sqr() == 0.0)
             && size(Complex::i()) > 0.0

@@ -12,7 +12,7 @@ use super::sum::OrderSum;
 use super::turning::{TurningMass, mass_radius, turning_masses};
 use crate::engine::{Cylinder, Engine};
 use crate::exact::{PhasorSum, Term, Turn, fraction};
-use crate::proof::{Masses, Quantity, Sense};
+use crate::proof::{Masses, Planar, Quantity, Sense};
 
 /// The term that a source adds to an order.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,8 +31,8 @@ impl Contribution {
     /// The term of a quantity: of the moment that of the force times the arm.
     pub(super) fn term_of(&self, engine: &Engine, quantity: Quantity) -> Term {
         match quantity {
-            Quantity::Force | Quantity::Torque | Quantity::Roll => self.term.clone(),
-            Quantity::Moment => self.weighed(|position| lever(engine, quantity, position)).1,
+            Quantity::FORCE | Quantity::Axial(_) => self.term.clone(),
+            Quantity::MOMENT => self.weighed(|position| lever(engine, Planar::Moment, position)).1,
         }
     }
 
@@ -148,7 +148,7 @@ impl<'a> Sources<'a> {
         };
         match (sense, quantity) {
             (Some(sense), _) => self.of_force(order, sense).map(term).collect(),
-            (None, Quantity::Roll) => self.of_roll(order).into_iter().map(term).collect(),
+            (None, Quantity::ROLL) => self.of_roll(order).into_iter().map(term).collect(),
             (None, _) => self.of_torque(order).map(term).collect(),
         }
     }
@@ -193,25 +193,21 @@ pub fn contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribut
 }
 
 /// What a force at this position counts for: 1 in the force, its arm about the reference plane in the moment.
-///
-/// # Panics
-/// For the torque and the roll moment, which no position enters.
-pub fn lever(engine: &Engine, quantity: Quantity, position: &BigRational) -> BigRational {
+pub fn lever(engine: &Engine, quantity: Planar, position: &BigRational) -> BigRational {
     match quantity {
-        Quantity::Force => BigRational::one(),
-        Quantity::Moment => fraction::minus(position, engine.reference_plane()),
-        Quantity::Torque | Quantity::Roll => unreachable!("the torque has sums of its own, and so has the roll moment"),
+        Planar::Force => BigRational::one(),
+        Planar::Moment => fraction::minus(position, engine.reference_plane()),
     }
 }
 
 /// One order and sense of the force or the moment of all masses.
-pub fn all_masses(engine: &Engine, quantity: Quantity, order: u32, sense: Sense) -> OrderSum {
-    sum_of(&Sources::new(engine, Masses::All), quantity, order, Some(sense))
+pub fn all_masses(engine: &Engine, quantity: Planar, order: u32, sense: Sense) -> OrderSum {
+    sum_of(&Sources::new(engine, Masses::All), quantity.into(), order, Some(sense))
 }
 
 /// The inertia torque of one order: `Σ m r² e^{ik(β−α)}` before t_k of each mechanism, in multiples of m r².
 pub fn torque(engine: &Engine, order: u32) -> OrderSum {
-    sum_of(&Sources::new(engine, Masses::Reciprocating), Quantity::Torque, order, None)
+    sum_of(&Sources::new(engine, Masses::Reciprocating), Quantity::TORQUE, order, None)
 }
 
 fn sum_of(sources: &Sources, quantity: Quantity, order: u32, sense: Option<Sense>) -> OrderSum {
@@ -221,14 +217,14 @@ fn sum_of(sources: &Sources, quantity: Quantity, order: u32, sense: Option<Sense
 
 /// The roll moment of one order of all masses on the frame, in multiples of m r².
 pub fn roll(engine: &Engine, order: u32) -> OrderSum {
-    sum_of(&Sources::new(engine, Masses::All), Quantity::Roll, order, None)
+    sum_of(&Sources::new(engine, Masses::All), Quantity::ROLL, order, None)
 }
 
 /// The vector star of the pistons: the sum of one quantity, order and sense, one term per cylinder.
 ///
 /// Masses and crank radii are in multiples of the engine's; its coefficient c_k and the factor ½ω² are left out.
-pub fn star(engine: &Engine, quantity: Quantity, order: u32, sense: Option<Sense>) -> PhasorSum {
-    let terms = Sources::new(engine, Masses::Reciprocating).terms(quantity, order, sense);
+pub fn star(engine: &Engine, quantity: impl Into<Quantity>, order: u32, sense: Option<Sense>) -> PhasorSum {
+    let terms = Sources::new(engine, Masses::Reciprocating).terms(quantity.into(), order, sense);
     PhasorSum::new(terms.into_iter().map(|(_, _, term)| term).collect())
 }
 

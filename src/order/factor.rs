@@ -130,9 +130,9 @@ impl Factor {
     pub fn exists(&self, order: u32) -> bool {
         match self {
             Factor::One | Factor::OpenTorque => true,
-            Factor::Motion(mechanism) => mechanism.has_order(Quantity::Force, order),
+            Factor::Motion(mechanism) => mechanism.has_order(Quantity::FORCE, order),
             Factor::Quadrature(rod) => order == 1 && !rod.offset.is_zero(),
-            Factor::Torque(mechanism) => mechanism.has_order(Quantity::Torque, order),
+            Factor::Torque(mechanism) => mechanism.has_order(Quantity::TORQUE, order),
             Factor::Side(mechanism) => {
                 super::coefficients::crank(mechanism).is_some_and(|crank| crank.has_side_part(order))
             }

@@ -49,8 +49,8 @@ fn check_head(document: &Document) -> Result<(), Fault> {
     check_axes(document)?;
     check_asked(&document.orders, &document.quantities)?;
     let is_judged = |quantity: &Quantity| match quantity {
-        Quantity::Force | Quantity::Moment => true,
-        Quantity::Torque | Quantity::Roll => false,
+        Quantity::Planar(_) => true,
+        Quantity::Axial(_) => false,
     };
     if document.has_links() && !document.quantities.iter().all(is_judged) {
         return Err(Fault::new("quantities", "torque and roll moment of links on a master rod are not judged"));
@@ -66,7 +66,7 @@ fn check_head(document: &Document) -> Result<(), Fault> {
 /// Where axes stand and which way cranks turn counts for the roll moment alone: elsewhere nothing is said of it.
 fn check_axes(document: &Document) -> Result<(), Fault> {
     let why = "it stands in documents with the roll moment alone, which nothing else could check";
-    if document.quantities.contains(&Quantity::Roll) {
+    if document.quantities.contains(&Quantity::ROLL) {
         let endless = document.cylinders.iter().position(|cylinder| match &cylinder.rod {
             RodStatement::Known(rod) => rod.ratio.is_zero() && !rod.offset.is_zero(),
             RodStatement::Unknown | RodStatement::Link(_) => false,
@@ -211,8 +211,8 @@ fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> 
 /// class where anything stands there.
 fn check_theorems(document: &Document, audit: &Audit, motion: &Motion<'_>) -> Result<(), Fault> {
     let about = |quantity: &Quantity| match quantity {
-        Quantity::Force | Quantity::Moment => Sense::BOTH.map(|sense| (*quantity, sense)).to_vec(),
-        Quantity::Torque | Quantity::Roll => Vec::new(),
+        Quantity::Planar(_) => Sense::BOTH.map(|sense| (*quantity, sense)).to_vec(),
+        Quantity::Axial(_) => Vec::new(),
     };
     let asked: Vec<(Quantity, Sense)> =
         document.quantities.iter().filter(|_| document.all_orders).flat_map(about).collect();

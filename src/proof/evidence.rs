@@ -107,21 +107,21 @@ fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged]) -> Result<
     }
     for (index, entry) in loads.torque.iter().enumerate() {
         let at = |key: &str| format!("torque[{index}].{key}");
-        let found = find(Quantity::Torque, entry.order).map(|one| one.vanishes(0));
+        let found = find(Quantity::TORQUE, entry.order).map(|one| one.vanishes(0));
         let found = found.ok_or_else(|| Fault::new(at("order"), "the evidence says nothing of it"))?;
         agrees(&at("amplitude"), entry.amplitude, found == Some(true) || is_at_rest)?;
         agrees(&at("dimensionless"), entry.dimensionless, found == Some(true))?;
     }
     let said: Vec<(Quantity, u32)> = loads.orders.iter().map(|entry| (entry.quantity, entry.order)).collect();
     let shaking: Vec<u32> =
-        said.iter().filter(|(quantity, _)| *quantity == Quantity::Force).map(|(_, order)| *order).collect();
+        said.iter().filter(|(quantity, _)| *quantity == Quantity::FORCE).map(|(_, order)| *order).collect();
     let torque: Vec<u32> = loads.torque.iter().map(|entry| entry.order).collect();
     let of = |quantity: Quantity| shaking.iter().map(move |order| (quantity, *order));
     let mut all = [&shaking[..], &torque].concat();
     all.sort_unstable();
     all.dedup();
     let rise = |orders: &[u32]| orders.windows(2).all(|pair| pair[0] < pair[1]);
-    let are_due = said.into_iter().eq(of(Quantity::Force).chain(of(Quantity::Moment)));
+    let are_due = said.into_iter().eq(of(Quantity::FORCE).chain(of(Quantity::MOMENT)));
     if !are_due || all != evidence.orders || !rise(&shaking) || !rise(&torque) {
         return Err(Fault::new("orders", "these are not the orders of the evidence, force and then moment, each once"));
     }
@@ -153,7 +153,7 @@ fn check_compared(at: &dyn Fn(&str) -> String, engine: &Compared, evidence: &Doc
         right("newtons", newtons.iter().map(|entry| entry.order).collect())?;
     }
     for (place, entry) in engine.orders.iter().enumerate() {
-        for (quantity, said) in [(Quantity::Force, &entry.force), (Quantity::Moment, &entry.moment)] {
+        for (quantity, said) in [(Quantity::FORCE, &entry.force), (Quantity::MOMENT, &entry.moment)] {
             let at = at(&format!("orders[{place}].{}.largest", quantity.name()));
             let is_it = |claim: &&ShapeClaim| (claim.quantity, claim.order) == (quantity, entry.order);
             let claim = evidence.shapes.iter().find(is_it);

@@ -48,7 +48,7 @@ pub(super) fn check_left_out(document: &RemedyDocument, left: &[Left], audit: &A
     let load: BigRational = document.cylinders.iter().map(|cylinder| cylinder.weight.abs()).sum();
     let orders: BTreeSet<u32> = named.into_iter().map(|(order, _)| order).collect();
     for order in orders {
-        for (quantity, unit) in [(Quantity::Force, load.clone()), (Quantity::Moment, &load * length(document))] {
+        for (quantity, unit) in [(Quantity::FORCE, load.clone()), (Quantity::MOMENT, &load * length(document))] {
             let place = || format!("left_out (order {order}, {})", quantity.name());
             let of_order = left.iter().filter(|one| (one.quantity, one.order) == (quantity, order));
             let of_order: Vec<&Left> = of_order.collect();
@@ -107,5 +107,5 @@ fn longest_of(
         JudgedGroup { coefficient: coefficient.clone(), is_zero: false, sums: of_senses }
     };
     let groups = sums.iter().map(group).collect();
-    longest(&Judged { quantity: Quantity::Force, order, groups, wholes: Vec::new() }, place, motion)
+    longest(&Judged { quantity: Quantity::FORCE, order, groups, wholes: Vec::new() }, place, motion)
 }

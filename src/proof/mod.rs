@@ -68,7 +68,9 @@ pub use coefficient::{Coefficient, GearedClaim};
 pub use decimals::Decimal;
 pub use document::Document;
 pub use document_check::check_document;
-pub use engine::{CrankClaim, Cylinder, Masses, Quantity, RodClaim, RodStatement, Sense, TurningMassClaim};
+pub use engine::{
+    Axial, CrankClaim, Cylinder, Masses, Planar, Quantity, RodClaim, RodStatement, Sense, TurningMassClaim,
+};
 pub use evidence::EvidenceDocument;
 pub use firing::{CycleClaim, FiringClaim, FiringCylinder, FiringDocument, PatternClaim, PatternVerdict};
 pub use firing_check::check_firing_document;

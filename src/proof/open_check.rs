@@ -187,8 +187,8 @@ fn weights(
 ) -> Result<BTreeMap<Option<String>, BigRational>, Reason> {
     let mass_radius = &cylinder.reciprocating_mass * &cylinder.crank_radius;
     match quantity {
-        Quantity::Force => Ok(BTreeMap::from([(None, mass_radius)])),
-        Quantity::Moment => {
+        Quantity::FORCE => Ok(BTreeMap::from([(None, mass_radius)])),
+        Quantity::MOMENT => {
             let mut weights = BTreeMap::new();
             for name in cylinder.position.keys().chain(document.reference_plane.keys()) {
                 let arm = part(&cylinder.position, name) - part(&document.reference_plane, name);
@@ -197,7 +197,7 @@ fn weights(
             }
             Ok(weights)
         }
-        Quantity::Torque | Quantity::Roll => Err("the torque of a family is not known to this format".into()),
+        Quantity::Axial(_) => Err("the torque of a family is not known to this format".into()),
     }
 }
 

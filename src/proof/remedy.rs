@@ -175,7 +175,7 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
     let mut found = document.sums.iter().enumerate();
     let mut left = Vec::new();
     for &order in &document.orders {
-        for quantity in [Quantity::Force, Quantity::Moment] {
+        for quantity in [Quantity::FORCE, Quantity::MOMENT] {
             for sense in Sense::BOTH {
                 let about = format!("({}, order {order}, {})", quantity.name(), sense.name());
                 let expected = document.expected(quantity, order, sense, &audit);
@@ -223,7 +223,7 @@ fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
         return Err(Fault::new("masses", "a remedy is about all masses of the engine"));
     }
     check_asked(&document.orders, &document.quantities)?;
-    if document.quantities != [Quantity::Force, Quantity::Moment] {
+    if document.quantities != [Quantity::FORCE, Quantity::MOMENT] {
         return Err(Fault::new("quantities", "a remedy is about force and moment, both"));
     }
     if document.cylinders.is_empty() {
@@ -288,8 +288,8 @@ impl RemedyDocument {
     ) -> Result<BTreeMap<Coefficient, Expected>, Reason> {
         let mut sums: BTreeMap<Coefficient, Vec<(BigRational, BigRational)>> = BTreeMap::new();
         let arm = |position: &BigRational| match quantity {
-            Quantity::Moment => position - &self.reference_plane,
-            Quantity::Force | Quantity::Torque | Quantity::Roll => BigRational::one(),
+            Quantity::MOMENT => position - &self.reference_plane,
+            Quantity::FORCE | Quantity::Axial(_) => BigRational::one(),
         };
         audit.spend((self.cylinders.len() + self.turning_masses.len() + self.weights.len()) as u64)?;
         let do_rods_differ = differ(self.cylinders.iter().map(|cylinder| &cylinder.rod));

@@ -93,8 +93,8 @@ pub fn coefficient_bounds(
 ) -> Result<[[BigRational; 2]; 2], Refusal> {
     let audit = Audit::new();
     let number = match quantity {
-        Quantity::Force | Quantity::Moment => force(rod, order, bits, &audit),
-        Quantity::Torque | Quantity::Roll => torque(rod, order, bits, &audit),
+        Quantity::Planar(_) => force(rod, order, bits, &audit),
+        Quantity::Axial(_) => torque(rod, order, bits, &audit),
     }?;
     let bounds = |Ball { middle, doubt }: &Ball| {
         [middle - doubt, middle + doubt].map(|bound| BigRational::new(bound, BigInt::one() << bits))

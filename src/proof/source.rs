@@ -50,9 +50,9 @@ impl Document {
         let cylinders = self.cylinders.iter().filter(|_| self.masses.reciprocate());
         for (cylinder, own) in cylinders.filter_map(|cylinder| Some((cylinder, cylinder.own_order(order)?))) {
             let (has_force, has_torque) = match quantity {
-                Quantity::Force | Quantity::Moment => (true, false),
-                Quantity::Torque => (false, true),
-                Quantity::Roll => (!roll::arms(cylinder).is_empty(), true),
+                Quantity::Planar(_) => (true, false),
+                Quantity::TORQUE => (false, true),
+                Quantity::ROLL => (!roll::arms(cylinder).is_empty(), true),
             };
             if has_force {
                 for force in Factor::of_force(&cylinder.rod, own, do_rods_differ) {
@@ -70,17 +70,17 @@ impl Document {
         }
         // The roll moment of an engine with links is not judged.
         let shakes = match quantity {
-            Quantity::Force | Quantity::Moment => self.masses.reciprocate(),
-            Quantity::Torque | Quantity::Roll => false,
+            Quantity::Planar(_) => self.masses.reciprocate(),
+            Quantity::Axial(_) => false,
         };
         for (cylinder, link) in self.knuckles().filter(|_| shakes) {
             let factor = Factor::of_rod(&link.master_rod(), order);
             groups.add(factor.coefficient, factor.is_zero, Source::Knuckle(cylinder, link));
         }
         let is_there = |mass: &TurningMassClaim| match quantity {
-            Quantity::Force | Quantity::Moment => true,
-            Quantity::Roll => !mass.axis.is_empty(),
-            Quantity::Torque => false,
+            Quantity::Planar(_) => true,
+            Quantity::ROLL => !mass.axis.is_empty(),
+            Quantity::TORQUE => false,
         };
         let turning = self.turning_masses.iter().filter(|mass| self.masses.turn() && mass.order == order);
         for mass in turning.filter(|mass| is_there(mass)) {
@@ -101,10 +101,10 @@ impl Document {
         sense: Option<Sense>,
     ) -> Vec<(String, Vector)> {
         let lever = |position: &BigRational| match quantity {
-            Quantity::Moment => position - &self.reference_plane,
-            Quantity::Force | Quantity::Torque | Quantity::Roll => BigRational::one(),
+            Quantity::MOMENT => position - &self.reference_plane,
+            Quantity::FORCE | Quantity::Axial(_) => BigRational::one(),
         };
-        let is_roll = quantity == Quantity::Roll;
+        let is_roll = quantity == Quantity::ROLL;
         // Only cylinders that have part in the order are among the sources.
         let own = |cylinder: &Cylinder| cylinder.own_order(order).unwrap_or(order);
         let terms = |source: &Source<'_>| match source {

@@ -11,9 +11,9 @@ use super::error::told;
 use super::star::Star;
 use crate::page::Text;
 use crate::page::number::Amount;
-use crate::proof::{Quantity, Shape};
+use crate::proof::{Axial, Planar, Quantity, Shape};
 use crate::report;
-use crate::verdict::{Balance, OrderBalance, OrderVerdict, TorqueVerdict, WholeOrder};
+use crate::verdict::{OrderBalance, OrderVerdict, TorqueVerdict, WholeOrder};
 
 /// What is left of one quantity of one order: of all sums together, or, in `parts`, of one of several.
 #[pyclass(frozen, get_all, module = "crankstar")]
@@ -90,10 +90,10 @@ pub(super) fn _verdict(state: &str) -> PyResult<Verdict> {
 pub(super) fn of_order(order: &OrderVerdict) -> Vec<Verdict> {
     let [force, moment] = report::force_and_moment_left(order);
     let one = |quantity, text| whole(order, quantity, text);
-    let about_the_axis = [Quantity::Torque, Quantity::Roll].into_iter();
+    let about_the_axis = [Axial::Torque, Axial::Roll].into_iter();
     let about_the_axis =
         about_the_axis.filter_map(|quantity| Some(of_torque(order, quantity, order.about_the_axis(quantity)?)));
-    [one(Quantity::Force, force), one(Quantity::Moment, moment)].into_iter().chain(about_the_axis).collect()
+    [one(Planar::Force, force), one(Planar::Moment, moment)].into_iter().chain(about_the_axis).collect()
 }
 
 /// What is known of an amount.
@@ -110,9 +110,9 @@ impl From<Amount> for Size {
 }
 
 impl Verdict {
-    fn new(quantity: Quantity, order: u32, exists: bool, text: &Text) -> Self {
+    fn new(quantity: impl Into<Quantity>, order: u32, exists: bool, text: &Text) -> Self {
         Verdict {
-            quantity: quantity.name().to_owned(),
+            quantity: quantity.into().name().to_owned(),
             order,
             exists,
             vanishes: Some(true),
@@ -137,20 +137,19 @@ impl Verdict {
 }
 
 /// The force or the moment of an order.
-fn whole(order: &OrderVerdict, quantity: Quantity, text: Text) -> Verdict {
-    let is_couple = (quantity == Quantity::Moment).then(|| order.moment_is_couple());
+fn whole(order: &OrderVerdict, quantity: Planar, text: Text) -> Verdict {
+    let is_couple = (quantity == Planar::Moment).then(|| order.moment_is_couple());
     match order.parts.as_slice() {
         [only] => Verdict { is_couple, ..part(only, quantity, &text) },
         several => {
-            let whole = if quantity == Quantity::Force { &order.force } else { &order.moment };
+            let whole = order.whole(quantity);
             let vanishes = is_zero(whole);
             let size = if vanishes == Some(true) { Amount::zero().into() } else { Size::default() };
             let verdict = Verdict::new(quantity, order.order, order.exists(), &text).sized(vanishes, size);
             let parts = several.iter().map(|balance| {
-                let text = if quantity == Quantity::Force {
-                    report::force_left(balance)
-                } else {
-                    report::moment_left(balance)
+                let text = match quantity {
+                    Planar::Force => report::force_left(balance),
+                    Planar::Moment => report::moment_left(balance),
                 };
                 Verdict { of: balance.class.as_ref().map(report::class_sources), ..part(balance, quantity, &text) }
             });
@@ -164,13 +163,13 @@ fn whole(order: &OrderVerdict, quantity: Quantity, text: Text) -> Verdict {
     }
 }
 
-fn part(order: &OrderBalance, quantity: Quantity, text: &Text) -> Verdict {
-    let balance: &Balance = if quantity == Quantity::Force { &order.force } else { &order.moment };
+fn part(order: &OrderBalance, quantity: Planar, text: &Text) -> Verdict {
+    let balance = order.balance(quantity);
     let verdict = Verdict::new(quantity, order.order, order.exists, text);
     let shape = if order.exists { balance.shape } else { Shape::DoesNotExist };
     Verdict {
         shape: Some(report::shape_name(shape).to_owned()),
-        is_couple: (quantity == Quantity::Moment).then(|| order.moment_is_couple()),
+        is_couple: (quantity == Planar::Moment).then(|| order.moment_is_couple()),
         stars: balance.verdicts().map(Star::new).into(),
         ..verdict.sized(Some(balance.is_balanced()), report::largest_length(balance))
     }
@@ -187,12 +186,12 @@ fn is_zero(whole: &WholeOrder) -> Option<bool> {
 }
 
 /// The inertia torque, or the roll moment.
-fn of_torque(order: &OrderVerdict, quantity: Quantity, torque: &TorqueVerdict) -> Verdict {
+fn of_torque(order: &OrderVerdict, quantity: Axial, torque: &TorqueVerdict) -> Verdict {
     let text = match quantity {
-        Quantity::Roll => report::roll_left(torque),
-        Quantity::Force | Quantity::Moment | Quantity::Torque => report::torque_left(torque),
+        Axial::Torque => report::torque_left(torque),
+        Axial::Roll => report::roll_left(torque),
     };
-    let verdict = Verdict::new(quantity, order.order, torque.exists(), &text);
+    let verdict = Verdict::new(Quantity::Axial(quantity), order.order, torque.exists(), &text);
     match torque.parts.as_slice() {
         [only] => Verdict {
             stars: vec![Star::new(&only.verdict)],
@@ -204,7 +203,7 @@ fn of_torque(order: &OrderVerdict, quantity: Quantity, torque: &TorqueVerdict) -
                 Verdict {
                     of: part.class.as_ref().map(report::class_sources),
                     stars: vec![Star::new(&part.verdict)],
-                    ..Verdict::new(quantity, order.order, part.exists, &text)
+                    ..Verdict::new(Quantity::Axial(quantity), order.order, part.exists, &text)
                         .sized(Some(part.verdict.vanishes()), report::star_length(&part.verdict))
                 }
             });

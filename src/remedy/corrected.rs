@@ -6,13 +6,13 @@ use super::comparable_engine::ComparableEngine;
 use super::weight::{Weight, doubled_square};
 use crate::exact::{PhasorSum, Term};
 use crate::order::{self, Factor};
-use crate::proof::{Certificate, Quantity, Sense};
+use crate::proof::{Certificate, Planar, Sense};
 
 /// One sum of the corrected engine, with the evidence whether it is zero.
 #[derive(Clone, Debug)]
 pub struct Corrected {
     /// Force, or moment about the reference plane.
-    pub quantity: Quantity,
+    pub quantity: Planar,
     /// The order k.
     pub order: u32,
     /// Direct or reverse.
@@ -36,7 +36,7 @@ impl Corrected {
 pub fn corrected(subject: &ComparableEngine, orders: &[u32], weights: &[Weight]) -> Vec<Corrected> {
     let mut judged = Vec::new();
     for &order in orders {
-        for quantity in [Quantity::Force, Quantity::Moment] {
+        for quantity in Planar::BOTH {
             let lever = |position: &BigRational| order::lever(subject.engine(), quantity, position);
             for sense in [Sense::Direct, Sense::Reverse] {
                 let engine = order::contributions(subject.engine(), order, sense);

@@ -27,11 +27,11 @@ pub fn document(
 ) -> Document {
     let asked: Vec<Quantity> = Quantity::ALL.into_iter().filter(|quantity| quantities.contains(quantity)).collect();
     // Where axes stand counts for the roll moment alone.
-    let with_roll = quantities.contains(&Quantity::Roll);
+    let with_roll = quantities.contains(&Quantity::ROLL);
     let of_order = |order| asked.iter().flat_map(move |&quantity| verdicts(engine, order, quantity));
     let whole = |order| asked.iter().flat_map(move |&quantity| wholes(order, quantity));
     let shapes = |order: &OrderVerdict| {
-        let both = [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)];
+        let both = [(Quantity::FORCE, &order.force), (Quantity::MOMENT, &order.moment)];
         both.map(|(quantity, whole)| shape_claim(quantity, order.order, whole))
     };
     let (theorems, recurrences) = match every_order {
@@ -185,14 +185,13 @@ pub(super) fn vectors(terms: &[Term]) -> Vec<Vector> {
 /// The verdicts on one quantity of an order, by what their sums stand before.
 fn verdicts(engine: &Engine, order: &OrderVerdict, quantity: Quantity) -> Vec<VerdictClaim> {
     match quantity {
-        Quantity::Torque | Quantity::Roll => {
-            let parts: Vec<_> = order.about_the_axis(quantity).into_iter().flat_map(|torque| &torque.parts).collect();
+        Quantity::Axial(axial) => {
+            let parts: Vec<_> = order.about_the_axis(axial).into_iter().flat_map(|torque| &torque.parts).collect();
             parts.iter().map(|part| verdict_claim(engine, &part.verdict, parts.len() > 1)).collect()
         }
-        Quantity::Force | Quantity::Moment => {
+        Quantity::Planar(planar) => {
             let of_part = |part: &verdict::OrderBalance| {
-                let balance = if quantity == Quantity::Force { &part.force } else { &part.moment };
-                balance.verdicts().map(|verdict| verdict_claim(engine, verdict, order.parts.len() > 1))
+                part.balance(planar).verdicts().map(|verdict| verdict_claim(engine, verdict, order.parts.len() > 1))
             };
             order.parts.iter().flat_map(of_part).collect()
         }
@@ -233,13 +232,12 @@ fn wholes(order: &OrderVerdict, quantity: Quantity) -> Vec<WholeClaim> {
     };
     let both = [Some(proof::Sense::Direct), Some(proof::Sense::Reverse)];
     match quantity {
-        Quantity::Torque | Quantity::Roll => {
-            let torque = order.about_the_axis(quantity).into_iter().filter(|torque| torque.parts.len() > 1);
+        Quantity::Axial(axial) => {
+            let torque = order.about_the_axis(axial).into_iter().filter(|torque| torque.parts.len() > 1);
             torque.map(|torque| claim((&None, &torque.outcome))).collect()
         }
         _ if order.parts.len() < 2 => Vec::new(),
-        Quantity::Force => both.iter().zip(&order.force.outcomes).map(claim).collect(),
-        Quantity::Moment => both.iter().zip(&order.moment.outcomes).map(claim).collect(),
+        Quantity::Planar(planar) => both.iter().zip(&order.whole(planar).outcomes).map(claim).collect(),
     }
 }
 

@@ -4,7 +4,7 @@ use super::residual;
 use super::typeset;
 use crate::engine::{Engine, Firing};
 use crate::page::{Text, phrase};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
 use crate::verdict::{EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, OrderVerdict};
 
@@ -31,7 +31,7 @@ pub(super) fn firing(firing: Option<&Firing>) -> Text {
 /// The lowest order of the force and of the moment that is left, of all that exist: `2, planar`, or `none`.
 pub(super) fn first_left(engine: &Engine, theorem: &Result<EveryOrderTheorem, NoTheorem>) -> [Text; 2] {
     let not_stated: &'static str = match theorem {
-        Ok(theorem) => return [Quantity::Force, Quantity::Moment].map(|quantity| first(theorem, engine, quantity)),
+        Ok(theorem) => return Planar::BOTH.map(|quantity| first(theorem, engine, quantity)),
         Err(NoTheorem::PeriodTooLong(_) | NoTheorem::TooManyCandidates(_)) => "not stated: long period",
         Err(NoTheorem::Shaft(_)) => "not stated: balancer shafts",
         Err(NoTheorem::FasterCrank(_)) => "not stated: crankshafts of several speeds",
@@ -40,7 +40,7 @@ pub(super) fn first_left(engine: &Engine, theorem: &Result<EveryOrderTheorem, No
     [not_stated.into(), not_stated.into()]
 }
 
-fn first(theorem: &EveryOrderTheorem, engine: &Engine, quantity: Quantity) -> Text {
+fn first(theorem: &EveryOrderTheorem, engine: &Engine, quantity: Planar) -> Text {
     match theorem.first_left(engine, quantity) {
         FirstLeft::Nothing => "none".into(),
         FirstLeft::Order(order, shape) => phrase!("{}, {}", order, residual::shape_name(shape)),
@@ -49,9 +49,9 @@ fn first(theorem: &EveryOrderTheorem, engine: &Engine, quantity: Quantity) -> Te
 }
 
 /// A cell of an order: the whole, and what each of its sums leaves where there are several.
-pub(super) fn cell(order: &OrderVerdict, quantity: Quantity) -> Text {
+pub(super) fn cell(order: &OrderVerdict, quantity: Planar) -> Text {
     let [force, moment] = residual::whole(order);
-    let is_force = quantity == Quantity::Force;
+    let is_force = quantity == Planar::Force;
     let whole = if is_force { force } else { moment };
     let words = if is_force { residual::force } else { residual::moment };
     let part = |part: &OrderBalance| {

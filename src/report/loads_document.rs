@@ -280,12 +280,12 @@ impl LoadsDocument {
 fn evidence(engine: &Engine, loads: &Loads) -> Document {
     let masses = order::masses_as_built(engine);
     let mut orders: Vec<u32> = loads.orders.iter().map(|order| order.order).collect();
-    let mut quantities = vec![Quantity::Force, Quantity::Moment];
+    let mut quantities = vec![Quantity::FORCE, Quantity::MOMENT];
     if let Some(torque) = &loads.torque {
         orders.extend(torque.orders.iter().map(|order| order.order));
         orders.sort_unstable();
         orders.dedup();
-        quantities.push(Quantity::Torque);
+        quantities.push(Quantity::TORQUE);
     }
     let judged = verdict::classify(engine, &orders, masses, &quantities)
         .unwrap_or_else(|number| unreachable!("loads are those of orders: {number}"));

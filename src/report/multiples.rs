@@ -5,7 +5,7 @@ use num_traits::Zero;
 use super::figure::Figure;
 use super::star::{Panel, Scale, Sheet, Star, WIDTH, shortened};
 use crate::engine::Engine;
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::verdict::OrderBalance;
 
 /// One column of small multiples: an engine, or its cylinders with equal rods, at one order.
@@ -47,7 +47,7 @@ pub fn multiples(columns: &[Column]) -> Vec<Figure> {
                 let column = &columns[*index];
                 let balance = if row < senses { &column.order.force } else { &column.order.moment };
                 let verdict = balance.verdicts()[row % senses];
-                let scale = scale(columns, &stars, column, verdict.quantity, senses);
+                let scale = scale(columns, &stars, column, balance.quantity, senses);
                 Panel::new(column.engine, verdict, &stars[*index][row], scale)
             };
             sheet.row(band.iter().map(panel).collect(), (row + 1) % senses == 0);
@@ -58,10 +58,10 @@ pub fn multiples(columns: &[Column]) -> Vec<Figure> {
 }
 
 /// Direct and reverse stars of all columns share their scale; moments only where they are in one unit.
-fn scale(columns: &[Column], stars: &[Vec<Star>], of: &Column, quantity: Quantity, senses: usize) -> Scale {
+fn scale(columns: &[Column], stars: &[Vec<Star>], of: &Column, quantity: Planar, senses: usize) -> Scale {
     let (alike, rows): (&dyn Fn(&Column) -> bool, _) = match quantity {
-        Quantity::Force | Quantity::Torque | Quantity::Roll => (&|_| true, 0..senses),
-        Quantity::Moment => (&|column| column.engine.length_unit() == of.engine.length_unit(), senses..2 * senses),
+        Planar::Force => (&|_| true, 0..senses),
+        Planar::Moment => (&|column| column.engine.length_unit() == of.engine.length_unit(), senses..2 * senses),
     };
     let alike = columns.iter().zip(stars).filter(|(column, _)| alike(column));
     Scale::of(alike.flat_map(|(_, stars)| &stars[rows.clone()]), quantity, of.engine)

@@ -4,15 +4,15 @@ use super::document::outcome_claim;
 use crate::engine::Engine;
 use crate::order::Source;
 use crate::proof::{
-    ClassClaim, FactorClaim, FirstOrderClaim, OrderClaim, Quantity, RayClaim, RecurrenceClaim, Sense, SumVerdict,
+    ClassClaim, FactorClaim, FirstOrderClaim, OrderClaim, RayClaim, RecurrenceClaim, Sense, SumVerdict,
 };
-use crate::verdict::{Balance, ClassPattern, FactorPattern, OrderBalance, Ray, Recurrence, Recurrences, WholeOrder};
+use crate::verdict::{ClassPattern, FactorPattern, OrderBalance, Ray, Recurrence, Recurrences};
 
 /// One claim for each quantity and sense, with the verdicts that prove it.
 pub(super) fn claims(engine: &Engine, all: &Recurrences) -> Vec<RecurrenceClaim> {
     let class = |class: &ClassPattern| class_claim(engine, class);
     let claim = |one: &Recurrence| RecurrenceClaim {
-        quantity: one.quantity,
+        quantity: one.quantity.into(),
         sense: one.sense,
         first: first(all, one),
         even: one.even.iter().map(class).collect(),
@@ -22,21 +22,18 @@ pub(super) fn claims(engine: &Engine, all: &Recurrences) -> Vec<RecurrenceClaim>
 }
 
 fn first(all: &Recurrences, one: &Recurrence) -> FirstOrderClaim {
-    let is_moment = one.quantity == Quantity::Moment;
-    let whole: &WholeOrder = if is_moment { &all.first.moment } else { &all.first.force };
     let place = match one.sense {
         Sense::Direct => 0,
         Sense::Reverse => 1,
     };
     let verdict = |part: &OrderBalance| {
-        let balance: &Balance = if is_moment { &part.moment } else { &part.force };
-        let verdict = balance.verdicts()[place];
+        let verdict = part.balance(one.quantity).verdicts()[place];
         SumVerdict { vanishes: verdict.vanishes(), certificate: verdict.certificate.clone() }
     };
     let has_several = all.first.parts.len() > 1;
     FirstOrderClaim {
         sums: all.first.parts.iter().map(verdict).collect(),
-        outcome: has_several.then(|| outcome_claim(&whole.outcomes[place])),
+        outcome: has_several.then(|| outcome_claim(&all.first.whole(one.quantity).outcomes[place])),
     }
 }
 

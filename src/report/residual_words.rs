@@ -6,7 +6,7 @@ use num_traits::{One, Signed};
 use super::residual::{largest, line_bearing, shape_name};
 use crate::engine::DOES_NOT_EXIST;
 use crate::page::{Text, phrase};
-use crate::proof::{Quantity, Shape, ShapeEvidence};
+use crate::proof::{Planar, Shape, ShapeEvidence};
 use crate::verdict::{Balance, Outcome, WholeOrder};
 
 /// A sentence on what the two vectors together trace.
@@ -22,13 +22,11 @@ pub(super) fn sentence(balance: &Balance) -> Text {
     }
 }
 
-/// What the sums are called: `P` of the force, `C` of the moment, `Q` of the torque.
+/// What the sums are called: `P` of the force, `C` of the moment.
 fn letter(balance: &Balance) -> &'static str {
-    match balance.direct.quantity {
-        Quantity::Force => "P",
-        Quantity::Moment => "C",
-        Quantity::Torque => "Q",
-        Quantity::Roll => "R",
+    match balance.quantity {
+        Planar::Force => "P",
+        Planar::Moment => "C",
     }
 }
 
@@ -85,15 +83,15 @@ fn difference(balance: &Balance, relation: &str) -> Text {
 
 fn planar(balance: &Balance) -> Text {
     let (difference, line, size) = (difference(balance, "="), line_bearing(balance), largest(balance));
-    match balance.direct.quantity {
-        Quantity::Force | Quantity::Torque | Quantity::Roll => phrase!(
+    match balance.quantity {
+        Planar::Force => phrase!(
             "What is left is **planar**: both vectors are equally long ({}, proved), so the force swings along the line at {}; its \
              largest value is {}.",
             difference,
             line,
             size
         ),
-        Quantity::Moment => phrase!(
+        Planar::Moment => phrase!(
             "What is left is **planar**: both vectors are equally long ({}, proved), so the moment swings along the line at {}; its \
              largest value is {}.",
             difference,
@@ -105,15 +103,15 @@ fn planar(balance: &Balance) -> Text {
 
 fn elliptical(balance: &Balance) -> Text {
     let (difference, line, size) = (difference(balance, "\\ne"), line_bearing(balance), largest(balance));
-    match balance.direct.quantity {
-        Quantity::Force | Quantity::Torque | Quantity::Roll => phrase!(
+    match balance.quantity {
+        Planar::Force => phrase!(
             "What is left is **elliptical**: the vectors differ in length ({}, proved), so the tip of the force runs round an ellipse; \
              its largest value is {}, along the line at {}.",
             difference,
             size,
             line
         ),
-        Quantity::Moment => phrase!(
+        Planar::Moment => phrase!(
             "What is left is **elliptical**: the vectors differ in length ({}, proved), so the tip of the moment runs round an ellipse; \
              its largest value is {}, along the line at {}.",
             difference,

@@ -8,7 +8,7 @@ use super::integers::{IntegerEngine, KnownWeights};
 use super::swept_engine::{Amplitude, float};
 use crate::engine::{Cylinder, Engine, throws};
 use crate::order::{self, Factor};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 
 /// The larger of two counterweights in the planes of the outermost throws, as its mass-radius in multiples of m r:
 /// `U_1 + U_2 = −P/2`, `z_1 U_1 + z_2 U_2 = −C/2` for the direct first order (theory, section 7).
@@ -25,7 +25,7 @@ pub(super) fn counterweight_of(engine: &Engine, whole: Option<&IntegerEngine>) -
     let [force, moment] = match whole {
         Some(_) if engine.has_offset() => return None,
         Some(whole) => whole.pairs(1).map(|pair| Some((pair.direct, pair.zeros[0]))),
-        None => [Quantity::Force, Quantity::Moment].map(|quantity| {
+        None => Planar::BOTH.map(|quantity| {
             let sum = order::all_masses(engine, quantity, 1, Sense::Direct);
             // With an offset c_1 is not 1.
             let is_plain = sum.parts().keys().all(|factor| *factor == Factor::One);

@@ -16,7 +16,7 @@ use crate::exact::PhasorSum;
 use crate::loads::{self, Missing};
 use crate::motion::coefficients_fast;
 use crate::order::{self, Coefficients, Factor, OrderSum, Path};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 
 /// A shorter half-axis above this part of the weights of the sum is surely not zero; below it is decided exactly.
 pub(super) const SURELY_NOT_ZERO: f64 = 1e-9;
@@ -76,6 +76,16 @@ pub struct SweptOrder {
     pub force: Amplitudes,
     /// Its moment about the reference plane.
     pub moment: Amplitudes,
+}
+
+impl SweptOrder {
+    /// The force or the moment.
+    pub fn amplitudes(&self, quantity: Planar) -> &Amplitudes {
+        match quantity {
+            Planar::Force => &self.force,
+            Planar::Moment => &self.moment,
+        }
+    }
 }
 
 /// One engine of a sweep.
@@ -188,7 +198,7 @@ pub(super) fn judge_with(
 }
 
 /// What the sums are of.
-const BOTH: [Quantity; 2] = [Quantity::Force, Quantity::Moment];
+const BOTH: [Planar; 2] = Planar::BOTH;
 
 fn from_words(
     engine: &Engine,
@@ -206,7 +216,7 @@ fn from_words(
     }
     let pairs = whole.pairs(order);
     BOTH.map(|quantity| {
-        let Pair { direct, mirrored, zeros, total_length } = pairs[usize::from(quantity == Quantity::Moment)];
+        let Pair { direct, mirrored, zeros, total_length } = pairs[usize::from(quantity == Planar::Moment)];
         let total_length = total_length * coefficient.norm();
         amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {
             let [direct, reverse] =
@@ -252,7 +262,7 @@ fn amplitudes(
     }
 }
 
-fn from_sums(engine: &Engine, quantity: Quantity, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
+fn from_sums(engine: &Engine, quantity: Planar, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
     let [direct, reverse] =
         [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
     let mirrored = reverse.mirrored();

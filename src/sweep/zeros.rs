@@ -15,7 +15,7 @@ use crate::engine::{Engine, Family, PHI};
 use crate::family::{self, Component, OpenVerdict, Solutions, component_zeros};
 use crate::file::{self, Layout, Template};
 use crate::order::{self, Path};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Quantity, Sense};
 
 /// What vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -41,7 +41,7 @@ impl Zeros {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ZeroSet {
     /// Force or moment.
-    pub quantity: Quantity,
+    pub quantity: Planar,
     /// The order k.
     pub order: u32,
     /// What vanishes.
@@ -59,7 +59,7 @@ pub struct ZeroSet {
 }
 
 impl ZeroSet {
-    fn everywhere(quantity: Quantity, order: u32, of: Zeros) -> Self {
+    fn everywhere(quantity: Planar, order: u32, of: Zeros) -> Self {
         ZeroSet {
             quantity,
             order,
@@ -80,7 +80,7 @@ impl ZeroSet {
         }
         for point in points {
             let Some(order) = point.orders.iter().find(|swept| swept.order == self.order) else { continue };
-            let part = if self.quantity == Quantity::Force { &order.force } else { &order.moment };
+            let part = order.amplitudes(self.quantity);
             let vanishes = match self.of {
                 Zeros::Direct => part.direct.vanishes,
                 Zeros::Reverse => part.reverse.vanishes,
@@ -134,7 +134,7 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
     let (range, is_whole) = range(parameter, &per_unit)?;
     let mut sets = Vec::new();
     for order in family::classify(&open, orders).ok()? {
-        for (quantity, verdicts) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
+        for (quantity, verdicts) in [(Planar::Force, &order.force), (Planar::Moment, &order.moment)] {
             for of in Zeros::ALL {
                 if !has_order(&engine, order.order) {
                     sets.push(ZeroSet { exists: false, ..ZeroSet::everywhere(quantity, order.order, of) });
@@ -201,7 +201,7 @@ fn distinct(open: &Family, order: u32, per_unit: &BigRational) -> impl ExactSize
 
 fn find(
     open: &Family,
-    quantity: Quantity,
+    quantity: Planar,
     order: u32,
     [direct, reverse]: &[OpenVerdict; 2],
     of: Zeros,
@@ -233,7 +233,7 @@ fn range(parameter: &Parameter, per_unit: &BigRational) -> Option<([BigRational;
 fn has_order(engine: &Engine, order: u32) -> bool {
     let balanced = engine.crankshaft().balancers.iter().any(|shaft| shaft.order == order);
     let geared = engine.geared_cranks().iter().any(|crank| crank.speed == order);
-    balanced || geared || engine.pistons_have_order(Quantity::Force, order)
+    balanced || geared || engine.pistons_have_order(Quantity::FORCE, order)
 }
 
 /// Whether masses that turn enter this vector beside the pistons.
@@ -247,7 +247,7 @@ fn with_turning_masses(engine: &Engine, order: u32, of: Zeros) -> bool {
 }
 
 /// Whether a vector of this engine vanishes, decided exactly.
-fn vanishes(engine: &Engine, quantity: Quantity, order: u32, of: Zeros) -> bool {
+fn vanishes(engine: &Engine, quantity: Planar, order: u32, of: Zeros) -> bool {
     let [direct, reverse] =
         [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
     match of {

@@ -2,7 +2,7 @@
 
 use crate::exact::PhasorSum;
 use crate::order::{Factor, Group, OrderTerms, Source, Sources};
-use crate::proof::{Certificate, Quantity, Sense, Shape};
+use crate::proof::{Certificate, Planar, Quantity, Sense, Shape};
 
 /// Whether one phasor sum of the engine vanishes, with the evidence.
 #[derive(Clone, Debug)]
@@ -65,6 +65,8 @@ impl<'a> From<&'a Verdict> for JudgedStar<'a> {
 /// The two vectors of one order of the force or the moment, and what their sum traces.
 #[derive(Clone, Debug)]
 pub struct Balance {
+    /// Of which it is.
+    pub quantity: Planar,
     /// The vector that turns with the crank.
     pub direct: Verdict,
     /// The vector that turns against it.
@@ -76,8 +78,8 @@ pub struct Balance {
 }
 
 impl Balance {
-    pub(super) fn new(terms: &OrderTerms, group: &Group, quantity: Quantity) -> Self {
-        let judge = |sense| Verdict::new(terms, group, quantity, Some(sense));
+    pub(super) fn new(terms: &OrderTerms, group: &Group, quantity: Planar) -> Self {
+        let judge = |sense| Verdict::new(terms, group, quantity.into(), Some(sense));
         let (direct, reverse) = (judge(Sense::Direct), judge(Sense::Reverse));
         let (shape, comparison) = match (direct.vanishes(), reverse.vanishes()) {
             (true, true) => (Shape::Balanced, None),
@@ -88,7 +90,7 @@ impl Balance {
                 (shape, Some(certificate))
             }
         };
-        Balance { direct, reverse, shape, comparison }
+        Balance { quantity, direct, reverse, shape, comparison }
     }
 
     /// Whether both vectors vanish.

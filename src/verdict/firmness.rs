@@ -93,11 +93,11 @@ pub fn firmness(engine: &Engine, balance: &Balance) -> Option<Firmness> {
 /// The coefficient of every symbol of a disturbance; `None` where it does not apply.
 fn coefficients(engine: &Engine, verdict: &Verdict, disturbance: Disturbance) -> Option<Vec<PhasorSum>> {
     let moves_cylinders = !matches!(disturbance, Disturbance::BankMasses | Disturbance::CylinderMasses);
-    if moves_cylinders && verdict.quantity != Quantity::Moment {
+    if moves_cylinders && verdict.quantity != Quantity::MOMENT {
         return None;
     }
     let banks = distinct(engine, |cylinder| cylinder.bank.clone()).len();
-    let force = || order::star(engine, Quantity::Force, verdict.order, verdict.sense);
+    let force = || order::star(engine, Quantity::FORCE, verdict.order, verdict.sense);
     let bank = |cylinder: &Cylinder| cylinder.bank.clone();
     match disturbance {
         Disturbance::SymmetricSpacing => {

@@ -24,9 +24,9 @@ pub struct Judgement {
 /// and the roll moment in any case; no roll moment where it hangs on a length that is not there ([`order::roll_lacks`]).
 pub fn quantities(engine: &Engine, with_torque: bool) -> Vec<Quantity> {
     let is_geared = !engine.geared_cranks().is_empty();
-    let torque = (with_torque || is_geared).then_some(Quantity::Torque);
-    let roll = (is_geared && order::roll_lacks(engine).is_none()).then_some(Quantity::Roll);
-    [Quantity::Force, Quantity::Moment].into_iter().chain(torque).chain(roll).collect()
+    let torque = (with_torque || is_geared).then_some(Quantity::TORQUE);
+    let roll = (is_geared && order::roll_lacks(engine).is_none()).then_some(Quantity::ROLL);
+    [Quantity::FORCE, Quantity::MOMENT].into_iter().chain(torque).chain(roll).collect()
 }
 
 /// Why an engine is not judged.

@@ -23,7 +23,7 @@ pub use whole::{Outcome, WholeOrder};
 
 use crate::engine::{Engine, NotAnOrder, are_orders};
 use crate::order::{Coefficients, Group, Masses, Sources};
-use crate::proof::{Quantity, ShapeEvidence};
+use crate::proof::{Axial, Planar, Quantity, ShapeEvidence};
 use whole::Part;
 
 /// The verdicts on one order: the whole of it, and the sums that it is made of.
@@ -86,12 +86,19 @@ impl OrderVerdict {
         self.parts.iter().any(|part| part.exists)
     }
 
-    /// The torque or the roll moment, where it was asked for; force and moment have two vectors.
-    pub fn about_the_axis(&self, quantity: Quantity) -> Option<&TorqueVerdict> {
+    /// The force or the moment.
+    pub fn whole(&self, quantity: Planar) -> &WholeOrder {
         match quantity {
-            Quantity::Force | Quantity::Moment => None,
-            Quantity::Torque => self.torque.as_ref(),
-            Quantity::Roll => self.roll.as_ref(),
+            Planar::Force => &self.force,
+            Planar::Moment => &self.moment,
+        }
+    }
+
+    /// The torque or the roll moment, where it was asked for.
+    pub fn about_the_axis(&self, quantity: Axial) -> Option<&TorqueVerdict> {
+        match quantity {
+            Axial::Torque => self.torque.as_ref(),
+            Axial::Roll => self.roll.as_ref(),
         }
     }
 
@@ -102,6 +109,14 @@ impl OrderVerdict {
 }
 
 impl OrderBalance {
+    /// Of the force or the moment.
+    pub fn balance(&self, quantity: Planar) -> &Balance {
+        match quantity {
+            Planar::Force => &self.force,
+            Planar::Moment => &self.moment,
+        }
+    }
+
     /// Whether the moment is the same about every plane: the force of this order vanishes.
     pub fn moment_is_couple(&self) -> bool {
         self.force.is_balanced()
@@ -134,7 +149,9 @@ pub fn classify(
 }
 
 fn of_order(sources: &Sources, order: u32, quantities: &[Quantity], known: &Coefficients) -> OrderVerdict {
-    let about_the_axis = |quantity| quantities.contains(&quantity).then(|| one_vector(sources, quantity, order, known));
+    let about_the_axis = |quantity: Axial| {
+        quantities.contains(&Quantity::Axial(quantity)).then(|| one_vector(sources, quantity, order, known))
+    };
     let terms = sources.force_terms(order);
     let groups = terms.groups();
     let class = |group: &Group| Class::of(sources, group, groups.len(), order);
@@ -142,8 +159,8 @@ fn of_order(sources: &Sources, order: u32, quantities: &[Quantity], known: &Coef
         order,
         exists: group.exists,
         class: class(group),
-        force: Balance::new(&terms, group, Quantity::Force),
-        moment: Balance::new(&terms, group, Quantity::Moment),
+        force: Balance::new(&terms, group, Planar::Force),
+        moment: Balance::new(&terms, group, Planar::Moment),
     };
     let parts: Vec<OrderBalance> = groups.iter().map(part).collect();
     let exists = parts.iter().any(|part| part.exists);
@@ -164,8 +181,8 @@ fn of_order(sources: &Sources, order: u32, quantities: &[Quantity], known: &Coef
         masses: sources.masses(),
         force: whole(|part| &part.force),
         moment: whole(|part| &part.moment),
-        torque: about_the_axis(Quantity::Torque),
-        roll: about_the_axis(Quantity::Roll),
+        torque: about_the_axis(Axial::Torque),
+        roll: about_the_axis(Axial::Roll),
         parts,
     }
 }
@@ -186,16 +203,16 @@ fn of_one(balance: &Balance) -> WholeOrder {
 }
 
 /// Of the torque or the roll moment.
-fn one_vector(sources: &Sources, quantity: Quantity, order: u32, known: &Coefficients) -> TorqueVerdict {
+fn one_vector(sources: &Sources, quantity: Axial, order: u32, known: &Coefficients) -> TorqueVerdict {
     let terms = match quantity {
-        Quantity::Roll => sources.roll_terms(order),
-        Quantity::Force | Quantity::Moment | Quantity::Torque => sources.torque_terms(order),
+        Axial::Torque => sources.torque_terms(order),
+        Axial::Roll => sources.roll_terms(order),
     };
     let groups = terms.groups();
     let part = |group: &Group| TorquePart {
         exists: group.exists,
         class: Class::of(sources, group, groups.len(), order),
-        verdict: Verdict::new(&terms, group, quantity, None),
+        verdict: Verdict::new(&terms, group, Quantity::Axial(quantity), None),
     };
     let parts: Vec<TorquePart> = groups.iter().map(part).collect();
     let outcome = match parts.as_slice() {
@@ -224,5 +241,5 @@ pub fn torque(engine: &Engine, orders: &[u32]) -> Result<Vec<TorqueVerdict>, Not
     are_orders(orders)?;
     let sources = Sources::new(engine, Masses::Reciprocating);
     let known = Coefficients::default();
-    Ok(orders.iter().map(|&order| one_vector(&sources, Quantity::Torque, order, &known)).collect())
+    Ok(orders.iter().map(|&order| one_vector(&sources, Axial::Torque, order, &known)).collect())
 }

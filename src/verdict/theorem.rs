@@ -13,7 +13,7 @@ use super::recurrence::{LONGEST_SIEVED, MOST_CANDIDATES};
 use super::{Balance, Verdict};
 use crate::engine::Engine;
 use crate::order::{Masses, OrderTerms, Sources};
-use crate::proof::{Quantity, Sense, Survivors};
+use crate::proof::{Planar, Sense, Survivors};
 
 /// Of longer periods only the orders are judged that may be zero.
 pub const LONGEST_PERIOD: u32 = 720;
@@ -97,13 +97,13 @@ pub(super) fn theorem(engine: &Engine, sources: &Sources) -> Option<Theorem> {
     let orders = std::iter::once(1).chain((2..=period).step_by(2));
     let terms: Vec<OrderTerms> = orders.map(|order| sources.force_terms(order)).collect();
     let judge = |quantity| EveryOrder::new(&terms, quantity);
-    Some(Theorem { masses: sources.masses(), period, force: judge(Quantity::Force), moment: judge(Quantity::Moment) })
+    Some(Theorem { masses: sources.masses(), period, force: judge(Planar::Force), moment: judge(Planar::Moment) })
 }
 
 impl EveryOrder {
-    fn new(orders: &[OrderTerms], quantity: Quantity) -> Self {
+    fn new(orders: &[OrderTerms], quantity: Planar) -> Self {
         // Equal centric cranks have one coefficient in every order, and what turns with them has that of order 1.
-        let verdict = |terms: &OrderTerms, sense| Verdict::new(terms, &terms.groups()[0], quantity, Some(sense));
+        let verdict = |terms: &OrderTerms, sense| Verdict::new(terms, &terms.groups()[0], quantity.into(), Some(sense));
         let judge = |sense| orders.iter().map(|terms| verdict(terms, sense)).collect();
         let mut every = EveryOrder { direct: judge(Sense::Direct), reverse: judge(Sense::Reverse), first: None };
         let survivals = every.survivals();

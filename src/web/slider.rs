@@ -13,7 +13,6 @@ use crate::engine::{Engine, PHI};
 use crate::file::{self, Layout, Template, exact_number};
 use crate::loads;
 use crate::page::number;
-use crate::proof::Quantity;
 use crate::sweep::{self, Parameter, ZeroSet, Zeros};
 
 /// A value to be set in a layout.
@@ -254,12 +253,7 @@ fn rounded([low, high]: &[BigRational; 2]) -> BigRational {
 
 /// `order 2: force`, `order 2: direct force`; nothing of a part of what vanishes whole, nor of directions.
 fn vanishing(set: &ZeroSet, whole: bool) -> Option<String> {
-    let quantity = match set.quantity {
-        Quantity::Force => "force",
-        Quantity::Moment => "moment",
-        Quantity::Torque => "torque",
-        Quantity::Roll => "roll moment",
-    };
+    let quantity = set.quantity.name();
     match (set.of, whole) {
         (Zeros::Largest, _) => Some(format!("order {}: {quantity}", set.order)),
         (Zeros::Direct, false) => Some(format!("order {}: direct {quantity}", set.order)),

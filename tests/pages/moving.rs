@@ -19,7 +19,7 @@ const HOSTILE: &str = "title = '</script><script>alert(1)</script><!-- <img src=
 const MEMBER: &str = "title = 'V-twin at 60°'\n[values]\nphi = 60\n[vee]\nbank_angle = 'phi'\nthrows = [0]\n";
 
 fn judged(engine: &Engine) -> Judgement {
-    Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders")
+    Judgement::new(engine, engine.orders(), &Quantity::PLANAR).expect("orders")
 }
 
 fn scenes(name: &str, text: &str) -> Vec<Scene> {

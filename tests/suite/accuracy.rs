@@ -94,21 +94,21 @@ fn guarantees_hold_for_engines_of_all_kinds_at_all_rod_ratios() {
     let names = ["I1", "I3", "I4", "I2-270", "V6-90-split", "boxer-4", "radial-3"];
     for (place, name) in names.into_iter().enumerate() {
         let ratio = fraction(place as i64 + 2, 10);
-        for quantity in [Quantity::Force, Quantity::Moment, Quantity::Torque] {
+        for quantity in [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE] {
             guarantees_hold(&catalogue(name, &ratio), quantity);
         }
     }
-    guarantees_hold(&example("i6-offset"), Quantity::Force);
+    guarantees_hold(&example("i6-offset"), Quantity::FORCE);
 }
 
 #[test]
 fn guarantees_hold_with_masses_on_the_crankshaft() {
-    guarantees_hold(&example("thesis-v8-crossplane"), Quantity::Moment);
+    guarantees_hold(&example("thesis-v8-crossplane"), Quantity::MOMENT);
     let text = fs::read_to_string(reports().join("thesis/i3-skewed.toml")).expect("a layout file");
     let skewed = file::parse("i3-skewed.toml", &text).expect("it reads");
     assert!(!skewed.crankshaft().counterweights.is_empty());
-    guarantees_hold(&skewed, Quantity::Moment);
-    guarantees_hold(&skewed, Quantity::Force);
+    guarantees_hold(&skewed, Quantity::MOMENT);
+    guarantees_hold(&skewed, Quantity::FORCE);
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn engines_with_balancer_shafts_are_refused_with_words() {
     let shaft = "[[balancer]]\norder = 2\nsense = 'with'\nmass_radius = 1\nangle = 0\nposition = 0\n";
     let layout =
         file::parse("x.toml", &format!("inline.throws = [0, 180, 180, 0]\n{numbers}{shaft}")).expect("it reads");
-    let refused = accuracy::study(&layout, Quantity::Force, Timing::Off).map(|_| ());
+    let refused = accuracy::study(&layout, Quantity::FORCE, Timing::Off).map(|_| ());
     assert_eq!(refused, Err(Missing::BalancerShafts));
 }
 
@@ -125,7 +125,7 @@ fn engines_with_balancer_shafts_are_refused_with_words() {
 fn the_peak_force_of_an_in_line_four_stands_a_quarter_turn_from_dead_centre() {
     // There all four have −λ/√(1−λ²); at dead centre two have 1 + λ and two −1 + λ, which is 4λ together.
     for ratio in [fraction(1, 10), fraction(1, 4), fraction(3, 10)] {
-        let four = study(&catalogue("I4", &ratio), Quantity::Force);
+        let four = study(&catalogue("I4", &ratio), Quantity::FORCE);
         let square = &ratio * &ratio;
         let [low, high] = root(&(&square / (fraction(1, 1) - &square)));
         let four_times = |number: BigRational| number * fraction(4, 1);
@@ -137,7 +137,7 @@ fn the_peak_force_of_an_in_line_four_stands_a_quarter_turn_from_dead_centre() {
 #[test]
 fn the_peak_force_of_a_single_is_one_plus_the_rod_ratio() {
     for ratio in [fraction(1, 10), fraction(3, 10), fraction(1, 2)] {
-        let single = study(&catalogue("I1", &ratio), Quantity::Force);
+        let single = study(&catalogue("I1", &ratio), Quantity::FORCE);
         let exact = fraction(1, 1) + &ratio;
         assert!(single.peak.contains(&exact), "λ = {ratio}");
         assert!(single.peak.width() < fraction(1, 10).pow(40), "λ = {ratio}");
@@ -148,7 +148,7 @@ fn the_peak_force_of_a_single_is_one_plus_the_rod_ratio() {
 fn orders_of_a_single_are_off_by_the_coefficients_cut_off() {
     // All even orders peak together at ψ = 90°, but the peak is at ψ = 0, where c_2 + c_4 + c_6 + … = λ.
     let ratio = fraction(3, 10);
-    let single = study(&catalogue("I1", &ratio), Quantity::Force);
+    let single = study(&catalogue("I1", &ratio), Quantity::FORCE);
     let crank = SliderCrank::new(ratio.clone(), BigRational::zero()).expect("it turns");
     let second = crank.coefficient(2).re;
     let error = ((second.low - &ratio) / (fraction(1, 1) + &ratio)).abs().to_f64().expect("a float");
@@ -164,8 +164,8 @@ fn the_bound_of_what_is_cut_off_is_above_all_orders_cut_off() {
     let size = |c: Coefficient| c.to_complex().norm();
     let single = catalogue("I1", &ratio);
     for (quantity, amplitude) in [
-        (Quantity::Force, &(|k| size(crank.coefficient(k))) as &dyn Fn(u32) -> f64),
-        (Quantity::Torque, &|k| size(crank.torque_coefficient(k))),
+        (Quantity::FORCE, &(|k| size(crank.coefficient(k))) as &dyn Fn(u32) -> f64),
+        (Quantity::TORQUE, &|k| size(crank.torque_coefficient(k))),
     ] {
         let study = study(&single, quantity);
         let all: f64 = (33..=200).map(amplitude).sum();
@@ -177,7 +177,7 @@ fn the_bound_of_what_is_cut_off_is_above_all_orders_cut_off() {
 #[test]
 fn single_floats_find_a_force_that_is_not_there() {
     // The first force of the five is order 10: its coefficients are lost in the roundings of 32 bits, not in those of 64.
-    let five = study(&example("worked-i5"), Quantity::Force);
+    let five = study(&example("worked-i5"), Quantity::FORCE);
     assert!(row(&five, Method::Singles(360)).error > 0.1);
     assert!(row(&five, Method::Doubles(360)).error < 1e-6);
     assert!(row(&five, Method::Fractions).bound.expect("a bound") < 1e-6);
@@ -186,7 +186,7 @@ fn single_floats_find_a_force_that_is_not_there() {
 #[test]
 fn errors_are_the_same_each_time() {
     let layout = catalogue("V6-60-even", &fraction(3, 10));
-    let [first, second] = [0, 1].map(|_| study(&layout, Quantity::Torque));
+    let [first, second] = [0, 1].map(|_| study(&layout, Quantity::TORQUE));
     for (one, other) in first.rows.iter().zip(&second.rows) {
         assert_eq!((one.value, one.error, one.bound), (other.value, other.error, other.bound));
     }
@@ -195,7 +195,7 @@ fn errors_are_the_same_each_time() {
 #[test]
 fn fewer_orders_are_enough_for_a_shorter_crank_and_as_many_as_the_bound_says() {
     let needed = |tenths: i64, of: fn(&Row) -> f64| {
-        let study = study(&catalogue("I4", &fraction(tenths, 10)), Quantity::Force);
+        let study = study(&catalogue("I4", &fraction(tenths, 10)), Quantity::FORCE);
         let enough = study.rows.iter().find_map(|row| match row.method {
             Method::Orders(order) if of(row) < 1e-3 => Some(order),
             _ => None,
@@ -213,7 +213,7 @@ fn fewer_orders_are_enough_for_a_shorter_crank_and_as_many_as_the_bound_says() {
 #[test]
 fn loads_that_vanish_have_a_bound_and_no_methods() {
     let layout = catalogue("I6", &fraction(3, 10));
-    let moment = study(&layout, Quantity::Moment);
+    let moment = study(&layout, Quantity::MOMENT);
     assert!(moment.rows.is_empty());
     assert!(moment.peak.high < fraction(1, 10).pow(15));
 }
@@ -221,7 +221,7 @@ fn loads_that_vanish_have_a_bound_and_no_methods() {
 #[test]
 fn a_load_of_one_length_is_known_without_a_search() {
     // The couple of a cross-plane V8 with equal spacing: √10 at order 1, nothing else (theory, section 6).
-    let moment = study(&catalogue("V8-crossplane", &fraction(3, 10)), Quantity::Moment);
+    let moment = study(&catalogue("V8-crossplane", &fraction(3, 10)), Quantity::MOMENT);
     let [low, high] = root(&fraction(10, 1));
     assert!(moment.peak.low <= high && low <= moment.peak.high);
     assert!(moment.peak.width() < fraction(1, 10).pow(15));
@@ -230,28 +230,28 @@ fn a_load_of_one_length_is_known_without_a_search() {
 #[test]
 fn what_a_layout_lacks_is_told() {
     let layout = file::find("I4").expect("it is known").engine().expect("it reads");
-    assert_eq!(accuracy::study(&layout, Quantity::Force, Timing::Off).map(|_| ()), Err(Missing::Rods));
+    assert_eq!(accuracy::study(&layout, Quantity::FORCE, Timing::Off).map(|_| ()), Err(Missing::Rods));
     assert!(accuracy::with_rod_ratio(&example("i6-offset"), &fraction(999, 1000)).is_err());
 }
 
 #[test]
 fn times_are_measured_only_where_they_are_asked_for() {
     let layout = catalogue("I1", &fraction(3, 10));
-    assert!(study(&layout, Quantity::Force).rows.iter().all(|row| row.time.is_none()));
-    let timed = accuracy::study(&layout, Quantity::Force, Timing::On).expect("it has numbers");
+    assert!(study(&layout, Quantity::FORCE).rows.iter().all(|row| row.time.is_none()));
+    let timed = accuracy::study(&layout, Quantity::FORCE, Timing::On).expect("it has numbers");
     assert!(timed.rows.iter().all(|row| row.time.is_some()));
 }
 
 #[test]
 fn a_method_that_adds_nothing_to_the_one_before_it_is_left_out() {
     // The force of the V6 on shared pins has orders 6, 12, 18, 24 …: a figure that turns, which intervals in doubles do not tell from a still one.
-    let study = study(&catalogue("V6-60-shared", &fraction(3, 10)), Quantity::Force);
+    let study = study(&catalogue("V6-60-shared", &fraction(3, 10)), Quantity::FORCE);
     let methods: Vec<Method> = study.rows.iter().map(|row| row.method).collect();
     assert_eq!(methods[..5], [2, 6, 12, 24, 32].map(Method::Orders));
     assert_eq!(methods[11..], [Method::Intervals(3), Method::Fractions]);
     assert_eq!(study.rows[11].looked_at, Some(4000));
     for name in ["I4", "I5-12453", "V8-crossplane", "radial-9"] {
-        let rows = self::study(&catalogue(name, &fraction(3, 10)), Quantity::Force).rows;
+        let rows = self::study(&catalogue(name, &fraction(3, 10)), Quantity::FORCE).rows;
         for pair in rows.windows(2).filter(|pair| matches!(pair[1].method, Method::Orders(_))) {
             assert!(pair[0].bound > pair[1].bound, "{name}: {pair:?}");
         }
@@ -261,7 +261,7 @@ fn a_method_that_adds_nothing_to_the_one_before_it_is_left_out() {
 #[test]
 fn the_section_of_a_report_has_no_times_in_any_format() {
     let layout = catalogue("I2-180", &fraction(3, 10));
-    let case = AccuracyCase::of(&layout, &[Quantity::Force, Quantity::Torque], Timing::Off).expect("it has numbers");
+    let case = AccuracyCase::of(&layout, &[Quantity::FORCE, Quantity::TORQUE], Timing::Off).expect("it has numbers");
     let mut section = page::Document::new("section", "section");
     section.blocks = report::accuracy_section(&layout, std::slice::from_ref(&case));
     let tables = |blocks: &[page::Block]| blocks.iter().filter(|block| matches!(block, page::Block::Table(_))).count();
@@ -279,8 +279,8 @@ fn the_section_of_a_report_has_no_times_in_any_format() {
 fn published() -> BTreeMap<String, String> {
     let ratios: Vec<BigRational> = [1, 3, 5, 7, 9].map(|tenths| fraction(tenths, 10)).to_vec();
     let engines = [
-        (example("marine-i4"), vec![Quantity::Force, Quantity::Torque]),
-        (example("thesis-v8-crossplane"), vec![Quantity::Force, Quantity::Moment, Quantity::Torque]),
+        (example("marine-i4"), vec![Quantity::FORCE, Quantity::TORQUE]),
+        (example("thesis-v8-crossplane"), vec![Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE]),
     ];
     let cases = |(layout, quantities): (Engine, Vec<Quantity>)| {
         let case = |ratio: &BigRational| {

@@ -99,7 +99,7 @@ fn check(engine: &Engine, verdict: &Verdict) -> &'static str {
             "no weight"
         }
         Reason::Mirror => {
-            assert!(verdict.quantity == Quantity::Moment && mirror_partners(engine).is_some());
+            assert!(verdict.quantity == Quantity::MOMENT && mirror_partners(engine).is_some());
             "mirror"
         }
         Reason::Cancels => {
@@ -176,21 +176,21 @@ fn every_reason_on_the_catalogue_and_on_engines_at_random_is_true() {
 
 fn argued(engine: &Engine, quantity: Quantity, order: u32, sense: usize) -> String {
     let balances = verdicts::pistons(engine, &[order]);
-    let balance = if quantity == Quantity::Force { &balances[0].force } else { &balances[0].moment };
+    let balance = if quantity == Quantity::FORCE { &balances[0].force } else { &balances[0].moment };
     text_in(&verdict_argument(engine, balance.verdicts()[sense]), Format::PLAIN)
 }
 
 #[test]
 fn opposite_directions_are_collected_before_it_is_argued() {
     assert_eq!(
-        argued(&named("radial-18"), Quantity::Moment, 1, 0),
+        argued(&named("radial-18"), Quantity::MOMENT, 1, 0),
         "With like and opposite directions collected one vector is left, 9 at 0°: it is not zero."
     );
 }
 
 #[test]
 fn a_star_of_triangles_is_not_said_to_be_one_of_pairs() {
-    let text = argued(&named("radial-18"), Quantity::Force, 1, 1);
+    let text = argued(&named("radial-18"), Quantity::FORCE, 1, 1);
     assert!(text.starts_with("By symmetry: turned by 20° the star is the same star"), "{text}");
     assert!(text.contains("is the corners of a regular triangle and sums to zero: 1, 4 and 7; "), "{text}");
 }
@@ -199,7 +199,7 @@ fn a_star_of_triangles_is_not_said_to_be_one_of_pairs() {
 fn each_way_without_primes_has_its_sentences() {
     let says = |form: &str, order: u32, lines: &[&str]| {
         let engine = written(form);
-        let texts: Vec<String> = (0..2).map(|sense| argued(&engine, Quantity::Force, order, sense)).collect();
+        let texts: Vec<String> = (0..2).map(|sense| argued(&engine, Quantity::FORCE, order, sense)).collect();
         for line in lines {
             assert!(texts.iter().any(|text| text.contains(line)), "{form}: no {line:?} in {texts:?}");
         }
@@ -229,7 +229,7 @@ fn each_way_without_primes_has_its_sentences() {
         1,
         &["so their sum lies on that line", "for √2 is irrational."],
     );
-    let ratio = argued(&named("V6-90-split"), Quantity::Moment, 1, 1);
+    let ratio = argued(&named("V6-90-split"), Quantity::MOMENT, 1, 1);
     assert!(ratio.ends_with("for the ratio of √2 and √6 is irrational."), "{ratio}");
 }
 

@@ -70,8 +70,8 @@ fn two_rows_with_masters_opposite_leave_no_force_of_even_order_and_prove_it() {
     let loads = of_orders(&engine, &[1, 2]);
     assert_halves(&order(&loads, 1).moment, [4.5, 0.0], 9);
     assert_halves(&order(&loads, 2).moment, [0.7728, 0.0008], 4);
-    assert!(loads::vanishes_at_every_order(&engine, crankstar::proof::Quantity::Force));
-    assert!(!loads::vanishes_at_every_order(&engine, crankstar::proof::Quantity::Moment));
+    assert!(loads::vanishes_at_every_order(&engine, crankstar::proof::Quantity::FORCE));
+    assert!(!loads::vanishes_at_every_order(&engine, crankstar::proof::Quantity::MOMENT));
 }
 
 #[test]

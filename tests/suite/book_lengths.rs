@@ -19,7 +19,7 @@ use crate::support::dice::Dice;
 use crate::support::{books, decimals};
 
 const ORDERS: [u32; 4] = [1, 2, 4, 6];
-const QUANTITIES: [Quantity; 2] = [Quantity::Force, Quantity::Moment];
+const QUANTITIES: [Quantity; 2] = [Quantity::FORCE, Quantity::MOMENT];
 
 fn written(text: &str) -> Engine {
     file::parse("book.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
@@ -156,7 +156,7 @@ fn half_of_both_lengths_has_a_closed_form_for_every_layout() {
 fn the_couple_of_the_v10_at_72_degrees_is_the_sine_of_36_degrees() {
     let v10 = file::find("V10-72").expect("in the catalogue").engine().expect("it reads");
     let couple = |order| {
-        let [direct, reverse] = vectors(&v10, Quantity::Moment, order);
+        let [direct, reverse] = vectors(&v10, Quantity::MOMENT, order);
         numbers::half_of_lengths(&direct, &reverse).expect("a form").to_string()
     };
     assert_eq!(couple(1), "sin(36°)");
@@ -165,23 +165,23 @@ fn the_couple_of_the_v10_at_72_degrees_is_the_sine_of_36_degrees() {
 
 /// Stars of the page: a layout, what it is called, and the order of the moment or the force.
 const SHOWN: [(&str, &str, Quantity, u32); 12] = [
-    ("V10, 72°", "vee = { bank_angle = 72, throws = [0, 216, 144, 72, 288] }", Quantity::Moment, 1),
-    ("V10, 72°", "vee = { bank_angle = 72, throws = [0, 216, 144, 72, 288] }", Quantity::Moment, 2),
-    ("V10, 77°", "vee = { bank_angle = 77, throws = [0, 72, 144, 216, 288] }", Quantity::Moment, 1),
+    ("V10, 72°", "vee = { bank_angle = 72, throws = [0, 216, 144, 72, 288] }", Quantity::MOMENT, 1),
+    ("V10, 72°", "vee = { bank_angle = 72, throws = [0, 216, 144, 72, 288] }", Quantity::MOMENT, 2),
+    ("V10, 77°", "vee = { bank_angle = 77, throws = [0, 72, 144, 216, 288] }", Quantity::MOMENT, 1),
     (
         "V10, 90°, pins split by 18°",
         "vee = { bank_angle = 90, pin_split = -18, throws = [0, 216, 144, 72, 288] }",
-        Quantity::Moment,
+        Quantity::MOMENT,
         1,
     ),
-    ("V2, 13°", "vee = { bank_angle = 13, throws = [0] }", Quantity::Force, 2),
-    ("V2, 45°", "vee = { bank_angle = 45, throws = [0] }", Quantity::Force, 2),
-    ("V6, 65°", "vee = { bank_angle = 65, throws = [0, 120, 240] }", Quantity::Moment, 1),
-    ("V8, 72°, cross-plane", "vee = { bank_angle = 72, throws = [0, 90, 270, 180] }", Quantity::Moment, 1),
-    ("W15, 35°", "fan = { banks = [-35, 0, 35], throws = [0, 288, 144, 72, 216] }", Quantity::Moment, 1),
-    ("W12, 60°", "fan = { banks = [-60, 0, 60], throws = [0, 90, 270, 180] }", Quantity::Moment, 1),
-    ("I5, 1-2-4-5-3", "inline.throws = [0, 216, 144, 288, 72]", Quantity::Moment, 2),
-    ("I2, 1°", "inline.throws = [0, 1]", Quantity::Force, 1),
+    ("V2, 13°", "vee = { bank_angle = 13, throws = [0] }", Quantity::FORCE, 2),
+    ("V2, 45°", "vee = { bank_angle = 45, throws = [0] }", Quantity::FORCE, 2),
+    ("V6, 65°", "vee = { bank_angle = 65, throws = [0, 120, 240] }", Quantity::MOMENT, 1),
+    ("V8, 72°, cross-plane", "vee = { bank_angle = 72, throws = [0, 90, 270, 180] }", Quantity::MOMENT, 1),
+    ("W15, 35°", "fan = { banks = [-35, 0, 35], throws = [0, 288, 144, 72, 216] }", Quantity::MOMENT, 1),
+    ("W12, 60°", "fan = { banks = [-60, 0, 60], throws = [0, 90, 270, 180] }", Quantity::MOMENT, 1),
+    ("I5, 1-2-4-5-3", "inline.throws = [0, 216, 144, 288, 72]", Quantity::MOMENT, 2),
+    ("I2, 1°", "inline.throws = [0, 1]", Quantity::FORCE, 1),
 ];
 
 fn counted() -> String {

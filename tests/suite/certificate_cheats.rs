@@ -463,7 +463,7 @@ fn a_verdict_that_is_listed_twice_is_refused() {
 fn a_verdict_under_the_name_of_another_is_refused() {
     let order = fault(|document| document.verdicts[FORCE_DIRECT].order = 2);
     assert_eq!(order, [FIRST, "here stands a verdict on (force, order 2, direct)"]);
-    let quantity = fault(|document| document.verdicts[FORCE_DIRECT].quantity = Quantity::Moment);
+    let quantity = fault(|document| document.verdicts[FORCE_DIRECT].quantity = Quantity::MOMENT);
     assert_eq!(quantity, [FIRST, "here stands a verdict on (moment, order 1, direct)"]);
 }
 
@@ -562,7 +562,7 @@ fn orders_and_quantities_that_were_not_asked_for_or_are_not_judged_are_refused()
     }
     let without = fault(|document| document.quantities.truncate(2));
     assert_eq!(without[1], "here stands a verdict on (torque, order 1)");
-    for wrong in [vec![], vec![Quantity::Moment, Quantity::Force], vec![Quantity::Force, Quantity::Force]] {
+    for wrong in [vec![], vec![Quantity::MOMENT, Quantity::FORCE], vec![Quantity::FORCE, Quantity::FORCE]] {
         assert_eq!(fault(|document| document.quantities = wrong)[0], "quantities");
     }
     let promised = fault(|document| document.all_orders = true);
@@ -637,7 +637,7 @@ fn a_verdict_that_is_not_there_is_missed() {
     let place = "verdicts[1] (force, order 1, reverse)";
     assert_eq!(one, [place, "here stands a verdict on (moment, order 1, direct)"]);
     assert_eq!(fault(|document| document.verdicts.clear()), [FIRST, "this verdict is missing"]);
-    let torque = fault(|document| document.shapes[0].quantity = Quantity::Torque);
+    let torque = fault(|document| document.shapes[0].quantity = Quantity::TORQUE);
     assert_eq!(torque, ["shapes[0] (force, order 1)", "another shape stands here"]);
 }
 

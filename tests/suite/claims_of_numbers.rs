@@ -35,6 +35,12 @@ fn no_claim_on_every_order_of_the_torque_is_called_true() {
         assert!(!matches!(status(&four, says), Status::True), "{says}");
     }
     assert_eq!(status(&four, "second-order torque vanishes"), Status::False);
+    // The forces of these orders vanish, the torque of order 3 does not.
+    let six =
+        "inline.throws = [0, 120, 240, 240, 120, 0]\n[mechanism]\ncrank_radius = 1\nrod_length = [4, 4, 4, 5, 5, 5]\n";
+    let six = file::parse("x.toml", six).expect("it reads");
+    assert_eq!(status(&six, "orders 1 and 3 of the force vanish"), Status::True);
+    assert!(!matches!(status(&six, "orders 1 and 3 of the torque vanish"), Status::True));
 }
 
 #[test]

@@ -29,7 +29,7 @@ fn sums() -> Vec<(String, PhasorSum)> {
     let mut sums = Vec::new();
     for (name, layout) in engines() {
         for order in [1, 2, 4, 6, 8, 10] {
-            for quantity in [Quantity::Force, Quantity::Moment] {
+            for quantity in [Quantity::FORCE, Quantity::MOMENT] {
                 for sense in [Sense::Direct, Sense::Reverse] {
                     let sum = order::star(&layout, quantity, order, Some(sense));
                     if !sum.vanishes() {
@@ -93,18 +93,18 @@ fn known_lengths_are_printed_as_a_book_would() {
         let layout = file::find(engine).expect("in the catalogue").engine().expect("it reads");
         numbers::modulus(&order::star(&layout, quantity, order, Some(sense))).expect("small").to_string()
     };
-    assert_eq!(length("I3", Quantity::Moment, 1, Sense::Direct), "√3");
-    assert_eq!(length("V8-crossplane", Quantity::Moment, 1, Sense::Direct), "2√10");
-    assert_eq!(length("V8-crossplane", Quantity::Force, 4, Sense::Direct), "4√2");
-    assert_eq!(length("I5-12453", Quantity::Moment, 1, Sense::Direct), "√(50 − 22√5)/2");
-    assert_eq!(length("V6-90-split", Quantity::Moment, 1, Sense::Direct), "(3√2 + √6)/2");
-    assert_eq!(length("I6-two-stroke", Quantity::Moment, 2, Sense::Direct), "2√3");
+    assert_eq!(length("I3", Quantity::MOMENT, 1, Sense::Direct), "√3");
+    assert_eq!(length("V8-crossplane", Quantity::MOMENT, 1, Sense::Direct), "2√10");
+    assert_eq!(length("V8-crossplane", Quantity::FORCE, 4, Sense::Direct), "4√2");
+    assert_eq!(length("I5-12453", Quantity::MOMENT, 1, Sense::Direct), "√(50 − 22√5)/2");
+    assert_eq!(length("V6-90-split", Quantity::MOMENT, 1, Sense::Direct), "(3√2 + √6)/2");
+    assert_eq!(length("I6-two-stroke", Quantity::MOMENT, 2, Sense::Direct), "2√3");
 }
 
 #[test]
 fn the_moment_plane_of_the_cross_plane_v8_is_minus_arctan_one_third() {
     let v8 = file::find("V8-crossplane").expect("in the catalogue").engine().expect("it reads");
-    let sum = order::star(&v8, Quantity::Moment, 1, Some(Sense::Direct));
+    let sum = order::star(&v8, Quantity::MOMENT, 1, Some(Sense::Direct));
     let third = Form::rational(BigRational::new((-1).into(), 3.into()));
     assert_eq!(numbers::direction_of(&sum), Some(Direction::Arctangent { tangent: third, opposite: false }));
 }
@@ -158,7 +158,7 @@ fn random_lengths(mut look: impl FnMut(&PhasorSum, Option<Form>, (u32, u32))) {
     let mut dice = Dice::new(7);
     for form in whole_degrees::FORMS.iter().cycle().take(2 * whole_degrees::FORMS.len()) {
         let layout = file::parse("random", &whole_degrees::file(&mut dice, form, 24)).expect("it reads");
-        for (quantity, sense) in [(Quantity::Force, Sense::Direct), (Quantity::Moment, Sense::Reverse)] {
+        for (quantity, sense) in [(Quantity::FORCE, Sense::Direct), (Quantity::MOMENT, Sense::Reverse)] {
             for order in [1, 2, 4] {
                 let sum = order::star(&layout, quantity, order, Some(sense));
                 if !sum.vanishes() {
@@ -200,7 +200,7 @@ fn a_search_for_a_form_takes_the_same_steps_each_time() {
 fn a_spent_budget_ends_in_no_form() {
     let mut budget = Budget::new();
     let layout = file::parse("i8", "[inline]\nthrows = [0, 11, 47, 101, 190, 222, 251, 333]").expect("it reads");
-    let sum = order::star(&layout, Quantity::Moment, 1, Some(Sense::Direct));
+    let sum = order::star(&layout, Quantity::MOMENT, 1, Some(Sense::Direct));
     while numbers::modulus_within(&sum, &mut budget).is_some() || budget.spent().1 + 1000 < Budget::PROPOSALS {
         let before = budget.spent();
         numbers::modulus_within(&sum, &mut budget);
@@ -216,7 +216,7 @@ fn a_spent_budget_ends_in_no_form() {
 fn a_bank_factor_is_found_at_any_bank_angle() {
     let text = "[vee]\nbank_angle = 77\nthrows = [0, 72, 144, 216, 288]";
     let layout = file::parse("V10", text).expect("it reads");
-    let sum = order::star(&layout, Quantity::Moment, 1, Some(Sense::Direct));
+    let sum = order::star(&layout, Quantity::MOMENT, 1, Some(Sense::Direct));
     let length = numbers::modulus(&sum).expect("a form");
     assert!(decimals::agree(&decimals::form(&length), &decimals::modulus(&sum)), "{length}");
 }

@@ -3,7 +3,7 @@
 use crankstar::engine::{Engine, Mechanism};
 use crankstar::file::{Beside, catalogue, parse};
 use crankstar::order::{self, Masses};
-use crankstar::proof::{Quantity, Sense, check_document, check_remedy_document};
+use crankstar::proof::{Planar, Quantity, Sense, check_document, check_remedy_document};
 use crankstar::remedy::{Remedy, Wish, corrected_file, remedy};
 use crankstar::{report, verdict};
 use num_rational::BigRational;
@@ -34,7 +34,7 @@ fn corrected(remedy: &Remedy) -> Engine {
     let text = written.text;
     let engine = read(&text);
     for &order in &remedy.orders {
-        for quantity in [Quantity::Force, Quantity::Moment] {
+        for quantity in Planar::BOTH {
             for sense in [Sense::Direct, Sense::Reverse] {
                 let sum = order::all_masses(&engine, quantity, order, sense);
                 assert_eq!(sum.vanishes(), !remedy.leaves_out(order, sense), "{quantity:?} {order} {sense:?}\n{text}");
@@ -57,7 +57,7 @@ fn the_file_of_a_corrected_engine_keeps_what_remedy_promised() {
         let corrected = corrected(&remedy);
         written += 1;
         if written % 6 == 0 {
-            let quantities = [Quantity::Force, Quantity::Moment];
+            let quantities = [Quantity::FORCE, Quantity::MOMENT];
             let judged = verdict::classify(&corrected, &[1, 2], Masses::All, &quantities).expect("orders");
             let document = report::document(&corrected, Masses::All, &judged, &quantities, None);
             check_document(&document).unwrap_or_else(|fault| panic!("{fault}"));

@@ -292,14 +292,14 @@ fn two_rows_with_throws_and_masters_opposite_leave_no_force_at_any_order() {
         ))
     };
     let copies = rows("[2, -1.3, 2, -1.3]");
-    assert!(loads::vanishes_at_every_order(&copies, Quantity::Force));
-    assert!(!loads::vanishes_at_every_order(&copies, Quantity::Moment));
+    assert!(loads::vanishes_at_every_order(&copies, Quantity::FORCE));
+    assert!(!loads::vanishes_at_every_order(&copies, Quantity::MOMENT));
     for order in judged(&copies, &[1, 2, 3, 5], false) {
         assert_eq!(order.force.shape, Shape::Balanced, "order {}", order.order);
         assert!(order.moment.is_left());
     }
     let unlike = rows("[2, -1.3, 2, -1.4]");
-    assert!(!loads::vanishes_at_every_order(&unlike, Quantity::Force));
+    assert!(!loads::vanishes_at_every_order(&unlike, Quantity::FORCE));
 }
 
 #[test]
@@ -337,7 +337,7 @@ fn no_orders_above_one_add_more_than_their_bound() {
             let orders: Vec<u32> = (first + 1..first + 14).collect();
             let loads = of_orders(&engine, &orders);
             let sum: f64 = loads.orders.iter().map(|one| one.force.largest()).sum();
-            let bound = tails.above(&engine, Quantity::Force, first);
+            let bound = tails.above(&engine, Quantity::FORCE, first);
             assert!(sum <= bound, "{sum} above order {first}, bound {bound}\n{text}");
             assert!(first < 12 || bound < 1e-2, "{bound}\n{text}");
         }

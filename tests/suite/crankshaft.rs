@@ -239,7 +239,7 @@ fn what_cannot_be_compared_is_missing() {
 fn the_page_of_an_engine_with_masses_that_turn_says_whose_masses_its_verdicts_are_about() {
     let bare = read("[inline]\nthrows = [0]\n[mechanism]\nrod_ratio = 0.25\n");
     let whose = |engine: &Engine| {
-        let judged = Judgement::new(engine, &[1, 2], &[Quantity::Force, Quantity::Moment]).expect("orders");
+        let judged = Judgement::new(engine, &[1, 2], &Quantity::PLANAR).expect("orders");
         pages::text(&crankstar::report::engine_answer(engine, &judged), Format::PLAIN)
     };
     assert!(!whose(&bare).contains("As built"));

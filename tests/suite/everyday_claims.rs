@@ -193,7 +193,7 @@ fn the_series_of_random_engines_found_in_the_time_domain_is_right_and_a_changed_
             continue;
         }
         for across in [false, true] {
-            let [direct, reverse] = vectors(&engine, 1, crankstar::proof::Quantity::Force, |_| [0.0, 0.0]);
+            let [direct, reverse] = vectors(&engine, 1, crankstar::proof::Planar::Force, |_| [0.0, 0.0]);
             let (cosine, sine) = match across {
                 false => ((direct + reverse).re / 2.0, (reverse - direct).im / 2.0),
                 true => ((direct + reverse).im / 2.0, (direct - reverse).re / 2.0),

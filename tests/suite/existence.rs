@@ -53,7 +53,7 @@ fn the_shape_of_an_order_says_of_random_engines_whether_it_exists() {
     for index in 0..40 {
         let text = every_form::known(&mut dice);
         let Ok(Layout::Known(engine, _)) = parse_layout("engine", &text) else { continue };
-        let quantities = [Quantity::Force, Quantity::Moment];
+        let quantities = [Quantity::FORCE, Quantity::MOMENT];
         let Ok(judged) = verdict::classify(&engine, &[1, 2, 3, 4, 5], masses[index % 4], &quantities) else { continue };
         let document = report::document(&engine, masses[index % 4], &judged, &quantities, None);
         for claim in &document.shapes {

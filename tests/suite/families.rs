@@ -8,7 +8,7 @@ use crankstar::family::{self, Left, NotComparable, OpenVerdict, When};
 use crankstar::file::{self, Layout};
 use crankstar::numbers::Form;
 use crankstar::page::Format;
-use crankstar::proof::Quantity;
+use crankstar::proof::{Planar, Quantity};
 use crankstar::{order, report};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -229,11 +229,11 @@ fn what_factors_out_agrees_with_the_sum_at_any_lengths() {
     ];
     for text in texts {
         let family = open(text);
-        for verdict in verdicts(&family).iter().filter(|verdict| verdict.quantity == Quantity::Moment) {
+        for verdict in verdicts(&family).iter().filter(|verdict| verdict.quantity == Planar::Moment) {
             let values =
                 at(&[("a", fraction(7, 3)), ("b", fraction(2, 5)), ("c", fraction(11, 7)), ("d", fraction(13, 9))]);
             let engine = family.with(&values).expect("it is built").only().expect("known").expect("it is built");
-            let sum = order::star(&engine, Quantity::Moment, verdict.order, Some(verdict.sense));
+            let sum = order::star(&engine, Quantity::MOMENT, verdict.order, Some(verdict.sense));
             match family::left(verdict) {
                 Left::Nothing => assert!(sum.vanishes() && verdict.always()),
                 Left::Factored { factor, lengths, .. } => {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crankstar::engine::{Cylinder, Draft, Engine, ReferencePlane};
 use crankstar::file::{catalogue, find, parse};
 use crankstar::order;
-use crankstar::proof::Quantity::{self, Force, Moment};
+use crankstar::proof::Planar::{self, Force, Moment};
 use crankstar::verdict::Disturbance::{self, AnySpacing, BankMasses, BankOffset, CylinderMasses, SymmetricSpacing};
 use crankstar::verdict::FirmnessOutcome::{self, Breaks, DoesNotApply, Survives};
 use crankstar::verdict::{Balance, Reason, firmness, opposed_partners, reason};
@@ -19,12 +19,11 @@ fn engine(name: &str) -> Engine {
     find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).engine().unwrap()
 }
 
-fn balance(layout: &Engine, quantity: Quantity, order: u32) -> Balance {
-    let order = pistons(layout, &[order]).remove(0);
-    if quantity == Force { order.force } else { order.moment }
+fn balance(layout: &Engine, quantity: Planar, order: u32) -> Balance {
+    pistons(layout, &[order]).remove(0).balance(quantity).clone()
 }
 
-fn outcome(layout: &Engine, quantity: Quantity, order: u32, disturbance: Disturbance) -> FirmnessOutcome {
+fn outcome(layout: &Engine, quantity: Planar, order: u32, disturbance: Disturbance) -> FirmnessOutcome {
     firmness(layout, &balance(layout, quantity, order)).expect("a zero").outcome(disturbance)
 }
 

@@ -404,12 +404,12 @@ fn cheats_with_cranks_and_axes_are_refused() {
     refuse("no crankshaft", &|document| drop(crank(document, 1)));
     refuse("a mass in the middle", &|document| document.turning_masses[0].axis.clear());
     refuse("no roll moment, and axes all the same", &|document| {
-        document.quantities.retain(|quantity| *quantity != Quantity::Roll);
-        document.verdicts.retain(|verdict| verdict.quantity != Quantity::Roll);
-        document.wholes.retain(|whole| whole.quantity != Quantity::Roll);
+        document.quantities.retain(|quantity| *quantity != Quantity::ROLL);
+        document.verdicts.retain(|verdict| verdict.quantity != Quantity::ROLL);
+        document.wholes.retain(|whole| whole.quantity != Quantity::ROLL);
     });
     refuse("a roll verdict less", &|document| {
-        let index = document.verdicts.iter().position(|verdict| verdict.quantity == Quantity::Roll).expect("one");
+        let index = document.verdicts.iter().position(|verdict| verdict.quantity == Quantity::ROLL).expect("one");
         document.verdicts.remove(index);
     });
 }

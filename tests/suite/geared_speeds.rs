@@ -168,7 +168,7 @@ fn a_load_vanishes_at_every_order_only_if_it_does_at_every_speed() {
     let yoke = "[mechanism]\nscotch_yoke = true\n";
     let pair = |crank: &str| [single(crank, 0), single(crank, 180)].concat();
     let rods = "[mechanism]\nrod_ratio = 0.25\n";
-    let vanishes = |text: String| vanishes_at_every_order(&layout(&text), Quantity::Force);
+    let vanishes = |text: String| vanishes_at_every_order(&layout(&text), Quantity::FORCE);
     assert!(vanishes(format!("{TWO}{}{}{yoke}", pair("slow"), pair("fast"))));
     assert!(!vanishes(format!("{TWO}{}{}{yoke}", pair("slow"), single("fast", 0))));
     assert!(!vanishes(format!("{TWO}{}{}{rods}", pair("slow"), pair("fast"))));
@@ -215,7 +215,7 @@ fn cheats_with_speeds_are_refused() {
         document.verdicts[index].vanishes = true;
     });
     refuse("a whole that is zero", &|document| {
-        let whole = document.wholes.iter_mut().find(|whole| whole.order == 4 && whole.quantity == Quantity::Force);
+        let whole = document.wholes.iter_mut().find(|whole| whole.order == 4 && whole.quantity == Quantity::FORCE);
         whole.expect("one").outcome = crankstar::proof::WholeOutcome::Zero;
     });
     refuse("a factor of the square less", &|document| {

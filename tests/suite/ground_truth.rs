@@ -5,8 +5,11 @@ use crankstar::engine::Engine;
 use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::file::{catalogue, find, parse};
 use crankstar::numbers::evaluate;
-use crankstar::proof::Quantity::{self, Force, Moment};
 use crankstar::proof::Shape::{self, Balanced, CounterRotating, Planar, Rotating};
+use crankstar::proof::{
+    self,
+    Planar::{Force, Moment},
+};
 use crankstar::text::Untrusted;
 use crankstar::verdict::Balance;
 use num_rational::BigRational;
@@ -17,12 +20,9 @@ fn engine(name: &str) -> Engine {
     find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).engine().unwrap()
 }
 
-fn balance(layout: &Engine, quantity: Quantity, order: u32) -> Balance {
+fn balance(layout: &Engine, quantity: proof::Planar, order: u32) -> Balance {
     let order = pistons(layout, &[order]).remove(0);
-    match quantity {
-        Force => order.force,
-        _ => order.moment,
-    }
+    order.balance(quantity).clone()
 }
 
 /// `weight · e^{2πi·angle}` for each pair, the angle as a fraction of a turn.
@@ -70,7 +70,7 @@ fn coefficient_squared(balance: &Balance) -> PhasorSum {
 }
 
 #[track_caller]
-fn assert_left(layout: &Engine, quantity: Quantity, order: u32, shape: Shape, squared: &PhasorSum) {
+fn assert_left(layout: &Engine, quantity: proof::Planar, order: u32, shape: Shape, squared: &PhasorSum) {
     let what = format!("{}, {quantity:?} of order {order}", layout.title().written());
     let balance = balance(layout, quantity, order);
     assert_eq!(balance.shape, shape, "{what}");
@@ -79,7 +79,7 @@ fn assert_left(layout: &Engine, quantity: Quantity, order: u32, shape: Shape, sq
 
 /// What is left: engine, quantity, order, shape, the coefficient squared, who says so.
 #[rustfmt::skip]
-fn left() -> Vec<(&'static str, Quantity, u32, Shape, PhasorSum, &'static str)> {
+fn left() -> Vec<(&'static str, proof::Planar, u32, Shape, PhasorSum, &'static str)> {
     vec![
         ("I2-180",         Force,  2, Planar,   whole(4),                  "Stabile 4.1.1"),
         ("I2-180",         Moment, 1, Planar,   whole(1),                  "Stabile 4.1.1"),
@@ -114,7 +114,7 @@ fn what_is_left_has_the_known_shape_and_size() {
 
 /// What vanishes: engine, quantity, orders, who says so.
 #[rustfmt::skip]
-const BALANCED: &[(&str, Quantity, &[u32], &str)] = &[
+const BALANCED: &[(&str, proof::Planar, &[u32], &str)] = &[
     ("I2-180",        Force,  &[1],                 "Stabile 4.1.1"),
     ("I2-180",        Moment, &[2],                 "Stabile 4.1.1"),
     ("I2-270",        Force,  &[2],                 "Stabile 4.1.3"),

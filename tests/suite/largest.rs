@@ -8,7 +8,7 @@ use crankstar::file::{self, Layout};
 use crankstar::loads::{Missing, loads, needed_orders, usual_orders, vanishes_at_every_order};
 use crankstar::order::Masses;
 use crankstar::page::Format;
-use crankstar::proof::Quantity;
+use crankstar::proof::{Planar, Quantity};
 use crankstar::report::{self, Numbers};
 use crankstar::verdict;
 use num_rational::BigRational;
@@ -22,7 +22,7 @@ fn engine(text: &str) -> Engine {
     file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
 
-const QUANTITIES: [Quantity; 3] = [Quantity::Force, Quantity::Moment, Quantity::Torque];
+const QUANTITIES: [Quantity; 3] = [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE];
 
 /// Force, moment and torque of the pistons at an angle, in m r ω², that times metres, and m r² ω²: written out once more, from the
 /// position `cos ψ + √(1 − (λ sin ψ − δ)²)/λ`, without order or phasor.
@@ -226,7 +226,7 @@ fn a_force_that_begins_at_a_high_order_is_found_and_is_not_zero() {
         throws.join(", ")
     );
     let layout = engine(&text);
-    let Largest::Known { value, error, .. } = largest(&layout, Quantity::Force).expect("numbers") else {
+    let Largest::Known { value, error, .. } = largest(&layout, Quantity::FORCE).expect("numbers") else {
         panic!("known")
     };
     let c = crankstar::motion::SliderCrank::new(
@@ -235,7 +235,7 @@ fn a_force_that_begins_at_a_high_order_is_found_and_is_not_zero() {
     );
     let c = c.expect("a crank").coefficient(46).re.to_float().abs();
     assert!(error < 1e-3 * value && (value / (23.0 * c) - 1.0).abs() < 1e-6, "{value} {c}");
-    assert_eq!(largest(&layout, Quantity::Moment).expect("numbers"), Largest::Zero);
+    assert_eq!(largest(&layout, Quantity::MOMENT).expect("numbers"), Largest::Zero);
 }
 
 fn loads_table(engine: &Engine, orders: &[u32]) -> Vec<Vec<String>> {
@@ -279,7 +279,7 @@ fn with_an_offset_the_odd_orders_are_judged_and_without_one_they_do_not_exist() 
 fn nothing_is_judged_of_order_0_and_no_cell_is_blank() {
     let layout =
         engine(&format!("speed = 6000\neffects = [\"torque\"]\n[inline]\nthrows = [0, 120, 240]\n{MECHANISM}"));
-    let both = [Quantity::Force, Quantity::Moment];
+    let both = [Quantity::FORCE, Quantity::MOMENT];
     assert_eq!(verdict::classify(&layout, &[1, 0], Masses::All, &both).err(), Some(NotAnOrder(0)));
     assert_eq!(verdict::torque(&layout, &[1001]).err(), Some(NotAnOrder(1001)));
     assert_eq!(loads(&layout, &[0]).err(), Some(Missing::Order(NotAnOrder(0))));
@@ -300,7 +300,7 @@ fn no_method_is_compared_with_a_reference_that_is_worse_than_itself() {
         "[inline]\nthrows = [0, 144, 216, 288, 72]\n[mechanism]\nrod_ratio = 0.3\nreciprocating_mass = 1\n",
     ];
     for text in cases {
-        let study = accuracy::study(&engine(text), Quantity::Force, Timing::Off).expect("a study");
+        let study = accuracy::study(&engine(text), Quantity::FORCE, Timing::Off).expect("a study");
         for row in &study.rows {
             // Bounds leave out the roundings of doubles.
             let bound = row.bound.unwrap_or(f64::INFINITY);
@@ -323,7 +323,7 @@ fn sweep_says_of_a_force_that_vanishes_everywhere_that_it_does() {
     let parameter = crankstar::sweep::Parameter::parse("vee.bank_angle=0..180:30").expect("a range");
     let sweep = crankstar::sweep::sweep(&template, &[parameter], &[1, 2, 3], &Default::default()).expect("a sweep");
     let sets = sweep.zeros.expect("angles");
-    let force = |order: u32| sets.iter().filter(move |set| set.quantity == Quantity::Force && set.order == order);
+    let force = |order: u32| sets.iter().filter(move |set| set.quantity == Planar::Force && set.order == order);
     assert!(force(1).all(|set| set.everywhere && set.exists), "{sets:?}");
     assert!(force(3).all(|set| !set.exists), "{sets:?}");
     assert!(matches!(file::parse_layout("vee.toml", &text), Ok(Layout::Known(..))));

@@ -140,7 +140,7 @@ fn in_decimals(layout: &Engine, verdict: &Verdict) -> Complex<f64> {
             Some(Sense::Reverse) => -k * (throw - bank) + bank,
             None => k * (throw - bank),
         };
-        let arm = if verdict.quantity == Quantity::Moment { decimal(&layout.arm(cylinder)) } else { 1.0 };
+        let arm = if verdict.quantity == Quantity::MOMENT { decimal(&layout.arm(cylinder)) } else { 1.0 };
         Complex::from_polar(decimal(&cylinder.reciprocating_mass), angle) * arm
     };
     layout.cylinders().iter().map(vector).sum()

@@ -181,7 +181,7 @@ fn remedies_of_nearly_balanced_engines_leave_less_than_a_millionth_of_the_load_i
         let along = || document.cylinders.iter().map(|one| float(&one.position));
         let length = along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min);
         for order in [1, 2] {
-            let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| left(&document, quantity, order));
+            let [force, moment] = [Quantity::FORCE, Quantity::MOMENT].map(|quantity| left(&document, quantity, order));
             let why = || format!("order {order}: {force} {moment}\n{text}");
             assert!(force < 2.001e-6 * load && moment < 2.001e-6 * load * length, "{}", why());
             let count = document.left_out.iter().filter(|one| one.order == order).count();

@@ -21,7 +21,7 @@ use num_rational::BigRational;
 const ORDERS: [u32; 5] = [1, 2, 3, 4, 6];
 
 fn judged(engine: &Engine) -> Judgement {
-    Judgement::new(engine, &ORDERS, &[Quantity::Force, Quantity::Moment]).expect("orders")
+    Judgement::new(engine, &ORDERS, &Quantity::PLANAR).expect("orders")
 }
 
 fn open(text: &str) -> Family {
@@ -103,7 +103,7 @@ fn the_slider_is_right(text: &str, held: &[(&str, BigRational)], unknown: &str, 
             assert!(is(body.bank + body.bank_turns * moved, &own.bank), "{text}: bank of {}", own.name);
         }
         for order in made.orders.iter().filter(|order| order.exists) {
-            for (quantity, of) in [(&order.force, Quantity::Force), (&order.moment, Quantity::Moment)] {
+            for (quantity, of) in [(&order.force, Quantity::FORCE), (&order.moment, Quantity::MOMENT)] {
                 for (sense, which) in quantity.senses.iter().zip([Sense::Direct, Sense::Reverse]) {
                     let star = order::star(&engine, of, order.order, Some(which));
                     let list = sense.zeros.as_ref().expect("a list");

@@ -181,9 +181,9 @@ fn verdicts_that_are_missing_repeated_or_not_asked_for_are_refused() {
 
 #[test]
 fn the_torque_of_a_family_is_not_checked_by_the_formula_of_the_force() {
-    let renamed = refused(V_TWIN, |document| document.open_verdicts[0].quantity = Quantity::Torque);
+    let renamed = refused(V_TWIN, |document| document.open_verdicts[0].quantity = Quantity::TORQUE);
     assert_eq!(renamed, "another verdict stands here");
-    let asked = refused(V_TWIN, |document| document.quantities.push(Quantity::Torque));
+    let asked = refused(V_TWIN, |document| document.quantities.push(Quantity::TORQUE));
     assert_eq!(asked, "this format knows force and moment, and not the torque of a family");
 }
 

@@ -6,7 +6,7 @@ use crankstar::engine::{Cylinder, DELTA, Family, Linear, PHI};
 use crankstar::family::{self, Circle, Closed, OpenVerdict, Solutions, When, Zeros};
 use crankstar::file::{self, Layout};
 use crankstar::numbers::Direction;
-use crankstar::proof::{Quantity, Sense, check_open_document};
+use crankstar::proof::{Planar, Sense, check_open_document};
 use crankstar::report;
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -96,7 +96,7 @@ impl Star {
             let times = of_throw * float(&cylinder.throw.coefficient(unknown))
                 + of_bank * float(&cylinder.bank.coefficient(unknown));
             let arm = match verdict.quantity {
-                Quantity::Moment => float(cylinder.position.known()) - float(family.reference_plane().known()),
+                Planar::Moment => float(cylinder.position.known()) - float(family.reference_plane().known()),
                 _ => 1.0,
             };
             let weight = float(&cylinder.reciprocating_mass) * float(&cylinder.crank_radius) * arm;

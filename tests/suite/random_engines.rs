@@ -75,10 +75,10 @@ fn terms(layout: &Engine, of: &[&Cylinder], verdict: &Verdict, class: Option<&Cl
         };
         let (mass, radius) = (&cylinder.reciprocating_mass, &cylinder.crank_radius);
         let weight = match verdict.quantity {
-            Quantity::Force => mass * radius,
-            Quantity::Moment => mass * radius * (&cylinder.position - layout.reference_plane()),
-            Quantity::Torque => mass * radius * radius,
-            Quantity::Roll => unreachable!("it is not asked for"),
+            Quantity::FORCE => mass * radius,
+            Quantity::MOMENT => mass * radius * (&cylinder.position - layout.reference_plane()),
+            Quantity::TORQUE => mass * radius * radius,
+            Quantity::ROLL => unreachable!("it is not asked for"),
         };
         // Cylinders whose axes pass the shaft on either side are judged together: odd c_k above 1 change their sign with the offset, and so
         // does the imaginary part of c_1.

@@ -6,7 +6,7 @@ use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::order;
 use crankstar::proof::{
-    Certificate, Document, Fault, OrderClaim, Quantity, Sense, SumVerdict, WholeOutcome, Zeros, check_document,
+    Certificate, Document, Fault, OrderClaim, Planar, Quantity, Sense, SumVerdict, WholeOutcome, Zeros, check_document,
 };
 use crankstar::verdict::{self, AtOrder, EveryOrderTheorem, FirstLeft, NoTheorem, Recurrence, Recurrences, Stars};
 use num_complex::Complex;
@@ -30,7 +30,7 @@ fn stated(engine: &Engine) -> Recurrences {
 }
 
 fn both(all: &Recurrences) -> [(Quantity, &[Recurrence; 2]); 2] {
-    [(Quantity::Force, &all.force), (Quantity::Moment, &all.moment)]
+    [(Quantity::FORCE, &all.force), (Quantity::MOMENT, &all.moment)]
 }
 
 /// Compares the statement at these orders with plain verdicts; how many are zero, left, and several classes left.
@@ -41,7 +41,7 @@ fn agrees(text: &str, engine: &Engine, all: &Recurrences, orders: impl Iterator<
         for (quantity, both) in both(all) {
             for (place, one) in both.iter().enumerate() {
                 let left = order.parts.iter().filter(|part| part.exists).filter(|part| {
-                    let balance = if quantity == Quantity::Force { &part.force } else { &part.moment };
+                    let balance = if quantity == Quantity::FORCE { &part.force } else { &part.moment };
                     !balance.verdicts()[place].vanishes()
                 });
                 let (right, count) = match left.count() {
@@ -181,7 +181,7 @@ fn a_v_whose_angles_have_no_common_divisor_is_judged_by_its_bank_and_its_banks()
     let counts = agrees("V14", &engine, &all, (2..=300).step_by(2));
     assert!(counts[0] > 200 && counts[1] > 50 && counts[2] == 0, "{counts:?}");
     verified(&engine);
-    assert_eq!(theorem(&engine).expect("a statement").first_left(&engine, Quantity::Moment).to_owned(), {
+    assert_eq!(theorem(&engine).expect("a statement").first_left(&engine, Planar::Moment).to_owned(), {
         let order = judged(&engine, &[1], false).remove(0);
         FirstLeft::Order(1, order.moment.shape)
     });
@@ -222,7 +222,7 @@ fn zeros_of_long_patterns_are_those_of_every_residue() {
         let Ok(EveryOrderTheorem::Recurrences(all)) = theorem(&engine) else { continue };
         long += 1;
         for order in (2..=1000).step_by(2) {
-            let is_zero = order::star(&engine, Quantity::Force, order, Some(Sense::Direct)).vanishes();
+            let is_zero = order::star(&engine, Quantity::FORCE, order, Some(Sense::Direct)).vanishes();
             assert_eq!(all.force[0].at(order) == AtOrder::Zero, is_zero, "{order}\n{text}");
             zeros += usize::from(is_zero);
         }
@@ -267,7 +267,7 @@ fn classes_of_rods_are_told_apart_and_both_left_is_no_verdict() {
     let cells = theorem(&engine).expect("a statement");
     // Order 2 by itself is decided: both numbers have one sign.
     let order = judged(&engine, &[2], false).remove(0);
-    assert_eq!(cells.first_left(&engine, Quantity::Force), FirstLeft::Order(2, order.force.shape));
+    assert_eq!(cells.first_left(&engine, Planar::Force), FirstLeft::Order(2, order.force.shape));
     verified(&engine);
 }
 

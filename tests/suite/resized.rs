@@ -9,7 +9,7 @@ use crankstar::exact::Turn;
 use crankstar::file::{Beside, parse};
 use crankstar::order;
 use crankstar::page;
-use crankstar::proof::{Quantity, Sense};
+use crankstar::proof::{Planar, Sense};
 use crankstar::remedy::{Remedy, Wish, corrected_file, remedy};
 use crankstar::report;
 use proptest::prelude::*;
@@ -61,7 +61,7 @@ fn assert_cured(text: &str, wish: &Wish) -> (String, Engine) {
     assert!(found.holds(), "{text}");
     let (written, cured) = corrected(&found);
     for order in &wish.orders {
-        for quantity in [Quantity::Force, Quantity::Moment] {
+        for quantity in Planar::BOTH {
             for sense in [Sense::Direct, Sense::Reverse] {
                 assert!(order::all_masses(&cured, quantity, *order, sense).vanishes(), "{order}\n{text}\n{written}");
             }

@@ -235,10 +235,10 @@ fn a_found_star_is_an_engine_with_the_moments_it_claims() {
             assert_eq!(star.firing_order.is_some(), firing.is_some_and(|firing| firing.is_even()));
             for moment in &star.moments {
                 let sense = Some(moment.sense.unwrap_or(Sense::Direct));
-                let own = order::star(&layout, Quantity::Moment, moment.order, sense).squared_modulus();
+                let own = order::star(&layout, Quantity::MOMENT, moment.order, sense).squared_modulus();
                 assert!(own.minus(&moment.sum.squared_modulus()).vanishes());
             }
-            let force = order::star(&layout, Quantity::Force, 1, Some(Sense::Direct));
+            let force = order::star(&layout, Quantity::FORCE, 1, Some(Sense::Direct));
             assert!(force.vanishes());
         }
     }

@@ -37,7 +37,7 @@ fn the_roll_moment_of_opposed_pistons_asks_for_their_distance_where_it_counts() 
     let text = format!("{TORQUE}[opposed_piston]\nthrows = [0, 90]\nlead = 11");
     let engine = layout(&format!("{text}{MECHANISM}{TURNING}"));
     assert_eq!(roll_lacks(&engine), Some(MissingArm::Distance));
-    assert!(loads(&engine).roll.is_none() && !verdict::quantities(&engine, true).contains(&Quantity::Roll));
+    assert!(loads(&engine).roll.is_none() && !verdict::quantities(&engine, true).contains(&Quantity::ROLL));
     for page in said(&engine) {
         assert!(page.contains("Give distance below [opposed_piston]"), "{page}");
     }

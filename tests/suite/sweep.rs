@@ -8,7 +8,7 @@ use crankstar::file::{self, Key, Layout, Template};
 use crankstar::loads;
 use crankstar::numbers::Form;
 use crankstar::order;
-use crankstar::proof::{Quantity, Sense};
+use crankstar::proof::{Planar, Quantity, Sense};
 use crankstar::remedy::{ComparableEngine, two_planes};
 use crankstar::sweep::{self, Geometry, MOST_POINTS, Parameter, Range, Sweep, SweptEngine, Zeros};
 use crankstar::{page, report};
@@ -37,7 +37,7 @@ fn ratio(numerator: i64, denominator: i64) -> BigRational {
     BigRational::new(BigInt::from(numerator), BigInt::from(denominator))
 }
 
-fn zeros(sweep: &Sweep, quantity: Quantity, order: u32, of: Zeros) -> Vec<String> {
+fn zeros(sweep: &Sweep, quantity: Planar, order: u32, of: Zeros) -> Vec<String> {
     let sets = sweep.zeros.as_ref().expect("an angle");
     let set = sets.iter().find(|set| set.quantity == quantity && set.order == order && set.of == of).expect("a set");
     assert!(set.complete, "{quantity:?} {order} {of:?}");
@@ -127,10 +127,10 @@ fn sweeps_that_cannot_be_done_are_refused_in_words() {
 #[test]
 fn exact_zeros_of_the_six_with_shared_pins_lie_at_their_angles_and_not_on_the_grid() {
     let sweep = good(V6, &["vee.bank_angle=10..180:50"], &[1, 2, 4, 6]);
-    let moment = |order, of| zeros(&sweep, Quantity::Moment, order, of);
+    let moment = |order, of| zeros(&sweep, Planar::Moment, order, of);
     assert!(moment(1, Zeros::Along).is_empty(), "this range ends at 160");
     let sweep = good(V6, &["vee.bank_angle=10..180:17"], &[1, 2, 4, 6]);
-    let moment = |order, of| zeros(&sweep, Quantity::Moment, order, of);
+    let moment = |order, of| zeros(&sweep, Planar::Moment, order, of);
     assert_eq!(moment(1, Zeros::Along), ["180"]);
     assert_eq!(moment(1, Zeros::Reverse), ["90"]);
     assert!(moment(1, Zeros::Largest).is_empty() && moment(1, Zeros::Across).is_empty());
@@ -139,8 +139,8 @@ fn exact_zeros_of_the_six_with_shared_pins_lie_at_their_angles_and_not_on_the_gr
     assert_eq!(moment(2, Zeros::Largest), ["180"]);
     assert_eq!(moment(4, Zeros::Along), ["45", "135", "180"]);
     assert_eq!(moment(4, Zeros::Across), ["90", "180"]);
-    assert_eq!(zeros(&sweep, Quantity::Force, 6, Zeros::Reverse), ["180/7", "540/7", "900/7", "180"]);
-    assert_eq!(zeros(&sweep, Quantity::Force, 1, Zeros::Largest), ["everywhere"]);
+    assert_eq!(zeros(&sweep, Planar::Force, 6, Zeros::Reverse), ["180/7", "540/7", "900/7", "180"]);
+    assert_eq!(zeros(&sweep, Planar::Force, 1, Zeros::Largest), ["everywhere"]);
     let on_curve = sweep.curve.iter().any(|point| point.values[0] == ratio(180, 7));
     assert!(on_curve, "the curve passes its exact zeros");
 }
@@ -148,12 +148,12 @@ fn exact_zeros_of_the_six_with_shared_pins_lie_at_their_angles_and_not_on_the_gr
 #[test]
 fn a_range_that_holds_0_has_its_zero_there() {
     let sweep = good(V6, &["vee.bank_angle=0..30:10"], &[1, 2]);
-    assert_eq!(zeros(&sweep, Quantity::Moment, 1, Zeros::Across), ["0"]);
+    assert_eq!(zeros(&sweep, Planar::Moment, 1, Zeros::Across), ["0"]);
     let split = good(V6, &["vee.pin_split=-90..90:7"], &[1]);
     // The pins of a pair stand opposite at a split of half a turn, outside the first range and at both ends of the second.
-    assert!(zeros(&split, Quantity::Moment, 1, Zeros::Direct).is_empty());
+    assert!(zeros(&split, Planar::Moment, 1, Zeros::Direct).is_empty());
     let split = good(V6, &["vee.pin_split=-1/2..1/2:1/3 turn"], &[1]);
-    assert_eq!(zeros(&split, Quantity::Moment, 1, Zeros::Direct), ["-1/2", "1/2"]);
+    assert_eq!(zeros(&split, Planar::Moment, 1, Zeros::Direct), ["-1/2", "1/2"]);
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
         for order in [1, 2, 3, 4] {
             for (component, sign) in [(Component::Along, 1.0), (Component::Across, -1.0)] {
                 let (none, turn) = (ratio(0, 1), ratio(1, 1));
-                let found = component_zeros(&open, Quantity::Moment, order, component, [&none, &turn]);
+                let found = component_zeros(&open, Planar::Moment, order, component, [&none, &turn]);
                 for degrees in (9..360).step_by(9).chain((15..360).step_by(15)) {
                     let Ok(Layout::Known(layout, _)) = template.layout(&[(&key, &degrees.to_string())]) else {
                         panic!("it is known")
@@ -174,7 +174,7 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
                     let sum = |sense| {
                         crankstar::numbers::evaluate(&crankstar::order::star(
                             &layout,
-                            Quantity::Moment,
+                            Quantity::MOMENT,
                             order,
                             Some(sense),
                         ))
@@ -249,7 +249,7 @@ fn words_decide_as_the_exact_sums_do_on_random_engines() {
         let layout = file::parse("r.toml", &text).expect("it reads");
         let point = sweep::judge(&layout, None, &[1, 2, 3, 4, 6, 12], &Geometry::default()).expect("judged");
         for order in &point.orders {
-            for (quantity, own) in [(Quantity::Force, order.force), (Quantity::Moment, order.moment)] {
+            for (quantity, own) in [(Quantity::FORCE, order.force), (Quantity::MOMENT, order.moment)] {
                 let sum = |sense| crankstar::order::star(&layout, quantity, order.order, Some(sense));
                 let (direct, reverse) = (sum(Sense::Direct), sum(Sense::Reverse));
                 let right = [
@@ -496,7 +496,7 @@ fn masses_that_turn_are_decided_in_words_as_by_the_exact_sums_in_engines_of_ever
             continue;
         }
         for swept in &point.orders {
-            for (quantity, own) in [(Quantity::Force, swept.force), (Quantity::Moment, swept.moment)] {
+            for (quantity, own) in [(Planar::Force, swept.force), (Planar::Moment, swept.moment)] {
                 let [direct, reverse] = [Sense::Direct, Sense::Reverse]
                     .map(|sense| order::all_masses(&layout, quantity, swept.order, sense));
                 let path = order::Path::of(&direct, &reverse, swept.order);
@@ -542,7 +542,7 @@ fn what_is_zero_at_a_point_stands_among_the_zeros() {
         for set in sets.iter().filter(|set| set.exists) {
             for point in &sweep.points {
                 let order = point.orders.iter().find(|order| order.order == set.order).expect("the order");
-                let part = if set.quantity == Quantity::Force { order.force } else { order.moment };
+                let part = if set.quantity == Planar::Force { order.force } else { order.moment };
                 let is_zero = match set.of {
                     Zeros::Direct => part.direct,
                     Zeros::Reverse => part.reverse,
@@ -586,7 +586,7 @@ fn irrational_zeros_are_listed_with_decimals_and_drawn_as_such() {
         { throw = 0, bank = 'phi', position = 0, reciprocating_mass = '3/2' }, { throw = 0, bank = '3/2 phi', position = 0 }]";
     let sweep = good(text, &["values.phi=0..360:30"], &[1]);
     let sets = sweep.zeros.as_ref().expect("an angle");
-    let set = sets.iter().find(|set| set.quantity == Quantity::Force && set.of == Zeros::Reverse).expect("a set");
+    let set = sets.iter().find(|set| set.quantity == Planar::Force && set.of == Zeros::Reverse).expect("a set");
     assert!(set.complete && set.at.is_empty() && set.irrational.len() == 2, "{set:?}");
     let page = report::sweep_page(&sweep);
     let drawn: Vec<String> =

@@ -162,7 +162,7 @@ fn sum_vanishes(layout: &Engine, quantity: Quantity, order: u32, sense: Sense) -
 
 /// Compares the statements with direct verdicts at order 1 and the even orders up to 200.
 fn agrees(layout: &Engine, theorem: &Theorem) {
-    for (quantity, every) in [(Quantity::Force, &theorem.force), (Quantity::Moment, &theorem.moment)] {
+    for (quantity, every) in [(Quantity::FORCE, &theorem.force), (Quantity::MOMENT, &theorem.moment)] {
         let ([direct, reverse], both) = (senses(every), every.survivors());
         let mut lowest = None;
         for order in std::iter::once(1).chain((2..=200).step_by(2)) {
@@ -276,7 +276,7 @@ fn a_theorem_on_rods_that_differ_or_stand_off_is_refused() {
 #[test]
 fn a_theorem_on_the_torque_or_listed_twice_or_left_out_is_refused() {
     let stands = "another theorem stands here";
-    let torque = fault(|document| document.theorems[0].quantity = Quantity::Torque);
+    let torque = fault(|document| document.theorems[0].quantity = Quantity::TORQUE);
     assert_eq!(torque, [PLACE, stands]);
     let twice = fault(|document| document.theorems[1] = document.theorems[0].clone());
     assert_eq!(twice, ["theorems[1] (force, reverse)", stands]);

@@ -116,9 +116,9 @@ fn a_value_set_in_a_text_is_the_value_that_the_engine_has() {
 /// Whether force or moment of an order vanishes whole, judged of the engine that the text describes.
 fn vanishes(text: &str, order: u32, quantity: Quantity) -> bool {
     let engine = file::parse("x", text).expect("an engine");
-    let judged = Judgement::new(&engine, &[order], &[Quantity::Force, Quantity::Moment]).expect("a judgement");
+    let judged = Judgement::new(&engine, &[order], &Quantity::PLANAR).expect("a judgement");
     let order = &judged.orders[0];
-    let whole = if quantity == Quantity::Force { &order.force } else { &order.moment };
+    let whole = if quantity == Quantity::FORCE { &order.force } else { &order.moment };
     order.exists() && whole.is_balanced()
 }
 
@@ -139,10 +139,10 @@ fn what_is_marked_on_a_slider_vanishes_there_and_nowhere_else_on_it() {
         for stop in of_marks.chain((0..stops.len()).step_by(12)) {
             let changed = with_value("x", text, key, value(stop), &[]).expect("a place");
             for order in [1, 2, 4, 6] {
-                for (quantity, name) in [(Quantity::Force, "force"), (Quantity::Moment, "moment")] {
+                for (quantity, name) in [(Quantity::FORCE, "force"), (Quantity::MOMENT, "moment")] {
                     let found = vanishes(&changed, order, quantity);
                     let everywhere =
-                        order < 6 && quantity == Quantity::Force || order == 6 && quantity == Quantity::Moment;
+                        order < 6 && quantity == Quantity::FORCE || order == 6 && quantity == Quantity::MOMENT;
                     let told = marked(stop, &format!("order {order}: {name}"));
                     assert_eq!(found, told || everywhere, "order {order} of the {name} at {key} = {}", value(stop));
                 }

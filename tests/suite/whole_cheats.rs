@@ -83,7 +83,7 @@ fn outcome(document: &Document, quantity: Quantity, order: u32, sense: Option<Se
 }
 
 fn set(document: &mut Document, order: u32, sense: Sense, outcome: WholeOutcome) {
-    let at = whole(document, Quantity::Force, order, Some(sense));
+    let at = whole(document, Quantity::FORCE, order, Some(sense));
     document.wholes[at].outcome = outcome;
 }
 
@@ -98,24 +98,24 @@ fn the_honest_documents_are_accepted() {
         let these = unequal.verdicts.iter().filter(|one| (one.order, one.quantity) == (order, quantity));
         these.map(|one| one.of.clone()).collect()
     };
-    assert_eq!(of(1, Quantity::Force), [vec![], Vec::<String>::new()]);
-    assert_eq!(of(2, Quantity::Force), [vec!["1", "2"], vec!["1", "2"], vec!["3"], vec!["3"]]);
-    assert_eq!(of(1, Quantity::Torque), [vec!["1", "2"], vec!["3"]]);
+    assert_eq!(of(1, Quantity::FORCE), [vec![], Vec::<String>::new()]);
+    assert_eq!(of(2, Quantity::FORCE), [vec!["1", "2"], vec!["1", "2"], vec!["3"], vec!["3"]]);
+    assert_eq!(of(1, Quantity::TORQUE), [vec!["1", "2"], vec!["3"]]);
     // There is no third order of the force, whatever its sums are.
-    assert_eq!(outcome(&unequal, Quantity::Force, 3, DIRECT), WholeOutcome::Zero);
+    assert_eq!(outcome(&unequal, Quantity::FORCE, 3, DIRECT), WholeOutcome::Zero);
     assert!(unequal.verdicts.iter().any(|one| one.order == 3 && !one.vanishes));
-    assert_eq!(outcome(&unequal, Quantity::Force, 2, DIRECT), WholeOutcome::NotZeroByEnclosure { bits: 128 });
+    assert_eq!(outcome(&unequal, Quantity::FORCE, 2, DIRECT), WholeOutcome::NotZeroByEnclosure { bits: 128 });
     for masses in [Masses::All, Masses::Rotating, Masses::Counterweights] {
         assert_holds(&with_masses(masses));
     }
     let all = with_masses(Masses::All);
-    assert_eq!(outcome(&all, Quantity::Force, 2, DIRECT), WholeOutcome::NotZero);
-    assert_eq!(outcome(&all, Quantity::Moment, 2, DIRECT), WholeOutcome::Zero);
+    assert_eq!(outcome(&all, Quantity::FORCE, 2, DIRECT), WholeOutcome::NotZero);
+    assert_eq!(outcome(&all, Quantity::MOMENT, 2, DIRECT), WholeOutcome::Zero);
     let checked = check_document(&all).expect("it holds");
     assert_eq!((checked.masses, checked.wholes, checked.open_wholes), (vec![Masses::All], 4, 0));
     let coincidence = coincidence();
     assert_holds(&coincidence);
-    assert!(matches!(outcome(&coincidence, Quantity::Force, 1, DIRECT), WholeOutcome::NotDecided { .. }));
+    assert!(matches!(outcome(&coincidence, Quantity::FORCE, 1, DIRECT), WholeOutcome::NotDecided { .. }));
     assert_eq!(check_document(&coincidence).expect("it holds").open_wholes, 1);
 }
 
@@ -137,9 +137,9 @@ fn coefficients_are_those_of_the_solver() {
         let rod = RodClaim { ratio: ratio(rod_ratio), offset: ratio(offset) };
         let Ok(crank) = SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) else { continue };
         for order in [1, 2, 3, 4, 5, 6, 7, 8, 12, 25] {
-            for quantity in [Quantity::Force, Quantity::Torque] {
+            for quantity in [Quantity::FORCE, Quantity::TORQUE] {
                 let theirs = match quantity {
-                    Quantity::Torque => crank.torque_coefficient(order),
+                    Quantity::TORQUE => crank.torque_coefficient(order),
                     _ => crank.coefficient(order),
                 };
                 let [re, im] = coefficient_bounds(&rod, quantity, order, 96).expect("few points");
@@ -153,14 +153,14 @@ fn coefficients_are_those_of_the_solver() {
 #[test]
 fn a_rod_that_all_but_reaches_over_the_shaft_takes_too_many_points() {
     let rod = |offset: &str| RodClaim { ratio: ratio("1/2"), offset: ratio(offset) };
-    assert!(coefficient_bounds(&rod("499/1000"), Quantity::Torque, 2, 64).is_ok());
+    assert!(coefficient_bounds(&rod("499/1000"), Quantity::TORQUE, 2, 64).is_ok());
     for offset in
         ["499999999/1000000000", "49999999999999999999999999999999999999999/100000000000000000000000000000000000000000"]
     {
-        assert!(coefficient_bounds(&rod(offset), Quantity::Force, 2, 64).is_err());
-        assert!(coefficient_bounds(&rod(offset), Quantity::Torque, 2, 64).is_err());
+        assert!(coefficient_bounds(&rod(offset), Quantity::FORCE, 2, 64).is_err());
+        assert!(coefficient_bounds(&rod(offset), Quantity::TORQUE, 2, 64).is_err());
     }
-    assert!(coefficient_bounds(&rod("1/4"), Quantity::Force, 4_000_000_000, 64).is_err());
+    assert!(coefficient_bounds(&rod("1/4"), Quantity::FORCE, 4_000_000_000, 64).is_err());
 }
 
 #[test]
@@ -199,7 +199,7 @@ fn a_whole_that_is_missing_or_stands_twice_or_elsewhere_is_refused() {
     assert_refused(unequal(), |d| d.wholes.push(d.wholes[0].clone()), "more than orders with several sums have");
     assert_refused(unequal(), |d| d.wholes[1].sense = None, "another statement");
     assert_refused(unequal(), |d| d.wholes[0].order = 2, "another statement");
-    assert_refused(unequal(), |d| d.wholes[0].quantity = Quantity::Moment, "another statement");
+    assert_refused(unequal(), |d| d.wholes[0].quantity = Quantity::MOMENT, "another statement");
     assert_refused(unequal(), |d| d.wholes.swap(1, 2), "another statement");
     let alone = document(Masses::Reciprocating, &[1], false, vec![cylinder("1", ["0"; 3], None)], Vec::new());
     let surplus = unequal().wholes[0].clone();
@@ -216,7 +216,7 @@ fn bits_out_of_range_or_too_few_are_refused() {
     let near = |digits: usize| {
         let mut document = with_masses(Masses::All);
         let rod = RodClaim { ratio: ratio("3/10"), offset: BigRational::zero() };
-        let [[low, _], _] = coefficient_bounds(&rod, Quantity::Force, 2, 480).expect("few points");
+        let [[low, _], _] = coefficient_bounds(&rod, Quantity::FORCE, 2, 480).expect("few points");
         let ten = num_bigint::BigInt::from(10).pow(u32::try_from(digits).expect("few"));
         let rounded = (low * BigRational::from_integer(ten.clone())).floor() / BigRational::from_integer(ten);
         document.turning_masses[1].mass_radius = rounded / BigRational::from_integer(8.into());
@@ -227,7 +227,7 @@ fn bits_out_of_range_or_too_few_are_refused() {
     let decided = |bits: u32, digits: usize| {
         let mut document = near(digits);
         set(&mut document, 2, Sense::Reverse, WholeOutcome::NotZeroByEnclosure { bits });
-        let shape = document.shapes.iter_mut().find(|one| (one.quantity, one.order) == (Quantity::Force, 2)).unwrap();
+        let shape = document.shapes.iter_mut().find(|one| (one.quantity, one.order) == (Quantity::FORCE, 2)).unwrap();
         (shape.shape, shape.evidence) = (Shape::Elliptical, Some(ShapeEvidence::Bits(bits)));
         let checked = check_document(&document).map(|_| ()).map_err(|fault| fault.to_string());
         match &checked {
@@ -262,8 +262,8 @@ fn an_order_of_unknown_rods_beside_a_shaft_is_open() {
     let shaft = turning("shaft", 2, Sense::Direct, ["0", "0", "1"]);
     let one = document(Masses::All, &[1, 2], false, vec![cylinder("1", ["0"; 3], None)], vec![shaft]);
     assert_holds(&one);
-    assert_eq!(outcome(&one, Quantity::Force, 2, DIRECT), WholeOutcome::Open);
-    assert_eq!(outcome(&one, Quantity::Force, 2, REVERSE), WholeOutcome::NotZero);
+    assert_eq!(outcome(&one, Quantity::FORCE, 2, DIRECT), WholeOutcome::Open);
+    assert_eq!(outcome(&one, Quantity::FORCE, 2, REVERSE), WholeOutcome::NotZero);
     let decided = |d: &mut Document| set(d, 2, Sense::Direct, WholeOutcome::NotZeroByEnclosure { bits: 64 });
     assert_refused(one.clone(), decided, "it is `open`");
     let force = one.shapes.iter().position(|shape| shape.order == 2).expect("a shape");
@@ -342,7 +342,7 @@ fn a_rod_to_the_other_side_changes_the_sign_of_odd_orders() {
         document(Masses::Reciprocating, &[1, 2, 3], true, cylinders, Vec::new())
     };
     assert_holds(&document());
-    let third = document().verdicts.iter().position(|one| one.order == 3 && one.quantity == Quantity::Force).unwrap();
+    let third = document().verdicts.iter().position(|one| one.order == 3 && one.quantity == Quantity::FORCE).unwrap();
     // Turned by half a turn and against the other side: the same direction, so that nothing cancels.
     assert!(document().verdicts[third].of.is_empty() && !document().verdicts[third].vanishes);
     let honest = |d: &mut Document| d.verdicts[third].terms[1].weight = ratio("1");
@@ -352,7 +352,7 @@ fn a_rod_to_the_other_side_changes_the_sign_of_odd_orders() {
 #[test]
 fn shapes_of_several_sums_have_evidence_of_their_own() {
     let force = |d: &Document, order: u32| {
-        d.shapes.iter().position(|one| (one.quantity, one.order) == (Quantity::Force, order)).expect("a shape")
+        d.shapes.iter().position(|one| (one.quantity, one.order) == (Quantity::FORCE, order)).expect("a shape")
     };
     // Two numbers, and so three products of two of them.
     let two = force(&unequal(), 2);
@@ -417,7 +417,7 @@ fn lengths_that_are_equal_without_a_mirror_are_compared_pair_by_pair() {
     }
     fill(&mut tilted);
     assert_holds(&tilted);
-    let two = |one: &&crankstar::proof::ShapeClaim| (one.quantity, one.order) == (Quantity::Force, 2);
+    let two = |one: &&crankstar::proof::ShapeClaim| (one.quantity, one.order) == (Quantity::FORCE, 2);
     let shape = tilted.shapes.iter().find(two).expect("a shape");
     assert!(
         shape.shape == Shape::Planar

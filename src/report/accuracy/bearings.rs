@@ -22,7 +22,7 @@ fn name(method: BearingMethod) -> Text {
 
 /// A row a method, with times where they were measured.
 pub(super) fn table(engine: &Engine, rows: &[BearingRow]) -> Table {
-    let (unit, factor) = methods::page_unit(engine, Quantity::Force);
+    let (unit, factor) = methods::page_unit(engine, Quantity::FORCE);
     let timed = rows.iter().any(|row| row.time.is_some());
     let columns = ["Method".into(), phrase!("Peak in {}", unit), "Error".into(), "Guaranteed".into()];
     let mut table = Table::new(columns.into_iter().chain(timed.then_some(Text::from("Time"))));
@@ -97,7 +97,7 @@ pub(super) fn orders_needed(engine: &Engine, cases: &[(Text, &[BearingRow])]) ->
 
 /// The largest load, and the orders that have it.
 pub(super) fn answer(engine: &Engine, label: Text, rows: &[BearingRow]) -> Text {
-    let (unit, factor) = methods::page_unit(engine, Quantity::Force);
+    let (unit, factor) = methods::page_unit(engine, Quantity::FORCE);
     let peak = Piece::Quantity(rows.last().map_or(f64::NAN, |row| row.value) * factor, unit);
     match orders_for_a_thousandth(rows) {
         Some(order) => phrase!(

@@ -90,7 +90,7 @@ pub fn accuracy_document(engine: &Engine, cases: &[AccuracyCase]) -> AccuracyDoc
 }
 
 fn bearing_entry(engine: &Engine, row: &BearingRow) -> FurtherEntry {
-    let (_, multiple) = methods::unit(engine, Quantity::Force);
+    let (_, multiple) = methods::unit(engine, Quantity::FORCE);
     let (method, setting) = match row.method {
         BearingMethod::Orders(order) => ("orders", Some(f64::from(order))),
         BearingMethod::Angles(steps) => ("closed form", Some(f64::from(steps))),
@@ -121,9 +121,9 @@ fn of_gas(row: &PeakRow) -> FurtherEntry {
 /// The name of a load in the document.
 fn name(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::Force => "force",
-        Quantity::Moment => "moment",
-        Quantity::Torque | Quantity::Roll => "inertia torque",
+        Quantity::FORCE => "force",
+        Quantity::MOMENT => "moment",
+        Quantity::Axial(_) => "inertia torque",
     }
 }
 

@@ -18,9 +18,9 @@ pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
     let units = units(engine, scale.as_ref());
     let factor = |of: fn(&loads::Scale) -> f64| scale.as_ref().map_or(1.0, of);
     match quantity {
-        Quantity::Force => (units.force, factor(loads::Scale::force)),
-        Quantity::Moment => (units.moment, factor(loads::Scale::force)),
-        Quantity::Torque | Quantity::Roll => (units.torque, factor(loads::Scale::torque)),
+        Quantity::FORCE => (units.force, factor(loads::Scale::force)),
+        Quantity::MOMENT => (units.moment, factor(loads::Scale::force)),
+        Quantity::Axial(_) => (units.torque, factor(loads::Scale::torque)),
     }
 }
 

@@ -51,9 +51,9 @@ pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture
 pub(super) fn orders(number: usize, engine: &Engine, studies: &[(Text, &Study)]) -> Option<Picture> {
     let quantity = studies.first()?.1.quantity;
     let words = match quantity {
-        Quantity::Force => "{}: what the orders leave of the peak force",
-        Quantity::Moment => "{}: what the orders leave of the peak moment",
-        Quantity::Torque | Quantity::Roll => "{}: what the orders leave of the peak inertia torque",
+        Quantity::FORCE => "{}: what the orders leave of the peak force",
+        Quantity::MOMENT => "{}: what the orders leave of the peak moment",
+        Quantity::Axial(_) => "{}: what the orders leave of the peak inertia torque",
     };
     let title = phrase!(words, engine.title());
     let x = Axis::linear("Highest order kept");

@@ -62,19 +62,17 @@ pub(super) fn errors(cases: &[AccuracyCase]) -> Vec<Block> {
 
 fn measured_caption(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::Force => "Measured error of the peak force:",
-        Quantity::Moment => "Measured error of the peak moment:",
-        Quantity::Torque | Quantity::Roll => "Measured error of the peak inertia torque:",
+        Quantity::FORCE => "Measured error of the peak force:",
+        Quantity::MOMENT => "Measured error of the peak moment:",
+        Quantity::Axial(_) => "Measured error of the peak inertia torque:",
     }
 }
 
 fn guaranteed_caption(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::Force => "Guaranteed bound of the error of the peak force, roundings of the sums apart",
-        Quantity::Moment => "Guaranteed bound of the error of the peak moment, roundings of the sums apart",
-        Quantity::Torque | Quantity::Roll => {
-            "Guaranteed bound of the error of the peak inertia torque, roundings of the sums apart"
-        }
+        Quantity::FORCE => "Guaranteed bound of the error of the peak force, roundings of the sums apart",
+        Quantity::MOMENT => "Guaranteed bound of the error of the peak moment, roundings of the sums apart",
+        Quantity::Axial(_) => "Guaranteed bound of the error of the peak inertia torque, roundings of the sums apart",
     }
 }
 

@@ -26,27 +26,27 @@ pub(super) const NO_TIMES: &str =
 /// The heading of a load.
 pub(super) fn heading(case: &AccuracyCase, study: &Study) -> Text {
     match study.quantity {
-        Quantity::Force => phrase!("Peak force, {}", case.label()),
-        Quantity::Moment => phrase!("Peak moment, {}", case.label()),
-        Quantity::Torque | Quantity::Roll => phrase!("Peak inertia torque, {}", case.label()),
+        Quantity::FORCE => phrase!("Peak force, {}", case.label()),
+        Quantity::MOMENT => phrase!("Peak moment, {}", case.label()),
+        Quantity::Axial(_) => phrase!("Peak inertia torque, {}", case.label()),
     }
 }
 
 /// The name of a load in the names of files.
 pub(super) fn file_name(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::Force => "force",
-        Quantity::Moment => "moment",
-        Quantity::Torque | Quantity::Roll => "inertia-torque",
+        Quantity::FORCE => "force",
+        Quantity::MOMENT => "moment",
+        Quantity::Axial(_) => "inertia-torque",
     }
 }
 
 /// What multiples of a load are multiples of.
 fn multiple(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::Force => "m r ω²",
-        Quantity::Moment => "m r ω² times the unit of the positions",
-        Quantity::Torque | Quantity::Roll => "m r² ω²",
+        Quantity::FORCE => "m r ω²",
+        Quantity::MOMENT => "m r ω² times the unit of the positions",
+        Quantity::Axial(_) => "m r² ω²",
     }
 }
 
@@ -57,21 +57,21 @@ pub(super) fn vanishing(study: &Study) -> Option<Text> {
     }
     if study.peak.high.is_zero() {
         return Some(match study.quantity {
-            Quantity::Force => "The force vanishes at every order, proved: there is no peak to compare.".into(),
-            Quantity::Moment => "The moment vanishes at every order, proved: there is no peak to compare.".into(),
-            Quantity::Torque | Quantity::Roll => {
+            Quantity::FORCE => "The force vanishes at every order, proved: there is no peak to compare.".into(),
+            Quantity::MOMENT => "The moment vanishes at every order, proved: there is no peak to compare.".into(),
+            Quantity::Axial(_) => {
                 "The inertia torque vanishes at every order, proved: there is no peak to compare.".into()
             }
         });
     }
     let words = match study.quantity {
-        Quantity::Force => {
+        Quantity::FORCE => {
             "The force vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
         }
-        Quantity::Moment => {
+        Quantity::MOMENT => {
             "The moment vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
         }
-        Quantity::Torque | Quantity::Roll => {
+        Quantity::Axial(_) => {
             "The inertia torque vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
         }
     };
@@ -116,11 +116,9 @@ pub(super) fn orders_needed(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Text
         });
         let needed = Text::joined(needed, ", ");
         let words = match quantity {
-            Quantity::Force => "{}: the peak force is within 0.1 %, guaranteed, with the orders up to {}.",
-            Quantity::Moment => "{}: the peak moment is within 0.1 %, guaranteed, with the orders up to {}.",
-            Quantity::Torque | Quantity::Roll => {
-                "{}: the peak inertia torque is within 0.1 %, guaranteed, with the orders up to {}."
-            }
+            Quantity::FORCE => "{}: the peak force is within 0.1 %, guaranteed, with the orders up to {}.",
+            Quantity::MOMENT => "{}: the peak moment is within 0.1 %, guaranteed, with the orders up to {}.",
+            Quantity::Axial(_) => "{}: the peak inertia torque is within 0.1 %, guaranteed, with the orders up to {}.",
         };
         (!needed.is_empty()).then(|| phrase!(words, engine.title(), needed))
     };

@@ -29,18 +29,18 @@ pub(super) fn opposed(engine: &Engine, star: JudgedStar<'_>) -> Text {
     let partners = opposed_partners(star.sum).unwrap_or_default();
     let pairs = pairs(engine, star.sources, partners.into_iter());
     match (star.quantity, pairs.len()) {
-        (Quantity::Moment, 1) => phrase!(
+        (Quantity::MOMENT, 1) => phrase!(
             "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel.",
             listed(pairs)
         ),
-        (Quantity::Moment, _) => phrase!(
+        (Quantity::MOMENT, _) => phrase!(
             "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel pair by pair.",
             Text::joined(pairs, ", of ")
         ),
-        (Quantity::Force | Quantity::Torque | Quantity::Roll, 1) => {
+        (Quantity::FORCE | Quantity::Axial(_), 1) => {
             phrase!("By opposed pairs: the vectors of {} are equally long and opposite, and cancel.", listed(pairs))
         }
-        (Quantity::Force | Quantity::Torque | Quantity::Roll, _) => phrase!(
+        (Quantity::FORCE | Quantity::Axial(_), _) => phrase!(
             "By opposed pairs: the vectors of {} are equally long and opposite, and cancel pair by pair.",
             Text::joined(pairs, ", of ")
         ),
@@ -107,8 +107,8 @@ pub(super) fn polygons(engine: &Engine, star: JudgedStar<'_>) -> Text {
 /// What is done with vectors of negative weight, where there are some.
 fn negative_turned(star: JudgedStar<'_>) -> Option<Text> {
     Star::new(star).has_turned.then(|| match star.quantity {
-        Quantity::Moment => "Take the vectors of negative arms turned by 180°, as they are drawn.".into(),
-        Quantity::Force | Quantity::Torque | Quantity::Roll => {
+        Quantity::MOMENT => "Take the vectors of negative arms turned by 180°, as they are drawn.".into(),
+        Quantity::FORCE | Quantity::Axial(_) => {
             "Take the vectors of negative weight turned by 180°, as they are drawn.".into()
         }
     })

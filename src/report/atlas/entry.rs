@@ -104,7 +104,7 @@ impl EngineRow {
             ties,
             firing: engine_cells::firing(layout.firing()),
             firing_order: layout.firing().map(names).unwrap_or_default(),
-            orders: verdict::classify(layout, &ORDERS, Masses::Reciprocating, &[Quantity::Force, Quantity::Moment])
+            orders: verdict::classify(layout, &ORDERS, Masses::Reciprocating, &Quantity::PLANAR)
                 .unwrap_or_else(|number| unreachable!("the atlas asks for orders: {number}"))
                 .iter()
                 .map(|judged| Order {

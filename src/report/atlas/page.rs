@@ -7,7 +7,7 @@ use super::{CENTRIC, OFFSET, tables};
 use crate::engine::{Cycle, Engine};
 use crate::file::Entry;
 use crate::page::{Block, Document, Fold, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 
 /// The page in no format yet.
 pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow], beside: Beside) -> Document {
@@ -82,16 +82,16 @@ pub(super) const WITH_OTHERS: Beside = || {
 /// The forces and the moments of each order; folded those of the orders that only a pin offset has.
 fn by_order(page: &mut Document, rows: &[&EngineRow]) {
     page.push(Block::Heading(2, "Forces, order by order".into()));
-    page.push(tables::by_order(rows, Quantity::Force, &CENTRIC));
+    page.push(tables::by_order(rows, Planar::Force, &CENTRIC));
     page.push(Block::Heading(2, "Moments, order by order".into()));
-    page.push(tables::by_order(rows, Quantity::Moment, &CENTRIC));
+    page.push(tables::by_order(rows, Planar::Moment, &CENTRIC));
     page.push(Block::Folded(Fold {
         summary: "Orders 3, 5 and 7, which only engines with a pin offset have".into(),
         blocks: vec![
             Block::Paragraph("Forces:".into()),
-            tables::by_order(rows, Quantity::Force, &OFFSET).into(),
+            tables::by_order(rows, Planar::Force, &OFFSET).into(),
             Block::Paragraph("Moments:".into()),
-            tables::by_order(rows, Quantity::Moment, &OFFSET).into(),
+            tables::by_order(rows, Planar::Moment, &OFFSET).into(),
         ],
     }));
 }

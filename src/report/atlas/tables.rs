@@ -7,7 +7,7 @@ use super::entry::{EngineRow, Left, Order, Origin, Ties};
 use crate::engine::Cycle;
 use crate::numbers::Form;
 use crate::page::{Number, Table, Text, phrase};
-use crate::proof::{Quantity, Shape};
+use crate::proof::{Planar, Shape};
 
 /// Longer closed forms do not stand in the tables.
 const LONGEST_IN_TABLE: usize = 24;
@@ -47,7 +47,7 @@ pub(super) fn found(engines: &[&EngineRow]) -> Table {
 }
 
 /// The largest force or moment of each engine at these orders.
-pub(super) fn by_order(engines: &[&EngineRow], quantity: Quantity, orders: &[u32]) -> Table {
+pub(super) fn by_order(engines: &[&EngineRow], quantity: Planar, orders: &[u32]) -> Table {
     let first = match engines.first().map(|engine| engine.origin) {
         Some(Origin::Found(_)) => "Star",
         Some(Origin::Catalogue) | None => "Name",
@@ -84,7 +84,7 @@ fn ties(Ties { stars, all, tied }: &Ties) -> Text {
 }
 
 /// The largest value; its shape too, but for stars in line, which leave nothing but what is planar.
-fn cell(engine: &EngineRow, order: &Order, quantity: Quantity) -> Text {
+fn cell(engine: &EngineRow, order: &Order, quantity: Planar) -> Text {
     let left = part(order, quantity);
     if left.shape == Shape::Balanced {
         return Text::zero();
@@ -99,10 +99,10 @@ fn cell(engine: &EngineRow, order: &Order, quantity: Quantity) -> Text {
     }
 }
 
-fn part(order: &Order, quantity: Quantity) -> &Left {
+fn part(order: &Order, quantity: Planar) -> &Left {
     match quantity {
-        Quantity::Force => &order.force,
-        Quantity::Moment | Quantity::Torque | Quantity::Roll => &order.moment,
+        Planar::Force => &order.force,
+        Planar::Moment => &order.moment,
     }
 }
 

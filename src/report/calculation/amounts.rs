@@ -33,10 +33,11 @@ impl Unit {
     }
 
     /// The unit of forces, moments or the torque of a layout.
-    pub fn of(engine: &Engine, of: &Loads, quantity: Quantity) -> Self {
+    pub fn of(engine: &Engine, of: &Loads, quantity: impl Into<Quantity>) -> Self {
+        let quantity = quantity.into();
         let factor = match quantity {
-            Quantity::Force | Quantity::Moment => Scale::force,
-            Quantity::Torque | Quantity::Roll => Scale::torque,
+            Quantity::Planar(_) => Scale::force,
+            Quantity::Axial(_) => Scale::torque,
         };
         let scale = of.scale.as_ref();
         Unit { unit: loads::unit(engine, scale, quantity), factor: scale.map_or(1.0, factor) }

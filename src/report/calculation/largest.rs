@@ -44,11 +44,11 @@ impl Numbers {
 pub(super) fn largest_lines(engine: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Vec<Text> {
     let unit = |quantity| Unit::of(engine, loads, quantity);
     let mut lines = vec![
-        phrase!("Largest force: {}.", value(&largest.force, unit(Quantity::Force))),
-        phrase!("Largest moment: {}.", value(&largest.moment, unit(Quantity::Moment))),
+        phrase!("Largest force: {}.", value(&largest.force, unit(Quantity::FORCE))),
+        phrase!("Largest moment: {}.", value(&largest.moment, unit(Quantity::MOMENT))),
     ];
     let torque = largest.torque.iter();
-    lines.extend(torque.map(|torque| phrase!("Largest inertia torque: {}.", value(torque, unit(Quantity::Torque)))));
+    lines.extend(torque.map(|torque| phrase!("Largest inertia torque: {}.", value(torque, unit(Quantity::TORQUE)))));
     lines
 }
 
@@ -88,11 +88,11 @@ fn value(largest: &Largest, unit: Unit) -> Text {
 pub(super) fn shown_line(engine: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Option<Text> {
     let torque = loads.torque.as_ref().zip(largest.torque.as_ref());
     let swings = [
-        ("force {}", loads.force.peak(), largest.force, Quantity::Force),
-        ("moment {}", loads.moment.peak(), largest.moment, Quantity::Moment),
+        ("force {}", loads.force.peak(), largest.force, Quantity::FORCE),
+        ("moment {}", loads.moment.peak(), largest.moment, Quantity::MOMENT),
     ];
     let torque =
-        torque.map(|(torque, largest)| ("inertia torque {}", torque.waveform.real_peak(), *largest, Quantity::Torque));
+        torque.map(|(torque, largest)| ("inertia torque {}", torque.waveform.real_peak(), *largest, Quantity::TORQUE));
     let differ = swings.into_iter().chain(torque).filter_map(|(words, peak, largest, quantity)| {
         let Largest::Known { value, error, .. } = largest else { return None };
         let unit = Unit::of(engine, loads, quantity);
@@ -140,12 +140,12 @@ pub(super) fn chosen_lines(
         })
     };
     let bounds = [
-        bound(["{} % of the peak force", "{} {} of force, which may be all of it"], &left.force, Quantity::Force),
-        bound(["{} % of the peak moment", "{} {} of moment, which may be all of it"], &left.moment, Quantity::Moment),
+        bound(["{} % of the peak force", "{} {} of force, which may be all of it"], &left.force, Quantity::FORCE),
+        bound(["{} % of the peak moment", "{} {} of moment, which may be all of it"], &left.moment, Quantity::MOMENT),
         bound(
             ["{} % of the peak inertia torque", "{} {} of inertia torque, which may be all of it"],
             &left.torque,
-            Quantity::Torque,
+            Quantity::TORQUE,
         ),
     ];
     let bounds: Vec<Text> = bounds.into_iter().flatten().collect();

@@ -28,7 +28,7 @@ use super::bearings;
 use crate::engine::{Engine, Measure};
 use crate::loads::{Loads, Missing, Needed, Waveform};
 use crate::page::{Block, Fold, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use expression::Line;
 
 /// The loads of a layout that holds numbers; none where the file gives none.
@@ -128,14 +128,14 @@ fn lines(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
     }
     blocks.extend([heading(2, "The two vectors of each order, whose lengths add up to the largest value")]);
     blocks.push(tables::vectors(engine, loads).into());
-    let peak = |quantity: Quantity, waveform: &Waveform, words: &'static str| {
+    let peak = |quantity: Planar, waveform: &Waveform, words: &'static str| {
         let group = results::peak(engine, loads, quantity)?;
         let listed = summary::peak(&waveform.peak(), Unit::of(engine, loads, quantity));
         let lines = group.lines.iter().map(formula);
         Some([Block::Paragraph(phrase!(words, listed))].into_iter().chain(lines).collect::<Vec<_>>())
     };
-    let force = peak(Quantity::Force, &loads.force, "The force of the orders listed comes to {}:");
-    let moment = peak(Quantity::Moment, &loads.moment, "The moment of the orders listed comes to {}:");
+    let force = peak(Planar::Force, &loads.force, "The force of the orders listed comes to {}:");
+    let moment = peak(Planar::Moment, &loads.moment, "The moment of the orders listed comes to {}:");
     blocks.extend(force.into_iter().chain(moment).flatten());
     if let Some(group) = results::torque(engine, loads) {
         blocks.push(Block::Heading(2, group.heading));

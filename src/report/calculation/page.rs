@@ -10,7 +10,7 @@ use crate::engine::{Engine, WHY_NOT};
 use crate::loads::{Loads, Needed};
 use crate::numbers;
 use crate::page::{Block, Document, Number, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::{Planar, Quantity};
 
 /// The page: the largest force, moment and torque, their plots, their orders.
 pub fn loads_page(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Document {
@@ -36,10 +36,10 @@ pub fn loads_page(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -
 fn answer(engine: &Engine, numbers: &Numbers) -> Vec<Text> {
     let Numbers { loads, largest, .. } = numbers;
     let mut lines = largest_lines(engine, numbers);
-    let swings = [(Quantity::Force, &largest.force), (Quantity::Moment, &largest.moment)];
+    let swings = [(Planar::Force, &largest.force), (Planar::Moment, &largest.moment)];
     lines.extend(swings.into_iter().filter_map(|(quantity, largest)| comes_to(engine, loads, quantity, largest)));
     let torque = loads.torque.as_ref().zip(largest.torque.as_ref()).filter(|(_, largest)| **largest != Largest::Zero);
-    let listed = |peak| summary::peak(&peak, Unit::of(engine, loads, Quantity::Torque));
+    let listed = |peak| summary::peak(&peak, Unit::of(engine, loads, Quantity::TORQUE));
     lines.extend(torque.map(|(torque, _)| phrase!(TORQUE, listed(torque.waveform.real_peak()))));
     lines.push(scale(engine, loads));
     lines
@@ -47,7 +47,7 @@ fn answer(engine: &Engine, numbers: &Numbers) -> Vec<Text> {
 
 /// What the values are counted in, and at which speed.
 fn scale(engine: &Engine, loads: &Loads) -> Text {
-    let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| Unit::of(engine, loads, quantity));
+    let [force, moment] = Planar::BOTH.map(|quantity| Unit::of(engine, loads, quantity));
     match &loads.scale {
         Some(scale) => phrase!(
             "The values are zero to peak, at {} rpm, where m r ω² is {} {}.",
@@ -77,18 +77,14 @@ const TORQUE: &str = "The inertia torque of the orders listed comes to {}.";
 const WELL_KNOWN: f64 = 1e-9;
 
 /// The peak of the orders that are listed, with its direction; none where nothing is left, or what is left is not decided.
-fn comes_to(engine: &Engine, loads: &Loads, quantity: Quantity, largest: &Largest) -> Option<Text> {
+fn comes_to(engine: &Engine, loads: &Loads, quantity: Planar, largest: &Largest) -> Option<Text> {
     let unit = Unit::of(engine, loads, quantity);
     let (waveform, [pointing, turning]) = match quantity {
-        Quantity::Moment => (&loads.moment, MOMENT),
-        Quantity::Force | Quantity::Torque | Quantity::Roll => (&loads.force, FORCE),
+        Planar::Moment => (&loads.moment, MOMENT),
+        Planar::Force => (&loads.force, FORCE),
     };
     let peak = waveform.peak();
-    let swing = |order: &crate::loads::OrderLoads| match quantity {
-        Quantity::Moment => order.moment.doubt(),
-        Quantity::Force | Quantity::Torque | Quantity::Roll => order.force.doubt(),
-    };
-    let doubt: f64 = loads.orders.iter().map(swing).sum();
+    let doubt: f64 = loads.orders.iter().map(|order| order.swing(quantity).doubt()).sum();
     if *largest == Largest::Zero || doubt > WELL_KNOWN * peak.value {
         return None;
     }

@@ -58,16 +58,16 @@ pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture>
         Drawing { name, waveform, unit, axis }
     };
     if loads.orders.iter().any(|order| is_left(&order.force)) {
-        let drawing = drawing("force", &loads.force, "Force in {}", Quantity::Force);
+        let drawing = drawing("force", &loads.force, "Force in {}", Quantity::FORCE);
         figures.extend(vectors(&drawing, FORCE, path_words(FORCE_PATH)));
     }
     if loads.orders.iter().any(|order| is_left(&order.moment)) {
-        let drawing = drawing("moment", &loads.moment, "Moment in {}", Quantity::Moment);
+        let drawing = drawing("moment", &loads.moment, "Moment in {}", Quantity::MOMENT);
         figures.extend(vectors(&drawing, MOMENT, path_words(MOMENT_PATH)));
     }
     let is_left = |torque: &&Torque| torque.orders.iter().any(|order| order.vector.outcome == Outcome::NotZero);
     if let Some(torque) = loads.torque.as_ref().filter(is_left) {
-        let drawing = drawing("torque", &torque.waveform, "Inertia torque in {}", Quantity::Torque);
+        let drawing = drawing("torque", &torque.waveform, "Inertia torque in {}", Quantity::TORQUE);
         figures.extend(curves(&drawing, ["Inertia torque on the crankshaft"; 2], "", |vector| vector.re));
     }
     figures

@@ -10,7 +10,7 @@ use crate::motion;
 use crate::numbers;
 use crate::order;
 use crate::page::{Text, phrase};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Quantity, Sense};
 
 /// Most terms of the series of a coefficient that are printed.
 const MOST_TERMS: usize = 7;
@@ -33,7 +33,7 @@ fn of_order(engine: &Engine, loads: &Loads, order: &OrderLoads) -> Option<Group>
         return None;
     }
     let mut lines: Vec<Line> = coefficient(engine, order).into_iter().collect();
-    for (quantity, swing) in [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)] {
+    for (quantity, swing) in [(Planar::Force, &order.force), (Planar::Moment, &order.moment)] {
         if swing.vanishes() {
             continue;
         }
@@ -84,8 +84,8 @@ fn expansion(series: &motion::Series, ratio: Option<f64>) -> Expression {
 }
 
 /// The symbol of a rotating vector: V of the force, W of the moment.
-fn vector_symbol(order: u32, quantity: Quantity, sense: Sense) -> String {
-    let letter = if quantity == Quantity::Moment { "W" } else { "V" };
+fn vector_symbol(order: u32, quantity: Planar, sense: Sense) -> String {
+    let letter = if quantity == Planar::Moment { "W" } else { "V" };
     format!("\\left|{letter}_{{{order}}}^{{{}}}\\right|", sign(sense))
 }
 
@@ -97,13 +97,13 @@ fn sign(sense: Sense) -> &'static str {
 }
 
 /// `|V| = |c| |P|`, where the star of the verdicts is all that adds to it.
-fn length(engine: &Engine, order: &OrderLoads, of: Quantity, sense: Sense, vector: &Vector) -> Option<Line> {
+fn length(engine: &Engine, order: &OrderLoads, of: Planar, sense: Sense, vector: &Vector) -> Option<Line> {
     if vector.outcome == Outcome::Zero {
         return None;
     }
     let symbol = vector_symbol(order.order, of, sense);
     let star = numbers::evaluate(&order::star(engine, of, order.order, Some(sense))).norm();
-    let letter = if of == Quantity::Moment { "C" } else { "P" };
+    let letter = if of == Planar::Moment { "C" } else { "P" };
     let star_symbol = format!("\\left|{letter}_{{{}}}^{{{}}}\\right|", order.order, sign(sense));
     let c = order.coefficient.as_ref().map(|coefficient| coefficient.to_complex().norm());
     // Other masses than the reciprocating ones add to the vector of order 1.
@@ -145,8 +145,8 @@ fn with_rotating(
     is_so.then(|| Expression::Product(vec![inner, quantity(star_symbol, star)]))
 }
 
-fn force_letter(of: Quantity) -> &'static str {
-    if of == Quantity::Moment { "M" } else { "F" }
+fn force_letter(of: Planar) -> &'static str {
+    if of == Planar::Moment { "M" } else { "F" }
 }
 
 /// Half of K times an expression, or half of it where there are no newtons.
@@ -158,7 +158,7 @@ fn halved(loads: &Loads, inner: Expression) -> Expression {
 }
 
 /// The largest and, where it differs and is not zero, the smallest length of an order.
-fn extremes(engine: &Engine, loads: &Loads, order: u32, of: Quantity, swing: &Swing) -> Vec<Line> {
+fn extremes(engine: &Engine, loads: &Loads, order: u32, of: Planar, swing: &Swing) -> Vec<Line> {
     let unit = Unit::of(engine, loads, of).unit.tex;
     let letter = force_letter(of);
     let vector = |sense, vector: &Vector| quantity(vector_symbol(order, of, sense), vector.value.norm());
@@ -185,14 +185,14 @@ fn extremes(engine: &Engine, loads: &Loads, order: u32, of: Quantity, swing: &Sw
 }
 
 /// The second order with `c_2 = λ` alone, as textbooks take it.
-fn textbook(engine: &Engine, loads: &Loads, order: &OrderLoads, of: Quantity, swing: &Swing) -> Option<Line> {
+fn textbook(engine: &Engine, loads: &Loads, order: &OrderLoads, of: Planar, swing: &Swing) -> Option<Line> {
     let rod = engine.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
     let c = order.coefficient.as_ref()?.to_complex().norm();
     if order.order != 2 {
         return None;
     }
     let star = (swing.direct.value.norm() + swing.reverse.value.norm()) / c;
-    let letter = if of == Quantity::Moment { "C" } else { "P" };
+    let letter = if of == Planar::Moment { "C" } else { "P" };
     let inner = Expression::Product(vec![
         quantity("\\lambda", rod.ratio.to_f64()?),
         quantity(
@@ -208,8 +208,8 @@ fn textbook(engine: &Engine, loads: &Loads, order: &OrderLoads, of: Quantity, sw
 }
 
 /// The peak of the sum over the orders: both components at its angle, and their length.
-pub(super) fn peak(engine: &Engine, loads: &Loads, of: Quantity) -> Option<Group> {
-    let waveform = if of == Quantity::Moment { &loads.moment } else { &loads.force };
+pub(super) fn peak(engine: &Engine, loads: &Loads, of: Planar) -> Option<Group> {
+    let waveform = if of == Planar::Moment { &loads.moment } else { &loads.force };
     let peak = waveform.peak();
     let angle = peak.angle.filter(|_| waveform.harmonics().len() > 1)?;
     let unit = Unit::of(engine, loads, of);
@@ -277,7 +277,7 @@ fn cosine(order: u32, phasor: num_complex::Complex<f64>, letter: &str, mark: &st
 /// The amplitude of each order of the inertia torque.
 pub(super) fn torque(engine: &Engine, loads: &Loads) -> Option<Group> {
     let torque = loads.torque.as_ref()?;
-    let unit = Unit::of(engine, loads, Quantity::Torque);
+    let unit = Unit::of(engine, loads, Quantity::TORQUE);
     let mut lines = Vec::new();
     if let Some(scale) = &loads.scale {
         let factors =
@@ -286,7 +286,7 @@ pub(super) fn torque(engine: &Engine, loads: &Loads) -> Option<Group> {
     }
     for order in torque.orders.iter().filter(|order| order.vector.outcome != Outcome::Zero) {
         let k = order.order;
-        let star = numbers::evaluate(&order::star(engine, Quantity::Torque, k, None)).norm();
+        let star = numbers::evaluate(&order::star(engine, Quantity::TORQUE, k, None)).norm();
         let mut factors: Vec<Expression> = loads.scale.iter().map(|scale| quantity("K\\,r", scale.torque())).collect();
         match &order.coefficient {
             Some(coefficient) => {

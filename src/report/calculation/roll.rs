@@ -19,7 +19,7 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads) -> Vec<Text> {
     let Some(roll) = &loads.roll else {
         return loads.roll_lacks.map(|missing| roll_asked(engine, missing)).into_iter().collect();
     };
-    let unit = Unit::of(engine, loads, Quantity::Roll);
+    let unit = Unit::of(engine, loads, Quantity::ROLL);
     let words = if engine.geared_cranks().is_empty() { OF_ONE } else { OF_SEVERAL };
     let all_vanish = roll.orders.iter().all(|order| order.vector.outcome == Outcome::Zero);
     let largest = match all_vanish {

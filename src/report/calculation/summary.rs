@@ -20,7 +20,7 @@ pub fn loads_answer(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>)
 /// The largest force, moment and torque of each order, zero to peak.
 pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
     let [force, moment, torque] =
-        [Quantity::Force, Quantity::Moment, Quantity::Torque].map(|quantity| Unit::of(engine, loads, quantity));
+        [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE].map(|quantity| Unit::of(engine, loads, quantity));
     let mut header: Vec<Text> =
         vec!["Order".into(), phrase!("Force in {}", force.label()), phrase!("Moment in {}", moment.label())];
     header.extend(loads.torque.as_ref().map(|_| phrase!("Torque in {}", torque.label())));
@@ -33,7 +33,7 @@ pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
     all.dedup();
     for order in all {
         let judged = loads.orders.iter().find(|loads| loads.order == order);
-        let unjudged = match engine.pistons_have_order(Quantity::Force, order) {
+        let unjudged = match engine.pistons_have_order(Quantity::FORCE, order) {
             true => NOT_JUDGED,
             false => DOES_NOT_EXIST,
         };
@@ -61,7 +61,7 @@ const NOT_JUDGED: &str = "not judged";
 
 /// The amplitude of an order of the torque, or that there is none.
 pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Text {
-    match (engine.pistons_have_order(Quantity::Torque, order.order), &order.vector.outcome) {
+    match (engine.pistons_have_order(Quantity::TORQUE, order.order), &order.vector.outcome) {
         (false, _) => DOES_NOT_EXIST.into(),
         (true, Outcome::Zero) => Text::zero(),
         (true, Outcome::NotZero) => amount(order.vector.value.norm(), unit),
@@ -71,7 +71,7 @@ pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> T
 
 /// The amplitude of an order of the roll moment, which forces with arms make as well as torques.
 pub(super) fn roll_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Text {
-    let exists = [Quantity::Torque, Quantity::Force].iter().any(|part| engine.pistons_have_order(*part, order.order));
+    let exists = [Quantity::TORQUE, Quantity::FORCE].iter().any(|part| engine.pistons_have_order(*part, order.order));
     match &order.vector.outcome {
         Outcome::Zero if !exists => DOES_NOT_EXIST.into(),
         Outcome::Zero => Text::zero(),

@@ -7,15 +7,15 @@ use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque, TorqueOrder};
 use crate::numbers;
 use crate::order::MassGroup;
 use crate::page::{self, Number, Table, Text, number, phrase};
-use crate::proof::Quantity;
+use crate::proof::{Planar, Quantity};
 use crate::report::loads_document::share;
 
 /// What is in the scene and what is not, and what each group of masses adds to the peaks.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
     let mut table = Table::new(["Effect", "In the scene", "Why", "Share of peak force", "Share of peak moment"]);
     let peaks: [(Peak, Unit); 2] = [
-        (loads.force.peak(), Unit::of(engine, loads, Quantity::Force)),
-        (loads.moment.peak(), Unit::of(engine, loads, Quantity::Moment)),
+        (loads.force.peak(), Unit::of(engine, loads, Planar::Force)),
+        (loads.moment.peak(), Unit::of(engine, loads, Planar::Moment)),
     ];
     let shares = |group: MassGroup| {
         let loads = loads.groups.iter().find(|loads| loads.group == group);
@@ -40,7 +40,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
 
 /// The two rotating vectors of each order.
 pub(super) fn vectors(engine: &Engine, loads: &Loads) -> Table {
-    let (force, moment) = (Unit::of(engine, loads, Quantity::Force), Unit::of(engine, loads, Quantity::Moment));
+    let (force, moment) = (Unit::of(engine, loads, Planar::Force), Unit::of(engine, loads, Planar::Moment));
     let mut table = Table::new(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
     for order in &loads.orders {
         table.push(vec![
@@ -59,20 +59,17 @@ pub(super) fn ellipses(engine: &Engine, loads: &Loads) -> Table {
     let mut table =
         Table::new(["Order", "Quantity", "Largest", "Smallest", "Direction", "Along", "Across", "Largest / unit"]);
     for order in &loads.orders {
-        for quantity in [Quantity::Force, Quantity::Moment] {
+        for quantity in Planar::BOTH {
             table.push(ellipse(engine, loads, order, quantity));
         }
     }
     table
 }
 
-fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Quantity) -> Vec<Text> {
-    let (name, swing) = match quantity {
-        Quantity::Force => ("force", &order.force),
-        Quantity::Moment | Quantity::Torque | Quantity::Roll => ("moment", &order.moment),
-    };
+fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Planar) -> Vec<Text> {
+    let swing = order.swing(quantity);
     let unit = Unit::of(engine, loads, quantity);
-    let mut row = vec![order.order.into(), name.into(), amounts::largest(swing, unit)];
+    let mut row = vec![order.order.into(), quantity.name().into(), amounts::largest(swing, unit)];
     if swing.vanishes() {
         row.extend([Text::zero(), "–".into(), Text::zero(), Text::zero(), Text::zero()]);
         return row;
@@ -93,15 +90,15 @@ fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Quantit
     row.push(part(swing.along(), swing.path.nothing_along));
     row.push(part(swing.across(), swing.path.nothing_across));
     row.push(match (quantity, Arm::of(engine)) {
-        (Quantity::Moment, Arm::Metre) => Text::measured(largest, page::Unit::METRE),
-        (Quantity::Moment | Quantity::Force | Quantity::Torque | Quantity::Roll, _) => Number::Decimal(largest).into(),
+        (Planar::Moment, Arm::Metre) => Text::measured(largest, page::Unit::METRE),
+        (Planar::Moment | Planar::Force, _) => Number::Decimal(largest).into(),
     });
     row
 }
 
 /// What the tables count in.
 pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
-    let (force, moment) = (Unit::of(engine, loads, Quantity::Force), Unit::of(engine, loads, Quantity::Moment));
+    let (force, moment) = (Unit::of(engine, loads, Planar::Force), Unit::of(engine, loads, Planar::Moment));
     let first = match Arm::of(engine) {
         Arm::Metre => phrase!(
             "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times 1 {}.",
@@ -124,13 +121,13 @@ pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
 
 /// The amplitude of each order of the inertia torque.
 pub(super) fn torque(engine: &Engine, loads: &Loads, torque: &Torque) -> Table {
-    let unit = Unit::of(engine, loads, Quantity::Torque);
+    let unit = Unit::of(engine, loads, Quantity::TORQUE);
     about_the_crank(&torque.orders, unit, |order| summary::torque_cell(engine, order, unit))
 }
 
 /// The amplitude of each order of the roll moment.
 pub(super) fn roll(engine: &Engine, loads: &Loads, roll: &Torque) -> Table {
-    let unit = Unit::of(engine, loads, Quantity::Roll);
+    let unit = Unit::of(engine, loads, Quantity::ROLL);
     about_the_crank(&roll.orders, unit, |order| summary::roll_cell(engine, order, unit))
 }
 

@@ -15,7 +15,7 @@ use crate::file::Entry;
 use crate::loads;
 use crate::order::Masses;
 use crate::page::{Text, phrase};
-use crate::proof::{Quantity, Shape};
+use crate::proof::{Planar, Shape};
 use crate::verdict::{
     self, EveryOrder, EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, OrderVerdict, WholeOrder,
 };
@@ -98,25 +98,25 @@ impl Known<'_> {
             FirstLeft::Order(order, shape) => Some(Some(First { order, shape, size: None })),
             FirstLeft::NotKnown => None,
         };
-        Some([first(Quantity::Force)?, first(Quantity::Moment)?])
+        Some([first(Planar::Force)?, first(Planar::Moment)?])
     }
 
     /// The same of an engine with articulated rods: at the orders that it asks for, or proved to be zero at every order.
     fn first_of_links(&self) -> Option<[Option<First>; 2]> {
         let wanted = self.engine.has_links().then(|| self.engine.orders())?;
-        let judged = verdict::classify(self.engine, wanted, Masses::Reciprocating, &[Quantity::Force]).ok()?;
+        let judged = verdict::classify(self.engine, wanted, Masses::Reciprocating, &[]).ok()?;
         let first = |whole: &dyn Fn(&OrderVerdict) -> WholeOrder| {
             let mut orders = judged.iter().filter(|order| order.exists()).map(|order| (order.order, whole(order)));
             let left = orders.find(|(_, whole)| !whole.is_balanced());
             left.map(|(order, whole)| First { order, shape: whole.shape, size: None })
         };
         let found = [
-            (Quantity::Force, first(&|order| order.force.clone())),
-            (Quantity::Moment, first(&|order| order.moment.clone())),
+            (Planar::Force, first(&|order| order.force.clone())),
+            (Planar::Moment, first(&|order| order.moment.clone())),
         ];
         // That nothing is left at these orders says nothing of all, unless that is proved.
-        let is_known = |(quantity, first): &(Quantity, Option<First>)| {
-            first.is_some() || loads::vanishes_at_every_order(self.engine, *quantity)
+        let is_known = |(quantity, first): &(Planar, Option<First>)| {
+            first.is_some() || loads::vanishes_at_every_order(self.engine, (*quantity).into())
         };
         found.iter().all(is_known).then(|| found.map(|(_, first)| first))
     }
@@ -128,9 +128,8 @@ impl Known<'_> {
 
     /// The verdicts on the lowest order that is left; on order 1 where nothing is.
     pub fn drawn(&self) -> Option<OrderBalance> {
-        let quantities = [Quantity::Force, Quantity::Moment];
         let order = self.lowest().unwrap_or(1);
-        let judged = verdict::classify(self.engine, &[order], Masses::Reciprocating, &quantities).ok()?;
+        let judged = verdict::classify(self.engine, &[order], Masses::Reciprocating, &[]).ok()?;
         judged.into_iter().next()?.parts.into_iter().next()
     }
 

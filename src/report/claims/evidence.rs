@@ -15,13 +15,13 @@ fn one(evidence: &Evidence) -> Text {
     let about = match evidence {
         Evidence::Verdict(verdict) => {
             let words = match (verdict.quantity, verdict.sense) {
-                (Quantity::Force, Some(Sense::Direct)) => "Force, order {}, direct",
-                (Quantity::Force, Some(Sense::Reverse)) => "Force, order {}, reverse",
-                (Quantity::Force, None) => "Force, order {}",
-                (Quantity::Moment, Some(Sense::Direct)) => "Moment, order {}, direct",
-                (Quantity::Moment, Some(Sense::Reverse)) => "Moment, order {}, reverse",
-                (Quantity::Moment, None) => "Moment, order {}",
-                (Quantity::Torque | Quantity::Roll, _) => "Torque, order {}",
+                (Quantity::FORCE, Some(Sense::Direct)) => "Force, order {}, direct",
+                (Quantity::FORCE, Some(Sense::Reverse)) => "Force, order {}, reverse",
+                (Quantity::FORCE, None) => "Force, order {}",
+                (Quantity::MOMENT, Some(Sense::Direct)) => "Moment, order {}, direct",
+                (Quantity::MOMENT, Some(Sense::Reverse)) => "Moment, order {}, reverse",
+                (Quantity::MOMENT, None) => "Moment, order {}",
+                (Quantity::Axial(_), _) => "Torque, order {}",
             };
             phrase!(words, verdict.order)
         }

@@ -105,7 +105,7 @@ fn about_torque(torque: &TorquePart) -> Text {
 }
 
 fn about_order(subject: Subject, order: &OrderBalance) -> Text {
-    let is_force = subject.quantity == Quantity::Force;
+    let is_force = subject.quantity == Quantity::FORCE;
     let k = subject.order;
     if !order.exists {
         return match is_force {
@@ -179,7 +179,7 @@ fn sense(verdict: &Verdict) -> &'static str {
 }
 
 fn in_newtons(subject: Subject, absolute: &Absolute) -> Text {
-    let unit = if subject.quantity == Quantity::Moment { Unit::NEWTON_METRE } else { Unit::NEWTON };
+    let unit = if subject.quantity == Quantity::MOMENT { Unit::NEWTON_METRE } else { Unit::NEWTON };
     let value = |value: f64| Text::measured(value, unit).and(Piece::Label("\u{202f}".to_owned())).and(unit);
     match subject.order {
         1 => phrase!("That is {}.", value(absolute.whole)),

@@ -60,7 +60,7 @@ impl Asked<'_> {
 /// The force and the moment of an order, as far as the statement is about them.
 fn what_is_left(order: &OrderBalance, statement: &Statement) -> Text {
     let with_moment = match statement {
-        Statement::Vanish { quantities, .. } => quantities.contains(&Quantity::Moment),
+        Statement::Vanish { quantities, .. } => quantities.contains(&Quantity::MOMENT),
         Statement::NoFreeMoment => true,
         Statement::Order { .. }
         | Statement::Shafts { .. }

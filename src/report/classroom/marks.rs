@@ -191,7 +191,7 @@ fn columns(exercise: &Exercise, results: &[StudentResult]) -> Table {
             let column = match entry.place {
                 Place::Phase(_, crate::proof::Sense::Direct) => 0,
                 Place::Phase(_, crate::proof::Sense::Reverse) => 1,
-                Place::Sum(crate::proof::Quantity::Moment, _) => 3,
+                Place::Sum(crate::proof::Planar::Moment, _) => 3,
                 Place::Sum(..) => 2,
             };
             right[column][0] += usize::from(entry.judged == Judged::Right);

@@ -12,13 +12,13 @@ pub use student::marked_page;
 
 use crate::engine::{Engine, LengthUnit};
 use crate::page::Text;
-use crate::proof::Quantity;
+use crate::proof::Planar;
 
 /// What the length of a sum is counted in.
-fn unit_of(engine: &Engine, quantity: Quantity) -> Text {
+fn unit_of(engine: &Engine, quantity: Planar) -> Text {
     match (quantity, engine.length_unit()) {
-        (Quantity::Moment, LengthUnit::Metre) => "length, in m r times metres".into(),
-        (Quantity::Moment, LengthUnit::Spacing) => "length, in m r times the unit of z".into(),
-        (Quantity::Force | Quantity::Torque | Quantity::Roll, _) => "length, in m r".into(),
+        (Planar::Moment, LengthUnit::Metre) => "length, in m r times metres".into(),
+        (Planar::Moment, LengthUnit::Spacing) => "length, in m r times the unit of z".into(),
+        (Planar::Force, _) => "length, in m r".into(),
     }
 }

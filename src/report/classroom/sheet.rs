@@ -7,7 +7,7 @@ use super::super::views::{end_view, end_view_caption, side_view, side_view_capti
 use super::unit_of;
 use crate::classroom::{Pupil, Scheme};
 use crate::page::{Block, Document, Picture, Table, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 
 /// The sheet of a student, to be marked by this scheme; `table` is the name of the file with the table to fill in.
 pub fn exercise_sheet(pupil: &Pupil, orders: &[u32], table: &str, scheme: &Scheme) -> Document {
@@ -69,7 +69,7 @@ fn to_find(pupil: &Pupil, orders: &[u32]) -> Vec<Block> {
         let mut empty = Table::new(["Cylinder", "Direct phase", "Reverse phase"]);
         let row = |name: Text| vec![name, Text::default(), Text::default()];
         engine.cylinders().iter().for_each(|cylinder| empty.push(row(cylinder.name.clone().into())));
-        for (name, quantity) in [("**Σ force**", Quantity::Force), ("**Σ moment**", Quantity::Moment)] {
+        for (name, quantity) in [("**Σ force**", Planar::Force), ("**Σ moment**", Planar::Moment)] {
             empty.push(row(phrase!("{}, {}", name, unit_of(engine, quantity))));
         }
         blocks.extend([Block::Heading(2, phrase!("Order {}", *order)), empty.into()]);

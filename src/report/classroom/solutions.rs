@@ -13,7 +13,7 @@ use crate::verdict::Judgement;
 /// # Errors
 /// If there is no such order.
 pub fn exercise_solutions(pupil: &Pupil, orders: &[u32]) -> Result<Document, NotAnOrder> {
-    let judged = Judgement::new(&pupil.engine, orders, &[Quantity::Force, Quantity::Moment])?;
+    let judged = Judgement::new(&pupil.engine, orders, &Quantity::PLANAR)?;
     let mut page = Document::new("solutions", phrase!("Vector-star exercise: {}, solutions", &pupil.name));
     page.blocks.extend(given(pupil));
     page.blocks.extend(proofs(&pupil.engine, &judged));

@@ -7,7 +7,7 @@ use crate::claim::{Judged, Marked, Place, RightEntry};
 use crate::classroom::{Convention, MarkedSheet, Pupil, Scheme};
 use crate::page::number::Amount;
 use crate::page::{Block, Document, Table, Text, phrase};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 
 /// The page of a marked sheet.
 pub fn marked_page(pupil: &Pupil, sheet: &MarkedSheet, scheme: &Scheme) -> Document {
@@ -122,14 +122,10 @@ fn place(pupil: &Pupil, place: Place) -> Text {
                 Sense::Reverse => phrase!("cylinder {}, reverse phase", name),
             }
         }
-        Place::Sum(Quantity::Moment, Sense::Direct) => "sum of moments, direct".into(),
-        Place::Sum(Quantity::Moment, Sense::Reverse) => "sum of moments, reverse".into(),
-        Place::Sum(Quantity::Force | Quantity::Torque | Quantity::Roll, Sense::Direct) => {
-            "sum of forces, direct".into()
-        }
-        Place::Sum(Quantity::Force | Quantity::Torque | Quantity::Roll, Sense::Reverse) => {
-            "sum of forces, reverse".into()
-        }
+        Place::Sum(Planar::Moment, Sense::Direct) => "sum of moments, direct".into(),
+        Place::Sum(Planar::Moment, Sense::Reverse) => "sum of moments, reverse".into(),
+        Place::Sum(Planar::Force, Sense::Direct) => "sum of forces, direct".into(),
+        Place::Sum(Planar::Force, Sense::Reverse) => "sum of forces, reverse".into(),
     }
 }
 

@@ -120,7 +120,7 @@ impl CompareDocument {
 
 /// The comparison as data.
 pub fn compare_document(engines: &[Compared]) -> CompareDocument {
-    let quantities = [Quantity::Force, Quantity::Moment];
+    let quantities = Quantity::PLANAR;
     let evidence = |engine: &Compared| {
         let judged = &engine.judged;
         document::document(&engine.engine, judged.masses, &judged.orders, &quantities, None)

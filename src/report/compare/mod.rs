@@ -45,7 +45,7 @@ impl Compared {
     /// # Errors
     /// A number that is no order.
     pub fn new(name: Untrusted, engine: &Engine, orders: &[u32]) -> Result<Self, NotAnOrder> {
-        let judged = Judgement::new(engine, orders, &[Quantity::Force, Quantity::Moment])?;
+        let judged = Judgement::new(engine, orders, &Quantity::PLANAR)?;
         let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
         Ok(Compared {
             name,

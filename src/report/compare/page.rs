@@ -6,7 +6,7 @@ use super::super::residual;
 use super::{Compared, notes, orders_of, rows};
 use crate::loads::OrderLoads;
 use crate::page::{Block, Document, Picture, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::text::Format;
 use crate::verdict::{FirstLeft, OrderBalance};
 
@@ -83,7 +83,7 @@ fn first_left(engine: &Compared) -> Option<[Option<(u32, &'static str)>; 2]> {
         FirstLeft::Order(order, shape) => Some(Some((order, residual::shape_name(shape)))),
         FirstLeft::NotKnown => None,
     };
-    Some([first(Quantity::Force)?, first(Quantity::Moment)?])
+    Some([first(Planar::Force)?, first(Planar::Moment)?])
 }
 
 /// What an engine leaves of all orders.
@@ -114,15 +114,15 @@ fn left(engine: &Compared) -> Text {
 /// The order with the largest force and that with the largest moment, in newtons.
 fn largest(engine: &Compared) -> Option<Text> {
     let loads = engine.loads.as_ref().ok()?;
-    let of = |quantity: Quantity, value: fn(&OrderLoads) -> f64| {
+    let of = |quantity: Planar, value: fn(&OrderLoads) -> f64| {
         let largest = loads.orders.iter().max_by(|one, other| value(one).total_cmp(&value(other)))?;
         let unit = Unit::of(&engine.engine, loads, quantity);
         let size = phrase!("{} {}", Text::measured(value(largest) * unit.factor, unit.unit), unit.label());
         (value(largest) * unit.factor > 0.0).then_some((size, largest.order))
     };
     let (name, speed) = (&engine.name, rows::speed(engine));
-    let force = of(Quantity::Force, |loads| loads.force.largest());
-    let moment = of(Quantity::Moment, |loads| loads.moment.largest());
+    let force = of(Planar::Force, |loads| loads.force.largest());
+    let moment = of(Planar::Moment, |loads| loads.moment.largest());
     Some(match (force, moment) {
         (None, None) => phrase!("**{}** at {} rpm: no force and no moment at these orders.", name, speed),
         (Some((size, order)), None) => {

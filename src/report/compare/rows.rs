@@ -7,7 +7,7 @@ use crate::engine::DOES_NOT_EXIST;
 use crate::journal::NoCycleLoads;
 use crate::loads::{Missing, OrderLoads};
 use crate::page::{self, Number, Table, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::verdict::OrderVerdict;
 
 /// The table of some of the engines that are compared: a column per engine, a row each thing that any of all has.
@@ -22,8 +22,8 @@ pub(super) fn table(all: &[Compared], shown: &[Compared]) -> Table {
     let orders = orders_of(all);
     for &order in &orders {
         for (name, alone, quantity) in [
-            ("Force {}", "Force {}, pistons alone", Quantity::Force),
-            ("Moment {}", "Moment {}, pistons alone", Quantity::Moment),
+            ("Force {}", "Force {}, pistons alone", Planar::Force),
+            ("Moment {}", "Moment {}, pistons alone", Planar::Moment),
         ] {
             let words = |judged: Option<&OrderVerdict>| {
                 judged.map_or_else(Text::default, |judged| engine_cells::cell(judged, quantity))
@@ -41,11 +41,9 @@ pub(super) fn table(all: &[Compared], shown: &[Compared]) -> Table {
     if all.iter().all(Compared::has_newtons) {
         add("Speed in rpm".into(), &speed);
         for &order in &orders {
-            add(phrase!("Force {} in {}", order, page::Unit::NEWTON), &|engine| {
-                newtons(engine, order, Quantity::Force)
-            });
+            add(phrase!("Force {} in {}", order, page::Unit::NEWTON), &|engine| newtons(engine, order, Planar::Force));
             add(phrase!("Moment {} in {}", order, page::Unit::NEWTON_METRE), &|engine| {
-                newtons(engine, order, Quantity::Moment)
+                newtons(engine, order, Planar::Moment)
             });
         }
     }
@@ -63,13 +61,12 @@ pub(super) fn speed(engine: &Compared) -> Text {
     engine.engine.dimensions().speed.as_ref().map_or_else(Text::default, |speed| Number::exact(speed).into())
 }
 
-fn newtons(engine: &Compared, order: u32, quantity: Quantity) -> Text {
+fn newtons(engine: &Compared, order: u32, quantity: Planar) -> Text {
     let Ok(loads) = &engine.loads else { return Text::default() };
     let unit = Unit::of(&engine.engine, loads, quantity);
-    let swing = |loads: &OrderLoads| match quantity {
-        _ if !loads.exists(&engine.engine) => DOES_NOT_EXIST.into(),
-        Quantity::Force => calculation::largest(&loads.force, unit),
-        Quantity::Moment | Quantity::Torque | Quantity::Roll => calculation::largest(&loads.moment, unit),
+    let swing = |loads: &OrderLoads| match loads.exists(&engine.engine) {
+        false => DOES_NOT_EXIST.into(),
+        true => calculation::largest(loads.swing(quantity), unit),
     };
     loads.orders.iter().find(|loads| loads.order == order).map_or_else(Text::default, swing)
 }

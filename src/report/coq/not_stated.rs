@@ -93,7 +93,7 @@ pub(super) fn check(document: &Document) -> Result<(), NotStated> {
     for cylinder in pistons {
         check_cylinder(cylinder)?;
     }
-    if document.quantities.contains(&Quantity::Roll) {
+    if document.quantities.contains(&Quantity::ROLL) {
         return Err(NotStated::SeveralCrankshafts);
     }
     if let Some(shaft) = document.turning_masses.iter().find(|mass| mass.coefficient_of.is_some()) {

@@ -141,9 +141,9 @@ fn name(quantity: Quantity, sense: Option<Sense>) -> String {
 
 fn kind(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::Force => "Force",
-        Quantity::Moment => "Moment",
-        Quantity::Torque | Quantity::Roll => "Torque",
+        Quantity::FORCE => "Force",
+        Quantity::MOMENT => "Moment",
+        Quantity::Axial(_) => "Torque",
     }
 }
 

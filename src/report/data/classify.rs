@@ -26,11 +26,11 @@ pub fn classify(engine: &Engine, judged: &Judgement, document: &Document) -> Vec
     let of = |quantity| -> Vec<&VerdictClaim> {
         document.verdicts.iter().filter(|verdict| verdict.quantity == quantity).collect()
     };
-    let (force, moment) = (of(Quantity::Force), of(Quantity::Moment));
+    let (force, moment) = (of(Quantity::FORCE), of(Quantity::MOMENT));
     let both: Vec<[&VerdictClaim; 2]> = force.into_iter().zip(moment).map(|(force, moment)| [force, moment]).collect();
     let about_the_axis = [
-        ("torque", "a sum of an order of the inertia torque", of(Quantity::Torque)),
-        ("roll", "a sum of an order of the roll moment on the frame", of(Quantity::Roll)),
+        ("torque", "a sum of an order of the inertia torque", of(Quantity::TORQUE)),
+        ("roll", "a sum of an order of the roll moment on the frame", of(Quantity::ROLL)),
     ];
     let about_the_axis = about_the_axis.into_iter().filter(|(_, _, rows)| !rows.is_empty());
     let tables = about_the_axis.map(|(name, about, rows)| axis_sums(name, about, &rows));

@@ -23,7 +23,7 @@ pub(super) struct Units {
 impl Units {
     pub fn new(engine: &Engine, scale: Option<&Scale>) -> Self {
         let [force, moment, torque] =
-            [Quantity::Force, Quantity::Moment, Quantity::Torque].map(|quantity| loads::unit(engine, scale, quantity));
+            [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE].map(|quantity| loads::unit(engine, scale, quantity));
         let newtons = scale.map_or(1.0, Scale::force);
         Units { force, moment, torque, newtons, newton_metres: scale.map_or(1.0, Scale::torque) }
     }

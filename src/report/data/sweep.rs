@@ -9,7 +9,7 @@ use crate::engine::CycleOrder;
 use crate::exact::fraction;
 use crate::loads::Arm;
 use crate::numbers::float;
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::{Amplitude, Amplitudes, Envelope, Evenness, Sweep, SweptEngine};
 use crate::table::{Column, Table, Unit};
 
@@ -69,7 +69,7 @@ pub fn points(sweep: &Sweep) -> Table {
         last.push(Column::named("{parameter}_exact", &[&name], Unit::NONE, EXACT, values));
     }
     for (place, order) in sweep.orders.iter().enumerate() {
-        for quantity in [Quantity::Force, Quantity::Moment] {
+        for quantity in Planar::BOTH {
             last.extend(amplitudes(sweep, &mut table, place, *order, quantity));
         }
     }
@@ -93,15 +93,14 @@ pub fn points(sweep: &Sweep) -> Table {
 }
 
 /// The amplitudes of an order, in newtons too where they are known; gives the columns that tell which are zero.
-fn amplitudes(sweep: &Sweep, table: &mut Table, place: usize, order: u32, quantity: Quantity) -> Vec<Column> {
-    let (name, order) = (quantity_name(quantity), order.to_string());
+fn amplitudes(sweep: &Sweep, table: &mut Table, place: usize, order: u32, quantity: Planar) -> Vec<Column> {
+    let (name, order) = (quantity.name(), order.to_string());
     let column = |part: usize, pattern: usize, unit: Unit, about, values| {
         Column::named(PARTS[part].0[pattern], &[name, &order], unit, about, values)
     };
     let part = |point: &SweptEngine, part: usize| {
         let order = point.orders.get(place)?;
-        let all = if quantity == Quantity::Force { &order.force } else { &order.moment };
-        Some(Amplitudes::NAMED[part].1(all))
+        Some(Amplitudes::NAMED[part].1(order.amplitudes(quantity)))
     };
     for (index, (_, about)) in PARTS.into_iter().enumerate() {
         let values = decimals(sweep.points.iter().map(|point| part(point, index).map(size)));
@@ -122,8 +121,8 @@ fn amplitudes(sweep: &Sweep, table: &mut Table, place: usize, order: u32, quanti
 }
 
 /// What the multiples of a sweep are multiples of.
-fn multiple(sweep: &Sweep, quantity: Quantity) -> Unit {
-    match (quantity == Quantity::Moment, sweep.rods_known, sweep.arm) {
+fn multiple(sweep: &Sweep, quantity: Planar) -> Unit {
+    match (quantity == Planar::Moment, sweep.rods_known, sweep.arm) {
         (false, true, _) => Unit::MULTIPLE,
         (false, false, _) => Unit::OPEN,
         (true, true, Arm::Spacing) => Unit::MULTIPLE_SPACING,
@@ -133,8 +132,8 @@ fn multiple(sweep: &Sweep, quantity: Quantity) -> Unit {
     }
 }
 
-fn newtons_unit(sweep: &Sweep, quantity: Quantity) -> Unit {
-    match (quantity == Quantity::Moment, sweep.arm) {
+fn newtons_unit(sweep: &Sweep, quantity: Planar) -> Unit {
+    match (quantity == Planar::Moment, sweep.arm) {
         (false, _) => Unit::NEWTON,
         (true, Arm::Metre) => Unit::NEWTON_METRE,
         (true, Arm::Spacing) => Unit::NEWTON_SPACING,
@@ -216,13 +215,4 @@ fn star(sweep: &Sweep, table: &mut Table, place: usize, order: CycleOrder) -> Co
 /// An amplitude, 0 where it is proved.
 fn size(part: Amplitude) -> f64 {
     if part.vanishes { 0.0 } else { part.value }
-}
-
-pub(super) fn quantity_name(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Force => "force",
-        Quantity::Moment => "moment",
-        Quantity::Torque => "torque",
-        Quantity::Roll => "roll",
-    }
 }

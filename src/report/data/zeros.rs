@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::cells::{decimals, exact, truths, whole, words};
-use super::sweep::{EXACT, quantity_name};
+use super::sweep::EXACT;
 use crate::numbers::float;
 use crate::sweep::{Sweep, Zeros};
 use crate::table::{Column, Table, Unit};
@@ -31,7 +31,7 @@ enum At {
 pub(super) fn zeros(sweep: &Sweep) -> Table {
     let rows = sweep.zeros.iter().flatten().flat_map(|set| {
         spread(&set.at, &set.irrational).map(move |at| Zero {
-            quantity: quantity_name(set.quantity),
+            quantity: set.quantity.name(),
             halves: 2 * set.order,
             of: zeros_name(set.of),
             exists: set.exists,

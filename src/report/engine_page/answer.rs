@@ -7,7 +7,7 @@ use crate::engine::{DOES_NOT_EXIST, Engine, LengthUnit};
 use crate::loads::{self, Loads};
 use crate::order::{self, Factor, Masses};
 use crate::page::{Block, Document, Piece, Table, Text, phrase};
-use crate::proof::{Quantity, Sense, Shape};
+use crate::proof::{Planar, Sense, Shape};
 use crate::verdict::{EveryOrderTheorem, Judgement, NextLeft, OrderVerdict, Outcome, WholeOrder};
 
 /// The lines of the box that a report opens with.
@@ -57,9 +57,9 @@ struct Sizes<'a> {
 impl Sizes<'_> {
     /// A sentence each on the force and on the moment of an order, where they are left or not decided.
     fn left(&self, order: &OrderVerdict) -> Vec<Text> {
-        let force = self.sentence(order, &order.force, Quantity::Force, FORCE);
+        let force = self.sentence(order, &order.force, Planar::Force, FORCE);
         let words = if order.force.is_balanced() { COUPLE } else { MOMENT };
-        let moment = self.sentence(order, &order.moment, Quantity::Moment, words);
+        let moment = self.sentence(order, &order.moment, Planar::Moment, words);
         [force, moment].into_iter().flatten().collect()
     }
 
@@ -67,7 +67,7 @@ impl Sizes<'_> {
         &self,
         order: &OrderVerdict,
         whole: &WholeOrder,
-        quantity: Quantity,
+        quantity: Planar,
         [sized, bare, open]: [&'static str; 3],
     ) -> Option<Text> {
         match (whole.shape, self.size(order, whole, quantity)) {
@@ -80,17 +80,16 @@ impl Sizes<'_> {
     }
 
     /// The largest value: in newtons, or exactly in multiples.
-    fn size(&self, order: &OrderVerdict, whole: &WholeOrder, quantity: Quantity) -> Option<Text> {
+    fn size(&self, order: &OrderVerdict, whole: &WholeOrder, quantity: Planar) -> Option<Text> {
         if let Some(loads) = self.loads {
             return in_units(self.engine, loads, order.order, quantity, whole);
         }
         let [only] = order.parts.as_slice() else { return None };
-        let balance = if quantity == Quantity::Force { &only.force } else { &only.moment };
         let unit = match &only.class {
             None => multiple(self.engine, order.order, self.masses, quantity),
             Some(class) => multiple_of(self.engine, &class.factor, order.order, quantity),
         };
-        Some(phrase!("{} {}", residual::largest(balance), unit))
+        Some(phrase!("{} {}", residual::largest(only.balance(quantity)), unit))
     }
 }
 
@@ -111,35 +110,34 @@ const MOMENT: [&str; 3] = [
 ];
 
 /// The largest value of an order with its unit; none where the numbers do not hold it.
-fn in_units(engine: &Engine, loads: &Loads, order: u32, quantity: Quantity, whole: &WholeOrder) -> Option<Text> {
+fn in_units(engine: &Engine, loads: &Loads, order: u32, quantity: Planar, whole: &WholeOrder) -> Option<Text> {
     let of_order = loads.orders.iter().find(|of| of.order == order)?;
-    let swing = if quantity == Quantity::Force { &of_order.force } else { &of_order.moment };
     let unit = Unit::of(engine, loads, quantity);
     let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some()) && unit.factor != 0.0;
-    is_known.then(|| Piece::Quantity(swing.largest() * unit.factor, unit.unit).into())
+    is_known.then(|| Piece::Quantity(of_order.swing(quantity).largest() * unit.factor, unit.unit).into())
 }
 
 /// What exact values are multiples of: `m r ω² c_4 a`.
-fn multiple(engine: &Engine, order: u32, masses: Masses, quantity: Quantity) -> Text {
+fn multiple(engine: &Engine, order: u32, masses: Masses, quantity: Planar) -> Text {
     let pistons = matches!(masses, Masses::Reciprocating | Masses::All);
     let coefficient = pistons && (order > 1 || engine.has_offset());
     in_multiples(engine, coefficient.then_some(order), quantity)
 }
 
 /// The same of the only sum of an order, which stands before this number: that of the order of its own crankshaft.
-fn multiple_of(engine: &Engine, factor: &Factor, order: u32, quantity: Quantity) -> Text {
+fn multiple_of(engine: &Engine, factor: &Factor, order: u32, quantity: Planar) -> Text {
     let (own, order) = factor.own(order);
     in_multiples(engine, (*own != Factor::One).then_some(order), quantity)
 }
 
 /// Before c_k of this order, or before 1.
-fn in_multiples(engine: &Engine, coefficient: Option<u32>, quantity: Quantity) -> Text {
+fn in_multiples(engine: &Engine, coefficient: Option<u32>, quantity: Planar) -> Text {
     let coefficient = coefficient.map_or_else(String::new, |order| format!(" c_{{{order}}}"));
     let mass = if engine.has_unit_masses() { "m\\,r\\,\\omega^2" } else { "\\mathrm{kg}\\;r\\,\\omega^2" };
     let arm = match (quantity, engine.length_unit()) {
-        (Quantity::Force | Quantity::Torque | Quantity::Roll, _) => "",
-        (Quantity::Moment, LengthUnit::Metre) => "\\cdot\\mathrm{m}",
-        (Quantity::Moment, LengthUnit::Spacing) => "\\,a",
+        (Planar::Force, _) => "",
+        (Planar::Moment, LengthUnit::Metre) => "\\cdot\\mathrm{m}",
+        (Planar::Moment, LengthUnit::Spacing) => "\\,a",
     };
     Text::formula(format!("{mass}{coefficient}{arm}"))
 }
@@ -246,20 +244,20 @@ pub(super) fn in_newtons(engine: &Engine, judged: &Judgement, loads: Option<&Loa
     let has_numbers = |loads: &&Loads| loads.scale.is_some() || engine.has_links();
     let loads = loads.filter(|loads| is_as_built(engine, judged) && has_numbers(loads))?;
     let mut table = Table::new(["Order", "Force", "Moment"]);
-    let cell = |order: &OrderVerdict, quantity: Quantity, whole: &WholeOrder| match (
+    let cell = |order: &OrderVerdict, quantity: Planar, whole: &WholeOrder| match (
         whole.shape,
         in_units(engine, loads, order.order, quantity, whole),
     ) {
         (Shape::Balanced, _) => Text::zero(),
-        (shape, Some(size)) if quantity == Quantity::Moment && order.moment_is_couple() => {
+        (shape, Some(size)) if quantity == Planar::Moment && order.moment_is_couple() => {
             phrase!("couple {}, {}", size, residual::shape_name(shape))
         }
         (shape, Some(size)) => phrase!("{}, {}", size, residual::shape_name(shape)),
         (_, None) => residual::whole_text(whole),
     };
     for order in judged.orders.iter().filter(|order| order.exists()) {
-        let force = cell(order, Quantity::Force, &order.force);
-        table.push(vec![order.order.into(), force, cell(order, Quantity::Moment, &order.moment)]);
+        let force = cell(order, Planar::Force, &order.force);
+        table.push(vec![order.order.into(), force, cell(order, Planar::Moment, &order.moment)]);
     }
     Some(table)
 }

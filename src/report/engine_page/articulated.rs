@@ -10,7 +10,7 @@ use crate::exact::Turn;
 use crate::loads::{self, Loads};
 use crate::order;
 use crate::page::{Block, Number, Table, Text, phrase};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 use crate::verdict::Judgement;
 
 /// r : l : a of the master rod that a radial is compared with which names none.
@@ -103,7 +103,7 @@ fn in_line(engine: &Engine, judged: &Judgement) -> Vec<String> {
     let lies = |order: &u32| {
         [Sense::Direct, Sense::Reverse].into_iter().all(|sense| {
             let line = order::phase(master, *order, Some(sense));
-            [Quantity::Force, Quantity::Moment].into_iter().all(|quantity| {
+            Planar::BOTH.into_iter().all(|quantity| {
                 // Every number of such an engine is real.
                 let sums = order::all_masses(engine, quantity, *order, sense);
                 sums.parts().values().all(|sum| {

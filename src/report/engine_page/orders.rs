@@ -141,10 +141,10 @@ fn moment_left(engine: &Engine, order: &OrderBalance) -> Text {
 /// `P_2⁺`, `C_2⁻`, `Q_2`.
 fn symbol(verdict: &Verdict) -> String {
     let letter = match verdict.quantity {
-        Quantity::Force => "P",
-        Quantity::Moment => "C",
-        Quantity::Torque => "Q",
-        Quantity::Roll => "R",
+        Quantity::FORCE => "P",
+        Quantity::MOMENT => "C",
+        Quantity::TORQUE => "Q",
+        Quantity::ROLL => "R",
     };
     match verdict.sense {
         Some(Sense::Direct) => format!("{letter}_{{{}}}^{{+}}", verdict.order),

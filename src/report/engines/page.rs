@@ -46,7 +46,7 @@ fn counts(engines: &[BuiltEngine]) -> Vec<Text> {
 
 /// The verdicts on the orders that shafts are built for.
 fn judged(engine: &BuiltEngine) -> Option<Judgement> {
-    Judgement::new(&engine.engine, &CURED, &[Quantity::Force, Quantity::Moment]).ok()
+    Judgement::new(&engine.engine, &CURED, &Quantity::PLANAR).ok()
 }
 
 /// A row per engine.

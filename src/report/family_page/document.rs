@@ -28,7 +28,7 @@ pub fn open_document(family: &Family, orders: &[OpenOrder]) -> OpenDocument {
         format: Format::Family,
         masses: Masses::Reciprocating,
         orders: orders.iter().map(|order| order.order).collect(),
-        quantities: vec![Quantity::Force, Quantity::Moment],
+        quantities: Quantity::PLANAR.to_vec(),
         title: family.title().written().to_owned(),
         reference_plane: linear(family.reference_plane()),
         cylinders: family.cylinders().iter().map(cylinder).collect(),
@@ -44,7 +44,7 @@ fn linear(value: &Linear) -> LinearClaim {
 
 fn verdict(verdict: &OpenVerdict) -> OpenVerdictClaim {
     OpenVerdictClaim {
-        quantity: verdict.quantity,
+        quantity: verdict.quantity.into(),
         order: verdict.order,
         sense: verdict.sense,
         sums: verdict.sums.iter().map(sum).collect(),

@@ -19,7 +19,7 @@ use super::moving;
 use crate::engine::{Family, PHI};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
 use crate::page::{Block, Document, Fold, Picture, Text, phrase};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 
 const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a moment that vanishes does so for all lengths. Angles are those \
                       in (0°, 360°), exact and complete; ≡ is modulo 360°.";
@@ -139,8 +139,8 @@ pub(super) fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
         let listed = verdict.bank_angles().filter(|angles| !angles.is_empty() && !verdict.always());
         if let Some(angles) = listed {
             let words = match (verdict.quantity, verdict.sense) {
-                (Quantity::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly at φ = {}.",
-                (Quantity::Moment, Sense::Reverse) => "The reverse moment of order {} vanishes exactly at φ = {}.",
+                (Planar::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly at φ = {}.",
+                (Planar::Moment, Sense::Reverse) => "The reverse moment of order {} vanishes exactly at φ = {}.",
                 (_, Sense::Direct) => "The direct force of order {} vanishes exactly at φ = {}.",
                 (_, Sense::Reverse) => "The reverse force of order {} vanishes exactly at φ = {}.",
             };
@@ -155,8 +155,8 @@ pub(super) fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
             When::Product(_) | When::Boxes(_) | When::NotSolved(_) => return None,
         };
         let words = match (verdict.quantity, verdict.sense) {
-            (Quantity::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly where {}.",
-            (Quantity::Moment, Sense::Reverse) => "The reverse moment of order {} vanishes exactly where {}.",
+            (Planar::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly where {}.",
+            (Planar::Moment, Sense::Reverse) => "The reverse moment of order {} vanishes exactly where {}.",
             (_, Sense::Direct) => "The direct force of order {} vanishes exactly where {}.",
             (_, Sense::Reverse) => "The reverse force of order {} vanishes exactly where {}.",
         };
@@ -169,8 +169,8 @@ pub(super) fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
 fn proofs(order: &OpenOrder) -> Vec<Block> {
     let argued = order.force.iter().chain(&order.moment).map(|verdict| {
         let words = match (verdict.quantity, verdict.sense) {
-            (Quantity::Moment, Sense::Direct) => "**Moment, direct:** {}. {}",
-            (Quantity::Moment, Sense::Reverse) => "**Moment, reverse:** {}. {}",
+            (Planar::Moment, Sense::Direct) => "**Moment, direct:** {}. {}",
+            (Planar::Moment, Sense::Reverse) => "**Moment, reverse:** {}. {}",
             (_, Sense::Direct) => "**Force, direct:** {}. {}",
             (_, Sense::Reverse) => "**Force, reverse:** {}. {}",
         };

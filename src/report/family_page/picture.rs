@@ -13,7 +13,7 @@ use crate::family::{OpenOrder, OpenVerdict, Solutions, Zeros, phase};
 use crate::page::figure::Figure;
 use crate::page::plot::{Axis, Curve, Plot, PointMark, stacked};
 use crate::page::{Text, phrase};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 
 /// Steps of a turn of the open angle.
 const STEPS: i64 = 720;
@@ -35,8 +35,8 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
     for (quantity, curves) in shown(family, orders) {
         let unit = unit(family, quantity)?;
         let axis = match quantity {
-            Quantity::Force => format!("Force in {unit}"),
-            Quantity::Moment | Quantity::Torque | Quantity::Roll => format!("Moment in {unit}"),
+            Planar::Force => format!("Force in {unit}"),
+            Planar::Moment => format!("Moment in {unit}"),
         };
         // As many plots as needed, with about as many curves in each.
         let in_each = curves.len().div_ceil(curves.len().div_ceil(MOST_CURVES).max(1)).max(1);
@@ -70,7 +70,7 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
     if drawn.iter().flat_map(|(_, curves)| curves).any(rounded) {
         words.push(IRRATIONAL.into());
     }
-    for (quantity, said) in [(Quantity::Force, OF_FORCE), (Quantity::Moment, OF_MOMENT)] {
+    for (quantity, said) in [(Planar::Force, OF_FORCE), (Planar::Moment, OF_MOMENT)] {
         let of = of_quantity(orders, quantity);
         let is_always = |(_, verdicts): &&OfOrder| verdicts.iter().all(OpenVerdict::always);
         let (always, left): (Vec<&OfOrder>, Vec<&OfOrder>) = of.iter().partition(is_always);
@@ -128,26 +128,26 @@ fn open_angle(family: &Family) -> Option<&'static str> {
 
 type OfOrder<'a> = (u32, &'a [OpenVerdict; 2]);
 
-fn of_quantity(orders: &[OpenOrder], quantity: Quantity) -> Vec<OfOrder<'_>> {
-    let is_moment = quantity == Quantity::Moment;
+fn of_quantity(orders: &[OpenOrder], quantity: Planar) -> Vec<OfOrder<'_>> {
+    let is_moment = quantity == Planar::Moment;
     orders.iter().map(|order| (order.order, if is_moment { &order.moment } else { &order.force })).collect()
 }
 
 /// What is drawn: the orders that do not always vanish, of quantities whose weights are numbers.
-fn shown<'a>(family: &Family, orders: &'a [OpenOrder]) -> Vec<(Quantity, Vec<OfOrder<'a>>)> {
+fn shown<'a>(family: &Family, orders: &'a [OpenOrder]) -> Vec<(Planar, Vec<OfOrder<'a>>)> {
     let left = |quantity| {
         let curves = of_quantity(orders, quantity).into_iter();
         let curves = curves.filter(|(_, verdicts)| !verdicts.iter().all(OpenVerdict::always));
         (quantity, curves.take(MOST_ORDERS).collect::<Vec<_>>())
     };
-    let drawable = |(quantity, curves): &(Quantity, Vec<_>)| unit(family, *quantity).is_some() && !curves.is_empty();
-    [Quantity::Force, Quantity::Moment].map(left).into_iter().filter(drawable).collect()
+    let drawable = |(quantity, curves): &(Planar, Vec<_>)| unit(family, *quantity).is_some() && !curves.is_empty();
+    Planar::BOTH.map(left).into_iter().filter(drawable).collect()
 }
 
 /// What the weights of a quantity are multiples of; none where they hold several lengths.
-fn unit(family: &Family, quantity: Quantity) -> Option<String> {
+fn unit(family: &Family, quantity: Planar) -> Option<String> {
     let force = "m r ω² c_k";
-    if quantity == Quantity::Force {
+    if quantity == Planar::Force {
         return Some(force.to_owned());
     }
     let arms: Vec<Linear> = family.cylinders().iter().map(|cylinder| family.arm(cylinder)).collect();
@@ -163,13 +163,13 @@ fn unit(family: &Family, quantity: Quantity) -> Option<String> {
     }
 }
 
-fn heading(quantity: Quantity, chunk: &[OfOrder]) -> String {
+fn heading(quantity: Planar, chunk: &[OfOrder]) -> String {
     let orders = chunk.iter().map(|(order, _)| order.to_string()).collect::<Vec<_>>().join(", ");
     match (quantity, chunk.len()) {
-        (Quantity::Force, 1) => format!("Force, order {orders}"),
-        (Quantity::Force, _) => format!("Force, orders {orders}"),
-        (Quantity::Moment | Quantity::Torque | Quantity::Roll, 1) => format!("Moment, order {orders}"),
-        (Quantity::Moment | Quantity::Torque | Quantity::Roll, _) => format!("Moment, orders {orders}"),
+        (Planar::Force, 1) => format!("Force, order {orders}"),
+        (Planar::Force, _) => format!("Force, orders {orders}"),
+        (Planar::Moment, 1) => format!("Moment, order {orders}"),
+        (Planar::Moment, _) => format!("Moment, orders {orders}"),
     }
 }
 
@@ -289,13 +289,13 @@ fn is_solved(verdict: &OpenVerdict, unknown: &str) -> bool {
 }
 
 /// The vectors of an order: multiple of the open angle, known angle in turns, weight; those of one angle together.
-fn terms(family: &Family, unknown: &str, quantity: Quantity, order: u32, sense: Sense) -> Vec<(f64, f64, f64)> {
+fn terms(family: &Family, unknown: &str, quantity: Planar, order: u32, sense: Sense) -> Vec<(f64, f64, f64)> {
     let mut sums: BTreeMap<(BigRational, Turn), BigRational> = BTreeMap::new();
     for cylinder in family.cylinders() {
         let phase = phase(cylinder, order, sense);
         let arm = family.arm(cylinder);
         let arm = arm.symbols().values().fold(arm.known().clone(), |sum, coefficient| sum + coefficient);
-        let arm = if quantity == Quantity::Moment { arm } else { BigRational::one() };
+        let arm = if quantity == Planar::Moment { arm } else { BigRational::one() };
         let key = (phase.coefficient(unknown), Turn::new(phase.known().clone()));
         *sums.entry(key).or_insert_with(BigRational::zero) += cylinder.weight() * arm;
     }

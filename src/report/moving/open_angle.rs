@@ -14,7 +14,7 @@ use crate::engine::{DELTA, Engine, Family, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{self, OpenOrder, OpenVerdict, Solutions};
 use crate::order::{Masses, Source};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 use crate::verdict::{Balance, Judgement, Verdict};
 
 /// Steps of the slider in a degree.
@@ -122,10 +122,9 @@ impl<'a> OpenAngle<'a> {
     /// The verdict of the family on the same sum; none where it was not judged at its order.
     fn open_verdict(&self, verdict: &Verdict) -> Option<&'a OpenVerdict> {
         let order = self.orders.iter().find(|order| order.order == verdict.order)?;
-        let [direct, reverse] = match verdict.quantity {
-            Quantity::Force => &order.force,
-            Quantity::Moment => &order.moment,
-            Quantity::Torque | Quantity::Roll => return None,
+        let [direct, reverse] = match verdict.quantity.planar()? {
+            Planar::Force => &order.force,
+            Planar::Moment => &order.moment,
         };
         Some(match verdict.sense? {
             Sense::Direct => direct,
@@ -139,7 +138,7 @@ impl<'a> OpenAngle<'a> {
         let found = self.solutions(open);
         let is_solved = found.as_ref().is_some_and(|found| found.open.is_empty());
         let found = found.unwrap_or_default();
-        let of_lengths_drawn = self.lengths_open && verdict.quantity == Quantity::Moment;
+        let of_lengths_drawn = self.lengths_open && verdict.quantity == Planar::Moment.into();
         Some(Zeros {
             everywhere: open.always(),
             complete: open.always() || is_solved && !of_lengths_drawn,

@@ -85,5 +85,5 @@ fn drawn(family: &Family) -> Values {
 }
 
 fn judge(engine: &Engine, orders: &[u32]) -> Option<Judgement> {
-    Judgement::of(engine, orders, Masses::Reciprocating, &[Quantity::Force, Quantity::Moment]).ok()
+    Judgement::of(engine, orders, Masses::Reciprocating, &Quantity::PLANAR).ok()
 }

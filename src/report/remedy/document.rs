@@ -9,8 +9,8 @@ use crate::loads::Missing;
 use crate::numbers;
 use crate::order::{self, Factor};
 use crate::proof::{
-    Certificate, Coefficient, CorrectedClaim, Format, LeftOutClaim, Masses, Quantity, RemedyDocument, RodCylinder,
-    Sense, TurningClaim, WeightClaim, WeightPart,
+    Certificate, Coefficient, CorrectedClaim, Format, LeftOutClaim, Masses, Planar, Quantity, RemedyDocument,
+    RodCylinder, Sense, TurningClaim, WeightClaim, WeightPart,
 };
 use crate::remedy::{ComparableEngine, Remedy, Weight};
 
@@ -20,14 +20,14 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
     let subject = &remedy.subject;
     let mut sums = Vec::new();
     for &order in &remedy.orders {
-        for quantity in [Quantity::Force, Quantity::Moment] {
+        for quantity in Planar::BOTH {
             for sense in [Sense::Direct, Sense::Reverse] {
                 let about = (quantity, order, sense);
                 let judged = remedy.corrected.iter().filter(|one| (one.quantity, one.order, one.sense) == about);
                 let judged = judged.filter(|one| !one.sum.collected().is_empty());
                 let claims: Vec<CorrectedClaim> = judged
                     .map(|judged| CorrectedClaim {
-                        quantity,
+                        quantity: quantity.into(),
                         order,
                         sense,
                         coefficient: coefficient_claim(&judged.factor),
@@ -58,9 +58,16 @@ pub fn remedy_engine(engine: &Engine) -> Result<RemedyDocument, Missing> {
 }
 
 /// The sum of a quantity that has no term at this order.
-fn no_term(quantity: Quantity, order: u32, sense: Sense) -> CorrectedClaim {
+fn no_term(quantity: Planar, order: u32, sense: Sense) -> CorrectedClaim {
     let certificate = Certificate::Polygons { polygons: Vec::new() };
-    CorrectedClaim { quantity, order, sense, coefficient: Coefficient::One, terms: Vec::new(), certificate }
+    CorrectedClaim {
+        quantity: quantity.into(),
+        order,
+        sense,
+        coefficient: Coefficient::One,
+        terms: Vec::new(),
+        certificate,
+    }
 }
 
 fn engine_of(subject: &ComparableEngine) -> RemedyDocument {
@@ -87,7 +94,7 @@ fn engine_of(subject: &ComparableEngine) -> RemedyDocument {
         title: engine.title().written().to_owned(),
         masses: Masses::All,
         orders: Vec::new(),
-        quantities: vec![Quantity::Force, Quantity::Moment],
+        quantities: Quantity::PLANAR.to_vec(),
         reference_plane: engine.reference_plane().clone(),
         cylinders: cylinders.collect(),
         turning_masses: masses.collect(),

@@ -18,7 +18,7 @@ pub(super) fn pictures(problem: &Problem, star: &FoundStar, number: usize) -> Ve
     };
     let left = star.moments.iter().find(|moment| !moment.sum.vanishes()).or(star.moments.first());
     let judged = left.and_then(|moment| {
-        let quantities = [Quantity::Force, Quantity::Moment];
+        let quantities = Quantity::PLANAR;
         classify(&engine, &[moment.order], Masses::Reciprocating, &quantities).ok()
     });
     let parts = judged.iter().flatten().flat_map(|order| order.parts.first());

@@ -44,7 +44,7 @@ fn legend(engine: &Engine, rows: &[Vec<JudgedStar<'_>>]) -> Text {
             "The vectors at the corners of a coloured polygon, or at the ends of a coloured bar, sum to zero.".into(),
         ),
     });
-    if any(&|judged, star| star.resultant.is_some() && judged.quantity != Quantity::Torque) {
+    if any(&|judged, star| star.resultant.is_some() && judged.quantity != Quantity::TORQUE) {
         words.push(
             "The red arrow in outline is the resultant; half the direct and half the reverse one make what is left."
                 .into(),
@@ -52,7 +52,7 @@ fn legend(engine: &Engine, rows: &[Vec<JudgedStar<'_>>]) -> Text {
     } else if any(&|_, star| star.resultant.is_some()) {
         words.push("The red arrow in outline is the resultant.".into());
     }
-    if any(&|judged, star| star.has_turned && judged.quantity == Quantity::Moment) {
+    if any(&|judged, star| star.has_turned && judged.quantity == Quantity::MOMENT) {
         words.push("A vector with a negative arm is drawn turned by 180°.".into());
     } else if any(&|_, star| star.has_turned) {
         words.push("A vector with a negative weight is drawn turned by 180°.".into());

@@ -67,13 +67,13 @@ impl Panel {
 fn heading(verdict: &Verdict) -> String {
     let order = verdict.order;
     match (verdict.quantity, verdict.sense) {
-        (Quantity::Force, Some(Sense::Direct)) => format!("Force, direct, order {order}"),
-        (Quantity::Force, Some(Sense::Reverse)) => format!("Force, reverse, order {order}"),
-        (Quantity::Force, None) => format!("Force, order {order}"),
-        (Quantity::Moment, Some(Sense::Direct)) => format!("Moment, direct, order {order}"),
-        (Quantity::Moment, Some(Sense::Reverse)) => format!("Moment, reverse, order {order}"),
-        (Quantity::Moment, None) => format!("Moment, order {order}"),
-        (Quantity::Torque | Quantity::Roll, _) => format!("Torque, order {order}"),
+        (Quantity::FORCE, Some(Sense::Direct)) => format!("Force, direct, order {order}"),
+        (Quantity::FORCE, Some(Sense::Reverse)) => format!("Force, reverse, order {order}"),
+        (Quantity::FORCE, None) => format!("Force, order {order}"),
+        (Quantity::MOMENT, Some(Sense::Direct)) => format!("Moment, direct, order {order}"),
+        (Quantity::MOMENT, Some(Sense::Reverse)) => format!("Moment, reverse, order {order}"),
+        (Quantity::MOMENT, None) => format!("Moment, order {order}"),
+        (Quantity::Axial(_), _) => format!("Torque, order {order}"),
     }
 }
 

@@ -32,12 +32,12 @@ pub(in crate::report) struct Scale {
 
 impl Scale {
     /// The scale at which the longest of these stars fills a panel.
-    pub fn of<'a>(stars: impl IntoIterator<Item = &'a Star>, quantity: Quantity, engine: &Engine) -> Self {
-        let unit = match (quantity, engine.length_unit()) {
-            (Quantity::Force, _) => ("{} m r", "{} $m r$"),
-            (Quantity::Moment, LengthUnit::Spacing) => ("{} m r a", "{} $m r a$"),
-            (Quantity::Moment, LengthUnit::Metre) => ("{} m r · metre", "{} $m r$ · metre"),
-            (Quantity::Torque | Quantity::Roll, _) => ("{} m r²", "{} $m r^2$"),
+    pub fn of<'a>(stars: impl IntoIterator<Item = &'a Star>, quantity: impl Into<Quantity>, engine: &Engine) -> Self {
+        let unit = match (quantity.into(), engine.length_unit()) {
+            (Quantity::FORCE, _) => ("{} m r", "{} $m r$"),
+            (Quantity::MOMENT, LengthUnit::Spacing) => ("{} m r a", "{} $m r a$"),
+            (Quantity::MOMENT, LengthUnit::Metre) => ("{} m r · metre", "{} $m r$ · metre"),
+            (Quantity::Axial(_), _) => ("{} m r²", "{} $m r^2$"),
         };
         Scale::filling(stars, unit)
     }
@@ -189,7 +189,7 @@ pub fn star_figure(engine: &Engine, order: &OrderBalance) -> Figure {
 /// The stars of the inertia torque, two beside each other, all to one scale.
 pub fn torque_figure(engine: &Engine, verdicts: &[&Verdict]) -> Figure {
     let stars: Vec<Star> = verdicts.iter().map(|verdict| Star::new(*verdict)).collect();
-    let scale = Scale::of(&stars, Quantity::Torque, engine);
+    let scale = Scale::of(&stars, Quantity::TORQUE, engine);
     let panels = verdicts.iter().zip(&stars).map(|(verdict, star)| Panel::new(engine, verdict, star, scale));
     in_rows(panels.collect(), 2)
 }

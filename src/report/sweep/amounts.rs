@@ -7,7 +7,7 @@ use crate::loads::Arm;
 use crate::numbers::float;
 use crate::page::plot::Axis;
 use crate::page::{Number, Piece, Text, Unit, number, phrase};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::{Amplitude, Amplitudes, Parameter, Sweep, SweptEngine};
 
 /// Whether the file gives mass, crank radius, speed and rods, so that every point is known in newtons.
@@ -35,8 +35,8 @@ fn multiply(point: &mut SweptEngine) {
 }
 
 /// What amplitudes are counted in on a page.
-pub(super) fn unit(sweep: &Sweep, quantity: Quantity) -> Text {
-    let is_moment = quantity == Quantity::Moment;
+pub(super) fn unit(sweep: &Sweep, quantity: Planar) -> Text {
+    let is_moment = quantity == Planar::Moment;
     match (in_newtons(sweep), sweep.rods_known, is_moment, sweep.arm) {
         (true, ..) => newtons(sweep, quantity).into(),
         (false, true, false, _) => "$m r \\omega^2$".into(),
@@ -49,17 +49,17 @@ pub(super) fn unit(sweep: &Sweep, quantity: Quantity) -> Text {
 }
 
 /// What forces, or moments, are counted in where they are known in newtons.
-fn newtons(sweep: &Sweep, quantity: Quantity) -> Unit {
+fn newtons(sweep: &Sweep, quantity: Planar) -> Unit {
     match (quantity, sweep.arm) {
-        (Quantity::Force, _) => Unit::NEWTON,
-        (Quantity::Moment | Quantity::Torque | Quantity::Roll, Arm::Metre) => Unit::NEWTON_METRE,
-        (Quantity::Moment | Quantity::Torque | Quantity::Roll, Arm::Spacing) => Unit::NEWTON_SPACING,
+        (Planar::Force, _) => Unit::NEWTON,
+        (Planar::Moment, Arm::Metre) => Unit::NEWTON_METRE,
+        (Planar::Moment, Arm::Spacing) => Unit::NEWTON_SPACING,
     }
 }
 
 /// The axis of these amplitudes.
-pub(super) fn axis(sweep: &Sweep, quantity: Quantity) -> Axis {
-    let name = if quantity == Quantity::Moment { "Moment" } else { "Force" };
+pub(super) fn axis(sweep: &Sweep, quantity: Planar) -> Axis {
+    let name = if quantity == Planar::Moment { "Moment" } else { "Force" };
     match in_newtons(sweep) {
         true => Axis::amplitude(format!("{name} in {{}}")).counted_in(newtons(sweep, quantity)),
         false => Axis::amplitude(format!("{name} in {}", unit(sweep, quantity).plain())),
@@ -67,7 +67,7 @@ pub(super) fn axis(sweep: &Sweep, quantity: Quantity) -> Axis {
 }
 
 /// An amplitude in a table: a decimal in what [`unit`] names, or 0.
-pub(super) fn size(sweep: &Sweep, quantity: Quantity, part: Amplitude) -> Text {
+pub(super) fn size(sweep: &Sweep, quantity: Planar, part: Amplitude) -> Text {
     match (part.vanishes, in_newtons(sweep)) {
         (true, _) => Text::zero(),
         (false, true) => Text::measured(part.value, newtons(sweep, quantity)),
@@ -81,11 +81,11 @@ pub(super) fn number_of(part: Amplitude) -> Text {
 }
 
 /// An amplitude with its unit behind it.
-pub(super) fn with_unit(sweep: &Sweep, quantity: Quantity, part: Amplitude) -> Text {
+pub(super) fn with_unit(sweep: &Sweep, quantity: Planar, part: Amplitude) -> Text {
     match (part.vanishes, in_newtons(sweep), quantity, sweep.arm) {
         (true, ..) => Text::zero(),
-        (false, true, Quantity::Force, _) => Piece::Quantity(part.value, Unit::NEWTON).into(),
-        (false, true, Quantity::Moment, Arm::Metre) => Piece::Quantity(part.value, Unit::NEWTON_METRE).into(),
+        (false, true, Planar::Force, _) => Piece::Quantity(part.value, Unit::NEWTON).into(),
+        (false, true, Planar::Moment, Arm::Metre) => Piece::Quantity(part.value, Unit::NEWTON_METRE).into(),
         (false, ..) => phrase!("{} {}", size(sweep, quantity, part), unit(sweep, quantity)),
     }
 }

@@ -4,9 +4,9 @@ use num_rational::BigRational;
 use serde::Serialize;
 
 use super::assumptions::assumptions;
-use super::words::{exact, quantities, quantity_name, unit, zeros_name};
+use super::words::{exact, quantities, unit, zeros_name};
 use crate::numbers::float;
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::{FiringZeros, Sweep, ZeroSet};
 
 /// A sweep as data.
@@ -125,8 +125,8 @@ pub fn sweep_document(sweep: &Sweep) -> SweepDocument {
         parameters: sweep.parameters.iter().map(parameter).collect(),
         orders: sweep.orders.clone(),
         amplitudes: "zero-to-peak",
-        force_unit: unit(sweep, Quantity::Force),
-        moment_unit: unit(sweep, Quantity::Moment),
+        force_unit: unit(sweep, Planar::Force),
+        moment_unit: unit(sweep, Planar::Moment),
         zeros: sweep.zeros.as_ref().map(|sets| sets.iter().map(zeros).collect()),
         firing_zeros: sweep
             .firing
@@ -140,7 +140,7 @@ pub fn sweep_document(sweep: &Sweep) -> SweepDocument {
 fn zeros(set: &ZeroSet) -> ZeroEntry {
     ZeroEntry {
         order: set.order,
-        quantity: quantity_name(set.quantity),
+        quantity: set.quantity.name(),
         of: zeros_name(set.of),
         everywhere: set.everywhere,
         at: set.at.iter().map(exact).collect(),
@@ -171,7 +171,7 @@ fn point(sweep: &Sweep, index: usize) -> PointEntry {
     let orders = point.orders.iter().flat_map(|order| {
         quantities(order).map(|(quantity, amplitudes)| OrderEntry {
             order: order.order,
-            quantity: quantity_name(quantity),
+            quantity: quantity.name(),
             parts: amplitudes.named().into_iter().map(|(name, part)| (name, amplitude(part))).collect(),
         })
     });

@@ -3,7 +3,7 @@
 use super::amounts::place;
 use super::plots::amplitudes;
 use crate::page::Text;
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::{Amplitude, Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// More values than this are not listed in a sentence or a cell.
@@ -13,7 +13,7 @@ const ALIKE: f64 = 1e-9;
 
 /// What the points say of the largest force, or the largest moment, of one order.
 pub(super) struct Finding<'a> {
-    pub quantity: Quantity,
+    pub quantity: Planar,
     pub order: u32,
     pub greatest: Extreme<'a>,
     pub least: Extreme<'a>,
@@ -30,10 +30,10 @@ pub(super) struct Extreme<'a> {
 }
 
 /// What is found of each order, the force and the moment of an order beside each other; and those that vanish at every point.
-pub(super) fn findings(sweep: &Sweep) -> (Vec<Finding<'_>>, Vec<(Quantity, u32)>) {
+pub(super) fn findings(sweep: &Sweep) -> (Vec<Finding<'_>>, Vec<(Planar, u32)>) {
     let (mut found, mut gone) = (Vec::new(), Vec::new());
     for (place, &order) in sweep.orders.iter().enumerate() {
-        for quantity in [Quantity::Force, Quantity::Moment] {
+        for quantity in Planar::BOTH {
             match finding(sweep, quantity, order, place) {
                 Some(finding) => found.push(finding),
                 None => gone.push((quantity, order)),
@@ -44,7 +44,7 @@ pub(super) fn findings(sweep: &Sweep) -> (Vec<Finding<'_>>, Vec<(Quantity, u32)>
 }
 
 /// None where it vanishes at every point.
-fn finding(sweep: &Sweep, quantity: Quantity, order: u32, index: usize) -> Option<Finding<'_>> {
+fn finding(sweep: &Sweep, quantity: Planar, order: u32, index: usize) -> Option<Finding<'_>> {
     let at = |point| Some((amplitudes(point, index, quantity)?.largest, point));
     let points: Vec<(Amplitude, &SweptEngine)> = sweep.points.iter().filter_map(at).collect();
     let between = sweep.curve.iter().filter_map(at);

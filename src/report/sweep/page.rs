@@ -7,7 +7,7 @@ use super::sentences::{firing_sentence, gone_sentence};
 use super::{firing, plots, tables};
 use crate::loads::Arm;
 use crate::page::{Block, Document, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::{Parameter, Sweep, ZeroSet};
 
 /// More points than this are left to the table in CSV.
@@ -102,11 +102,11 @@ fn swept(sweep: &Sweep) -> Text {
         phrase!("{} from {} to {}, {} values", key, show(&range.value(0)), show(&range.last()), range.count())
     };
     let ranges = Text::joined(sweep.axes().map(range), "; ");
-    let [force, moment] = [Quantity::Force, Quantity::Moment].map(|quantity| unit(sweep, quantity));
+    let [force, moment] = Planar::BOTH.map(|quantity| unit(sweep, quantity));
     phrase!("Swept: {}. Forces are in {}, moments in {}.", ranges, force, moment)
 }
 
-fn sentences(sweep: &Sweep, found: &[Finding], gone: &[(Quantity, u32)]) -> Vec<Text> {
+fn sentences(sweep: &Sweep, found: &[Finding], gone: &[(Planar, u32)]) -> Vec<Text> {
     let told = found.iter().take(MOST_SENTENCES).map(|finding| finding.sentence(sweep));
     let rest = (found.len() > MOST_SENTENCES).then(|| "The other orders are in the table below.".into());
     told.chain(rest).chain(gone_sentence(gone)).chain(firing_sentence(sweep)).collect()

@@ -7,10 +7,10 @@ use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
 use super::super::typeset;
 use super::amounts;
-use super::words::{axis, exact, quantity_name};
+use super::words::{axis, exact};
 use crate::numbers::float;
 use crate::page::{Picture, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::{Amplitudes, Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// One of the amplitudes of an order.
@@ -28,13 +28,13 @@ const MAP: &str = "The darker, the larger; the contour lines, at the values of t
 /// One drawing for each order of force and moment that is not zero at every point.
 pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
     let mut drawn = Vec::new();
-    for quantity in [Quantity::Force, Quantity::Moment] {
+    for quantity in Planar::BOTH {
         for (place, &order) in sweep.orders.iter().enumerate() {
             let gone = |point: &SweptEngine| amplitudes(point, place, quantity).is_none_or(|a| a.largest.vanishes);
             if sweep.points.iter().chain(&sweep.curve).all(gone) || sweep.points.len() < 2 {
                 continue;
             }
-            let name = format!("{}-{order}", quantity_name(quantity));
+            let name = format!("{}-{order}", quantity.name());
             let figure = match sweep.parameters.len() {
                 1 => curves(sweep, quantity, order, place),
                 _ => map(sweep, quantity, order, place),
@@ -46,27 +46,26 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
 }
 
 /// What a reader sees in a drawing.
-fn caption(sweep: &Sweep, quantity: Quantity, order: u32) -> Text {
+fn caption(sweep: &Sweep, quantity: Planar, order: u32) -> Text {
     let shown = if sweep.parameters.len() == 1 { CURVES } else { MAP };
     match quantity {
-        Quantity::Moment => phrase!("Moment of order {}. {}", order, shown),
-        Quantity::Force | Quantity::Torque | Quantity::Roll => phrase!("Force of order {}. {}", order, shown),
+        Planar::Moment => phrase!("Moment of order {}. {}", order, shown),
+        Planar::Force => phrase!("Force of order {}. {}", order, shown),
     }
 }
 
-pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Quantity) -> Option<&Amplitudes> {
-    let order = point.orders.get(place)?;
-    Some(if quantity == Quantity::Moment { &order.moment } else { &order.force })
+pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Planar) -> Option<&Amplitudes> {
+    Some(point.orders.get(place)?.amplitudes(quantity))
 }
 
 /// The semi-axes of the ellipse above, its parts along and across the reference direction below.
-fn curves(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
+fn curves(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Figure {
     let parameter = &sweep.parameters[0];
     let is_angle = is_angle(sweep, parameter);
     let ends = (float(&parameter.range.value(0)), float(&parameter.range.last()));
     let label = axis(parameter, is_angle);
     let x = if is_angle { Axis::degrees(label, ends.0, ends.1) } else { Axis::linear(label) };
-    let title = format!("Order {order} of the {}", quantity_name(quantity));
+    let title = format!("Order {order} of the {}", quantity.name());
     let marks = marks(sweep, quantity, order, place);
     let panel = |title: String, parts: [(&str, Amplitude); 2], shown: &[Zeros]| {
         let mut plot = Plot::new(title, x.clone(), amounts::axis(sweep, quantity));
@@ -98,7 +97,7 @@ type ZeroMark = (Zeros, PointMark);
 
 /// Rings where a part vanishes, in the colour of its curve; dots where one of the two vectors does and the other one draws a
 /// circle.
-fn marks(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Vec<ZeroMark> {
+fn marks(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Vec<ZeroMark> {
     let Some(sets) = &sweep.zeros else { return grid_marks(sweep, quantity, place) };
     let of = |which: Zeros| sets.iter().find(|set| set.quantity == quantity && set.order == order && set.of == which);
     let at = |which: Zeros| of(which).map_or(&[][..], |set: &ZeroSet| &set.at);
@@ -160,7 +159,7 @@ fn ring(which: Zeros, at: f64, label: String) -> PointMark {
 }
 
 /// The points of the grid at which a part is proved to vanish.
-fn grid_marks(sweep: &Sweep, quantity: Quantity, place: usize) -> Vec<ZeroMark> {
+fn grid_marks(sweep: &Sweep, quantity: Planar, place: usize) -> Vec<ZeroMark> {
     let mark = |point: &SweptEngine| {
         let amplitudes = amplitudes(point, place, quantity)?;
         let which = match amplitudes {
@@ -180,7 +179,7 @@ fn grid_marks(sweep: &Sweep, quantity: Quantity, place: usize) -> Vec<ZeroMark> 
     found
 }
 
-fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
+fn map(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Figure {
     let [slow, fast] = [&sweep.parameters[0], &sweep.parameters[1]];
     let columns = fast.range.count();
     let around = |parameter: &Parameter| {
@@ -214,7 +213,7 @@ fn map(sweep: &Sweep, quantity: Quantity, order: u32, place: usize) -> Figure {
         _ => {}
     }
     let map = Map {
-        title: format!("Order {order}: largest {}", quantity_name(quantity)),
+        title: format!("Order {order}: largest {}", quantity.name()),
         x: around(fast),
         y: around(slow),
         value: amounts::axis(sweep, quantity),

@@ -3,7 +3,7 @@
 use super::amounts::{self, in_newtons, place, size, with_unit};
 use super::findings::{Finding, listed};
 use crate::page::{Text, number, phrase};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::{Sweep, SweptEngine, ZeroSet};
 
 impl Finding<'_> {
@@ -59,21 +59,20 @@ impl Finding<'_> {
 }
 
 /// `Moment of order 2`.
-fn name(quantity: Quantity, order: u32) -> Text {
+fn name(quantity: Planar, order: u32) -> Text {
     match quantity {
-        Quantity::Force => phrase!("Force of order {}", order),
-        Quantity::Moment => phrase!("Moment of order {}", order),
-        Quantity::Torque | Quantity::Roll => phrase!("Torque of order {}", order),
+        Planar::Force => phrase!("Force of order {}", order),
+        Planar::Moment => phrase!("Moment of order {}", order),
     }
 }
 
 /// What vanishes at every value, in one sentence.
-pub(super) fn gone_sentence(gone: &[(Quantity, u32)]) -> Option<Text> {
-    let list = |of: Quantity| -> Text {
+pub(super) fn gone_sentence(gone: &[(Planar, u32)]) -> Option<Text> {
+    let list = |of: Planar| -> Text {
         let orders = gone.iter().filter(|(quantity, _)| *quantity == of).map(|(_, order)| Text::from(*order));
         Text::joined(orders, ", ")
     };
-    let (forces, moments) = (list(Quantity::Force), list(Quantity::Moment));
+    let (forces, moments) = (list(Planar::Force), list(Planar::Moment));
     match (forces.is_empty(), moments.is_empty()) {
         (true, true) => None,
         (false, true) => Some(phrase!("**Exactly zero at every value:** the force of these orders: {}.", forces)),

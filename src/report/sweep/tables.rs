@@ -3,10 +3,10 @@
 use super::amounts::{self, number_of, place_cells, place_headings, size, unit};
 use super::findings::Finding;
 use super::plots::amplitudes;
-use super::words::{quantity_name, zeros_name};
+use super::words::zeros_name;
 use crate::engine::DOES_NOT_EXIST;
 use crate::page::{Block, Fold, Number, Table, Text, Unit, number, phrase};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::{Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// A row for each order and quantity that does not vanish everywhere: where each vector does.
@@ -16,7 +16,7 @@ pub(super) fn zeros(parameter: &Parameter, sets: &[ZeroSet]) -> Table {
         if of.iter().all(|set| set.exists && set.everywhere) {
             continue;
         }
-        let first = [of[0].order.into(), quantity_name(of[0].quantity).into()];
+        let first = [of[0].order.into(), of[0].quantity.name().into()];
         table.push(first.into_iter().chain(of.iter().map(|set| zero_cell(parameter, set))).collect());
     }
     table
@@ -55,17 +55,17 @@ pub(super) fn extremes(sweep: &Sweep, findings: &[Finding]) -> Table {
     table
 }
 
-fn in_unit(sweep: &Sweep, quantity: Quantity) -> Text {
+fn in_unit(sweep: &Sweep, quantity: Planar) -> Text {
     match quantity {
-        Quantity::Moment => phrase!("moment in {}", unit(sweep, quantity)),
-        Quantity::Force | Quantity::Torque | Quantity::Roll => phrase!("force in {}", unit(sweep, quantity)),
+        Planar::Moment => phrase!("moment in {}", unit(sweep, quantity)),
+        Planar::Force => phrase!("force in {}", unit(sweep, quantity)),
     }
 }
 
 /// Every point: a table of each order that is not zero everywhere, then of what else changes.
 pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
     let mut folds = Vec::new();
-    for quantity in [Quantity::Force, Quantity::Moment] {
+    for quantity in Planar::BOTH {
         let tables = sweep.orders.iter().enumerate().filter_map(|(index, &order)| {
             let has_value =
                 |point| amplitudes(point, index, quantity).is_some_and(|amplitudes| !amplitudes.largest.vanishes);
@@ -75,8 +75,8 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
         });
         let tables: Vec<Block> = tables.flatten().collect();
         let summary = match quantity {
-            Quantity::Moment => phrase!("The moment at each of the {} points", sweep.points.len()),
-            Quantity::Force | Quantity::Torque | Quantity::Roll => {
+            Planar::Moment => phrase!("The moment at each of the {} points", sweep.points.len()),
+            Planar::Force => {
                 phrase!("The force at each of the {} points", sweep.points.len())
             }
         };
@@ -90,7 +90,7 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
     folds
 }
 
-fn of_order(sweep: &Sweep, quantity: Quantity, index: usize) -> Table {
+fn of_order(sweep: &Sweep, quantity: Planar, index: usize) -> Table {
     let names = ["largest", "smallest", "along", "across"].map(Text::from);
     let mut table = Table::new(place_headings(sweep).chain(names));
     let cell = |part| size(sweep, quantity, part);

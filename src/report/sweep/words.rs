@@ -2,7 +2,7 @@
 
 pub(super) use super::super::data::exact_number as exact;
 use crate::loads::Arm;
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::{Amplitudes, Parameter, Sweep, SweptOrder, Zeros};
 
 /// `bank angle in °`.
@@ -15,24 +15,16 @@ pub(super) fn axis(parameter: &Parameter, is_angle: bool) -> String {
 }
 
 /// Force and moment of an order.
-pub(super) fn quantities(order: &SweptOrder) -> [(Quantity, &Amplitudes); 2] {
-    [(Quantity::Force, &order.force), (Quantity::Moment, &order.moment)]
-}
-
-pub(super) fn quantity_name(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Force => "force",
-        Quantity::Moment => "moment",
-        Quantity::Torque | Quantity::Roll => "torque",
-    }
+pub(super) fn quantities(order: &SweptOrder) -> [(Planar, &Amplitudes); 2] {
+    [(Planar::Force, &order.force), (Planar::Moment, &order.moment)]
 }
 
 /// What an amplitude is a multiple of.
-pub(super) fn unit(sweep: &Sweep, quantity: Quantity) -> String {
+pub(super) fn unit(sweep: &Sweep, quantity: Planar) -> String {
     let coefficient = if sweep.rods_known { "" } else { " c_k" };
     let arm = match (quantity, sweep.arm) {
-        (Quantity::Moment, Arm::Spacing) => " a",
-        (Quantity::Moment, Arm::Metre) => " · m",
+        (Planar::Moment, Arm::Spacing) => " a",
+        (Planar::Moment, Arm::Metre) => " · m",
         _ => "",
     };
     format!("m r ω²{coefficient}{arm}")

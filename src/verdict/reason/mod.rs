@@ -71,7 +71,7 @@ pub fn reason<'a>(engine: &Engine, star: impl Into<JudgedStar<'a>>) -> Reason {
 
 /// Whether a mirror plane of the cylinders is one of all that the sum is about.
 fn is_moment_of_pistons(star: JudgedStar<'_>) -> bool {
-    star.quantity == Quantity::Moment && star.sources.iter().all(|source| source.piston().is_some())
+    star.quantity == Quantity::MOMENT && star.sources.iter().all(|source| source.piston().is_some())
 }
 
 /// Pairs are named where the certificate is pairs; else a symmetry comes before the polygons.

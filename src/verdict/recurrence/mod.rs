@@ -14,7 +14,7 @@ use super::theorem::{NoTheorem, Theorem, theorem};
 use super::{OrderVerdict, of_order};
 use crate::engine::Engine;
 use crate::order::{Coefficients, Factor, Masses, Source, Sources, multiples};
-use crate::proof::{Quantity, Sense};
+use crate::proof::{Planar, Sense};
 
 pub use candidates::MOST_CANDIDATES;
 pub use factor::{FactorPattern, JudgedOrder, LONGEST_SIEVED};
@@ -59,7 +59,7 @@ pub struct Recurrences {
 #[derive(Clone, Debug)]
 pub struct Recurrence {
     /// Force or moment.
-    pub quantity: Quantity,
+    pub quantity: Planar,
     /// Direct or reverse.
     pub sense: Sense,
     /// The classes that have the even orders.
@@ -158,11 +158,11 @@ pub fn every_order(engine: &Engine, masses: Masses) -> Result<EveryOrderTheorem,
     let both = |quantity| -> Result<[Recurrence; 2], NoTheorem> {
         Ok([recurrence(&sources, quantity, Sense::Direct)?, recurrence(&sources, quantity, Sense::Reverse)?])
     };
-    let (force, moment) = (both(Quantity::Force)?, both(Quantity::Moment)?);
+    let (force, moment) = (both(Planar::Force)?, both(Planar::Moment)?);
     Ok(EveryOrderTheorem::Recurrences(Recurrences { masses, first, force, moment }))
 }
 
-fn recurrence(sources: &Sources, quantity: Quantity, sense: Sense) -> Result<Recurrence, NoTheorem> {
+fn recurrence(sources: &Sources, quantity: Planar, sense: Sense) -> Result<Recurrence, NoTheorem> {
     let even = classes(sources, quantity, sense, 2)?;
     let odd = classes(sources, quantity, sense, 3)?;
     Ok(Recurrence { quantity, sense, even, odd })
@@ -171,13 +171,13 @@ fn recurrence(sources: &Sources, quantity: Quantity, sense: Sense) -> Result<Rec
 /// The classes of all orders with the parity of this one, in the order of their first cylinder.
 fn classes(
     sources: &Sources,
-    quantity: Quantity,
+    quantity: Planar,
     sense: Sense,
     first_order: u32,
 ) -> Result<Vec<ClassPattern>, NoTheorem> {
     let mut places: BTreeMap<Factor, usize> = BTreeMap::new();
     let mut classes: Vec<(Vec<Source>, Vec<Ray>)> = Vec::new();
-    for (source, factor, term) in sources.terms(quantity, first_order, Some(sense)) {
+    for (source, factor, term) in sources.terms(quantity.into(), first_order, Some(sense)) {
         let Some(piston) = source.piston().filter(|_| factor.exists(first_order)) else { continue };
         let place = *places.entry(factor).or_insert(classes.len());
         if place == classes.len() {

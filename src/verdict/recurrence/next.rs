@@ -3,7 +3,7 @@
 use super::{AtOrder, ClassPattern, EveryOrderTheorem, Recurrences};
 use crate::engine::Engine;
 use crate::order::{Coefficients, Sources};
-use crate::proof::{Quantity, Shape};
+use crate::proof::{Planar, Shape};
 use crate::verdict::{OrderVerdict, WholeOrder, of_order};
 
 /// So many orders are looked through, class by class, for one that is left.
@@ -33,20 +33,19 @@ pub enum NextLeft {
 
 impl EveryOrderTheorem {
     /// The lowest order of force or moment that is left.
-    pub fn first_left(&self, engine: &Engine, quantity: Quantity) -> FirstLeft {
+    pub fn first_left(&self, engine: &Engine, quantity: Planar) -> FirstLeft {
         match (self, quantity) {
-            (_, Quantity::Torque | Quantity::Roll) => FirstLeft::NotKnown,
-            (EveryOrderTheorem::Period(theorem), Quantity::Force | Quantity::Moment) => {
-                let every = if quantity == Quantity::Force { &theorem.force } else { &theorem.moment };
+            (EveryOrderTheorem::Period(theorem), _) => {
+                let every = if quantity == Planar::Force { &theorem.force } else { &theorem.moment };
                 every
                     .first
                     .as_ref()
                     .map_or(FirstLeft::Nothing, |first| FirstLeft::Order(first.direct.order, first.shape))
             }
-            (EveryOrderTheorem::Recurrences(all), Quantity::Force) => {
+            (EveryOrderTheorem::Recurrences(all), Planar::Force) => {
                 all.first_left(engine, |order| &order.force, |of| &of.force)
             }
-            (EveryOrderTheorem::Recurrences(all), Quantity::Moment) => {
+            (EveryOrderTheorem::Recurrences(all), Planar::Moment) => {
                 all.first_left(engine, |order| &order.moment, |of| &of.moment)
             }
         }

@@ -2,7 +2,7 @@
 
 use crankstar::classroom::Pupil;
 use crankstar::engine::Engine;
-use crankstar::proof::Quantity;
+use crankstar::proof::Planar;
 use num_complex::Complex;
 use num_traits::ToPrimitive;
 
@@ -21,13 +21,13 @@ fn degrees(turn: &crankstar::Turn) -> f64 {
 
 /// `P⁺` and `P⁻` of the force, or of the moment, of the cylinders, whose phases may be off by so many degrees: twice the mean of the
 /// force along and across, turned back and on, over one revolution.
-pub fn vectors(engine: &Engine, order: u32, quantity: Quantity, off: impl Fn(usize) -> [f64; 2]) -> [Complex<f64>; 2] {
+pub fn vectors(engine: &Engine, order: u32, quantity: Planar, off: impl Fn(usize) -> [f64; 2]) -> [Complex<f64>; 2] {
     const STEPS: u32 = 64;
     let k = f64::from(order);
     let float = |number: &crankstar::BigRational| number.to_f64().expect("a float");
     let cylinders: Vec<(f64, f64, f64, [f64; 2])> = (engine.cylinders().iter().enumerate())
         .map(|(index, cylinder)| {
-            let arm = if quantity == Quantity::Moment { float(&engine.arm(cylinder)) } else { 1.0 };
+            let arm = if quantity == Planar::Moment { float(&engine.arm(cylinder)) } else { 1.0 };
             let angles = [&cylinder.throw, &cylinder.bank].map(|angle| degrees(angle).to_radians());
             (angles[0], angles[1], float(&cylinder.weight()) * arm, off(index).map(f64::to_radians))
         })
@@ -67,7 +67,7 @@ pub fn with_wrong_phases(engine: &Engine, order: u32, places: usize, off: impl F
     };
     let phases = engine.cylinders().iter().enumerate().map(phase).collect();
     let length = |quantity| vectors(engine, order, quantity, &off).map(|vector| decimals(vector.norm(), places));
-    Answer { order, phases, sums: [length(Quantity::Force), length(Quantity::Moment)] }
+    Answer { order, phases, sums: [length(Planar::Force), length(Planar::Moment)] }
 }
 
 /// The mirror image: every phase has the other sign.

@@ -12,7 +12,7 @@ pub const DOLLARS: Format = Format::Markdown(Math::Dollars);
 
 /// The verdicts at the orders of the layout, as the program judges it.
 pub fn judgement(engine: &Engine) -> Judgement {
-    Judgement::new(engine, engine.orders(), &[Quantity::Force, Quantity::Moment]).expect("orders")
+    Judgement::new(engine, engine.orders(), &Quantity::PLANAR).expect("orders")
 }
 
 /// The report of an engine.

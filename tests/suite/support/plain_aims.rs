@@ -44,7 +44,7 @@ impl Asked {
         let senses: &[Sense] = if self.vee.is_some() { &[Sense::Direct, Sense::Reverse] } else { &[Sense::Direct] };
         let of = |&order: &u32| {
             let engine = &engine;
-            senses.iter().map(move |sense| order::star(engine, Quantity::Moment, order, Some(*sense)).squared_modulus())
+            senses.iter().map(move |sense| order::star(engine, Quantity::MOMENT, order, Some(*sense)).squared_modulus())
         };
         self.orders.iter().flat_map(of).collect()
     }

@@ -95,7 +95,7 @@ fn with_throws(layout: &Engine, star: &[i64], directions: i64) -> Engine {
 }
 
 fn squares(layout: &Engine, orders: &[u32]) -> Vec<PhasorSum> {
-    let sum = |&order: &u32| order::star(layout, Quantity::Moment, order, Some(Sense::Direct)).squared_modulus();
+    let sum = |&order: &u32| order::star(layout, Quantity::MOMENT, order, Some(Sense::Direct)).squared_modulus();
     orders.iter().map(sum).collect()
 }
 
@@ -105,7 +105,7 @@ pub fn all_stars(problem: &Problem, stars: Vec<Vec<i64>>, directions: i64) -> Ve
     let mut distinct: Vec<Star> = Vec::new();
     for star in stars {
         let layout = with_throws(&bare, &star, directions);
-        let force = order::star(&layout, Quantity::Force, 1, Some(Sense::Direct));
+        let force = order::star(&layout, Quantity::FORCE, 1, Some(Sense::Direct));
         if problem.grid.is_some() && !force.vanishes() {
             continue;
         }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crankstar::engine::{Cylinder, DELTA, Family, Linear, PHI};
 use crankstar::family::OpenVerdict;
-use crankstar::proof::{Quantity, Sense};
+use crankstar::proof::{Planar, Sense};
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -32,7 +32,7 @@ impl Star {
             let phase = |throw: &BigRational, bank: &BigRational| of_throw * float(throw) + of_bank * float(bank);
             let times = |name| phase(&cylinder.throw.coefficient(name), &cylinder.bank.coefficient(name));
             let arm = match verdict.quantity {
-                Quantity::Moment => float(cylinder.position.known()) - float(family.reference_plane().known()),
+                Planar::Moment => float(cylinder.position.known()) - float(family.reference_plane().known()),
                 _ => 1.0,
             };
             let weight = float(&cylinder.reciprocating_mass) * float(&cylinder.crank_radius) * arm;

@@ -40,7 +40,7 @@ pub fn of_engine(engine: &Engine, orders: &[u32]) -> Vec<Answered> {
 
 pub fn classify(engine: &Engine, orders: &[u32]) -> Answered {
     let quantities = match engine.has_links() {
-        true => vec![Quantity::Force, Quantity::Moment],
+        true => vec![Quantity::FORCE, Quantity::MOMENT],
         false => verdict::quantities(engine, true),
     };
     let judged = Judgement::new(engine, orders, &quantities).expect("orders");

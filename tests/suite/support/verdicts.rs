@@ -6,7 +6,7 @@ use crankstar::proof::{Document, Quantity};
 use crankstar::verdict::{self, EveryOrderTheorem, OrderBalance, OrderVerdict};
 
 pub fn quantities(torque: bool) -> Vec<Quantity> {
-    [Quantity::Force, Quantity::Moment].into_iter().chain(torque.then_some(Quantity::Torque)).collect()
+    [Quantity::FORCE, Quantity::MOMENT].into_iter().chain(torque.then_some(Quantity::TORQUE)).collect()
 }
 
 /// One verdict per order.

@@ -52,13 +52,13 @@ pub fn document(
     cylinders: Vec<Cylinder>,
     turning_masses: Vec<TurningMassClaim>,
 ) -> Document {
-    let torque = with_torque.then_some(Quantity::Torque);
+    let torque = with_torque.then_some(Quantity::TORQUE);
     let mut document = Document {
         format: Format::Classify,
         title: "by hand".to_owned(),
         masses,
         orders: orders.to_vec(),
-        quantities: [Quantity::Force, Quantity::Moment].into_iter().chain(torque).collect(),
+        quantities: [Quantity::FORCE, Quantity::MOMENT].into_iter().chain(torque).collect(),
         all_orders: false,
         reference_plane: BigRational::zero(),
         cylinders,
@@ -90,7 +90,7 @@ struct Sums {
 
 pub fn senses(quantity: Quantity) -> Vec<Option<Sense>> {
     match quantity {
-        Quantity::Torque => vec![None],
+        Quantity::TORQUE => vec![None],
         _ => vec![Some(Sense::Direct), Some(Sense::Reverse)],
     }
 }
@@ -99,8 +99,8 @@ fn before(rod: &RodStatement, quantity: Quantity, order: u32) -> (Coefficient, b
     let odd = order % 2 == 1;
     match (rod, quantity) {
         (RodStatement::Link(_), _) => panic!("documents by hand have no links"),
-        (RodStatement::Unknown, Quantity::Torque) => (Coefficient::CommonTorque, false, 1),
-        (RodStatement::Known(rod), Quantity::Torque) => {
+        (RodStatement::Unknown, Quantity::TORQUE) => (Coefficient::CommonTorque, false, 1),
+        (RodStatement::Known(rod), Quantity::TORQUE) => {
             (Coefficient::Torque(rod.clone()), rod.ratio.is_zero() && order != 2, 1)
         }
         (RodStatement::Unknown, _) if order == 1 => (Coefficient::One, false, 1),
@@ -128,7 +128,7 @@ fn first_aside(rod: &RodStatement) -> Option<(Coefficient, i64)> {
 fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
     let k = i64::from(order);
     let arm = |position: &BigRational| match quantity {
-        Quantity::Moment => position - &document.reference_plane,
+        Quantity::MOMENT => position - &document.reference_plane,
         _ => BigRational::one(),
     };
     let whole = |number: i64| BigRational::from_integer(number.into());
@@ -147,7 +147,7 @@ fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
             let (k, faster) = (i64::from(own), i64::from(speed));
             let radius = &cylinder.crank_radius;
             let by = match quantity {
-                Quantity::Torque => radius * whole(faster * faster * faster),
+                Quantity::TORQUE => radius * whole(faster * faster * faster),
                 _ => arm(&cylinder.position) * whole(faster * faster),
             };
             let weight = &cylinder.reciprocating_mass * radius * by * whole(sign);
@@ -162,7 +162,7 @@ fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
             };
             let terms = senses(quantity).into_iter().map(term).collect();
             let name = cylinder.name.clone();
-            match first_aside(&cylinder.rod).filter(|_| quantity != Quantity::Torque && own == 1 && do_rods_differ) {
+            match first_aside(&cylinder.rod).filter(|_| quantity != Quantity::TORQUE && own == 1 && do_rods_differ) {
                 None => parts.push(Part { name, coefficient, is_zero, terms }),
                 // c_1 = 1 + iy, conjugated against the crank.
                 Some((y, sign)) => {
@@ -180,7 +180,7 @@ fn parts(document: &Document, quantity: Quantity, order: u32) -> Vec<Part> {
             }
         }
     }
-    if quantity != Quantity::Torque {
+    if quantity != Quantity::TORQUE {
         for mass in document.turning_masses.iter().filter(|mass| mass.order == order) {
             let weight = whole(2 * k * k) * &mass.mass_radius * arm(&mass.position);
             let term = Term { angle: Turn::new(mass.angle.clone()), weight };
@@ -359,7 +359,7 @@ pub fn fill(document: &mut Document) {
                 };
                 wholes.extend(outcomes.iter().enumerate().map(claim));
             }
-            if quantity != Quantity::Torque {
+            if quantity != Quantity::TORQUE {
                 let is_zero = |place: usize| match (is_alone, outcomes[place]) {
                     (true, _) => Some(groups[0].sums[place].vanishes()),
                     (_, WholeOutcome::Zero) => Some(true),

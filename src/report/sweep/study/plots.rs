@@ -5,14 +5,14 @@ use std::collections::BTreeSet;
 use num_rational::BigRational;
 
 use super::super::plots::{Amplitude, amplitudes};
-use super::super::words::{axis, exact, quantity_name};
+use super::super::words::{axis, exact};
 use super::flywheel;
 use crate::claim::Studied;
 use crate::loads::Arm;
 use crate::numbers::float;
 use crate::page::plot::{Axis, Curve, Plot, PointMark};
 use crate::page::{Picture, Text};
-use crate::proof::Quantity;
+use crate::proof::Planar;
 use crate::sweep::{Envelope, Sweep, SweptEngine, ZeroSet, Zeros};
 use crate::text::Format;
 
@@ -30,7 +30,7 @@ pub(super) fn pictures(family: &Studied, whole: &Sweep) -> Vec<Picture> {
         caption: Text::from(caption),
         figure: plot.figure(),
     };
-    let kinds = [("forces", Quantity::Force, FORCES), ("moments", Quantity::Moment, MOMENTS)];
+    let kinds = [("forces", Planar::Force, FORCES), ("moments", Planar::Moment, MOMENTS)];
     let unbalanced = kinds.map(|(name, quantity, caption)| (name, unbalanced(family, quantity), caption));
     let unbalanced = unbalanced.into_iter().filter(|(_, plot, _)| !plot.curves.is_empty());
     let mut drawn: Vec<Picture> = unbalanced.map(|(name, plot, caption)| picture(name, plot, caption)).collect();
@@ -43,12 +43,12 @@ pub(super) fn pictures(family: &Studied, whole: &Sweep) -> Vec<Picture> {
 }
 
 /// Vertical and horizontal amplitudes of orders 1 and 2, and that of the rotating masses; what is zero is left out.
-fn unbalanced(family: &Studied, quantity: Quantity) -> Plot {
+fn unbalanced(family: &Studied, quantity: Planar) -> Plot {
     let sweep = &family.sweep;
-    let mut plot = plot(sweep, &format!("unbalanced {}s", quantity_name(quantity)));
+    let mut plot = plot(sweep, &format!("unbalanced {}s", quantity.name()));
     let arm = match (quantity, sweep.arm) {
-        (Quantity::Moment, Arm::Spacing) => " a",
-        (Quantity::Moment, Arm::Metre) => " · m",
+        (Planar::Moment, Arm::Spacing) => " a",
+        (Planar::Moment, Arm::Metre) => " · m",
         _ => "",
     };
     plot.y = Axis::linear(format!("Amplitude in m r ω²{arm}, of order 2 times c₂"));
