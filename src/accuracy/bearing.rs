@@ -10,33 +10,24 @@ use num_rational::BigRational;
 
 use super::bodies::phases;
 use super::timing::{Timing, measured};
-use crate::engine::Engine;
-use crate::loads::{self, BearingLoads, Missing};
+use crate::engine::{CycleOrder, Engine};
+use crate::loads::{self, BearingLoads, Missing, PeakMethod};
 use crate::motion::SliderCrank;
 use crate::numbers;
 use crate::order::{self, TurningMass, turning_masses};
 
-/// A way to find the largest bearing load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BearingMethod {
-    /// The orders up to this one.
-    Orders(u32),
-    /// The closed form at so many equal steps of a revolution.
-    Angles(u32),
-    /// The closed form, its largest value refined: the reference of the others.
-    ClosedForm,
-}
-
-/// What a method finds.
+/// What a method finds of a largest value.
 #[derive(Clone, Debug)]
-pub struct BearingRow {
+pub struct PeakRow {
     /// Which method.
-    pub method: BearingMethod,
-    /// The largest load, in multiples of m r ω².
+    pub method: PeakMethod,
+    /// The largest value: a bearing load of inertia in multiples of m r ω², what there is of gas in newtons or newton-metres.
     pub value: f64,
-    /// It is off by this part of the largest load by the closed form.
+    /// It is off by this part of the reference, [`PeakMethod::Refined`].
     pub error: f64,
-    /// Guaranteed: no bearing load by these orders is further off, roundings apart. None for the closed form.
+    /// The largest distance from the reference anywhere in the cycle, as a part of that; none where it is not looked for.
+    pub farthest: Option<f64>,
+    /// Guaranteed, as a part of that: no value by these orders is further off, roundings apart. None without a guarantee.
     pub bound: Option<f64>,
     /// Median time of one evaluation, all numbers of the engine at hand; none where it was not asked for.
     pub time: Option<Duration>,
@@ -54,7 +45,7 @@ const SECTIONS: usize = 60;
 ///
 /// # Errors
 /// What the engine lacks for numbers.
-pub fn bearings(engine: &Engine, timing: Timing) -> Result<Option<Vec<BearingRow>>, Missing> {
+pub fn bearings(engine: &Engine, timing: Timing) -> Result<Option<Vec<PeakRow>>, Missing> {
     if engine.bearings().is_empty() || engine.mechanisms().is_empty() {
         return Ok(None);
     }
@@ -70,19 +61,20 @@ pub fn bearings(engine: &Engine, timing: Timing) -> Result<Option<Vec<BearingRow
     }
     let row = |method, (value, time): (f64, Option<Duration>), bound: Option<f64>| {
         let error = (value - peak).abs() / peak;
-        BearingRow { method, value, error, bound: bound.map(|bound| bound / peak), time }
+        PeakRow { method, value, error, farthest: None, bound: bound.map(|bound| bound / peak), time }
     };
     let mut rows = Vec::new();
     for highest in ORDERS {
         let loads = by_orders(highest)?;
         let bound = loads::left_out_of_bearings(engine, &loads)?.map_or(0.0, |bound| bound.most);
         let largest = || loads.bearings.iter().map(|bearing| bearing.waveform.peak().value).fold(0.0, f64::max);
-        rows.push(row(BearingMethod::Orders(highest), measured(timing, largest), Some(bound)));
+        let order = CycleOrder::of_halves(2 * highest).map(PeakMethod::Orders);
+        rows.extend(order.map(|method| row(method, measured(timing, largest), Some(bound))));
     }
     for steps in STEPS {
-        rows.push(row(BearingMethod::Angles(steps), measured(timing, || closed.largest(steps).0), None));
+        rows.push(row(PeakMethod::Samples(steps), measured(timing, || closed.largest(steps).0), None));
     }
-    rows.push(row(BearingMethod::ClosedForm, (peak, time), None));
+    rows.push(row(PeakMethod::Refined, (peak, time), None));
     Ok(Some(rows))
 }
 

@@ -33,7 +33,7 @@ mod timing;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-pub use bearing::{BearingMethod, BearingRow, bearings};
+pub use bearing::{PeakRow, bearings};
 pub use front::front;
 pub use largest::{Largest, LargestLoads, SURE, largest};
 pub use method::{Method, Own, Row, Study, study};

@@ -259,10 +259,6 @@ fn misused(told: &clap::Error) -> ExitCode {
     ExitCode::from(2)
 }
 
-fn print_json(document: &impl serde::Serialize) -> Result<(), Failure> {
-    write::to_stdout(&json(document)?)
-}
-
 /// A document as a text that does nothing to a terminal.
 fn json(document: &impl serde::Serialize) -> Result<String, Failure> {
     written_json(serde_json::to_string_pretty(document))

@@ -12,7 +12,8 @@ use super::largest::Samples;
 use super::{Carried, NoCycleLoads, carried_by_bearings, course};
 use crate::engine::{CycleOrder, Engine};
 use crate::gas::Harmonics;
-use crate::torque::{self, PeakMethod};
+use crate::loads::PeakMethod;
+use crate::torque;
 
 /// The largest load of any main bearing by several methods.
 pub struct LoadPeak {
@@ -58,7 +59,7 @@ impl LoadPeak {
 
     /// The methods that are compared: each order up to 6, some higher ones, and samples.
     pub fn methods(&self) -> Vec<PeakMethod> {
-        PeakMethod::all(|order| self.revolutions == 2 || order.is_whole())
+        PeakMethod::of_gas(|order| self.revolutions == 2 || order.is_whole())
     }
 
     /// The largest load of any bearing by a method, in newtons.
@@ -76,7 +77,7 @@ impl LoadPeak {
                 };
                 most(&mut (0..steps * self.revolutions).map(at))
             }
-            PeakMethod::TimeLaw => {
+            PeakMethod::Refined => {
                 let samples = Samples::new(&self.course);
                 let of = |bearing: &Bearing| samples.peaks_of(&self.course, &bearing.carried)[0].value;
                 most(&mut self.bearings.iter().map(of))
@@ -93,7 +94,7 @@ impl LoadPeak {
                 };
                 Some(self.bearings.iter().map(|one| self.top(|theta| off(one, theta))).fold(0.0, f64::max))
             }
-            PeakMethod::Samples(_) | PeakMethod::TimeLaw => None,
+            PeakMethod::Samples(_) | PeakMethod::Refined => None,
         }
     }
 

@@ -1,7 +1,7 @@
 //! What do the arguments of a question mean? Numbers are taken exactly, words are those of the command line.
 
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{One, Signed};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -90,6 +90,17 @@ pub(super) fn factors(value: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<BigRatio
             Err(told(format!("balance_factor: cannot read `{text}`: a balance factor is 0 or more")))
         }
         value => Ok(value),
+    };
+    all(value)?.into_iter().map(read).collect()
+}
+
+/// Rod ratios: none, one, or several.
+pub(super) fn rod_ratios(value: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<BigRational>> {
+    let read = |text: String| match exact("rod_ratios", &text)? {
+        ratio if ratio.is_negative() || ratio >= BigRational::one() => {
+            Err(told(format!("rod_ratios: `{text}`; a rod ratio is from 0 to below 1")))
+        }
+        ratio => Ok(ratio),
     };
     all(value)?.into_iter().map(read).collect()
 }

@@ -17,6 +17,7 @@ use super::questions::{self, Remedy, Wanted};
 use super::reading::Source;
 use super::verdicts::Verdicts;
 use super::{asked, keys, notebook, pages};
+use crate::accuracy::Timing;
 use crate::engine::{self, Family};
 #[cfg(feature = "optimise")]
 use crate::file::Beside;
@@ -27,7 +28,7 @@ use crate::optimise::Wish;
 use crate::page::Format;
 #[cfg(feature = "optimise")]
 use crate::report::OptimiseStudy;
-use crate::report::{self, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
+use crate::report::{self, AccuracyStudy, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
 use crate::verdict;
 
 /// An engine: its cylinders with exact angles and positions, and what else its layout says.
@@ -296,6 +297,18 @@ impl Engine {
         let read = |path: &str| self.source.beside(path);
         let study = py.detach(|| OptimiseStudy::new(&self.engine, wish, Beside::new(&read))).map_err(told)?;
         Ok(Answer::new(self.asked("optimise", &keywords), study))
+    }
+
+    /// What accuracy costs: the largest loads by orders, samples, intervals and fractions, each with error, guarantee and time.
+    ///
+    /// rod_ratios: λ in place of that of the layout, one or several. timing: measure the times.
+    #[pyo3(signature = (rod_ratios=None, *, timing=true))]
+    fn accuracy(&self, py: Python<'_>, rod_ratios: Option<&Bound<'_, PyAny>>, timing: bool) -> PyResult<Answer> {
+        let ratios = asked::rod_ratios(rod_ratios)?;
+        let keywords = json!({ "rod_ratios": written(&ratios), "timing": timing });
+        let clock = if timing { Timing::On } else { Timing::Off };
+        let study = py.detach(|| AccuracyStudy::new(&self.engine, &ratios, clock, &|_| ())).map_err(told)?;
+        Ok(Answer::new(self.asked("accuracy", &keywords), study))
     }
 
     /// How the balance changes with one value of the layout, or with two; exact zeros where the value is an angle.

@@ -54,7 +54,7 @@ use crate::page::{figure, number as typeset, plot};
 
 pub use crate::page::File;
 pub use accuracy::{
-    AccuracyCase, AccuracyDocument, accuracy_answer, accuracy_document, accuracy_page, accuracy_section,
+    AccuracyCase, AccuracyStudy, Further, FurtherLoad, accuracy_answer, accuracy_page, accuracy_section,
 };
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use atlas::{ATLAS_CYLINDERS, Atlas};

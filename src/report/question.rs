@@ -9,7 +9,8 @@ use serde::Serialize;
 
 #[cfg(feature = "optimise")]
 use super::OptimiseStudy;
-use super::{BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
+use super::{AccuracyStudy, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
+use crate::accuracy::Timing;
 use crate::engine::{CycleOrder, Engine};
 #[cfg(feature = "optimise")]
 use crate::file::Beside;
@@ -107,6 +108,7 @@ const ASKED: &[(&str, Ask)] = &[
     ("firing", |engine, orders| Ok(Box::new(FiringStudy::new(engine, orders, Weights::Rigid)?))),
     ("torque", |engine, _| Ok(Box::new(TorqueStudy::new(engine)?))),
     ("torsion", |engine, orders| Ok(Box::new(TorsionStudy::new(engine, orders)?))),
+    ("accuracy", |engine, _| Ok(Box::new(AccuracyStudy::new(engine, &[], Timing::Off, &|_| ())?))),
     ("remedy", |engine, orders| {
         let orders = whole_or(orders, || usual_orders(engine));
         Ok(Box::new(remedy::remedy(engine, &Wish { orders, ..Wish::default() })?))

@@ -115,6 +115,8 @@ impl Unit {
         Unit { name: "m r ω² c_k · 1 m", tex: "m\\,r\\,\\omega^2 c_k\\,m", suffix: "mrw2_ck_m" };
     /// Torques without a scale.
     pub const TORQUE_MULTIPLE: Unit = Unit { name: "m r² ω²", tex: "m\\,r^2\\,\\omega^2", suffix: "mr2w2" };
+    /// Seconds.
+    pub const SECOND: Unit = Unit { name: "s", tex: "s", suffix: "s" };
     /// Watts.
     pub const WATT: Unit = Unit { name: "W", tex: "W", suffix: "W" };
     /// Pascals.

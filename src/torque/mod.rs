@@ -12,6 +12,7 @@ mod missing;
 mod order;
 mod peak;
 
+pub use crate::loads::PeakMethod;
 pub use class::{Class, Inertia, classes, warnings};
 pub use course::Course;
 pub use evenness::{Evenness, evenness};
@@ -19,7 +20,7 @@ pub use extreme::{Extreme, angles, extremes, largest};
 pub use guide::{GuideMoments, guide_moments};
 pub use missing::NoTorque;
 pub use order::{TorqueOrder, orders};
-pub use peak::{Peak, PeakMethod};
+pub use peak::Peak;
 
 use crate::engine::Engine;
 use crate::gas::{CylinderGas, Warning};

@@ -12,37 +12,7 @@ use super::class::Class;
 use super::order::Stars;
 use super::{EngineTorque, Extreme, TorqueOrder, orders};
 use crate::engine::{CycleOrder, HIGHEST_ORDER};
-
-/// A way to find the largest torque.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PeakMethod {
-    /// The orders of the gas up to this one, with the inertia in its closed form.
-    Orders(CycleOrder),
-    /// The time law at so many equal steps of a revolution.
-    Samples(u32),
-    /// The time law, its largest sample refined: the reference of the others.
-    TimeLaw,
-}
-
-impl PeakMethod {
-    /// Orders are compared up to this one.
-    pub const HIGHEST: usize = (MORE[MORE.len() - 1] / 2) as usize;
-
-    /// The methods that are compared: every order up to 6 that is left, some higher ones, and samples.
-    pub fn all(is_left: impl Fn(CycleOrder) -> bool) -> Vec<Self> {
-        let left = (1..=EACH).filter_map(CycleOrder::of_halves).filter(|order| is_left(*order));
-        let orders = left.chain(MORE.into_iter().filter_map(CycleOrder::of_halves));
-        let samples = STEPS.into_iter().map(PeakMethod::Samples);
-        orders.map(PeakMethod::Orders).chain(samples).chain([PeakMethod::TimeLaw]).collect()
-    }
-}
-
-/// Every order that is left up to this one is compared: 6.
-const EACH: u32 = 12;
-/// Above it the orders up to these, in halves: 8, 12, 24, 48.
-const MORE: [u32; 4] = [16, 24, 48, 96];
-/// Steps of a revolution.
-const STEPS: [u32; 4] = [36, 72, 360, 3600];
+use crate::loads::PeakMethod;
 
 /// The torque that is largest in size, with its sign, by several methods.
 #[derive(Clone, Debug)]
@@ -69,7 +39,7 @@ impl<'a> Peak<'a> {
 
     /// The methods that are compared: every order that is left up to 6, some higher ones, and samples.
     pub fn methods(&self) -> Vec<PeakMethod> {
-        PeakMethod::all(|asked| self.orders.iter().any(|order| order.order == asked && !order.gas_vanishes))
+        PeakMethod::of_gas(|asked| self.orders.iter().any(|order| order.order == asked && !order.gas_vanishes))
     }
 
     /// This end of the torque by a method, in newton-metres.
@@ -87,7 +57,7 @@ impl<'a> Peak<'a> {
                 let at = |place: u32| sign * course.total(TAU * f64::from(place) / f64::from(steps));
                 sign * (0..steps * revolutions).map(at).fold(f64::NEG_INFINITY, f64::max)
             }
-            PeakMethod::TimeLaw => largest(&|theta| course.total(theta)),
+            PeakMethod::Refined => largest(&|theta| course.total(theta)),
         }
     }
 
@@ -100,7 +70,7 @@ impl<'a> Peak<'a> {
                 let off = |theta: f64| (course.gas(theta) - self.torque.mean - series(&kept, theta)).abs();
                 Some(course.extremes(off)[0].value)
             }
-            PeakMethod::Samples(_) | PeakMethod::TimeLaw => None,
+            PeakMethod::Samples(_) | PeakMethod::Refined => None,
         }
     }
 
@@ -111,7 +81,7 @@ impl<'a> Peak<'a> {
                 let left_out = self.orders.iter().filter(|order| order.order > highest);
                 Some(left_out.map(|order| order.gas.norm()).sum::<f64>() + self.rest)
             }
-            PeakMethod::Samples(_) | PeakMethod::TimeLaw => None,
+            PeakMethod::Samples(_) | PeakMethod::Refined => None,
         }
     }
 

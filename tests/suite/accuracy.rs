@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{env, fs, thread};
 
-use crankstar::accuracy::{self, BearingMethod, Method, Row, Study, Timing};
+use crankstar::accuracy::{self, Method, Row, Study, Timing};
 use crankstar::engine::Engine;
 use crankstar::file::{self, Layout};
-use crankstar::loads::Missing;
+use crankstar::loads::{Missing, PeakMethod};
 use crankstar::motion::{Coefficient, Enclosure, SliderCrank};
 use crankstar::page;
 use crankstar::proof::Quantity;
@@ -265,7 +265,7 @@ fn the_section_of_a_report_has_no_times_in_any_format() {
     let layout = catalogue("I2-180", &fraction(3, 10));
     let case = AccuracyCase::of(&layout, &[Quantity::FORCE, Quantity::TORQUE], Timing::Off).expect("it has numbers");
     let mut section = page::Document::new("section", "section");
-    section.blocks = report::accuracy_section(&layout, std::slice::from_ref(&case));
+    section.blocks = report::accuracy_section(std::slice::from_ref(&case));
     let tables = |blocks: &[page::Block]| blocks.iter().filter(|block| matches!(block, page::Block::Table(_))).count();
     let folded =
         section.blocks.iter().map(|block| if let page::Block::Folded(fold) = block { tables(&fold.blocks) } else { 0 });
@@ -337,12 +337,9 @@ fn bearing_loads_by_orders_come_to_the_closed_form_and_keep_their_guarantee() {
                 guaranteed = bound;
             }
         }
-        let error = |method: BearingMethod| rows.iter().find(|row| row.method == method).expect("the method").error;
-        assert!(error(BearingMethod::Orders(24)) < 1e-9, "{name}: {rows:?}");
-        assert!(
-            error(BearingMethod::Angles(3600)) < 1e-5 && error(BearingMethod::ClosedForm) == 0.0,
-            "{name}: {rows:?}"
-        );
+        let error = |method: PeakMethod| rows.iter().find(|row| row.method == method).expect("the method").error;
+        assert!(error(PeakMethod::Orders("24".parse().expect("an order"))) < 1e-9, "{name}: {rows:?}");
+        assert!(error(PeakMethod::Samples(3600)) < 1e-5 && error(PeakMethod::Refined) == 0.0, "{name}: {rows:?}");
     }
     let without = catalogue("I4", &fraction(3, 10));
     assert!(accuracy::bearings(&without, Timing::Off).expect("numbers").is_none());

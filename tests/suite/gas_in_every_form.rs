@@ -229,7 +229,7 @@ fn orders_of_the_gas_and_samples_come_to_the_largest_bearing_load() {
                     assert!(off <= far.expect("orders") * (1.0 + 1e-9) + 1e-9 * largest, "{method:?}\n{text}")
                 }
                 PeakMethod::Samples(_) => assert!(value <= largest * (1.0 + 1e-9), "{method:?}\n{text}"),
-                PeakMethod::TimeLaw => assert!(off <= 1e-9 * largest, "{text}"),
+                PeakMethod::Refined => assert!(off <= 1e-9 * largest, "{text}"),
             }
         }
         let far = |halves: u32| {

@@ -119,7 +119,7 @@ fn the_peak_by_orders_is_off_by_what_the_theory_says_and_by_no_more_than_is_guar
                 guaranteed = bound;
             }
         }
-        assert_near(peak.value(PeakMethod::TimeLaw), torque.highest.value, 1e-9);
+        assert_near(peak.value(PeakMethod::Refined), torque.highest.value, 1e-9);
         // Half a step from the peak the torque is lower by a part that shrinks with the square of the step.
         let samples = [36, 3600].map(|steps| peak.error(peak.value(PeakMethod::Samples(steps))));
         assert!(samples[1] < 1e-3 * samples[0].max(1e-3), "{samples:?}");

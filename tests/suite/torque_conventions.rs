@@ -35,7 +35,7 @@ fn the_largest_torque_of_a_compressor_is_its_largest_in_size() {
         assert!(value < 0.0 && value > 1.5 * torque.lowest.value, "{method:?}: {value}");
         assert!((peak.error(value) - ((value - torque.lowest.value) / torque.lowest.value).abs()).abs() < 1e-12);
     }
-    assert!((peak.value(PeakMethod::TimeLaw) - torque.lowest.value).abs() < 1e-9);
+    assert!((peak.value(PeakMethod::Refined) - torque.lowest.value).abs() < 1e-9);
     let layout = scratch("compressor-peak").join("stage.toml");
     std::fs::write(&layout, COMPRESSOR).expect("a file");
     let page = printed(&["accuracy", layout.to_str().expect("a path")]);

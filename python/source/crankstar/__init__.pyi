@@ -267,6 +267,8 @@ class Engine:
         """The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout."""
     def torque(self) -> Answer:
         """The torque of gas and inertia in N m; needs `[gas]` in the layout."""
+    def accuracy(self, rod_ratios: _Number | _Numbers | None = None, *, timing: bool = True) -> Answer:
+        """The largest loads by several methods, each with error, guarantee and time."""
     def optimise(self, orders: _Orders | None = None, *, couple: _Number = "zero", points: int = 9) -> Answer:
         """For each mass of the crankshaft the counterweights with the least bearing load."""
     def sweep(

@@ -2,9 +2,8 @@
 
 use num_rational::BigRational;
 
-use super::engine_torque::{self, PeakRow};
-use super::gas_bearings;
-use crate::accuracy::{self, BearingRow, Study};
+use super::further::{Further, FurtherLoad};
+use crate::accuracy::{self, Study};
 use crate::engine::Engine;
 use crate::loads;
 use crate::page::{Number, Text, phrase};
@@ -17,12 +16,8 @@ pub struct AccuracyCase {
     pub ratio: Option<BigRational>,
     /// Its loads.
     pub studies: Vec<Study>,
-    /// The largest bearing load of inertia by several methods; none without main bearings.
-    pub bearings: Option<Vec<BearingRow>>,
-    /// The largest torque of gas and inertia by several methods; none without gas.
-    pub(super) engine_torque: Option<Vec<PeakRow>>,
-    /// The largest bearing load of gas and masses by several methods; none where the layout does not ask for the gas.
-    pub(super) gas_bearings: Option<Vec<PeakRow>>,
+    /// The largest loads of bearings, and what is largest with gas, where the layout asks for them.
+    pub further: Vec<Further>,
 }
 
 impl AccuracyCase {
@@ -36,7 +31,7 @@ impl AccuracyCase {
 
     /// How many steps [`Self::step_by_step`] tells of.
     pub fn steps(quantities: &[Quantity]) -> usize {
-        quantities.len() + FURTHER
+        quantities.len() + FurtherLoad::ALL.len()
     }
 
     /// The same, with a call after each load, then after the bearings, the torque with gas and the bearings with gas.
@@ -49,22 +44,14 @@ impl AccuracyCase {
         timing: accuracy::Timing,
         done: &dyn Fn(),
     ) -> Result<Self, loads::Missing> {
-        let told = |found| {
-            done();
-            found
-        };
-        let studies = quantities.iter().map(|quantity| told(accuracy::study(engine, *quantity, timing)));
+        let studies = quantities.iter().map(|quantity| step(done, accuracy::study(engine, *quantity, timing)));
         let mut rods = engine.rods().map(|rod| &rod.ratio);
         let first = rods.next().cloned();
         let ratio = first.filter(|first| rods.all(|ratio| ratio == first));
         let studies = studies.collect::<Result<_, _>>()?;
-        let bearings = accuracy::bearings(engine, timing)?;
-        done();
-        let engine_torque = engine_torque::rows(engine, timing);
-        done();
-        let gas_bearings = gas_bearings::rows(engine, timing);
-        done();
-        Ok(AccuracyCase { ratio, studies, bearings, engine_torque, gas_bearings })
+        let further = FurtherLoad::ALL.map(|load| step(done, Further::new(engine, load, timing)));
+        let further = further.into_iter().filter_map(Result::transpose).collect::<Result<_, _>>()?;
+        Ok(AccuracyCase { ratio, studies, further })
     }
 
     /// `λ = 0.3`.
@@ -78,8 +65,11 @@ impl AccuracyCase {
     }
 }
 
-/// Steps after the loads themselves.
-const FURTHER: usize = 3;
+/// Tells that one thing was found.
+fn step<T>(done: &dyn Fn(), found: T) -> T {
+    done();
+    found
+}
 
 /// As many loads as every case has.
 pub(super) fn loads_of(cases: &[AccuracyCase]) -> usize {

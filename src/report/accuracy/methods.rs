@@ -4,7 +4,6 @@ use std::time::Duration;
 
 use num_rational::BigRational;
 
-use super::super::loads_document::units;
 use crate::accuracy::{self, Method, Row, Study};
 use crate::engine::Engine;
 use crate::loads;
@@ -12,27 +11,19 @@ pub(super) use crate::page::number::power_of_ten;
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::proof::Quantity;
 
-/// Unit of a load, and how many of it are one multiple.
-pub(super) fn unit(engine: &Engine, quantity: Quantity) -> (&'static str, f64) {
+/// What a load is counted in, and how many of it are one multiple.
+pub(in crate::report) fn unit(engine: &Engine, quantity: Quantity) -> (Unit, f64) {
     let scale = loads::scale(engine);
-    let units = units(engine, scale.as_ref());
     let factor = |of: fn(&loads::Scale) -> f64| scale.as_ref().map_or(1.0, of);
-    match quantity {
-        Quantity::FORCE => (units.force, factor(loads::Scale::force)),
-        Quantity::MOMENT => (units.moment, factor(loads::Scale::force)),
-        Quantity::Axial(_) => (units.torque, factor(loads::Scale::torque)),
-    }
-}
-
-/// What a page counts a load in, and how many of it are one multiple.
-pub(super) fn page_unit(engine: &Engine, quantity: Quantity) -> (Unit, f64) {
-    let factor = unit(engine, quantity).1;
-    let unit = loads::unit(engine, loads::scale(engine).as_ref(), quantity);
-    (unit, factor)
+    let factor = match quantity {
+        Quantity::Planar(_) => factor(loads::Scale::force),
+        Quantity::Axial(_) => factor(loads::Scale::torque),
+    };
+    (loads::unit(engine, scale.as_ref(), quantity), factor)
 }
 
 /// The methods of a study that are worth their time, by what they guarantee or, where they do not, by their error.
-pub(super) fn front(study: &Study) -> Vec<usize> {
+pub(in crate::report) fn front(study: &Study) -> Vec<usize> {
     let cost = |row: &Row| (row.time.map_or(f64::NAN, |time| time.as_secs_f64()), shown_error(study, row));
     accuracy::front(&study.rows.iter().map(cost).collect::<Vec<_>>())
 }
@@ -136,7 +127,7 @@ pub(super) fn power(value: f64) -> String {
 const PLACES: u32 = 40;
 
 /// A number that is not negative with forty places, rounded down or up.
-pub(super) fn decimals(number: &BigRational, up: bool) -> String {
+pub(in crate::report) fn decimals(number: &BigRational, up: bool) -> String {
     let scaled = number * BigRational::from_integer(num_bigint::BigInt::from(10).pow(PLACES));
     let whole = if up { scaled.ceil() } else { scaled.floor() };
     let digits = format!("{:0>width$}", whole.to_integer().to_string(), width = PLACES as usize + 1);

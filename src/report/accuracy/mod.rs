@@ -1,16 +1,15 @@
-//! How is what accuracy costs shown? Each load by all methods: tables, plots, a section of a report, pages, a JSON document.
+//! How is what accuracy costs shown? Each load by all methods: tables, plots, a section of a report, pages.
 
-mod bearings;
 mod case;
-mod document;
-mod engine_torque;
-mod gas_bearings;
-mod methods;
+mod further;
+pub(super) mod methods;
 mod page;
 mod plots;
+mod study;
 mod tables;
 mod words;
 
 pub use case::AccuracyCase;
-pub use document::{AccuracyDocument, accuracy_document};
+pub use further::{Further, FurtherLoad};
 pub use page::{accuracy_answer, accuracy_page, accuracy_section};
+pub use study::AccuracyStudy;

@@ -11,7 +11,7 @@ use crate::proof::Quantity;
 
 /// A row a method: what it finds in newtons or multiples, its errors, its cost, and whether it is on the Pareto front.
 pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
-    let (unit, factor) = methods::page_unit(engine, study.quantity);
+    let (unit, factor) = methods::unit(engine, study.quantity);
     let front = methods::front(study);
     let mut table = Table::new([
         "Method".into(),

@@ -87,7 +87,7 @@ pub(super) fn answer(engine: &Engine, case: &AccuracyCase, study: &Study) -> Tex
     if let Some(nothing) = vanishing(study) {
         return phrase!("{}. {}", heading(case, study), nothing);
     }
-    let (unit, factor) = methods::page_unit(engine, study.quantity);
+    let (unit, factor) = methods::unit(engine, study.quantity);
     let peak = Piece::Quantity(study.peak.to_float() * factor, unit);
     let peak = phrase!("{}: {}.", heading(case, study), peak);
     let orders = match methods::orders_for_a_thousandth(study) {

@@ -3,6 +3,7 @@
 //! A question has one table or several, the main one first. `docs/data.md` lists every column of every table, which a test holds it to.
 //! Amplitudes are zero to peak. Where a number is proved to be 0 it is 0, and the column beside it that ends in `vanishes` is true.
 
+mod accuracy;
 mod bearings;
 mod cells;
 mod classify;
@@ -22,6 +23,7 @@ mod values;
 mod verdicts;
 mod zeros;
 
+pub use accuracy::accuracy;
 pub use bearings::bearings;
 pub use cells::exact_number;
 pub use classify::classify;
@@ -38,7 +40,7 @@ pub use torsion::torsion;
 pub use values::values;
 
 /// The questions that have tables, each with the names of all tables that its answer may have, the main one first.
-pub const TABLES: [(&str, &[&str]); 12] = [
+pub const TABLES: [(&str, &[&str]); 13] = [
     ("classify", &["orders", "sums", "torque", "roll"]),
     ("loads", &["orders", "torque", "roll", "theta", "largest"]),
     (
@@ -64,6 +66,7 @@ pub const TABLES: [(&str, &[&str]); 12] = [
     ("torque", &["orders", "cycle", "flywheel", "classes", "guides", "theta"]),
     ("values", &["values"]),
     ("torsion", &["modes", "critical", "discs", "shapes", "cylinders", "forced"]),
+    ("accuracy", &["methods", "peaks"]),
     ("remedy", &["weights"]),
     ("optimise", &["points", "counterweights", "bearings", "uniform"]),
     ("compare", &["orders", "engines"]),

@@ -1,11 +1,12 @@
 //! What accuracy costs: the errors alone of several engines at several rod ratios, the same on every machine. The page `reports/accuracy/README.md`.
 
-use crankstar::accuracy::{BearingMethod, Method, Row, Study};
+use crankstar::accuracy::{Method, Row, Study};
 use crankstar::engine::Engine;
+use crankstar::loads::PeakMethod;
 use crankstar::page::plot::{Axis, Curve, Plot, PointMark};
 use crankstar::page::{Block, Document, Fold, Number, Picture, Table, Text};
 use crankstar::proof::Quantity;
-use crankstar::report::{self, AccuracyCase};
+use crankstar::report::{self, AccuracyCase, Further, FurtherLoad};
 
 use super::phrase;
 
@@ -34,7 +35,7 @@ pub fn page(engines: &[(Engine, Vec<AccuracyCase>)]) -> Document {
             }
         }
         // The section of a report: a heading, the errors of the loads, how the methods work, then the bearings.
-        let mut section = report::accuracy_section(engine, cases).into_iter().skip(1);
+        let mut section = report::accuracy_section(cases).into_iter().skip(1);
         for block in section.by_ref() {
             match block {
                 Block::List(words) => {
@@ -44,7 +45,7 @@ pub fn page(engines: &[(Engine, Vec<AccuracyCase>)]) -> Document {
                 block => page.push(block),
             }
         }
-        page.blocks.extend(bearings(engine, cases));
+        page.blocks.extend(bearings(cases));
     }
     page.push(Block::Heading(1, "How the methods work".into()));
     page.push(Block::List(methods.into_iter().chain([NO_TIMES.into()]).collect()));
@@ -83,10 +84,14 @@ fn orders_needed(engine: &Engine, cases: &[AccuracyCase], place: usize) -> Optio
     (!needed.is_empty()).then(|| phrase!(words, engine.title(), needed))
 }
 
+fn of_bearings(case: &AccuracyCase) -> Option<&Further> {
+    case.further.iter().find(|further| further.load == FurtherLoad::Bearing)
+}
+
 fn orders_of_bearings(engine: &Engine, cases: &[AccuracyCase]) -> Option<Text> {
     let orders = cases.iter().filter_map(|case| {
-        let enough = case.bearings.as_ref()?.iter().find_map(|row| match row.method {
-            BearingMethod::Orders(order) => row.bound.filter(|bound| *bound <= USUAL).map(|_| order),
+        let enough = of_bearings(case)?.rows.iter().find_map(|row| match row.method {
+            PeakMethod::Orders(order) => row.bound.filter(|bound| *bound <= USUAL).map(|_| order.halves() / 2),
             _ => None,
         });
         Some((label(case), enough))
@@ -97,11 +102,11 @@ fn orders_of_bearings(engine: &Engine, cases: &[AccuracyCase]) -> Option<Text> {
 }
 
 /// The errors of the largest bearing load at each rod ratio: measured ones, and folded what is guaranteed.
-fn bearings(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Block> {
+fn bearings(cases: &[AccuracyCase]) -> Vec<Block> {
     // The table of each case: method, peak, error, what is guaranteed; then what it means.
     let of_case = |case: &AccuracyCase| {
-        case.bearings.as_ref()?;
-        let section = report::accuracy_section(engine, std::slice::from_ref(case)).into_iter();
+        of_bearings(case)?;
+        let section = report::accuracy_section(std::slice::from_ref(case)).into_iter();
         let mut behind = section.skip_while(|block| !matches!(block, Block::List(_)));
         let table = behind.find_map(|block| if let Block::Table(table) = block { Some(table) } else { None })?;
         Some((label(case), table, behind.next()?))

@@ -1,0 +1,207 @@
+//! What does an order more, or a sample more, cost and buy beyond force, moment and torque of inertia? Bearings, and what has gas.
+
+use super::methods;
+use crate::accuracy::{self, PeakRow, Timing, measured};
+use crate::engine::{CycleOrder, Engine};
+use crate::journal::LoadPeak;
+use crate::loads::{Missing, PeakMethod};
+use crate::page::{Piece, Table, Text, Unit, phrase};
+use crate::proof::Quantity;
+use crate::torque::{self, Peak};
+
+/// A largest value by several methods.
+#[derive(Clone, Debug)]
+pub struct Further {
+    /// Of what.
+    pub load: FurtherLoad,
+    /// The methods, the reference last.
+    pub rows: Vec<PeakRow>,
+    /// What a page counts it in.
+    pub(in crate::report) unit: Unit,
+    /// How many of these are one of the rows.
+    pub(in crate::report) factor: f64,
+}
+
+/// What is largest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FurtherLoad {
+    /// The load of a main bearing, of the masses.
+    Bearing,
+    /// The torque of gas and inertia.
+    Torque,
+    /// The load of a main bearing, of gas and masses.
+    BearingWithGas,
+}
+
+impl FurtherLoad {
+    /// All of them.
+    pub const ALL: [FurtherLoad; 3] = [FurtherLoad::Bearing, FurtherLoad::Torque, FurtherLoad::BearingWithGas];
+}
+
+/// Errors below this are those of the search for the peak.
+const ROUNDING: f64 = 1e-9;
+
+impl Further {
+    /// Compares the methods; none where the layout does not ask for such a load, or lacks what it needs.
+    ///
+    /// # Errors
+    /// What the layout lacks for the loads of its masses.
+    pub(super) fn new(engine: &Engine, load: FurtherLoad, timing: Timing) -> Result<Option<Self>, Missing> {
+        let newtons = |unit| move |rows| Further { load, rows, unit, factor: 1.0 };
+        Ok(match load {
+            FurtherLoad::Bearing => accuracy::bearings(engine, timing)?.map(|rows| {
+                let (unit, factor) = methods::unit(engine, Quantity::FORCE);
+                Further { load, rows, unit, factor }
+            }),
+            FurtherLoad::Torque => of_torque(engine, timing).map(newtons(Unit::NEWTON_METRE)),
+            FurtherLoad::BearingWithGas => of_bearings_with_gas(engine, timing).map(newtons(Unit::NEWTON)),
+        })
+    }
+
+    /// What the methods are, and what their errors mean.
+    pub(super) fn how(&self) -> &'static str {
+        match self.load {
+            FurtherLoad::Bearing => {
+                "The loads are those of inertia, with the side forces of the pistons, on a continuous beam. The error is that of the largest load of any bearing \
+                 against the closed form; what is guaranteed bounds all orders that are left out, whichever bearing they load."
+            }
+            FurtherLoad::Torque => {
+                "The error is that of the largest torque, gas and inertia, against the time law, and anywhere the largest error through the cycle, both as parts of that torque; what is guaranteed of it adds up the orders of the gas that are left out, \
+                 exact stars times harmonics to order 48, above it times the bound by the total variation of the torque's slope. The inertia stays in its closed form. What \
+                 a wrong pressure adds is in neither."
+            }
+            FurtherLoad::BearingWithGas => {
+                "The loads are those of gas and masses, with the side forces of the pistons, on a continuous beam; the masses stay in their closed form. The error is \
+                 that of the largest load of any bearing against the forces themselves, and anywhere the largest error of any bearing through the cycle, both as parts of that load. What a wrong \
+                 pressure adds is in neither."
+            }
+        }
+    }
+
+    /// `Largest torque, gas and inertia, λ 0.3`.
+    pub(super) fn heading(&self, label: Text) -> Text {
+        match self.load {
+            FurtherLoad::Bearing => phrase!("Largest bearing load of inertia, {}", label),
+            FurtherLoad::Torque => phrase!("Largest torque, gas and inertia, {}", label),
+            FurtherLoad::BearingWithGas => phrase!("Largest bearing load, gas and masses, {}", label),
+        }
+    }
+
+    fn name(&self, method: PeakMethod) -> Text {
+        let by_closed_form = self.load == FurtherLoad::Bearing;
+        match method {
+            PeakMethod::Orders(order) if by_closed_form => phrase!("orders up to {}", order.halves() / 2),
+            PeakMethod::Orders(order) => phrase!("orders of the gas up to {}", Text::label(order.to_string())),
+            PeakMethod::Samples(steps) if by_closed_form => phrase!("closed form, {} angles", steps),
+            PeakMethod::Samples(steps) => phrase!("time law, {} angles a revolution", steps),
+            PeakMethod::Refined if by_closed_form => "closed form, its largest value refined".into(),
+            PeakMethod::Refined => "time law, its largest value refined".into(),
+        }
+    }
+
+    /// A row per method, with the columns that some of them have.
+    pub(super) fn table(&self) -> Table {
+        let has = |of: fn(&PeakRow) -> bool| self.rows.iter().any(of);
+        let (far, sure, timed) =
+            (has(|row| row.farthest.is_some()), has(|row| row.bound.is_some()), has(|row| row.time.is_some()));
+        let value = match self.load {
+            FurtherLoad::Bearing => phrase!("Peak in {}", self.unit),
+            FurtherLoad::Torque => phrase!("Largest torque in {}", self.unit),
+            FurtherLoad::BearingWithGas => phrase!("Largest load in {}", self.unit),
+        };
+        let more = [far.then_some("Anywhere"), sure.then_some("Guaranteed"), timed.then_some("Time")];
+        let columns = ["Method".into(), value, Text::from("Error")].into_iter();
+        let mut table = Table::new(columns.chain(more.into_iter().flatten().map(Text::from)));
+        let part = |part: Option<f64>| part.map_or_else(Text::default, |part| methods::power(part).into());
+        for row in &self.rows {
+            let cells = [self.name(row.method), methods::to_digits(row.value * self.factor, self.unit), error(row)];
+            let time = || row.time.map_or_else(Text::default, |time| methods::time(time).into());
+            let more = [far.then(|| part(row.farthest)), sure.then(|| part(row.bound)), timed.then(time)];
+            table.push(cells.into_iter().chain(more.into_iter().flatten()).collect());
+        }
+        table
+    }
+
+    /// The first order with which the largest value is within 0.1 %: guaranteed where there are guarantees; else it is, and so it is
+    /// with every higher one that is compared.
+    fn enough(&self) -> Option<CycleOrder> {
+        let orders = self.rows.iter().filter_map(|row| match row.method {
+            PeakMethod::Orders(order) => Some((order, row)),
+            PeakMethod::Samples(_) | PeakMethod::Refined => None,
+        });
+        match self.load {
+            FurtherLoad::Bearing => orders
+                .filter(|(_, row)| row.bound.is_some_and(|bound| bound <= methods::USUAL))
+                .map(|(order, _)| order)
+                .next(),
+            FurtherLoad::Torque | FurtherLoad::BearingWithGas => {
+                orders.fold(
+                    None,
+                    |first, (order, row)| {
+                        if row.error <= methods::USUAL { first.or(Some(order)) } else { None }
+                    },
+                )
+            }
+        }
+    }
+
+    /// The largest value, and the orders that have it.
+    pub(super) fn answer(&self, label: Text) -> Text {
+        let peak = self.rows.last().map_or(f64::NAN, |row| row.value) * self.factor;
+        let (heading, peak) = (self.heading(label), Piece::Quantity(peak, self.unit));
+        let is_of_gas = self.load != FurtherLoad::Bearing;
+        match self.enough() {
+            Some(order) if is_of_gas => phrase!(
+                "{}: {}. The orders of the gas up to {} have it within 0.1 %.",
+                heading,
+                peak,
+                Text::label(order.to_string())
+            ),
+            None if is_of_gas => {
+                phrase!("{}: {}. The orders of the gas compared here do not have it within 0.1 %.", heading, peak)
+            }
+            Some(order) => {
+                phrase!("{}: {}. Orders up to {} have it within 0.1 %, guaranteed.", heading, peak, order.halves() / 2)
+            }
+            None => phrase!("{}: {}. The orders compared here do not have it within 0.1 %.", heading, peak),
+        }
+    }
+}
+
+/// The part of the largest value by which a method is off; nothing for the reference itself.
+fn error(row: &PeakRow) -> Text {
+    match row.method {
+        PeakMethod::Refined => Text::default(),
+        PeakMethod::Orders(_) | PeakMethod::Samples(_) if row.error < ROUNDING => {
+            phrase!("below {}", methods::power_of_ten(-9))
+        }
+        PeakMethod::Orders(_) | PeakMethod::Samples(_) => methods::power(row.error).into(),
+    }
+}
+
+/// The largest torque by all methods; none where the layout has no gas, or not all that its torque needs.
+fn of_torque(engine: &Engine, timing: Timing) -> Option<Vec<PeakRow>> {
+    engine.gas()?;
+    let torque = torque::torque(engine).ok()?;
+    let peak = Peak::new(&torque);
+    let row = |method: PeakMethod| {
+        let (value, time) = measured(timing, || peak.value(method));
+        let part = |torques: Option<f64>| torques.map(|value| peak.part(value));
+        let (farthest, bound) = (part(peak.farthest(method)), part(peak.bound(method)));
+        PeakRow { method, value, error: peak.error(value), farthest, bound, time }
+    };
+    Some(peak.methods().into_iter().map(row).collect())
+}
+
+/// The largest bearing load by all methods; none where the layout does not ask for the gas, or has not all that this needs.
+fn of_bearings_with_gas(engine: &Engine, timing: Timing) -> Option<Vec<PeakRow>> {
+    let asked = engine.effects().gas && !engine.bearings().is_empty();
+    let peak = asked.then(|| LoadPeak::new(engine).ok().flatten())??;
+    let row = |method: PeakMethod| {
+        let (value, time) = measured(timing, || peak.value(method));
+        let error = (value - peak.largest).abs() / peak.largest;
+        let farthest = peak.farthest(method).map(|far| far / peak.largest);
+        PeakRow { method, value, error, farthest, bound: None, time }
+    };
+    Some(peak.methods().into_iter().map(row).collect())
+}

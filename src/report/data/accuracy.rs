@@ -1,0 +1,157 @@
+//! Which columns hold what accuracy costs? A row a method of a load, and a row a load with its peak.
+
+use super::cells::exact_number;
+use super::filling::Filling;
+use crate::accuracy::{Method, PeakRow, Row, Study};
+use crate::loads::PeakMethod;
+use crate::proof::Quantity;
+use crate::report::accuracy::methods;
+use crate::report::{AccuracyCase, AccuracyStudy, Further, FurtherLoad};
+use crate::table::{Table, Unit};
+
+/// A table of what accuracy costs.
+pub fn accuracy(study: &AccuracyStudy, name: &str) -> Option<Table> {
+    Some(match name {
+        "methods" => all_methods(study),
+        "peaks" => peaks(study)?,
+        _ => return None,
+    })
+}
+
+/// A method of a load.
+struct Found {
+    case: usize,
+    load: &'static str,
+    method: &'static str,
+    setting: Option<f64>,
+    value: f64,
+    unit: Unit,
+    error: f64,
+    farthest: Option<f64>,
+    bound: Option<f64>,
+    seconds: Option<f64>,
+    on_front: Option<bool>,
+}
+
+const CASE: &str = "the number of its rod ratio, from 1";
+const LOAD: &str = "what is largest: force, moment, inertia_torque; bearing, torque, bearing_with_gas";
+
+fn all_methods(study: &AccuracyStudy) -> Table {
+    let mut rows = Vec::new();
+    for (number, case) in (1..).zip(&study.cases) {
+        rows.extend(case.studies.iter().flat_map(|load| of_study(study, number, load)));
+        rows.extend(case.further.iter().flat_map(|load| of_further(number, load)));
+    }
+    let about = "a method for a largest load; of a load that is zero or below all of them there is none";
+    let mut table = Filling::new("methods", about, &rows).keyed(4);
+    table.whole("case", CASE, |row| row.case);
+    table.words("load", LOAD, |row| Some(row.load.to_owned()));
+    table.words("method", "orders, closed_form (64 bits), closed_form_32, intervals, fractions, refined", |row| {
+        Some(row.method.to_owned())
+    });
+    let about = "the highest order, angles of a revolution, or digits asked for; 0 where the method has no setting";
+    table.decimal("setting", Unit::NONE, about, |row| Some(row.setting.unwrap_or(0.0)));
+    table.decimal("value", Unit::NONE, "what it finds, in the unit beside it", |row| Some(row.value));
+    table.words("unit", "the unit of the value", |row| Some(row.unit.name.to_owned()));
+    table.decimal("error", Unit::NONE, "it is off by this part of the reference", |row| Some(row.error));
+    let about = "the same anywhere in the cycle; empty where it is not looked for";
+    table.decimal("error_anywhere", Unit::NONE, about, |row| row.farthest);
+    table.decimal("bound", Unit::NONE, "the error is guaranteed to be no more; empty without a guarantee", |row| {
+        row.bound
+    });
+    table.decimal("time_{unit}", Unit::SECOND, "median time of one evaluation, where it was measured", |row| {
+        row.seconds
+    });
+    let about = "whether no other method is both faster and more accurate; empty where that is not compared";
+    table.truth("unbeaten", about, |row| row.on_front);
+    table.done()
+}
+
+fn of_study<'a>(study: &'a AccuracyStudy, case: usize, load: &'a Study) -> impl Iterator<Item = Found> + 'a {
+    let (unit, factor) = methods::unit(&study.engine, load.quantity);
+    let front = methods::front(load);
+    load.rows.iter().enumerate().map(move |(place, row): (usize, &Row)| {
+        let (method, setting) = match row.method {
+            Method::Orders(order) => ("orders", Some(order)),
+            Method::Doubles(steps) => ("closed_form", Some(steps)),
+            Method::Singles(steps) => ("closed_form_32", Some(steps)),
+            Method::Intervals(digits) => ("intervals", Some(digits)),
+            Method::Fractions => ("fractions", None),
+        };
+        Found {
+            case,
+            load: name(load.quantity),
+            method,
+            setting: setting.map(f64::from),
+            value: row.value * factor,
+            unit,
+            error: row.error,
+            farthest: None,
+            bound: row.bound,
+            seconds: row.time.map(|time| time.as_secs_f64()),
+            on_front: row.time.map(|_| front.contains(&place)),
+        }
+    })
+}
+
+fn of_further(case: usize, load: &Further) -> impl Iterator<Item = Found> {
+    load.rows.iter().map(move |row: &PeakRow| {
+        let (method, setting) = match row.method {
+            PeakMethod::Orders(order) => ("orders", Some(f64::from(order.halves()) / 2.0)),
+            PeakMethod::Samples(steps) => ("closed_form", Some(f64::from(steps))),
+            PeakMethod::Refined => ("refined", None),
+        };
+        Found {
+            case,
+            load: match load.load {
+                FurtherLoad::Bearing => "bearing",
+                FurtherLoad::Torque => "torque",
+                FurtherLoad::BearingWithGas => "bearing_with_gas",
+            },
+            method,
+            setting,
+            value: row.value * load.factor,
+            unit: load.unit,
+            error: row.error,
+            farthest: row.farthest,
+            bound: row.bound,
+            seconds: row.time.map(|time| time.as_secs_f64()),
+            on_front: None,
+        }
+    })
+}
+
+fn name(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::FORCE => "force",
+        Quantity::MOMENT => "moment",
+        Quantity::Axial(_) => "inertia_torque",
+    }
+}
+
+fn peaks(study: &AccuracyStudy) -> Option<Table> {
+    let cases = (1..).zip(&study.cases);
+    let rows: Vec<(usize, &AccuracyCase, &Study)> =
+        cases.flat_map(|(number, case)| case.studies.iter().map(move |load| (number, case, load))).collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let mut table = Filling::new("peaks", "the largest value of a load, guaranteed", &rows).keyed(2);
+    table.whole("case", CASE, |(number, ..)| *number);
+    table.words("load", LOAD, |(.., load)| Some(name(load.quantity).to_owned()));
+    let about = "the rod ratio λ; empty where the rods differ";
+    table.exact("rod_ratio", Unit::NONE, about, |(_, case, _)| case.ratio.as_ref().map(exact_number));
+    let about = "whether it vanishes at every order that was looked at";
+    table.truth("nothing_found", about, |(.., load)| Some(load.rows.is_empty()));
+    let about = "at least this, in multiples: m r ω², that times the unit of the positions, or m r² ω²; rounded down behind the fortieth place";
+    table.exact("at_least", Unit::NONE, about, |(.., load)| Some(methods::decimals(&load.peak.low, false)));
+    let about = "at most this; rounded up";
+    table.exact("at_most", Unit::NONE, about, |(.., load)| Some(methods::decimals(&load.peak.high, true)));
+    let about = "how many of the unit of the methods are one multiple";
+    table.decimal("multiple", Unit::NONE, about, |(.., load)| Some(methods::unit(&study.engine, load.quantity).1));
+    let about = "errors below this are roundings of doubles";
+    table.decimal("rounding", Unit::NONE, about, |(.., load)| Some(load.rounding));
+    let about = "the peak is known to this part of itself";
+    table.decimal("reference_error", Unit::NONE, about, |(.., load)| Some(load.doubt));
+    Some(table.done())
+}
