@@ -9,6 +9,8 @@
 
 #![allow(clippy::disallowed_types)]
 
+#[path = "suite/studies/catalogue.rs"]
+mod catalogue;
 #[path = "pages/completions.rs"]
 mod completions;
 #[cfg(any(feature = "xlsx", feature = "parquet"))]
@@ -127,7 +129,7 @@ fn claims() -> Document {
 
 /// The pages that are about several engines.
 fn wide_pages() -> [(&'static str, Document); 3] {
-    let index = report::catalogue_page(&file::catalogue().expect("the catalogue reads"));
+    let index = catalogue::page(&file::catalogue().expect("the catalogue reads"));
     [("comparison", comparison()), ("claims", claims()), ("catalogue", index)]
         .map(|(name, page)| (name, Document { name: "report", ..page }))
 }

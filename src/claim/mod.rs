@@ -6,8 +6,6 @@
 
 mod absolute;
 mod answer;
-mod check;
-mod checked;
 mod classes;
 mod compare;
 mod condition;
@@ -15,7 +13,6 @@ mod every;
 mod everyday;
 mod file;
 mod firing;
-mod flywheel;
 mod forces;
 mod formula;
 mod free;
@@ -32,7 +29,6 @@ mod shaking;
 mod star_marks;
 mod statement;
 pub(crate) mod student;
-mod study;
 mod symbols;
 mod written_value;
 
@@ -41,7 +37,6 @@ use crate::engine::Engine;
 pub use absolute::{Absolute, Numbers};
 pub use answer::{Answer, Condition, Evidence, Finding, Status};
 pub use file::{Claim, Claims, Find, Published, parse_claims};
-pub use flywheel::{Evened, Flywheels};
 pub use forces::{Agreement, LargestOf};
 pub use formula::{Formula, Letter, Measured, Powers, Series, Wave};
 pub use grammar::{ClaimError, parse_statement};
@@ -55,7 +50,6 @@ pub use statement::{
     Statement, Subject, Tolerance, Topic, Unit, Value,
 };
 pub use student::{StarTable, Verdict as TableVerdict};
-pub use study::{Checked, Found, Said, Studied, Study, study};
 
 /// Answers a claim about an engine.
 pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {

@@ -69,7 +69,7 @@ fn terminating(value: &BigRational) -> Option<String> {
 }
 
 /// An exact number of degrees: `22.5°`, `(360/7)°`.
-pub(crate) fn degrees(value: &BigRational) -> String {
+pub fn degrees(value: &BigRational) -> String {
     let text = number(value);
     if is_rounded(value) || terminating(value).is_some() {
         return format!("{text}°");
@@ -79,7 +79,7 @@ pub(crate) fn degrees(value: &BigRational) -> String {
 }
 
 /// A number of turns in degrees, not reduced: a firing interval of `720°`.
-pub(crate) fn turns(value: &BigRational) -> String {
+pub fn turns(value: &BigRational) -> String {
     degrees(&fraction::times(value, &BigRational::from_integer(360.into())))
 }
 

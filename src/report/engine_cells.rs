@@ -12,7 +12,7 @@ use crate::verdict::{EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, Orde
 const MOST_INTERVALS: usize = 4;
 
 /// `even, 180°`, `uneven: 405°, 315°`; `not given` where the layout does not say.
-pub(super) fn firing(firing: Option<&Firing>) -> Text {
+pub fn firing(firing: Option<&Firing>) -> Text {
     let Some(firing) = firing else { return "not given".into() };
     let intervals = firing.intervals();
     let turns = |turns| Text::from(typeset::turns(turns));

@@ -17,7 +17,6 @@ pub mod data;
 mod document;
 mod engine_cells;
 mod engine_page;
-mod engines;
 mod example;
 mod family_page;
 mod figures;
@@ -55,24 +54,27 @@ use crate::page::{figure, number as typeset, plot};
 
 pub use crate::page::File;
 pub use accuracy::{
-    AccuracyCase, AccuracyDocument, accuracy_answer, accuracy_document, accuracy_errors_page, accuracy_page,
-    accuracy_section,
+    AccuracyCase, AccuracyDocument, accuracy_answer, accuracy_document, accuracy_page, accuracy_section,
 };
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use atlas::{ATLAS_CYLINDERS, Atlas};
 pub use bearings::{BearingsStudy, bearings_answer, bearings_page};
 pub use calculation::{LoadsStudy, Numbers, loads_answer, loads_page};
-pub use catalogue::{catalogue_answer, catalogue_page};
-pub use claims::{claim_evidence, claim_finding, claim_status, claims_answer, claims_page, table_finding};
+pub use catalogue::{
+    CatalogueFamily, FirstOrderLeft, KnownEngine, catalogue_answer, catalogue_families, catalogue_pictures,
+    catalogue_summary,
+};
+pub use claims::{claim_evidence, claim_finding, claim_needs, claim_status, claims_answer, claims_page, table_finding};
 pub use classroom::{exercise_sheet, exercise_solutions, marked_page, marks_answer, marks_page};
 pub use compare::{CompareDocument, CompareStudy, Compared, compare_answer, compare_document, compare_page};
 pub use coq::{NotStated, coq_file};
 pub use document::document;
+pub use engine_cells::firing as firing_cell;
 pub use engine_page::{Contents, engine_answer, engine_at_a_glance, engine_page, engine_proofs, engine_summary};
-pub use engines::{BuiltEngine, engines_page};
 pub use example::worked as worked_example;
 pub use family_page::{
-    amplitudes, amplitudes_caption, family_answer, family_page, family_proofs, family_summary, open_document,
+    amplitudes, amplitudes_caption, exact_angles, family_answer, family_page, family_proofs, family_summary,
+    open_document,
 };
 pub use figures::{NamedPicture, figures, sweep_figures};
 pub use firing::{
@@ -94,7 +96,7 @@ pub use residual::{
 };
 pub use search::{SearchStudy, search_answer, search_layouts, search_page, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
-pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
+pub use sweep::{SweepDocument, sweep_answer, sweep_csv, sweep_document, sweep_page};
 pub use torque::{TorqueStudy, torque_answer, torque_page};
 pub use torsion::{ForcedTwist, NoTorsion, TorsionStudy, torsion_answer, torsion_page};
 pub use value::{ValueName, values_of};

@@ -1,6 +1,6 @@
 //! How does the whole catalogue look on one sheet? A stamp per engine on A3, for a wall.
 
-use super::catalogue::{Family, Stamp, families};
+use super::catalogue::{CatalogueFamily, Stamp, catalogue_families};
 use super::figure::{Anchor, Figure, Ink, Point, Stroke};
 use crate::engine::Engine;
 use crate::file::Entry;
@@ -48,7 +48,7 @@ const FOOTER: [&str; 4] = [
 
 /// The sheet itself.
 pub fn poster_sheet(engines: &[(Entry, Engine)]) -> Figure {
-    let families = families(engines);
+    let families = catalogue_families(engines);
     let (width, height) = SHEET;
     let mut figure = Figure::new(width, height);
     figure.title(Point::new(width / 2.0, height - MARGIN - 7.0), title(engines.len()).plain(), 13.0, Anchor::Middle);
@@ -79,13 +79,13 @@ pub fn poster_sheet(engines: &[(Entry, Engine)]) -> Figure {
 }
 
 /// The columns with which the cells are widest, of those with which all rows fit; else those with the fewest rows.
-fn columns(families: &[Family]) -> usize {
+fn columns(families: &[CatalogueFamily]) -> usize {
     let fits = |&columns: &usize| row_height(families, columns) >= Stamp::HEIGHT;
     (1..=MOST_COLUMNS).find(fits).unwrap_or(MOST_COLUMNS)
 }
 
 /// The height that each row has where all rows share the sheet.
-fn row_height(families: &[Family], columns: usize) -> f64 {
+fn row_height(families: &[CatalogueFamily], columns: usize) -> f64 {
     let rows: usize = families.iter().map(|family| family.engines.len().div_ceil(columns)).sum();
     let room = SHEET.1 - 2.0 * MARGIN - HEAD - FOOT - HEADING * families.len() as f64;
     room / rows.max(1) as f64

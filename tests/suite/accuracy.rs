@@ -18,6 +18,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
+use crate::studies::accuracy_errors;
+
 fn reports() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports")
 }
@@ -293,7 +295,7 @@ fn published() -> BTreeMap<String, String> {
         });
         (layout, cases)
     };
-    let written = report::accuracy_errors_page(&engines.map(cases));
+    let written = accuracy_errors::page(&engines.map(cases));
     let files = page::write(&written, page::Format::GITHUB, &page::Options::default());
     files.into_iter().map(|file| (file.name, file.text)).collect()
 }

@@ -15,6 +15,7 @@ use crankstar::page::{Block, Document, Language, Picture};
 use crankstar::report;
 use crankstar::search::{self, Best, Options, Problem};
 
+use crate::studies::catalogue;
 use crate::support::german::has_words;
 use crate::support::golden;
 use crate::support::program::{program, scratch};
@@ -125,7 +126,7 @@ fn the_poster_speaks_german_and_no_text_lies_on_another_or_leaves_the_sheet() {
 #[test]
 fn the_pictures_of_the_catalogue_show_every_engine_and_no_text_lies_on_another() {
     let engines = file::catalogue().expect("it reads");
-    let page = report::catalogue_page(&engines);
+    let page = catalogue::page(&engines);
     let pictures = page.blocks.iter().filter_map(|block| match block {
         Block::Pictures(pictures) => Some(pictures),
         _ => None,

@@ -13,12 +13,13 @@ use crankstar::claim::{Published, parse_claims};
 use crankstar::engine::Engine;
 use crankstar::family::{self, OpenSum, When};
 use crankstar::file::{self, Layout};
-use crankstar::page::{Format, Language};
+use crankstar::page::Format;
 use crankstar::proof::{Sense, Vector, check_certificate, check_open_document};
 use crankstar::remedy::{Wish, remedy};
-use crankstar::report::{self, BuiltEngine};
+use crankstar::report;
 
-use crate::support::{german, golden, pages, time_domain};
+use crate::studies::world::{BuiltEngine, engines_page};
+use crate::support::{golden, pages, time_domain};
 
 /// The engines of which a known fact is not what the layout file leads to, with a reason in the facts.
 const DIFFER: [&str; 2] = ["ford-essex-v4", "honda-rc211v"];
@@ -225,15 +226,6 @@ fn reports_on_engines_of_the_world_are_as_stored() {
 #[test]
 fn the_index_of_engines_of_the_world_is_as_stored() {
     let engines: Vec<BuiltEngine> = names().iter().map(|name| built(name)).collect();
-    let files = pages::files(&report::engines_page(&engines), Format::GITHUB);
+    let files = pages::files(&engines_page(&engines), Format::GITHUB);
     golden::compare(&folder(), &files.into_iter().map(|file| (file.name, file.text)).collect());
-}
-
-#[test]
-fn pages_of_engines_of_the_world_have_german_for_every_phrase() {
-    let engines: Vec<BuiltEngine> = names().iter().map(|name| built(name)).collect();
-    let page = report::engines_page(&engines);
-    let missing: BTreeSet<&str> =
-        page.phrases().into_iter().filter(|words| german::has_words(words) && !Language::De.knows(words)).collect();
-    assert!(missing.is_empty(), "no German for {missing:#?}");
 }

@@ -2,8 +2,8 @@
 
 use crankstar::file;
 use crankstar::page::{Document, Language, Picture};
-use crankstar::report;
 
+use crate::studies::catalogue;
 use crate::support::german::{pages_of_folders, pages_of_the_catalogue};
 use crate::views::unreadable_texts;
 
@@ -35,7 +35,7 @@ fn looked_at(name: &str, pages: &[Document]) -> (usize, Vec<String>) {
 #[test]
 fn no_german_text_of_the_catalogue_lies_on_another_or_leaves_the_page() {
     let engines = file::catalogue().expect("the catalogue reads");
-    let catalogue = looked_at("the catalogue", &[report::catalogue_page(&engines)]);
+    let catalogue = looked_at("the catalogue", &[catalogue::page(&engines)]);
     let each = pages_of_the_catalogue().iter().map(|(name, pages)| looked_at(name, pages));
     let (drawn, wrong): (Vec<usize>, Vec<Vec<String>>) = each.chain([catalogue]).unzip();
     assert!(drawn.iter().sum::<usize>() > 150, "{drawn:?}");

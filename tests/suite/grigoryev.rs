@@ -9,12 +9,12 @@ use std::{env, fs};
 
 use num_rational::BigRational;
 
-use crankstar::claim::{Found, Provenance, Quote, Study, study};
+use crankstar::claim::{Provenance, Quote};
 use crankstar::numbers;
-use crankstar::page::Language;
-use crankstar::{page, report};
+use crankstar::page;
 
-use crate::support::german::has_words;
+use crate::studies::study::{Found, Study, study};
+use crate::studies::study_page::{study_page, study_tables};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/grigoryev")
@@ -30,8 +30,8 @@ fn read() -> &'static Study {
 
 #[test]
 fn the_study_is_as_stored() {
-    let mut files = page::write(&report::study_page(read()), page::Format::GITHUB, &page::Options::default());
-    files.extend(report::study_tables(read()));
+    let mut files = page::write(&study_page(read()), page::Format::GITHUB, &page::Options::default());
+    files.extend(study_tables(read()));
     let entries = fs::read_dir(folder()).expect("the folder").map(|entry| entry.expect("an entry").file_name());
     let names = entries.map(|name| name.to_string_lossy().into_owned());
     let stale = names.filter(|name| !name.ends_with(".toml") && files.iter().all(|file| file.name != *name));
@@ -189,12 +189,4 @@ fn the_firing_stars_of_the_sixes_are_those_of_two_banks() {
             assert!((star - length).abs() < 1e-12, "order {} at {}°", order.order, point.at);
         }
     }
-}
-
-#[test]
-fn the_page_has_german_for_every_phrase() {
-    let page = report::study_page(read());
-    let phrases = page.phrases().into_iter();
-    let missing: Vec<_> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
-    assert!(missing.is_empty(), "{missing:#?}");
 }

@@ -12,6 +12,7 @@ use crankstar::file::{self, Layout};
 use crankstar::page::{Document, Format};
 use crankstar::report;
 
+use crate::studies::catalogue;
 use crate::support::{golden, pages};
 
 /// The files of an engine's folder, by name.
@@ -143,7 +144,7 @@ fn links_and_pictures_of_every_stored_page_lead_somewhere() {
 
 #[test]
 fn the_index_is_as_stored_and_every_folder_is_an_engine() {
-    let index = report::catalogue_page(&file::catalogue().expect("reads"));
+    let index = catalogue::page(&file::catalogue().expect("reads"));
     let files = pages::files(&index, Format::GITHUB);
     golden::compare(&golden::reports(), &files.into_iter().map(|file| (file.name, file.text)).collect());
     let text = fs::read_to_string(golden::reports().join("README.md")).expect("the index");

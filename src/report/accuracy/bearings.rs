@@ -3,7 +3,7 @@
 use super::methods;
 use crate::accuracy::{BearingMethod, BearingRow};
 use crate::engine::Engine;
-use crate::page::{Block, Fold, Piece, Table, Text, phrase};
+use crate::page::{Piece, Table, Text, phrase};
 use crate::proof::Quantity;
 
 pub(super) const HOW: &str = "The loads are those of inertia, with the side forces of the pistons, on a continuous beam. The error is that of the largest load of any bearing \
@@ -47,52 +47,12 @@ fn error(row: &BearingRow) -> Text {
     }
 }
 
-/// The errors of the methods at some rod ratios: measured ones, and folded what is guaranteed; nothing without main bearings.
-pub(super) fn errors(cases: &[(Text, &[BearingRow])]) -> Vec<Block> {
-    if cases.is_empty() {
-        return Vec::new();
-    }
-    let by_ratio = |kept: &dyn Fn(&BearingRow) -> bool, cell: &dyn Fn(&BearingRow) -> Text| {
-        let columns = cases.iter().map(|(label, _)| label.clone());
-        let mut table = Table::new([Text::from("Method")].into_iter().chain(columns));
-        let first = cases.first().map_or(&[][..], |(_, rows)| rows);
-        for (place, row) in first.iter().enumerate().filter(|(_, row)| kept(row)) {
-            let cells = cases.iter().map(|(_, rows)| rows.get(place).map_or_else(Text::default, cell));
-            table.push([name(row.method)].into_iter().chain(cells).collect());
-        }
-        table
-    };
-    let measured = by_ratio(&|row| row.method != BearingMethod::ClosedForm, &error);
-    let guaranteed = by_ratio(&|row| row.bound.is_some(), &|row| {
-        row.bound.map_or_else(Text::default, |bound| methods::power(bound).into())
-    });
-    vec![
-        Block::Paragraph("Measured error of the largest bearing load of inertia:".into()),
-        measured.into(),
-        Block::Folded(Fold {
-            summary: "Guaranteed bound of the error of the largest bearing load of inertia".into(),
-            blocks: vec![guaranteed.into()],
-        }),
-        Block::Note(HOW.into()),
-    ]
-}
-
 /// The fewest orders that have the largest load within a thousandth, guaranteed.
 fn orders_for_a_thousandth(rows: &[BearingRow]) -> Option<u32> {
     rows.iter().find_map(|row| match row.method {
         BearingMethod::Orders(order) => row.bound.filter(|bound| *bound <= methods::USUAL).map(|_| order),
         BearingMethod::Angles(_) | BearingMethod::ClosedForm => None,
     })
-}
-
-/// Which orders have the largest load within a thousandth, at each rod ratio.
-pub(super) fn orders_needed(engine: &Engine, cases: &[(Text, &[BearingRow])]) -> Option<Text> {
-    let needed = cases.iter().map(|(label, rows)| match orders_for_a_thousandth(rows) {
-        Some(order) => phrase!("{} at {}", order, label.clone()),
-        None => phrase!("more at {}", label.clone()),
-    });
-    let words = "{}: the largest bearing load of inertia is within 0.1 %, guaranteed, with the orders up to {}.";
-    (!cases.is_empty()).then(|| phrase!(words, engine.title(), Text::joined(needed, ", ")))
 }
 
 /// The largest load, and the orders that have it.

@@ -18,7 +18,7 @@ pub struct AccuracyCase {
     /// Its loads.
     pub studies: Vec<Study>,
     /// The largest bearing load of inertia by several methods; none without main bearings.
-    pub(super) bearings: Option<Vec<BearingRow>>,
+    pub bearings: Option<Vec<BearingRow>>,
     /// The largest torque of gas and inertia by several methods; none without gas.
     pub(super) engine_torque: Option<Vec<PeakRow>>,
     /// The largest bearing load of gas and masses by several methods; none where the layout does not ask for the gas.

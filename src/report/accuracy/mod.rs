@@ -8,11 +8,9 @@ mod gas_bearings;
 mod methods;
 mod page;
 mod plots;
-mod published;
 mod tables;
 mod words;
 
 pub use case::AccuracyCase;
 pub use document::{AccuracyDocument, accuracy_document};
 pub use page::{accuracy_answer, accuracy_page, accuracy_section};
-pub use published::accuracy_errors_page;

@@ -6,9 +6,7 @@ use super::super::figure::Ink;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::{AccuracyCase, methods, words};
 use crate::accuracy::{Method, Row, Study};
-use crate::engine::Engine;
-use crate::page::{Picture, Text, phrase};
-use crate::proof::Quantity;
+use crate::page::{Picture, phrase};
 
 /// Errors smaller than this are drawn as this.
 const LEAST: f64 = 1e-18;
@@ -47,39 +45,6 @@ pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture
     Picture { name, caption, figure: plot.figure() }
 }
 
-/// Guaranteed bound over the highest order kept, a curve a rod ratio; what was measured as dots upon it.
-pub(super) fn orders(number: usize, engine: &Engine, studies: &[(Text, &Study)]) -> Option<Picture> {
-    let quantity = studies.first()?.1.quantity;
-    let words = match quantity {
-        Quantity::FORCE => "{}: what the orders leave of the peak force",
-        Quantity::MOMENT => "{}: what the orders leave of the peak moment",
-        Quantity::Axial(_) => "{}: what the orders leave of the peak inertia torque",
-    };
-    let title = phrase!(words, engine.title());
-    let x = Axis::linear("Highest order kept");
-    let x =
-        Axis { ticks: Some([0, 4, 8, 12, 16, 20, 24, 28, 32].map(f64::from).to_vec()), range: Some((0.0, 33.0)), ..x };
-    let mut plot = Plot::new(title.plain(), x, Axis::log("Part of the peak").within(1e-16, 10.0));
-    for (place, (label, study)) in studies.iter().enumerate() {
-        let orders = study.rows.iter().filter_map(|row| match row.method {
-            Method::Orders(order) => Some((f64::from(order), row)),
-            Method::Doubles(_) | Method::Singles(_) | Method::Intervals(_) | Method::Fractions => None,
-        });
-        let orders: Vec<(f64, &Row)> = orders.collect();
-        let bounds = orders.iter().filter_map(|(order, row)| Some((*order, two_digits(row.bound?).max(LEAST))));
-        let curve = Curve::new(place, format!("bound, {}", label.plain()), bounds.collect());
-        let ink = curve.ink;
-        plot.curves.push(curve);
-        for (order, row) in orders.iter().filter(|(_, row)| row.error >= study.rounding) {
-            let mark = PointMark { ink, ..PointMark::dot((*order, two_digits(row.error)), "") };
-            plot.marks.push(if place == 0 { mark.of("measured") } else { mark });
-        }
-    }
-    let caption =
-        phrase!("{}, over the highest order kept: curves are guaranteed bounds, dots measured errors.", title);
-    Some(Picture { name: format!("engine-{number}-{}", words::file_name(quantity)), caption, figure: plot.figure() })
-}
-
 /// Decimal digits that an error, a part of the peak, leaves.
 fn digits(error: f64) -> f64 {
     -error.max(LEAST).log10()
@@ -87,9 +52,4 @@ fn digits(error: f64) -> f64 {
 
 fn microseconds(time: Duration) -> f64 {
     time.as_secs_f64() * 1e6
-}
-
-/// What the tables show of an error, so that a drawing does not tell machines apart either.
-fn two_digits(value: f64) -> f64 {
-    format!("{value:.1e}").parse().unwrap_or(value)
 }

@@ -2,8 +2,8 @@
 
 use num_traits::{ToPrimitive, Zero};
 
+use super::AccuracyCase;
 use super::methods;
-use super::{AccuracyCase, case};
 use crate::accuracy::Study;
 use crate::engine::Engine;
 use crate::page::{Piece, Text, phrase};
@@ -19,9 +19,6 @@ pub(super) const METHODS: [&str; 5] = [
 ];
 
 pub(super) const TIMES: &str = "A time is the median of seven evaluations of the peak on the machine that wrote this page, with all numbers of the engine at hand; what takes longer than 20 ms is timed once.";
-
-pub(super) const NO_TIMES: &str =
-    "Below the last place of doubles errors differ between machines; there only a bound is shown.";
 
 /// The heading of a load.
 pub(super) fn heading(case: &AccuracyCase, study: &Study) -> Text {
@@ -101,26 +98,4 @@ pub(super) fn answer(engine: &Engine, case: &AccuracyCase, study: &Study) -> Tex
         phrase!("The fastest method within 0.1 % takes {}: {}.", methods::time(time), methods::name(row.method))
     });
     Text::joined([peak, orders].into_iter().chain(fastest), " ")
-}
-
-/// Which orders have the peak of a load within a thousandth, at each rod ratio.
-pub(super) fn orders_needed(engine: &Engine, cases: &[AccuracyCase]) -> Vec<Text> {
-    let of_load = |place: usize| {
-        let studies = cases.iter().map(|case| (case.label(), &case.studies[place]));
-        let quantity = cases.first()?.studies[place].quantity;
-        let needed = studies.filter(|(_, study)| !study.rows.is_empty()).map(|(label, study)| {
-            match methods::orders_for_a_thousandth(study) {
-                Some(order) => phrase!("{} at {}", order, label),
-                None => phrase!("more at {}", label),
-            }
-        });
-        let needed = Text::joined(needed, ", ");
-        let words = match quantity {
-            Quantity::FORCE => "{}: the peak force is within 0.1 %, guaranteed, with the orders up to {}.",
-            Quantity::MOMENT => "{}: the peak moment is within 0.1 %, guaranteed, with the orders up to {}.",
-            Quantity::Axial(_) => "{}: the peak inertia torque is within 0.1 %, guaranteed, with the orders up to {}.",
-        };
-        (!needed.is_empty()).then(|| phrase!(words, engine.title(), needed))
-    };
-    (0..case::loads_of(cases)).filter_map(of_load).collect()
 }

@@ -1,6 +1,6 @@
 //! What stands on the pages of the atlas? The answer, the stars of the catalogue, what each engine leaves first and at each order.
 
-use super::super::catalogue::{answer, families, pictures};
+use super::super::catalogue::{catalogue_families, catalogue_pictures, catalogue_summary};
 use super::super::engine_cells;
 use super::entry::{EngineRow, Origin};
 use super::{CENTRIC, OFFSET, tables};
@@ -13,19 +13,19 @@ use crate::proof::Planar;
 pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow], beside: Beside) -> Document {
     let mut page = Document::new("atlas", "Atlas of engine balance");
     page.has_contents = true;
-    let families = families(engines);
+    let families = catalogue_families(engines);
     let of = |origin: Origin| all.iter().filter(|row| row.origin == origin).collect::<Vec<_>>();
     let mut lines = vec![phrase!(
         "The {} engines of the catalogue and the {} best in-line stars of 2 to 12 cylinders: what each leaves at orders 1 to 8, exactly, and which order of all is the first left.",
         engines.len(),
         all.len() - engines.len()
     )];
-    lines.extend(answer(&families));
+    lines.extend(catalogue_summary(&families));
     page.push(Block::Answer(lines));
     page.push(Block::Heading(1, "The stars of the catalogue".into()));
     for family in &families {
         page.push(Block::Heading(2, family.heading.into()));
-        page.push(pictures(family));
+        page.push(catalogue_pictures(family));
     }
     page.push(Block::Heading(1, "The catalogue".into()));
     let known = of(Origin::Catalogue);

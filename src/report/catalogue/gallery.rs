@@ -1,7 +1,7 @@
 //! How do the engines of a family stand beside each other? A picture of stamps in rows.
 
 use super::super::figure::{Figure, Point};
-use super::{Family, Known, Stamp};
+use super::{CatalogueFamily, KnownEngine, Stamp};
 use crate::page::{Block, Picture};
 
 /// Stamps beside each other: their words are read on a telephone too.
@@ -16,10 +16,10 @@ const CAPTION: &str = "Each engine from its free end, cranks inside and cylinder
     black arrows are the vectors of the cylinders, the red arrow is their sum.";
 
 /// The pictures of a family.
-pub(in crate::report) fn pictures(family: &Family) -> Block {
+pub fn pictures(family: &CatalogueFamily) -> Block {
     let pages = family.engines.len().div_ceil(MOST_ENGINES).max(1);
     let rows_a_page = family.engines.len().div_ceil(pages * COLUMNS);
-    let picture = |(index, engines): (usize, &[Known])| Picture {
+    let picture = |(index, engines): (usize, &[KnownEngine])| Picture {
         name: match index {
             0 => family.file.to_owned(),
             later => format!("{}-{}", family.file, later + 1),
@@ -30,7 +30,7 @@ pub(in crate::report) fn pictures(family: &Family) -> Block {
     Block::Pictures(family.engines.chunks(rows_a_page * COLUMNS).enumerate().map(picture).collect())
 }
 
-fn rows(engines: &[Known]) -> Figure {
+fn rows(engines: &[KnownEngine]) -> Figure {
     let (columns, rows) = (engines.len().min(COLUMNS), engines.len().div_ceil(COLUMNS));
     let (width, height) = (Stamp::WIDTH + GAP, Stamp::HEIGHT + GAP);
     let mut figure = Figure::new(columns as f64 * width, rows as f64 * height);

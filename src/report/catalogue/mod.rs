@@ -1,12 +1,12 @@
-//! What does the catalogue hold? Each engine with the orders that it leaves, by families: a list, a page, pictures.
+//! What does the catalogue hold? Each engine with the orders that it leaves, by families: a list, pictures.
 
 mod gallery;
 mod page;
 mod small;
 mod stamp;
 
-pub(super) use gallery::pictures;
-pub use page::{catalogue_answer, catalogue_page};
+pub use gallery::pictures as catalogue_pictures;
+pub use page::catalogue_answer;
 pub(super) use stamp::Stamp;
 
 use super::residual;
@@ -21,7 +21,7 @@ use crate::verdict::{
 };
 
 /// An engine of the catalogue, judged.
-pub(super) struct Known<'a> {
+pub struct KnownEngine<'a> {
     /// Its name.
     pub name: &'static str,
     /// The engine.
@@ -31,25 +31,25 @@ pub(super) struct Known<'a> {
 }
 
 /// The engines of the catalogue that are built alike.
-pub(super) struct Family<'a> {
+pub struct CatalogueFamily<'a> {
     /// The name of its picture.
     pub file: &'static str,
     /// What it is called.
     pub heading: &'static str,
     /// Its engines, in the order of the catalogue.
-    pub engines: Vec<Known<'a>>,
+    pub engines: Vec<KnownEngine<'a>>,
 }
 
 /// The catalogue by families, in the order in which they come first.
-pub(super) fn families(engines: &[(Entry, Engine)]) -> Vec<Family<'_>> {
-    let mut families: Vec<Family> = Vec::new();
+pub fn catalogue_families(engines: &[(Entry, Engine)]) -> Vec<CatalogueFamily<'_>> {
+    let mut families: Vec<CatalogueFamily> = Vec::new();
     for (entry, engine) in engines {
         let theorem = verdict::every_order(engine, Masses::Reciprocating);
-        let known = Known { name: entry.name, engine, theorem };
+        let known = KnownEngine { name: entry.name, engine, theorem };
         let (file, heading) = family(engine.form());
         match families.iter_mut().find(|family| family.file == file) {
             Some(family) => family.engines.push(known),
-            None => families.push(Family { file, heading, engines: vec![known] }),
+            None => families.push(CatalogueFamily { file, heading, engines: vec![known] }),
         }
     }
     families
@@ -68,18 +68,18 @@ fn family(form: Form) -> (&'static str, &'static str) {
 }
 
 /// What is left first of the force, or of the moment.
-pub(super) struct First {
+pub struct FirstOrderLeft {
     /// The order.
     pub order: u32,
     /// What it traces.
     pub shape: Shape,
     /// How large it is, where one sum says it.
-    size: Option<Text>,
+    pub size: Option<Text>,
 }
 
-impl Known<'_> {
+impl KnownEngine<'_> {
     /// What is left first of the force and of the moment; none where nothing is known of every order.
-    pub fn first(&self) -> Option<[Option<First>; 2]> {
+    pub fn first(&self) -> Option<[Option<FirstOrderLeft>; 2]> {
         let theorem = match &self.theorem {
             Ok(EveryOrderTheorem::Period(theorem)) => theorem,
             Ok(several @ EveryOrderTheorem::Recurrences(_)) => return self.first_of_classes(several),
@@ -87,35 +87,39 @@ impl Known<'_> {
         };
         Some([&theorem.force, &theorem.moment].map(|every: &EveryOrder| {
             let first = every.first.as_ref()?;
-            Some(First { order: first.direct.order, shape: first.shape, size: Some(residual::largest(first).into()) })
+            Some(FirstOrderLeft {
+                order: first.direct.order,
+                shape: first.shape,
+                size: Some(residual::largest(first).into()),
+            })
         }))
     }
 
     /// The same where every order is told class by class.
-    fn first_of_classes(&self, theorem: &EveryOrderTheorem) -> Option<[Option<First>; 2]> {
+    fn first_of_classes(&self, theorem: &EveryOrderTheorem) -> Option<[Option<FirstOrderLeft>; 2]> {
         let first = |quantity| match theorem.first_left(self.engine, quantity) {
             FirstLeft::Nothing => Some(None),
-            FirstLeft::Order(order, shape) => Some(Some(First { order, shape, size: None })),
+            FirstLeft::Order(order, shape) => Some(Some(FirstOrderLeft { order, shape, size: None })),
             FirstLeft::NotKnown => None,
         };
         Some([first(Planar::Force)?, first(Planar::Moment)?])
     }
 
     /// The same of an engine with articulated rods: at the orders that it asks for, or proved to be zero at every order.
-    fn first_of_links(&self) -> Option<[Option<First>; 2]> {
+    fn first_of_links(&self) -> Option<[Option<FirstOrderLeft>; 2]> {
         let wanted = self.engine.has_links().then(|| self.engine.orders())?;
         let judged = verdict::classify(self.engine, wanted, Masses::Reciprocating, &[]).ok()?;
         let first = |whole: &dyn Fn(&OrderVerdict) -> WholeOrder| {
             let mut orders = judged.iter().filter(|order| order.exists()).map(|order| (order.order, whole(order)));
             let left = orders.find(|(_, whole)| !whole.is_balanced());
-            left.map(|(order, whole)| First { order, shape: whole.shape, size: None })
+            left.map(|(order, whole)| FirstOrderLeft { order, shape: whole.shape, size: None })
         };
         let found = [
             (Planar::Force, first(&|order| order.force.clone())),
             (Planar::Moment, first(&|order| order.moment.clone())),
         ];
         // That nothing is left at these orders says nothing of all, unless that is proved.
-        let is_known = |(quantity, first): &(Planar, Option<First>)| {
+        let is_known = |(quantity, first): &(Planar, Option<FirstOrderLeft>)| {
             first.is_some() || loads::vanishes_at_every_order(self.engine, (*quantity).into())
         };
         found.iter().all(is_known).then(|| found.map(|(_, first)| first))
@@ -132,31 +136,15 @@ impl Known<'_> {
         let judged = verdict::classify(self.engine, &[order], Masses::Reciprocating, &[]).ok()?;
         judged.into_iter().next()?.parts.into_iter().next()
     }
-
-    /// The lowest order left of force and moment, each in a cell: `order 2: 4, planar`, `none`.
-    fn cells(&self) -> [Text; 2] {
-        match self.first() {
-            Some(first) => first.map(|first| first.map_or_else(|| "none".into(), left)),
-            None => ["not stated".into(), "not stated".into()],
-        }
-    }
-}
-
-fn left(first: First) -> Text {
-    let shape = residual::shape_name(first.shape);
-    match first.size {
-        Some(size) => phrase!("order {}: {}, {}", first.order, size, shape),
-        None => phrase!("order {}: {}", first.order, shape),
-    }
 }
 
 /// What is said of the whole catalogue: which engines leave nothing of orders 1 and 2, and which nothing at all.
-pub(super) fn answer(families: &[Family]) -> Vec<Text> {
-    let names = |of: &dyn Fn(&Known) -> bool| {
+pub fn catalogue_summary(families: &[CatalogueFamily]) -> Vec<Text> {
+    let names = |of: &dyn Fn(&KnownEngine) -> bool| {
         let engines = families.iter().flat_map(|family| &family.engines);
         Text::joined(engines.filter(|known| of(known)).map(|known| Text::label(known.name)), ", ")
     };
-    let is_known = |known: &Known| known.theorem.is_ok();
+    let is_known = |known: &KnownEngine| known.theorem.is_ok();
     let never = names(&|known| is_known(known) && known.lowest().is_none());
     let late = names(&|known| known.lowest().is_some_and(|order| order > 2));
     let mut lines = Vec::new();

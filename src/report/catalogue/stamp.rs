@@ -4,7 +4,7 @@ use super::super::figure::{Anchor, Figure, Point};
 use super::super::residual;
 use super::super::star::small_star;
 use super::small::{SIZE, small_engine};
-use super::{First, Known};
+use super::{FirstOrderLeft, KnownEngine};
 use crate::page::{Text, phrase};
 
 /// Width of each of the two drawings in millimetres.
@@ -27,7 +27,7 @@ impl Stamp {
     pub const HEIGHT: f64 = DRAWING + 12.0;
 
     /// The stamp of an engine of the catalogue.
-    pub fn new(known: &Known) -> Self {
+    pub fn new(known: &KnownEngine) -> Self {
         Stamp {
             name: known.name,
             lines: lines(known).map(|line| line.plain()),
@@ -50,9 +50,9 @@ impl Stamp {
 }
 
 /// What is left first of the force and of the moment.
-fn lines(known: &Known) -> [Text; 2] {
+fn lines(known: &KnownEngine) -> [Text; 2] {
     let Some([force, moment]) = known.first() else { return ["not stated of every order".into(), Text::default()] };
-    let shape = |first: &First| residual::shape_name(first.shape);
+    let shape = |first: &FirstOrderLeft| residual::shape_name(first.shape);
     let force = match force {
         Some(first) => phrase!("force of order {}, {}", first.order, shape(&first)),
         None => "no force".into(),

@@ -80,7 +80,7 @@ fn of_several_rods(order: &OrderVerdict) -> Text {
 }
 
 /// What takes an order away, in a word or two.
-pub(in crate::report) fn needs(remedy: &Remedy) -> Text {
+pub fn needs(remedy: &Remedy) -> Text {
     let order = remedy.orders.first().copied().unwrap_or_default();
     let weights = remedy.crankshaft.is_some();
     match remedy.shafts.as_slice() {

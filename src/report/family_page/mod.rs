@@ -133,7 +133,7 @@ fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
 }
 
 /// For which angles a vector vanishes, a sentence each, where that is solved.
-pub(super) fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
+pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
     let verdicts = orders.iter().flat_map(|order| order.force.iter().chain(&order.moment));
     let sentence = |verdict: &OpenVerdict| {
         let listed = verdict.bank_angles().filter(|angles| !angles.is_empty() && !verdict.always());

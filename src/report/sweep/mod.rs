@@ -10,11 +10,9 @@ mod page;
 mod plots;
 mod question;
 mod sentences;
-mod study;
 mod tables;
 mod words;
 
 pub use csv::sweep_csv;
 pub use document::{SweepDocument, sweep_document};
 pub use page::{sweep_answer, sweep_page};
-pub use study::{study_page, study_tables};

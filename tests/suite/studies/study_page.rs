@@ -1,16 +1,17 @@
 //! What stands on the page of a study? How many checks hold and which do not, the statements, the families, what was assumed.
 
+use crankstar::page::{Block, Document, File, Fold, Table, Text};
+use crankstar::report::{data, sweep_page};
+use crankstar::sweep::{Sweep, SweptEngine};
+use crankstar::table::csv;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::super::amounts::counted;
-use super::super::assumptions::assumptions;
-use super::super::csv::kept_csv;
-use super::super::tables;
-use super::{checks, flywheel, plots};
-use crate::claim::{Checked, Studied, Study};
-use crate::page::{Block, Document, File, Fold, Text, phrase};
-use crate::sweep::{Geometry, Sweep, SweptEngine};
+use super::study::{Checked, Studied, Study};
+use super::{phrase, study_checks as checks, study_flywheels as flywheel, study_plots as plots};
+
+/// Digits of the tables, which are to be the same on every machine.
+const DIGITS: usize = 10;
 
 const ZEROS: &str = "Where each vector vanishes in the range of the V; the lists are exact and complete:";
 const PARTS: &str = "Along is vertical, across horizontal; largest and smallest are the greatest and the least length of the resultant in a revolution; \
@@ -46,7 +47,8 @@ pub fn study_page(study: &Study) -> Document {
     page.push(Block::Heading(1, "What was assumed".into()));
     page.push(Block::List(ASSUMED.map(Text::from).into()));
     page.push(Block::Paragraph("Length, breadth and height are those of a simple geometry:".into()));
-    page.push(Block::List(assumptions(&Geometry::default()).into()));
+    // The page of a sweep ends with them.
+    page.blocks.extend(study.families.first().and_then(|family| sweep_page(&family.sweep).blocks.pop()));
     page
 }
 
@@ -83,18 +85,26 @@ fn of_family(family: &Studied) -> Vec<Block> {
     blocks
         .extend(in_line.map(|(title, _)| Block::Paragraph(phrase!("The value 0 is an engine of its own: {}.", title))));
     blocks.push(Block::Pictures(plots::pictures(family, &whole)));
-    if let (Some(parameter), Some(sets)) = (sweep.parameters.first(), &sweep.zeros) {
-        blocks.push(Block::Paragraph(ZEROS.into()));
-        blocks.push(tables::zeros(parameter, sets).into());
-        blocks.push(Block::Note(PARTS.into()));
-    }
+    let found = sweep_page(&whole).blocks;
+    blocks.push(Block::Paragraph(ZEROS.into()));
+    blocks.push(zeros(&found).clone().into());
+    blocks.push(Block::Note(PARTS.into()));
     blocks.extend(flywheel::blocks(family));
     blocks.push(Block::Paragraph(phrase!("All values: {}.", Text::link(Text::label(csv.clone()), csv))));
-    let points = tables::points(&counted(&whole)).into_iter();
+    let points = found.into_iter().filter_map(|block| if let Block::Folded(fold) = block { Some(fold) } else { None });
     let points =
         points.flat_map(|fold| [Block::Paragraph(phrase!("**{}:**", fold.summary))].into_iter().chain(fold.blocks));
     blocks.push(Block::Folded(Fold { summary: phrase!("{}: every point", &sweep.title), blocks: points.collect() }));
     blocks
+}
+
+/// Where each vector vanishes: the table in front of what its columns mean.
+fn zeros(sweep_page: &[Block]) -> &Table {
+    let mut behind = sweep_page.iter().skip_while(
+        |block| !matches!(block, Block::Heading(_, words) if words.plain() == "Where each vector vanishes"),
+    );
+    let table = behind.find_map(|block| if let Block::Table(table) = block { Some(table) } else { None });
+    table.expect("the zeros of an angle")
 }
 
 fn table_name(family: &Studied) -> String {
@@ -103,7 +113,10 @@ fn table_name(family: &Studied) -> String {
 
 /// The points of each family as a table in CSV, the engine in line first.
 pub fn study_tables(study: &Study) -> Vec<File> {
-    let table = |family| File { name: table_name(family), text: kept_csv(&with_in_line(family)) };
+    let table = |family| File {
+        name: table_name(family),
+        text: csv(&data::sweep_points(&with_in_line(family)).rounded(DIGITS)),
+    };
     study.families.iter().map(table).collect()
 }
 

@@ -1,13 +1,17 @@
 //! How is the torque of a family shown? Which orders vanish at each value, and what flywheel and counterweights weigh.
 
-use super::super::super::residual;
-use super::super::words::axis;
-use crate::claim::{Evened, Flywheels, Studied};
-use crate::engine::{CycleOrder, Firing};
-use crate::numbers::float;
-use crate::page::plot::{Axis, Curve, Plot, PointMark};
-use crate::page::{Block, Number, Picture, Table, Text, Unit, number, phrase};
-use crate::sweep::Amplitude;
+use crankstar::engine::{CycleOrder, Firing};
+use crankstar::numbers::{self, float};
+use crankstar::page::number::Amount;
+use crankstar::page::plot::{Axis, Curve, Plot, PointMark};
+use crankstar::page::{Block, Number, Picture, Piece, Table, Text, Unit, number};
+use crankstar::sweep::Amplitude;
+use crankstar::text::Format;
+
+use super::flywheels::{Evened, Flywheels};
+use super::phrase;
+use super::study::Studied;
+use super::study_plots::axis;
 
 const STARS: &str = "Firing stars by order of the torque: the exact length of $S_\\kappa = \\sum_j e^{-i\\kappa\\varphi_j}$, $\\varphi_j$ the crank angle at which cylinder j \
     fires. Where it is **0**, proved, the order vanishes for every pressure that the cylinders share.";
@@ -42,8 +46,8 @@ pub(super) fn blocks(family: &Studied) -> Vec<Block> {
         "Assumed: δ {}, {} revolutions a minute, ρ {} of the flywheel and {} of the counterweights, and the cylinders of the layout.",
         Number::Decimal(first.irregularity),
         Number::exact(&first.speed),
-        Text::from(crate::page::Piece::Quantity(float(&flywheels.flywheel_radius), Unit::METRE)),
-        Text::from(crate::page::Piece::Quantity(float(&flywheels.counterweight_radius), Unit::METRE))
+        Text::from(Piece::Quantity(float(&flywheels.flywheel_radius), Unit::METRE)),
+        Text::from(Piece::Quantity(float(&flywheels.counterweight_radius), Unit::METRE))
     )));
     blocks
 }
@@ -58,7 +62,9 @@ fn stars(label: &str, flywheels: &Flywheels, shown: &[CycleOrder]) -> Table {
     for point in flywheels.all() {
         let star = |order: &CycleOrder| match point.star(*order) {
             Some(star) if star.vanishes() => Text::zero(),
-            Some(star) => residual::modulus_of(star).into(),
+            Some(star) => {
+                Amount { exact: numbers::modulus(star), decimal: numbers::length(numbers::evaluate(star)) }.into()
+            }
             None if vanishes(point, *order) => Text::zero(),
             None => "–".into(),
         };
@@ -120,8 +126,8 @@ type Mass = fn(&Evened) -> Option<f64>;
 pub(super) fn picture(family: &Studied) -> Option<Picture> {
     let flywheels = family.flywheels.as_ref()?;
     let parameter = &family.sweep.parameters[0];
-    let x = Axis::angle(axis(parameter, true), 0.0, float(&parameter.range.last()), 30);
-    let title = format!("{}: flywheel, counterweights", family.sweep.title.escaped(crate::text::Format::Plain));
+    let x = Axis::angle(axis(parameter), 0.0, float(&parameter.range.last()), 30);
+    let title = format!("{}: flywheel, counterweights", family.sweep.title.escaped(Format::Plain));
     let mut plot = Plot::new(title, x, Axis::amplitude("Mass in {}").counted_in(Unit::KILOGRAM));
     let kinds: [(&str, Mass); 3] = [
         ("flywheel", |point| Some(point.flywheel)),

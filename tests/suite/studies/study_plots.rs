@@ -2,19 +2,17 @@
 
 use std::collections::BTreeSet;
 
+use crankstar::loads::Arm;
+use crankstar::numbers::float;
+use crankstar::page::plot::{Axis, Curve, Plot, PointMark};
+use crankstar::page::{Picture, Text, number};
+use crankstar::proof::Planar;
+use crankstar::sweep::{Amplitudes, Envelope, Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
+use crankstar::text::Format;
 use num_rational::BigRational;
 
-use super::super::plots::{Amplitude, amplitudes};
-use super::super::words::{axis, exact};
-use super::flywheel;
-use crate::claim::Studied;
-use crate::loads::Arm;
-use crate::numbers::float;
-use crate::page::plot::{Axis, Curve, Plot, PointMark};
-use crate::page::{Picture, Text};
-use crate::proof::Planar;
-use crate::sweep::{Envelope, Sweep, SweptEngine, ZeroSet, Zeros};
-use crate::text::Format;
+use super::study::Studied;
+use super::study_flywheels as flywheel;
 
 const FORCES: &str = "Vertical and horizontal amplitudes of the forces of orders 1 and 2; what is 0 everywhere is left out. Rings mark the exact zeros of a part.";
 const MOMENTS: &str = "Vertical and horizontal amplitudes of the moments of orders 1 and 2; what is 0 everywhere is left out. Rings mark the exact zeros of a part.";
@@ -42,17 +40,28 @@ pub(super) fn pictures(family: &Studied, whole: &Sweep) -> Vec<Picture> {
     drawn
 }
 
+/// `bank angle in °`.
+pub(super) fn axis(parameter: &Parameter) -> String {
+    format!("{} in °", parameter.label)
+}
+
+/// The amplitudes of an order at a point.
+fn amplitudes(point: &SweptEngine, place: usize, quantity: Planar) -> Option<&Amplitudes> {
+    let order = point.orders.get(place)?;
+    Some(if quantity == Planar::Force { &order.force } else { &order.moment })
+}
+
 /// Vertical and horizontal amplitudes of orders 1 and 2, and that of the rotating masses; what is zero is left out.
 fn unbalanced(family: &Studied, quantity: Planar) -> Plot {
     let sweep = &family.sweep;
-    let mut plot = plot(sweep, &format!("unbalanced {}s", quantity.name()));
+    let mut plot = plot(sweep, if quantity == Planar::Force { "unbalanced forces" } else { "unbalanced moments" });
     let arm = match (quantity, sweep.arm) {
         (Planar::Moment, Arm::Spacing) => " a",
         (Planar::Moment, Arm::Metre) => " · m",
         _ => "",
     };
     plot.y = Axis::linear(format!("Amplitude in m r ω²{arm}, of order 2 times c₂"));
-    let mut add = |name: String, of: &Sweep, place: usize, part: Amplitude| {
+    let mut add = |name: String, of: &Sweep, place: usize, part: fn(&Amplitudes) -> f64| {
         let point =
             |point: &SweptEngine| Some((float(point.values.first()?), part(amplitudes(point, place, quantity)?)));
         let points: Vec<(f64, f64)> = of.curve.iter().filter_map(point).collect();
@@ -74,7 +83,7 @@ fn unbalanced(family: &Studied, quantity: Planar) -> Plot {
     let at: BTreeSet<&BigRational> = sweep.zeros.iter().flatten().filter(shown).flat_map(|set| &set.at).collect();
     plot.marks = at
         .into_iter()
-        .map(|at| PointMark::ring((float(at), 0.0), format!("{}°", exact(at))).of("exact zero of a part"))
+        .map(|at| PointMark::ring((float(at), 0.0), number::degrees(at)).of("exact zero of a part"))
         .collect();
     plot
 }
@@ -82,7 +91,7 @@ fn unbalanced(family: &Studied, quantity: Planar) -> Plot {
 fn plot(sweep: &Sweep, what: &str) -> Plot {
     let parameter = &sweep.parameters[0];
     let last = float(&parameter.range.last());
-    let x = Axis::angle(axis(parameter, true), 0.0, last, 30);
+    let x = Axis::angle(axis(parameter), 0.0, last, 30);
     Plot::new(format!("{}: {what}", sweep.title.escaped(Format::Plain)), x, Axis::linear(""))
 }
 

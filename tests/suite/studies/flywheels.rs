@@ -3,18 +3,18 @@
 //! The flywheel is a ring of the radius ρ with all the inertia J that turns with the crank, `m = J/ρ²`: crankshaft and clutch would make it
 //! lighter by the same amount at each engine of a family that shares them.
 
+use crankstar::engine::{CycleOrder, Engine, Firing};
+use crankstar::exact::PhasorSum;
+use crankstar::file::{Template, parse_length};
+use crankstar::order;
+use crankstar::sweep::{self, Amplitude, Parameter};
+use crankstar::torque::{self, TorqueOrder};
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 use serde::Deserialize;
 
 use super::check::Weighs;
-use crate::engine::{CycleOrder, Engine, Firing};
-use crate::exact::PhasorSum;
-use crate::file::written::Text;
-use crate::file::{Template, units};
-use crate::order;
-use crate::sweep::{self, Amplitude, Parameter};
-use crate::torque::{self, TorqueOrder};
+use super::study::Word;
 
 /// Engines with gas, and what evens them out.
 #[derive(Clone, Debug)]
@@ -55,10 +55,10 @@ pub struct Evened {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct FlywheelTable {
-    layout: Text,
-    in_line: Option<Text>,
-    flywheel_radius: Text,
-    counterweight_radius: Text,
+    layout: Word,
+    in_line: Option<Word>,
+    flywheel_radius: Word,
+    counterweight_radius: Word,
 }
 
 /// Masses closer than this part of them are one, by roundings.
@@ -74,7 +74,7 @@ impl FlywheelTable {
     ) -> Result<Flywheels, String> {
         let [flywheel_radius, counterweight_radius] =
             [radius(&self.flywheel_radius)?, radius(&self.counterweight_radius)?];
-        let text = read_file(&self.layout.get_ref().0)?;
+        let text = read_file(&self.layout.0)?;
         let template = Template::new(name, &text).map_err(|error| error.to_string())?;
         let evened = |at: BigRational, template: &Template, engine: Engine| {
             evened(at, template, engine, [&flywheel_radius, &counterweight_radius])
@@ -84,8 +84,8 @@ impl FlywheelTable {
             evened(value, &template, engine)
         });
         let points = points.collect::<Result<Vec<_>, String>>()?;
-        let in_line = |file: &Text| {
-            let text = read_file(&file.get_ref().0)?;
+        let in_line = |file: &Word| {
+            let text = read_file(&file.0)?;
             let template = Template::new(name, &text).map_err(|error| error.to_string())?;
             evened(BigRational::zero(), &template, super::study::known(&template, &[])?)
         };
@@ -94,9 +94,9 @@ impl FlywheelTable {
     }
 }
 
-fn radius(text: &Text) -> Result<BigRational, String> {
-    let written = &text.get_ref().0;
-    match units::length(written)?.value {
+fn radius(text: &Word) -> Result<BigRational, String> {
+    let written = &text.0;
+    match parse_length(written)?.0 {
         value if value.is_positive() => Ok(value),
         _ => Err(format!("a radius of `{written}` holds no mass; a length above 0, such as \"120 mm\"")),
     }

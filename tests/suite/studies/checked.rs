@@ -1,24 +1,21 @@
 //! Does a check of a study hold, and what is the case?
 
+use crankstar::claim::{self, Provenance, parse_statement};
+use crankstar::engine::{Engine, throws};
+use crankstar::exact::PhasorSum;
+use crankstar::file::{Template, parse_number};
+use crankstar::numbers::{self, Form};
+use crankstar::order::Factor;
+use crankstar::proof::Sense;
+use crankstar::remedy::{self, ComparableEngine};
+use crankstar::sweep::{self, Sweep, Zeros};
+use crankstar::text::Untrusted;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use super::check::{Check, CheckTable, Firing, Part, Values};
-use super::compare;
-use super::flywheel::Flywheels;
-use super::grammar::parse_statement;
-use super::provenance::Provenance;
+use super::flywheels::Flywheels;
 use super::study::{Checked, Found, Studied, known};
-use super::written_value::value;
-use crate::engine::{Engine, throws};
-use crate::exact::PhasorSum;
-use crate::file::{Template, parse_number};
-use crate::numbers;
-use crate::order::Factor;
-use crate::proof::{Quantity, Sense};
-use crate::remedy::{self, ComparableEngine};
-use crate::sweep::{self, Sweep, Zeros};
-use crate::text::Untrusted;
 
 fn flywheels(family: &Studied) -> Result<&Flywheels, String> {
     family.flywheels.as_ref().ok_or_else(|| format!("`{}` has no [family.flywheel]", family.name))
@@ -39,7 +36,7 @@ pub(super) fn checked(
     texts: &[String],
     read_file: &dyn Fn(&str) -> Result<String, String>,
 ) -> Result<Checked, String> {
-    let engine = check.engine.get_ref().0.clone();
+    let engine = check.engine.0.clone();
     let family = families.iter().position(|family| family.name == engine);
     let of_family = || family.map(|index| &families[index]).ok_or_else(|| format!("there is no family `{engine}`"));
     let layout = || {
@@ -51,26 +48,25 @@ pub(super) fn checked(
         match (&check.at, family) {
             (Some(at), Some(index)) => {
                 let key = &families[index].sweep.parameters[0].key;
-                known(&template, &[(key, &at.get_ref().0)])
+                known(&template, &[(key, &at.0)])
             }
             (Some(_), None) => Err(format!("`{engine}` is no family, so it has no `at`")),
             (None, _) => known(&template, &[]),
         }
     };
-    let at_words = check.at.as_ref().map_or_else(String::new, |at| format!("at {}°: ", at.get_ref().0));
+    let at_words = check.at.as_ref().map_or_else(String::new, |at| format!("at {}°: ", at.0));
     let (claim, holds, found) = match check.read()? {
         Check::Says(says) => {
             let statement =
                 parse_statement(&says).map_err(|mistake| format!("{}; {}", mistake.message, mistake.right))?;
-            let answer = super::answer(&layout()?, &statement, None);
+            let answer = claim::answer(&layout()?, &statement, None);
             (format!("{at_words}{says}"), answer.status.holds(), Found::Claim(Box::new((statement, answer))))
         }
         Check::Counterweight(expected) => {
-            let expected_value = value(&expected, false, Quantity::FORCE).map_err(|mistake| mistake.message)?;
             let sum = couple(&layout()?).ok_or_else(|| format!("`{engine}` needs no counterweights"))?;
             let (exact, decimal) = (numbers::modulus(&sum), numbers::evaluate(&sum).norm());
-            let (status, _) = compare::length(&expected_value, [&sum, &sum], exact.as_ref(), decimal);
-            (format!("{at_words}m_cw ρ b = {expected} m r a"), status.holds(), Found::Counterweight(exact))
+            let holds = is_written_so(&expected, exact.as_ref(), decimal);
+            (format!("{at_words}m_cw ρ b = {expected} m r a"), holds, Found::Counterweight(exact))
         }
         Check::VolumeBelow(limit) => {
             let below = parse_number(&limit).map_err(|error| error.to_string())?.to_f64();
@@ -125,6 +121,16 @@ pub(super) fn checked(
     };
     let [engine, claim] = [engine, claim].map(Untrusted::new);
     Ok(Checked { engine, provenance, claim, holds, found })
+}
+
+/// Whether a number is the one that is written: as a closed form, or as a decimal rounded to its last place.
+fn is_written_so(written: &str, exact: Option<&Form>, decimal: f64) -> bool {
+    let places = written.split_once('.').map_or(0, |(_, places)| places.len() as i32);
+    let half_a_place = 0.5 * 0.1_f64.powi(places);
+    match written.parse::<f64>() {
+        Ok(value) => (decimal - value).abs() <= half_a_place,
+        Err(_) => exact.is_some_and(|form| form.to_string() == written),
+    }
 }
 
 /// `m_cw ρ b` of two counterweights in the outermost throws, in multiples of m r and the unit of the positions.

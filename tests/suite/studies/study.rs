@@ -1,20 +1,17 @@
 //! Is it true, what is said about a family of engines? A study: families with their sweeps, statements with checks.
 
+use crankstar::claim::{Answer, Provenance, Quote, Statement};
+use crankstar::engine::Engine;
+use crankstar::file::{Key, Layout, Template};
+use crankstar::numbers::Form;
+use crankstar::sweep::{self, Geometry, Parameter, Sweep, SweptEngine};
+use crankstar::text::Untrusted;
 use num_rational::BigRational;
 use serde::Deserialize;
 
-use super::answer::Answer;
 use super::check::CheckTable;
 use super::checked::checked;
-use super::flywheel::{FlywheelTable, Flywheels};
-use super::provenance::{Keys, Provenance};
-use super::statement::Statement;
-use crate::engine::Engine;
-use crate::file::written::{Text, read};
-use crate::file::{Key, Layout, LayoutError, Template};
-use crate::numbers::Form;
-use crate::sweep::{self, Geometry, Parameter, Sweep, SweptEngine};
-use crate::text::Untrusted;
+use super::flywheels::{FlywheelTable, Flywheels};
 
 /// A study, every family computed and every check answered.
 #[derive(Clone, Debug)]
@@ -104,9 +101,9 @@ pub enum Found {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
-    title: Text,
-    source: Text,
-    orders: Vec<Text>,
+    title: Word,
+    source: Word,
+    orders: Vec<Word>,
     family: Vec<FamilyTable>,
     statement: Vec<StatementTable>,
 }
@@ -114,23 +111,57 @@ struct File {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct FamilyTable {
-    name: Text,
-    layout: Text,
-    rotating: Option<Text>,
-    in_line: Option<Text>,
-    sweep: Text,
+    name: Word,
+    layout: Word,
+    rotating: Option<Word>,
+    in_line: Option<Word>,
+    sweep: Word,
     flywheel: Option<FlywheelTable>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StatementTable {
-    text: Text,
-    kind: Option<Text>,
-    place: Option<Text>,
-    words: Option<Text>,
-    conclusion: Text,
+    text: Word,
+    kind: Option<Word>,
+    place: Option<Word>,
+    words: Option<Word>,
+    conclusion: Word,
     check: Vec<CheckTable>,
+}
+
+/// A number or a text, as written.
+#[derive(Clone, Deserialize)]
+#[serde(from = "toml::Value")]
+pub(super) struct Word(pub String);
+
+impl From<toml::Value> for Word {
+    fn from(value: toml::Value) -> Self {
+        match value {
+            toml::Value::String(text) => Word(text),
+            number => Word(number.to_string()),
+        }
+    }
+}
+
+impl Word {
+    fn untrusted(&self) -> Untrusted {
+        Untrusted::new(self.0.as_str())
+    }
+}
+
+impl StatementTable {
+    /// Who says what is checked: the source, at the place of the check or else of the statement, or nobody.
+    fn provenance(&self, check: &CheckTable, source: &Word) -> Provenance {
+        let of = |own: &Option<Word>, around: &Option<Word>| own.as_ref().or(around.as_ref()).map(Word::untrusted);
+        let kind = check.kind.as_ref().or(self.kind.as_ref().filter(|_| check.place.is_none()));
+        let quote = of(&check.place, &self.place).zip(of(&check.words, &self.words));
+        match (kind.map(|kind| kind.0.as_str()), quote) {
+            (Some("own"), _) | (None, None) => Provenance::Own,
+            (None, Some((place, words))) => Provenance::Quoted(Quote { source: source.untrusted(), place, words }),
+            (kind, _) => panic!("a check of `{}` of the kind {kind:?}", check.engine.0),
+        }
+    }
 }
 
 /// Reads a study and answers its checks; `read_file` gives the text of a file beside it.
@@ -142,21 +173,20 @@ pub fn study(
     source_text: &str,
     read_file: &dyn Fn(&str) -> Result<String, String>,
 ) -> Result<Study, String> {
-    let file: File = read(source_text).map_err(|error: LayoutError| error.in_file(name, source_text).to_string())?;
-    let number =
-        |text: &Text| text.get_ref().0.parse::<u32>().map_err(|_| format!("`{}` is no order", text.get_ref().0));
+    let file: File = toml::from_str(source_text).map_err(|error| error.to_string())?;
+    let number = |text: &Word| text.0.parse::<u32>().map_err(|_| format!("`{}` is no order", text.0));
     let orders = file.orders.iter().map(number).collect::<Result<Vec<_>, _>>()?;
     let mut families = Vec::new();
     let mut texts = Vec::new();
     for table in &file.family {
-        let text = read_file(&table.layout.get_ref().0)?;
-        let parameter = [Parameter::parse(&table.sweep.get_ref().0).map_err(|error| error.to_string())?];
+        let text = read_file(&table.layout.0)?;
+        let parameter = [Parameter::parse(&table.sweep.0).map_err(|error| error.to_string())?];
         let run = |text: &str| {
             let template = Template::new(name, text).map_err(|error| error.to_string())?;
             sweep::sweep(&template, &parameter, &orders, &Geometry::default()).map_err(|error| error.to_string())
         };
-        let in_line = |file: &Text| {
-            let text = read_file(&file.get_ref().0)?;
+        let in_line = |file: &Word| {
+            let text = read_file(&file.0)?;
             let template = Template::new(name, &text).map_err(|error| error.to_string())?;
             let layout = known(&template, &[])?;
             let point = sweep::judge(&layout, template.cycle(), &orders, &Geometry::default());
@@ -172,9 +202,9 @@ pub fn study(
         let first = in_line.iter().map(|(volume, ..)| Ok(*volume));
         let volumes = first.chain(of_family).collect::<Result<Vec<_>, String>>()?;
         families.push(Studied {
-            name: file_name(&table.name.get_ref().0)?,
+            name: file_name(&table.name.0)?,
             sweep: run(&text)?,
-            rotating: table.rotating.as_ref().map(|file| run(&read_file(&file.get_ref().0)?)).transpose()?,
+            rotating: table.rotating.as_ref().map(|file| run(&read_file(&file.0)?)).transpose()?,
             in_line: in_line.map(|(_, title, point)| (title, point)),
             volumes,
             flywheels: table
@@ -186,27 +216,18 @@ pub fn study(
         texts.push(text);
     }
     let statements = file.statement.iter().map(|said| {
-        let (source, kind) = (Some(&file.source), said.kind.as_ref());
-        let around = Keys { kind, source, place: said.place.as_ref(), words: said.words.as_ref() };
         let check = |check: &CheckTable| {
-            let (kind, place, words) = (check.kind.as_ref(), check.place.as_ref(), check.words.as_ref());
-            let keys = Keys { kind, source: None, place, words }.within(around);
-            let provenance = keys.provenance().map_err(|error| error.in_file(name, source_text).to_string())?;
+            let provenance = said.provenance(check, &file.source);
             checked(check, provenance, &families, &texts, read_file)
         };
         Ok(Said {
-            text: said.text.get_ref().untrusted(),
-            conclusion: said.conclusion.get_ref().untrusted(),
+            text: said.text.untrusted(),
+            conclusion: said.conclusion.untrusted(),
             checks: said.check.iter().map(check).collect::<Result<_, String>>()?,
         })
     });
     let statements = statements.collect::<Result<Vec<_>, String>>()?;
-    Ok(Study {
-        title: file.title.get_ref().untrusted(),
-        source: file.source.get_ref().untrusted(),
-        families,
-        statements,
-    })
+    Ok(Study { title: file.title.untrusted(), source: file.source.untrusted(), families, statements })
 }
 
 /// The name of a family, which its files begin with.

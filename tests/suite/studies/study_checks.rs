@@ -1,12 +1,14 @@
 //! How are the checks of a statement shown? A table for each place that is quoted, then what is reckoned beside it.
 
+use crankstar::claim::{Provenance, Quote};
+use crankstar::page::number::{self, Amount};
+use crankstar::page::{Block, Number, Table, Text};
+use crankstar::report::{claim_finding, claim_status};
+use crankstar::text::Untrusted;
 use num_rational::BigRational;
 
-use crate::claim::{Checked, Found, Provenance, Quote};
-use crate::page::{Block, Number, Table, Text, number, phrase};
-use crate::report::claims::{claim_finding, claim_status};
-use crate::report::typeset::Amount;
-use crate::text::Untrusted;
+use super::phrase;
+use super::study::{Checked, Found};
 
 /// The checks of what the source says, each place with its words; then those of nobody's.
 pub(super) fn checks(checks: &[Checked], above: &Untrusted) -> Vec<Block> {

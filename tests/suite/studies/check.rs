@@ -1,44 +1,44 @@
 //! What does a check of a study claim? One thing, each kind with what it needs.
 
+use crankstar::engine::CycleOrder;
+use crankstar::file::parse_number;
+use crankstar::proof::Planar;
+use crankstar::sweep::Zeros;
 use num_rational::BigRational;
 use serde::Deserialize;
 
-use crate::engine::CycleOrder;
-use crate::file::parse_number;
-use crate::file::written::Text;
-use crate::proof::Planar;
-use crate::sweep::Zeros;
+use super::study::Word;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct CheckTable {
     /// A family, or the path of a layout file.
-    pub engine: Text,
-    pub kind: Option<Text>,
-    pub place: Option<Text>,
-    pub words: Option<Text>,
+    pub engine: Word,
+    pub kind: Option<Word>,
+    pub place: Option<Word>,
+    pub words: Option<Word>,
     /// The value of the family's parameter that `says` is about.
-    pub at: Option<Text>,
+    pub at: Option<Word>,
     /// A claim about one engine.
-    says: Option<Text>,
+    says: Option<Word>,
     /// `moment 2 along`: what vanishes at the values named, everywhere where none are.
-    vanishes: Option<Text>,
+    vanishes: Option<Word>,
     /// `moment 1`: what has constant length at the values named.
-    constant: Option<Text>,
+    constant: Option<Word>,
     /// Where on the grid the firing is the `least` uneven, the `most` uneven, or more `even` than one step before.
-    firing: Option<Text>,
+    firing: Option<Word>,
     /// These values, and perhaps others.
-    met_at: Option<Vec<Text>>,
+    met_at: Option<Vec<Word>>,
     /// These values of the range, and no others.
-    only_at: Option<Vec<Text>>,
+    only_at: Option<Vec<Word>>,
     /// `m_cw ρ b` in multiples of m r a.
-    counterweight: Option<Text>,
+    counterweight: Option<Word>,
     /// The factor that no volume of the family reaches, of that of the engine in line.
-    volume_below: Option<Text>,
+    volume_below: Option<Word>,
     /// Where on the grid the flywheel is the `lightest`, the `heaviest`, or `lighter` than one step before.
-    flywheel: Option<Text>,
+    flywheel: Option<Word>,
     /// The order of the gas torque that vanishes at the values named of the grid, for every pressure that the cylinders share.
-    torque_vanishes: Option<Text>,
+    torque_vanishes: Option<Word>,
 }
 
 /// What a check claims: one of these, so that no key is read as another.
@@ -154,13 +154,13 @@ impl Weighs {
 impl CheckTable {
     /// The one thing that the check claims.
     pub fn read(&self) -> Result<Check, String> {
-        let values = |list: &[Text]| {
-            let value = |text: &Text| parse_number(&text.get_ref().0).map_err(|error| error.to_string());
+        let values = |list: &[Word]| {
+            let value = |text: &Word| parse_number(&text.0).map_err(|error| error.to_string());
             let mut values = list.iter().map(value).collect::<Result<Vec<_>, String>>()?;
             values.sort();
             Ok::<_, String>(values)
         };
-        let engine = &self.engine.get_ref().0;
+        let engine = &self.engine.0;
         let at = match (&self.met_at, &self.only_at) {
             (Some(list), None) => Some(Values::Among(values(list)?)),
             (None, Some(list)) => Some(Values::Only(values(list)?)),
@@ -182,7 +182,7 @@ impl CheckTable {
             ("flywheel", &self.flywheel),
             ("torque_vanishes", &self.torque_vanishes),
         ];
-        let mut claims = claims.into_iter().filter_map(|(key, words)| Some((key, words.as_ref()?.get_ref().0.clone())));
+        let mut claims = claims.into_iter().filter_map(|(key, words)| Some((key, words.as_ref()?.0.clone())));
         let (Some((key, words)), None) = (claims.next(), claims.next()) else {
             return Err(format!("a check of `{engine}` that says nothing, or two things"));
         };
