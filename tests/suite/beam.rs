@@ -22,7 +22,7 @@ fn beam(supports: &[BigRational]) -> Beam {
 }
 
 fn parts(beam: &Beam, position: &BigRational) -> Vec<BigRational> {
-    beam.influence(position).expect("no ends were given")
+    beam.influence(position)
 }
 
 /// Supports at 0, 2, 4, …, so that mid-spans stand at 1, 3, 5, …
@@ -132,7 +132,7 @@ fn the_determinate_approximation_loads_the_two_supports_beside_the_load() {
         (whole(8), [whole(0), whole(0), ratio(-1, 4), ratio(5, 4)]),
         (whole(-2), [whole(2), whole(-1), whole(0), whole(0)]),
     ] {
-        let found = beam.determinate(&position).expect("no ends were given");
+        let found = beam.determinate(&position);
         assert_eq!(found, expected, "load at {position}");
         assert_eq!(force_and_moment(&supports, &found), (whole(1), position));
     }
@@ -156,7 +156,7 @@ fn a_load_on_a_support_is_carried_there_alone() {
         for (at, position) in supports.iter().enumerate() {
             let expected: Vec<_> = (0..supports.len()).map(|k| whole(i64::from(k == at))).collect();
             assert_eq!(parts(&beam, position), expected);
-            assert_eq!(beam.determinate(position), Ok(expected));
+            assert_eq!(beam.determinate(position), expected);
         }
     }
 }
@@ -253,20 +253,4 @@ fn supports_and_loads_that_make_no_beam_are_told_with_what_would_be_right() {
     assert_eq!(message(coinciding.clone()), "supports 1 and 4 both stand at 5/2: each needs a position of its own");
     let mistake = BeamError::CoincidingSupports { first: 0, second: 3, at: ratio(5, 2) };
     assert_eq!(Beam::new(coinciding).expect_err("no beam"), mistake);
-}
-
-#[test]
-fn a_load_or_a_support_beyond_the_ends_of_the_shaft_is_refused() {
-    let supports = equal_spans(2);
-    let ended = |one, other| beam(&supports).with_ends(one, other);
-    let shaft = ended(ratio(9, 2), ratio(-1, 3)).expect("it reaches over all supports");
-    assert_eq!(shaft.influence(&ratio(9, 2)), beam(&supports).influence(&ratio(9, 2)));
-    assert_eq!(shaft.influence(&ratio(-1, 3)), beam(&supports).influence(&ratio(-1, 3)));
-    for refused in [shaft.influence(&whole(5)), shaft.determinate(&whole(5))] {
-        let message = refused.expect_err("beyond the end").to_string();
-        assert_eq!(message, "the load stands at 5, off the shaft: from -1/3 to 9/2 is right");
-    }
-    assert!(shaft.influence(&ratio(-1, 2)).is_err());
-    let message = ended(whole(0), whole(3)).expect_err("too short").to_string();
-    assert_eq!(message, "support 3 stands at 4, off the shaft: from 0 to 3 is right");
 }

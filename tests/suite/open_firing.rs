@@ -13,7 +13,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::support::german::has_words;
+use crate::support::german::{has_words, phrases};
 
 const V2: &str = "cycle = 'four-stroke'\nfiring_angles = [0, '360 + phi']\nvee = { bank_angle = 'phi', throws = [0] }";
 const V6: &str =
@@ -213,8 +213,8 @@ fn answers_and_pages_have_german_for_every_phrase() {
             let asked = if text == FOUR_BANKS { orders([2, 4]) } else { orders([1, 2, 3, 6]) };
             let study = OpenFiringStudy::new(&family, &asked, weights).expect("stars");
             for page in [report::open_firing_answer(&study), report::open_firing_page(&study)] {
-                let phrases = page.phrases().into_iter().filter(|words| has_words(words));
-                let unknown: Vec<&str> = phrases.filter(|words| !Language::De.knows(words)).collect();
+                let said = phrases(&page).into_iter().filter(|words| has_words(words));
+                let unknown: Vec<&str> = said.filter(|words| !Language::De.knows(words)).collect();
                 assert!(unknown.is_empty(), "no German for {unknown:#?}");
                 for picture in page.pictures() {
                     let figure = Language::De.picture(picture).figure;

@@ -362,7 +362,7 @@ fn along_the_axes(engine: &Engine, ratio: f64, factor: f64) -> Vec<f64> {
         .iter()
         .map(|cylinder| {
             let turn = |turn: &crankstar::exact::Turn| float(turn.turns()) * TAU;
-            let parts = beam.influence(&cylinder.position).expect("parts");
+            let parts = beam.influence(&cylinder.position);
             (turn(&cylinder.throw), turn(&cylinder.bank), parts.iter().map(float).collect())
         })
         .collect();

@@ -16,6 +16,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use crate::studies::section::section;
 use crate::support::program::scratch;
 use crate::support::{dice, every_form};
 const V6: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\n";
@@ -357,7 +358,7 @@ fn the_envelope_is_that_of_its_geometry() {
     let beside =
         2.0 * (reach * reach * (half / reach).acos() / 2.0 - half * (reach * reach - half * half).sqrt() / 2.0);
     let right = std::f64::consts::PI * reach * reach / 2.0 + 2.0 * half * top + beside;
-    let area = sweep::section(&one, &geometry).expect("an area");
+    let area = section(&one, &geometry).expect("an area");
     assert!((area - right).abs() < 1e-2 * right, "{area} {right}");
     let metric = file::parse("m.toml", "[inline]\nthrows = [0, 180]\nspacing = \"100 mm\"").expect("it reads");
     assert_eq!(sweep::envelope(&metric, &geometry).expect("a box").length, None);
