@@ -134,7 +134,6 @@ fn load(engine: &Engine, study: &Study) -> Load {
         let (method, setting) = match row.method {
             Method::Orders(order) => ("orders", Some(order)),
             Method::Doubles(steps) => ("closed form, 64 bits", Some(steps)),
-            Method::Singles(steps) => ("closed form, 32 bits", Some(steps)),
             Method::Intervals(digits) => ("intervals", Some(digits)),
             Method::Fractions => ("intervals of fractions", None),
         };
