@@ -19,6 +19,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use crate::studies::accuracy_errors;
+use crate::support::written::fraction;
 
 fn reports() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reports")
@@ -36,10 +37,6 @@ fn example(name: &str) -> Engine {
 fn catalogue(name: &str, ratio: &BigRational) -> Engine {
     let layout = file::find(name).expect("it is known").engine().expect("it reads");
     accuracy::with_rod_ratio(&layout, ratio).expect("it turns round")
-}
-
-fn fraction(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
 }
 
 fn study(layout: &Engine, quantity: Quantity) -> Study {

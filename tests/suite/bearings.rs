@@ -13,6 +13,7 @@ use std::process::{Command, Output};
 
 use crate::support::dice::Dice;
 use crate::support::program::scratch;
+use crate::support::written::engine as layout;
 
 fn crankstar(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts")
@@ -37,10 +38,6 @@ rotating_mass = 0.5
 crank_radius = '45 mm'
 rod_ratio = 0.25
 ";
-
-fn layout(text: &str) -> Engine {
-    parse("bearings.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
 
 fn solved(layout: &Engine, orders: &[u32], method: Method) -> BearingLoads {
     bearing_loads(layout, orders, method).unwrap_or_else(|missing| panic!("{missing}"))

@@ -22,10 +22,7 @@ use crate::support::dice::Dice;
 use crate::support::every_form;
 use crate::support::german::{has_words, phrases};
 use crate::support::program::{call, program, scratch};
-
-fn engine(name: &str) -> Engine {
-    file::find(name).expect("a name of the catalogue").engine().expect("it reads")
-}
+use crate::support::written::of_catalogue as engine;
 
 fn draw(layout: &str, names: &str, seed: u64) -> Exercise {
     let students = students(names).expect("a list");

@@ -17,10 +17,7 @@ use proptest::prelude::*;
 
 use crate::support::pages;
 use crate::support::verdicts::pistons;
-
-fn engine(text: &str) -> Engine {
-    file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
-}
+use crate::support::written::engine;
 
 const QUANTITIES: [Quantity; 3] = [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE];
 

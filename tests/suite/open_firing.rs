@@ -14,6 +14,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::support::german::{has_words, phrases};
+use crate::support::written::fraction;
 
 const V2: &str = "cycle = 'four-stroke'\nfiring_angles = [0, '360 + phi']\nvee = { bank_angle = 'phi', throws = [0] }";
 const V6: &str =
@@ -34,10 +35,6 @@ fn open(text: &str) -> Family {
         Layout::Open(family) => *family,
         Layout::Known(..) => panic!("nothing is open in {text}"),
     }
-}
-
-fn fraction(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
 }
 
 fn orders(halves: impl IntoIterator<Item = u32>) -> Vec<CycleOrder> {

@@ -22,11 +22,12 @@ use crankstar::page::Format;
 use crankstar::{page, report};
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::Zero;
 
 use crate::support::dice::Dice;
 use crate::support::german::phrases;
 use crate::support::program::scratch;
+use crate::support::written::float;
 
 const ENGINES: [&str; 3] = ["thesis-i3", "thesis-v8-flatplane", "thesis-v8-crossplane"];
 const POINTS: usize = 9;
@@ -46,10 +47,6 @@ fn wish(layout: &Engine, couple: Couple, points: usize) -> Wish {
 
 fn solved(layout: &Engine, couple: Couple, points: usize) -> Front {
     front(layout, &wish(layout, couple, points)).unwrap_or_else(|refused| panic!("{refused}"))
-}
-
-fn float(value: &BigRational) -> f64 {
-    value.to_f64().expect("a number")
 }
 
 fn whole(number: i64) -> BigRational {
