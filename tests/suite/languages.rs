@@ -247,19 +247,18 @@ fn every_name_in_a_drawing_has_german() {
     let engines = file::catalogue().expect("the catalogue reads");
     let index = catalogue::page(&engines);
     let pages = pages_of_the_catalogue().iter().chain(pages_of_folders()).flat_map(|(_, pages)| pages);
+    let text = |mark: &Mark| if let Mark::Text { text, .. } = mark { Some(text.clone()) } else { None };
+    let pictures = pages.chain([&index]).flat_map(Document::pictures);
+    // Most names stand in many drawings.
+    let names: BTreeSet<String> = pictures.flat_map(|picture| picture.figure.marks.iter().filter_map(text)).collect();
     let mut missing = BTreeSet::new();
-    for picture in pages.chain([&index]).flat_map(Document::pictures) {
-        for (english, german) in picture.figure.marks.iter().zip(&Language::De.picture(picture).figure.marks) {
-            let (Mark::Text { text: english, .. }, Mark::Text { text: german, .. }) = (english, german) else {
-                continue;
-            };
-            // Names of cylinders, symbols and units stay; a word of more than two small letters is English.
-            let words = english.split(|letter: char| !letter.is_alphabetic());
-            let small = |word: &&str| word.chars().count() > 2 && word.chars().all(char::is_lowercase);
-            let is_word = |word: &str| words_of(german).any(|other| other == word) && !IN_BOTH.contains(&word);
-            missing
-                .extend(words.filter(small).filter(|word| is_word(word)).map(|word| format!("{word} in {english:?}")));
-        }
+    for english in &names {
+        let german = Language::De.label(english);
+        // Names of cylinders, symbols and units stay; a word of more than two small letters is English.
+        let words = english.split(|letter: char| !letter.is_alphabetic());
+        let small = |word: &&str| word.chars().count() > 2 && word.chars().all(char::is_lowercase);
+        let is_word = |word: &str| words_of(&german).any(|other| other == word) && !IN_BOTH.contains(&word);
+        missing.extend(words.filter(small).filter(|word| is_word(word)).map(|word| format!("{word} in {english:?}")));
     }
     assert!(missing.is_empty(), "no German for {missing:#?}");
 }
