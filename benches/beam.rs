@@ -65,7 +65,7 @@ fn moments_in_fractions(supports: &[BigRational], load: &BigRational) -> Vec<Big
 fn a_parts_of_one_load(bencher: Bencher, beam: (&str, usize)) {
     let (supports, load) = supports(beam);
     let beam = Beam::new(supports).expect("a beam");
-    assert!(beam.influence(&load).expect("no ends").iter().sum::<BigRational>().is_one());
+    assert!(beam.influence(&load).iter().sum::<BigRational>().is_one());
     bencher.bench_local(|| beam.influence(black_box(&load)));
 }
 

@@ -12,7 +12,7 @@ use super::bodies::phases;
 use super::timing::{Timing, measured};
 use crate::engine::{CycleOrder, Engine};
 use crate::loads::{self, BearingLoads, Missing, PeakMethod};
-use crate::motion::SliderCrank;
+use crate::motion::{SliderCrank, golden_section};
 use crate::numbers;
 use crate::order::{self, TurningMass, turning_masses};
 
@@ -38,7 +38,7 @@ const ORDERS: [u32; 8] = [1, 2, 3, 4, 6, 8, 12, 24];
 /// Steps of a revolution.
 const STEPS: [u32; 3] = [36, 360, 3600];
 /// Golden sections of the step beside the largest of the finest angles.
-const SECTIONS: usize = 60;
+const SECTIONS: u32 = 60;
 
 /// The largest load of all main bearings of a continuous beam, by all methods; none where the engine has no main bearings, or
 /// nothing moves.
@@ -147,15 +147,6 @@ impl Closed {
         let steps = STEPS[STEPS.len() - 1];
         let (value, theta) = self.largest(steps);
         let step = TAU / f64::from(steps);
-        let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
-        let (mut low, mut high) = (theta - step, theta + step);
-        for _ in 0..SECTIONS {
-            let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-            match self.at(left) < self.at(right) {
-                true => low = left,
-                false => high = right,
-            }
-        }
-        value.max(self.at((low + high) / 2.0))
+        value.max(self.at(golden_section(theta - step, theta + step, SECTIONS, |theta| self.at(theta))))
     }
 }

@@ -9,7 +9,7 @@ use super::branch::{Found, Search};
 use super::largest::{Largest, largest};
 use super::orders::Orders;
 use super::reference::Fractions;
-use super::sample::{Doubles, Singles};
+use super::sample::Doubles;
 use super::timing::{Timing, measured};
 use crate::engine::Engine;
 use crate::loads::{self, Missing};
@@ -24,8 +24,6 @@ pub enum Method {
     Orders(u32),
     /// The closed form at so many equal steps of the crank angle, in doubles.
     Doubles(u32),
-    /// The same in single floats.
-    Singles(u32),
     /// Intervals of doubles, until so many digits are sure.
     Intervals(u32),
     /// Intervals of fractions.
@@ -157,18 +155,11 @@ pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
         });
     }
     let doubles = Doubles::new(engine, quantity)?;
-    let singles = Singles::new(engine, quantity);
     for steps in STEPS {
         let (value, time) = measured(timing, || doubles.peak(steps));
         let looked_at = Some(steps as usize);
         let error = yardstick.error(value);
         rows.push(Row { method: Method::Doubles(steps), value, bound: None, error, looked_at, time });
-    }
-    for steps in STEPS {
-        let (value, time) = measured(timing, || singles.peak(steps));
-        let looked_at = Some(steps as usize);
-        let error = yardstick.error(value);
-        rows.push(Row { method: Method::Singles(steps), value, bound: None, error, looked_at, time });
     }
     for (digits, (found, time)) in searched {
         let ends = float_ends(&found);

@@ -18,36 +18,6 @@ pub(super) trait Real: Clone {
     }
 }
 
-impl Real for f32 {
-    fn zero_like(&self) -> Self {
-        0.0
-    }
-
-    fn plus(&self, other: &Self) -> Self {
-        self + other
-    }
-
-    fn minus(&self, other: &Self) -> Self {
-        self - other
-    }
-
-    fn times(&self, other: &Self) -> Self {
-        self * other
-    }
-
-    fn root(&self) -> Self {
-        self.sqrt()
-    }
-
-    fn inverse(&self) -> Self {
-        1.0 / self
-    }
-
-    fn over(&self, divisor: u32) -> Self {
-        self / divisor as f32
-    }
-}
-
 /// Cosine and sine of `|x| ≤ π/4` by their series, nested: `cos x = 1 − x²/(1·2) (1 − x²/(3·4) (…))`.
 ///
 /// `innermost` stands for the brackets left out: 1, or an interval that encloses them.
@@ -60,15 +30,6 @@ pub(super) fn cos_sin<T: Real>(x: &T, one: &T, innermost: &T, brackets: u32) -> 
         })
     };
     [nested(1), x.times(&nested(2))]
-}
-
-/// Cosine and sine of an angle in turns as single floats, by sums, products and quotients alone: the same on every machine.
-pub(super) fn single_direction(turns: f32) -> [f32; 2] {
-    let quarter = (4.0 * turns).round();
-    // The difference is exact: both are multiples of the last place of the smaller.
-    let x = (turns - quarter / 4.0) * std::f32::consts::TAU;
-    let [cos, sin] = cos_sin(&x, &1.0, &1.0, 6);
-    turned([cos, sin], quarter as i64, |number| -number)
 }
 
 /// Cosine and sine of an angle that is some quarters of a turn farther.

@@ -6,10 +6,8 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::bodies::{Bodies, phases, turning};
-use super::real::single_direction;
+use super::bodies::{phases, turning};
 use crate::engine::Engine;
-use crate::exact::Turn;
 use crate::loads::Missing;
 use crate::motion::SliderCrank;
 use crate::numbers;
@@ -66,34 +64,5 @@ impl Doubles {
             self.pistons.iter().map(load).fold(rotating, |sum, load| sum + load).norm()
         };
         (0..angles).map(length).fold(0.0, f64::max)
-    }
-}
-
-/// An engine in single floats: IEEE 754 operations alone, so that errors are the same on every machine.
-#[derive(Clone, Debug)]
-pub(super) struct Singles {
-    bodies: Bodies<f32>,
-    phases: Vec<f32>,
-}
-
-impl Singles {
-    pub fn new(engine: &Engine, quantity: Quantity) -> Self {
-        let number = |number: &BigRational| number.to_f32().unwrap_or(f32::NAN);
-        let direction = |angle: &Turn| {
-            let direction = numbers::direction(angle);
-            [direction.re as f32, direction.im as f32]
-        };
-        let phases = phases(engine).iter().map(|phase| number(phase.turns())).collect();
-        Singles { bodies: Bodies::new(engine, quantity, &number, &direction), phases }
-    }
-
-    /// The largest length at so many angles.
-    pub fn peak(&self, angles: u32) -> f64 {
-        let square = |place: u32| {
-            let turns = place as f32 / angles as f32;
-            let cylinders = self.phases.iter().map(|phase| single_direction(turns + phase));
-            self.bodies.squared_load(&single_direction(turns), cylinders).unwrap_or(f32::NAN)
-        };
-        f64::from((0..angles).map(square).fold(0.0, f32::max).sqrt())
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use num_rational::BigRational;
 
-/// Why supports, ends or a load make no beam. Supports are indices into the list as given; messages count from 1.
+/// Why supports make no beam. Supports are indices into the list as given; messages count from 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BeamError {
@@ -19,22 +19,6 @@ pub enum BeamError {
         /// Where both stand.
         at: BigRational,
     },
-    /// A support that stands off the shaft.
-    SupportBeyondShaft {
-        /// Which one.
-        support: usize,
-        /// Where it stands.
-        at: BigRational,
-        /// Where the shaft begins and ends.
-        ends: Box<[BigRational; 2]>,
-    },
-    /// A load that stands off the shaft.
-    LoadBeyondShaft {
-        /// Where it stands.
-        at: BigRational,
-        /// Where the shaft begins and ends.
-        ends: Box<[BigRational; 2]>,
-    },
 }
 
 impl fmt::Display for BeamError {
@@ -47,14 +31,6 @@ impl fmt::Display for BeamError {
             BeamError::CoincidingSupports { first, second, at } => {
                 let (first, second) = (first + 1, second + 1);
                 write!(f, "supports {first} and {second} both stand at {at}: each needs a position of its own")
-            }
-            BeamError::SupportBeyondShaft { support, at, ends } => {
-                let [from, to] = ends.as_ref();
-                write!(f, "support {} stands at {at}, off the shaft: from {from} to {to} is right", support + 1)
-            }
-            BeamError::LoadBeyondShaft { at, ends } => {
-                let [from, to] = ends.as_ref();
-                write!(f, "the load stands at {at}, off the shaft: from {from} to {to} is right")
             }
         }
     }

@@ -27,13 +27,12 @@ pub struct Beam {
     /// Positions in that unit from the first support, in order.
     places: Vec<BigInt>,
     spans: Spans,
-    ends: Option<Box<[BigRational; 2]>>,
 }
 
 impl Beam {
     /// A beam on these supports, given in any order; the answers keep the order.
     ///
-    /// It reaches as far beyond the outer supports as a load asks for, unless [`Beam::with_ends`] ends it.
+    /// It reaches as far beyond the outer supports as a load asks for.
     ///
     /// # Errors
     ///
@@ -54,24 +53,7 @@ impl Beam {
         let unit = spans::common_unit(&distances);
         let places: Vec<_> = distances.iter().map(|distance| (distance / &unit).to_integer()).collect();
         let spans = Spans::new(places.windows(2).map(|ends| &ends[1] - &ends[0]).collect());
-        Ok(Beam { order, origin, unit, places, spans, ends: None })
-    }
-
-    /// The same beam between two ends, in either order: loads beyond them are then refused.
-    ///
-    /// # Errors
-    ///
-    /// A support that stands beyond an end.
-    pub fn with_ends(mut self, one: BigRational, other: BigRational) -> Result<Self, BeamError> {
-        let ends = Box::new(if one <= other { [one, other] } else { [other, one] });
-        for (&support, place) in self.order.iter().zip(&self.places) {
-            let at = &self.origin + &self.unit * BigRational::from_integer(place.clone());
-            if at < ends[0] || at > ends[1] {
-                return Err(BeamError::SupportBeyondShaft { support, at, ends });
-            }
-        }
-        self.ends = Some(ends);
-        Ok(self)
+        Ok(Beam { order, origin, unit, places, spans })
     }
 
     /// The part of a load at this position that each support carries, in the order in which the supports were given.
@@ -80,57 +62,44 @@ impl Beam {
     /// moments to that of the load. A support from which the beam would lift has a negative part. The load may overhang the
     /// outer supports.
     ///
-    /// # Errors
-    ///
-    /// A load beyond the ends of the shaft, where they were given.
-    ///
     /// ```standalone_crate
     /// use crankstar::beam::Beam;
     /// use num_rational::BigRational;
     ///
     /// let whole = |n: i64| BigRational::from_integer(n.into());
     /// let beam = Beam::new(vec![whole(0), whole(2), whole(4)]).unwrap();
-    /// let parts = |position| beam.influence(&whole(position)).unwrap().iter().map(ToString::to_string).collect::<Vec<_>>();
+    /// let parts = |position| beam.influence(&whole(position)).iter().map(ToString::to_string).collect::<Vec<_>>();
     /// assert_eq!(parts(1), ["13/32", "11/16", "-3/32"]);
     /// assert_eq!(parts(2), ["0", "1", "0"]);
     /// ```
-    pub fn influence(&self, position: &BigRational) -> Result<Vec<BigRational>, BeamError> {
-        let place = self.place(position)?;
+    pub fn influence(&self, position: &BigRational) -> Vec<BigRational> {
+        let place = self.place(position);
         let load = Load::new(&place, &self.places);
         let parts = self.spans.reactions(&load);
         if !self.balance(&parts, &place, &self.spans.denominator(&load)) {
             unreachable!("the forces of the bearings and their moments balance the load")
         }
-        Ok(self.as_given(parts))
+        self.as_given(parts)
     }
 
     /// The same by the statically determinate approximation: each span a simply supported beam of its own, so that only
     /// the two supports beside the load carry it, by the law of the lever.
     ///
-    /// An overhanging load is carried by the outer span. Order, sign and errors as of [`Beam::influence`].
-    ///
-    /// # Errors
-    ///
-    /// A load beyond the ends of the shaft, where they were given.
-    pub fn determinate(&self, position: &BigRational) -> Result<Vec<BigRational>, BeamError> {
-        let place = self.place(position)?;
+    /// An overhanging load is carried by the outer span. Order and sign as of [`Beam::influence`].
+    pub fn determinate(&self, position: &BigRational) -> Vec<BigRational> {
+        let place = self.place(position);
         let span = load::span_of(&place, &self.places);
         let [left, right] = [&self.places[span], &self.places[span + 1]];
         let part = (place - left) / (right - left);
         let mut parts = vec![BigRational::zero(); self.places.len()];
         parts[span] = BigRational::one() - &part;
         parts[span + 1] = part;
-        Ok(self.as_given(parts))
+        self.as_given(parts)
     }
 
     /// A position in units from the first support.
-    fn place(&self, position: &BigRational) -> Result<BigRational, BeamError> {
-        match &self.ends {
-            Some(ends) if *position < ends[0] || *position > ends[1] => {
-                Err(BeamError::LoadBeyondShaft { at: position.clone(), ends: ends.clone() })
-            }
-            _ => Ok((position - &self.origin) / &self.unit),
-        }
+    fn place(&self, position: &BigRational) -> BigRational {
+        (position - &self.origin) / &self.unit
     }
 
     /// Whether parts over divisors of one common denominator have the force and the moment of a unit load.

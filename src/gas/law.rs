@@ -8,6 +8,7 @@ use num_traits::ToPrimitive;
 use super::burning::Burning;
 use super::geometry::Geometry;
 use crate::engine::{Cycle, IdealCycle, PressureTable};
+use crate::motion::golden_section;
 
 /// A pressure over a cycle.
 #[derive(Clone, Debug)]
@@ -176,7 +177,7 @@ impl Law {
             let values: Vec<f64> = edges.iter().map(|&psi| piece.pressure(geometry, psi)).collect();
             let Some(top) = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b])) else { continue };
             let (low, high) = (edges[top.saturating_sub(1)], edges[(top + 1).min(count)]);
-            let psi = refined(low, high, |psi| piece.pressure(geometry, psi));
+            let psi = golden_section(low, high, 60, |psi| piece.pressure(geometry, psi));
             for psi in [psi, edges[top]] {
                 let value = piece.pressure(geometry, psi);
                 if value > best.0 {
@@ -186,18 +187,4 @@ impl Law {
         }
         best
     }
-}
-
-/// Where a function with one top between two places is largest, by golden sections.
-pub(super) fn refined(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
-    let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
-    for _ in 0..60 {
-        let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-        if value(left) < value(right) {
-            low = left;
-        } else {
-            high = right;
-        }
-    }
-    (low + high) / 2.0
 }

@@ -8,7 +8,7 @@ use num_traits::One;
 
 use super::Missing;
 use super::bearing::Method;
-use crate::beam::{Beam, BeamError};
+use crate::beam::Beam;
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::order::{OrderSum, by_factor};
@@ -40,7 +40,7 @@ impl Shares {
         if let Some(parts) = known.get(position) {
             return parts[bearing].clone();
         }
-        let parts = self.solve(position).unwrap_or_else(|mistake| unreachable!("a beam without ends: {mistake}"));
+        let parts = self.solve(position);
         let part = parts[bearing].clone();
         known.insert(position.clone(), parts);
         part
@@ -51,7 +51,7 @@ impl Shares {
         self.known.into_inner()
     }
 
-    fn solve(&self, position: &BigRational) -> Result<Vec<BigRational>, BeamError> {
+    fn solve(&self, position: &BigRational) -> Vec<BigRational> {
         match self.method {
             Method::Continuous => self.beam.influence(position),
             Method::Determinate => self.beam.determinate(position),

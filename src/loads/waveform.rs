@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
+use crate::motion::golden_section;
 use crate::proof::Quantity;
 
 /// One order of a waveform: `direct · e^{ikθ} + reverse · e^{−ikθ}`.
@@ -198,17 +199,7 @@ impl Waveform {
 
     /// The largest value within one step of a place, by golden sections.
     fn refined(&self, place: f64, step: f64, size: &impl Fn(Complex<f64>) -> f64) -> Peak {
-        let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
-        let (mut low, mut high) = (place - step, place + step);
-        for _ in 0..60 {
-            let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-            if size(self.at(left)) < size(self.at(right)) {
-                low = left;
-            } else {
-                high = right;
-            }
-        }
-        let theta = (low + high) / 2.0;
+        let theta = golden_section(place - step, place + step, 60, |theta| size(self.at(theta)));
         // Flat tops leave the place uncertain by the root of the rounding; the sample itself may be the top.
         let theta = if size(self.at(place)) >= size(self.at(theta)) { place } else { theta };
         let vector = self.at(theta);

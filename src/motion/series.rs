@@ -110,25 +110,6 @@ impl Series {
         })
     }
 
-    /// The series in TeX: `\lambda + \tfrac{1}{4}\lambda^{3} + \dots`.
-    pub fn tex(&self) -> String {
-        self.written("\\dots", |power, coefficient| {
-            let letter = match power {
-                0 => String::new(),
-                1 => "\\lambda".to_owned(),
-                _ => format!("\\lambda^{{{power}}}"),
-            };
-            let number = if !coefficient.is_integer() {
-                format!("\\tfrac{{{}}}{{{}}}", coefficient.numer(), coefficient.denom())
-            } else if coefficient.is_one() && power > 0 {
-                String::new()
-            } else {
-                coefficient.to_string()
-            };
-            number + &letter
-        })
-    }
-
     /// The terms joined; a common minus sign stands before brackets.
     fn written(&self, dots: &str, write: impl Fn(u32, &BigRational) -> String) -> String {
         let mut pieces: Vec<String> = self.terms.iter().map(|(power, number)| write(*power, &number.abs())).collect();

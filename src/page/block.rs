@@ -1,6 +1,5 @@
 //! Of which blocks is a document made?
 
-use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
 
@@ -26,14 +25,6 @@ impl Document {
     /// An empty document.
     pub fn new(name: &'static str, title: impl Into<Text>) -> Self {
         Document { name, title: title.into(), has_contents: false, blocks: Vec::new() }
-    }
-
-    /// The words of the program on it, each as its English list has them: what a list of another language translates.
-    pub fn phrases(&self) -> BTreeSet<&str> {
-        let mut found = BTreeSet::new();
-        self.title.collect_phrases(&mut found);
-        self.blocks.iter().for_each(|block| block.collect_phrases(&mut found));
-        found
     }
 
     /// With one more block.
@@ -80,23 +71,6 @@ pub enum Block {
 }
 
 impl Block {
-    fn collect_phrases<'a>(&'a self, found: &mut BTreeSet<&'a str>) {
-        match self {
-            Block::Heading(_, text) | Block::Paragraph(text) | Block::Note(text) => text.collect_phrases(found),
-            Block::Answer(texts) | Block::List(texts) => texts.iter().for_each(|text| text.collect_phrases(found)),
-            Block::Table(table) => {
-                let cells = table.header.iter().chain(table.rows.iter().flatten());
-                cells.for_each(|cell| cell.collect_phrases(found));
-            }
-            Block::Pictures(pictures) => pictures.iter().for_each(|picture| picture.caption.collect_phrases(found)),
-            Block::Folded(fold) => {
-                fold.summary.collect_phrases(found);
-                fold.blocks.iter().for_each(|block| block.collect_phrases(found));
-            }
-            Block::Formula(..) | Block::Live(_) | Block::Verbatim(..) => {}
-        }
-    }
-
     fn pictures(&self) -> Vec<&Picture> {
         match self {
             Block::Pictures(drawn) => drawn.iter().collect(),

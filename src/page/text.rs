@@ -1,7 +1,6 @@
 //! What stands in a line: words, values, symbols, formulas, a person's words?
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 
 use num_rational::BigRational;
 
@@ -103,31 +102,6 @@ impl Text {
     /// Whether it says no more than that something is exactly zero.
     pub fn is_zero(&self) -> bool {
         self.pieces.iter().all(|piece| matches!(piece, Piece::Number(Number::Zero))) && !self.pieces.is_empty()
-    }
-
-    /// The phrases in it, and in their values.
-    pub(super) fn collect_phrases<'a>(&'a self, found: &mut BTreeSet<&'a str>) {
-        for piece in &self.pieces {
-            match piece {
-                Piece::Phrase(words, values) => {
-                    found.insert(words);
-                    values.iter().for_each(|value| value.collect_phrases(found));
-                }
-                Piece::Link(text, _) => text.collect_phrases(found),
-                Piece::Label(_)
-                | Piece::Person(_)
-                | Piece::Number(_)
-                | Piece::Form(_)
-                | Piece::Bearing(_)
-                | Piece::Quantity(..)
-                | Piece::Measured(..)
-                | Piece::Exactly(..)
-                | Piece::Shortly(..)
-                | Piece::Unit(_)
-                | Piece::Formula(_)
-                | Piece::Code(_) => {}
-            }
-        }
     }
 
     /// With more behind it.

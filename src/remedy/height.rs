@@ -23,14 +23,6 @@ pub struct PairHeight {
     pub metres: Option<f64>,
 }
 
-impl PairHeight {
-    /// The part of the roll moment of the order that is left where the shaft that turns with the crank lies higher than
-    /// the other by this many crank radii: 1 at equal heights, 0 at the height named, negative beyond it.
-    pub fn left_at(&self, crank_radii: f64) -> f64 {
-        1.0 - crank_radii / self.in_crank_radii
-    }
-}
-
 /// The height of the pair of an order in an engine whose cylinders stand in one line, with equal centric rods and crank
 /// radii; `None` for others, and where the rods are not known or the order has no force.
 pub fn pair_height(engine: &Engine, order: u32) -> Option<PairHeight> {

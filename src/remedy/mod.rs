@@ -29,7 +29,7 @@ pub use file::{CorrectedFile, FileError, corrected_file};
 pub use height::{PairHeight, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use shafts::{Kind, LEAST, Shaft, are_slight, shaft, shafts, without_slight};
-pub use weight::{Weight, with_counterweights};
+pub use weight::Weight;
 
 use crate::engine::{Engine, GearedCrank, throws};
 use crate::exact::Turn;

@@ -60,17 +60,6 @@ impl Partial {
         engine.is_centric().then(|| Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) })
     }
 
-    /// P⁺ where this part of the reciprocating masses is balanced, formed term by term.
-    pub fn direct_at(&self, part: &BigRational) -> PhasorSum {
-        let two = BigRational::from_integer(2.into());
-        let counter = self
-            .direct
-            .terms()
-            .iter()
-            .map(|term| Term { angle: term.angle.opposite(), weight: &term.weight * part * &two });
-        self.direct.plus(&PhasorSum::new(counter.collect()))
-    }
-
     /// The ellipse where this part of the reciprocating masses is balanced.
     pub fn ellipse(&self, part: &BigRational) -> Ellipse {
         let half = BigRational::new(1.into(), 2.into());
@@ -99,11 +88,5 @@ impl Partial {
     pub fn curve(&self, steps: u32) -> Vec<(BigRational, Ellipse)> {
         let part = |step: u32| BigRational::new(step.into(), steps.max(1).into());
         (0..=steps.max(1)).map(|step| (part(step), self.ellipse(&part(step)))).collect()
-    }
-
-    /// The least peak, ½|P⁻|, and the part that reaches it: ½; `None` where counterweights change nothing, as P⁺ is zero.
-    pub fn minimum(&self) -> Option<(BigRational, Ellipse)> {
-        let half = BigRational::new(1.into(), 2.into());
-        (!self.direct.vanishes()).then(|| (half.clone(), self.ellipse(&half)))
     }
 }

@@ -4,10 +4,9 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::comparable_engine::ComparableEngine;
-use crate::engine::{Counterweight, Engine};
-use crate::exact::{PhasorSum, Turn};
+use crate::exact::Turn;
 use crate::numbers::{self, Direction, Form};
-use crate::order::{Factor, OrderSum};
+use crate::order::OrderSum;
 use crate::proof::Sense;
 
 /// A weight on the crankshaft (order 1, direct) or on a balancer shaft.
@@ -70,38 +69,4 @@ impl Weight {
 pub(super) fn doubled_square(order: u32) -> BigRational {
     let order = u64::from(order);
     BigRational::from_integer((2 * order * order).into())
-}
-
-/// The layout with these weights on its crankshaft, each as the rational counterweights that it is the sum of.
-///
-/// `None` where a weight turns at another speed or holds a coefficient, or where the layout gives no numbers.
-pub fn with_counterweights(subject: &ComparableEngine, weights: &[Weight]) -> Option<Engine> {
-    let [unit, radius] = subject.scale()?;
-    let mut crankshaft = subject.engine().crankshaft().clone();
-    for weight in weights {
-        let on_the_crank = (weight.order, weight.sense) == (1, Sense::Direct);
-        for (factor, sum) in weight.vector.parts() {
-            if *factor != Factor::One || !on_the_crank {
-                return None;
-            }
-            crankshaft.counterweights.extend(rational_weights(sum, &unit, &radius, &weight.position));
-        }
-    }
-    subject.engine().with_crankshaft(crankshaft).ok()
-}
-
-/// The terms of a sum as counterweights of positive mass.
-fn rational_weights<'a>(
-    sum: &'a PhasorSum,
-    unit: &'a BigRational,
-    radius: &'a BigRational,
-    position: &'a BigRational,
-) -> impl Iterator<Item = Counterweight> + 'a {
-    sum.terms().iter().map(move |term| {
-        let negative = term.weight < BigRational::from_integer(0.into());
-        let angle: Turn = if negative { term.angle.opposite() } else { term.angle.clone() };
-        let mass = &term.weight * unit / radius;
-        let mass = if negative { -mass } else { mass };
-        Counterweight { throw: None, angle, mass, radius: radius.clone(), position: position.clone(), crank: 0 }
-    })
 }

@@ -85,7 +85,7 @@ pub use journal::{complete_bearings_answer, complete_bearings_page, without_gas}
 pub use loads_document::{LoadsDocument, loads_document};
 pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]
-pub use optimise::{OptimiseStudy, optimise_answer, optimise_layouts, optimise_page, optimise_summary};
+pub use optimise::{OptimiseStudy, optimise_answer, optimise_layouts, optimise_page};
 pub use poster::{poster, poster_sheet};
 pub use question::{Question, Unanswered, ask, questions};
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};

@@ -19,7 +19,7 @@ mod swept_engine;
 mod zeros;
 
 pub use counterweight::counterweight;
-pub use envelope::{Envelope, Geometry, envelope, section};
+pub use envelope::{Envelope, Geometry, envelope};
 pub use evenness::{Evenness, evenness, most_even_firings};
 pub use firing::{FiringSweep, FiringZeros, StarLength, firing_stars};
 pub use observed::{Observed, ObservedSweep, Observer, observed};

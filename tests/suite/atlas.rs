@@ -16,7 +16,7 @@ use crankstar::report;
 use crankstar::search::{self, Best, Options, Problem};
 
 use crate::studies::catalogue;
-use crate::support::german::has_words;
+use crate::support::german::{has_words, phrases};
 use crate::support::golden;
 use crate::support::program::{program, scratch};
 
@@ -107,7 +107,7 @@ fn the_atlas_has_german_for_every_phrase() {
     let stars = [best(5, Cycle::TwoStroke), best(8, Cycle::FourStroke), best(12, Cycle::TwoStroke)];
     let atlas = report::Atlas::new(&engines, &stars).expect("an atlas");
     let pages: Vec<Document> = atlas.pages().into_iter().chain([atlas.page()]).collect();
-    let phrases = pages.iter().flat_map(Document::phrases);
+    let phrases = pages.iter().flat_map(phrases);
     let missing: Vec<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "no German for {missing:#?}");
 }

@@ -6,15 +6,12 @@ use num_traits::{One, Signed, Zero};
 
 use crate::support::dice::Dice;
 use crate::support::stiffness;
+use crate::support::written::fraction;
 
 const TRILLION: i64 = 1_000_000_000_000;
 
-fn ratio(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
-}
-
 fn whole(number: i64) -> BigRational {
-    ratio(number, 1)
+    fraction(number, 1)
 }
 
 fn beam(supports: &[BigRational]) -> Beam {
@@ -22,7 +19,7 @@ fn beam(supports: &[BigRational]) -> Beam {
 }
 
 fn parts(beam: &Beam, position: &BigRational) -> Vec<BigRational> {
-    beam.influence(position).expect("no ends were given")
+    beam.influence(position)
 }
 
 /// Supports at 0, 2, 4, …, so that mid-spans stand at 1, 3, 5, …
@@ -48,7 +45,7 @@ fn force_and_moment(supports: &[BigRational], parts: &[BigRational]) -> (BigRati
 
 /// Supports with spans of 1 to `most` over 1 to 30, ascending, from somewhere below or above 0.
 fn random_supports(dice: &mut Dice, spans: usize, most: u64) -> Vec<BigRational> {
-    let mut length = |most: u64| ratio(dice.below(most) as i64 + 1, dice.below(30) as i64 + 1);
+    let mut length = |most: u64| fraction(dice.below(most) as i64 + 1, dice.below(30) as i64 + 1);
     let mut supports = vec![length(100) - whole(50)];
     for _ in 0..spans {
         let next = length(most) + &supports[supports.len() - 1];
@@ -61,7 +58,7 @@ fn random_supports(dice: &mut Dice, spans: usize, most: u64) -> Vec<BigRational>
 fn random_positions(dice: &mut Dice, supports: &[BigRational]) -> Vec<BigRational> {
     let mut within = |ends: &[BigRational]| {
         let parts = dice.below(50) as i64 + 2;
-        let part = ratio(1 + dice.below(parts as u64 - 1) as i64, parts);
+        let part = fraction(1 + dice.below(parts as u64 - 1) as i64, parts);
         &ends[0] + (&ends[1] - &ends[0]) * part
     };
     let mut positions: Vec<_> = supports.windows(2).map(&mut within).collect();
@@ -118,7 +115,7 @@ fn one_span_is_the_lever_and_the_determinate_approximation_is_exact() {
 fn an_overhung_load_bends_the_next_support_with_the_carry_over_of_one_quarter() {
     // Two spans l with an end moment M: M_1 = −M/4, so the outer support carries 1 + (5/4)d/l.
     let found = parts(&beam(&equal_spans(2)), &whole(5));
-    assert_eq!(found, [ratio(1, 8), ratio(-3, 4), ratio(13, 8)]);
+    assert_eq!(found, [fraction(1, 8), fraction(-3, 4), fraction(13, 8)]);
 }
 
 #[test]
@@ -126,13 +123,13 @@ fn the_determinate_approximation_loads_the_two_supports_beside_the_load() {
     let supports = [whole(0), whole(2), whole(3), whole(7)];
     let beam = beam(&supports);
     for (position, expected) in [
-        (ratio(1, 2), [ratio(3, 4), ratio(1, 4), whole(0), whole(0)]),
-        (ratio(9, 4), [whole(0), ratio(3, 4), ratio(1, 4), whole(0)]),
+        (fraction(1, 2), [fraction(3, 4), fraction(1, 4), whole(0), whole(0)]),
+        (fraction(9, 4), [whole(0), fraction(3, 4), fraction(1, 4), whole(0)]),
         (whole(3), [whole(0), whole(0), whole(1), whole(0)]),
-        (whole(8), [whole(0), whole(0), ratio(-1, 4), ratio(5, 4)]),
+        (whole(8), [whole(0), whole(0), fraction(-1, 4), fraction(5, 4)]),
         (whole(-2), [whole(2), whole(-1), whole(0), whole(0)]),
     ] {
-        let found = beam.determinate(&position).expect("no ends were given");
+        let found = beam.determinate(&position);
         assert_eq!(found, expected, "load at {position}");
         assert_eq!(force_and_moment(&supports, &found), (whole(1), position));
     }
@@ -156,7 +153,7 @@ fn a_load_on_a_support_is_carried_there_alone() {
         for (at, position) in supports.iter().enumerate() {
             let expected: Vec<_> = (0..supports.len()).map(|k| whole(i64::from(k == at))).collect();
             assert_eq!(parts(&beam, position), expected);
-            assert_eq!(beam.determinate(position), Ok(expected));
+            assert_eq!(beam.determinate(position), expected);
         }
     }
 }
@@ -165,7 +162,7 @@ fn a_load_on_a_support_is_carried_there_alone() {
 fn a_mirrored_shifted_and_scaled_beam_carries_the_same_parts() {
     for (supports, positions) in random_cases(3, 12) {
         // Mirrored, so that the supports come in descending order: the answers keep it.
-        let moved = |position: &BigRational| ratio(22, 7) - position * ratio(254, 10_000);
+        let moved = |position: &BigRational| fraction(22, 7) - position * fraction(254, 10_000);
         let (here, there) = (beam(&supports), beam(&supports.iter().map(moved).collect::<Vec<_>>()));
         for position in positions {
             assert_eq!(here.influence(&position), there.influence(&moved(&position)));
@@ -187,7 +184,7 @@ fn far_from_the_load_reactions_change_sign_and_fade_by_the_fixed_point_ratio() {
     let found = parts(&beam(&equal_spans(50)), &whole(1));
     for pair in found[2..48].windows(2) {
         let ratio_of_both = &pair[0] / &pair[1];
-        assert!(ratio_of_both < ratio(-373, 100) && ratio_of_both > ratio(-374, 100), "{ratio_of_both}");
+        assert!(ratio_of_both < fraction(-373, 100) && ratio_of_both > fraction(-374, 100), "{ratio_of_both}");
     }
 }
 
@@ -235,8 +232,11 @@ fn reactions_agree_with_the_direct_stiffness_method_to_twelve_digits_each() {
             for (exact, others) in parts(&beam, position).iter().zip(&carried) {
                 let (fixed, other) = (stiffness::fixed(exact), &others[load]);
                 // A part that is zero has no digits: 10⁻¹⁰⁰ then.
-                let most =
-                    if exact.is_zero() { num_traits::pow(ratio(1, 10), 100) } else { exact.abs() * ratio(1, TRILLION) };
+                let most = if exact.is_zero() {
+                    num_traits::pow(fraction(1, 10), 100)
+                } else {
+                    exact.abs() * fraction(1, TRILLION)
+                };
                 let difference = (fixed - other).abs();
                 assert!(difference <= stiffness::fixed(&most), "{} spans, load at {position}: {exact}", within.len());
             }
@@ -249,24 +249,8 @@ fn supports_and_loads_that_make_no_beam_are_told_with_what_would_be_right() {
     let message = |supports: Vec<BigRational>| Beam::new(supports).expect_err("no beam").to_string();
     assert_eq!(message(vec![]), "no support holds the beam: it needs two or more");
     assert_eq!(message(vec![whole(3)]), "1 support does not hold the beam: it needs two or more");
-    let coinciding = vec![ratio(5, 2), whole(1), whole(0), ratio(10, 4)];
+    let coinciding = vec![fraction(5, 2), whole(1), whole(0), fraction(10, 4)];
     assert_eq!(message(coinciding.clone()), "supports 1 and 4 both stand at 5/2: each needs a position of its own");
-    let mistake = BeamError::CoincidingSupports { first: 0, second: 3, at: ratio(5, 2) };
+    let mistake = BeamError::CoincidingSupports { first: 0, second: 3, at: fraction(5, 2) };
     assert_eq!(Beam::new(coinciding).expect_err("no beam"), mistake);
-}
-
-#[test]
-fn a_load_or_a_support_beyond_the_ends_of_the_shaft_is_refused() {
-    let supports = equal_spans(2);
-    let ended = |one, other| beam(&supports).with_ends(one, other);
-    let shaft = ended(ratio(9, 2), ratio(-1, 3)).expect("it reaches over all supports");
-    assert_eq!(shaft.influence(&ratio(9, 2)), beam(&supports).influence(&ratio(9, 2)));
-    assert_eq!(shaft.influence(&ratio(-1, 3)), beam(&supports).influence(&ratio(-1, 3)));
-    for refused in [shaft.influence(&whole(5)), shaft.determinate(&whole(5))] {
-        let message = refused.expect_err("beyond the end").to_string();
-        assert_eq!(message, "the load stands at 5, off the shaft: from -1/3 to 9/2 is right");
-    }
-    assert!(shaft.influence(&ratio(-1, 2)).is_err());
-    let message = ended(whole(0), whole(3)).expect_err("too short").to_string();
-    assert_eq!(message, "support 3 stands at 4, off the shaft: from 0 to 3 is right");
 }

@@ -13,6 +13,7 @@ use std::process::{Command, Output};
 
 use crate::support::dice::Dice;
 use crate::support::program::scratch;
+use crate::support::written::engine as layout;
 
 fn crankstar(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_crankstar")).args(arguments).output().expect("the program starts")
@@ -37,10 +38,6 @@ rotating_mass = 0.5
 crank_radius = '45 mm'
 rod_ratio = 0.25
 ";
-
-fn layout(text: &str) -> Engine {
-    parse("bearings.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
 
 fn solved(layout: &Engine, orders: &[u32], method: Method) -> BearingLoads {
     bearing_loads(layout, orders, method).unwrap_or_else(|missing| panic!("{missing}"))
@@ -175,7 +172,7 @@ fn as_in_the_thesis(layout: &Engine, method: Method) -> Vec<[f64; 3]> {
         let turn = |degrees: BigRational| float(&degrees).to_radians();
         let (throw, bank) = (turn(cylinder.throw.degrees()), turn(cylinder.bank.degrees()));
         let (to_and_fro, rotating) = (float(&cylinder.reciprocating_mass), float(&cylinder.rotating_mass) / unit);
-        for (of_bearing, part) in harmonics.iter_mut().zip(parts.expect("no ends")) {
+        for (of_bearing, part) in harmonics.iter_mut().zip(parts) {
             let part = float(&part) * newtons;
             let half = |angle: f64| Complex::from_polar(to_and_fro * part / 2.0, angle);
             let first = half(throw) + Complex::from_polar(rotating * part, throw);
@@ -444,7 +441,7 @@ fn the_sum_of_orders_is_what_the_closed_form_of_the_motion_gives() {
                 let rotating = float(&cylinder.rotating_mass) / unit;
                 let force = piston + Complex::from_polar(rotating, theta + throw);
                 let force = force * float(&cylinder.crank_radius);
-                for (sum, part) in reactions.iter_mut().zip(beam.influence(&cylinder.position).expect("no ends")) {
+                for (sum, part) in reactions.iter_mut().zip(beam.influence(&cylinder.position)) {
                     *sum += force * float(&part);
                 }
             }

@@ -7,6 +7,7 @@ use crankstar::report;
 use num_rational::BigRational;
 
 use crate::support::second;
+use crate::support::written::fraction;
 
 /// The force of order 1, reverse, is `5 + e^{2iφ} + e^{4iφ}`: never 0.
 const NEVER: &str = "
@@ -51,10 +52,6 @@ fn circle(text: &str, change: impl FnOnce(&mut CircleClaim)) -> String {
         WhenClaim::Circle(claim) => change(claim),
         other => panic!("{other:?}"),
     })
-}
-
-fn fraction(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
 }
 
 fn has(reason: &str, words: &str) {

@@ -2,17 +2,13 @@
 
 use crankstar::claim::{self, Answer, Finding, Status};
 use crankstar::engine::Engine;
-use crankstar::file;
 use crankstar::loads;
 use crankstar::proof::{Vector, check_certificate};
 use num_complex::Complex;
 
 use crate::support::dice::Dice;
 use crate::support::pages;
-
-fn read(text: &str) -> Engine {
-    file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
+use crate::support::written::engine as read;
 
 /// The answer to a claim, its certificates checked.
 fn checked(engine: &Engine, says: &str) -> Answer {

@@ -20,12 +20,9 @@ use crankstar::table::csv;
 use crate::support::class::{Answer, decimals, mirrored, right, toml, vectors, with_wrong_phases};
 use crate::support::dice::Dice;
 use crate::support::every_form;
-use crate::support::german::has_words;
+use crate::support::german::{has_words, phrases};
 use crate::support::program::{call, program, scratch};
-
-fn engine(name: &str) -> Engine {
-    file::find(name).expect("a name of the catalogue").engine().expect("it reads")
-}
+use crate::support::written::of_catalogue as engine;
 
 fn draw(layout: &str, names: &str, seed: u64) -> Exercise {
     let students = students(names).expect("a list");
@@ -552,7 +549,7 @@ fn pages_of_a_class_have_german_for_every_phrase_and_show_names_as_texts() {
     let plain =
         Exercise::draw(&engine("I4"), &[1], &students("Ada").expect("a list"), 1, Vary::NOTHING).expect("an engine");
     pages.push(report::exercise_sheet(&plain.pupils[0], &[1], "x.toml", &scheme));
-    let phrases: BTreeSet<&str> = pages.iter().flat_map(|page| page.phrases()).collect();
+    let phrases: BTreeSet<&str> = pages.iter().flat_map(phrases).collect();
     let missing: Vec<&&str> = phrases.iter().filter(|words| has_words(words) && !Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "no German for {missing:#?}");
     for page in &pages {

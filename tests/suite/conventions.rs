@@ -7,12 +7,11 @@ use std::f64::consts::TAU;
 
 use crankstar::engine::{Cylinder, Engine};
 use crankstar::exact::Turn;
-use crankstar::file::parse;
 use crankstar::loads::loads_at;
 use crankstar::proof::Sense;
 use num_complex::Complex;
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
+
+use crate::support::written::{engine as layout, float};
 
 const CLOCKWISE: &str = "rotation = 'clockwise'\n";
 /// With rods of 140 mm and an offset of 10 mm in every cylinder.
@@ -32,14 +31,6 @@ const GEARED: &[&str] = &[
     "[[crankshaft]]\nname = 'l'\nsense = 'with'\noffset = 2\n[[crankshaft]]\nname = 'r'\nsense = 'against'\noffset = -2\nspeed = 2\n\
      [[cylinder]]\ncrankshaft = 'l'\nthrow = 10\nbank = 20\nposition = 0\n[[cylinder]]\ncrankshaft = 'r'\nthrow = -70\nbank = 40\nposition = 0",
 ];
-
-fn layout(text: &str) -> Engine {
-    parse("conventions.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
-fn float(number: &BigRational) -> f64 {
-    number.to_f64().expect("a number")
-}
 
 fn direction(turn: &Turn) -> Complex<f64> {
     Complex::cis(float(turn.turns()) * TAU)

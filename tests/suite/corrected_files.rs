@@ -6,19 +6,10 @@ use crankstar::order::{self, Masses};
 use crankstar::proof::{Planar, Quantity, Sense, check_document, check_remedy_document};
 use crankstar::remedy::{Remedy, Wish, corrected_file, remedy};
 use crankstar::{report, verdict};
-use num_rational::BigRational;
 
 use crate::support::dice::Dice;
 use crate::support::engines::{FORMS, file};
-
-#[track_caller]
-fn read(text: &str) -> Engine {
-    parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
-fn ratio(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
-}
+use crate::support::written::{engine as read, fraction};
 
 fn found(engine: &Engine, orders: &[u32]) -> Option<Remedy> {
     remedy(engine, &Wish { orders: orders.to_vec(), ..Wish::default() }).ok()
@@ -140,15 +131,15 @@ fn a_factor_of_the_trade_and_that_of_the_thesis_make_the_counterweights_that_the
     };
     let trade = with("counterweights = { rotating = 1, reciprocating = 0.6 }");
     // 0.66 kg rotate and 1.2 kg go to and fro, at 50 mm.
-    let size = (ratio(66, 100) + ratio(12, 10) * ratio(6, 10)) * ratio(1, 20);
+    let size = (fraction(66, 100) + fraction(12, 10) * fraction(6, 10)) * fraction(1, 20);
     assert_eq!(trade.crankshaft().counterweights[0].mass_radius(), size);
-    assert_eq!(trade.reciprocating_factors(), [Some(ratio(6, 10))]);
-    let whole = (ratio(66, 100) + ratio(6, 10)) * ratio(1, 20);
+    assert_eq!(trade.reciprocating_factors(), [Some(fraction(6, 10))]);
+    let whole = (fraction(66, 100) + fraction(6, 10)) * fraction(1, 20);
     assert_eq!(trade.balance_factors(), [Some(size / whole)]);
     let thesis = with("balance_factor = 0.6");
     assert_eq!(thesis.crankshaft(), with("counterweights = { rotating_and_half_reciprocating = 0.6 }").crankshaft());
     // b = BF/2 − (1 − BF) m_rot/M.
-    let factor = ratio(3, 10) - ratio(4, 10) * ratio(66, 120);
+    let factor = fraction(3, 10) - fraction(4, 10) * fraction(66, 120);
     assert_eq!(thesis.reciprocating_factors(), [Some(factor)]);
     let halves = with("counterweights = { rotating = 0.6, reciprocating = 0.3 }");
     assert_eq!(thesis.crankshaft().counterweights, halves.crankshaft().counterweights);
@@ -221,7 +212,7 @@ fn what_is_below_a_millionth_of_the_load_gets_no_weight_and_the_page_says_so() {
 #[test]
 fn a_piston_rod_and_a_crosshead_go_to_and_fro_with_the_piston() {
     let engine = read(TWIN);
-    assert_eq!(engine.dimensions().mass, Some(ratio(6, 10)));
+    assert_eq!(engine.dimensions().mass, Some(fraction(6, 10)));
     let error = parse("layout.toml", "inline.throws = [0]\n[mechanism]\ncrosshead_mass = 1").expect_err("no piston");
     assert!(error.to_string().contains("crosshead_mass without a piston_mass"), "{error}");
 }

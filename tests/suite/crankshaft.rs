@@ -1,6 +1,6 @@
 //! Do masses on the crankshaft and balancer shafts add what the theory says, and does the thesis's arithmetic hold?
 use crankstar::engine::{Engine, throws};
-use crankstar::file::{find, parse};
+use crankstar::file::find;
 use crankstar::loads::{Loads, Missing, Outcome, loads};
 use crankstar::order::{MassGroup, NotComparable};
 use crankstar::page::Format;
@@ -8,20 +8,11 @@ use crankstar::proof::Quantity;
 use crankstar::verdict::Judgement;
 
 use crate::support::pages;
-use num_rational::BigRational;
+use crate::support::written::{engine as read, fraction};
 
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 const CROSS: &str = include_str!("../../reports/examples/thesis-v8-crossplane/layout.toml");
 const FLAT: &str = include_str!("../../reports/examples/thesis-v8-flatplane/layout.toml");
-
-#[track_caller]
-fn read(text: &str) -> Engine {
-    parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
-fn ratio(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
-}
 
 /// The engine with these keys in its table [crankshaft].
 fn with_keys(engine: &str, keys: &str) -> Engine {
@@ -96,13 +87,13 @@ fn cylinders_of_single_tables_share_a_pin_where_they_say_so_or_stand_together() 
 #[test]
 fn the_thesis_weighs_its_crankshafts_so() {
     let mass = |layout: Engine| layout.crankshaft_mass().expect("masses");
-    assert_eq!(mass(read(I3)), ratio(2475, 1000));
-    assert_eq!(mass(with_factor(I3, "0.65", "20 mm")), ratio(408_375, 100_000));
-    assert_eq!(mass(with_factor(I3, "1", "20 mm")), ratio(495, 100));
+    assert_eq!(mass(read(I3)), fraction(2475, 1000));
+    assert_eq!(mass(with_factor(I3, "0.65", "20 mm")), fraction(408_375, 100_000));
+    assert_eq!(mass(with_factor(I3, "1", "20 mm")), fraction(495, 100));
     for v8 in [FLAT, CROSS] {
-        assert_eq!(mass(read(v8)), ratio(58, 10));
-        assert_eq!(mass(with_factor(v8, "0.65", "30 mm")), ratio(957, 100));
-        assert_eq!(mass(with_factor(v8, "1", "30 mm")), ratio(116, 10));
+        assert_eq!(mass(read(v8)), fraction(58, 10));
+        assert_eq!(mass(with_factor(v8, "0.65", "30 mm")), fraction(957, 100));
+        assert_eq!(mass(with_factor(v8, "1", "30 mm")), fraction(116, 10));
     }
 }
 
@@ -112,12 +103,12 @@ fn a_balance_factor_makes_the_counterweights_of_the_thesis() {
     let weights = &i3.crankshaft().counterweights;
     let positions: Vec<String> = weights.iter().map(|weight| weight.position.to_string()).collect();
     assert_eq!(positions, ["3/25", "2/25", "1/50", "-1/50", "-2/25", "-3/25"]);
-    assert!(weights.iter().all(|weight| weight.mass == ratio(268_125, 1_000_000)));
-    assert_eq!(i3.balance_factors(), vec![Some(ratio(65, 100)); 3]);
+    assert!(weights.iter().all(|weight| weight.mass == fraction(268_125, 1_000_000)));
+    assert_eq!(i3.balance_factors(), vec![Some(fraction(65, 100)); 3]);
     let v8 = with_factor(CROSS, "1", "30 mm");
-    assert!(v8.crankshaft().counterweights.iter().all(|weight| weight.mass == ratio(725, 1000)));
+    assert!(v8.crankshaft().counterweights.iter().all(|weight| weight.mass == fraction(725, 1000)));
     let listed = with_factor(I3, "[0, 1, 0.5]", "0 m");
-    assert_eq!(listed.balance_factors(), vec![Some(ratio(0, 1)), Some(ratio(1, 1)), Some(ratio(1, 2))]);
+    assert_eq!(listed.balance_factors(), vec![Some(fraction(0, 1)), Some(fraction(1, 1)), Some(fraction(1, 2))]);
     assert_eq!(listed.crankshaft().counterweights.len(), 3);
 }
 
@@ -215,11 +206,11 @@ fn the_height_of_a_pair_counts_in_the_roll_moment() {
 
 #[test]
 fn bob_weights_are_those_of_the_workshop() {
-    let half = ratio(1, 2);
+    let half = fraction(1, 2);
     let bob = read(CROSS).bob_weight(0, &half).expect("masses");
     // 0.3 kg of the rod and half of 0.65 kg; the pin of 0.2 kg turns on the machine itself.
-    assert_eq!(bob.per_cylinder, vec![ratio(625, 1000); 2]);
-    assert_eq!(bob.per_throw, ratio(125, 100));
+    assert_eq!(bob.per_cylinder, vec![fraction(625, 1000); 2]);
+    assert_eq!(bob.per_throw, fraction(125, 100));
     assert_eq!(read("inline.throws = [0]").bob_weight(0, &half), None);
 }
 

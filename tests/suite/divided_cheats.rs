@@ -6,9 +6,9 @@ use crankstar::proof::{
     ArcClaim, Certificate, CircleClaim, DividedClaim, OpenDocument, Vector, WhenClaim, check_open_document,
 };
 use crankstar::report;
-use num_rational::BigRational;
 
 use crate::support::second;
+use crate::support::written::fraction;
 
 /// The force of order 1, reverse, is (x² − x/2 + 1)(x + 2) with x = e^{iφ}: 0 where cos φ = 1/4.
 const DIVIDED: &str = "
@@ -44,10 +44,6 @@ fn of_circle(text: &str, change: impl FnOnce(&mut CircleClaim)) -> String {
 
 fn refused(text: &str, change: impl FnOnce(&mut DividedClaim)) -> String {
     of_circle(text, |circle| change(circle.divided.as_mut().expect("divided")))
-}
-
-fn fraction(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
 }
 
 fn number(numerator: i64, denominator: i64) -> Vec<Vector> {

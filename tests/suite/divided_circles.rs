@@ -6,6 +6,7 @@ use crankstar::engine::PHI;
 use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::family::{self, Circle, When, Zeros};
 use crankstar::file::{self, Layout};
+use crankstar::numbers;
 use crankstar::page::{Format, svg};
 use crankstar::proof::check_open_document;
 use crankstar::report;
@@ -39,12 +40,14 @@ fn product(a: &Polynomial, b: &Polynomial) -> Polynomial {
     product
 }
 
-fn value(polynomial: &Polynomial, turns: f64) -> Complex<f64> {
-    let term = |exponent: usize, term: &Term| {
-        let angle = term.angle.turns().to_f64().expect("a number") + exponent as f64 * turns;
-        Complex::from_polar(term.weight.to_f64().expect("a number"), TAU * angle)
-    };
-    polynomial.iter().enumerate().flat_map(|(n, sum)| sum.terms().iter().map(move |one| term(n, one))).sum()
+/// The coefficients in decimals.
+fn decimals(polynomial: &Polynomial) -> Vec<Complex<f64>> {
+    polynomial.iter().map(numbers::evaluate).collect()
+}
+
+fn value(coefficients: &[Complex<f64>], turns: f64) -> Complex<f64> {
+    let x = Complex::cis(TAU * turns);
+    coefficients.iter().rev().fold(Complex::ZERO, |sum, coefficient| sum * x + coefficient)
 }
 
 /// A layout file with this polynomial in `e^{iφ}` as the reverse force of order 1: a cylinder for each term, banks turned by half.
@@ -93,6 +96,7 @@ fn solved(polynomial: &Polynomial) -> Solved {
 
 /// Least lengths of a grid, ever finer: where they are 0.
 fn searched(polynomial: &Polynomial) -> Vec<f64> {
+    let polynomial = &decimals(polynomial);
     let count = 4000;
     let at = |place: usize| (place as f64 - 0.37) / f64::from(count);
     let lengths: Vec<f64> = (0..count as usize + 2).map(|place| value(polynomial, at(place)).norm()).collect();
@@ -100,7 +104,7 @@ fn searched(polynomial: &Polynomial) -> Vec<f64> {
         .filter(|&place| lengths[place] <= lengths[place - 1] && lengths[place] < lengths[place + 1]);
     let narrowed = least.map(|place| {
         let (mut low, mut high) = (at(place - 1), at(place + 1));
-        for _ in 0..90 {
+        for _ in 0..60 {
             let [one, other] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
             let is_first = value(polynomial, one).norm() < value(polynomial, other).norm();
             if is_first { high = other } else { low = one }
@@ -151,15 +155,18 @@ fn products_with_factors_off_the_circle_and_squares_are_solved_as_a_dense_search
             _ => distinct.clone(),
         };
         whole = product(&whole, &without(&mut dice, conductor));
-        if whole.iter().any(PhasorSum::vanishes) || searched(&distinct).is_empty() {
+        if whole.iter().any(PhasorSum::vanishes) {
+            continue;
+        }
+        let searched = searched(&distinct);
+        if searched.is_empty() {
             continue;
         }
         let found = solved(&whole);
-        let searched = searched(&distinct);
         let place = format!("{}\n{:?}\n{searched:?}", layout(&whole), found.zeros);
         assert_eq!(found.zeros.len(), searched.len(), "{place}");
         for (one, other) in found.zeros.iter().zip(&searched) {
-            assert!((one - other).abs() < 1e-6 && value(&whole, *one).norm() < 1e-9, "{place}");
+            assert!((one - other).abs() < 1e-6 && value(&decimals(&whole), *one).norm() < 1e-9, "{place}");
         }
         divided += usize::from(found.circle.factor.is_some());
         irrational += found.circle.irrational().count();

@@ -14,6 +14,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::support::pages;
+use crate::support::written::fraction;
 
 const V_TWIN: &str = "vee = { bank_angle = 'phi', throws = [0] }";
 const V4: &str = "vee = { bank_angle = 'phi', throws = [0, 180] }";
@@ -30,10 +31,6 @@ fn open(text: &str) -> Family {
         Layout::Open(family) => *family,
         Layout::Known(..) => panic!("nothing is open in {text}"),
     }
-}
-
-fn fraction(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
 }
 
 fn at(values: &[(&str, BigRational)]) -> BTreeMap<String, BigRational> {

@@ -9,6 +9,7 @@ use crankstar::verdict::{Judgement, torque};
 
 use crate::support::dice::Dice;
 use crate::support::pages::{self, judgement};
+use crate::support::written::engine;
 use crate::support::{engines, every_form};
 
 /// A fan of four banks with offsets and splits.
@@ -40,10 +41,6 @@ fn assert_clear(what: &str, figure: &Figure) {
     assert!(figure.leaving().is_empty(), "{what}: texts off the page: {:?}", figure.leaving());
     let page = page::svg(figure, what);
     assert!(!page.contains("NaN") && !page.contains("inf"), "{what}");
-}
-
-fn engine(text: &str) -> Engine {
-    file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 #[test]

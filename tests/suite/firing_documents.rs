@@ -12,14 +12,7 @@ use crankstar::report::{FiringStudy, firing_document};
 use num_rational::BigRational;
 
 use crate::support::dice::Dice;
-
-fn engine(name: &str) -> Engine {
-    file::find(name).expect("known").engine().expect("reads")
-}
-
-fn fraction(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
-}
+use crate::support::written::{fraction, of_catalogue as engine};
 
 fn document_of(engine: &Engine, weights: Weights) -> FiringDocument {
     firing_document(&FiringStudy::new(engine, &[], weights).expect("stars"), true)

@@ -15,6 +15,7 @@ use crankstar::proof::check_certificate;
 use crankstar::report::{self, FiringStudy};
 use num_rational::BigRational;
 
+use crate::support::german::phrases;
 use crate::support::golden;
 use crate::support::pages::text;
 
@@ -128,7 +129,7 @@ fn pages() -> Vec<Document> {
 #[test]
 fn the_pages_have_german_for_every_phrase() {
     let pages = pages();
-    let phrases = pages.iter().flat_map(Document::phrases);
+    let phrases = pages.iter().flat_map(phrases);
     let has_words = |words: &str| words.chars().filter(|letter| letter.is_alphabetic()).count() > 1;
     let missing: BTreeSet<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "no German for {missing:#?}");

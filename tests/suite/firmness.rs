@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crankstar::engine::{Cylinder, Draft, Engine, ReferencePlane};
-use crankstar::file::{catalogue, find, parse};
+use crankstar::file::{catalogue, parse};
 use crankstar::order;
 use crankstar::proof::Planar::{self, Force, Moment};
 use crankstar::verdict::Disturbance::{self, AnySpacing, BankMasses, BankOffset, CylinderMasses, SymmetricSpacing};
@@ -14,10 +14,7 @@ use num_traits::{Signed, Zero};
 
 use crate::support::dice::Dice;
 use crate::support::verdicts::pistons;
-
-fn engine(name: &str) -> Engine {
-    find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).engine().unwrap()
-}
+use crate::support::written::of_catalogue as engine;
 
 fn balance(layout: &Engine, quantity: Planar, order: u32) -> Balance {
     pistons(layout, &[order]).remove(0).balance(quantity).clone()

@@ -7,6 +7,7 @@ use crankstar::file::{self, Beside};
 use crankstar::gas::{CylinderGas, NoGas, Warning};
 
 use crate::support::dice::Dice;
+use crate::support::written::assert_near;
 
 /// A single of the theory's spark-ignition example.
 pub const SPARK: &str = "cycle = 'four-stroke'\nfiring_order = '1'\n[mechanism]\nstroke = '86 mm'\nrod_length = '143 mm'\n\
@@ -23,11 +24,6 @@ pub fn engine(text: &str) -> Engine {
 
 fn gas(text: &str) -> CylinderGas {
     CylinderGas::new(&engine(text), 0).unwrap_or_else(|error| panic!("{text}\n{error}"))
-}
-
-#[track_caller]
-fn assert_near(found: f64, wanted: f64, within: f64) {
-    assert!((found - wanted).abs() <= within, "{found} is not {wanted}, but {:e} off", found - wanted);
 }
 
 /// Index of the half order, a and b of `t_κ = a − ib` (theory of the gas, section 4).

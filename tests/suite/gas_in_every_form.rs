@@ -10,16 +10,12 @@ use crankstar::loads::{Method, bearing_loads};
 use crankstar::torque::{PeakMethod, torque};
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use crate::support::dice::Dice;
 use crate::support::gas_table::{self, POINTS};
+use crate::support::written::float;
 
 const ENGINES: usize = 24;
-
-fn float(number: &BigRational) -> f64 {
-    number.to_f64().expect("a number")
-}
 
 fn direction(angle: &Turn) -> Complex<f64> {
     Complex::cis(float(angle.turns()) * TAU)

@@ -16,13 +16,9 @@ use crankstar::verdict::{self, OrderVerdict, TorqueVerdict};
 use crankstar::{order, report};
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use crate::support::dice::Dice;
-
-fn layout(text: &str) -> Engine {
-    parse("geared.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
+use crate::support::written::{engine as layout, float};
 
 fn judged(engine: &Engine) -> Vec<OrderVerdict> {
     let quantities = verdict::quantities(engine, true);
@@ -265,10 +261,6 @@ pub(crate) fn any_engine_at(dice: &mut Dice, fastest: u64) -> String {
         text += "[[balancer]]\norder = 2\nsense = 'against'\nmass_radius = '0.002'\nangle = 30\nposition = '40 mm'\nheight = '30 mm'\noffset = '-20 mm'\n";
     }
     text
-}
-
-fn float(number: &BigRational) -> f64 {
-    number.to_f64().expect("a number")
 }
 
 /// Force, moment, torque at the reference crank and roll moment on the frame at a crank angle, in multiples of m r ω² and m r² ω².

@@ -12,12 +12,9 @@ use crankstar::verdict;
 use crate::geared::any_engine;
 use crate::support::dice::Dice;
 use crate::support::pages;
+use crate::support::written::engine as layout;
 
 const CLOCKWISE: &str = "rotation = 'clockwise'\n";
-
-fn layout(text: &str) -> Engine {
-    parse("geared.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
 
 /// The same engine drawn from its other end: each angle, and each length to the left, with the other sign.
 fn other_drawing(text: &str) -> String {

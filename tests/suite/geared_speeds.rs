@@ -15,10 +15,7 @@ use num_rational::BigRational;
 
 use crate::geared::{any_engine_at, assert_feels_its_bodies, bodies};
 use crate::support::dice::Dice;
-
-fn layout(text: &str) -> Engine {
-    parse("speeds.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
+use crate::support::written::engine as layout;
 
 fn judged(engine: &Engine, orders: &[u32], masses: Masses) -> Vec<OrderVerdict> {
     verdict::classify(engine, orders, masses, &verdict::quantities(engine, true)).expect("orders")

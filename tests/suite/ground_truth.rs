@@ -3,7 +3,7 @@ use std::collections::BTreeSet;
 
 use crankstar::engine::Engine;
 use crankstar::exact::{PhasorSum, Term, Turn};
-use crankstar::file::{catalogue, find, parse};
+use crankstar::file::{catalogue, parse};
 use crankstar::numbers::evaluate;
 use crankstar::proof::Shape::{self, Balanced, CounterRotating, Planar, Rotating};
 use crankstar::proof::{
@@ -15,10 +15,7 @@ use crankstar::verdict::Balance;
 use num_rational::BigRational;
 
 use crate::support::verdicts::pistons;
-
-fn engine(name: &str) -> Engine {
-    find(name).unwrap_or_else(|| panic!("{name} is not in the catalogue")).engine().unwrap()
-}
+use crate::support::written::of_catalogue as engine;
 
 fn balance(layout: &Engine, quantity: proof::Planar, order: u32) -> Balance {
     let order = pistons(layout, &[order]).remove(0);

@@ -1,12 +1,12 @@
 //! Do pages in pounds and inches say the same as those in newtons and metres?
 
-use crankstar::engine::Engine;
-use crankstar::file::parse;
 use crankstar::loads::{Method, bearing_loads};
 use crankstar::page::figure::Mark;
 use crankstar::page::{self, Block, Document, Format, Options, Piece, Text, Unit, Units};
 use crankstar::remedy::{Wish, remedy};
 use crankstar::report::{self, Numbers};
+
+use crate::support::written::engine as read;
 
 const V8: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
@@ -31,11 +31,6 @@ const SIZES: [(&str, &str, f64); 17] = [
     ("N·m/rad", "lbf·ft/rad", 1.355818),
     ("m r ω²·1 m", "m r ω²·1 in", 0.0254),
 ];
-
-#[track_caller]
-fn read(text: &str) -> Engine {
-    parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}"))
-}
 
 fn printed(text: &Text, units: Units) -> String {
     let mut document = Document::new("one", "");

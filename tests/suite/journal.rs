@@ -6,21 +6,17 @@
 use std::f64::consts::{PI, TAU};
 
 use crankstar::engine::Engine;
-use crankstar::file::parse;
 use crankstar::journal::{CycleBearing, CycleLoads, NoCycleLoads, cycle_loads};
 use crankstar::torque::torque;
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
+use num_traits::One;
 
 use crate::support::dice::Dice;
 use crate::support::gas_table::{self, AMBIENT, POINTS, pressure};
 use crate::support::program::{call, scratch};
 use crate::support::stiffness;
-
-fn layout(text: &str) -> Engine {
-    parse("journal.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
+use crate::support::written::{engine as layout, float};
 
 fn loads_of(engine: &Engine) -> CycleLoads {
     cycle_loads(engine).unwrap_or_else(|error| panic!("{error}"))
@@ -225,10 +221,6 @@ impl Case {
     fn angles(&self) -> impl Iterator<Item = f64> {
         (0..25).map(|step| f64::from(step) * self.cycle / 25.0 + 0.0123)
     }
-}
-
-fn float(number: &BigRational) -> f64 {
-    number.to_f64().expect("a number")
 }
 
 /// The largest value of a function through a cycle: near each of the best of a fine grid that holds the kinks, by sections of three.

@@ -17,10 +17,7 @@ use proptest::prelude::*;
 
 use crate::support::pages;
 use crate::support::verdicts::pistons;
-
-fn engine(text: &str) -> Engine {
-    file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
-}
+use crate::support::written::engine;
 
 const QUANTITIES: [Quantity; 3] = [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE];
 
@@ -307,7 +304,7 @@ fn no_method_is_compared_with_a_reference_that_is_worse_than_itself() {
             assert!(study.doubt <= bound.max(study.rounding), "{:?} {bound} {}\n{text}", row.method, study.doubt);
             match row.method {
                 Method::Orders(_) => assert!(row.error <= bound + study.rounding, "{row:?}\n{text}"),
-                Method::Doubles(_) | Method::Singles(_) | Method::Intervals(_) | Method::Fractions => {}
+                Method::Doubles(_) | Method::Intervals(_) | Method::Fractions => {}
             }
         }
     }

@@ -2,13 +2,11 @@
 
 use crankstar::engine::{Cylinder, Engine, Form, LengthUnit};
 use crankstar::exact::Turn;
-use crankstar::file::{find, parse};
+use crankstar::file::find;
 use crankstar::text::Untrusted;
 use num_rational::BigRational;
 
-fn read(text: &str) -> Engine {
-    parse("layout.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
-}
+use crate::support::written::engine as read;
 
 fn fraction(text: &str) -> BigRational {
     text.parse().unwrap()

@@ -1,7 +1,5 @@
 //! Is what a remedy leaves out below a millionth of the load, for both checkers, all of an order together?
 
-use crankstar::engine::Engine;
-use crankstar::file;
 use crankstar::numbers::evaluate;
 use crankstar::proof::{Coefficient, LeftOutClaim, Quantity, RemedyDocument, Sense, check_remedy_document};
 use crankstar::remedy::{Remedy, Wish, remedy};
@@ -13,13 +11,9 @@ use num_traits::{Signed, ToPrimitive};
 use crate::support::dice::Dice;
 use crate::support::second;
 use crate::support::whole_documents::number;
-use crate::support::written::sum;
+use crate::support::written::{engine as read, sum};
 
 const RODS: &str = "[mechanism]\nrod_ratio = 0.25";
-
-fn read(text: &str) -> Engine {
-    file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
 
 fn found(text: &str, orders: &[u32]) -> Remedy {
     remedy(&read(text), &Wish { orders: orders.to_vec(), ..Wish::default() }).expect("a remedy")

@@ -1,19 +1,10 @@
 //! Does a list of values follow the order that the page of keys tells, in every form that takes one?
 
 use crankstar::engine::{Engine, throws};
-use crankstar::file::parse;
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
+
+use crate::support::written::{engine as layout, float};
 
 const CLOCKWISE: &str = "rotation = 'clockwise'\n";
-
-fn layout(text: &str) -> Engine {
-    parse("lists.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
-fn float(number: &BigRational) -> f64 {
-    number.to_f64().expect("a number")
-}
 
 /// A form with lists: the keys, and its cylinders in the order of the list, each with its angle as drawn and its crankshaft, as the page of
 /// keys says them.

@@ -12,9 +12,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use proptest::prelude::*;
 
-fn engine(text: &str) -> Engine {
-    file::parse("engine.toml", text).unwrap_or_else(|error| panic!("{text}\n{error}"))
-}
+use crate::support::written::engine;
 
 fn example(name: &str) -> Engine {
     let path = format!("{}/reports/examples/{name}/layout.toml", env!("CARGO_MANIFEST_DIR"));

@@ -176,6 +176,7 @@ mod support {
     pub mod v_pictures;
     pub mod v_words;
     pub mod verdicts;
+    pub mod weights;
     pub mod whole_degrees;
     pub mod whole_documents;
     pub mod written;

@@ -4,6 +4,8 @@ use crankstar::engine::{self, Engine, Rod};
 use crankstar::file;
 use num_rational::BigRational;
 
+use crate::support::written::fraction;
+
 fn engine(numbers: &str) -> Engine {
     file::parse("layout.toml", &text(numbers)).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -12,16 +14,12 @@ fn text(numbers: &str) -> String {
     format!("inline.throws = [0, 180]\n{numbers}")
 }
 
-fn ratio(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
-}
-
 #[test]
 fn stroke_and_rod_length_give_radius_and_ratio_exactly() {
     let layout = engine("speed = '100 Hz'\n[mechanism]\nstroke = '90 mm'\nrod_length = '0.18'");
-    assert_eq!(layout.dimensions().crank_radius, Some(ratio(45, 1000)));
-    assert_eq!(layout.dimensions().speed, Some(ratio(6000, 1)));
-    let rod = Rod { ratio: ratio(1, 4), offset: ratio(0, 1) };
+    assert_eq!(layout.dimensions().crank_radius, Some(fraction(45, 1000)));
+    assert_eq!(layout.dimensions().speed, Some(fraction(6000, 1)));
+    let rod = Rod { ratio: fraction(1, 4), offset: fraction(0, 1) };
     assert_eq!(layout.rods().collect::<Vec<_>>(), [&rod, &rod]);
 }
 
@@ -30,7 +28,7 @@ fn an_offset_is_divided_by_the_rod_length() {
     let by_length = engine("[mechanism]\ncrank_radius = '40 mm'\nrod_length = '160 mm'\npin_offset = '-3.2 mm'");
     let by_ratio = engine("[mechanism]\nrod_ratio = '1/4'\noffset_ratio = '-0.02'");
     assert!(by_length.rods().eq(by_ratio.rods()));
-    assert_eq!(by_length.cylinders()[0].rod().expect("a rod").offset, ratio(-1, 50));
+    assert_eq!(by_length.cylinders()[0].rod().expect("a rod").offset, fraction(-1, 50));
 }
 
 #[test]
@@ -38,27 +36,27 @@ fn a_rod_with_its_centre_of_gravity_is_split_in_two_masses_that_keep_its_mass() 
     let parts = "[mechanism]\nstroke = 1\nrod_length = 2\npiston_mass = '0.4'\npin_mass = '0.15'\nrod_mass = '0.6'\nrod_centre = '1/2'";
     let layout = engine(parts);
     // A quarter of the way from the big end: a quarter of the mass reciprocates.
-    assert_eq!(layout.dimensions().mass, Some(ratio(7, 10)));
-    assert!(layout.cylinders().iter().all(|cylinder| cylinder.rotating_mass == ratio(45, 100)));
-    assert!(layout.cylinders().iter().all(|cylinder| cylinder.weight() == ratio(1, 1)));
+    assert_eq!(layout.dimensions().mass, Some(fraction(7, 10)));
+    assert!(layout.cylinders().iter().all(|cylinder| cylinder.rotating_mass == fraction(45, 100)));
+    assert!(layout.cylinders().iter().all(|cylinder| cylinder.weight() == fraction(1, 1)));
 }
 
 #[test]
 fn a_list_gives_each_cylinder_its_own_and_the_first_that_is_not_zero_is_the_unit() {
     let layout = engine("[mechanism]\ncrank_radius = [1, 2]\nrod_ratio = ['1/3', '1/4']\nreciprocating_mass = [0, 3]");
     let weights: Vec<BigRational> = layout.cylinders().iter().map(engine::Cylinder::weight).collect();
-    assert_eq!(weights, [ratio(0, 1), ratio(2, 1)]);
+    assert_eq!(weights, [fraction(0, 1), fraction(2, 1)]);
     assert_eq!(
         (layout.dimensions().mass.clone(), layout.dimensions().crank_radius.clone()),
-        (Some(ratio(3, 1)), Some(ratio(1, 1)))
+        (Some(fraction(3, 1)), Some(fraction(1, 1)))
     );
-    assert_eq!(layout.cylinders()[1].rod().expect("a rod").ratio, ratio(1, 4));
+    assert_eq!(layout.cylinders()[1].rod().expect("a rod").ratio, fraction(1, 4));
 }
 
 #[test]
 fn an_engine_without_masses_keeps_its_verdicts() {
     let layout = engine("[mechanism]\nreciprocating_mass = 0");
-    assert_eq!(layout.dimensions().mass, Some(ratio(0, 1)));
+    assert_eq!(layout.dimensions().mass, Some(fraction(0, 1)));
     assert!(layout.has_unit_masses());
 }
 
@@ -119,5 +117,5 @@ fn masses_that_the_cylinders_give_are_not_given_again() {
     let error = file::parse("x.toml", &format!("{cylinder}[mechanism]\nreciprocating_mass = 1"));
     assert!(error.expect_err("twice").to_string().contains("given twice"));
     let layout = file::parse("x.toml", &format!("{cylinder}[mechanism]\nrod_ratio = 0.25")).expect("once");
-    assert_eq!(layout.dimensions().mass, Some(ratio(1, 1)));
+    assert_eq!(layout.dimensions().mass, Some(fraction(1, 1)));
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::support::dice::Dice;
 use crate::support::engines;
+use crate::support::written::fraction;
 use crankstar::engine::{DELTA, Engine, Family, PHI};
 use crankstar::exact::Turn;
 use crankstar::family;
@@ -117,10 +118,6 @@ fn the_slider_is_right(text: &str, held: &[(&str, BigRational)], unknown: &str, 
         }
     }
     zeros
-}
-
-fn fraction(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
 }
 
 #[test]

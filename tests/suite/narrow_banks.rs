@@ -7,9 +7,9 @@ use crankstar::file::parse;
 use crankstar::loads::loads;
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use crate::support::dice::Dice;
+use crate::support::written::{engine as read, float};
 
 /// The VW engine of the theory (section 2, row 27), in fewer than 20 lines.
 const VR6: &str = "\
@@ -25,15 +25,6 @@ throws = [0, 240, 120, 120, 240, 0]
 pin_splay = 22
 pin_offset = '12.5 mm'
 ";
-
-#[track_caller]
-fn read(text: &str) -> Engine {
-    parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
-fn float(value: &BigRational) -> f64 {
-    value.to_f64().expect("a float")
-}
 
 /// Largest force and moment of each order by the motion of the pistons: no phasors, a period of accelerations and its harmonics.
 fn peaks(engine: &Engine, order: u32) -> [f64; 2] {

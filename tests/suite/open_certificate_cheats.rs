@@ -4,7 +4,8 @@ use crankstar::family;
 use crankstar::file::{self, Layout};
 use crankstar::proof::{Exact, OpenDocument, Quantity, WhenClaim, check_open_document};
 use crankstar::report;
-use num_rational::BigRational;
+
+use crate::support::written::fraction;
 
 const V_TWIN: &str = "vee = { bank_angle = 'phi', throws = [0] }";
 const W: &str = "fan = { banks = ['-phi', 0, 'phi'], throws = [0], positions = ['a'], bank_offsets = ['b', 0, '-b'] }";
@@ -29,10 +30,6 @@ fn refused(text: &str, change: impl FnOnce(&mut OpenDocument)) -> String {
     assert!(check_open_document(&document).is_ok(), "{text}");
     change(&mut document);
     check_open_document(&document).expect_err("a forged document").reason.to_string()
-}
-
-fn fraction(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
 }
 
 /// The force of order 1, reverse, of the V-twin: two parts that cancel where 2φ ≡ 180°.

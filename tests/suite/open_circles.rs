@@ -135,7 +135,7 @@ impl Star {
     }
 
     fn least_between(&self, mut low: f64, mut high: f64) -> f64 {
-        for _ in 0..100 {
+        for _ in 0..60 {
             let [one, other] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
             if self.length(one) < self.length(other) { high = other } else { low = one }
         }

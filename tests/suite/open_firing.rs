@@ -13,7 +13,8 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::support::german::has_words;
+use crate::support::german::{has_words, phrases};
+use crate::support::written::fraction;
 
 const V2: &str = "cycle = 'four-stroke'\nfiring_angles = [0, '360 + phi']\nvee = { bank_angle = 'phi', throws = [0] }";
 const V6: &str =
@@ -34,10 +35,6 @@ fn open(text: &str) -> Family {
         Layout::Open(family) => *family,
         Layout::Known(..) => panic!("nothing is open in {text}"),
     }
-}
-
-fn fraction(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
 }
 
 fn orders(halves: impl IntoIterator<Item = u32>) -> Vec<CycleOrder> {
@@ -213,8 +210,8 @@ fn answers_and_pages_have_german_for_every_phrase() {
             let asked = if text == FOUR_BANKS { orders([2, 4]) } else { orders([1, 2, 3, 6]) };
             let study = OpenFiringStudy::new(&family, &asked, weights).expect("stars");
             for page in [report::open_firing_answer(&study), report::open_firing_page(&study)] {
-                let phrases = page.phrases().into_iter().filter(|words| has_words(words));
-                let unknown: Vec<&str> = phrases.filter(|words| !Language::De.knows(words)).collect();
+                let said = phrases(&page).into_iter().filter(|words| has_words(words));
+                let unknown: Vec<&str> = said.filter(|words| !Language::De.knows(words)).collect();
                 assert!(unknown.is_empty(), "no German for {unknown:#?}");
                 for picture in page.pictures() {
                     let figure = Language::De.picture(picture).figure;

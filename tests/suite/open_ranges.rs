@@ -8,10 +8,7 @@ use num_traits::Zero;
 
 use crate::support::dice::Dice;
 use crate::support::program::{call, scratch};
-
-fn ratio(above: i64, below: i64) -> BigRational {
-    BigRational::new(above.into(), below.into())
-}
+use crate::support::written::fraction;
 
 /// What `classify` prints of cylinders in one plane with these throws and masses: their moment vanishes.
 fn told(name: &str, cylinders: &[(&str, &str)], order: u32) -> String {
@@ -45,7 +42,7 @@ fn every_solution_in_the_range_is_found_and_none_outside() {
     let mut tried = [0, 0];
     for _ in 0..3000 {
         let mut times = || {
-            let mut one = || ratio(dice.below(9) as i64 - 4, dice.below(3) as i64 + 1);
+            let mut one = || fraction(dice.below(9) as i64 - 4, dice.below(3) as i64 + 1);
             [one(), one()]
         };
         let [first, second] = [times(), times()];
@@ -53,21 +50,21 @@ fn every_solution_in_the_range_is_found_and_none_outside() {
         if determinant.is_zero() {
             continue;
         }
-        let [phi, delta] = [(); 2].map(|()| ratio(dice.below(25) as i64, 24));
+        let [phi, delta] = [(); 2].map(|()| fraction(dice.below(25) as i64, 24));
         let value = |times: &[BigRational; 2]| &times[0] * &phi + &times[1] * &delta;
-        let fraction = |value: BigRational| &value - value.floor();
-        let place = |times: &[BigRational; 2]| Place::exact(times, &fraction(value(times)));
+        let part = |value: BigRational| &value - value.floor();
+        let place = |times: &[BigRational; 2]| Place::exact(times, &part(value(times)));
         // A solution, so that it is in the range.
         assert!(is_in_range(&[place(&first), place(&second)]), "{first:?} {second:?} {phi} {delta}");
         assert!(is_in_range(&[place(&first)]));
         // Two angles at will: all φ and δ that make them.
-        let [u, v] = [(); 2].map(|()| ratio(dice.below(24) as i64, 24));
+        let [u, v] = [(); 2].map(|()| fraction(dice.below(24) as i64, 24));
         let whole = -9..=9_i64;
         let found = whole.clone().flat_map(|n| whole.clone().map(move |m| (n, m))).any(|(n, m)| {
-            let (u, v) = (&u + ratio(n, 1), &v + ratio(m, 1));
+            let (u, v) = (&u + fraction(n, 1), &v + fraction(m, 1));
             let phi = (&second[1] * &u - &first[1] * &v) / &determinant;
             let delta = (&first[0] * &v - &second[0] * &u) / &determinant;
-            [phi, delta].iter().all(|turns| *turns >= ratio(0, 1) && *turns <= ratio(1, 1))
+            [phi, delta].iter().all(|turns| *turns >= fraction(0, 1) && *turns <= fraction(1, 1))
         });
         let places = [Place::exact(&first, &u), Place::exact(&second, &v)];
         assert_eq!(is_in_range(&places), found, "{first:?} {second:?} {u} {v}");

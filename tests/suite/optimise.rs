@@ -22,10 +22,12 @@ use crankstar::page::Format;
 use crankstar::{page, report};
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::Zero;
 
 use crate::support::dice::Dice;
+use crate::support::german::phrases;
 use crate::support::program::scratch;
+use crate::support::written::float;
 
 const ENGINES: [&str; 3] = ["thesis-i3", "thesis-v8-flatplane", "thesis-v8-crossplane"];
 const POINTS: usize = 9;
@@ -45,10 +47,6 @@ fn wish(layout: &Engine, couple: Couple, points: usize) -> Wish {
 
 fn solved(layout: &Engine, couple: Couple, points: usize) -> Front {
     front(layout, &wish(layout, couple, points)).unwrap_or_else(|refused| panic!("{refused}"))
-}
-
-fn float(value: &BigRational) -> f64 {
-    value.to_f64().expect("a number")
 }
 
 fn whole(number: i64) -> BigRational {
@@ -168,6 +166,21 @@ const INTRODUCTION: &str = "The thesis of {} (Politecnico di Torino, 2019) ends 
     in the cross-plane V8. Loads are those of orders 1, 2, 4 and 6 with exact coefficients at 6000 revolutions a minute, on a continuous beam; the thesis has orders 1 \
     and 2 with λ for $c_2$, which changes the worst bearing a little.";
 
+/// The answer, the picture of the front, which stands in the folder of the engine, and the comparison: what its page has above its first heading.
+fn summary_of(layout: &Engine, engine: &str) -> Vec<page::Block> {
+    let page = report::optimise_page(layout, &stored(engine), &Couple::Zero).blocks.into_iter();
+    let first = page.take_while(|block| !matches!(block, page::Block::Heading(..)));
+    let block = |block| match block {
+        page::Block::Answer(lines) => lines.into_iter().map(page::Block::Paragraph).collect(),
+        page::Block::Pictures(mut pictures) => {
+            pictures.iter_mut().for_each(|picture| picture.name = format!("{engine}/{}", picture.name));
+            vec![page::Block::Pictures(pictures)]
+        }
+        other => vec![other],
+    };
+    first.flat_map(block).collect()
+}
+
 #[test]
 fn the_summary_of_all_three_is_as_stored() {
     let mut summary = page::Document::new("README", "The best crankshafts of the thesis");
@@ -177,7 +190,7 @@ fn the_summary_of_all_three_is_as_stored() {
     for engine in ENGINES {
         let layout = read(engine, "layout.toml");
         summary.push(page::Block::Heading(1, layout.title().into()));
-        summary.blocks.extend(report::optimise_summary(&layout, &stored(engine), &Couple::Zero, &format!("{engine}/")));
+        summary.blocks.extend(summary_of(&layout, engine));
         let more =
             page::Text::link("The front, its counterweights, and how they are found", format!("{engine}/optimise.md"));
         summary.push(page::Block::Paragraph(more));
@@ -293,7 +306,7 @@ impl Felt {
         .expect("loads");
         let beam = Beam::new(layout.bearings().to_vec()).expect("a beam");
         let shares: Vec<Vec<f64>> =
-            places.iter().map(|at| beam.influence(&at.position).expect("shares").iter().map(float).collect()).collect();
+            places.iter().map(|at| beam.influence(&at.position).iter().map(float).collect()).collect();
         Felt {
             parts: (0..layout.bearings().len()).map(|j| shares.iter().map(|share| share[j]).collect()).collect(),
             bare: bare.bearings.iter().map(|bearing| bearing.waveform.sample(&circle)).collect(),
@@ -504,7 +517,7 @@ fn with_gas_the_least_load_is_that_of_gas_and_masses_and_no_other_crankshaft_com
     let written = page::write(&page, Format::GITHUB, &page::Options::default()).remove(0).text;
     assert!(written.contains("those of gas and masses together") && !written.contains("in a revolution, all orders"));
     let missing: Vec<&str> =
-        page.phrases().into_iter().filter(|words| words.contains("gas") && !page::Language::De.knows(words)).collect();
+        phrases(&page).into_iter().filter(|words| words.contains("gas") && !page::Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "{missing:?}");
 }
 

@@ -1,36 +1,23 @@
 //! Do the proposed weights balance the engine, exactly, and are they those of theory and thesis?
 use std::f64::consts::TAU;
 
-use crankstar::engine::Engine;
 use crankstar::exact::{PhasorSum, Term, Turn};
-use crankstar::file::{catalogue, find, parse};
+use crankstar::file::{catalogue, parse};
 use crankstar::loads::{Outcome, loads};
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::Direction;
 use crankstar::proof::{RemedyDocument, Sense, Vector, check_certificate, check_remedy_document};
-use crankstar::remedy::{
-    ComparableEngine, Kind, Partial, Remedy, RemedyError, Wish, corrected, pair_height, remedy, with_counterweights,
-};
+use crankstar::remedy::{ComparableEngine, Kind, Partial, Remedy, RemedyError, Wish, corrected, pair_height, remedy};
 use crankstar::{page, report};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
 
+use crate::support::weights::with_counterweights;
+use crate::support::written::{engine as read, fraction, of_catalogue as engine};
+
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 const CROSS: &str = include_str!("../../reports/examples/thesis-v8-crossplane/layout.toml");
-
-#[track_caller]
-fn read(text: &str) -> Engine {
-    parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
-fn engine(name: &str) -> Engine {
-    find(name).unwrap_or_else(|| panic!("{name}")).engine().expect("a layout")
-}
-
-fn ratio(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
-}
 
 fn wish(orders: &[u32]) -> Wish {
     Wish { orders: orders.to_vec(), ..Wish::default() }
@@ -92,7 +79,7 @@ fn the_planes_of_the_moment_stand_where_the_theory_says() {
 
 #[test]
 fn the_outer_pair_of_the_thesis_weighs_0_5954_kg_on_the_three_and_1_3101_kg_on_the_cross_plane() {
-    let cases = [(I3, ratio(12, 100), 0.595_392_5, 3.665_785), (CROSS, ratio(21, 100), 1.310_086_5, 8.420_173)];
+    let cases = [(I3, fraction(12, 100), 0.595_392_5, 3.665_785), (CROSS, fraction(21, 100), 1.310_086_5, 8.420_173)];
     for (text, place, expected, shaft) in cases {
         let layout = read(text);
         let remedy = remedy(&layout, &planes(place.clone(), -place)).expect("a remedy");
@@ -120,22 +107,22 @@ fn the_engine_with_the_two_counterweights_on_it_has_no_direct_first_order_in_the
 #[test]
 fn balance_factor_1_leaves_no_direct_first_order_and_65_percent_leaves_35() {
     let layout = read(I3);
-    let full = remedy(&layout, &Wish { factors: vec![ratio(1, 1)], ..wish(&[1]) }).expect("a remedy");
+    let full = remedy(&layout, &Wish { factors: vec![fraction(1, 1)], ..wish(&[1]) }).expect("a remedy");
     assert!(full.crankshaft.is_none());
     assert_eq!(full.bays.len(), 3);
     let subject = ComparableEngine::new(&layout).expect("masses");
     let bare = subject.moment(1, Sense::Direct);
-    let part = remedy(&layout, &Wish { factors: vec![ratio(65, 100)], ..wish(&[1]) }).expect("a remedy");
+    let part = remedy(&layout, &Wish { factors: vec![fraction(65, 100)], ..wish(&[1]) }).expect("a remedy");
     let weights = &part.crankshaft.as_ref().expect("counterweights").weights;
     let added = weights.iter().map(|w| w.adds().scaled(&w.position)).reduce(|a, b| a.plus(&b)).expect("weights");
-    assert!(added.plus(&bare.scaled(&ratio(35, 100))).vanishes());
+    assert!(added.plus(&bare.scaled(&fraction(35, 100))).vanishes());
     assert_balanced("0.65", &part);
 }
 
 #[test]
 fn skewed_bays_are_corrected_too() {
     let skews = vec![Turn::fraction(1, 12), Turn::zero(), Turn::fraction(-1, 12)];
-    let remedy = remedy(&read(I3), &Wish { factors: vec![ratio(1, 1)], skews, ..wish(&[1]) }).expect("a remedy");
+    let remedy = remedy(&read(I3), &Wish { factors: vec![fraction(1, 1)], skews, ..wish(&[1]) }).expect("a remedy");
     assert!(remedy.crankshaft.is_some());
     assert_balanced("skewed", &remedy);
 }
@@ -218,13 +205,16 @@ fn a_force_that_acts_in_one_plane_needs_one_weight_there() {
 
 #[test]
 fn planes_that_coincide_are_refused() {
-    let refused = remedy(&read(I3), &planes(ratio(1, 10), ratio(2, 20)));
-    assert_eq!(refused.err(), Some(RemedyError::PlanesCoincide(ratio(1, 10))));
+    let refused = remedy(&read(I3), &planes(fraction(1, 10), fraction(2, 20)));
+    assert_eq!(refused.err(), Some(RemedyError::PlanesCoincide(fraction(1, 10))));
     let without_bearings: Vec<&str> = I3.lines().filter(|line| !line.starts_with("bearings")).collect();
     let short = format!("{}\n[crankshaft]\nlength = '0.2 m'", without_bearings.join("\n"));
-    let refused = remedy(&read(&short), &planes(ratio(1, 10), ratio(-11, 100))).err();
-    assert_eq!(refused, Some(RemedyError::BeyondTheShaft(ratio(-11, 100), Box::new([ratio(-1, 10), ratio(1, 10)]))));
-    let many = remedy(&read(I3), &Wish { factors: vec![ratio(1, 1); 4], ..wish(&[1]) });
+    let refused = remedy(&read(&short), &planes(fraction(1, 10), fraction(-11, 100))).err();
+    assert_eq!(
+        refused,
+        Some(RemedyError::BeyondTheShaft(fraction(-11, 100), Box::new([fraction(-1, 10), fraction(1, 10)])))
+    );
+    let many = remedy(&read(I3), &Wish { factors: vec![fraction(1, 1); 4], ..wish(&[1]) });
     assert!(matches!(many.err(), Some(RemedyError::TooMany { given: 4, throws: 3, .. })));
 }
 
@@ -237,20 +227,16 @@ fn one_pin_of_v_angle_v_peaks_at_1_less_2f_and_cos_v_for_every_angle_and_part() 
         let unit = |angle: Turn| Term { angle, weight: BigRational::one() };
         let twice_cosine = PhasorSum::new(vec![unit(angle.clone()), unit(-&angle)]);
         assert!(twin.reverse.minus(&twice_cosine).vanishes(), "{degrees}°");
-        for percent in (0..=100).step_by(5) {
-            let part = ratio(percent, 100);
-            let direct = PhasorSum::new(vec![Term { angle: Turn::zero(), weight: ratio(2, 1) - &part * ratio(4, 1) }]);
-            assert!(twin.direct_at(&part).minus(&direct).vanishes(), "{degrees}°, {percent} %");
-        }
+        let direct = PhasorSum::new(vec![Term { angle: Turn::zero(), weight: fraction(2, 1) }]);
+        assert!(twin.direct.minus(&direct).vanishes(), "{degrees}°");
         let cosine = (f64::from(degrees as i32).to_radians()).cos().abs();
         for percent in [0, 35, 50, 65, 100] {
-            let ellipse = twin.ellipse(&ratio(percent, 100));
+            let ellipse = twin.ellipse(&fraction(percent, 100));
             let expected = (1.0 - percent as f64 / 50.0).abs() + cosine;
             assert!((ellipse.peak_decimal - expected).abs() < 1e-14, "{degrees}°, {percent} %");
         }
-        assert_eq!(twin.ellipse(&ratio(35, 100)), twin.ellipse(&ratio(65, 100)), "{degrees}°");
-        let (part, least) = twin.minimum().expect("a minimum");
-        assert_eq!(part, ratio(1, 2));
+        assert_eq!(twin.ellipse(&fraction(35, 100)), twin.ellipse(&fraction(65, 100)), "{degrees}°");
+        let least = twin.ellipse(&fraction(1, 2));
         assert!(twin.curve(4).iter().all(|(_, ellipse)| ellipse.peak_decimal >= least.peak_decimal));
     }
 }
@@ -259,7 +245,7 @@ fn one_pin_of_v_angle_v_peaks_at_1_less_2f_and_cos_v_for_every_angle_and_part() 
 fn a_single_peaks_at_the_larger_of_f_and_1_less_f() {
     let single = Partial::new(&read("inline.throws = [0]")).expect("centric");
     for percent in 0..=100 {
-        let part = ratio(percent, 100);
+        let part = fraction(percent, 100);
         let expected = if percent > 50 { part.clone() } else { BigRational::one() - &part };
         assert_eq!(single.ellipse(&part).peak.and_then(|form| form.as_rational()), Some(expected));
     }
@@ -269,8 +255,8 @@ fn a_single_peaks_at_the_larger_of_f_and_1_less_f() {
 fn partial_balance_is_told_of_centric_rods_alone_and_masses_that_are_there() {
     let rods = |keys: &str| Partial::new(&read(&format!("inline.throws = [0]\n[mechanism]\nrod_ratio = 0.25\n{keys}")));
     assert!(rods("offset_ratio = 0.01").is_none());
-    assert!(rods("").is_some_and(|partial| partial.minimum().is_some()));
-    assert!(rods("reciprocating_mass = 0").is_some_and(|partial| partial.minimum().is_none()));
+    assert!(rods("").is_some_and(|partial| !partial.direct.vanishes()));
+    assert!(rods("reciprocating_mass = 0").is_some_and(|partial| partial.direct.vanishes()));
 }
 
 /// The moment on the frame of pistons that push sideways on their cylinders, and of the pair, in multiples of m r² ω²:
@@ -283,7 +269,7 @@ fn a_lanchester_pair_at_its_height_takes_the_roll_moment_of_order_2_away() {
     let pair = pair_height(&layout, 2).expect("a height");
     assert_near(pair.metres.expect("a crank radius"), pair.in_crank_radii * 0.05);
     assert!((pair.in_crank_radii - 1.0 / 0.3).abs() < 0.15, "nearly the rod length: {}", pair.in_crank_radii);
-    let crank = SliderCrank::new(ratio(3, 10), BigRational::zero()).expect("a crank");
+    let crank = SliderCrank::new(fraction(3, 10), BigRational::zero()).expect("a crank");
     let balanced = remedy(&layout, &wish(&[2])).expect("a remedy");
     let lengths = balanced.shafts.iter().map(|s| s.weights[0].decimals(&balanced.subject).expect("decimals"));
     let [with, against] = lengths.collect::<Vec<_>>()[..] else { panic!("a pair") };
@@ -307,7 +293,7 @@ fn a_lanchester_pair_at_its_height_takes_the_roll_moment_of_order_2_away() {
     assert!(order_2(0.0).abs() > 1.9);
     assert!(order_2(pair.in_crank_radii).abs() < 1e-9, "{}", order_2(pair.in_crank_radii));
     let part = 0.4 * pair.in_crank_radii;
-    assert_near(order_2(part) / order_2(0.0), pair.left_at(part));
+    assert_near(order_2(part) / order_2(0.0), 0.6);
 }
 
 fn angle() -> impl Strategy<Value = Turn> {
@@ -396,7 +382,7 @@ fn spoiled(changes: &[(usize, Option<&str>)]) -> String {
 fn answered(text: &str) -> Result<(), TestCaseError> {
     let Ok(layout) = parse("layout.toml", text) else { return Ok(()) };
     let _ = loads(&layout, &[1, 2]);
-    let factors = vec![ratio(1, 2)];
+    let factors = vec![fraction(1, 2)];
     let Ok(found) = remedy(&layout, &Wish { factors, ..wish(&[1, 2, 3]) }) else { return Ok(()) };
     prop_assert!(found.holds());
     for document in [report::remedy_answer(&found), report::remedy_page(&found)] {
@@ -441,7 +427,7 @@ proptest! {
         apart in 1..50_i64,
     ) {
         let layout = read(&cylinders.concat());
-        let wish = Wish { orders: vec![1, 2, 4], planes: Some([ratio(first, 7), ratio(first + apart, 7)]), ..Wish::default() };
+        let wish = Wish { orders: vec![1, 2, 4], planes: Some([fraction(first, 7), fraction(first + apart, 7)]), ..Wish::default() };
         let remedy = remedy(&layout, &wish).expect("a remedy");
         prop_assert!(remedy.holds());
     }
@@ -453,7 +439,7 @@ proptest! {
         skew in angle(),
     ) {
         let layout = read(&cylinders.concat());
-        let wish = Wish { orders: vec![1, 2], factors: vec![ratio(percent, 100)], skews: vec![skew], ..Wish::default() };
+        let wish = Wish { orders: vec![1, 2], factors: vec![fraction(percent, 100)], skews: vec![skew], ..Wish::default() };
         let remedy = remedy(&layout, &wish).expect("a remedy");
         prop_assert!(remedy.holds());
     }

@@ -6,7 +6,8 @@ use crankstar::proof::{
 };
 use crankstar::remedy::{Wish, remedy};
 use crankstar::report::remedy_document;
-use num_rational::BigRational;
+
+use crate::support::written::fraction;
 
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 const OFFSET: &str = include_str!("../../reports/examples/i6-offset/layout.toml");
@@ -29,10 +30,6 @@ fn assert_refused(cheat: impl Fn(&mut RemedyDocument), words: &str) {
     assert_ne!(cheated, document(), "nothing was changed");
     let fault = check_remedy_document(&cheated).expect_err("the cheat is seen").to_string();
     assert!(words.split('|').any(|words| fault.contains(words)), "{fault}");
-}
-
-fn fraction(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::fs;
 use crankstar::BigRational;
 use crankstar::engine::Engine;
 use crankstar::exact::Turn;
-use crankstar::file::{Beside, parse};
+use crankstar::file::Beside;
 use crankstar::order;
 use crankstar::page;
 use crankstar::proof::{Planar, Sense};
@@ -15,10 +15,7 @@ use crankstar::report;
 use proptest::prelude::*;
 
 use crate::support::program::{program, scratch};
-
-fn read(text: &str) -> Engine {
-    parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
+use crate::support::written::engine as read;
 
 fn wish(orders: &[u32]) -> Wish {
     Wish { orders: orders.to_vec(), ..Wish::default() }

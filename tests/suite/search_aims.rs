@@ -1,5 +1,6 @@
 //! Are all aims at once compared rightly? Moments, neighbours and minor orders against a plain loop over all stars.
 
+use crate::support::german::phrases;
 use crate::support::plain_aims::{Asked, TICKS, whole};
 use crate::support::plain_search::{Star, arrange, of_even_throws};
 use crate::support::program::scratch;
@@ -291,7 +292,7 @@ fn a_page_tells_all_that_was_compared_in_german_too() {
         {
             assert!(text.contains(words), "{words}: {text}");
         }
-        let unknown: Vec<&str> = page.phrases().into_iter().filter(|words| !Language::De.knows(words)).collect();
+        let unknown: Vec<&str> = phrases(&page).into_iter().filter(|words| !Language::De.knows(words)).collect();
         let unknown: Vec<&&str> = unknown.iter().filter(|words| words.chars().any(char::is_alphabetic)).collect();
         assert!(unknown.is_empty(), "no German for {unknown:#?}");
     }

@@ -11,6 +11,8 @@ use num_bigint::BigInt;
 use num_complex::Complex;
 use num_rational::BigRational;
 
+use crate::support::german::phrases;
+
 fn judged(cylinders: u32, cycle: Cycle, shape: Option<&[i64]>) -> (search::Front, search::Torsion) {
     let front = best(&Problem::inline(cylinders, cycle, &[1, 2]), &Search::default()).expect("a front");
     let whole = |value: &i64| BigRational::from_integer(BigInt::from(*value));
@@ -174,7 +176,7 @@ fn a_page_and_a_document_tell_the_firing_orders() {
         text.contains("**Star 1** has 4 firing orders. In 1-4-5-6-3-2 the strongest minor order is the weakest"),
         "{text}"
     );
-    let unknown: Vec<&str> = page.phrases().into_iter().filter(|words| !Language::De.knows(words)).collect();
+    let unknown: Vec<&str> = phrases(&page).into_iter().filter(|words| !Language::De.knows(words)).collect();
     let unknown: Vec<&&str> = unknown.iter().filter(|words| words.chars().any(char::is_alphabetic)).collect();
     assert!(unknown.is_empty(), "no German for {unknown:#?}");
     let document = search::document(&front).with_torsion(&torsion);

@@ -7,9 +7,10 @@ use num_complex::Complex;
 
 use crate::support::dice::Dice;
 use crate::support::verdicts;
+use crate::support::written::engine;
 use crankstar::engine::Engine;
 use crankstar::exact::Turn;
-use crankstar::file::{Beside, parse};
+use crankstar::file::Beside;
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::{Direction, float};
 use crankstar::order::Masses;
@@ -20,10 +21,6 @@ use crankstar::verdict::{OrderVerdict, classify};
 const ORDERS: [u32; 6] = [1, 2, 3, 4, 5, 6];
 const POINTS: usize = 128;
 const ENGINES: u64 = 60;
-
-fn engine(text: &str) -> Engine {
-    parse("engine.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
 
 /// Cylinders of throw, bank, position, rod ratio and offset ratio.
 fn file(cylinders: &[(i64, i64, i64, &str, String)], more: &str) -> String {

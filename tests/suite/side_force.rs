@@ -6,7 +6,6 @@
 use std::f64::consts::TAU;
 
 use crankstar::engine::Engine;
-use crankstar::file::parse;
 use crankstar::loads::{
     BearingLoads, Method, bearing_loads, bearing_orders, left_out_of_bearings, loads, pin_loads, usual_bearing_orders,
 };
@@ -14,23 +13,16 @@ use crankstar::motion::{Enclosure, SliderCrank, Tail};
 use num_bigint::BigInt;
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, Zero};
 
 use crate::support::dice::Dice;
 use crate::support::piston::decimal;
 use crate::support::side::SIDE;
 use crate::support::stiffness;
+use crate::support::written::{engine as layout, float};
 
 fn crank(ratio: &str, offset: &str) -> SliderCrank {
     SliderCrank::new(decimal(ratio), decimal(offset)).expect("a crank that turns")
-}
-
-fn float(number: &BigRational) -> f64 {
-    number.to_f64().expect("a number")
-}
-
-fn layout(text: &str) -> Engine {
-    parse("side.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 /// Whether it holds the reference of 40 digits, to a relative 2⁻⁶⁴.
@@ -362,7 +354,7 @@ fn along_the_axes(engine: &Engine, ratio: f64, factor: f64) -> Vec<f64> {
         .iter()
         .map(|cylinder| {
             let turn = |turn: &crankstar::exact::Turn| float(turn.turns()) * TAU;
-            let parts = beam.influence(&cylinder.position).expect("parts");
+            let parts = beam.influence(&cylinder.position);
             (turn(&cylinder.throw), turn(&cylinder.bank), parts.iter().map(float).collect())
         })
         .collect();

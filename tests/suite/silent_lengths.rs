@@ -11,14 +11,11 @@ use crankstar::verdict::{self, Judgement};
 use crate::geared::assert_feels_its_bodies;
 use crate::support::dice::Dice;
 use crate::support::pages;
+use crate::support::written::engine as layout;
 
 const TORQUE: &str = "speed = '3000 rpm'\neffects = ['torque']\n";
 const MECHANISM: &str = "\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.5 kg'\n";
 const TURNING: &str = "rotating_mass = '0.4 kg'\n";
-
-fn layout(text: &str) -> Engine {
-    parse("silent.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
 
 fn loads(engine: &Engine) -> Loads {
     let orders: Vec<u32> = (1..=70).collect();

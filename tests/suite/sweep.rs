@@ -12,11 +12,11 @@ use crankstar::proof::{Planar, Quantity, Sense};
 use crankstar::remedy::{ComparableEngine, two_planes};
 use crankstar::sweep::{self, Geometry, MOST_POINTS, Parameter, Range, Sweep, SweptEngine, Zeros};
 use crankstar::{page, report};
-use num_bigint::BigInt;
-use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use crate::studies::section::section;
 use crate::support::program::scratch;
+use crate::support::written::fraction;
 use crate::support::{dice, every_form};
 const V6: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\n";
 const V8: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 90\nthrows = [0, 270, 90, 180]\n";
@@ -31,10 +31,6 @@ fn run(text: &str, parameters: &[&str], orders: &[u32]) -> Result<Sweep, String>
 
 fn good(text: &str, parameters: &[&str], orders: &[u32]) -> Sweep {
     run(text, parameters, orders).expect("a sweep")
-}
-
-fn ratio(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(BigInt::from(numerator), BigInt::from(denominator))
 }
 
 fn zeros(sweep: &Sweep, quantity: Planar, order: u32, of: Zeros) -> Vec<String> {
@@ -141,7 +137,7 @@ fn exact_zeros_of_the_six_with_shared_pins_lie_at_their_angles_and_not_on_the_gr
     assert_eq!(moment(4, Zeros::Across), ["90", "180"]);
     assert_eq!(zeros(&sweep, Planar::Force, 6, Zeros::Reverse), ["180/7", "540/7", "900/7", "180"]);
     assert_eq!(zeros(&sweep, Planar::Force, 1, Zeros::Largest), ["everywhere"]);
-    let on_curve = sweep.curve.iter().any(|point| point.values[0] == ratio(180, 7));
+    let on_curve = sweep.curve.iter().any(|point| point.values[0] == fraction(180, 7));
     assert!(on_curve, "the curve passes its exact zeros");
 }
 
@@ -165,7 +161,7 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
         let key = Key::parse("vee.bank_angle").expect("a key");
         for order in [1, 2, 3, 4] {
             for (component, sign) in [(Component::Along, 1.0), (Component::Across, -1.0)] {
-                let (none, turn) = (ratio(0, 1), ratio(1, 1));
+                let (none, turn) = (fraction(0, 1), fraction(1, 1));
                 let found = component_zeros(&open, Planar::Moment, order, component, [&none, &turn]);
                 for degrees in (9..360).step_by(9).chain((15..360).step_by(15)) {
                     let Ok(Layout::Known(layout, _)) = template.layout(&[(&key, &degrees.to_string())]) else {
@@ -182,7 +178,7 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
                     let value = sum(Sense::Direct) + sum(Sense::Reverse).conj() * sign;
                     let at = match &found {
                         family::Zeros::Everywhere => true,
-                        family::Zeros::At(found) => found.exact.contains(&ratio(degrees, 360)),
+                        family::Zeros::At(found) => found.exact.contains(&fraction(degrees, 360)),
                         family::Zeros::NotSolved => panic!("{throws} {order} is not solved"),
                     };
                     assert_eq!(at, value.norm() < 1e-12, "{throws} order {order} {component:?} at {degrees}");
@@ -278,12 +274,12 @@ fn counterweights_of_the_six_at_90_degrees_are_root_3_in_closed_form() {
         );
         let layout = file::parse("v6.toml", &text).expect("it reads");
         let subject = ComparableEngine::new(&layout).expect("masses");
-        let planes = [ratio(1, 1), ratio(-1, 1)];
+        let planes = [fraction(1, 1), fraction(-1, 1)];
         let (force, moment) = (subject.force(1, Sense::Direct), subject.moment(1, Sense::Direct));
         let weights = two_planes(1, Sense::Direct, &force, &moment, &planes);
         let root = Form::parse("√3").expect("a form");
         // b = 2a, and masses in multiples of m_n.
-        let right = root.scaled(&(ratio(reciprocating + 2 * rotating, reciprocating) / ratio(2, 1)));
+        let right = root.scaled(&(fraction(reciprocating + 2 * rotating, reciprocating) / fraction(2, 1)));
         assert_eq!(weights.len(), 2);
         for weight in &weights {
             assert_eq!(weight.modulus(), Some(right.clone()), "{text}");
@@ -311,15 +307,18 @@ fn the_most_even_firing_of_the_six_is_that_of_its_bank_angle() {
         // Bank 2 fires γ after bank 1, or a revolution later: intervals γ and 240° − γ, or 120° ± γ.
         let right = (2 * angle).min((240 - 2 * angle).abs());
         let evenness = point.evenness.as_ref().expect("the cycle is given");
-        assert_eq!(evenness.unevenness() * ratio(360, 1), ratio(right, 1), "{angle}");
+        assert_eq!(evenness.unevenness() * fraction(360, 1), fraction(right, 1), "{angle}");
         assert!(!evenness.of_the_file);
     }
     let of_the_file = file::find("I6").expect("I6").engine().expect("it reads");
     let even = sweep::evenness(&of_the_file, None).expect("a firing order");
-    assert!(even.of_the_file && even.unevenness() == ratio(0, 1));
+    assert!(even.of_the_file && even.unevenness() == fraction(0, 1));
     let two_stroke = file::parse("i3.toml", "[inline]\nthrows = [0, 120, 200]").expect("it reads");
     let uneven = sweep::evenness(&two_stroke, Some(Cycle::TwoStroke)).expect("a cycle");
-    assert_eq!((uneven.longest * ratio(360, 1), uneven.shortest * ratio(360, 1)), (ratio(160, 1), ratio(80, 1)));
+    assert_eq!(
+        (uneven.longest * fraction(360, 1), uneven.shortest * fraction(360, 1)),
+        (fraction(160, 1), fraction(80, 1))
+    );
 }
 
 #[test]
@@ -327,7 +326,7 @@ fn more_cylinders_than_a_word_has_bits_fire_too() {
     let throws: Vec<String> = (0..72).map(|place| (place * 5).to_string()).collect();
     let engine = file::parse("i72.toml", &format!("inline.throws = [{}]", throws.join(", "))).expect("it reads");
     let even = sweep::evenness(&engine, Some(Cycle::TwoStroke)).expect("a cycle");
-    assert_eq!((even.longest, even.shortest), (ratio(1, 72), ratio(1, 72)));
+    assert_eq!((even.longest, even.shortest), (fraction(1, 72), fraction(1, 72)));
     assert!(sweep::evenness(&engine, Some(Cycle::FourStroke)).is_none(), "too many orders to try");
 }
 
@@ -357,7 +356,7 @@ fn the_envelope_is_that_of_its_geometry() {
     let beside =
         2.0 * (reach * reach * (half / reach).acos() / 2.0 - half * (reach * reach - half * half).sqrt() / 2.0);
     let right = std::f64::consts::PI * reach * reach / 2.0 + 2.0 * half * top + beside;
-    let area = sweep::section(&one, &geometry).expect("an area");
+    let area = section(&one, &geometry).expect("an area");
     assert!((area - right).abs() < 1e-2 * right, "{area} {right}");
     let metric = file::parse("m.toml", "[inline]\nthrows = [0, 180]\nspacing = \"100 mm\"").expect("it reads");
     assert_eq!(sweep::envelope(&metric, &geometry).expect("a box").length, None);
@@ -378,7 +377,7 @@ fn any_key_is_swept_in_its_unit_and_two_make_a_map() {
     assert!(throw.points[1].orders[0].force.largest.vanishes && !throw.points[0].orders[0].force.largest.vanishes);
     let map = good(V6, &["vee.bank_angle=60..120:30", "vee.pin_split=-30..0:10"], &[1]);
     assert_eq!(map.points.len(), 12);
-    assert_eq!(map.points[5].values, [ratio(90, 1), ratio(-20, 1)]);
+    assert_eq!(map.points[5].values, [fraction(90, 1), fraction(-20, 1)]);
     let files = page::write(&report::sweep_page(&map), page::Format::GITHUB, &page::Options::default());
     assert!(
         files.iter().any(|file| file.name == "moment-1.svg") && files[0].text.contains("pin\\_split")

@@ -10,6 +10,8 @@ use crankstar::sweep::{self, Geometry, Parameter, Sweep};
 use num_complex::Complex;
 use num_traits::ToPrimitive;
 
+use crate::support::german::phrases;
+
 const V6: &str =
     "cycle = 'four-stroke'\nfiring_order = '1-4-3-6-2-5'\nvee = { bank_angle = 60, throws = [0, 240, 120] }";
 const V2: &str = "cycle = 'four-stroke'\nfiring_angles = [0, '360 + phi']\nvee = { bank_angle = 'phi', throws = [0] }\n\
@@ -112,7 +114,7 @@ fn page_table_and_document_tell_the_stars() {
     assert!(text.contains("**Gas torque of order 1½:** exactly **0** at 120° and nowhere else in the range"), "{text}");
     assert!(text.contains("| 3 | 60°, 180°, 300° |"), "{text}");
     let pages = [page, report::sweep_answer(&sweep)];
-    let phrases = pages.iter().flat_map(page::Document::phrases);
+    let phrases = pages.iter().flat_map(phrases);
     let unknown: Vec<&str> = phrases.filter(|words| words.contains("iring") && !Language::De.knows(words)).collect();
     assert!(unknown.is_empty(), "no German for {unknown:#?}");
     let csv = report::sweep_csv(&sweep).text;

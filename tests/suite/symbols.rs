@@ -1,11 +1,12 @@
 //! Are the symbols of a page those of the reader: in formulas, in words, in drawings, and nowhere the old ones?
 
-use crankstar::file::{Layout, parse, parse_layout};
+use crankstar::file::{Layout, parse_layout};
 use crankstar::page::{self, Document, Format, Options, Symbols};
 use crankstar::{family, report};
 
 use crate::support::pages::{DOLLARS, document};
 use crate::support::program::{call, scratch};
+use crate::support::written::engine;
 
 /// Every symbol gets a letter that no page has.
 const NOTATION: &str = r#"
@@ -38,10 +39,6 @@ const OLD_INDEXED: [&str; 8] = ["c_k", "c_{", "P_k", "P_{", "Q_k", "V_k", "P⁺"
 
 fn symbols(text: &str) -> Symbols {
     Symbols::read("symbols.toml", text).expect("it reads")
-}
-
-fn engine(text: &str) -> crankstar::engine::Engine {
-    parse("layout.toml", text).expect("it reads")
 }
 
 fn pages() -> Vec<Document> {

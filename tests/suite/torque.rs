@@ -10,14 +10,10 @@ use crate::gas::{DIESEL, SPARK, engine};
 use crate::support::dice::Dice;
 use crate::support::gas_table::{self, AMBIENT, POINTS, pressure};
 use crate::support::program::{call, scratch};
+use crate::support::written::assert_near;
 
 fn torque_of(text: &str) -> EngineTorque {
     torque(&engine(text)).unwrap_or_else(|error| panic!("{text}\n{error}"))
-}
-
-#[track_caller]
-fn assert_near(found: f64, wanted: f64, within: f64) {
-    assert!((found - wanted).abs() <= within, "{found} is not {wanted}, but {:e} off", found - wanted);
 }
 
 /// Four cylinders of the theory's example in line, at a speed.

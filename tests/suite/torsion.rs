@@ -4,12 +4,13 @@ use std::f64::consts::PI;
 
 use crankstar::engine::{CycleOrder, Engine, Torsion};
 use crankstar::file;
-use crankstar::page::{Document, Format, Language};
+use crankstar::page::{Format, Language};
 use crankstar::report::{self, Question, TorsionStudy};
 use crankstar::torsion::{Excitation, Mode, Shaft, critical_speeds, forced_twist, modes};
 use num_complex::Complex;
 
 use crate::support::dice::Dice;
+use crate::support::german::phrases;
 use crate::support::pages;
 
 fn shaft(inertias: &[f64], stiffnesses: &[f64]) -> Shaft {
@@ -175,7 +176,7 @@ fn the_page_says_what_its_document_says_in_both_languages() {
     let engine = six_with_flywheel();
     let study = TorsionStudy::new(&engine, &[]).expect("a shaft that fires");
     let pages = [report::torsion_page(&study), report::torsion_answer(&study)];
-    let phrases = pages.iter().flat_map(Document::phrases);
+    let phrases = pages.iter().flat_map(phrases);
     let has_words = |words: &str| words.chars().filter(|letter| letter.is_alphabetic()).count() > 2;
     let missing: Vec<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "no German for {missing:#?}");

@@ -33,7 +33,6 @@ pub(super) fn shown_error(study: &Study, row: &Row) -> f64 {
     match row.method {
         Method::Intervals(_) | Method::Fractions => row.bound.unwrap_or(row.error),
         Method::Orders(_) | Method::Doubles(_) => row.error.max(study.rounding),
-        Method::Singles(_) => row.error.max(study.doubt),
     }
 }
 
@@ -42,7 +41,6 @@ pub(super) fn name(method: Method) -> Text {
     match method {
         Method::Orders(order) => phrase!("orders up to {}", order),
         Method::Doubles(steps) => phrase!("closed form, {} angles, 64 bits", steps),
-        Method::Singles(steps) => phrase!("closed form, {} angles, 32 bits", steps),
         Method::Intervals(digits) => phrase!("intervals to {}", power_of_ten(-i64::from(digits))),
         Method::Fractions => "intervals of fractions".into(),
     }
@@ -52,9 +50,7 @@ pub(super) fn name(method: Method) -> Text {
 pub(super) fn name_and_spans(row: &Row) -> Text {
     match (row.method, row.looked_at) {
         (Method::Intervals(_), Some(count)) => phrase!("{}, {} spans", name(row.method), count),
-        (Method::Intervals(_) | Method::Orders(_) | Method::Doubles(_) | Method::Singles(_) | Method::Fractions, _) => {
-            name(row.method)
-        }
+        (Method::Intervals(_) | Method::Orders(_) | Method::Doubles(_) | Method::Fractions, _) => name(row.method),
     }
 }
 
@@ -63,12 +59,9 @@ pub(super) fn measured(study: &Study, row: &Row) -> Text {
     let plain = || power(row.error).into();
     match row.method {
         Method::Fractions => Text::default(),
-        Method::Orders(_) | Method::Doubles(_) | Method::Singles(_) | Method::Intervals(_)
-            if study.is_below_reference(row) =>
-        {
+        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) if study.is_below_reference(row) => {
             "below the reference's own error".into()
         }
-        Method::Singles(_) => plain(),
         Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) if study.rounding.is_infinite() => {
             "not known".into()
         }
@@ -97,7 +90,7 @@ pub(super) const USUAL: f64 = 1e-3;
 pub(super) fn orders_for_a_thousandth(study: &Study) -> Option<u32> {
     study.rows.iter().find_map(|row| match row.method {
         Method::Orders(order) => row.bound.filter(|bound| *bound <= USUAL).map(|_| order),
-        Method::Doubles(_) | Method::Singles(_) | Method::Intervals(_) | Method::Fractions => None,
+        Method::Doubles(_) | Method::Intervals(_) | Method::Fractions => None,
     })
 }
 

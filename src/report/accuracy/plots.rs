@@ -24,14 +24,13 @@ pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture
     plot.curves
         .push(Curve { ink: Ink::Grey, ..Curve::new(0, "no other is both faster and more accurate", front).stepped() });
     for row in &study.rows {
-        let (label, series, ink, filled) = match row.method {
-            Method::Orders(order) => (order.to_string(), "orders up to", Ink::Blue, true),
-            Method::Doubles(steps) => (steps.to_string(), "angles, 64 bits", Ink::Orange, true),
-            Method::Singles(steps) => (steps.to_string(), "angles, 32 bits", Ink::Orange, false),
-            Method::Intervals(digits) => (methods::power_of_ten(-i64::from(digits)), "intervals to", Ink::Green, true),
-            Method::Fractions => (methods::guaranteed(row).plain(), "fractions", Ink::Red, true),
+        let (label, series, ink) = match row.method {
+            Method::Orders(order) => (order.to_string(), "orders up to", Ink::Blue),
+            Method::Doubles(steps) => (steps.to_string(), "angles, 64 bits", Ink::Orange),
+            Method::Intervals(digits) => (methods::power_of_ten(-i64::from(digits)), "intervals to", Ink::Green),
+            Method::Fractions => (methods::guaranteed(row).plain(), "fractions", Ink::Red),
         };
-        plot.marks.push(PointMark { ink, filled, ..PointMark::dot(at(row), label).of(series) });
+        plot.marks.push(PointMark { ink, ..PointMark::dot(at(row), label).of(series) });
     }
     if let Some(own) = study.own {
         let at = (microseconds(own.time), digits(own.bound));

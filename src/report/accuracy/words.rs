@@ -13,7 +13,7 @@ use crate::proof::Quantity;
 pub(super) const METHODS: [&str; 5] = [
     "Each method looks for the same peak; errors are parts of it.",
     "**Orders** are summed in doubles; an order that adds nothing is left out. What the higher orders can add is bounded by their exact sums and, above order 60, by the sum of all coefficients; roundings are left out of that bound.",
-    "The **closed form** is the acceleration of each piston without any series, at equal steps of the crank angle, in floats of 64 or 32 bits.",
+    "The **closed form** is the acceleration of each piston without any series, at equal steps of the crank angle, in floats of 64 bits.",
     "**Intervals** enclose load and slope over spans of the crank angle and cut the highest span in two, until the digits asked for are sure; they are stopped at 4000 spans; where they miss their aim their bound says by how much, and more digits are not tried.",
     "**Intervals of fractions** carry some fifty digits, fewer where the load is nearly constant. Narrowed by whatever else is guaranteed, they are the reference of the others; an error that is smaller than their own is said to be below it.",
 ];

@@ -46,9 +46,7 @@ fn all_methods(study: &AccuracyStudy) -> Table {
     let mut table = Filling::new("methods", about, &rows).keyed(4);
     table.whole("case", CASE, |row| row.case);
     table.words("load", LOAD, |row| Some(row.load.to_owned()));
-    table.words("method", "orders, closed_form (64 bits), closed_form_32, intervals, fractions, refined", |row| {
-        Some(row.method.to_owned())
-    });
+    table.words("method", "orders, closed_form, intervals, fractions, refined", |row| Some(row.method.to_owned()));
     let about = "the highest order, angles of a revolution, or digits asked for; 0 where the method has no setting";
     table.decimal("setting", Unit::NONE, about, |row| Some(row.setting.unwrap_or(0.0)));
     table.decimal("value", Unit::NONE, "what it finds, in the unit beside it", |row| Some(row.value));
@@ -74,7 +72,6 @@ fn of_study<'a>(study: &'a AccuracyStudy, case: usize, load: &'a Study) -> impl 
         let (method, setting) = match row.method {
             Method::Orders(order) => ("orders", Some(order)),
             Method::Doubles(steps) => ("closed_form", Some(steps)),
-            Method::Singles(steps) => ("closed_form_32", Some(steps)),
             Method::Intervals(digits) => ("intervals", Some(digits)),
             Method::Fractions => ("fractions", None),
         };

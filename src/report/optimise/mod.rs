@@ -8,5 +8,5 @@ mod study;
 mod tables;
 
 pub use layouts::optimise_layouts;
-pub use page::{optimise_answer, optimise_page, optimise_summary};
+pub use page::{optimise_answer, optimise_page};
 pub use study::OptimiseStudy;

@@ -92,15 +92,6 @@ pub fn optimise_answer(layout: &Engine, front: &Front, couple: &Couple) -> Docum
     page
 }
 
-/// The answer, the picture of the front, and the comparison with uniform balance factors, for a page that holds several; the
-/// files of this front are in a folder below it.
-pub fn optimise_summary(layout: &Engine, front: &Front, couple: &Couple, folder: &str) -> Vec<Block> {
-    let mut blocks: Vec<Block> = answer(layout, front, couple).into_iter().map(Block::Paragraph).collect();
-    blocks.push(plot::picture(layout, front, folder).into());
-    blocks.extend(comparison(layout, front));
-    blocks
-}
-
 fn comparison(layout: &Engine, front: &Front) -> Vec<Block> {
     let table = tables::compared(layout, front);
     table.map_or_else(Vec::new, |table| vec![Block::Paragraph(COMPARED.into()), table.into()])
@@ -110,7 +101,7 @@ fn comparison(layout: &Engine, front: &Front) -> Vec<Block> {
 pub fn optimise_page(layout: &Engine, front: &Front, couple: &Couple) -> Document {
     let mut page = Document::new("optimise", phrase!("{}: the best counterweights", layout.title()));
     page.push(Block::Answer(answer(layout, front, couple)));
-    page.push(plot::picture(layout, front, ""));
+    page.push(plot::picture(layout, front));
     page.blocks.extend(comparison(layout, front));
     page.push(Block::Heading(1, "From the lightest to the least loaded".into()));
     page.push(tables::points(layout, front));

@@ -12,8 +12,8 @@ use crate::text::Format;
 
 const CAPTION: &str = "The largest bearing load over the mass of the crankshaft. Each dot on the curve is the best crankshaft of its mass: none so heavy loads its worst bearing less and keeps the balance asked for. Rings: one balance factor for all throws.";
 
-/// The front, in a file below this folder.
-pub(super) fn picture(layout: &Engine, front: &Front, folder: &str) -> Picture {
+/// The front.
+pub(super) fn picture(layout: &Engine, front: &Front) -> Picture {
     let units = Units::of(layout, front);
     // Four digits, so that the drawing is the same wherever the figures are.
     let at = |design: &Design| (four(design.mass.to_f64().unwrap_or(f64::NAN)), four(design.peak() * units.newtons));
@@ -28,5 +28,5 @@ pub(super) fn picture(layout: &Engine, front: &Front, folder: &str) -> Picture {
         PointMark::ring(at(&uniform.design), name).of("one balance factor for all throws")
     };
     plot.marks.extend(front.uniform.iter().map(uniform));
-    Picture { name: format!("{folder}front"), caption: CAPTION.into(), figure: plot.figure() }
+    Picture { name: "front".to_owned(), caption: CAPTION.into(), figure: plot.figure() }
 }

@@ -5,6 +5,7 @@ pub mod catalogue;
 mod check;
 mod checked;
 mod flywheels;
+pub mod section;
 pub mod study;
 mod study_checks;
 mod study_flywheels;

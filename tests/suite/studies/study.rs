@@ -12,6 +12,7 @@ use serde::Deserialize;
 use super::check::CheckTable;
 use super::checked::checked;
 use super::flywheels::{FlywheelTable, Flywheels};
+use super::section::section;
 
 /// A study, every family computed and every check answered.
 #[derive(Clone, Debug)]
@@ -242,7 +243,7 @@ fn file_name(name: &str) -> Result<String, String> {
 /// End view times length.
 fn volume(layout: &Engine) -> Option<f64> {
     let geometry = Geometry::default();
-    Some(sweep::section(layout, &geometry)? * sweep::envelope(layout, &geometry)?.length?)
+    Some(section(layout, &geometry)? * sweep::envelope(layout, &geometry)?.length?)
 }
 
 pub(super) fn known(template: &Template, values: &[(&Key, &str)]) -> Result<Engine, String> {

@@ -54,7 +54,7 @@ fn amplitudes(point: &SweptEngine, place: usize, quantity: Planar) -> Option<&Am
 /// Vertical and horizontal amplitudes of orders 1 and 2, and that of the rotating masses; what is zero is left out.
 fn unbalanced(family: &Studied, quantity: Planar) -> Plot {
     let sweep = &family.sweep;
-    let mut plot = plot(sweep, &format!("unbalanced {}s", quantity.name()));
+    let mut plot = plot(sweep, if quantity == Planar::Force { "unbalanced forces" } else { "unbalanced moments" });
     let arm = match (quantity, sweep.arm) {
         (Planar::Moment, Arm::Spacing) => " a",
         (Planar::Moment, Arm::Metre) => " · m",

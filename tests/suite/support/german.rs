@@ -9,7 +9,7 @@ use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::{self, Layout};
 use crankstar::loads::{Method, bearing_loads, usual_orders};
-use crankstar::page::Document;
+use crankstar::page::{Block, Document, Piece, Text};
 use crankstar::remedy::{self, Wish};
 use crankstar::report::{self, Numbers};
 
@@ -23,6 +23,45 @@ pub fn outside(words: &str) -> impl Iterator<Item = &str> {
 /// Whether a phrase has words, and not only places and signs.
 pub fn has_words(words: &str) -> bool {
     outside(words).any(|part| part.contains(char::is_alphabetic))
+}
+
+/// The words of the program on a page, each as its English list has them: what a list of another language translates.
+pub fn phrases(page: &Document) -> BTreeSet<&str> {
+    let mut found = BTreeSet::new();
+    collect(&page.title, &mut found);
+    page.blocks.iter().for_each(|block| collect_of_block(block, &mut found));
+    found
+}
+
+fn collect_of_block<'a>(block: &'a Block, found: &mut BTreeSet<&'a str>) {
+    match block {
+        Block::Heading(_, text) | Block::Paragraph(text) | Block::Note(text) => collect(text, found),
+        Block::Answer(texts) | Block::List(texts) => texts.iter().for_each(|text| collect(text, found)),
+        Block::Table(table) => {
+            table.header.iter().chain(table.rows.iter().flatten()).for_each(|cell| collect(cell, found));
+        }
+        Block::Pictures(pictures) => pictures.iter().for_each(|picture| collect(&picture.caption, found)),
+        Block::Folded(fold) => {
+            collect(&fold.summary, found);
+            fold.blocks.iter().for_each(|block| collect_of_block(block, found));
+        }
+        Block::Formula(..) | Block::Live(_) | Block::Verbatim(..) => {}
+        other => panic!("are there words in {other:?}?"),
+    }
+}
+
+/// The phrases in a text, and in their values.
+fn collect<'a>(text: &'a Text, found: &mut BTreeSet<&'a str>) {
+    for piece in text.pieces() {
+        match piece {
+            Piece::Phrase(words, values) => {
+                found.insert(words);
+                values.iter().for_each(|value| collect(value, found));
+            }
+            Piece::Link(text, _) => collect(text, found),
+            _ => {}
+        }
+    }
 }
 
 /// The report on an engine, with its remedy, and its loads and its bearings where it has any.
