@@ -12,6 +12,7 @@ use crate::engine::{CycleOrder, Engine, Firing};
 use crate::exact::PhasorSum;
 use crate::file::written::Text;
 use crate::file::{Template, units};
+use crate::numbers;
 use crate::order;
 use crate::sweep::{self, Amplitude, Parameter};
 use crate::torque::{self, TorqueOrder};
@@ -61,9 +62,6 @@ pub(super) struct FlywheelTable {
     counterweight_radius: Text,
 }
 
-/// Masses closer than this part of them are one, by roundings.
-const EQUAL: f64 = 1e-9;
-
 impl FlywheelTable {
     /// The engines of a family with their flywheels; `read_file` gives the text of a file beside the study.
     pub fn flywheels(
@@ -110,7 +108,7 @@ fn evened(at: BigRational, template: &Template, engine: Engine, radii: [&BigRati
         draft.firing = Some(firing.clone());
         let fired = draft.build().map_err(|error| error.to_string())?;
         let fired = with_flywheel(at.clone(), firing, &fired, radii)?;
-        if best.as_ref().is_none_or(|best| fired.energy < best.energy * (1.0 - EQUAL)) {
+        if best.as_ref().is_none_or(|best| fired.energy < best.energy * (1.0 - numbers::ALIKE)) {
             best = Some(fired);
         }
     }
@@ -169,7 +167,7 @@ impl Flywheels {
     /// Where on the grid the flywheel weighs as is said.
     pub(super) fn weigh(&self, how: Weighs) -> Vec<BigRational> {
         let masses = || self.points.iter().map(|point| point.flywheel);
-        let near = |mass: f64, bound: f64| (mass - bound).abs() <= EQUAL * bound;
+        let near = |mass: f64, bound: f64| (mass - bound).abs() <= numbers::ALIKE * bound;
         let at = |kept: &dyn Fn(usize, &Evened) -> bool| {
             let kept = self.points.iter().enumerate().filter(|(index, point)| kept(*index, point));
             kept.map(|(_, point)| point.at.clone()).collect()

@@ -44,4 +44,4 @@ pub use error::NoFullTurn;
 pub use fast::coefficients_fast;
 pub use linkage::Linkage;
 pub use series::{Series, series};
-pub use tail::Tail;
+pub use tail::{SLACK, Tail};
