@@ -6,10 +6,7 @@ use num_traits::{One, Zero};
 use super::answer::{Evidence, Status};
 use super::statement::{Angle, Bearing, Tolerance, Value};
 use crate::exact::{PhasorSum, Turn};
-use crate::numbers::{Form, as_sum, evaluate, float, number, square_as_sum};
-
-/// Decimals nearer than this to the edge of a tolerance decide nothing.
-const EDGE: f64 = 1e-9;
+use crate::numbers::{ALIKE, Form, as_sum, evaluate, float, number, square_as_sum};
 
 /// Whether `½(|A| + |B|)` is the claimed value; `exact` is its closed form, `decimal` its decimals.
 pub(super) fn length(
@@ -73,7 +70,7 @@ fn equals(
     let Some(square) = square_as_sum(value) else {
         let same = exact
             .is_some_and(|exact| exact == value || exact.times(exact).is_some_and(|s| Some(s) == value.times(value)));
-        let differs = (decimal - value.to_float()).abs() > EDGE * (1.0 + decimal.abs());
+        let differs = (decimal - value.to_float()).abs() > ALIKE * (1.0 + decimal.abs());
         return (
             if same {
                 Some(true)
@@ -99,7 +96,7 @@ fn equals(
         }
     };
     let evidence = Evidence::comparison("The difference of the squares", difference);
-    let near = (decimal - value.to_float()).abs() < EDGE * (1.0 + decimal.abs());
+    let near = (decimal - value.to_float()).abs() < ALIKE * (1.0 + decimal.abs());
     (Some(evidence.vanishes() && near), Some(evidence))
 }
 
@@ -114,7 +111,7 @@ fn exact_status(equal: Option<bool>, off: f64, rounding: Option<&BigRational>) -
 
 fn nearness(off: f64, within: f64) -> Status {
     match off - within {
-        edge if edge.abs() < EDGE * within && off > 0.0 => Status::NotDecided,
+        edge if edge.abs() < ALIKE * within && off > 0.0 => Status::NotDecided,
         edge if edge <= 0.0 => Status::True,
         _ => Status::False,
     }

@@ -50,9 +50,6 @@ pub struct LargestOf {
     pub without_gas: Option<f64>,
 }
 
-/// Differences below this part of the largest value are roundings.
-const EQUAL: f64 = 1e-9;
-
 const LOADED: [(&str, Loaded); 4] = [
     ("largest main-bearing load with gas ", Loaded::MainBearing),
     ("largest crankpin load with gas ", Loaded::Crankpin),
@@ -139,8 +136,8 @@ pub(super) fn formula(engine: &Engine, says: &OfCylinder) -> Answer {
         angles += 1;
     }
     let agreement = Agreement { what: says.what, largest, off, angles, equal: false };
-    let agreement = Agreement { equal: agreement.part() <= EQUAL, ..agreement };
-    let within = says.within.as_ref().map_or(EQUAL, numbers::float);
+    let agreement = Agreement { equal: agreement.part() <= numbers::ALIKE, ..agreement };
+    let within = says.within.as_ref().map_or(numbers::ALIKE, numbers::float);
     let holds = agreement.equal || agreement.part() <= within;
     Answer {
         status: if holds { Status::True } else { Status::False },
@@ -187,7 +184,7 @@ pub(super) fn largest(engine: &Engine, of: Loaded, value: &Value) -> Answer {
         };
         let most = known.iter().map(|one| one.peak.value).fold(f64::NEG_INFINITY, f64::max);
         // Of loads that are equal but for roundings the first is named.
-        let place = known.iter().position(|one| one.peak.value >= most - EQUAL * most.abs());
+        let place = known.iter().position(|one| one.peak.value >= most - numbers::ALIKE * most.abs());
         let found = known.swap_remove(place.ok_or("the engine has no cylinders")?);
         Ok((masses::decimal(value, found.peak.value)?, found))
     });

@@ -6,7 +6,8 @@ use num_complex::Complex;
 
 use super::formula::{Letter, Measured};
 use crate::engine::{Engine, Mechanism};
-use crate::journal::{self, Course, NoCycleLoads, PistonForces};
+use crate::journal::{self, Course, PistonForces};
+use crate::loads::Missing;
 use crate::motion::SliderCrank;
 use crate::numbers;
 use crate::torque::{Class, Inertia};
@@ -21,7 +22,7 @@ pub(super) struct Parts {
     omega: Option<f64>,
     /// Reciprocating and rotating mass in kilograms.
     masses: Option<[f64; 2]>,
-    gas: Result<WithGas, NoCycleLoads>,
+    gas: Result<WithGas, Missing>,
 }
 
 /// What is known of it where the engine has gas.
@@ -70,11 +71,11 @@ impl Parts {
     }
 
     fn omega(&self) -> Result<f64, String> {
-        self.omega.ok_or_else(|| NoCycleLoads::Masses.to_string())
+        self.omega.ok_or_else(|| Missing::MassesOrSpeed.to_string())
     }
 
     fn masses(&self) -> Result<[f64; 2], String> {
-        self.masses.ok_or_else(|| NoCycleLoads::Masses.to_string())
+        self.masses.ok_or_else(|| Missing::MassesOrSpeed.to_string())
     }
 
     fn gas(&self) -> Result<&WithGas, String> {
@@ -164,14 +165,14 @@ impl Parts {
 }
 
 impl WithGas {
-    fn new(engine: &Engine) -> Result<Self, NoCycleLoads> {
+    fn new(engine: &Engine) -> Result<Self, Missing> {
         let course = journal::course(engine)?;
         let known = course.classes().iter().enumerate().find_map(|(class, of)| {
             let place = of.cylinders.iter().position(|cylinder| *cylinder == CYLINDER)?;
             Some((class, numbers::float(&of.fires[place]) * std::f64::consts::TAU))
         });
         let (Some((class, fires)), Some(cylinder)) = (known, engine.cylinders().first()) else {
-            return Err(NoCycleLoads::Masses);
+            return Err(Missing::MassesOrSpeed);
         };
         let area = course.classes()[class].gas.geometry().area;
         let multiple = numbers::float(&cylinder.reciprocating_mass);

@@ -6,14 +6,12 @@
 
 mod course;
 mod largest;
-mod missing;
 mod order;
 mod peak;
 mod shared;
 
 pub use course::{Course, PistonForces};
 pub use largest::{CyclePeak, CylinderPeaks};
-pub use missing::NoCycleLoads;
 pub use order::{CycleMean, GasStars, JournalOrder};
 pub use peak::LoadPeak;
 pub use shared::SharedPin;
@@ -23,7 +21,7 @@ use num_rational::BigRational;
 
 use crate::engine::Engine;
 use crate::gas::Warning;
-use crate::loads::{self, Method, Scale, Shares, bearing_loads, pin_loads};
+use crate::loads::{self, Method, Missing, Scale, Shares, bearing_loads, pin_loads};
 use crate::torque::{self, Class, HIGHEST};
 use largest::Samples;
 
@@ -119,17 +117,17 @@ impl CycleLoads {
 }
 
 /// The classes of equal cylinders, with masses and speed, and the unit of the forces.
-fn classes(engine: &Engine) -> Result<(Vec<Class>, Scale), NoCycleLoads> {
+fn classes(engine: &Engine) -> Result<(Vec<Class>, Scale), Missing> {
     let classes = torque::classes(engine)?;
     let scale = loads::scale(engine).filter(|_| classes.iter().all(|class| class.inertia.is_some()));
-    Ok((classes, scale.ok_or(NoCycleLoads::Masses)?))
+    Ok((classes, scale.ok_or(Missing::MassesOrSpeed)?))
 }
 
 /// The forces of an engine at any crank angle, without their largest values and orders.
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn course(engine: &Engine) -> Result<Course, NoCycleLoads> {
+pub fn course(engine: &Engine) -> Result<Course, Missing> {
     let (classes, scale) = classes(engine)?;
     Ok(Course::new(engine, classes, scale.force()))
 }
@@ -138,7 +136,7 @@ pub fn course(engine: &Engine) -> Result<Course, NoCycleLoads> {
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, NoCycleLoads> {
+pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, Missing> {
     let (classes, scale) = classes(engine)?;
     let whole: Vec<u32> = (1..=HIGHEST).collect();
     let pins = pin_loads(engine, &whole)?;
@@ -168,7 +166,7 @@ pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, NoCycleLoads> {
 }
 
 /// What each main bearing carries of a unit load on each crankpin, and of all forces.
-fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<BigRational>, Carried)>, NoCycleLoads> {
+fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<BigRational>, Carried)>, Missing> {
     let shares = Shares::of(engine, method)?;
     let bearing = |index: usize| {
         let part = |position: &BigRational| shares.part(index, position);
@@ -183,7 +181,7 @@ fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<Big
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn carried_by_bearings(engine: &Engine) -> Result<Vec<Carried>, NoCycleLoads> {
+pub fn carried_by_bearings(engine: &Engine) -> Result<Vec<Carried>, Missing> {
     let (_, scale) = classes(engine)?;
     let all = carried(engine, Method::Continuous, scale.force())?;
     Ok(all.into_iter().map(|(_, carried)| carried).collect())
@@ -194,7 +192,7 @@ pub fn carried_by_bearings(engine: &Engine) -> Result<Vec<Carried>, NoCycleLoads
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn bearing_peaks(engine: &Engine) -> Result<Vec<[CyclePeak; 2]>, NoCycleLoads> {
+pub fn bearing_peaks(engine: &Engine) -> Result<Vec<[CyclePeak; 2]>, Missing> {
     let carried = carried_by_bearings(engine)?;
     let course = course(engine)?;
     let samples = Samples::new(&course);
@@ -212,7 +210,7 @@ fn bearings(
     course: &Course,
     samples: &Samples,
     (method, newtons): (Method, f64),
-) -> Result<CycleBearings, NoCycleLoads> {
+) -> Result<CycleBearings, Missing> {
     let whole: Vec<u32> = (1..=HIGHEST).collect();
     let moving = bearing_loads(engine, &whole, method)?;
     let all = carried(engine, method, newtons)?;

@@ -9,10 +9,10 @@ use num_complex::Complex;
 
 use super::course::Course;
 use super::largest::Samples;
-use super::{Carried, NoCycleLoads, carried_by_bearings, course};
+use super::{Carried, carried_by_bearings, course};
 use crate::engine::{CycleOrder, Engine};
 use crate::gas::Harmonics;
-use crate::loads::PeakMethod;
+use crate::loads::{Missing, PeakMethod};
 use crate::torque;
 
 /// The largest load of any main bearing by several methods.
@@ -36,7 +36,7 @@ impl LoadPeak {
     ///
     /// # Errors
     /// What the layout lacks.
-    pub fn new(engine: &Engine) -> Result<Option<Self>, NoCycleLoads> {
+    pub fn new(engine: &Engine) -> Result<Option<Self>, Missing> {
         let (course, all) = (course(engine)?, carried_by_bearings(engine)?);
         let revolutions = (course.period() / TAU).round() as u32;
         let highest = PeakMethod::HIGHEST * revolutions as usize;

@@ -4,10 +4,12 @@ use std::fmt;
 
 use crate::beam::BeamError;
 use crate::engine::NotAnOrder;
+use crate::firing::NoStar;
+use crate::gas::NoGas;
 use crate::order::NotComparable;
 
 /// Why a layout has no numbers.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Missing {
     /// No rod: without λ no coefficient is known.
@@ -32,6 +34,12 @@ pub enum Missing {
     Bearings,
     /// Main bearings that hold no shaft.
     Beam(BeamError),
+    /// Numbers of its gas.
+    Gas(NoGas),
+    /// When its cylinders fire.
+    Firing,
+    /// A reciprocating mass or a speed, without which gas and masses are in no common unit.
+    MassesOrSpeed,
 }
 
 impl fmt::Display for Missing {
@@ -63,6 +71,11 @@ impl fmt::Display for Missing {
                 "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
             ),
             Missing::Beam(mistake) => mistake.fmt(f),
+            Missing::Gas(lack) => lack.fmt(f),
+            Missing::Firing => NoStar::NoFiring.fmt(f),
+            Missing::MassesOrSpeed => f.write_str(
+                "the layout gives no masses or no speed; add speed = 3000 above the first table, in revolutions a minute, and reciprocating_mass below [mechanism]",
+            ),
         }
     }
 }
@@ -72,6 +85,12 @@ impl std::error::Error for Missing {}
 impl From<NotAnOrder> for Missing {
     fn from(what: NotAnOrder) -> Self {
         Missing::Order(what)
+    }
+}
+
+impl From<NoGas> for Missing {
+    fn from(lack: NoGas) -> Self {
+        Missing::Gas(lack)
     }
 }
 

@@ -9,6 +9,7 @@ use super::bearing::{BearingLoads, Method, bearing_loads};
 use super::needed::{Bound, Choice, FOR_THE_REST, usual_orders, with_largest};
 use super::{Missing, Tails};
 use crate::engine::Engine;
+use crate::motion::SLACK;
 
 /// Orders that are looked at one by one; the rest is bounded together.
 const LOOKED_AT: [u32; 3] = [12, 24, 60];
@@ -77,9 +78,6 @@ pub fn left_out_of_bearings(engine: &Engine, loads: &BearingLoads) -> Result<Opt
     let bound = Bound { most: (most * SLACK).next_up(), peak: (largest(loads) - most * SLACK).max(0.0) };
     Ok((most > 0.0).then_some(bound))
 }
-
-/// Floats of a bound are enlarged by this part of it, far more than they are rounded by.
-const SLACK: f64 = 1.0 + 1e-9;
 
 /// What the orders of the pistons above this one add to the load of a bearing at most.
 fn rest(engine: &Engine, tails: &Tails, loads: &BearingLoads, bearing: usize, order: u32) -> f64 {

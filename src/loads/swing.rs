@@ -3,6 +3,7 @@
 use num_complex::Complex;
 
 use super::vector::{Outcome, Vector};
+use crate::numbers;
 use crate::order::{OrderSum, Path};
 
 /// One order of the force or the moment: the vector `½(P⁺ e^{ikθ} + P⁻ e^{−ikθ})`, in multiples of m r ω².
@@ -16,9 +17,6 @@ pub struct Swing {
     pub path: Path,
 }
 
-/// Lengths that differ by more than this part are surely not equal: they are known to the accuracy of a float.
-const SURELY_DIFFERENT: f64 = 1e-9;
-
 impl Swing {
     /// The swing of two vectors with their exact sums.
     ///
@@ -26,7 +24,7 @@ impl Swing {
     pub(super) fn new([direct, reverse]: [Vector; 2], [direct_sum, reverse_sum]: [&OrderSum; 2], order: u32) -> Self {
         let mut swing = Swing { direct, reverse, path: Path::POINT };
         if !swing.vanishes() {
-            let surely_not = swing.smallest() > SURELY_DIFFERENT * swing.largest();
+            let surely_not = swing.smallest() > numbers::ALIKE * swing.largest();
             swing.path = if surely_not { Path::OPEN } else { Path::of(direct_sum, reverse_sum, order) };
         }
         swing

@@ -7,12 +7,9 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Missing, Motion};
 use crate::engine::{Engine, Mechanism};
-use crate::motion::{Coefficient, CorrectedTail, SliderCrank, Tail};
+use crate::motion::{Coefficient, CorrectedTail, SLACK, SliderCrank, Tail};
 use crate::order::{self, Factor, mass_radius};
 use crate::proof::Quantity;
-
-/// Floats of a bound are enlarged by this part of it, far more than they are rounded by.
-const SLACK: f64 = 1.0 + 1e-9;
 
 /// What the orders of each piston leave to the higher ones.
 #[derive(Clone, Debug)]

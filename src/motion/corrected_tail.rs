@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::corrected::CorrectedLinkage;
+use super::tail::SLACK;
 
 /// What the higher orders of h_k add at most, by the bounds of several strips.
 #[derive(Clone, Debug)]
@@ -21,8 +22,6 @@ pub struct CorrectedTail {
 
 /// Strips that are tried.
 const STRIPS: u32 = 16;
-/// Floats of a bound are enlarged by this part of it, far more than they are rounded by.
-const SLACK: f64 = 1.0 + 1e-9;
 /// What is put under a root near 1 is enlarged by this part of it before.
 const NEAR: f64 = 1.0 + 1e-12;
 

@@ -46,4 +46,4 @@ pub use fast::coefficients_fast;
 pub use linkage::Linkage;
 pub use section::golden_section;
 pub use series::{Series, series};
-pub use tail::Tail;
+pub use tail::{SLACK, Tail};

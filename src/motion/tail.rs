@@ -22,7 +22,7 @@ use super::crank::SliderCrank;
 use super::enclosure::{Coefficient, Enclosure};
 
 /// Floats of a bound are enlarged by this part of it, far more than they are rounded by.
-const SLACK: f64 = 1.0 + 1e-9;
+pub const SLACK: f64 = 1.0 + 1e-9;
 
 /// Bounds of what the higher orders of a crank add, in multiples of m r ω² for the force, of m r² ω² for the torque.
 #[derive(Clone, Debug)]

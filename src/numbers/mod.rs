@@ -31,3 +31,7 @@ pub use largest::half_of_lengths;
 pub use radicals::{as_sum, number, square_as_sum};
 pub use trace::mean_of_conjugates;
 pub use weighted::enclose_weighted;
+
+/// Floats that differ by less than this part of their size are one for all that their roundings tell, and a sum of floats that is
+/// longer than this part of its terms is not zero: roundings are far less, with as many cylinders as are read.
+pub const ALIKE: f64 = 1e-9;

@@ -7,7 +7,7 @@ use crate::loads::Missing;
 use crate::text::harmless;
 
 /// Why an engine cannot be optimised.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OptimiseError {
     /// What the engine lacks for the loads of its bearings.

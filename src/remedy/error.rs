@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use crate::loads::Missing;
 
 /// Why there is no remedy.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RemedyError {
     /// What the layout lacks.

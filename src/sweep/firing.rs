@@ -10,13 +10,14 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::parameter::Parameter;
 use super::run::{Reader, Sweep};
-use super::swept_engine::{Amplitude, SURELY_NOT_ZERO, float};
+use super::swept_engine::{Amplitude, float};
 use super::{SweepError, zeros};
 use crate::engine::{CycleOrder, Engine, NoSpans};
 use crate::exact::PhasorSum;
 use crate::family::{self, OpenStar, Solutions};
 use crate::file::Template;
 use crate::firing::{self, Weights};
+use crate::numbers;
 
 /// The length of a firing star in crank radii; none where the cylinders cannot fire so, or are of several classes.
 pub type StarLength = Option<Amplitude>;
@@ -114,7 +115,7 @@ fn length(engine: &Engine, order: CycleOrder) -> StarLength {
 fn amplitude(sum: &PhasorSum) -> Amplitude {
     let weights = sum.terms().iter().map(|term| term.weight.abs().to_f64().unwrap_or(f64::INFINITY));
     let (value, total) = (float(sum).norm(), weights.sum::<f64>());
-    match value <= total * SURELY_NOT_ZERO && sum.vanishes() {
+    match value <= total * numbers::ALIKE && sum.vanishes() {
         true => Amplitude { value: 0.0, vanishes: true },
         false => Amplitude { value, vanishes: false },
     }

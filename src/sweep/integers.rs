@@ -16,12 +16,10 @@ use smallvec::SmallVec;
 
 use crate::engine::{Cylinder, Engine};
 use crate::exact::{self, fraction};
+use crate::numbers;
 use crate::order::{self, Factor, TurningMass};
 use crate::proof::Sense;
 
-/// A sum further from zero than this part of the sum of its weights is not zero: floats are off by far less, with as many
-/// cylinders as are read.
-const SURELY_NOT_ZERO: f64 = 1e-9;
 /// Denominators and weights below this leave room for every product and sum.
 const MOST: i64 = 1 << 40;
 
@@ -168,7 +166,7 @@ impl IntegerEngine {
             }
             exact::vanishes(&(self.conductor as u64), &terms)
         };
-        let near = |value: Complex<f64>| value.norm() <= SURELY_NOT_ZERO * whole;
+        let near = |value: Complex<f64>| value.norm() <= numbers::ALIKE * whole;
         let (plus, minus) = (near(direct) && decide([1, 0]), near(mirrored) && decide([0, 1]));
         let [along, across] = match (plus, minus) {
             (true, true) => [true, true],

@@ -15,11 +15,9 @@ use crate::engine::{self, Cycle, Engine, Mechanism};
 use crate::exact::PhasorSum;
 use crate::loads::{self, Missing};
 use crate::motion::coefficients_fast;
+use crate::numbers;
 use crate::order::{self, Coefficients, Factor, OrderSum, Path};
 use crate::proof::{Planar, Sense};
-
-/// A shorter half-axis above this part of the weights of the sum is surely not zero; below it is decided exactly.
-pub(super) const SURELY_NOT_ZERO: f64 = 1e-9;
 
 /// An amplitude, zero to peak.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -251,7 +249,7 @@ fn amplitudes(
     let smallest = (one.value - other.value).abs();
     let none = plus && minus;
     // Where P⁺ = ±P̄⁻ both are equally long.
-    let flat = none || along || across || (smallest <= SURELY_NOT_ZERO * total_length && equally_long());
+    let flat = none || along || across || (smallest <= numbers::ALIKE * total_length && equally_long());
     Amplitudes {
         direct: one,
         reverse: other,

@@ -6,9 +6,9 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::HIGHEST;
-use super::missing::NoTorque;
 use crate::engine::{Engine, Mechanism};
 use crate::gas::{CylinderGas, Harmonics, NoGas, Warning};
+use crate::loads::Missing;
 use crate::motion::SliderCrank;
 use crate::numbers;
 use crate::order;
@@ -77,12 +77,12 @@ pub(super) fn omega(engine: &Engine) -> Option<f64> {
 }
 
 /// The crank angle θ at which each cylinder fires, in turns of the cycle, from that of the first cylinder to fire.
-fn fires(engine: &Engine) -> Result<Vec<BigRational>, NoTorque> {
+fn fires(engine: &Engine) -> Result<Vec<BigRational>, Missing> {
     let cylinders = engine.cylinders();
     let top = |index: usize| cylinders[index].top_dead_centre().turns().clone();
     let Some(firing) = engine.firing() else {
         // A cylinder alone fires at its dead centre.
-        return if cylinders.len() == 1 { Ok(vec![top(0)]) } else { Err(NoTorque::Firing) };
+        return if cylinders.len() == 1 { Ok(vec![top(0)]) } else { Err(Missing::Firing) };
     };
     let first = firing.shots.first().map_or_else(|| top(0), |shot| top(shot.cylinder));
     let mut angles = vec![first.clone(); cylinders.len()];
@@ -96,7 +96,7 @@ fn fires(engine: &Engine) -> Result<Vec<BigRational>, NoTorque> {
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn classes(engine: &Engine) -> Result<Vec<Class>, NoTorque> {
+pub fn classes(engine: &Engine) -> Result<Vec<Class>, Missing> {
     let Some(gas) = engine.gas() else { return Err(NoGas::Gas.into()) };
     let fires = fires(engine)?;
     let cylinders = engine.cylinders();

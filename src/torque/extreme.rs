@@ -1,5 +1,6 @@
 //! Where in the cycle is a value largest, and where smallest? On a grid, then by golden sections beside its tops.
 
+use crate::numbers;
 use std::f64::consts::TAU;
 
 /// A largest or smallest value, and where it first stands.
@@ -15,8 +16,6 @@ pub struct Extreme {
 const STEPS: usize = 720;
 /// A top of the grid lower than the highest by more than this part of the range is no highest value.
 const NEAR_TOP: f64 = 0.02;
-/// Two tops closer than this part of their size are one, by roundings.
-const EQUAL: f64 = 1e-9;
 /// Sections after which a place is known to some billionths of half a degree.
 const SECTIONS: usize = 40;
 
@@ -47,7 +46,7 @@ pub fn largest(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) ->
         let place =
             sides.into_iter().fold(grid[index], |best, side| if value(side) > value(best) { side } else { best });
         let found = value(place);
-        if found > best.value + EQUAL * (highest - lowest) || best.value == f64::NEG_INFINITY {
+        if found > best.value + numbers::ALIKE * (highest - lowest) || best.value == f64::NEG_INFINITY {
             best = Extreme { value: found, angle: place.rem_euclid(period).to_degrees() };
         }
     }

@@ -8,7 +8,6 @@ mod course;
 mod evenness;
 mod extreme;
 mod guide;
-mod missing;
 mod order;
 mod peak;
 
@@ -18,12 +17,12 @@ pub use course::Course;
 pub use evenness::{Evenness, evenness};
 pub use extreme::{Extreme, angles, extremes, largest};
 pub use guide::{GuideMoments, guide_moments};
-pub use missing::NoTorque;
 pub use order::{TorqueOrder, orders};
 pub use peak::Peak;
 
 use crate::engine::Engine;
 use crate::gas::{CylinderGas, Warning};
+use crate::loads::Missing;
 
 /// The torque of an engine through its cycle and by orders.
 #[derive(Clone, Debug)]
@@ -61,7 +60,7 @@ pub const HIGHEST: u32 = 12;
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn torque(engine: &Engine) -> Result<EngineTorque, NoTorque> {
+pub fn torque(engine: &Engine) -> Result<EngineTorque, Missing> {
     let classes = classes(engine)?;
     let course = Course::new(&classes);
     let orders = orders(&classes);

@@ -6,7 +6,8 @@
 use std::f64::consts::{PI, TAU};
 
 use crankstar::engine::Engine;
-use crankstar::journal::{CycleBearing, CycleLoads, NoCycleLoads, cycle_loads};
+use crankstar::journal::{CycleBearing, CycleLoads, cycle_loads};
+use crankstar::loads::Missing;
 use crankstar::torque::torque;
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -479,9 +480,9 @@ fn a_single_in_two_bearings_bears_the_gas_at_its_dead_centre() {
 #[test]
 fn what_a_layout_lacks_for_its_complete_loads_is_told() {
     let lacks = |text: &str| cycle_loads(&layout(text)).expect_err("it lacks something");
-    assert_eq!(lacks(&four().replace("speed = 3000\n", "")), NoCycleLoads::Masses);
+    assert_eq!(lacks(&four().replace("speed = 3000\n", "")), Missing::MassesOrSpeed);
     let told = lacks(&four().replace("reciprocating_mass = '0.5 kg'\n", "").replace("rotating_mass = '0.4 kg'\n", ""));
-    assert!(told == NoCycleLoads::Masses && told.to_string().contains("reciprocating_mass"));
+    assert!(told == Missing::MassesOrSpeed && told.to_string().contains("reciprocating_mass"));
     let (before, _) = crate::gas::SPARK.split_once("[gas]").expect("gas");
     assert!(lacks(before).to_string().contains("add [gas]"));
     let no_bearings = four().replace("bearings = ['200 mm', '100 mm', 0, '-100 mm', '-200 mm']\n", "");

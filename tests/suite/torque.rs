@@ -3,8 +3,9 @@
 use crankstar::engine::CycleOrder;
 use crankstar::engine::Engine;
 use crankstar::gas::CylinderGas;
+use crankstar::loads::Missing;
 use crankstar::page::{self, Format, Options};
-use crankstar::torque::{EngineTorque, NoTorque, Peak, PeakMethod, guide_moments, torque};
+use crankstar::torque::{EngineTorque, Peak, PeakMethod, guide_moments, torque};
 
 use crate::gas::{DIESEL, SPARK, engine};
 use crate::support::dice::Dice;
@@ -350,7 +351,7 @@ fn an_order_whose_star_vanishes_is_zero_at_any_pressure() {
 fn what_a_layout_lacks_for_its_torque_is_told() {
     let lacks = |text: &str| torque(&engine(text)).expect_err("it lacks something").to_string();
     let firing = SPARK.replace("throws = [0]", "throws = [0, 0]").replace("firing_order = '1'\n", "");
-    assert_eq!(torque(&engine(&firing)).expect_err("no order"), NoTorque::Firing);
+    assert_eq!(torque(&engine(&firing)).expect_err("no order"), Missing::Firing);
     assert!(lacks(&firing).contains("firing_order = \"1-3-4-2\""));
     let (before, _) = SPARK.split_once("[gas]").expect("gas");
     assert!(lacks(before).contains("add [gas]"));

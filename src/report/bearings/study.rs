@@ -5,7 +5,7 @@ use super::super::journal::{complete_bearings_answer, complete_bearings_page, wi
 use super::super::question::Question;
 use super::page::{bearings_answer, bearings_page};
 use crate::engine::Engine;
-use crate::journal::{CycleLoads, NoCycleLoads, cycle_loads};
+use crate::journal::{CycleLoads, cycle_loads};
 use crate::loads::{BearingLoads, Method, Missing, bearing_loads};
 use crate::page::Document;
 use crate::table::Table;
@@ -21,7 +21,7 @@ pub struct BearingsStudy {
     /// Each span a beam of its own.
     pub determinate: BearingLoads,
     /// Gas and masses together, where the layout asks for the gas, or what it lacks.
-    pub complete: Option<Result<CycleLoads, NoCycleLoads>>,
+    pub complete: Option<Result<CycleLoads, Missing>>,
 }
 
 impl BearingsStudy {

@@ -11,7 +11,7 @@ pub use page::{compare_answer, compare_page};
 pub use question::CompareStudy;
 
 use crate::engine::{Engine, NotAnOrder};
-use crate::journal::{self, CyclePeak, NoCycleLoads};
+use crate::journal::{self, CyclePeak};
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::proof::Quantity;
 use crate::remedy::{self, Remedy, RemedyError, Wish};
@@ -36,7 +36,7 @@ pub struct Compared {
     /// What the main bearings feel, where the layout names them.
     pub bearings: Result<BearingLoads, Missing>,
     /// The largest load of each main bearing of gas and masses together, and of the masses alone; none where the layout does not ask for the gas.
-    pub with_gas: Option<Result<Vec<[CyclePeak; 2]>, NoCycleLoads>>,
+    pub with_gas: Option<Result<Vec<[CyclePeak; 2]>, Missing>>,
 }
 
 impl Compared {

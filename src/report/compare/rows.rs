@@ -4,7 +4,6 @@ use super::super::calculation::{self, Unit};
 use super::super::{bearings, engine_cells};
 use super::{Compared, orders_of};
 use crate::engine::DOES_NOT_EXIST;
-use crate::journal::NoCycleLoads;
 use crate::loads::{Missing, OrderLoads};
 use crate::page::{self, Number, Table, Text, phrase};
 use crate::proof::Planar;
@@ -83,7 +82,7 @@ fn worst_bearing(engine: &Compared) -> Text {
 fn worst_with_gas(engine: &Compared) -> Text {
     match (&engine.with_gas, engine.worst_with_gas()) {
         (None, _) => "gas not asked for".into(),
-        (Some(Err(NoCycleLoads::Loads(Missing::Bearings))), _) => "none named".into(),
+        (Some(Err(Missing::Bearings)), _) => "none named".into(),
         (Some(Err(_)), _) => "not computed".into(),
         (Some(Ok(_)), None) => "none named".into(),
         (Some(Ok(_)), Some((index, peak))) => {

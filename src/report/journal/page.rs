@@ -4,8 +4,8 @@ use super::super::bearings::{by_orders, parts_of_a_load};
 use super::super::torque::{has_assumed, warning};
 use super::{plots, tables, words};
 use crate::engine::{Convention, Engine};
-use crate::journal::{CycleBearings, CycleLoads, NoCycleLoads};
-use crate::loads::BearingLoads;
+use crate::journal::{CycleBearings, CycleLoads};
+use crate::loads::{BearingLoads, Missing};
 use crate::page::{Block, Document, Text, phrase};
 
 const RODS: &str = "A rod is pressed where gas presses the piston, and pulled where the piston's inertia does. What the big end pulls its crankpin with, towards the piston, has the rotating part of \
@@ -38,7 +38,7 @@ pub fn complete_bearings_answer(engine: &Engine, loads: &CycleLoads) -> Document
 }
 
 /// A document on the masses alone that says why the gas, which the layout asks for, is not in it.
-pub fn without_gas(mut document: Document, lack: &NoCycleLoads) -> Document {
+pub fn without_gas(mut document: Document, lack: &Missing) -> Document {
     let told = Block::Note(phrase!("The gas is asked for, and left out here: {}.", lack.to_string()));
     document.blocks.insert(1.min(document.blocks.len()), told);
     document

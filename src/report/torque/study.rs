@@ -4,10 +4,11 @@ use super::super::data;
 use super::super::question::Question;
 use super::{torque_answer, torque_page};
 use crate::engine::Engine;
+use crate::loads::Missing;
 use crate::page::Document;
 use crate::table::Table;
 use crate::text::Untrusted;
-use crate::torque::{EngineTorque, NoTorque, torque};
+use crate::torque::{EngineTorque, torque};
 
 /// The torque of an engine.
 pub struct TorqueStudy {
@@ -22,7 +23,7 @@ impl TorqueStudy {
     ///
     /// # Errors
     /// What the layout lacks.
-    pub fn new(engine: &Engine) -> Result<Self, NoTorque> {
+    pub fn new(engine: &Engine) -> Result<Self, Missing> {
         Ok(TorqueStudy { engine: engine.clone(), torque: torque(engine)? })
     }
 }

@@ -16,6 +16,9 @@ use serde::Deserialize;
 use super::check::Weighs;
 use super::study::Word;
 
+/// Masses closer than this part of them are one, by roundings.
+const ALIKE: f64 = 1e-9;
+
 /// Engines with gas, and what evens them out.
 #[derive(Clone, Debug)]
 pub struct Flywheels {
@@ -60,9 +63,6 @@ pub(super) struct FlywheelTable {
     flywheel_radius: Word,
     counterweight_radius: Word,
 }
-
-/// Masses closer than this part of them are one, by roundings.
-const EQUAL: f64 = 1e-9;
 
 impl FlywheelTable {
     /// The engines of a family with their flywheels; `read_file` gives the text of a file beside the study.
@@ -110,7 +110,7 @@ fn evened(at: BigRational, template: &Template, engine: Engine, radii: [&BigRati
         draft.firing = Some(firing.clone());
         let fired = draft.build().map_err(|error| error.to_string())?;
         let fired = with_flywheel(at.clone(), firing, &fired, radii)?;
-        if best.as_ref().is_none_or(|best| fired.energy < best.energy * (1.0 - EQUAL)) {
+        if best.as_ref().is_none_or(|best| fired.energy < best.energy * (1.0 - ALIKE)) {
             best = Some(fired);
         }
     }
@@ -169,7 +169,7 @@ impl Flywheels {
     /// Where on the grid the flywheel weighs as is said.
     pub(super) fn weigh(&self, how: Weighs) -> Vec<BigRational> {
         let masses = || self.points.iter().map(|point| point.flywheel);
-        let near = |mass: f64, bound: f64| (mass - bound).abs() <= EQUAL * bound;
+        let near = |mass: f64, bound: f64| (mass - bound).abs() <= ALIKE * bound;
         let at = |kept: &dyn Fn(usize, &Evened) -> bool| {
             let kept = self.points.iter().enumerate().filter(|(index, point)| kept(*index, point));
             kept.map(|(_, point)| point.at.clone()).collect()
