@@ -28,6 +28,7 @@ mod progress;
 mod questions;
 mod remedy;
 mod report;
+mod schema;
 mod search;
 mod spoken;
 mod sweep;
@@ -124,6 +125,8 @@ enum Command {
     Atlas(atlas::Atlas),
     /// Vary the bank angle, or any value of a layout file
     Sweep(sweep::Sweep),
+    /// Print the JSON Schema of layout files, or of a document
+    Schema(schema::Schema),
     /// Write the pages of the manual
     Man(man::Man),
     /// Print completions for a shell
@@ -229,6 +232,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> u8 {
         Command::Atlas(atlas) => atlas.run().map(done),
         Command::Torsion(torsion) => torsion.run().map(done),
         Command::Sweep(sweep) => sweep.run().map(done),
+        Command::Schema(schema) => schema.run().map(done),
         Command::Man(man) => man.run(Arguments::command()).map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };

@@ -107,6 +107,7 @@ mod remedy_cheats;
 mod reports;
 mod resized;
 mod rooms;
+mod schemas;
 mod search;
 mod search_aims;
 mod search_join;
@@ -152,6 +153,7 @@ mod support {
     pub mod golden;
     pub mod hard;
     pub mod imports;
+    pub mod json_schema;
     pub mod linked;
     pub mod mutations;
     pub mod oracle;

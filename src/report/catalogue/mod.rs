@@ -1,10 +1,12 @@
 //! What does the catalogue hold? Each engine with the orders that it leaves, by families: a list, a page, pictures.
 
+mod document;
 mod gallery;
 mod page;
 mod small;
 mod stamp;
 
+pub use document::{CatalogueDocument, catalogue_document};
 pub(super) use gallery::pictures;
 pub use page::{catalogue_answer, catalogue_page};
 pub(super) use stamp::Stamp;
