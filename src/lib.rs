@@ -42,7 +42,8 @@
 //! # The rooms
 //!
 //! ```text
-//! cli  web  python
+//! python
+//! cli  web
 //! report
 //! page
 //! classroom

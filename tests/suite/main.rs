@@ -101,6 +101,7 @@ mod printed_lines;
 mod progress;
 mod quadratic_cheats;
 mod random_engines;
+mod readme;
 mod recurrences;
 mod remedy;
 mod remedy_cheats;
