@@ -42,7 +42,8 @@
 //! # The rooms
 //!
 //! ```text
-//! cli  web  python
+//! python
+//! cli  web
 //! report
 //! page
 //! classroom
@@ -78,6 +79,10 @@
 
 #![warn(missing_docs)]
 
+// The command line names the library as any other program does.
+#[cfg(feature = "cli")]
+extern crate self as crankstar;
+
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod beam;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
@@ -103,6 +108,11 @@ pub mod accuracy;
 pub mod claim;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod classroom;
+/// The program, which `src/main.rs` and the command of the Python package call; no interface of the library.
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+#[allow(clippy::disallowed_types, missing_docs)]
+pub mod cli;
 #[allow(clippy::disallowed_types)]
 pub mod family;
 #[allow(clippy::disallowed_types)]

@@ -1,10 +1,7 @@
-//! The program: reads the command line, answers, and ends with the exit status that scripts rely on.
-
-#[allow(clippy::disallowed_types)]
-mod cli;
+//! The program: answers the command line, and ends with the exit status that scripts rely on.
 
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    cli::run()
+    ExitCode::from(crankstar::cli::run(std::env::args_os()))
 }

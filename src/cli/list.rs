@@ -7,11 +7,14 @@ use crankstar::report;
 use super::failure::Failure;
 use super::pages::shown;
 use super::spoken::Spoken;
-use super::write;
+use super::{print_json, write};
 
 /// Arguments of `list`.
 #[derive(clap::Args)]
 pub struct List {
+    /// Print the list as JSON
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     spoken: Spoken,
 }
@@ -19,6 +22,10 @@ pub struct List {
 impl List {
     /// Prints the catalogue, a row per engine.
     pub fn run(&self) -> Result<(), Failure> {
-        write::to_stdout(&shown(&report::catalogue_answer(&file::catalogue()?), self.spoken.language(), Units::Si))
+        let engines = file::catalogue()?;
+        match self.json {
+            true => print_json(&report::catalogue_document(&engines)),
+            false => write::to_stdout(&shown(&report::catalogue_answer(&engines), self.spoken.language(), Units::Si)),
+        }
     }
 }

@@ -28,6 +28,7 @@ mod progress;
 mod questions;
 mod remedy;
 mod report;
+mod schema;
 mod search;
 mod spoken;
 mod sweep;
@@ -40,7 +41,6 @@ mod write;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
@@ -125,6 +125,8 @@ enum Command {
     Atlas(atlas::Atlas),
     /// Vary the bank angle, or any value of a layout file
     Sweep(sweep::Sweep),
+    /// Print the JSON Schema of layout files, or of a document
+    Schema(schema::Schema),
     /// Write the pages of the manual
     Man(man::Man),
     /// Print completions for a shell
@@ -196,10 +198,10 @@ fn masses_of_a_family() -> Failure {
     Failure::new("--masses needs an engine without unknowns; give them values below [values]")
 }
 
-/// Answers the command line.
-pub fn run() -> ExitCode {
-    let done = |()| ExitCode::SUCCESS;
-    let Arguments { quiet, command } = match asked(loads::spelled_out(std::env::args_os())) {
+/// Answers a command line, whose first word is the name of the program; the exit status.
+pub fn run(arguments: impl Iterator<Item = OsString>) -> u8 {
+    let done = |()| 0;
+    let Arguments { quiet, command } = match asked(loads::spelled_out(arguments)) {
         Ok(asked) => asked,
         Err(told) if told.use_stderr() => return misused(&told),
         Err(help) => return ended(write::to_stdout(&help.render().ansi().to_string()).map(done)),
@@ -230,6 +232,7 @@ pub fn run() -> ExitCode {
         Command::Atlas(atlas) => atlas.run().map(done),
         Command::Torsion(torsion) => torsion.run().map(done),
         Command::Sweep(sweep) => sweep.run().map(done),
+        Command::Schema(schema) => schema.run().map(done),
         Command::Man(man) => man.run(Arguments::command()).map(done),
         Command::Completions { shell } => completions(shell).map(done),
     };
@@ -237,12 +240,12 @@ pub fn run() -> ExitCode {
 }
 
 /// The exit status; why there is no answer is told.
-fn ended(answer: Result<ExitCode, Failure>) -> ExitCode {
+fn ended(answer: Result<u8, Failure>) -> u8 {
     match answer {
         Ok(status) => status,
         Err(failure) => {
             write::to_stderr(&failure.to_string());
-            ExitCode::from(failure.status())
+            failure.status()
         }
     }
 }
@@ -254,9 +257,13 @@ fn asked(arguments: Vec<OsString>) -> Result<Arguments, clap::Error> {
 }
 
 /// Tells what is wrong with the arguments, which may be repeated in it.
-fn misused(told: &clap::Error) -> ExitCode {
+fn misused(told: &clap::Error) -> u8 {
     write::to_stderr(text::harmless_lines(&told.render().to_string()).trim_end());
-    ExitCode::from(2)
+    2
+}
+
+fn print_json(document: &impl serde::Serialize) -> Result<(), Failure> {
+    write::to_stdout(&json(document)?)
 }
 
 /// A document as a text that does nothing to a terminal.

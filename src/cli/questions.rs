@@ -14,7 +14,7 @@ const QUESTIONS: [(&str, &[&str]); 9] = [
     ("Which is best?", &["compare", "values", "search"]),
     ("Is it true?", &["check", "verify"]),
     ("In the classroom?", &["exercise", "mark"]),
-    ("In a shell", &["completions", "man"]),
+    ("In a shell, in an editor", &["completions", "man", "schema"]),
 ];
 
 /// The program with its commands listed by questions, in place of one long list.

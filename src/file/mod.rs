@@ -37,6 +37,7 @@ mod pressure_csv;
 mod quantities;
 mod replaced;
 mod rewritten;
+mod schema;
 mod template;
 mod title_block_keys;
 mod torsion_keys;
@@ -55,6 +56,7 @@ pub use rewritten::{
     balancer_table, comment, counterweight_in_multiples, counterweight_table, exact_number, without_balancers,
     without_counterweights,
 };
+pub use schema::{schema, tables};
 pub use template::{Key, Template};
 pub use units::turns_per_unit;
 pub use usual::{LayoutWarning, warnings};

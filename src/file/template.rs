@@ -9,26 +9,10 @@ use toml::de::{DeTable, DeValue};
 use super::beside::Beside;
 use super::error::LayoutError;
 use super::layout::{Layout, read_layout};
+use super::schema::FORMS;
 use super::written;
 use crate::engine::Cycle;
 
-/// The tables of a layout file, each of which is one form of engine.
-const FORMS: [&str; 14] = [
-    "cylinder",
-    "inline",
-    "vee",
-    "flat",
-    "boxer",
-    "fan",
-    "vr",
-    "w",
-    "radial",
-    "opposed_piston",
-    "u",
-    "square_four",
-    "h",
-    "delta",
-];
 /// Longer paths than this are no keys of a layout file.
 const DEEPEST: usize = 4;
 

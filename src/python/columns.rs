@@ -1,5 +1,6 @@
 //! How does a table become columns of Python? A dict of NumPy arrays and lists, as pandas and polars take it.
 
+use pyo3::exceptions::PyModuleNotFoundError;
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyDict, PyList};
 
@@ -77,5 +78,11 @@ pub(super) fn floats<'py>(py: Python<'py>, values: impl Iterator<Item = f64>) ->
 
 /// An array of NumPy that may be written to.
 fn array<'py>(py: Python<'py>, bytes: &[u8], kind: &str) -> PyResult<Bound<'py, PyAny>> {
-    py.import("numpy")?.call_method1("frombuffer", (PyByteArray::new(py, bytes), kind))
+    let numpy = py.import("numpy").map_err(|error| match error.is_instance_of::<PyModuleNotFoundError>(py) {
+        true => {
+            PyModuleNotFoundError::new_err("columns are arrays of NumPy; install it: pip install 'crankstar[numpy]'")
+        }
+        false => error,
+    })?;
+    numpy.call_method1("frombuffer", (PyByteArray::new(py, bytes), kind))
 }

@@ -43,6 +43,18 @@ pub(super) fn verify(py: Python<'_>, document: &Bound<'_, PyAny>) -> PyResult<Ch
     py.detach(|| questions::verify(&json))
 }
 
+/// The program: answers a command line, whose first word is the name of the program, and returns the exit status.
+#[cfg(feature = "cli")]
+#[pyfunction]
+pub(super) fn _program(py: Python<'_>, arguments: Vec<std::ffi::OsString>) -> u8 {
+    py.detach(|| {
+        let status = crate::cli::run(arguments.into_iter());
+        // Python ends without what Rust does at the end of `main`.
+        let _ = std::io::Write::flush(&mut std::io::stdout());
+        status
+    })
+}
+
 /// The crank stars that balance best: the exact front of all of them, up to their symmetries.
 ///
 /// cylinders: their number. cycle: "two-stroke" or "four-stroke". orders: those whose moments are compared, 1 and 2 where left out.

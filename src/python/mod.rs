@@ -47,5 +47,7 @@ fn _crankstar(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(functions::compare, module)?)?;
     module.add_function(wrap_pyfunction!(functions::values, module)?)?;
     module.add_function(wrap_pyfunction!(functions::search, module)?)?;
+    #[cfg(feature = "cli")]
+    module.add_function(wrap_pyfunction!(functions::_program, module)?)?;
     module.add_function(wrap_pyfunction!(functions::verify, module)?)
 }

@@ -36,6 +36,7 @@ mod remedy;
 mod residual;
 mod residual_words;
 mod roll_asked;
+mod schema;
 mod search;
 mod star;
 mod sweep;
@@ -61,8 +62,8 @@ pub use atlas::{ATLAS_CYLINDERS, Atlas};
 pub use bearings::{BearingsStudy, bearings_answer, bearings_page};
 pub use calculation::{LoadsStudy, Numbers, loads_answer, loads_page};
 pub use catalogue::{
-    CatalogueFamily, FirstOrderLeft, KnownEngine, catalogue_answer, catalogue_families, catalogue_pictures,
-    catalogue_summary,
+    CatalogueDocument, CatalogueFamily, FirstOrderLeft, KnownEngine, catalogue_answer, catalogue_document,
+    catalogue_families, catalogue_pictures, catalogue_summary,
 };
 pub use claims::{claim_evidence, claim_finding, claim_needs, claim_status, claims_answer, claims_page, table_finding};
 pub use classroom::{exercise_sheet, exercise_solutions, marked_page, marks_answer, marks_page};
@@ -94,6 +95,7 @@ pub use residual::{
     modulus as star_length, moment as moment_left, moment_summary, order_name, roll as roll_left, shape_name,
     torque as torque_left, torque_part as torque_part_left, whole as force_and_moment_left, whole_summary,
 };
+pub use schema::{schema, schema_names};
 pub use search::{SearchStudy, search_answer, search_layouts, search_page, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
 pub use sweep::{SweepDocument, sweep_answer, sweep_csv, sweep_document, sweep_page};

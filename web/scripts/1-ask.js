@@ -9,10 +9,19 @@ const make = (name, properties = {}, ...inside) => {
 const PATIENCE = 700; // ms for which a new layout waits for a question about the last one
 const TOO_LONG = 2000; // ms for which it waits for the verdict on the last one
 
+const decoded = (text) => {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let at = 0; at < letters.length; at += 1) bytes[at] = letters.charCodeAt(at);
+  return bytes;
+};
+
+/** The module is compiled while it is unpacked. */
 const unpacked = async () => {
-  const packed = Uint8Array.from(atob($("module").textContent.trim()), (letter) => letter.charCodeAt(0));
+  const packed = decoded($("module").textContent.trim());
   const bytes = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(bytes).arrayBuffer());
+  return WebAssembly.compileStreaming(new Response(bytes, { headers: { "content-type": "application/wasm" } }));
 };
 
 /** Answers questions one after the other: `ask`, what is being answered (`current`), and `giveUp` of that. */

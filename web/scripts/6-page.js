@@ -184,7 +184,7 @@ const page = async () => {
   for (const [label, engines] of Object.entries(groups)) $("pick").append(make("optgroup", { label }, ...engines.map(option)));
   $("claim-examples").append(...known.claims.map((value) => make("option", { value })));
   $("claim").value = known.claims[0];
-  $("about").textContent = `crankstar ${known.version}. Everything on this page is computed in it: it asks no server and sends nothing.`;
+  $("about").textContent = `crankstar ${known.version}. Everything on this page is computed in it: it asks no server and sends nothing. To keep it, save it (Ctrl+S): it is one file, and works offline.`;
 
   const afresh = () => {
     state.values.clear();

@@ -1,10 +1,12 @@
 //! What does the catalogue hold? Each engine with the orders that it leaves, by families: a list, pictures.
 
+mod document;
 mod gallery;
 mod page;
 mod small;
 mod stamp;
 
+pub use document::{CatalogueDocument, catalogue_document};
 pub use gallery::pictures as catalogue_pictures;
 pub use page::catalogue_answer;
 pub(super) use stamp::Stamp;
