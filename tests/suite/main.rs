@@ -12,6 +12,7 @@ mod book_lengths;
 mod book_words;
 mod both_checkers;
 mod boxes_cheats;
+mod budget;
 mod certificate_cheats;
 mod certificate_words;
 mod circle_cheats;

@@ -1,0 +1,65 @@
+//! Does no room grow unnoticed? Each has so many lines of Rust and no more.
+//!
+//! Who needs more lines in a room makes fewer of others first; a higher budget needs a reason, which its commit tells.
+
+use std::fs;
+use std::path::Path;
+
+/// The rooms with their lines: what they have, and a little.
+const BUDGET: [(&str, usize); 31] = [
+    ("accuracy", 1690),
+    ("beam", 340),
+    ("claim", 4960),
+    ("classroom", 1790),
+    ("cli", 4300),
+    ("engine", 3340),
+    ("exact", 1270),
+    ("family", 4170),
+    ("file", 7410),
+    ("firing", 440),
+    ("gas", 1000),
+    ("journal", 980),
+    ("loads", 2100),
+    ("motion", 1830),
+    ("numbers", 2150),
+    ("optimise", 1430),
+    ("order", 1750),
+    ("page", 6560),
+    ("proof", 8680),
+    ("python", 2520),
+    ("remedy", 1500),
+    ("report", 26440),
+    ("search", 3440),
+    ("shard", 680),
+    ("sweep", 2110),
+    ("table", 1350),
+    ("text", 430),
+    ("torque", 960),
+    ("torsion", 280),
+    ("verdict", 1930),
+    ("web", 880),
+];
+
+/// Lines of Rust in a folder.
+fn lines(folder: &Path) -> usize {
+    let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let of = |path: &Path| match path.extension().is_some_and(|ending| ending == "rs") {
+        true => fs::read_to_string(path).expect("a source file").lines().count(),
+        false => 0,
+    };
+    entries.map(|path| if path.is_dir() { lines(&path) } else { of(&path) }).sum()
+}
+
+#[test]
+fn no_room_has_more_lines_than_its_budget() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let rooms = fs::read_dir(&source).expect("src").map(|entry| entry.expect("an entry").path());
+    for room in rooms.filter(|path| path.is_dir()) {
+        let name = room.file_name().expect("a name").to_string_lossy().into_owned();
+        let budget = BUDGET.iter().find(|(known, _)| *known == name);
+        let (_, budget) = budget.unwrap_or_else(|| panic!("`{name}` has no budget"));
+        let lines = lines(&room);
+        assert!(lines <= *budget, "`{name}` has {lines} lines, {budget} are its budget: a raise needs a reason");
+        assert!(10 * lines > 9 * budget, "`{name}` has {lines} lines: lower its budget of {budget}");
+    }
+}
