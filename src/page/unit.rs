@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 
 use crate::table::Unit;
 
-/// Newtons, and newton metres, from which on thousands of them are read more easily, and millions.
+/// Newtons, newton metres and kilogram millimetres from which on thousands of them are read more easily, and millions.
 const LARGE: f64 = 10_000.0;
 const HUGE: f64 = 10_000_000.0;
 
@@ -93,6 +93,9 @@ impl Unit {
 
     /// The unit in which values in this unit are read best, the largest of which is this; and how much of this unit it is.
     pub fn for_values_up_to(self, largest: f64) -> (Unit, f64) {
+        if self == Unit::KILOGRAM_MILLIMETRE && largest.abs() >= LARGE {
+            return (Unit::KILOGRAM_METRE, 1e3);
+        }
         let larger = match self {
             Unit::NEWTON => [Unit::KILONEWTON, Unit::MEGANEWTON],
             Unit::NEWTON_METRE => [Unit::KILONEWTON_METRE, Unit::MEGANEWTON_METRE],

@@ -71,7 +71,7 @@ fn small_orders_are_told_together_and_large_ones_by_their_names() {
     assert!(usual.contains("Vertical force: 1.17\u{202f}m r ω² (order 2), 0.0248\u{202f}m r ω² (order 4)."), "{usual}");
     assert!(usual.contains("Order 6 and all others. Together at most 0.053 % of the largest force."), "{usual}");
     assert!(
-        usual.contains("two shafts at twice crank speed, one each way (0.146\u{202f}m r each), leave nothing"),
+        usual.contains("two shafts at twice crank speed, one each way (each 0.146\u{202f}m r), leave nothing"),
         "{usual}"
     );
     // The threshold moves order 4 to the others.

@@ -105,7 +105,7 @@ impl Cure<'_> {
         match (one, other) {
             (Some(one), Some(_)) if is_alike => {
                 phrase!(
-                    "Order {}: two shafts at {} crank speed, one each way ({} each), leave nothing.",
+                    "Order {}: two shafts at {} crank speed, one each way (each {}), leave nothing.",
                     order,
                     speed(),
                     one
