@@ -69,6 +69,7 @@ fn c_report(bencher: Bencher, gas: Gas) {
             needed: None,
             in_motion: false,
             accuracy: None,
+            weighing: report::Weighing::usual(),
         };
         page::write(&report::engine_page(contents), Format::GITHUB, &Options::default()).len()
     });

@@ -45,6 +45,7 @@ fn verdicts_and_report(bencher: Bencher, name: &str) {
             needed: None,
             in_motion: false,
             accuracy: None,
+            weighing: report::Weighing::usual(),
         };
         page::write(&report::engine_page(subject), Format::GITHUB, &Options::default()).len()
     });

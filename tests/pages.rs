@@ -59,6 +59,7 @@ fn report_of(engine: &Engine) -> Document {
         needed: None,
         in_motion: false,
         accuracy: None,
+        weighing: report::Weighing::usual(),
     })
 }
 

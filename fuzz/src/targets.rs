@@ -63,6 +63,7 @@ fn known(layout: &Engine) {
             needed: None,
             in_motion: false,
             accuracy: None,
+            weighing: report::Weighing::usual(),
         };
         let page = report::engine_page(subject);
         for format in [Format::GITHUB, Format::Latex, Format::Html, Format::PLAIN] {

@@ -28,7 +28,7 @@ pub struct Accuracy {
     answer: Answer,
 }
 
-fn ratio(text: &str) -> Result<BigRational, String> {
+pub(super) fn ratio(text: &str) -> Result<BigRational, String> {
     match file::parse_number(text) {
         Ok(ratio) if !ratio.is_negative() && ratio < BigRational::one() => Ok(ratio),
         _ => Err("a number from 0 to below 1, such as 0.3".to_owned()),

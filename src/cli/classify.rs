@@ -15,6 +15,7 @@ use super::masses::Masses;
 use super::pages::{Measures, shown};
 use super::spoken::Spoken;
 use super::verify::proved;
+use super::weigh::Weigh;
 use super::{EngineAndOrders, layouts, write};
 
 /// Arguments of `classify`.
@@ -36,6 +37,8 @@ pub struct Classify {
     /// Judge the firing stars, the orders of the gas torque, instead: half orders too in a four-stroke engine
     #[arg(long, conflicts_with_all = ["torque", "masses"])]
     firing: bool,
+    #[command(flatten)]
+    weigh: Weigh,
     #[command(flatten)]
     mode: ModeShape,
     #[command(flatten)]
@@ -87,7 +90,11 @@ impl Classify {
             return wanted.give(data::classify(&engine, &judged, &document));
         }
         if !self.is_json() && !self.data.is_coq() {
-            return self.show(&report::engine_answer(&engine, &judged));
+            return self.show(&report::engine_answer_weighed(
+                &engine,
+                &judged,
+                &self.weigh.read(self.about.are_asked()),
+            ));
         }
         let theorem = self.all_orders.then(|| verdict::every_order(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;

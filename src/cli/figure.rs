@@ -143,6 +143,7 @@ impl Figure {
             needed: None,
             in_motion: false,
             accuracy: None,
+            weighing: report::Weighing::usual(),
         })];
         if !engine.bearings().is_empty() {
             let orders = bearing_orders(engine, orders);

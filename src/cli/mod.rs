@@ -37,6 +37,7 @@ mod torque;
 mod torsion;
 mod values;
 mod verify;
+mod weigh;
 mod write;
 
 use std::ffi::OsString;
@@ -150,6 +151,11 @@ impl EngineAndOrders {
     /// The orders that were asked for.
     fn asked(&self) -> Result<Vec<u32>, Failure> {
         self.orders.iter().map(|&order| whole(order)).collect()
+    }
+
+    /// Whether orders were asked for.
+    fn are_asked(&self) -> bool {
+        !self.orders.is_empty()
     }
 
     /// What the layout describes, and the orders to judge, rising, each once.

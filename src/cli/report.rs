@@ -12,6 +12,7 @@ use super::failure::Failure;
 use super::loads::Auto;
 use super::masses::Masses;
 use super::pages::Pages;
+use super::weigh::Weigh;
 use super::{EngineAndOrders, classified, progress};
 
 /// Arguments of `report`.
@@ -23,6 +24,8 @@ pub struct Report {
     masses: Masses,
     #[command(flatten)]
     pages: Pages,
+    #[command(flatten)]
+    weigh: Weigh,
     #[command(flatten)]
     auto: Auto,
     /// Add what the peak loads are by other methods, and how far off those are
@@ -49,6 +52,7 @@ impl Report {
                 let open = classified(family.as_deref(), orders)?;
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
                 let accuracy = self.accuracy.then(|| accuracy_of(engine)).transpose()?;
+                let weighing = self.weigh.read(self.about.are_asked());
                 let subject = report::Contents {
                     engine,
                     judged: &judged,
@@ -56,8 +60,9 @@ impl Report {
                     needed: needed.as_ref(),
                     in_motion: self.pages.runs_scripts(),
                     accuracy: accuracy.as_ref(),
+                    weighing: &weighing,
                 };
-                let answer = || report::engine_answer(engine, &judged);
+                let answer = || report::engine_answer_weighed(engine, &judged, &weighing);
                 self.pages.show_page(answer, &report::engine_page(subject))
             }
             Layout::Open(_) if self.masses.are_given() => Err(super::masses_of_a_family()),

@@ -83,6 +83,11 @@ pub fn turns(value: &BigRational) -> String {
     degrees(&fraction::times(value, &BigRational::from_integer(360.into())))
 }
 
+/// The same where nobody counts with it: `≈ 102.9°` for (720/7)°.
+pub(crate) fn turns_in_decimals(value: &BigRational) -> String {
+    format!("{}°", in_decimals(&fraction::times(value, &BigRational::from_integer(360.into()))))
+}
+
 /// A direction in `[0°, 360°)`.
 pub(crate) fn angle(turn: &Turn) -> String {
     degrees(&turn.degrees())

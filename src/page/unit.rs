@@ -5,8 +5,9 @@ use num_traits::ToPrimitive;
 
 use crate::table::Unit;
 
-/// Newton metres from which on kilonewton metres are read more easily.
-const LARGE: f64 = 100_000.0;
+/// Newtons, newton metres and kilogram millimetres from which on thousands of them are read more easily, and millions.
+const LARGE: f64 = 10_000.0;
+const HUGE: f64 = 10_000_000.0;
 
 /// The units that a page counts in; documents of data stay in those of the SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -72,15 +73,38 @@ impl Unit {
             (Unit::BAR, Unit::PSI, (POUND_FORCE, 645_160_000_000_000)),
             (Unit::KILOGRAM_SQUARE_METRE, Unit::POUND_SQUARE_FOOT, (POUND * 9_290_304, 10_000_000_000_000_000)),
         ];
-        let found = known.into_iter().find(|(unit, ..)| unit.name == self.name);
-        found.map(|(_, inch, (above, below))| (inch, BigRational::new(above.into(), below.into())))
+        let (own, thousands) = match self {
+            Unit::KILONEWTON => (Unit::NEWTON, 1_000),
+            Unit::MEGANEWTON => (Unit::NEWTON, 1_000_000),
+            Unit::KILONEWTON_METRE => (Unit::NEWTON_METRE, 1_000),
+            Unit::MEGANEWTON_METRE => (Unit::NEWTON_METRE, 1_000_000),
+            other => (other, 1),
+        };
+        let found = known.into_iter().find(|(unit, ..)| unit.name == own.name);
+        let size = |(above, below): (i64, i64)| BigRational::new(above.into(), below.into());
+        found.map(|(_, inch, parts)| (inch, size(parts) / BigRational::from_integer(thousands.into())))
     }
 
-    /// A value in this unit as it is read best: from 100000 N·m on in kN·m.
+    /// A value in this unit as it is read best: from 10000 N on in kN, from ten millions on in MN, and so with N·m.
     pub fn at_sight(self, value: f64) -> (f64, Unit) {
-        match self == Unit::NEWTON_METRE && value.abs() >= LARGE {
-            true => (value / 1000.0, Unit::KILONEWTON_METRE),
-            false => (value, self),
+        let (unit, size) = self.for_values_up_to(value);
+        (value / size, unit)
+    }
+
+    /// The unit in which values in this unit are read best, the largest of which is this; and how much of this unit it is.
+    pub fn for_values_up_to(self, largest: f64) -> (Unit, f64) {
+        if self == Unit::KILOGRAM_MILLIMETRE && largest.abs() >= LARGE {
+            return (Unit::KILOGRAM_METRE, 1e3);
+        }
+        let larger = match self {
+            Unit::NEWTON => [Unit::KILONEWTON, Unit::MEGANEWTON],
+            Unit::NEWTON_METRE => [Unit::KILONEWTON_METRE, Unit::MEGANEWTON_METRE],
+            _ => return (self, 1.0),
+        };
+        match largest.abs() {
+            size if size >= HUGE => (larger[1], 1e6),
+            size if size >= LARGE => (larger[0], 1e3),
+            _ => (self, 1.0),
         }
     }
 
@@ -89,7 +113,10 @@ impl Unit {
         let known = [
             (Unit::NEWTON, "\\newton"),
             (Unit::NEWTON_METRE, "\\newton\\metre"),
+            (Unit::KILONEWTON, "\\kilo\\newton"),
+            (Unit::MEGANEWTON, "\\mega\\newton"),
             (Unit::KILONEWTON_METRE, "\\kilo\\newton\\metre"),
+            (Unit::MEGANEWTON_METRE, "\\mega\\newton\\metre"),
             (Unit::KILOGRAM, "\\kilogram"),
             (Unit::KILOGRAM_METRE, "\\kilogram\\metre"),
             (Unit::KILOGRAM_MILLIMETRE, "\\kilogram\\milli\\metre"),

@@ -32,7 +32,15 @@ impl Engine {
         let open = open.transpose().map_err(told)?;
         let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
         let (engine, judged) = (&self.engine, &judged);
-        Ok(report::engine_page(Contents { engine, judged, family, needed: None, in_motion, accuracy: None }))
+        Ok(report::engine_page(Contents {
+            engine,
+            judged,
+            family,
+            needed: None,
+            in_motion,
+            accuracy: None,
+            weighing: report::Weighing::usual(),
+        }))
     }
 
     /// The engine with its first star and the short answer.

@@ -15,7 +15,7 @@ const MOST_INTERVALS: usize = 4;
 pub fn firing(firing: Option<&Firing>) -> Text {
     let Some(firing) = firing else { return "not given".into() };
     let intervals = firing.intervals();
-    let turns = |turns| Text::from(typeset::turns(turns));
+    let turns = |turns| Text::from(typeset::turns_in_decimals(turns));
     match intervals.as_slice() {
         [first, ..] if firing.is_even() => phrase!("even, {}", turns(first)),
         uneven if uneven.len() <= MOST_INTERVALS => {

@@ -71,7 +71,10 @@ pub use compare::{CompareDocument, CompareStudy, Compared, compare_answer, compa
 pub use coq::{NotStated, coq_file};
 pub use document::document;
 pub use engine_cells::firing as firing_cell;
-pub use engine_page::{Contents, engine_answer, engine_at_a_glance, engine_page, engine_proofs, engine_summary};
+pub use engine_page::{
+    Contents, Weighing, engine_answer, engine_answer_weighed, engine_at_a_glance, engine_page, engine_proofs,
+    engine_summary,
+};
 pub use example::worked as worked_example;
 pub use family_page::{
     amplitudes, amplitudes_caption, exact_angles, family_answer, family_page, family_proofs, family_summary,

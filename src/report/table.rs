@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 
+use super::engine_page::Weighed;
 use super::firmness;
 use super::residual;
 use super::typeset;
@@ -10,54 +11,78 @@ use crate::engine::{Cylinder, Engine, LengthUnit, Rotation};
 use crate::exact::{Turn, fraction};
 use crate::order::{self, Factor, Source, TurningMass};
 use crate::page::{Number, Piece, Table, Text, Unit, phrase};
-use crate::proof::Sense;
+use crate::proof::{Planar, Sense};
 use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict};
 
 /// Orders × (force, moment): what is left, exactly, whether the moment is a couple, how firm the zeros of the pistons are.
 ///
 /// An order of several sums has a row for the whole, and one for each.
-pub(super) fn summary(engine: &Engine, orders: &[OrderVerdict], with_firmness: Firmness) -> Table {
-    let mut header = vec!["Order", "Force", "Moment"];
-    header.extend((with_firmness == Firmness::Shown).then_some("How firm"));
-    let mut table = Table::new(header);
-    let mut row = |name: Text, [force, moment]: [Text; 2], firm: Text| {
-        let firm = (with_firmness == Firmness::Shown).then_some(firm);
-        table.push([name, force, moment].into_iter().chain(firm).collect());
-    };
-    for order in orders {
-        if order.parts.len() > 1 {
-            row(order.order.into(), residual::whole(order), "–".into());
-        }
-        for part in &order.parts {
-            let firm = if part.class.is_none() { firmness::summary(engine, part) } else { "–".into() };
-            row(residual::order_name(part).into(), [residual::force(part), residual::moment(part)], firm);
-        }
+pub(super) fn summary(
+    engine: &Engine,
+    orders: &[OrderVerdict],
+    weighed: Option<&Weighed>,
+    with_firmness: Firmness,
+) -> Table {
+    let mut columns = of_orders(orders, weighed);
+    if with_firmness == Firmness::Shown {
+        let firm = |order: &OrderVerdict| match order.parts.as_slice() {
+            [only] if only.class.is_none() => firmness::summary(engine, only),
+            _ => "–".into(),
+        };
+        columns.push(("How firm".into(), orders.iter().map(firm).collect()));
+    }
+    in_columns(columns)
+}
+
+/// The exact sums of orders that are made of several: what stands before one number each.
+pub(super) fn sums(orders: &[OrderVerdict]) -> Option<Table> {
+    let mut table = Table::new(["Order", "Force", "Moment"]);
+    for part in orders.iter().filter(|order| order.parts.len() > 1).flat_map(|order| &order.parts) {
+        table.push(vec![residual::order_name(part).into(), residual::force(part), residual::moment(part)]);
+    }
+    (!table.rows.is_empty()).then_some(table)
+}
+
+/// A heading with its cells.
+type Cells = (Text, Vec<Text>);
+
+fn in_columns(columns: Vec<Cells>) -> Table {
+    let mut table = Table::new(columns.iter().map(|(heading, _)| heading.clone()));
+    let rows = columns.first().map_or(0, |(_, cells)| cells.len());
+    for row in 0..rows {
+        table.push(columns.iter().map(|(_, cells)| cells[row].clone()).collect());
     }
     table
 }
 
+/// Order, and force and moment: how large, where that is known, and exactly.
+fn of_orders(orders: &[OrderVerdict], weighed: Option<&Weighed>) -> Vec<Cells> {
+    let exact = |place: usize| orders.iter().map(|order| residual::whole(order)[place].clone()).collect();
+    let mut columns = vec![("Order".into(), orders.iter().map(|order| order.order.into()).collect())];
+    let named = [(Planar::Force, "Force", "Force in {}"), (Planar::Moment, "Moment", "Moment in {}")];
+    for (place, (quantity, bare, in_unit)) in named.into_iter().enumerate() {
+        let sizes = weighed.map(|weighed| weighed.column(quantity));
+        let sizes = sizes.map(|(unit, cell)| (phrase!(in_unit, unit.label()), orders.iter().map(cell).collect()));
+        let exactly = if sizes.is_some() { "exactly" } else { bare };
+        columns.extend(sizes);
+        columns.push((exactly.into(), exact(place)));
+    }
+    columns
+}
+
 /// Orders × (force, moment, torque, roll moment): what is left, exactly.
-pub(super) fn verdicts(orders: &[OrderVerdict]) -> Table {
+pub(super) fn verdicts(orders: &[OrderVerdict], weighed: Option<&Weighed>) -> Table {
+    let mut columns = of_orders(orders, weighed);
     let with_torque = orders.iter().any(|order| order.torque.is_some());
     let with_roll = orders.iter().any(|order| order.roll.is_some());
-    let mut header = vec!["Order", "Force", "Moment"];
-    header.extend(with_torque.then_some("Torque"));
-    header.extend(with_roll.then_some("Roll"));
-    let mut table = Table::new(header);
-    for order in orders {
-        let mut cells: Vec<Text> = [order.order.into()].into_iter().chain(residual::whole(order)).collect();
-        cells.extend(with_torque.then(|| order.torque.as_ref().map_or_else(Text::default, residual::torque)));
-        cells.extend(with_roll.then(|| order.roll.as_ref().map_or_else(Text::default, residual::roll)));
-        table.push(cells);
-        for part in order.parts.iter().filter(|part| part.class.is_some()) {
-            let mut cells: Vec<Text> =
-                vec![residual::order_name(part).into(), residual::force(part), residual::moment(part)];
-            cells.extend(with_torque.then(Text::default));
-            cells.extend(with_roll.then(Text::default));
-            table.push(cells);
-        }
-    }
-    table
+    let cells = |cell: &dyn Fn(&OrderVerdict) -> Option<Text>| {
+        orders.iter().map(|order| cell(order).unwrap_or_default()).collect::<Vec<Text>>()
+    };
+    let torque = || cells(&|order| order.torque.as_ref().map(residual::torque));
+    let roll = || cells(&|order| order.roll.as_ref().map(residual::roll));
+    columns.extend(with_torque.then(|| ("Torque".into(), torque())));
+    columns.extend(with_roll.then(|| ("Roll".into(), roll())));
+    in_columns(columns)
 }
 
 /// Whether a summary says how firm the zeros are.

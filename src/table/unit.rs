@@ -16,8 +16,14 @@ impl Unit {
     pub const NEWTON: Unit = Unit { name: "N", tex: "N", suffix: "N" };
     /// Newton metres.
     pub const NEWTON_METRE: Unit = Unit { name: "N·m", tex: "N\\,m", suffix: "N_m" };
-    /// Kilonewton metres, of the torque of large engines.
+    /// Kilonewtons.
+    pub const KILONEWTON: Unit = Unit { name: "kN", tex: "kN", suffix: "kN" };
+    /// Meganewtons.
+    pub const MEGANEWTON: Unit = Unit { name: "MN", tex: "MN", suffix: "MN" };
+    /// Kilonewton metres.
     pub const KILONEWTON_METRE: Unit = Unit { name: "kN·m", tex: "kN\\,m", suffix: "kN_m" };
+    /// Meganewton metres, of large engines.
+    pub const MEGANEWTON_METRE: Unit = Unit { name: "MN·m", tex: "MN\\,m", suffix: "MN_m" };
     /// Kilograms.
     pub const KILOGRAM: Unit = Unit { name: "kg", tex: "kg", suffix: "kg" };
     /// Kilogram metres, of a mass at a radius.

@@ -24,7 +24,10 @@ pub(super) fn look(layout: Written, set: Option<&Set>) -> Result<Value, Mistake>
             let moves = engine.geared_cranks().is_empty();
             let scenes = moves.then(|| moving::scene(engine, judged, family));
             let summary = report::engine_summary(engine, judged);
-            (engine.title(), summary, report::engine_answer(engine, judged), scenes.into_iter().collect())
+            let mut answer = report::engine_answer(engine, judged);
+            // The page has the box by itself.
+            answer.blocks.retain(|block| !matches!(block, Block::Answer(_)));
+            (engine.title(), summary, answer, scenes.into_iter().collect())
         }
         Judged::Open { family, orders } => {
             let numbers: Vec<u32> = orders.iter().map(|order| order.order).collect();

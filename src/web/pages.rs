@@ -54,6 +54,7 @@ fn document(judged: &Judged, in_motion: bool) -> Document {
             needed: None,
             in_motion,
             accuracy: None,
+            weighing: report::Weighing::usual(),
         }),
         Judged::Open { family, orders } => report::family_page(family, orders, in_motion),
     }

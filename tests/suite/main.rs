@@ -11,6 +11,7 @@ mod bearings;
 mod book_lengths;
 mod book_words;
 mod both_checkers;
+mod boxes;
 mod boxes_cheats;
 mod budget;
 mod certificate_cheats;

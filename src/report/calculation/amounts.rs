@@ -24,6 +24,24 @@ impl Unit {
         self.unit.into()
     }
 
+    /// The same in which the orders of a quantity are read best.
+    pub fn of_tables(engine: &Engine, of: &Loads, quantity: impl Into<Quantity>) -> Self {
+        let quantity = quantity.into();
+        let swings = |planar| of.orders.iter().map(move |order| order.swing(planar).largest()).fold(0.0, f64::max);
+        let turning = of.torque.iter().chain(&of.roll).flat_map(|torque| &torque.orders);
+        let largest = match quantity {
+            Quantity::Planar(planar) => swings(planar),
+            Quantity::Axial(_) => turning.map(|order| order.vector.value.norm()).fold(0.0, f64::max),
+        };
+        Unit::of(engine, of, quantity).for_values_up_to(largest)
+    }
+
+    /// The unit in which values are read best whose largest is so many multiples: kN in place of thousands of N.
+    pub fn for_values_up_to(self, largest: f64) -> Self {
+        let (unit, size) = self.unit.for_values_up_to(largest * self.factor);
+        Unit { unit, factor: self.factor / size }
+    }
+
     /// The unit of forces: newtons where the scale is known.
     pub fn of_force(scale: Option<&Scale>) -> Self {
         match scale {

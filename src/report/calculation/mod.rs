@@ -3,6 +3,7 @@
 //! `inputs → equations → lines (symbol = formula = figures = result) → tables and plots → limits`
 
 mod amounts;
+mod books;
 mod equations;
 mod expression;
 mod inputs;
@@ -18,6 +19,7 @@ mod tables;
 mod words;
 
 pub(super) use amounts::{Unit, in_digits, largest, vector};
+pub(super) use books::books_line;
 pub use largest::Numbers;
 pub(super) use largest::percent;
 pub use page::loads_page;

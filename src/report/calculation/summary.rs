@@ -12,15 +12,22 @@ use crate::proof::Quantity;
 /// The short answer: the largest force, moment and torque of each order, zero to peak, and of all orders.
 pub fn loads_answer(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Document {
     let mut page = Document::new("loads", engine.title());
+    page.blocks.extend(at_speed(&numbers.loads).map(Block::Paragraph));
     page.push(by_order(engine, &numbers.loads));
     page.blocks.extend(lines(engine, numbers, needed).into_iter().map(Block::Paragraph));
     page
 }
 
+/// At which speed newtons are newtons.
+pub(super) fn at_speed(loads: &Loads) -> Option<Text> {
+    let scale = loads.scale.as_ref()?;
+    Some(phrase!("At {} rpm.", super::super::typeset::short(&scale.speed)))
+}
+
 /// The largest force, moment and torque of each order, zero to peak.
 pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
     let [force, moment, torque] =
-        [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE].map(|quantity| Unit::of(engine, loads, quantity));
+        [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE].map(|quantity| Unit::of_tables(engine, loads, quantity));
     let mut header: Vec<Text> =
         vec!["Order".into(), phrase!("Force in {}", force.label()), phrase!("Moment in {}", moment.label())];
     header.extend(loads.torque.as_ref().map(|_| phrase!("Torque in {}", torque.label())));
@@ -89,6 +96,7 @@ fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Tex
     }
     lines.extend(largest_lines(engine, numbers));
     lines.extend(roll_lines(engine, loads));
+    lines.extend(super::books_line(engine, loads));
     lines.extend(shown_line(engine, numbers));
     lines.extend(chosen_lines(engine, numbers, needed));
     let names = loads.groups.iter().map(|group| residual::group_words(group.group).into());

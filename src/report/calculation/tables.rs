@@ -68,7 +68,7 @@ pub(super) fn ellipses(engine: &Engine, loads: &Loads) -> Table {
 
 fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Planar) -> Vec<Text> {
     let swing = order.swing(quantity);
-    let unit = Unit::of(engine, loads, quantity);
+    let unit = Unit::of_tables(engine, loads, quantity);
     let mut row = vec![order.order.into(), quantity.name().into(), amounts::largest(swing, unit)];
     if swing.vanishes() {
         row.extend([Text::zero(), "–".into(), Text::zero(), Text::zero(), Text::zero()]);
@@ -98,7 +98,8 @@ fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Planar)
 
 /// What the tables count in.
 pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
-    let (force, moment) = (Unit::of(engine, loads, Planar::Force), Unit::of(engine, loads, Planar::Moment));
+    let (force, moment) =
+        (Unit::of_tables(engine, loads, Planar::Force), Unit::of_tables(engine, loads, Planar::Moment));
     let first = match Arm::of(engine) {
         Arm::Metre => phrase!(
             "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times 1 {}.",

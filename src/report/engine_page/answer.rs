@@ -1,44 +1,41 @@
-//! What shakes, how much, what cures it, and what no crankshaft can cure? What a reader sees first.
+//! What shakes, how much, what cures it and what that leaves? What a reader sees first: five lines at most.
 
-use super::super::calculation::Unit;
+use super::super::calculation::{books_line, percent};
 use super::super::{residual, table};
+use super::weighing::{Rest, Weighed, Weighing, circumstances, sizes};
 use super::{articulated, conventions, cures, geared};
-use crate::engine::{DOES_NOT_EXIST, Engine, LengthUnit};
-use crate::loads::{self, Loads};
-use crate::order::{self, Factor, Masses};
-use crate::page::{Block, Document, Piece, Table, Text, phrase};
-use crate::proof::{Planar, Sense, Shape};
+use crate::engine::{DOES_NOT_EXIST, Engine};
+use crate::order::{self, Masses};
+use crate::page::{Block, Document, Text, phrase};
+use crate::proof::{Axial, Planar, Quantity, Shape};
 use crate::verdict::{EveryOrderTheorem, Judgement, NextLeft, OrderVerdict, Outcome, WholeOrder};
 
 /// The lines of the box that a report opens with.
 pub(super) fn lines(
     engine: &Engine,
     judged: &Judgement,
-    loads: Option<&Loads>,
     theorem: Option<&EveryOrderTheorem>,
+    weighing: &Weighing,
 ) -> Vec<Text> {
     let existing: Vec<&OrderVerdict> = judged.orders.iter().filter(|order| order.exists()).collect();
-    let loads = loads.filter(|_| is_as_built(engine, judged));
-    let sizes = Sizes { engine, masses: judged.masses, loads };
-    let mut lines = Vec::new();
-    let shaking: Vec<Text> = existing.iter().flat_map(|order| sizes.left(order)).collect();
-    lines.extend((!shaking.is_empty()).then(|| phrase!("**What shakes.** {}", Text::joined(shaking, " "))));
-    let cures = cures::cures(engine, judged, &existing);
-    if !cures.is_empty() {
-        lines.push(phrase!("**What cures it.** {}", Text::joined(cures, " ")));
-        lines.push(phrase!("**What no crankshaft cures.** {}", beyond_counterweights(engine, &existing)));
-    }
-    lines.extend(rest(&judged.orders, &existing, theorem.filter(|theorem| theorem.masses() == judged.masses)));
-    if let Some(pistons) = &judged.pistons {
-        let sizes = Sizes { engine, masses: Masses::Reciprocating, loads: None };
-        let left: Vec<Text> =
-            pistons.iter().filter(|order| order.exists()).flat_map(|order| sizes.left(order)).collect();
-        lines.push(match left.is_empty() {
-            true => "**The pistons alone.** Nothing of them is left at these orders.".into(),
+    let numbers: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
+    let weighed = Weighed::new(engine, judged.masses, &numbers, weighing);
+    let weighed = weighed.as_ref();
+    let mut lines = vec![shaking(&existing, weighed)];
+    lines.extend(cures::line(engine, judged, &existing, weighed));
+    lines.extend(balanced(&judged.orders, &existing));
+    lines.extend(others(&existing, weighed, theorem.filter(|theorem| theorem.masses() == judged.masses)));
+    let pistons = judged.pistons.as_ref().map(|pistons| {
+        let weighed = Weighed::new(engine, Masses::Reciprocating, &numbers, weighing);
+        let existing: Vec<&OrderVerdict> = pistons.iter().filter(|order| order.exists()).collect();
+        let left = left(&existing, weighed.as_ref());
+        match left.is_empty() {
+            true => "**The pistons alone.** No force or moment at these orders.".into(),
             false => phrase!("**The pistons alone.** {}", Text::joined(left, " ")),
-        });
-    }
-    lines.extend(articulated::hidden(engine));
+        }
+    });
+    // There is room for one of them: balancer shafts and counterweights say more of an engine than rods that it may not have.
+    lines.extend(pistons.or_else(|| articulated::hidden(engine)));
     lines
 }
 
@@ -47,100 +44,153 @@ pub(super) fn is_as_built(engine: &Engine, judged: &Judgement) -> bool {
     judged.not_as_built.is_none() && judged.masses == order::masses_as_built(engine)
 }
 
-/// How large what is left is.
-struct Sizes<'a> {
-    engine: &'a Engine,
-    masses: Masses,
-    loads: Option<&'a Loads>,
-}
-
-impl Sizes<'_> {
-    /// A sentence each on the force and on the moment of an order, where they are left or not decided.
-    fn left(&self, order: &OrderVerdict) -> Vec<Text> {
-        let force = self.sentence(order, &order.force, Planar::Force, FORCE);
-        let words = if order.force.is_balanced() { COUPLE } else { MOMENT };
-        let moment = self.sentence(order, &order.moment, Planar::Moment, words);
-        [force, moment].into_iter().flatten().collect()
-    }
-
-    fn sentence(
-        &self,
-        order: &OrderVerdict,
-        whole: &WholeOrder,
-        quantity: Planar,
-        [sized, bare, open]: [&'static str; 3],
-    ) -> Option<Text> {
-        match (whole.shape, self.size(order, whole, quantity)) {
-            (Shape::Balanced | Shape::DoesNotExist, _) => None,
-            (Shape::NotDecided, _) if !whole.is_left() => Some(phrase!(open, order.order)),
-            (Shape::NotDecided, _) => Some(phrase!(bare, order.order, "not 0")),
-            (shape, Some(size)) => Some(phrase!(sized, order.order, size, residual::shape_name(shape))),
-            (shape, None) => Some(phrase!(bare, order.order, residual::shape_name(shape))),
+/// What is left, order by order, at which speed.
+fn shaking(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Text {
+    let left = left(orders, weighed);
+    let what = match left.is_empty() {
+        false => Text::joined(left, " "),
+        true if orders.iter().all(|order| order.force.is_balanced() && order.moment.is_balanced()) => {
+            "Nothing at the orders judged.".into()
         }
-    }
-
-    /// The largest value: in newtons, or exactly in multiples.
-    fn size(&self, order: &OrderVerdict, whole: &WholeOrder, quantity: Planar) -> Option<Text> {
-        if let Some(loads) = self.loads {
-            return in_units(self.engine, loads, order.order, quantity, whole);
-        }
-        let [only] = order.parts.as_slice() else { return None };
-        let unit = match &only.class {
-            None => multiple(self.engine, order.order, self.masses, quantity),
-            Some(class) => multiple_of(self.engine, &class.factor, order.order, quantity),
-        };
-        Some(phrase!("{} {}", residual::largest(only.balance(quantity)), unit))
-    }
-}
-
-const FORCE: [&str; 3] = [
-    "Order {}: a force of {}, {}.",
-    "Order {}: a force, {}.",
-    "Whether the force of order {} vanishes is not decided.",
-];
-const COUPLE: [&str; 3] = [
-    "Order {}: a couple of {}, {}.",
-    "Order {}: a couple, {}.",
-    "Whether the couple of order {} vanishes is not decided.",
-];
-const MOMENT: [&str; 3] = [
-    "Order {}: a moment of {} about the reference plane, {}.",
-    "Order {}: a moment about the reference plane, {}.",
-    "Whether the moment of order {} vanishes is not decided.",
-];
-
-/// The largest value of an order with its unit; none where the numbers do not hold it.
-fn in_units(engine: &Engine, loads: &Loads, order: u32, quantity: Planar, whole: &WholeOrder) -> Option<Text> {
-    let of_order = loads.orders.iter().find(|of| of.order == order)?;
-    let unit = Unit::of(engine, loads, quantity);
-    let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some()) && unit.factor != 0.0;
-    is_known.then(|| Piece::Quantity(of_order.swing(quantity).largest() * unit.factor, unit.unit).into())
-}
-
-/// What exact values are multiples of: `m r ω² c_4 a`.
-fn multiple(engine: &Engine, order: u32, masses: Masses, quantity: Planar) -> Text {
-    let pistons = matches!(masses, Masses::Reciprocating | Masses::All);
-    let coefficient = pistons && (order > 1 || engine.has_offset());
-    in_multiples(engine, coefficient.then_some(order), quantity)
-}
-
-/// The same of the only sum of an order, which stands before this number: that of the order of its own crankshaft.
-fn multiple_of(engine: &Engine, factor: &Factor, order: u32, quantity: Planar) -> Text {
-    let (own, order) = factor.own(order);
-    in_multiples(engine, (*own != Factor::One).then_some(order), quantity)
-}
-
-/// Before c_k of this order, or before 1.
-fn in_multiples(engine: &Engine, coefficient: Option<u32>, quantity: Planar) -> Text {
-    let coefficient = coefficient.map_or_else(String::new, |order| format!(" c_{{{order}}}"));
-    let mass = if engine.has_unit_masses() { "m\\,r\\,\\omega^2" } else { "\\mathrm{kg}\\;r\\,\\omega^2" };
-    let arm = match (quantity, engine.length_unit()) {
-        (Planar::Force, _) => "",
-        (Planar::Moment, LengthUnit::Metre) => "\\cdot\\mathrm{m}",
-        (Planar::Moment, LengthUnit::Spacing) => "\\,a",
+        true => match weighed {
+            Some(weighed) => phrase!("Nothing above {} % of one piston's force.", percent(weighed.above())),
+            None => "Nothing is known to be left at the orders judged.".into(),
+        },
     };
-    Text::formula(format!("{mass}{coefficient}{arm}"))
+    match circumstances(weighed) {
+        None => phrase!("**What shakes.** {}", what),
+        Some(circumstances) => phrase!("**What shakes** ({}). {}", circumstances, what),
+    }
 }
+
+/// A sentence each on the forces and moments of one name, those of the lowest order first.
+fn left(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Vec<Text> {
+    let mut named: Vec<(Name, Vec<Text>)> = Vec::new();
+    for order in orders {
+        for quantity in Planar::BOTH {
+            let Some((name, size)) = sized(order, quantity, weighed) else { continue };
+            match named.iter_mut().find(|(other, _)| *other == name) {
+                Some((_, sizes)) => sizes.push(size),
+                None => named.push((name, vec![size])),
+            }
+        }
+    }
+    let mut sentences: Vec<Text> =
+        named.into_iter().map(|(name, sizes)| phrase!(name.sentence(), Text::joined(sizes, ", "))).collect();
+    sentences.extend(weighed.into_iter().flat_map(about_the_axis));
+    sentences.extend(not_decided(orders));
+    sentences
+}
+
+/// Orders of which it is not decided whether they vanish.
+fn not_decided(orders: &[&OrderVerdict]) -> Option<Text> {
+    let is_open = |whole: &WholeOrder| whole.shape == Shape::NotDecided && !whole.is_left();
+    let open = orders.iter().filter(|order| is_open(&order.force) || is_open(&order.moment));
+    let open: Vec<String> = open.map(|order| order.order.to_string()).collect();
+    (!open.is_empty()).then(|| phrase!("Not decided: whether {} vanish.", residual::orders_in_words(&open)))
+}
+
+/// The name of the force or moment of an order, and its size; none where it is not left, or told with others.
+fn sized(order: &OrderVerdict, quantity: Planar, weighed: Option<&Weighed>) -> Option<(Name, Text)> {
+    let whole = order.whole(quantity);
+    if !whole.is_left() {
+        return None;
+    }
+    let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some());
+    let weighed = weighed.filter(|_| is_known);
+    let size = match weighed {
+        Some(weighed) if !weighed.is_told(order.order, quantity) => return None,
+        Some(weighed) => weighed.amount(weighed.size(order.order, quantity), quantity),
+        None => of_one_sum(order, quantity),
+    };
+    let size = match size {
+        Some(size) => phrase!("{} (order {})", size, order.order),
+        None => phrase!("order {}", order.order),
+    };
+    Some((Name::of(order, quantity, whole.shape, weighed), size))
+}
+
+/// The exact size of an order that is one sum of masses that turn, which has no coefficient.
+fn of_one_sum(order: &OrderVerdict, quantity: Planar) -> Option<Text> {
+    let [only] = order.parts.as_slice() else { return None };
+    let is_of_turning = matches!(order.masses, Masses::Rotating | Masses::Counterweights);
+    is_of_turning.then(|| residual::largest(only.balance(quantity)).into())
+}
+
+/// What the force or the moment of an order is called.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Name {
+    Vertical,
+    Horizontal,
+    RotatingForce,
+    CounterRotatingForce,
+    Force,
+    Pitching,
+    Yawing,
+    RotatingCouple,
+    CounterRotatingCouple,
+    Couple,
+    Moment,
+}
+
+/// Degrees within which a direction is that of an axis of the engine, as it is printed.
+const ALONG: f64 = 1e-6;
+
+impl Name {
+    fn of(order: &OrderVerdict, quantity: Planar, shape: Shape, weighed: Option<&Weighed>) -> Self {
+        let direction = || weighed.and_then(|weighed| weighed.path(order.order, quantity)?.1);
+        let is_at = |angle: f64| direction().is_some_and(|direction| (direction.abs() - angle).abs() < ALONG);
+        match (quantity, shape) {
+            (Planar::Force, Shape::Rotating) => Name::RotatingForce,
+            (Planar::Force, Shape::CounterRotating) => Name::CounterRotatingForce,
+            (Planar::Force, Shape::Planar) if is_at(0.0) => Name::Vertical,
+            (Planar::Force, Shape::Planar) if is_at(90.0) => Name::Horizontal,
+            (Planar::Force, _) => Name::Force,
+            _ if !order.moment_is_couple() => Name::Moment,
+            (_, Shape::Rotating) => Name::RotatingCouple,
+            (_, Shape::CounterRotating) => Name::CounterRotatingCouple,
+            (_, Shape::Planar) if is_at(0.0) => Name::Pitching,
+            (_, Shape::Planar) if is_at(90.0) => Name::Yawing,
+            _ => Name::Couple,
+        }
+    }
+
+    fn sentence(self) -> &'static str {
+        match self {
+            Name::Vertical => "Vertical force: {}.",
+            Name::Horizontal => "Horizontal force: {}.",
+            Name::RotatingForce => "Rotating force: {}.",
+            Name::CounterRotatingForce => "Counter-rotating force: {}.",
+            Name::Force => "Free force: {}.",
+            Name::Pitching => "Pitching couple: {}.",
+            Name::Yawing => "Yawing couple: {}.",
+            Name::RotatingCouple => "Rotating couple: {}.",
+            Name::CounterRotatingCouple => "Counter-rotating couple: {}.",
+            Name::Couple => "Pitching and yawing couple: {}.",
+            Name::Moment => "Moment about the reference plane: {}.",
+        }
+    }
+}
+
+/// The largest orders of the roll moment, or else of the inertia torque, which rolls the engine as much: the largest of all in any case.
+fn about_the_axis(weighed: &Weighed) -> Option<Text> {
+    let quantity = if weighed.loads.roll.is_some() { Axial::Roll } else { Axial::Torque };
+    let mut falling = weighed.about_the_axis(quantity);
+    falling.retain(|(_, size)| *size > 0.0);
+    falling.sort_by(|(_, one), (_, other)| other.total_cmp(one));
+    let largest = falling.first().map(|(order, _)| *order);
+    let is_told = |order: u32| Some(order) == largest || weighed.is_told(order, Quantity::Axial(quantity));
+    let told = falling.into_iter().filter(|(order, _)| is_told(*order)).take(MOST_OF_ROLL);
+    let told: Vec<Text> = told
+        .filter_map(|(order, size)| {
+            Some(phrase!("{} (order {})", weighed.amount(size, Quantity::Axial(quantity))?, order))
+        })
+        .collect();
+    (!told.is_empty()).then(|| phrase!("Rolling torque: {}.", Text::joined(told, ", ")))
+}
+
+/// Orders of the rolling torque that stand in the box; all stand in its table.
+const MOST_OF_ROLL: usize = 2;
 
 /// Whether the direct and the reverse vector of force or moment are left.
 pub(super) fn left_vectors(order: &OrderVerdict) -> [bool; 2] {
@@ -148,85 +198,79 @@ pub(super) fn left_vectors(order: &OrderVerdict) -> [bool; 2] {
     [0, 1].map(|sense| is_left(&order.force.outcomes[sense]) || is_left(&order.moment.outcomes[sense]))
 }
 
-/// What counterweights on the crankshaft cannot reach.
-fn beyond_counterweights(engine: &Engine, orders: &[&OrderVerdict]) -> Text {
-    if engine.faster_crank().is_some() {
-        return beyond_several(engine, orders);
-    }
-    let against = orders.iter().any(|order| order.order == 1 && left_vectors(order)[1]);
-    let higher: Vec<String> = orders
-        .iter()
-        .filter(|order| order.order > 1 && left_vectors(order) != [false, false])
-        .map(|order| order.order.to_string())
-        .collect();
-    match (against, higher.as_slice()) {
-        (false, []) => "Nothing at these orders: counterweights alone cure all that is left.".into(),
-        (true, []) => "What turns against the crank at order 1.".into(),
-        (false, [only]) => phrase!("Order {}: it does not turn with the crank at crank speed.", only.clone()),
-        (false, several) => {
-            phrase!("Orders {}: they do not turn with the crank at crank speed.", several.join(", "))
-        }
-        (true, several) => {
-            phrase!("What turns against the crank at order 1, and all of {}.", residual::orders_in_words(several))
-        }
-    }
-}
-
-/// The same where crankshafts turn at different speeds: each has counterweights for its own first order, in its own sense.
-fn beyond_several(engine: &Engine, orders: &[&OrderVerdict]) -> Text {
-    let turns =
-        |order: u32, sense| engine.geared_cranks().iter().any(|crank| (crank.speed, crank.sense) == (order, sense));
-    let is_beyond = |order: &&&OrderVerdict| {
-        let senses = [Sense::Direct, Sense::Reverse].into_iter().zip(left_vectors(order));
-        senses.into_iter().any(|(sense, left)| left && !turns(order.order, sense))
+/// Which forces and moments vanish, and which orders are not there.
+fn balanced(all: &[OrderVerdict], existing: &[&OrderVerdict]) -> Option<Text> {
+    let of = |is_zero: &dyn Fn(&OrderVerdict) -> bool| -> Vec<String> {
+        existing.iter().filter(|order| is_zero(order)).map(|order| order.order.to_string()).collect()
     };
-    let names: Vec<String> = orders.iter().filter(is_beyond).map(|order| order.order.to_string()).collect();
-    match names.as_slice() {
-        [] => "Nothing at these orders: all that is left turns as some crankshaft does.".into(),
-        several => {
-            phrase!("Not all that is left of {} turns as a crankshaft does.", residual::orders_in_words(several))
-        }
-    }
-}
-
-/// What vanishes, what is not there, and what is known of other orders.
-fn rest(all: &[OrderVerdict], existing: &[&OrderVerdict], theorem: Option<&EveryOrderTheorem>) -> Vec<Text> {
-    let mut sentences = Vec::new();
-    let zero: Vec<String> = existing
-        .iter()
-        .filter(|order| order.force.is_balanced() && order.moment.is_balanced())
-        .map(|order| order.order.to_string())
-        .collect();
-    if !zero.is_empty() {
-        sentences.push(phrase!("Force and moment of {} vanish, proved.", residual::orders_in_words(&zero)));
-    }
+    let [forces, moments] = [of(&|order| order.force.is_balanced()), of(&|order| order.moment.is_balanced())];
+    let words = residual::orders_in_words;
+    let vanishing = match (forces.as_slice(), moments.as_slice()) {
+        ([], []) => None,
+        (forces, moments) if forces == moments => Some(phrase!("Force and moment at {}.", words(forces))),
+        (forces, []) => Some(phrase!("Force at {}.", words(forces))),
+        ([], moments) => Some(phrase!("Moment at {}.", words(moments))),
+        (forces, moments) => Some(phrase!("Force at {}; moment at {}.", words(forces), words(moments))),
+    };
     let mut missing: Vec<String> =
         all.iter().filter(|order| !order.exists()).map(|order| order.order.to_string()).collect();
     missing.dedup();
-    match missing.as_slice() {
-        [] => {}
-        [only] => sentences.push(phrase!("Order {} {}.", only.clone(), DOES_NOT_EXIST)),
-        several => sentences.push(phrase!("Orders {} do not exist.", several.join(", "))),
-    }
-    sentences.extend(theorem.and_then(|theorem| others(existing, theorem)));
-    let is_all_balanced = existing.iter().all(|order| left_vectors(order) == [false, false]);
-    let words = match (is_all_balanced, zero.is_empty()) {
-        (true, _) => "**What shakes.** Nothing that is proved to be left at the orders judged. {}",
-        (false, false) => "**What is balanced.** {}",
-        (false, true) => "**At other orders.** {}",
+    let missing = match missing.as_slice() {
+        [] => None,
+        [only] => Some(phrase!("Order {} {}.", only.clone(), DOES_NOT_EXIST)),
+        several => Some(phrase!("Orders {} do not exist.", several.join(", "))),
     };
-    (!sentences.is_empty()).then(|| phrase!(words, Text::joined(sentences, " "))).into_iter().collect()
+    let sentences: Vec<Text> = vanishing.into_iter().chain(missing).collect();
+    (!sentences.is_empty()).then(|| phrase!("**Balanced, proved.** {}", Text::joined(sentences, " ")))
 }
 
-/// The first order that is left beside those told; nothing where that is not known.
-fn others(judged: &[&OrderVerdict], theorem: &EveryOrderTheorem) -> Option<Text> {
+/// What is known of the orders that are not told: that there are none, or what they add up to at most.
+fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&EveryOrderTheorem>) -> Option<Text> {
+    let [force, moment] = match weighed {
+        Some(weighed) => Planar::BOTH.map(|quantity| weighed.rest(quantity)),
+        None => Default::default(),
+    };
+    let mut small: Vec<u32> = force.0.iter().chain(&moment.0).copied().collect();
+    small.sort_unstable();
+    small.dedup();
+    let small: Vec<String> = small.iter().map(u32::to_string).collect();
+    let bound = |rest: Option<Rest>, [of_largest, alone]: [&'static str; 2]| match rest? {
+        Rest::Part(part) => Some(phrase!(of_largest, percent(part))),
+        Rest::Amount(amount) => Some(phrase!(alone, amount)),
+    };
+    let bounds: Vec<Text> = [
+        bound(force.1, ["{} % of the largest force", "{} of force"]),
+        bound(moment.1, ["{} % of the largest moment", "{} of moment"]),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
     let told = |order: u32| judged.iter().any(|judged| judged.order == order);
     let last = judged.iter().map(|order| order.order).max().unwrap_or(1);
-    match theorem.next_left(last, told) {
-        NextLeft::None => Some("No other order is left, of all there are.".into()),
-        NextLeft::Order(next) => Some(phrase!("The next order that is left is {}.", next)),
-        NextLeft::NotKnown => None,
-    }
+    let next = theorem.map_or(NextLeft::NotKnown, |theorem| theorem.next_left(last, told));
+    let bounds = || Text::joined(bounds.clone(), ", ");
+    let listed = |small: &[String]| Text::label(small.join(", "));
+    Some(match (small.as_slice(), next) {
+        ([], NextLeft::None) => "**All other orders.** Nothing is left.".into(),
+        _ if bounds().is_empty() => match next {
+            NextLeft::Order(next) => phrase!("**All other orders.** The next that is left is {}.", next),
+            NextLeft::None | NextLeft::NotKnown => return None,
+        },
+        ([], NextLeft::Order(next)) => {
+            phrase!("**All other orders.** From {} on, together at most {}.", next, bounds())
+        }
+        ([], NextLeft::NotKnown) => phrase!("**All other orders.** Together at most {}.", bounds()),
+        ([only], NextLeft::None) => phrase!("**Order {}.** At most {}.", only.clone(), bounds()),
+        (small, NextLeft::None) => {
+            phrase!("**Orders {}.** Together at most {}.", listed(small), bounds())
+        }
+        ([only], NextLeft::Order(_) | NextLeft::NotKnown) => {
+            phrase!("**Order {} and all others.** Together at most {}.", only.clone(), bounds())
+        }
+        (small, NextLeft::Order(_) | NextLeft::NotKnown) => {
+            phrase!("**Orders {} and all others.** Together at most {}.", listed(small), bounds())
+        }
+    })
 }
 
 /// Whose masses the verdicts are about, and in what they are counted.
@@ -238,47 +282,58 @@ pub(super) fn whose(engine: &Engine, judged: &Judgement) -> Option<Text> {
     })
 }
 
-/// What is left in newtons, where the file gives numbers of what is judged; in multiples of m r ω² where rods are articulated, whose sums
-/// alone say little.
-pub(super) fn in_newtons(engine: &Engine, judged: &Judgement, loads: Option<&Loads>) -> Option<Table> {
-    let has_numbers = |loads: &&Loads| loads.scale.is_some() || engine.has_links();
-    let loads = loads.filter(|loads| is_as_built(engine, judged) && has_numbers(loads))?;
-    let mut table = Table::new(["Order", "Force", "Moment"]);
-    let cell = |order: &OrderVerdict, quantity: Planar, whole: &WholeOrder| match (
-        whole.shape,
-        in_units(engine, loads, order.order, quantity, whole),
-    ) {
-        (Shape::Balanced, _) => Text::zero(),
-        (shape, Some(size)) if quantity == Planar::Moment && order.moment_is_couple() => {
-            phrase!("couple {}, {}", size, residual::shape_name(shape))
+/// Why an order is made of several sums, in a plain sentence.
+pub(super) fn why_several(engine: &Engine) -> Option<Text> {
+    let links = engine.cylinders().iter().filter(|cylinder| cylinder.link().is_some()).count();
+    Some(match (links, engine.has_offset(), engine.faster_crank().is_some()) {
+        (1.., ..) => phrase!(
+            "The {} link pistons do not all move alike, nor as a master does: each kind of link has a coefficient of its own.",
+            links
+        ),
+        (0, true, _) => {
+            "The cylinder axes miss the crankshaft: cylinders with other rods or offsets have other coefficients."
+                .into()
         }
-        (shape, Some(size)) => phrase!("{}, {}", size, residual::shape_name(shape)),
-        (_, None) => residual::whole_text(whole),
-    };
-    for order in judged.orders.iter().filter(|order| order.exists()) {
-        let force = cell(order, Planar::Force, &order.force);
-        table.push(vec![order.order.into(), force, cell(order, Planar::Moment, &order.moment)]);
-    }
-    Some(table)
+        (0, false, true) => "The crankshafts turn at different speeds: each has coefficients of its own.".into(),
+        (0, false, false) if engine.mechanisms().len() > 1 => {
+            "The rods differ: cylinders with other rods have other coefficients.".into()
+        }
+        (0, false, false) => "The pistons have the coefficient $c_k$ of their rods; rotating masses have none.".into(),
+    })
 }
 
 /// The short answer: what is left of each order, in newtons where the file gives numbers, and exactly.
 pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
-    let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
-    let loads = loads::loads(engine, &orders).ok();
+    engine_answer_weighed(engine, judged, Weighing::usual())
+}
+
+/// The same, with what is told one by one and what together.
+pub fn engine_answer_weighed(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Document {
     let mut page = Document::new("verdicts", engine.title());
-    if let Some(table) = in_newtons(engine, judged, loads.as_ref()) {
-        page.push(table);
+    let theorem = super::theorem_of(engine, judged);
+    page.push(Block::Answer(lines(engine, judged, theorem.as_ref().ok(), weighing)));
+    page.blocks.extend(tables(engine, judged, weighing));
+    page
+}
+
+/// The tables of verdicts, with what they mean.
+fn tables(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Vec<Block> {
+    let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
+    let weighed = |masses| Weighed::new(engine, masses, &orders, weighing);
+    let mut page = Document::new("verdicts", engine.title());
+    let as_judged = weighed(judged.masses);
+    page.blocks.extend(judged.pistons.as_ref().map(|_| Block::Paragraph("As built:".into())));
+    page.push(table::verdicts(&judged.orders, as_judged.as_ref()));
+    if let Some(pistons) = &judged.pistons {
+        page.push(Block::Paragraph("The pistons alone:".into()));
+        page.push(table::verdicts(pistons, weighed(Masses::Reciprocating).as_ref()));
     }
-    match &judged.pistons {
-        None => page.push(table::verdicts(&judged.orders)),
-        Some(pistons) => {
-            page.push(Block::Paragraph("As built:".into()));
-            page.push(table::verdicts(&judged.orders));
-            page.push(Block::Paragraph("The pistons alone:".into()));
-            page.push(table::verdicts(pistons));
-        }
-    }
+    let sums = table::sums(&judged.orders).filter(|_| weighing.all || as_judged.is_none());
+    page.blocks.extend(sums.map(Block::Table));
+    page.blocks.extend(sizes(as_judged.as_ref()).map(Block::Note));
+    // What books say of rods that are assumed nobody asks.
+    let given = as_judged.as_ref().filter(|weighed| weighed.assumed.is_none());
+    page.blocks.extend(given.and_then(|weighed| books_line(engine, &weighed.loads)).map(Block::Note));
     page.push(Block::Note(residual::LEGEND.into()));
     page.blocks.extend(conventions::rows(engine).into_iter().map(|words| Block::Note(words.into())));
     page.blocks.extend(articulated::hidden(engine).map(Block::Note));
@@ -292,5 +347,5 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
         page.push(Block::Note(residual::why_not(judged.masses).into()));
     }
     page.blocks.extend(residual::whose_masses(engine, judged).map(Block::Note));
-    page
+    page.blocks
 }

@@ -9,7 +9,7 @@ use crate::engine::{Cylinder, Draft, Engine, Form, Link, Mechanism, Rod};
 use crate::exact::Turn;
 use crate::loads::{self, Loads};
 use crate::order;
-use crate::page::{Block, Number, Table, Text, phrase};
+use crate::page::{Block, Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::{Planar, Sense};
 use crate::verdict::Judgement;
 
@@ -136,14 +136,12 @@ pub(super) fn hidden(engine: &Engine) -> Option<Text> {
         swing.map_or(0.0, |(vanishes, largest)| if vanishes { 0.0 } else { largest })
     };
     let order = COMPARED.into_iter().find(|order| (peak(&linked, *order) - peak(&concentric, *order)).abs() > 1e-9)?;
-    let unit = Text::formula("m\\,r\\,\\omega^2".to_owned());
     let [before, after] = [&concentric, &linked].map(|loads| {
         let peak = peak(loads, order);
-        if peak == 0.0 { Text::zero() } else { phrase!("{} {}", Number::Decimal(peak), unit.clone()) }
+        if peak == 0.0 { Text::zero() } else { Text::from(Piece::Quantity(peak, Unit::MULTIPLE)) }
     });
     Some(phrase!(
-        "**Rods are taken as concentric.** All stand on the crankpin itself. With a master rod and links, crank : rod : knuckle radius = {}, the force of order {} would \
-         be {} and not {}; give [articulated] to judge yours.",
+        "**Rods are taken as concentric.** With a master rod and links ({}), order {} would be a force of {}, not {}: give [articulated].",
         [r.clone(), &r / &ratio, &knuckle / &ratio].map(|length| typeset::short(&length)).join(" : "),
         order,
         after,

@@ -43,7 +43,7 @@ fn intervals(firing: &Firing) -> Text {
     let intervals = firing.intervals();
     match intervals.as_slice() {
         [first, ..] if firing.is_even() => {
-            phrase!("It fires evenly, every {} of crank angle.", typeset::turns(first))
+            phrase!("It fires evenly, every {} of crank angle.", typeset::turns_in_decimals(first))
         }
         uneven => {
             let list: Vec<String> = uneven.iter().map(typeset::turns).collect();

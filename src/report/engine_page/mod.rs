@@ -9,9 +9,12 @@ mod engine;
 mod geared;
 mod orders;
 mod torque;
+mod weighing;
 
-pub use answer::engine_answer;
+pub use answer::{engine_answer, engine_answer_weighed};
 pub(super) use conventions::{ASSUMED, CENTRES, FIRES, reference_plane};
+pub(super) use weighing::Weighed;
+pub use weighing::Weighing;
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};
@@ -24,7 +27,7 @@ use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
 use crate::order::Masses;
-use crate::page::{Block, Document, Table, Text, phrase};
+use crate::page::{Block, Document, Fold, Table, Text, phrase};
 use crate::remedy::{self, Remedy, RemedyError, Wish};
 use crate::verdict::{self, EveryOrderTheorem, Judgement, NoTheorem};
 
@@ -43,6 +46,8 @@ pub struct Contents<'a> {
     pub in_motion: bool,
     /// The errors of the methods for the peak loads, where they are asked for.
     pub accuracy: Option<&'a AccuracyCase>,
+    /// What is told one by one, and what together.
+    pub weighing: &'a Weighing,
 }
 
 impl Contents<'_> {
@@ -81,20 +86,20 @@ pub fn engine_at_a_glance(engine: &Engine, judged: &Judgement) -> Document {
 
 /// The report of an engine.
 pub fn engine_page(subject: Contents) -> Document {
-    let Contents { engine, judged, family, needed, in_motion, accuracy } = subject;
+    let Contents { engine, judged, family, needed, in_motion, accuracy, weighing } = subject;
     let numbers = subject.numbers();
     let known = numbers.as_ref().and_then(|numbers| numbers.as_ref().ok());
     let theorem = theorem_of(engine, judged);
     let stars = orders::stars(judged);
     let mut page = Document { has_contents: true, ..Document::new("report", engine.title()) };
     page.blocks.extend(title_block(engine));
-    page.push(Block::Answer(answer::lines(engine, judged, known.map(|numbers| &numbers.loads), theorem.as_ref().ok())));
+    page.push(Block::Answer(answer::lines(engine, judged, theorem.as_ref().ok(), weighing)));
     page.push(Block::Pictures(engine::first_pictures(engine, &stars)));
     // The moving part knows one crankshaft.
     if in_motion && engine.geared_cranks().is_empty() {
         page.blocks.extend(moving::live(&[moving::scene(engine, judged, family)]));
     }
-    page.blocks.extend(results(engine, judged, known));
+    page.blocks.extend(results(engine, judged, weighing));
     page.blocks.extend(engine::section(engine));
     page.blocks.extend(articulated::section(engine, judged));
     match &numbers {
@@ -134,10 +139,8 @@ pub fn engine_page(subject: Contents) -> Document {
 
 /// The box that a report opens with, by itself.
 pub fn engine_summary(engine: &Engine, judged: &Judgement) -> Block {
-    let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
-    let numbers = calculation::numbers_of(engine, &orders, None).and_then(Result::ok);
     let theorem = theorem_of(engine, judged);
-    Block::Answer(answer::lines(engine, judged, numbers.as_ref().map(|numbers| &numbers.loads), theorem.as_ref().ok()))
+    Block::Answer(answer::lines(engine, judged, theorem.as_ref().ok(), Weighing::usual()))
 }
 
 /// The proofs of a report by themselves, order by order, under no heading of their own.
@@ -163,23 +166,32 @@ fn title_block(engine: &Engine) -> Vec<Block> {
 }
 
 /// What is left of each order: of the engine as it is built, and of its pistons.
-fn results(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> Vec<Block> {
+fn results(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Vec<Block> {
     let firmness = match judged.masses {
         Masses::Reciprocating => table::Firmness::Shown,
         // Firmness is that of the pistons' zeros.
         Masses::Rotating | Masses::Counterweights | Masses::All => table::Firmness::NotShown,
     };
-    let mut blocks = vec![Block::Heading(1, "What is left, order by order".into())];
+    let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
+    let weighed = |masses| Weighed::new(engine, masses, &orders, weighing);
+    let as_judged = weighed(judged.masses);
+    let mut blocks = vec![Block::Heading(1, "Order by order".into())];
     blocks.extend(answer::whose(engine, judged).map(Block::Paragraph));
-    if let Some(table) = answer::in_newtons(engine, judged, numbers.map(|numbers| &numbers.loads)) {
-        blocks.extend([table.into(), Block::Paragraph("The same, exactly:".into())]);
-    }
-    blocks.push(table::summary(engine, &judged.orders, firmness).into());
+    blocks.extend(weighing::sizes(as_judged.as_ref()).map(Block::Paragraph));
+    blocks.push(table::summary(engine, &judged.orders, as_judged.as_ref(), firmness).into());
     blocks.extend(torque::results(engine, judged));
     if let Some(pistons) = &judged.pistons {
         blocks.push(Block::Paragraph("The pistons alone:".into()));
-        blocks.push(table::summary(engine, pistons, table::Firmness::Shown).into());
+        let weighed = weighed(Masses::Reciprocating);
+        blocks.push(table::summary(engine, pistons, weighed.as_ref(), table::Firmness::Shown).into());
     }
     blocks.push(Block::Note(conventions::units(engine)));
+    let sums =
+        table::sums(&judged.orders).into_iter().chain(judged.pistons.iter().filter_map(|pistons| table::sums(pistons)));
+    let sums: Vec<Block> = sums.map(Block::Table).collect();
+    if !sums.is_empty() {
+        blocks.extend(answer::why_several(engine).map(Block::Paragraph));
+        blocks.push(Block::Folded(Fold { summary: "The exact sums that each order is made of".into(), blocks: sums }));
+    }
     blocks
 }

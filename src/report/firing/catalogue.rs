@@ -130,8 +130,8 @@ fn intervals(engine: &Engine) -> Text {
     let Some(firing) = engine.firing() else { return "–".into() };
     let all = firing.intervals();
     match (all.as_slice(), firing.is_even()) {
-        ([first, ..], true) => phrase!("{} × {}", all.len(), typeset::turns(first)),
-        _ => all.iter().map(typeset::turns).collect::<Vec<_>>().join(", ").into(),
+        ([first, ..], true) => phrase!("{} × {}", all.len(), typeset::turns_in_decimals(first)),
+        _ => all.iter().map(typeset::turns_in_decimals).collect::<Vec<_>>().join(", ").into(),
     }
 }
 

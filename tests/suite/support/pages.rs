@@ -31,6 +31,7 @@ pub fn document_of(engine: &Engine, family: Option<&Family>) -> Document {
         needed: None,
         in_motion: false,
         accuracy: None,
+        weighing: report::Weighing::usual(),
     })
 }
 

@@ -1,0 +1,36 @@
+//! `--above`, `--all`, `--rod-ratio`: which orders are told one by one, and how large are they where no rod is given?
+
+use crankstar::report::Weighing;
+use num_rational::BigRational;
+
+use super::accuracy::ratio;
+
+/// What is told one by one, and what together.
+#[derive(clap::Args)]
+pub struct Weigh {
+    /// Show an order by itself from this part of the largest one on, in percent; smaller ones together [default: 1]
+    #[arg(long, value_name = "PERCENT", conflicts_with = "all", value_parser = percent)]
+    above: Option<f64>,
+    /// Show every order by itself, however small, and what cures it
+    #[arg(long)]
+    all: bool,
+    /// Rod ratio λ for the sizes where the layout gives no rods [default: 2/7]
+    #[arg(long, value_name = "RATIO", value_parser = ratio)]
+    rod_ratio: Option<BigRational>,
+}
+
+fn percent(text: &str) -> Result<f64, String> {
+    match text.trim_end_matches('%').parse::<f64>() {
+        Ok(value) if (0.0..=100.0).contains(&value) => Ok(value / 100.0),
+        _ => Err("a number of percent from 0 to 100, such as 1".to_owned()),
+    }
+}
+
+impl Weigh {
+    /// What is told of an engine whose orders were asked for, or were not.
+    pub fn read(&self, asked: bool) -> Weighing {
+        let usual = Weighing::usual();
+        let above = self.above.unwrap_or(usual.above);
+        Weighing { above, all: self.all, asked, rod_ratio: self.rod_ratio.clone() }
+    }
+}

@@ -1,0 +1,288 @@
+//! How large is each order beside the others, and which are too small to be told one by one?
+
+use std::sync::LazyLock;
+
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use super::super::calculation::Unit;
+use super::super::residual;
+use crate::engine::{Crankshaft, DOES_NOT_EXIST, Effects, Engine, LengthUnit, Mechanism, Rod};
+use crate::loads::{self, Bound, LeftOut, Loads, Swing};
+use crate::order::{self, Masses};
+use crate::page::{self, Piece, Text, number, phrase};
+use crate::proof::{Axial, Planar, Quantity, Shape};
+use crate::verdict::OrderVerdict;
+
+/// What is told one by one of an engine, and what together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weighing {
+    /// An order below this part of the largest one, or of one piston's force, is told with the others that are.
+    pub above: f64,
+    /// All orders are told one by one.
+    pub all: bool,
+    /// The orders were asked for: each is told.
+    pub asked: bool,
+    /// λ of rods that a file does not give; 2/7 if left out.
+    pub rod_ratio: Option<BigRational>,
+}
+
+static USUAL: LazyLock<Weighing> =
+    LazyLock::new(|| Weighing { above: 0.01, all: false, asked: false, rod_ratio: None });
+
+impl Weighing {
+    /// What is told where nothing else is asked for: what is above a hundredth.
+    pub fn usual() -> &'static Self {
+        &USUAL
+    }
+
+    /// λ of rods that are not given: 2/7, a rod 3.5 crank radii long, as the drawings have it.
+    fn ratio(&self) -> BigRational {
+        self.rod_ratio.clone().unwrap_or_else(|| BigRational::new(2.into(), 7.into()))
+    }
+}
+
+/// An engine in numbers, order by order.
+pub(in crate::report) struct Weighed<'a> {
+    weighing: &'a Weighing,
+    /// With rods, and no masses but those that are judged.
+    pub engine: Engine,
+    pub loads: Loads,
+    left: LeftOut,
+    /// λ of the rods, where the file gives none.
+    pub assumed: Option<BigRational>,
+}
+
+impl<'a> Weighed<'a> {
+    /// These masses of an engine; none where they have no size.
+    pub fn new(engine: &Engine, masses: Masses, orders: &[u32], weighing: &'a Weighing) -> Option<Self> {
+        let is_open = engine.cylinders().iter().any(|cylinder| cylinder.mechanism.is_none());
+        let engine = with_sizes(engine, masses, weighing)?;
+        let loads = loads::loads(&engine, orders).ok()?;
+        let torque: Vec<u32> = loads.torque.iter().flat_map(|torque| &torque.orders).map(|order| order.order).collect();
+        let left = loads::left_out(&engine, orders, &torque).ok()?;
+        Some(Weighed { weighing, engine, loads, left, assumed: is_open.then(|| weighing.ratio()) })
+    }
+
+    /// Whether every order is told by itself.
+    fn tells_all(&self) -> bool {
+        self.weighing.all || self.weighing.asked || self.engine.orders_given()
+    }
+
+    /// Whether cures of every order are asked for.
+    pub fn asks_for_all(&self) -> bool {
+        self.weighing.all
+    }
+
+    /// The part of the largest from which on an order is told by itself.
+    pub fn above(&self) -> f64 {
+        self.weighing.above
+    }
+
+    fn swing(&self, order: u32, quantity: Planar) -> Option<&Swing> {
+        Some(self.loads.orders.iter().find(|of| of.order == order)?.swing(quantity))
+    }
+
+    /// The largest force, moment, torque or roll moment of an order, in its multiples of m r ω².
+    pub fn size(&self, order: u32, quantity: impl Into<Quantity>) -> f64 {
+        let sizes = self.sizes(quantity.into()).into_iter();
+        sizes.filter(|(of, _)| *of == order).map(|(_, size)| size).next().unwrap_or(0.0)
+    }
+
+    /// The orders of the torque or of the roll moment, with their amplitudes.
+    pub fn about_the_axis(&self, quantity: Axial) -> Vec<(u32, f64)> {
+        let of = match quantity {
+            Axial::Torque => self.loads.torque.as_ref(),
+            Axial::Roll => self.loads.roll.as_ref(),
+        };
+        let orders = of.into_iter().flat_map(|torque| &torque.orders);
+        orders.map(|order| (order.order, order.vector.value.norm())).collect()
+    }
+
+    /// The vectors of an order, with the crank and against it, in multiples of m r ω².
+    pub fn lengths(&self, order: u32, quantity: Planar) -> [f64; 2] {
+        let lengths = |swing: &Swing| [&swing.direct, &swing.reverse].map(|vector| vector.value.norm() / 2.0);
+        self.swing(order, quantity).map_or([0.0; 2], lengths)
+    }
+
+    /// The path of an order: its size along and across direction 0, and the direction of its longer axis.
+    pub fn path(&self, order: u32, quantity: Planar) -> Option<([f64; 2], Option<f64>)> {
+        let swing = self.swing(order, quantity)?;
+        Some(([swing.along(), swing.across()], swing.direction()))
+    }
+
+    fn sizes(&self, quantity: Quantity) -> Vec<(u32, f64)> {
+        match quantity {
+            Quantity::Planar(quantity) => {
+                self.loads.orders.iter().map(|of| (of.order, largest(of.swing(quantity)))).collect()
+            }
+            Quantity::Axial(quantity) => self.about_the_axis(quantity),
+        }
+    }
+
+    /// The largest size of all orders.
+    fn most(&self, quantity: Quantity) -> f64 {
+        self.sizes(quantity).into_iter().map(|(_, size)| size).fold(0.0, f64::max)
+    }
+
+    /// Below this an order is told with others: a part of the largest order, or of what one piston does: its m r ω², that at the end of the
+    /// engine, that at the crank radius.
+    pub fn limit(&self, quantity: impl Into<Quantity>) -> f64 {
+        let quantity = quantity.into();
+        let cylinders = self.engine.cylinders().iter();
+        let of_one = cylinders.map(|cylinder| {
+            let mass = order::mass_radius(&self.engine, cylinder).abs();
+            match quantity {
+                Quantity::FORCE => mass,
+                Quantity::MOMENT => mass * self.engine.arm(cylinder).abs(),
+                Quantity::TORQUE | Quantity::ROLL => mass * &cylinder.crank_radius,
+            }
+        });
+        let of_one = of_one.max().and_then(|largest| largest.to_f64()).unwrap_or(0.0);
+        self.weighing.above * self.most(quantity).max(of_one)
+    }
+
+    /// Whether what is left of an order is told by itself.
+    pub fn is_told(&self, order: u32, quantity: impl Into<Quantity>) -> bool {
+        let quantity = quantity.into();
+        self.tells_all() || self.size(order, quantity) >= self.limit(quantity)
+    }
+
+    /// Whether so much, in multiples of m r ω², is worth a shaft.
+    pub fn is_worth_it(&self, size: f64, quantity: impl Into<Quantity>) -> bool {
+        let quantity = quantity.into();
+        size > 0.0 && (self.weighing.all || size >= self.limit(quantity))
+    }
+
+    /// The unit of a quantity.
+    fn unit(&self, quantity: Quantity) -> Unit {
+        let mut unit = Unit::of(&self.engine, &self.loads, quantity);
+        if self.loads.scale.is_none()
+            && quantity == Quantity::MOMENT
+            && self.engine.length_unit() == LengthUnit::Spacing
+        {
+            unit.unit = page::Unit::MULTIPLE_SPACING;
+        }
+        unit
+    }
+
+    /// What stands over the column of a quantity, and the size of an order in it: 0 is proved, all else is rounded.
+    pub fn column(&self, quantity: Planar) -> (Unit, impl Fn(&OrderVerdict) -> Text) {
+        let unit = self.unit(quantity.into()).for_values_up_to(self.most(quantity.into()));
+        let cell = move |order: &OrderVerdict| {
+            let whole = order.whole(quantity);
+            let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some());
+            match whole.shape {
+                Shape::Balanced => Text::zero(),
+                Shape::DoesNotExist => DOES_NOT_EXIST.into(),
+                _ if unit.factor == 0.0 => Text::zero(),
+                _ if is_known => {
+                    let size = self.size(order.order, quantity) * unit.factor;
+                    Piece::Measured(size, unit.unit, number::decimal).into()
+                }
+                _ => residual::whole_text(whole),
+            }
+        };
+        (unit, cell)
+    }
+
+    /// A value in its unit.
+    pub fn amount(&self, value: f64, quantity: impl Into<Quantity>) -> Option<Text> {
+        let quantity = quantity.into();
+        let unit = self.unit(quantity);
+        (unit.factor != 0.0).then(|| Piece::Quantity(value * unit.factor, unit.unit).into())
+    }
+
+    /// The orders that are not told, of those that are looked at, and what they and all others add up to at most: a part of the largest
+    /// order where it is one, else an amount.
+    pub fn rest(&self, quantity: impl Into<Quantity>) -> (Vec<u32>, Option<Rest>) {
+        let quantity = quantity.into();
+        let small: Vec<(u32, f64)> = self
+            .sizes(quantity)
+            .into_iter()
+            .filter(|(order, size)| *size > 0.0 && !self.is_told(*order, quantity))
+            .collect();
+        let bound: Option<Bound> = match quantity {
+            Quantity::FORCE => self.left.force,
+            Quantity::MOMENT => self.left.moment,
+            Quantity::TORQUE => self.left.torque,
+            Quantity::ROLL => None,
+        };
+        let beyond = bound.map_or(0.0, |bound| bound.most);
+        let doubt = |order: u32| match quantity {
+            Quantity::Planar(quantity) => self.swing(order, quantity).map_or(0.0, Swing::doubt),
+            Quantity::Axial(_) => 0.0,
+        };
+        let doubt: f64 = small.iter().map(|(order, _)| doubt(*order)).sum();
+        let most = (small.iter().map(|(_, size)| size).sum::<f64>() + beyond + doubt).next_up();
+        let largest = self.most(quantity);
+        let rest = match small.is_empty() && bound.is_none() {
+            true => None,
+            false if !most.is_finite() => None,
+            false if most < NOTHING * largest => None,
+            false if most < largest => Some(Rest::Part(most / largest)),
+            false => self.amount(most, quantity).map(Rest::Amount),
+        };
+        (small.into_iter().map(|(order, _)| order).collect(), rest)
+    }
+}
+
+/// What adds up to less than this part of the largest order is not worth a word: the tables have it.
+const NOTHING: f64 = 1e-6;
+
+/// How much orders add up to, at most.
+pub(in crate::report) enum Rest {
+    /// A part of the largest order.
+    Part(f64),
+    Amount(Text),
+}
+
+fn largest(swing: &Swing) -> f64 {
+    if swing.vanishes() { 0.0 } else { swing.largest() }
+}
+
+/// The engine with rods, and with no masses but these.
+fn with_sizes(engine: &Engine, masses: Masses, weighing: &Weighing) -> Option<Engine> {
+    let rod = Mechanism::SliderCrank(Rod { ratio: weighing.ratio(), offset: BigRational::zero() });
+    let mut draft = engine.clone().into_draft();
+    for cylinder in &mut draft.cylinders {
+        cylinder.mechanism.get_or_insert_with(|| rod.clone());
+    }
+    match masses {
+        _ if masses == order::masses_as_built(engine) => {}
+        Masses::Reciprocating => {
+            let has_knuckles = draft.cylinders.iter().any(|cylinder| !cylinder.knuckle_mass.is_zero());
+            if has_knuckles {
+                return None;
+            }
+            draft.crankshaft = Crankshaft::default();
+            draft.cylinders.iter_mut().for_each(|cylinder| cylinder.rotating_mass = BigRational::zero());
+        }
+        Masses::All | Masses::Rotating | Masses::Counterweights => return None,
+    }
+    // Bearings, gas and the like are other questions.
+    let torque = engine.effects().torque || !engine.geared_cranks().is_empty() && !engine.has_links();
+    draft.effects = Effects { torque, ..Effects::default() };
+    draft.bearings = Vec::new();
+    (draft.gas, draft.torsion) = (None, None);
+    draft.build().ok()
+}
+
+/// `at 6000 rpm`, `λ = 2/7 assumed`; nothing where the rods are given and no speed is.
+pub(super) fn circumstances(weighed: Option<&Weighed>) -> Option<Text> {
+    let weighed = weighed?;
+    let speed = weighed.loads.scale.as_ref().map(|scale| super::super::typeset::short(&scale.speed));
+    let ratio = weighed.assumed.as_ref().map(super::super::typeset::short);
+    match (speed, ratio) {
+        (None, None) => None,
+        (Some(speed), None) => Some(phrase!("at {} rpm", speed)),
+        (None, Some(ratio)) => Some(phrase!("λ = {} assumed", ratio)),
+        (Some(speed), Some(ratio)) => Some(phrase!("at {} rpm, λ = {} assumed", speed, ratio)),
+    }
+}
+
+/// At which speed sizes are, and with which rods, above a table of them.
+pub(super) fn sizes(weighed: Option<&Weighed>) -> Option<Text> {
+    let circumstances = circumstances(weighed)?;
+    Some(phrase!("Sizes, rounded: the largest value through a revolution, {}.", circumstances))
+}
