@@ -119,6 +119,7 @@ mod several_rods;
 mod shards;
 mod side_force;
 mod silent_lengths;
+mod stars;
 mod sweep;
 mod sweep_firing;
 mod symbols;
