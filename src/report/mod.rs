@@ -93,10 +93,9 @@ pub use residual::{
     modulus as star_length, moment as moment_left, moment_summary, order_name, roll as roll_left, shape_name,
     torque as torque_left, torque_part as torque_part_left, whole as force_and_moment_left, whole_summary,
 };
-pub use search::{
-    SearchStudy, search_answer, search_layouts, search_page, search_theorems, search_torsion,
-};
+pub use search::{SearchStudy, search_answer, search_layouts, search_page, search_theorems, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
+pub use stars::{StarsStudy, stars_answer, stars_layouts, stars_page};
 pub use sweep::{SweepDocument, study_page, study_tables, sweep_answer, sweep_csv, sweep_document, sweep_page};
 pub use torque::{TorqueStudy, torque_answer, torque_page};
 pub use torsion::{ForcedTwist, NoTorsion, TorsionStudy, torsion_answer, torsion_page};

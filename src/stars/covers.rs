@@ -12,49 +12,43 @@ pub(super) fn count(throws: u32, p: u32, q: u32) -> Option<BigUint> {
     if p != 2 || throws > MOST {
         return None;
     }
-    let mut shapes: HashMap<u32, u32> = HashMap::new();
-    for step in 1..throws {
-        for_each_set(q, throws - step, &mut |set| {
-            if set & (set << step) == 0 {
-                *shapes.entry(set | set << step).or_default() += 1;
-            }
-        });
-    }
-    let shapes: Vec<(u32, u32)> = shapes.into_iter().collect();
     let all = u32::MAX >> (32 - throws);
-    let mut known = HashMap::new();
-    Some(covers(all, &shapes, &mut known).into())
+    Some(Covers { size: q, known: HashMap::new() }.of(all).into())
 }
 
-/// Calls with every set of so many places from 0 to below a number, 0 among them.
-fn for_each_set(size: u32, below: u32, call: &mut dyn FnMut(u32)) {
-    fn extend(set: u32, left: u32, from: u32, below: u32, call: &mut dyn FnMut(u32)) {
+struct Covers {
+    /// How many elements B has.
+    size: u32,
+    /// By what is left, moved down to 0.
+    known: HashMap<u32, u64>,
+}
+
+impl Covers {
+    /// The covers of a set of places: the lowest place begins a sum.
+    fn of(&mut self, left: u32) -> u64 {
         if left == 0 {
-            return call(set);
+            return 1;
         }
-        for next in from..below {
-            extend(set | 1 << next, left - 1, next + 1, below, call);
+        let left = left >> left.trailing_zeros();
+        if let Some(&covers) = self.known.get(&left) {
+            return covers;
         }
+        let steps = (1..u32::BITS).filter(|step| left >> step & 1 == 1);
+        // B holds 0; each element has its partner a step above it.
+        let covers = steps.map(|step| self.extend(left & !(1 | 1 << step), self.size - 1, step, 1)).sum();
+        self.known.insert(left, covers);
+        covers
     }
-    if below > 0 {
-        extend(1, size - 1, 1, below, call);
-    }
-}
 
-/// The covers of a set of places: the lowest place begins a shape.
-fn covers(left: u32, shapes: &[(u32, u32)], known: &mut HashMap<u32, u64>) -> u64 {
-    if left == 0 {
-        return 1;
+    /// Takes so many more elements of B, from this place up, each with its partner.
+    fn extend(&mut self, left: u32, more: u32, step: u32, from: u32) -> u64 {
+        if more == 0 {
+            return self.of(left);
+        }
+        let has = |place: u32| left >> place & 1 == 1;
+        let next: Vec<u32> = (from..u32::BITS - step).filter(|&place| has(place) && has(place + step)).collect();
+        next.into_iter()
+            .map(|place| self.extend(left & !(1 << place | 1 << (place + step)), more - 1, step, place + 1))
+            .sum()
     }
-    if let Some(&covers) = known.get(&left) {
-        return covers;
-    }
-    let lowest = left.trailing_zeros();
-    let beginning = left >> lowest;
-    let fits = shapes.iter().filter(|(shape, _)| shape & !beginning == 0);
-    let found: Vec<u64> =
-        fits.map(|(shape, ways)| u64::from(*ways) * covers((beginning & !shape) << lowest, shapes, known)).collect();
-    let sum = found.into_iter().sum();
-    known.insert(left, sum);
-    sum
 }

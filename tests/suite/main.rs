@@ -120,6 +120,7 @@ mod shards;
 mod side_force;
 mod silent_lengths;
 mod stars;
+mod stars_page;
 mod sweep;
 mod sweep_firing;
 mod symbols;
