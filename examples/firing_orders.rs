@@ -18,7 +18,9 @@ pub fn run() -> Result<String, Box<dyn Error>> {
             let length = moment.modulus().map_or_else(|| format!("{:.4}", moment.decimal), |form| form.to_string());
             lines += &format!("  order {}: {length}", moment.order);
         }
-        lines += &format!("  stars alike: {}\n", star.stars);
+        if let Some(stars) = star.stars {
+            lines += &format!("  stars alike: {stars}\n");
+        }
     }
     Ok(lines)
 }

@@ -53,7 +53,7 @@
 //! loads  family
 //! firing
 //! verdict
-//! order  numbers  gas
+//! order  numbers  gas  stars
 //! file
 //! engine
 //! exact  shard  table
@@ -61,7 +61,7 @@
 //! ```
 //!
 //! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that. Floats
-//! do not compile in `proof`, `exact`, `beam`, `engine`, `file`, `firing`, `order`, `text` and `verdict`.
+//! do not compile in `proof`, `exact`, `beam`, `engine`, `file`, `firing`, `order`, `stars`, `text` and `verdict`.
 //!
 //! # Features
 //!
@@ -97,6 +97,8 @@ pub mod firing;
 pub mod order;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod proof;
+#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
+pub mod stars;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]
 pub mod text;
 #[deny(clippy::disallowed_types, clippy::float_arithmetic)]

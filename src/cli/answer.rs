@@ -168,6 +168,11 @@ impl Answer {
         write::to_stdout(&(self.look.shown(answer)? + &written))
     }
 
+    /// A document for the terminal.
+    pub fn shown(&self, document: &Document) -> Result<String, Failure> {
+        self.look.shown(document)
+    }
+
     fn page_format(&self) -> pages::Format {
         match self.format {
             Some(Format::Page(format)) => format,

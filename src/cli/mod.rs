@@ -31,6 +31,7 @@ mod report;
 mod schema;
 mod search;
 mod spoken;
+mod stars;
 mod sweep;
 mod tables;
 mod torque;
@@ -120,6 +121,8 @@ enum Command {
     Mark(mark::Mark),
     /// Find the crank stars that balance best
     Search(search::Search),
+    /// Tell what crank stars can lose and what never, with proofs
+    Stars(stars::Stars),
     /// Put engines side by side
     Compare(compare::Compare),
     /// Write the catalogue and the best in-line stars, or a poster
@@ -234,6 +237,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> u8 {
         Command::Exercise(exercise) => exercise.run().map(done),
         Command::Mark(mark) => mark.run().map(done),
         Command::Search(search) => search.run().map(done),
+        Command::Stars(stars) => stars.run().map(done),
         Command::Compare(compare) => compare.run().map(done),
         Command::Atlas(atlas) => atlas.run().map(done),
         Command::Torsion(torsion) => torsion.run().map(done),

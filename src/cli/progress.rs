@@ -72,7 +72,8 @@ pub fn end() {
     }
 }
 
-fn is_shown() -> bool {
+/// Whether anything is told beside the answer: on a terminal, unless it is to be quiet.
+pub fn is_shown() -> bool {
     !is_silent() && std::io::stderr().is_terminal()
 }
 

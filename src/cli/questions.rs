@@ -11,7 +11,7 @@ const QUESTIONS: [(&str, &[&str]); 9] = [
     ("How large is it?", &["loads", "bearings", "torque", "torsion", "accuracy"]),
     ("What cures it?", &["remedy", "optimise"]),
     ("How does it change?", &["sweep"]),
-    ("Which is best?", &["compare", "values", "search"]),
+    ("Which is best?", &["compare", "values", "search", "stars"]),
     ("Is it true?", &["check", "verify"]),
     ("In the classroom?", &["exercise", "mark"]),
     ("In a shell, in an editor", &["completions", "man", "schema"]),

@@ -8,7 +8,7 @@ use clap::ValueEnum;
 use crankstar::engine::{self, CycleOrder};
 use crankstar::exact::Turn;
 use crankstar::file::{parse_angle, parse_number};
-use crankstar::report::SearchStudy;
+use crankstar::report::{SearchStudy, search_theorems};
 use crankstar::search::{self, Front, Options, Pieces, Problem, Progress, SearchError, Way};
 use crankstar::shard::Shard;
 
@@ -127,7 +127,13 @@ impl Search {
             let pieces = Pieces::new(problem, Way::default()).map_err(Failure::new)?;
             return pieces.merged(&self.merge).map_err(Failure::new);
         }
-        self.with_a_bar(|options| search::search(problem, options))
+        // Said before a search that may take long; the answer has it too.
+        if search::described(problem).is_none() && progress::is_shown() {
+            progress::end();
+            let known = search_theorems(problem);
+            write::to_stderr(self.answer.shown(&known)?.trim());
+        }
+        self.with_a_bar(|options| search::answer(problem, options))
     }
 
     /// Judges the pieces of a shard that its file lacks.

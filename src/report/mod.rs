@@ -39,6 +39,7 @@ mod roll_asked;
 mod schema;
 mod search;
 mod star;
+mod stars;
 mod sweep;
 mod table;
 mod theorem;
@@ -99,8 +100,9 @@ pub use residual::{
     torque as torque_left, torque_part as torque_part_left, whole as force_and_moment_left, whole_summary,
 };
 pub use schema::{schema, schema_names};
-pub use search::{SearchStudy, search_answer, search_layouts, search_page, search_torsion};
+pub use search::{SearchStudy, search_answer, search_layouts, search_page, search_theorems, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};
+pub use stars::{StarsStudy, stars_answer, stars_layouts, stars_page};
 pub use sweep::{SweepDocument, sweep_answer, sweep_csv, sweep_document, sweep_page};
 pub use torque::{TorqueStudy, torque_answer, torque_page};
 pub use torsion::{ForcedTwist, NoTorsion, TorsionStudy, torsion_answer, torsion_page};

@@ -1,7 +1,7 @@
 //! What does a report say of every order?
 
 pub(super) use super::theorem_words::{no_theorem, statements, why};
-use super::{recurrence_words, table};
+use super::{recurrence_words, stars, table};
 use crate::engine::Engine;
 use crate::page::{Block, Fold};
 use crate::verdict::{EveryOrderTheorem, NoTheorem};
@@ -21,6 +21,7 @@ pub(super) fn section(engine: &Engine, theorem: &Result<EveryOrderTheorem, NoThe
         Ok(EveryOrderTheorem::Period(theorem)) => {
             blocks.push(Block::List(statements(engine, theorem)));
             blocks.push(Block::Paragraph(why(engine, theorem)));
+            blocks.extend(stars::cited(engine).map(Block::Paragraph));
             if theorem.force.direct.len() <= MOST_ROWS {
                 let summary = "One period of orders".into();
                 blocks.push(Block::Folded(Fold { summary, blocks: vec![table::period(theorem).into()] }));

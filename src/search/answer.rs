@@ -2,6 +2,8 @@
 
 use std::cmp::Ordering;
 
+use num_bigint::BigUint;
+
 use super::found::{self, FoundStar, Standing};
 use super::front::{Census, StarValues};
 use super::judged;
@@ -10,6 +12,7 @@ use super::problem::{Problem, ProblemError};
 use super::space::Space;
 use super::symmetry;
 use super::tables::Tables;
+use crate::stars::By;
 
 /// The answer: no other star is as good in everything and better in something.
 #[derive(Clone, Debug)]
@@ -19,12 +22,14 @@ pub struct Front {
     /// One star for each combination of values, by the first order, then the next.
     pub stars: Vec<FoundStar>,
     /// Stars with cylinder 1 at 0 that there are.
-    pub all: u128,
+    pub all: BigUint,
     /// Stars judged one by one, up to rotation, mirror and reversal.
     pub judged: u64,
     /// Starts left out with all their completions.
     pub cut: u64,
-    points: Vec<StarValues>,
+    /// How its one star was made, where a theorem gave it and nothing was searched.
+    pub described: Option<By>,
+    pub(super) points: Vec<StarValues>,
 }
 
 impl Front {
@@ -61,11 +66,11 @@ impl Front {
 
     /// Whether equal stars are counted up to rotation, mirror and reversal; else the mirror image or the reversal of a star has other values.
     pub fn counts_whole_classes(&self) -> bool {
-        Space::new(&self.problem).is_ok_and(|space| space.keeps == symmetry::EVERY_IMAGE)
+        Space::of_any_size(&self.problem).is_ok_and(|space| space.keeps == symmetry::EVERY_IMAGE)
     }
 
     fn judge(&self, throws: &[u16]) -> Result<Vec<StarValues>, ProblemError> {
-        let space = Space::new(&self.problem)?;
+        let space = Space::of_any_size(&self.problem)?;
         match space.holds(throws) {
             true => Ok(judged::judge(&space, &Tables::new(&space), throws)),
             false => Err(ProblemError::new("these throws are no star of the question")),
@@ -94,5 +99,5 @@ pub(super) fn answer(problem: &Problem, space: &Space, mut points: Vec<StarValue
     points.sort_by(StarValues::rank);
     let stars = points.iter().map(|point| FoundStar::new(problem, point)).collect();
     let (all, judged, cut) = (space.count(), counts.judged, counts.cut);
-    Front { problem: problem.clone(), stars, all, judged, cut, points }
+    Front { problem: problem.clone(), stars, all, judged, cut, described: None, points }
 }

@@ -1,5 +1,7 @@
 //! Which in-line stars are the best of their number of cylinders? The front of orders 1 and 2, ties broken by order 4.
 
+use num_bigint::BigUint;
+
 use super::answer::Front;
 use super::found::FoundStar;
 use super::problem::Problem;
@@ -12,7 +14,7 @@ pub struct Best {
     /// The question that the stars answer.
     pub problem: Problem,
     /// Stars with cylinder 1 at 0 that there are.
-    pub all: u128,
+    pub all: BigUint,
     /// The front of orders 1 and 2.
     pub stars: Vec<FoundStar>,
     /// Where several classes of stars leave neither moment: how many; the star given has the least moment of order 4 of them.
@@ -32,13 +34,13 @@ pub fn best_in_line(cylinders: u32, cycle: Cycle, options: &Options) -> Result<B
     let front = run::search(&problem, options)?;
     let Front { all, stars, .. } = front;
     let tied = match stars.as_slice() {
-        [only] if leaves_nothing(only) && only.classes > 1 => only.classes,
+        [only] if leaves_nothing(only) && only.classes.is_some_and(|classes| classes > 1) => only.classes,
         _ => return Ok(Best { problem, all, stars, tied: None }),
     };
     let problem = Problem::inline(cylinders, cycle, &[1, 2, 4]);
     let front = run::search(&problem, options)?;
     let stars = front.stars.into_iter().filter(leaves_nothing).collect();
-    Ok(Best { problem, all, stars, tied: Some(tied) })
+    Ok(Best { problem, all, stars, tied })
 }
 
 /// Whether the moments of orders 1 and 2 are zero.

@@ -9,6 +9,7 @@ use crate::proof::Sense;
 
 use super::answer::Front;
 use super::found::{self, FoundStar, Moment};
+use super::theorems::theorems;
 use super::torsion::{self, RankedOrder, Torsion};
 
 /// A front for other programs to read.
@@ -37,6 +38,15 @@ pub struct FrontDocument {
     pub judged: u64,
     /// Starts left out with all their completions.
     pub cut: u64,
+    /// Orders whose moments no star loses together, by a theorem.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub impossible: Vec<Vec<u32>>,
+    /// How many stars lose the moments of all orders compared, with cylinder 1 at 0, where a theorem counts them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stars_that_lose_all: Option<String>,
+    /// Whether a theorem gave the star of the front, and nothing was searched.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub by_theorem: bool,
     /// The front.
     pub stars: Vec<StarDocument>,
 }
@@ -57,10 +67,12 @@ pub struct StarDocument {
     /// Pairs of neighbours that fire in succession.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub neighbours: Option<usize>,
-    /// Stars of equal values, up to rotation, mirror and reversal.
-    pub classes: u64,
-    /// Stars of equal values with cylinder 1 at 0.
-    pub stars: u64,
+    /// Stars of equal values, up to rotation, mirror and reversal; missing where nobody counted them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub classes: Option<u64>,
+    /// Stars of equal values with cylinder 1 at 0; missing where nobody counted them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stars: Option<u64>,
     /// The firing orders that are best in a mode of torsional vibration, where they are asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub torsion: Vec<FiringOrderDocument>,
@@ -130,6 +142,7 @@ fn phase_sum(order: CycleOrder, sum: &PhasorSum) -> PhaseSumDocument {
 /// The front as a document.
 pub fn document(front: &Front) -> FrontDocument {
     let problem = &front.problem;
+    let theorems = theorems(problem);
     let moment = |moment: &Moment| MomentDocument {
         order: moment.order,
         sense: moment.sense,
@@ -162,6 +175,9 @@ pub fn document(front: &Front) -> FrontDocument {
         all_stars: front.all.to_string(),
         judged: front.judged,
         cut: front.cut,
+        impossible: theorems.never.into_iter().map(|never| never.orders).collect(),
+        stars_that_lose_all: theorems.count.map(|count| count.stars.to_string()),
+        by_theorem: front.described.is_some(),
         stars: front.stars.iter().map(star).collect(),
     }
 }

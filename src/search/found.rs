@@ -51,10 +51,10 @@ pub struct FoundStar {
     pub moments: Vec<Moment>,
     /// The phase-vector sums of the minor orders that are compared, in this firing order.
     pub minor: Vec<(CycleOrder, PhasorSum)>,
-    /// Stars with exactly these values, up to rotation, mirror and reversal.
-    pub classes: u64,
-    /// Stars with exactly these values and cylinder 1 at 0.
-    pub stars: u64,
+    /// Stars with exactly these values, up to rotation, mirror and reversal; `None` where a theorem gave the star and nobody counted them.
+    pub classes: Option<u64>,
+    /// Stars with exactly these values and cylinder 1 at 0; `None` as there.
+    pub stars: Option<u64>,
 }
 
 impl FoundStar {
@@ -77,7 +77,9 @@ impl FoundStar {
         let minor = problem.minor_orders.iter().filter_map(|order| Some((*order, sum(order)?))).collect();
         let moments = problem.orders.iter().flat_map(|&order| moments(&throws, &banks, order)).collect();
         let firing_order = fired.map(|(order, _)| order);
-        FoundStar { throws, firing_order, neighbours, moments, minor, classes: point.classes, stars: point.stars }
+        let counted = |count: u64| (point.classes > 0).then_some(count);
+        let (classes, stars) = (counted(point.classes), counted(point.stars));
+        FoundStar { throws, firing_order, neighbours, moments, minor, classes, stars }
     }
 
     /// The engine as the text of a layout file, which every other command reads.

@@ -7,6 +7,7 @@ use num_traits::Signed;
 
 use crate::engine::{Cycle, CycleOrder, ORDERS};
 use crate::exact::Turn;
+use crate::stars::Pins;
 
 /// More throws than this are not searched: twenty have 1.2e17 stars.
 pub const MOST_THROWS: u32 = 20;
@@ -123,12 +124,26 @@ impl Problem {
         }
     }
 
-    /// Whether the question makes sense.
+    /// Whether the question makes sense, and its stars can be searched.
     pub fn check(&self) -> Result<(), ProblemError> {
         self.check_engine()?;
+        self.check_number()?;
         self.check_star()?;
         self.check_orders()?;
         self.check_minor_orders()
+    }
+
+    /// The same of a question that is answered without a search.
+    pub(super) fn check_unsearched(&self) -> Result<(), ProblemError> {
+        self.check_engine()?;
+        self.check_star()?;
+        self.check_orders()
+    }
+
+    /// How the throws stand, where directions are evenly spread and equally taken.
+    pub(super) fn pins(&self) -> Option<Pins> {
+        let (directions, each) = self.supply();
+        each.map(|each| Pins { directions, each })
     }
 
     fn check_engine(&self) -> Result<(), ProblemError> {
@@ -146,6 +161,11 @@ impl Problem {
                 return Err(ProblemError::new(format!("a V has an even number of cylinders, and {cylinders} is odd")));
             }
         }
+        Ok(())
+    }
+
+    fn check_number(&self) -> Result<(), ProblemError> {
+        let cylinders = self.cylinders;
         if self.throws() > MOST_THROWS {
             let what = if self.bank_angle.is_some() { "cylinders in V" } else { "cylinders in line" };
             let most = MOST_THROWS * (cylinders / self.throws());

@@ -1,5 +1,7 @@
 //! Which stars are there? Places along the crankshaft, directions to fill them with, and the order of filling.
 
+use num_bigint::BigUint;
+
 use super::clock::Clock;
 use super::entangled::Entangled;
 use super::problem::{Problem, ProblemError};
@@ -33,6 +35,16 @@ pub(super) struct Space {
 impl Space {
     pub fn new(problem: &Problem) -> Result<Self, ProblemError> {
         problem.check()?;
+        Space::unchecked(problem)
+    }
+
+    /// The stars of a question that may have too many to be searched.
+    pub fn of_any_size(problem: &Problem) -> Result<Self, ProblemError> {
+        problem.check_unsearched()?;
+        Space::unchecked(problem)
+    }
+
+    fn unchecked(problem: &Problem) -> Result<Self, ProblemError> {
         let places = problem.throws() as usize;
         let (directions, supply) = problem.supply();
         let sequence = (0..places).map(|at| if at % 2 == 0 { at / 2 } else { places - 1 - at / 2 }).collect();
@@ -72,11 +84,11 @@ impl Space {
     }
 
     /// Number of stars with cylinder 1 at direction 0, before any of them is judged.
-    pub fn count(&self) -> u128 {
-        let factorial = |n: usize| (1..=n as u128).product::<u128>();
+    pub fn count(&self) -> BigUint {
+        let factorial = |n: usize| (1..=n).map(BigUint::from).product::<BigUint>();
         match self.supply {
-            None => (self.directions as u128).pow(self.places as u32 - 1),
-            Some(supply) => factorial(self.places - 1) * supply as u128 / factorial(supply).pow(self.directions as u32),
+            None => BigUint::from(self.directions).pow(self.places as u32 - 1),
+            Some(supply) => factorial(self.places - 1) * supply / factorial(supply).pow(self.directions as u32),
         }
     }
 

@@ -1,5 +1,6 @@
 //! How is a judged piece written down, and what is believed of one that is read?
 
+use num_bigint::BigUint;
 use serde::{Deserialize, Serialize};
 
 use super::firing;
@@ -96,7 +97,7 @@ pub(super) fn read(text: &[u8], number: usize, plan: &Plan, space: &Space, table
 /// Whether so many stars and starts exist.
 pub(super) fn is_possible(counts: Counts, space: &Space) -> bool {
     let all = space.count();
-    u128::from(counts.judged) <= all && u128::from(counts.cut) <= all * (space.pairs() as u128 + 1)
+    BigUint::from(counts.judged) <= all && BigUint::from(counts.cut) <= all * (space.pairs() + 1)
 }
 
 /// A piece as text.

@@ -6,12 +6,12 @@ use std::fs;
 use std::path::Path;
 
 /// The rooms with their lines: what they have, and a little.
-const BUDGET: [(&str, usize); 31] = [
+const BUDGET: [(&str, usize); 32] = [
     ("accuracy", 1690),
     ("beam", 340),
     ("claim", 4960),
     ("classroom", 1790),
-    ("cli", 4300),
+    ("cli", 4400),
     ("engine", 3340),
     ("exact", 1270),
     ("family", 4170),
@@ -28,9 +28,10 @@ const BUDGET: [(&str, usize); 31] = [
     ("proof", 8680),
     ("python", 2520),
     ("remedy", 1500),
-    ("report", 26440),
-    ("search", 3440),
+    ("report", 27500),
+    ("search", 3600),
     ("shard", 680),
+    ("stars", 670),
     ("sweep", 2110),
     ("table", 1350),
     ("text", 430),

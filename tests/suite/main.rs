@@ -123,6 +123,8 @@ mod several_rods;
 mod shards;
 mod side_force;
 mod silent_lengths;
+mod stars;
+mod stars_page;
 mod studies;
 mod sweep;
 mod sweep_firing;

@@ -167,6 +167,7 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
                 "optimise",
                 "speed",
                 "stability",
+                "stars",
                 "thesis",
                 "trust",
                 "v-angles"

@@ -12,7 +12,7 @@ const STOREYS: [&[&str]; 16] = [
     &["exact", "shard", "table"],
     &["engine"],
     &["file"],
-    &["order", "numbers", "gas"],
+    &["order", "numbers", "gas", "stars"],
     &["verdict"],
     &["firing"],
     &["loads", "family"],

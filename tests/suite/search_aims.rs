@@ -24,7 +24,7 @@ fn plain(problem: &Problem, star: &FoundStar) -> Star {
     let moments = star.moments.iter().map(|moment| moment.sum.squared_modulus());
     let minor = star.minor.iter().map(|(_, sum)| sum.squared_modulus());
     let neighbours = problem.neighbours.then(|| whole(star.neighbours.expect("they are counted") as i64));
-    Star::new(moments.chain(minor).chain(neighbours).collect(), star.stars)
+    Star::new(moments.chain(minor).chain(neighbours).collect(), star.stars.expect("counted"))
 }
 
 fn agrees(asked: &Asked, problem: &Problem, stars: &[Vec<i64>]) {

@@ -3,6 +3,7 @@
 use crankstar::engine::Cycle;
 use crankstar::exact::Turn;
 use crankstar::search::{Front, Options, Problem, Way, document, every_value, search};
+use num_bigint::BigUint;
 
 fn by(way: Way, problem: &Problem) -> Front {
     search(problem, &Options { way, ..Options::default() }).expect("a front")
@@ -17,7 +18,7 @@ fn stars(front: &Front) -> String {
 fn agree(problem: &Problem) {
     let join = by(Way::Join, problem);
     assert_eq!(stars(&join), stars(&by(Way::Walk, problem)), "{problem:?}");
-    assert!(join.stars.iter().map(|star| star.classes).sum::<u64>() <= join.judged);
+    assert!(join.stars.iter().filter_map(|star| star.classes).sum::<u64>() <= join.judged);
 }
 
 #[test]
@@ -65,8 +66,12 @@ fn where_nothing_is_beaten_the_join_counts_every_star() {
             let problem = Problem::inline(cylinders, cycle, &[cylinders]);
             let (front, every) = (by(Way::Join, &problem), every_value(&problem).expect("a question"));
             assert_eq!(front.stars.len(), 1);
-            assert_eq!(u128::from(front.stars[0].stars), front.all, "{cylinders} cylinders, {cycle:?}");
-            assert_eq!((front.judged, front.stars[0].classes), (every.judged, every.judged));
+            assert_eq!(
+                front.stars[0].stars.map(BigUint::from),
+                Some(front.all.clone()),
+                "{cylinders} cylinders, {cycle:?}"
+            );
+            assert_eq!((front.judged, front.stars[0].classes), (every.judged, Some(every.judged)));
             assert_eq!(front.cut, 0);
         }
     }
@@ -80,7 +85,8 @@ fn sixteen_cylinders_four_stroke_have_stars_without_moments_and_mirrors_among_th
     assert!(star.moments.iter().all(|moment| moment.sum.vanishes()));
     // Equal halves back to back cancel every moment; all of them are counted.
     let halves = mirror_stars(8);
-    assert!(star.stars >= halves, "{} stars, and {halves} of equal halves", star.stars);
+    let stars = star.stars.expect("counted");
+    assert!(stars >= halves, "{stars} stars, and {halves} of equal halves");
 }
 
 /// Stars of 2n cylinders whose second half mirrors the first: a permutation of the n directions with the first at 0.

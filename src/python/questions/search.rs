@@ -28,7 +28,7 @@ pub(in crate::python) fn search(
     };
     let threads = threads.map_or(Options::default().threads, usize::from);
     let options = Options { threads, resume, progress: &progress, stop: Some(stop), ..Options::default() };
-    let front = search::search(problem, &options).map_err(told)?;
+    let front = search::answer(problem, &options).map_err(told)?;
     let torsion = torsion.map(|shape| search::torsion(&front, shape)).transpose().map_err(told)?;
     Ok(SearchStudy { front, torsion })
 }

@@ -71,7 +71,7 @@ impl Left {
 pub(super) struct Ties {
     /// Those of these values, of so many.
     pub stars: u64,
-    pub all: u128,
+    pub all: String,
     /// Where several classes leave no moment of orders 1 and 2: how many.
     pub tied: Option<u64>,
 }
@@ -86,9 +86,9 @@ impl EngineRow {
     /// A star that was found.
     pub fn found(best: &Best, star: &FoundStar) -> Result<Self, BuildError> {
         let layout = star.engine(&best.problem)?;
-        let ties = Ties { stars: star.stars, all: best.all, tied: best.tied };
+        let ties = star.stars.map(|stars| Ties { stars, all: best.all.to_string(), tied: best.tied });
         let (name, title) = (best.problem.cylinders.to_string(), Untrusted::new(throws(&layout)));
-        Ok(EngineRow::judged(&layout, Origin::Found(best.problem.cycle), name, title, Some(ties)))
+        Ok(EngineRow::judged(&layout, Origin::Found(best.problem.cycle), name, title, ties))
     }
 
     fn judged(layout: &Engine, origin: Origin, name: String, title: Untrusted, ties: Option<Ties>) -> Self {

@@ -53,12 +53,21 @@ fn stars(front: &Front, document: &FrontDocument) -> Table {
     );
     add(
         "classes",
-        "stars with exactly these values, up to rotation, mirror and reversal",
-        whole(known.iter().map(|star| star.classes)),
+        "stars with exactly these values, up to rotation, mirror and reversal; empty where a theorem gave the star and nobody counted them",
+        counted(known.iter().map(|star| star.classes)),
     );
-    add("stars", "stars with exactly these values and cylinder 1 at 0", whole(known.iter().map(|star| star.stars)));
+    add(
+        "stars",
+        "stars with exactly these values and cylinder 1 at 0; empty where a theorem gave the star and nobody counted them",
+        counted(known.iter().map(|star| star.stars)),
+    );
     add("layout", "the engine as a layout file", words(known.iter().map(|star| star.layout.as_str())));
     table
+}
+
+/// Numbers of stars, where they are known.
+fn counted(counts: impl Iterator<Item = Option<u64>>) -> Values {
+    Values::Whole(counts.map(|count| count.and_then(|count| count.try_into().ok())).collect())
 }
 
 /// The moment of an order: its length, exactly, and whether it is zero.

@@ -34,8 +34,10 @@ pub(super) fn front_picture(front: &Front) -> Option<Picture> {
         plot.curves.push(Curve::new(0, "", front.stars.iter().map(at).collect()).stepped());
     }
     for (index, star) in front.stars.iter().enumerate() {
-        let label =
-            if star.classes == 1 { (index + 1).to_string() } else { format!("{} ({}×)", index + 1, star.classes) };
+        let label = match star.classes {
+            None | Some(1) => (index + 1).to_string(),
+            Some(classes) => format!("{} ({classes}×)", index + 1),
+        };
         plot.marks.push(PointMark::dot(at(star), label));
     }
     let caption = phrase!(

@@ -8,6 +8,7 @@ mod table;
 mod torsion;
 
 pub use front::search_layouts;
-pub use page::{search_answer, search_page};
+pub use page::{search_answer, search_page, search_theorems};
+pub(in crate::report) use pictures::pictures as star_pictures;
 pub use study::SearchStudy;
 pub use torsion::search_torsion;

@@ -5,7 +5,8 @@ use super::pictures::pictures;
 use super::table::{firing_order, left, stars, throws};
 use crate::engine::Cycle;
 use crate::page::{Block, Document, Fold, Number, Text, number, phrase};
-use crate::search::Front;
+use crate::report::stars;
+use crate::search::{self, Front, Problem};
 use crate::text::Untrusted;
 
 /// So many stars are drawn.
@@ -34,6 +35,7 @@ pub fn search_answer(front: &Front) -> Document {
         answer.push(stars(front));
         answer.push(Block::List(legend(front)));
     }
+    answer.blocks.extend(told(&front.problem));
     answer.push(Block::Paragraph(judged(front)));
     answer
 }
@@ -57,6 +59,11 @@ pub fn search_page(front: &Front) -> Document {
             summary: phrase!("Star {} as a layout file, which every other command reads", number),
             blocks: vec![Block::Verbatim("toml", layout)],
         }));
+    }
+    let theorems = told(&front.problem);
+    if !theorems.is_empty() {
+        page.push(Block::Heading(1, "What theorems say".into()));
+        page.blocks.extend(theorems);
     }
     page.push(Block::Heading(1, "How they were found".into()));
     page.push(Block::Paragraph(judged(front)));
@@ -142,7 +149,21 @@ fn banks(front: &Front) -> Vec<Text> {
     split.into_iter().chain(offset).collect()
 }
 
+/// What is known before anything is searched.
+pub fn search_theorems(problem: &Problem) -> Document {
+    Document { blocks: told(problem), ..Document::new("search", Text::default()) }
+}
+
+/// What theorems say of what is compared.
+fn told(problem: &Problem) -> Vec<Block> {
+    let sentences = stars::told(&search::theorems(problem));
+    if sentences.is_empty() { Vec::new() } else { vec![Block::List(sentences)] }
+}
+
 fn judged(front: &Front) -> Text {
+    if front.described.is_some() {
+        return "Nothing was searched: no moment that is compared is left, and nothing is better.".into();
+    }
     phrase!(
         "Stars judged one by one, of those that differ by rotation, mirror or reversal one each: {}. Beginnings left out with all that could follow, \
          since none of it can be among the best: {}.",

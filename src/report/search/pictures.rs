@@ -9,7 +9,7 @@ use crate::search::{FoundStar, Problem};
 use crate::verdict::classify;
 
 /// The crankshaft, and the vectors of the first order of which a moment is left, or of the first one.
-pub(super) fn pictures(problem: &Problem, star: &FoundStar, number: usize) -> Vec<Picture> {
+pub(in crate::report) fn pictures(problem: &Problem, star: &FoundStar, number: usize) -> Vec<Picture> {
     let Ok(engine) = star.engine(problem) else { return Vec::new() };
     let from_the_end = Picture {
         name: format!("star-{number}"),

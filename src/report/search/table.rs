@@ -24,7 +24,7 @@ pub(super) fn stars(front: &Front) -> Table {
             false => residual::modulus_of(sum).into(),
         }));
         let neighbours = || star.neighbours.map_or_else(Text::default, Text::from);
-        let cells = cells.chain(with_neighbours.then(neighbours)).chain([star.classes.to_string().into()]);
+        let cells = cells.chain(with_neighbours.then(neighbours)).chain([equal_stars(star)]);
         table.push(cells.collect());
     }
     table
@@ -55,6 +55,11 @@ pub(super) fn left(star: &FoundStar) -> Option<Text> {
     };
     let left = Text::joined(star.moments.iter().filter(|moment| !moment.sum.vanishes()).map(told), ", ");
     (!left.is_empty()).then_some(left)
+}
+
+/// How many are as good, where that is known.
+fn equal_stars(star: &FoundStar) -> Text {
+    star.classes.map_or_else(|| "not counted".into(), |classes| classes.to_string().into())
 }
 
 /// `1-5-3-4-2-6`.

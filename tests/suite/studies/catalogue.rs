@@ -61,11 +61,16 @@ const READ: [&str; 3] = [
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
 ];
 
-const BESIDE: [(&str, &str, &str); 15] = [
+const BESIDE: [(&str, &str, &str); 16] = [
     (
         "atlas/README.md",
         "Atlas",
         "{}: the catalogue and the best in-line stars of 2 to 12 cylinders at orders 1 to 8, for print and as CSV.",
+    ),
+    (
+        "stars/README.md",
+        "Stars",
+        "{}: what the crank star of 2 to 30 cylinders can lose and what never, with proofs; four engines to try.",
     ),
     ("families", "Families", "{}: engines with open angles and lengths."),
     ("examples", "Examples", "{}: engines with numbers, in newtons."),

@@ -1,0 +1,13 @@
+//! What can crank stars lose, and what never? The sentences of the theorems, and the page of all numbers of cylinders.
+
+mod cited;
+mod page;
+mod proofs;
+mod study;
+mod tables;
+mod words;
+
+pub(super) use cited::cited;
+pub use page::{stars_answer, stars_layouts, stars_page};
+pub use study::StarsStudy;
+pub(super) use words::told;

@@ -1,0 +1,129 @@
+//! What stands on the page of stars, and on the terminal?
+
+use super::proofs::THEOREMS;
+use super::study::{Shown, StarsStudy, golden};
+use super::tables::{self, every, first};
+use crate::order::Masses;
+use crate::page::{Block, Document, File, Fold, Text, phrase};
+use crate::report::search::star_pictures;
+use crate::report::{residual, theorem_words};
+use crate::text::Untrusted;
+use crate::verdict::{self, EveryOrderTheorem};
+
+const TITLE: &str = "Crank stars: what they can lose, and what never";
+const READING: &str = "Engines in line, two-stroke (four-stroke with an odd number of cylinders too), evenly firing, one spacing apart, equal masses and rods. Yes: some star loses the moments of all these orders. No, with a prime q: \
+    throws 1/q of a turn apart would stand at one place. Stars are counted with cylinder 1 at 0°.";
+const LEAST: &str = "Lengths are exact, in $m r \\omega^2 c_k a$, $a$ the spacing. Up to 12 cylinders the program goes through all stars when it writes this page; 14 and 15 are the theorems'. Of 13 and 16 the moments are those of a star that `crankstar search` found, \
+    exactly; that none has less is the answer of that search.";
+const SOURCES: [&str; 4] = [
+    "**Known.** That a moment of order 1 is zero says that an equiangular polygon has the sides 1, 2, …, n in some order. R. Dawson, Arithmetic polygons, American Mathematical Monthly 119 (2012) 695–698, has when there is one; that coprime factors suffice is a competition problem.",
+    "**Known.** Which sums of roots of unity vanish: L. Rédei, N. G. de Bruijn, I. J. Schoenberg; T. Y. Lam and K. H. Leung, On vanishing sums of roots of unity, Journal of Algebra 224 (2000) 91–109. That 0, …, pq − 1 is a sum of two sets in two ways alone is de Bruijn's.",
+    "**Ours**, as far as a short search shows: the theorem for sets of orders, so 12, 15 and 30; what is left beside a lost order; the counts; the least moments; and what follows for engines.",
+    "**Open.** How many stars of thirty lose order 1, and how fast the least moment falls with a prime number of cylinders.",
+];
+
+fn answer_box() -> Vec<Text> {
+    vec![
+        "**Five cylinders cannot be without a first-order couple, and six can.** The moment of order 1 can be zero where the number of cylinders is no power of a prime, and only there.".into(),
+        phrase!(
+            "**{} cylinders are the first that can lose orders 1 and 2, {} the first that can lose 1, 2 and 4.**",
+            first(|_| vec![1, 2]),
+            first(|_| vec![1, 2, 4])
+        ),
+        phrase!(
+            "**{} cylinders make the first two-stroke engine in line that fires evenly and leaves no moment of any order.** Its force begins at order 30.",
+            first(every)
+        ),
+        "**No bank angle removes the first-order couple** of a V8 on four pins, or of a V10 on five.".into(),
+    ]
+}
+
+/// The short answer: what each number of cylinders can lose.
+pub fn stars_answer(study: &StarsStudy) -> Document {
+    let mut answer = Document::new("stars", TITLE);
+    answer.push(Block::List(answer_box()));
+    answer.push(tables::fates(&study.counts));
+    answer.push(Block::Note(READING.into()));
+    answer.push(tables::best(&study.best));
+    answer
+}
+
+/// The page, with its engines drawn.
+pub fn stars_page(study: &StarsStudy) -> Document {
+    let mut page = Document { has_contents: true, ..Document::new("README", TITLE) };
+    page.push(Block::Answer(answer_box()));
+    page.push(Block::Heading(1, "What each number of cylinders can lose".into()));
+    page.push(Block::Paragraph(READING.into()));
+    page.push(tables::fates(&study.counts));
+    page.push(Block::Heading(1, "Theorems and proofs".into()));
+    for (index, [heading, theorem, proof]) in THEOREMS.into_iter().enumerate() {
+        page.push(Block::Heading(2, heading.into()));
+        page.push(Block::Paragraph(theorem.into()));
+        page.push(Block::Paragraph(phrase!("**Proof.** {} ∎", Text::from(proof))));
+        page.blocks.extend(example(study, index));
+    }
+    page.push(Block::Heading(1, "The best stars".into()));
+    page.push(tables::best(&study.best));
+    page.push(Block::Note(LEAST.into()));
+    page.push(Block::Heading(1, "Engines to try".into()));
+    for shown in &study.engines {
+        page.blocks.extend(engine(shown));
+    }
+    page.push(Block::Heading(1, "Whose this is".into()));
+    page.push(Block::List(SOURCES.map(Text::from).into()));
+    page
+}
+
+/// What the program computes to a theorem.
+fn example(study: &StarsStudy, theorem: usize) -> Vec<Block> {
+    match theorem {
+        6 => vec![tables::four_stroke().into()],
+        7 => {
+            let [first, second] = [1, 2].map(golden);
+            let proved = if first.vanishes() { Text::zero() } else { residual::modulus_of(&first).into() };
+            let golden = phrase!(
+                "Five cylinders in the golden ratio, decided by the program: order 1 leaves {}, order 2 leaves {}.",
+                proved,
+                residual::modulus_of(&second)
+            );
+            vec![tables::spaced().into(), Block::Paragraph(golden)]
+        }
+        8 => vec![tables::vees(&study.best).into()],
+        _ => Vec::new(),
+    }
+}
+
+fn name(shown: &Shown) -> String {
+    format!("star-{}.toml", shown.problem.cylinders)
+}
+
+/// An engine, what is true of its every order, its pictures, and its layout file.
+fn engine(shown: &Shown) -> Vec<Block> {
+    let Shown { problem, star } = shown;
+    let mut blocks = vec![Block::Heading(2, phrase!("{} cylinders", problem.cylinders))];
+    let engine = star.engine(problem).ok();
+    if let Some(engine) = &engine
+        && let Ok(EveryOrderTheorem::Period(theorem)) = verdict::every_order(engine, Masses::Reciprocating)
+    {
+        blocks.push(Block::Paragraph("Of every order, proved by the program:".into()));
+        blocks.push(Block::List(theorem_words::statements(engine, &theorem)));
+    }
+    blocks.push(Block::Pictures(star_pictures(problem, star, problem.cylinders as usize)));
+    let file = name(shown);
+    blocks.push(Block::Paragraph(phrase!(
+        "To try: {}, or {}.",
+        Text::code(format!("crankstar classify {file} --all-orders --json")),
+        Text::link(Text::label(file.clone()), file.clone())
+    )));
+    blocks.push(Block::Folded(Fold {
+        summary: "The layout file".into(),
+        blocks: vec![Block::Verbatim("toml", Untrusted::new(star.layout_file(problem)))],
+    }));
+    blocks
+}
+
+/// The engines of the page as layout files.
+pub fn stars_layouts(study: &StarsStudy) -> Vec<File> {
+    let file = |shown: &Shown| File { name: name(shown), text: shown.star.layout_file(&shown.problem) };
+    study.engines.iter().map(file).collect()
+}

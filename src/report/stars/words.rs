@@ -1,0 +1,138 @@
+//! In which sentences does a theorem on stars stand?
+
+use num_rational::BigRational;
+
+use crate::engine::Cycle;
+use crate::page::{Text, phrase};
+use crate::report::residual;
+use crate::search::{self, Options, Problem, Theorems};
+use crate::stars::{By, Count, Counted, Least, Obstruction};
+
+/// The least moment of more throws is not searched for a sentence.
+const MOST_SEARCHED: u32 = 7;
+
+/// What theorems say of a question, a sentence or two each.
+pub(in crate::report) fn told(theorems: &Theorems) -> Vec<Text> {
+    let never = theorems.never.iter().map(never);
+    let lost = theorems.lost.as_ref().map(|made| how(&made.by, made.star.directions()));
+    let count = theorems.count.as_ref().and_then(counted);
+    never.chain(lost).chain(count).chain(theorems.least.iter().map(least)).collect()
+}
+
+/// Why no star loses these moments.
+pub(in crate::report) fn never(obstruction: &Obstruction) -> Text {
+    let Obstruction { throws, prime, power, orders } = obstruction;
+    let listed = orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    match power == throws {
+        true => phrase!(
+            "**Impossible.** No star of {} throws loses a moment of these orders: {}. The number of throws is a power of the prime {}: were the moment 0, throws 1/{} of a turn apart \
+             would stand at one place. No rational spacing changes that.",
+            *throws,
+            listed,
+            *prime,
+            *prime
+        ),
+        false => phrase!(
+            "**Impossible.** No star of {} throws loses its moments of these orders together: {}. Throws 1/{} of a turn apart would stand at one place. No rational spacing changes that.",
+            *throws,
+            listed,
+            *prime
+        ),
+    }
+}
+
+/// How a star was made, and why it loses what it does.
+pub(in crate::report) fn how(by: &By, throws: u32) -> Text {
+    match by {
+        By::MixedRadix(powers) => phrase!(
+            "**Possible, by a star that a theorem describes.** The throw at $x$ steps of 1/{} turn has the place {}, where $x_q$ is what remains of $x$ divided by $q$. Each term repeats itself after fewer steps than a turn has, so that what it adds to the moments asked for is 0.",
+            throws,
+            place(powers)
+        ),
+        By::EveryMoment { two, odd } => phrase!(
+            "**Possible, by a star that a theorem describes.** {} = {} · {}: throws half a turn apart are mirrored about the middle of the shaft, which takes every even order, and of each half the places are sums over \
+             the prime factors of {}, which takes order 1. So it leaves no moment of any order.",
+            throws,
+            *two,
+            *odd,
+            *odd
+        ),
+        By::Mirrored => "**Possible, by a star that a theorem describes.** Throws half a turn apart are mirrored about the middle of the shaft: they have opposite arms, and at an even order one direction, so that they cancel.".into(),
+        By::MirrorImage => "**Possible, by a star that a theorem describes.** The shaft is its own mirror image: two throws in one direction have opposite arms, at every order.".into(),
+    }
+}
+
+/// `x_3 + 3 x_5`, of remainders.
+fn place(powers: &[u32]) -> Text {
+    let mut scale = 1;
+    let mut terms = Vec::new();
+    for power in powers {
+        let digit = format!("x_{{{power}}}");
+        terms.push(if scale == 1 { digit } else { format!("{scale}\\,{digit}") });
+        scale *= power;
+    }
+    Text::formula(terms.join(" + "))
+}
+
+/// How many stars lose the moments asked for.
+fn counted(count: &Count) -> Option<Text> {
+    let stars = grouped(&count.stars.to_string());
+    let formula = match &count.by {
+        Counted::None => return None,
+        Counted::Sums([p, q]) => Text::formula(format!("2\\,({p}-1)!\\,({q}-1)!")),
+        Counted::Covers([p, q], covers) => {
+            return Some(phrase!(
+                "**Counted.** {} stars do, with cylinder 1 at 0°: the places are cut into sums of {} and {} places in {} ways.",
+                stars,
+                *p,
+                *q,
+                grouped(&covers.to_string())
+            ));
+        }
+        Counted::MirrorImages => {
+            return Some(phrase!(
+                "**Counted.** {} stars do, with cylinder 1 at 0°: those that are their own mirror image.",
+                stars
+            ));
+        }
+    };
+    Some(match &count.classes {
+        Some(classes) => phrase!(
+            "**Counted.** {} stars do, with cylinder 1 at 0°: {}; up to rotation, mirror and reversal {}.",
+            stars,
+            formula,
+            grouped(&classes.to_string())
+        ),
+        None => phrase!("**Counted.** {} stars do, with cylinder 1 at 0°: {}.", stars, formula),
+    })
+}
+
+/// `1,682,445`.
+pub(super) fn grouped(digits: &str) -> String {
+    let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
+    groups.collect::<Vec<_>>().join(",")
+}
+
+/// What is left of another order.
+fn least(Least { order, factor, of }: &Least) -> Text {
+    let problem = Problem::inline(*of, Cycle::TwoStroke, &[1]);
+    let found = (*of <= MOST_SEARCHED).then(|| search::search(&problem, &Options { threads: 1, ..Options::default() }));
+    let scale = BigRational::from_integer((*factor).into());
+    let sum =
+        found.and_then(Result::ok).and_then(|front| Some(front.stars.first()?.moments.first()?.sum.scaled(&scale)));
+    match sum {
+        Some(sum) => phrase!(
+            "**What is left then.** Where the moment of order 1 is 0, that of order {} is at least {} times the least first-order moment of {} throws: {}.",
+            *order,
+            *factor,
+            *of,
+            residual::modulus_of(&sum)
+        ),
+        None => phrase!(
+            "**What is left then.** Where the moment of order 1 is 0, that of order {} is at least {} times the least first-order moment of {} throws.",
+            *order,
+            *factor,
+            *of
+        ),
+    }
+}
