@@ -23,7 +23,9 @@ __all__ = [
     "Verdicts",
     "__version__",
     "catalogue",
+    "compare",
     "search",
+    "values",
     "verify",
 ]
 
@@ -269,7 +271,7 @@ class Engine:
         """The torque of gas and inertia in N m; needs `[gas]` in the layout."""
     def accuracy(self, rod_ratios: _Number | _Numbers | None = None, *, timing: bool = True) -> Answer:
         """The largest loads by several methods, each with error, guarantee and time."""
-    def optimise(self, orders: _Orders | None = None, *, couple: _Number = "zero", points: int = 9) -> Answer:
+    def optimise(self, orders: _Orders | None = None, *, couple: _Number | None = None, points: int = 9) -> Answer:
         """For each mass of the crankshaft the counterweights with the least bearing load."""
     def sweep(
         self,
