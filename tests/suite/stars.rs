@@ -153,7 +153,9 @@ fn the_counts_are_those_of_the_search() {
     }
     // Theorem 8 has no count for fewer orders, and there are more stars.
     assert_eq!(stars::count(Pins::inline(12, true), &[1, 2]), None);
-    assert_eq!(found(12, Cycle::FourStroke, &[1, 2])[0], BigUint::from(168_u32));
+    // 48 of them are no mirror images: what they leave are odd orders, which exist only with a pin offset.
+    let existing: Vec<u32> = [1, 2, 4, 6, 8].to_vec();
+    assert_eq!(found(12, Cycle::FourStroke, &existing)[0], BigUint::from(120_u32 + 48));
 }
 
 #[test]

@@ -74,7 +74,7 @@ fn whole(cell: &str) -> u64 {
 
 /// What stands behind ≈ or is exact, as a decimal with the room of its last digit.
 fn decimal(cell: &str) -> (f64, f64) {
-    let text = cell.replace(['$', '`'], "");
+    let text = cell.replace(['$', '`', '*'], "");
     let text =
         text.rsplit("\\approx").next().and_then(|text| text.rsplit('≈').next()).expect("a number").trim().to_owned();
     let (mantissa, power) = match text.replace("\\,", "").split_once("10^{") {
