@@ -90,16 +90,9 @@ fn decimal(cell: &str) -> (f64, f64) {
     (value * scale, scale * 0.6 * 10_f64.powi(-(places as i32)))
 }
 
-fn primes(mut number: u64) -> Vec<u64> {
-    let mut primes = Vec::new();
-    for prime in 2..=number {
-        while number % prime == 0 {
-            primes.push(prime);
-            number /= prime;
-        }
-    }
-    primes.dedup();
-    primes
+fn primes(number: u64) -> Vec<u64> {
+    let is_prime = |candidate: u64| (2..candidate).all(|divisor| !candidate.is_multiple_of(divisor));
+    (2..=number).filter(|candidate| number.is_multiple_of(*candidate) && is_prime(*candidate)).collect()
 }
 
 fn gcd(a: u64, b: u64) -> u64 {
@@ -118,8 +111,8 @@ fn what_each_number_loses_follows_from_its_factors() {
             assert_eq!(row[cell] == "yes", yes, "{row:?}");
         }
         let odd = primes(number).iter().filter(|prime| **prime > 2).count();
-        assert_eq!(row[5] == "yes", number % 2 == 0 && odd > 1, "{row:?}");
-        let of = |cell: &str| cell.strip_prefix("no: ").map(|prime| whole(prime));
+        assert_eq!(row[5] == "yes", number.is_multiple_of(2) && odd > 1, "{row:?}");
+        let of = |cell: &str| cell.strip_prefix("no: ").map(whole);
         assert!(row[2..6].iter().filter_map(|cell| of(cell)).all(|prime| primes(number).contains(&prime)), "{row:?}");
         let factorial = |n: u64| (1..=n).product::<u64>();
         let stars = match primes(number)[..] {
