@@ -3,23 +3,29 @@
 pub(super) use super::theorem_words::{no_theorem, statements, why};
 use super::{recurrence_words, stars, table};
 use crate::engine::Engine;
-use crate::page::{Block, Fold};
-use crate::verdict::{EveryOrderTheorem, NoTheorem};
+use crate::page::{Block, Fold, phrase};
+use crate::verdict::{EveryOrderTheorem, NextLeft, NoTheorem, OrderVerdict};
 
 /// Longer tables of one period are left out.
 const MOST_ROWS: usize = 24;
 
 /// The section on every order: the statements, why one period proves them, and the period.
-pub(super) fn section(engine: &Engine, theorem: &Result<EveryOrderTheorem, NoTheorem>) -> Vec<Block> {
+pub(super) fn section(
+    engine: &Engine,
+    judged: &[OrderVerdict],
+    theorem: &Result<EveryOrderTheorem, NoTheorem>,
+) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "Every order".into())];
     match theorem {
         Err(reason) => blocks.push(Block::Paragraph(no_theorem(reason))),
-        Ok(EveryOrderTheorem::Recurrences(all)) => {
+        Ok(every @ EveryOrderTheorem::Recurrences(all)) => {
             blocks.push(Block::List(recurrence_words::statements(engine, all)));
+            blocks.extend(next(judged, every));
             blocks.extend(recurrence_words::why(all).into_iter().map(Block::Paragraph));
         }
-        Ok(EveryOrderTheorem::Period(theorem)) => {
+        Ok(every @ EveryOrderTheorem::Period(theorem)) => {
             blocks.push(Block::List(statements(engine, theorem)));
+            blocks.extend(next(judged, every));
             blocks.push(Block::Paragraph(why(engine, theorem)));
             blocks.extend(stars::cited(engine).map(Block::Paragraph));
             if theorem.force.direct.len() <= MOST_ROWS {
@@ -29,4 +35,15 @@ pub(super) fn section(engine: &Engine, theorem: &Result<EveryOrderTheorem, NoThe
         }
     }
     blocks
+}
+
+/// The first order that is left beside those of the report; nothing where that is not known.
+fn next(judged: &[OrderVerdict], theorem: &EveryOrderTheorem) -> Option<Block> {
+    let told = |order: u32| judged.iter().any(|judged| judged.order == order);
+    let last = judged.iter().map(|order| order.order).max().unwrap_or(1);
+    match theorem.next_left(last, told) {
+        NextLeft::None => Some(Block::Paragraph("No other order is left, of all there are.".into())),
+        NextLeft::Order(next) => Some(Block::Paragraph(phrase!("The next order that is left is {}.", next))),
+        NextLeft::NotKnown => None,
+    }
 }

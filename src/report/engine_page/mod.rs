@@ -123,7 +123,7 @@ pub fn engine_page(subject: Contents) -> Document {
     page.blocks.extend(torsion_section(engine));
     page.blocks.extend(accuracy.into_iter().flat_map(|case| accuracy_section(std::slice::from_ref(case))));
     page.blocks.extend(family.into_iter().flat_map(|(family, orders)| family_page::section(family, orders)));
-    page.blocks.extend(theorem::section(engine, &theorem));
+    page.blocks.extend(theorem::section(engine, &judged.orders, &theorem));
     if engine.mechanisms().len() < 2 && engine.faster_crank().is_none() {
         page.blocks.extend(firmness::section(engine, judged.pistons.as_ref().unwrap_or(&judged.orders)));
     }
