@@ -89,6 +89,9 @@ fn best(front: &Front) -> Vec<Text> {
     let orders = phrase!("Compared: the moments of these orders: {}.", orders.join(", "));
     let how_many = match front.stars.len() {
         0 => phrase!("None of the {} crank stars has balanced first-order force.", all),
+        1 if front.stars.iter().all(|star| star.classes.is_none()) => {
+            phrase!("**None of the {} crank stars is better** than this one in anything that is compared.", all)
+        }
         1 => phrase!("**One of the {} crank stars is the best** in all that is compared.", all),
         several => phrase!(
             "**{} of the {} crank stars are the best:** no other is as good as one of them in all that is compared and better in something.",
