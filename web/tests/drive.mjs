@@ -64,7 +64,7 @@ try {
     assert.equal(await page.getByRole(role, { name, exact: typeof name === "string" }).count(), 1, `${role} ${name}`);
   }
   const spoken = await page.waitForFunction(() => document.querySelector("#spoken").textContent, null, { timeout: 10000 });
-  assert.match(await spoken.jsonValue(), /cross-plane.*Order 1.*Force 0/);
+  assert.match(await spoken.jsonValue(), /cross-plane.*Order 1, Force in m r ω² 0,/);
   await page.keyboard.press("Tab");
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "To the verdict");
   const reached = [];
