@@ -39,9 +39,8 @@ pub(super) fn section(
 
 /// The first order that is left beside those of the report; nothing where that is not known.
 fn next(judged: &[OrderVerdict], theorem: &EveryOrderTheorem) -> Option<Block> {
-    let told = |order: u32| judged.iter().any(|judged| judged.order == order);
-    let last = judged.iter().map(|order| order.order).max().unwrap_or(1);
-    match theorem.next_left(last, told) {
+    let told: Vec<u32> = judged.iter().map(|order| order.order).collect();
+    match theorem.next_left(&told) {
         NextLeft::None => Some(Block::Paragraph("No other order is left, of all there are.".into())),
         NextLeft::Order(next) => Some(Block::Paragraph(phrase!("The next order that is left is {}.", next))),
         NextLeft::NotKnown => None,

@@ -2,7 +2,7 @@
 
 use super::super::calculation::{books_line, percent};
 use super::super::{residual, table};
-use super::weighing::{Rest, Weighed, Weighing, circumstances, sizes};
+use super::weighing::{Rest, Weighed, WeighedParts, Weighing, circumstances, sizes};
 use super::{articulated, conventions, cures, geared};
 use crate::engine::{DOES_NOT_EXIST, Engine};
 use crate::order::{self, Masses};
@@ -15,20 +15,18 @@ pub(super) fn lines(
     engine: &Engine,
     judged: &Judgement,
     theorem: Option<&EveryOrderTheorem>,
-    weighing: &Weighing,
+    weighed: &WeighedParts,
 ) -> Vec<Text> {
     let existing: Vec<&OrderVerdict> = judged.orders.iter().filter(|order| order.exists()).collect();
-    let numbers: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
-    let weighed = Weighed::new(engine, judged.masses, &numbers, weighing);
-    let weighed = weighed.as_ref();
+    let WeighedParts { as_judged, pistons: of_pistons } = weighed;
+    let weighed = as_judged.as_ref();
     let mut lines = vec![shaking(&existing, weighed)];
     lines.extend(cures::line(engine, judged, &existing, weighed));
     lines.extend(balanced(&judged.orders, &existing));
     lines.extend(others(&existing, weighed, theorem.filter(|theorem| theorem.masses() == judged.masses)));
     let pistons = judged.pistons.as_ref().map(|pistons| {
-        let weighed = Weighed::new(engine, Masses::Reciprocating, &numbers, weighing);
         let existing: Vec<&OrderVerdict> = pistons.iter().filter(|order| order.exists()).collect();
-        let left = left(&existing, weighed.as_ref());
+        let left = left(&existing, of_pistons.as_ref());
         match left.is_empty() {
             true => "**The pistons alone.** No force or moment at these orders.".into(),
             false => phrase!("**The pistons alone.** {}", Text::joined(left, " ")),
@@ -245,9 +243,8 @@ fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&
     .into_iter()
     .flatten()
     .collect();
-    let told = |order: u32| judged.iter().any(|judged| judged.order == order);
-    let last = judged.iter().map(|order| order.order).max().unwrap_or(1);
-    let next = theorem.map_or(NextLeft::NotKnown, |theorem| theorem.next_left(last, told));
+    let told: Vec<u32> = judged.iter().map(|order| order.order).collect();
+    let next = theorem.map_or(NextLeft::NotKnown, |theorem| theorem.next_left(&told));
     let bounds = || Text::joined(bounds.clone(), ", ");
     let listed = |small: &[String]| Text::label(small.join(", "));
     Some(match (small.as_slice(), next) {
@@ -311,22 +308,21 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
 pub fn engine_answer_weighed(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Document {
     let mut page = Document::new("verdicts", engine.title());
     let theorem = super::theorem_of(engine, judged);
-    page.push(Block::Answer(lines(engine, judged, theorem.as_ref().ok(), weighing)));
-    page.blocks.extend(tables(engine, judged, weighing));
+    let weighed = WeighedParts::new(engine, judged, weighing);
+    page.push(Block::Answer(lines(engine, judged, theorem.as_ref().ok(), &weighed)));
+    page.blocks.extend(tables(engine, judged, weighing, &weighed));
     page
 }
 
 /// The tables of verdicts, with what they mean.
-fn tables(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Vec<Block> {
-    let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
-    let weighed = |masses| Weighed::new(engine, masses, &orders, weighing);
+fn tables(engine: &Engine, judged: &Judgement, weighing: &Weighing, weighed: &WeighedParts) -> Vec<Block> {
+    let WeighedParts { as_judged, pistons: of_pistons } = weighed;
     let mut page = Document::new("verdicts", engine.title());
-    let as_judged = weighed(judged.masses);
     page.blocks.extend(judged.pistons.as_ref().map(|_| Block::Paragraph("As built:".into())));
     page.push(table::verdicts(&judged.orders, as_judged.as_ref()));
     if let Some(pistons) = &judged.pistons {
         page.push(Block::Paragraph("The pistons alone:".into()));
-        page.push(table::verdicts(pistons, weighed(Masses::Reciprocating).as_ref()));
+        page.push(table::verdicts(pistons, of_pistons.as_ref()));
     }
     let sums = table::sums(&judged.orders).filter(|_| weighing.all || as_judged.is_none());
     page.blocks.extend(sums.map(Block::Table));

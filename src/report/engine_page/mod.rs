@@ -14,6 +14,7 @@ mod weighing;
 pub use answer::{engine_answer, engine_answer_weighed};
 pub(super) use conventions::{ASSUMED, CENTRES, FIRES, reference_plane};
 pub(super) use weighing::Weighed;
+use weighing::WeighedParts;
 pub use weighing::Weighing;
 
 use super::accuracy::{AccuracyCase, accuracy_section};
@@ -93,13 +94,14 @@ pub fn engine_page(subject: Contents) -> Document {
     let stars = orders::stars(judged);
     let mut page = Document { has_contents: true, ..Document::new("report", engine.title()) };
     page.blocks.extend(title_block(engine));
-    page.push(Block::Answer(answer::lines(engine, judged, theorem.as_ref().ok(), weighing)));
+    let weighed = WeighedParts::new(engine, judged, weighing);
+    page.push(Block::Answer(answer::lines(engine, judged, theorem.as_ref().ok(), &weighed)));
     page.push(Block::Pictures(engine::first_pictures(engine, &stars)));
     // The moving part knows one crankshaft.
     if in_motion && engine.geared_cranks().is_empty() {
         page.blocks.extend(moving::live(&[moving::scene(engine, judged, family)]));
     }
-    page.blocks.extend(results(engine, judged, weighing));
+    page.blocks.extend(results(engine, judged, &weighed));
     page.blocks.extend(engine::section(engine));
     page.blocks.extend(articulated::section(engine, judged));
     match &numbers {
@@ -140,7 +142,8 @@ pub fn engine_page(subject: Contents) -> Document {
 /// The box that a report opens with, by itself.
 pub fn engine_summary(engine: &Engine, judged: &Judgement) -> Block {
     let theorem = theorem_of(engine, judged);
-    Block::Answer(answer::lines(engine, judged, theorem.as_ref().ok(), Weighing::usual()))
+    let weighed = WeighedParts::new(engine, judged, Weighing::usual());
+    Block::Answer(answer::lines(engine, judged, theorem.as_ref().ok(), &weighed))
 }
 
 /// The proofs of a report by themselves, order by order, under no heading of their own.
@@ -166,15 +169,13 @@ fn title_block(engine: &Engine) -> Vec<Block> {
 }
 
 /// What is left of each order: of the engine as it is built, and of its pistons.
-fn results(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Vec<Block> {
+fn results(engine: &Engine, judged: &Judgement, weighed: &WeighedParts) -> Vec<Block> {
     let firmness = match judged.masses {
         Masses::Reciprocating => table::Firmness::Shown,
         // Firmness is that of the pistons' zeros.
         Masses::Rotating | Masses::Counterweights | Masses::All => table::Firmness::NotShown,
     };
-    let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
-    let weighed = |masses| Weighed::new(engine, masses, &orders, weighing);
-    let as_judged = weighed(judged.masses);
+    let WeighedParts { as_judged, pistons: of_pistons } = weighed;
     let mut blocks = vec![Block::Heading(1, "Order by order".into())];
     blocks.extend(answer::whose(engine, judged).map(Block::Paragraph));
     blocks.extend(weighing::sizes(as_judged.as_ref()).map(Block::Paragraph));
@@ -182,8 +183,7 @@ fn results(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Vec<Bloc
     blocks.extend(torque::results(engine, judged));
     if let Some(pistons) = &judged.pistons {
         blocks.push(Block::Paragraph("The pistons alone:".into()));
-        let weighed = weighed(Masses::Reciprocating);
-        blocks.push(table::summary(engine, pistons, weighed.as_ref(), table::Firmness::Shown).into());
+        blocks.push(table::summary(engine, pistons, of_pistons.as_ref(), table::Firmness::Shown).into());
     }
     blocks.push(Block::Note(conventions::units(engine)));
     let sums =

@@ -1,7 +1,5 @@
 //! How large is each order beside the others, and which are too small to be told one by one?
 
-use std::sync::LazyLock;
-
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -12,7 +10,7 @@ use crate::loads::{self, Bound, LeftOut, Loads, Swing};
 use crate::order::{self, Masses};
 use crate::page::{self, Piece, Text, number, phrase};
 use crate::proof::{Axial, Planar, Quantity, Shape};
-use crate::verdict::OrderVerdict;
+use crate::verdict::{Judgement, OrderVerdict};
 
 /// What is told one by one of an engine, and what together.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,8 +25,7 @@ pub struct Weighing {
     pub rod_ratio: Option<BigRational>,
 }
 
-static USUAL: LazyLock<Weighing> =
-    LazyLock::new(|| Weighing { above: 0.01, all: false, asked: false, rod_ratio: None });
+static USUAL: Weighing = Weighing { above: 0.01, all: false, asked: false, rod_ratio: None };
 
 impl Weighing {
     /// What is told where nothing else is asked for: what is above a hundredth.
@@ -239,6 +236,21 @@ pub(in crate::report) enum Rest {
 
 fn largest(swing: &Swing) -> f64 {
     if swing.vanishes() { 0.0 } else { swing.largest() }
+}
+
+/// The masses that are judged, and the pistons alone where these are judged too.
+pub(super) struct WeighedParts<'a> {
+    pub as_judged: Option<Weighed<'a>>,
+    pub pistons: Option<Weighed<'a>>,
+}
+
+impl<'a> WeighedParts<'a> {
+    pub fn new(engine: &Engine, judged: &Judgement, weighing: &'a Weighing) -> Self {
+        let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
+        let of = |masses| Weighed::new(engine, masses, &orders, weighing);
+        let pistons = judged.pistons.as_ref().and_then(|_| of(Masses::Reciprocating));
+        WeighedParts { as_judged: of(judged.masses), pistons }
+    }
 }
 
 /// The engine with rods, and with no masses but these.

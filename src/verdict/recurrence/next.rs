@@ -51,15 +51,16 @@ impl EveryOrderTheorem {
         }
     }
 
-    /// The lowest order of force and moment that is left beside those that are told, the last of which is given.
-    pub fn next_left(&self, last: u32, told: impl Fn(u32) -> bool) -> NextLeft {
+    /// The lowest order of force and moment that is left beside those that are told.
+    pub fn next_left(&self, told: &[u32]) -> NextLeft {
+        let last = told.iter().copied().max().unwrap_or(1);
         match self {
             EveryOrderTheorem::Period(theorem) => {
                 let every = [&theorem.force, &theorem.moment].map(|every| every.survivors());
                 let beyond = last.max(theorem.period) + theorem.period + 2;
                 let mut orders = (1..=beyond).filter(|order| *order == 1 || order % 2 == 0);
                 let is_left = |order: u32| every.iter().any(|survivors| survivors.contains(order));
-                orders.find(|order| !told(*order) && is_left(*order)).map_or(NextLeft::None, NextLeft::Order)
+                orders.find(|order| !told.contains(order) && is_left(*order)).map_or(NextLeft::None, NextLeft::Order)
             }
             EveryOrderTheorem::Recurrences(all) => all.next_left(last, told),
         }
@@ -93,9 +94,9 @@ impl Recurrences {
         }
     }
 
-    fn next_left(&self, last: u32, told: impl Fn(u32) -> bool) -> NextLeft {
+    fn next_left(&self, last: u32, told: &[u32]) -> NextLeft {
         let all = || self.force.iter().chain(&self.moment);
-        if !told(1) {
+        if !told.contains(&1) {
             let whole = [&self.first.force, &self.first.moment];
             if whole.iter().any(|whole| whole.is_left()) {
                 return NextLeft::Order(1);
@@ -104,7 +105,7 @@ impl Recurrences {
                 return NextLeft::NotKnown;
             }
         }
-        for order in (2..=last.saturating_add(MOST_LOOKED_THROUGH)).filter(|order| !told(*order)) {
+        for order in (2..=last.saturating_add(MOST_LOOKED_THROUGH)).filter(|order| !told.contains(order)) {
             let known: Vec<AtOrder> = all().map(|one| one.at(order)).collect();
             if known.contains(&AtOrder::Left) {
                 return NextLeft::Order(order);
