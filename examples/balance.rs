@@ -2,12 +2,12 @@
 
 use std::error::Error;
 
-use crankstar::remedy::{Wish, remedy};
+use crankstar::remedy::{Request, remedy};
 
 /// Each weight of the remedy of a cross-plane V8: where it stands and how large it is.
 pub fn run() -> Result<String, Box<dyn Error>> {
     let engine = crankstar::find("V8-crossplane").ok_or("it is in the catalogue")?.engine()?;
-    let remedy = remedy(&engine, &Wish { orders: vec![1, 2], ..Wish::default() })?;
+    let remedy = remedy(&engine, &Request { orders: vec![1, 2], ..Request::default() })?;
     let mut lines = format!("{}; balancer shafts: {}\n", engine.title().written(), remedy.shafts.len());
     for weight in remedy.weights() {
         // Without masses in the layout, in multiples of reciprocating mass times crank radius.

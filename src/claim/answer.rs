@@ -133,7 +133,7 @@ pub enum Finding {
     /// What the main bearings feel.
     Bearings(Box<BearingLoads>),
     /// Orders to which several kinds of rods contribute.
-    Whole(Vec<OrderVerdict>),
+    CombinedOrders(Vec<OrderVerdict>),
     /// What takes an order away.
     Remedy(Box<Remedy>),
     /// A largest load of gas and masses together.

@@ -73,7 +73,7 @@ fn one(
             });
         }
     };
-    Answer { status: status(holds), evidence: evidence(&order), finding: Finding::Whole(vec![order]) }
+    Answer { status: status(holds), evidence: evidence(&order), finding: Finding::CombinedOrders(vec![order]) }
 }
 
 fn listed(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Answer {
@@ -89,7 +89,7 @@ fn listed(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Answer {
         (false, false) => Some(true),
     };
     let evidence = orders.iter().flat_map(evidence).collect();
-    Answer { status: status(holds), finding: Finding::Whole(orders), evidence }
+    Answer { status: status(holds), finding: Finding::CombinedOrders(orders), evidence }
 }
 
 fn vanish(whole: &WholeOrder, sense: Option<Sense>) -> Option<bool> {

@@ -9,7 +9,7 @@ use crate::proof::{Quantity, Sense};
 
 /// What a sentence says, word by word.
 #[derive(Default)]
-struct Said {
+struct ParsedClaim {
     orders: Vec<u32>,
     /// Whether an ordinal stands without the word order.
     bare: bool,
@@ -120,7 +120,7 @@ pub(super) fn asked(words: &str, question: &str) -> ClaimError {
 }
 
 /// Every word with its meaning; none where one is not known.
-fn said(words: &str) -> Option<Said> {
+fn said(words: &str) -> Option<ParsedClaim> {
     let lower = words.to_lowercase().replace("n't", " not").replace(['’', '\''], " ").replace([',', ';'], " ");
     let lower = lower
         .replace('≠', " ≠ ")
@@ -128,7 +128,7 @@ fn said(words: &str) -> Option<Said> {
         .replace("first- ", "first-order ")
         .replace("second- ", "second-order ");
     let tokens: Vec<&str> = lower.split_whitespace().collect();
-    let mut said = Said::default();
+    let mut said = ParsedClaim::default();
     let mut at = 0;
     while let Some(word) = tokens.get(at) {
         at += 1;
@@ -199,7 +199,7 @@ fn numbers(tokens: &[&str], orders: &mut Vec<u32>) -> Option<usize> {
     }
 }
 
-impl Said {
+impl ParsedClaim {
     fn statement(mut self, words: &str) -> Result<Statement, ClaimError> {
         let vanishes = self.vanishes(words)?;
         if self.free {

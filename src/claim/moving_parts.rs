@@ -6,7 +6,7 @@ use num_complex::Complex;
 
 use super::formula::{Letter, Measured};
 use crate::engine::{Engine, Mechanism};
-use crate::journal::{self, Course, PistonForces};
+use crate::journal::{self, ForceHistory, PistonForces};
 use crate::loads::Missing;
 use crate::motion::SliderCrank;
 use crate::numbers;
@@ -27,7 +27,7 @@ pub(super) struct Parts {
 
 /// What is known of it where the engine has gas.
 struct WithGas {
-    course: Course,
+    course: ForceHistory,
     /// Its place among the classes of the course.
     class: usize,
     fires: f64,

@@ -5,7 +5,7 @@ use super::grammar::{ClaimError, order_number};
 use super::statement::{Shafts, Statement};
 use crate::engine::Engine;
 use crate::proof::Quantity;
-use crate::remedy::{Wish, remedy};
+use crate::remedy::{Request, remedy};
 use crate::verdict::{Judgement, OrderVerdict};
 
 /// What may be claimed, in words.
@@ -53,7 +53,7 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
     let Some([direct, reverse]) = left(verdict) else {
         return Answer::nothing("whether what is left of the order vanishes is not decided");
     };
-    let remedy = match remedy(engine, &Wish { orders: vec![order], ..Wish::default() }) {
+    let remedy = match remedy(engine, &Request { orders: vec![order], ..Request::default() }) {
         Ok(remedy) => remedy,
         Err(refused) => return Answer::nothing(&refused.to_string()),
     };

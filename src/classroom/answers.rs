@@ -13,13 +13,13 @@ use crate::file::written::{Table, Text, place, read};
 
 /// Whose table it is, as it says.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Whose {
+pub(super) struct Owner {
     pub sheet: Option<String>,
     pub student: Option<String>,
 }
 
 /// A table that was handed in, not read yet beyond whose it is.
-pub(super) enum Handed {
+pub(super) enum Submission {
     Toml(String),
     Rows(Vec<Record>),
 }
@@ -59,32 +59,32 @@ struct TableKeys {
 }
 
 /// The table of a TOML file, with whose it is; what is wrong is told with its line.
-pub(super) fn in_toml(source: String) -> Result<(Whose, Handed), String> {
+pub(super) fn in_toml(source: String) -> Result<(Owner, Submission), String> {
     let file: File = read(&source).map_err(|error| told(&error, &source))?;
     let words =
         |text: Option<Text>| text.map(|text| text.get_ref().0.trim().to_owned()).filter(|words| !words.is_empty());
-    Ok((Whose { sheet: words(file.sheet), student: words(file.student) }, Handed::Toml(source)))
+    Ok((Owner { sheet: words(file.sheet), student: words(file.student) }, Submission::Toml(source)))
 }
 
-impl Handed {
+impl Submission {
     /// Whether nothing is filled in.
     pub fn is_empty(&self) -> bool {
         match self {
-            Handed::Toml(source) => read::<File>(source).is_ok_and(|file| {
+            Submission::Toml(source) => read::<File>(source).is_ok_and(|file| {
                 file.table.iter().flatten().map(|table| &table.get_ref().0).all(|table| {
                     let rows = table.rows.iter().flatten().all(|row| row.get_ref().0.is_empty());
                     rows && table.sums.as_ref().is_none_or(|sums| sums.0.is_empty())
                 })
             }),
-            Handed::Rows(records) => records.iter().all(Record::is_empty),
+            Submission::Rows(records) => records.iter().all(Record::is_empty),
         }
     }
 
     /// What is filled in, of this engine.
     pub fn answers(&self, engine: &Engine) -> Result<Answers, String> {
         match self {
-            Handed::Toml(source) => of_toml(source, engine).map_err(|error| told(&error, source)),
-            Handed::Rows(records) => lines::answers(records, engine),
+            Submission::Toml(source) => of_toml(source, engine).map_err(|error| told(&error, source)),
+            Submission::Rows(records) => lines::answers(records, engine),
         }
     }
 }

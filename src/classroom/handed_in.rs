@@ -1,6 +1,6 @@
 //! What was handed in, and which tables are in it? Read by what the name of the file ends in.
 
-use super::answers::{Handed, Whose, in_toml};
+use super::answers::{Owner, Submission, in_toml};
 use super::{csv, lines};
 use crate::table;
 use crate::text::decoded;
@@ -55,7 +55,7 @@ impl HandedIn {
     }
 
     /// Its tables, with whose they are; why there are none, where it cannot be read.
-    pub(super) fn tables(self) -> Result<Vec<(Whose, Handed)>, String> {
+    pub(super) fn tables(self) -> Result<Vec<(Owner, Submission)>, String> {
         let kind = self.kind();
         let content = match self.content {
             Content::Bytes(bytes) => bytes,

@@ -1,6 +1,6 @@
 //! What do the rows of a spreadsheet say? One row of a student's table each, whoever the student is.
 
-use super::answers::{Answers, Handed, Whose};
+use super::answers::{Answers, Owner, Submission};
 use super::convention::Convention;
 use super::csv::Row;
 use crate::claim::student::kept;
@@ -39,7 +39,7 @@ impl Record {
 }
 
 /// The tables in the rows of a spreadsheet, by whose they are, in the order of their first rows.
-pub(super) fn in_rows(rows: Vec<Row>) -> Result<Vec<(Whose, Handed)>, String> {
+pub(super) fn in_rows(rows: Vec<Row>) -> Result<Vec<(Owner, Submission)>, String> {
     let mut rows = rows.into_iter();
     let (number, header) = rows.next().ok_or("the file is empty")?;
     let names = header.iter().map(|column| named(column)).collect::<Vec<_>>();
@@ -56,11 +56,11 @@ pub(super) fn in_rows(rows: Vec<Row>) -> Result<Vec<(Whose, Handed)>, String> {
             header[column]
         ));
     }
-    let mut tables: Vec<(Whose, Vec<Record>)> = Vec::new();
+    let mut tables: Vec<(Owner, Vec<Record>)> = Vec::new();
     for (row_number, fields) in rows {
         let value = |column: usize| fields.get(column).cloned().unwrap_or_default();
         let words = |column: Option<usize>| column.map(value).filter(|words| !words.is_empty());
-        let whose = Whose { sheet: words(sheet), student: words(student) };
+        let whose = Owner { sheet: words(sheet), student: words(student) };
         let values = [value(direct), value(reverse)];
         let record = Record { row_number, order: value(order), row: value(row), values };
         match tables.iter_mut().find(|(there, _)| *there == whose) {
@@ -68,7 +68,7 @@ pub(super) fn in_rows(rows: Vec<Row>) -> Result<Vec<(Whose, Handed)>, String> {
             None => tables.push((whose, vec![record])),
         }
     }
-    Ok(tables.into_iter().map(|(whose, records)| (whose, Handed::Rows(records))).collect())
+    Ok(tables.into_iter().map(|(whose, records)| (whose, Submission::Rows(records))).collect())
 }
 
 /// The name of a column, and the unit that stands behind it: `Direct (deg)`, `direct [°]`.

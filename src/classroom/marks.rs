@@ -22,7 +22,7 @@ pub fn marks_table(results: &[StudentResult]) -> Table {
     };
     let whole = |pattern, about, of: &dyn Fn(&MarkedSheet) -> usize| {
         let value = |result: &StudentResult| i64::try_from(of(marked(result)?)).ok();
-        Column::new(pattern, Unit::NONE, about, Values::Whole(results.iter().map(value).collect()))
+        Column::new(pattern, Unit::NONE, about, Values::Integer(results.iter().map(value).collect()))
     };
     let hundred = || BigRational::from_integer(100.into());
     Table::new("marks", "a student; then sheets that belong to nobody, and files that are no tables", results.len())

@@ -1,6 +1,6 @@
 //! How did the class do? A line for each student, whatever became of the sheet.
 
-use super::answers::{Handed, Whose};
+use super::answers::{Owner, Submission};
 use super::exercise::{Exercise, Pupil};
 use super::handed_in::HandedIn;
 use super::marking::{MarkedSheet, mark_sheet};
@@ -37,12 +37,12 @@ pub struct StudentResult<'a> {
 struct Found {
     file: String,
     whose: Result<usize, String>,
-    handed: Result<Handed, String>,
+    handed: Result<Submission, String>,
 }
 
 impl Found {
     fn is_empty(&self) -> bool {
-        self.handed.as_ref().is_ok_and(Handed::is_empty)
+        self.handed.as_ref().is_ok_and(Submission::is_empty)
     }
 }
 
@@ -98,7 +98,7 @@ fn read(exercise: &Exercise, file: HandedIn) -> Vec<Found> {
     let tables = file.tables();
     match tables {
         Ok(tables) => {
-            let found = |(whose, handed): (Whose, Handed)| Found {
+            let found = |(whose, handed): (Owner, Submission)| Found {
                 whose: pupil_of(exercise, &whose, &name),
                 file: name.clone(),
                 handed: Ok(handed),
@@ -114,7 +114,7 @@ fn read(exercise: &Exercise, file: HandedIn) -> Vec<Found> {
 }
 
 /// The student that a table says it is of; by the name of the file where it says nothing.
-fn pupil_of(exercise: &Exercise, whose: &Whose, file: &str) -> Result<usize, String> {
+fn pupil_of(exercise: &Exercise, whose: &Owner, file: &str) -> Result<usize, String> {
     let pupils = &exercise.pupils;
     let is_named = |index: usize, name: &str| {
         let pupil = &pupils[index];

@@ -11,7 +11,7 @@ use crankstar::report::Question;
 use crankstar::table;
 
 use super::failure::Failure;
-use super::pages::{self, Look, Measures};
+use super::pages::{self, Measures, PageArgs};
 use super::tables::{Tables, Wanted};
 use super::{tables, verify, write};
 
@@ -25,7 +25,7 @@ pub struct Answer {
     #[command(flatten)]
     tables: Tables,
     #[command(flatten)]
-    look: Look,
+    page: PageArgs,
 }
 
 /// Data, or a page in any of its formats.
@@ -111,12 +111,12 @@ impl Answer {
             Some(Format::Data(DataFormat::Table(format))) => Some(format),
             Some(Format::Data(DataFormat::Json) | Format::Page(_)) | None => None,
         };
-        self.tables.wanted(question, format, self.look.measures(), self.look.folder())
+        self.tables.wanted(question, format, self.page.measures(), self.page.folder())
     }
 
     /// Where the answer goes, if not to standard output.
     pub fn output(&self) -> Option<&Path> {
-        self.look.folder()
+        self.page.folder()
     }
 
     /// The file that `--output` names, where nothing else is said of the answer.
@@ -145,7 +145,7 @@ impl Answer {
 
     /// Prints a document, or writes it where that is asked for.
     pub fn show_json(&self, question: &str, text: String) -> Result<(), Failure> {
-        tables::show_json(question, text, self.look.folder())
+        tables::show_json(question, text, self.page.folder())
     }
 
     /// Prints the short answer, or the page where its format is named; writes the page into the folder where one is.
@@ -160,17 +160,17 @@ impl Answer {
         page: impl FnOnce() -> Document,
         beside: impl FnOnce() -> Result<Vec<File>, Failure>,
     ) -> Result<(), Failure> {
-        let files = || self.look.files(&page(), self.page_format());
-        if self.format.is_some() && self.look.folder().is_none() {
+        let files = || self.page.files(&page(), self.page_format());
+        if self.format.is_some() && self.page.folder().is_none() {
             return write::to_stdout(&files()?[0].text);
         }
-        let written = self.look.write(|| Ok(files()?.into_iter().chain(beside()?).collect()))?;
-        write::to_stdout(&(self.look.shown(answer)? + &written))
+        let written = self.page.write(|| Ok(files()?.into_iter().chain(beside()?).collect()))?;
+        write::to_stdout(&(self.page.shown(answer)? + &written))
     }
 
     /// A document for the terminal.
     pub fn shown(&self, document: &Document) -> Result<String, Failure> {
-        self.look.shown(document)
+        self.page.shown(document)
     }
 
     fn page_format(&self) -> pages::Format {

@@ -7,7 +7,7 @@ use crankstar::report;
 use crankstar::search::{self, Best, Options};
 
 use super::failure::Failure;
-use super::pages::{Format, Look};
+use super::pages::{Format, PageArgs};
 use super::{folder, layouts, progress, write};
 
 /// Arguments of `atlas`.
@@ -21,17 +21,17 @@ pub struct Atlas {
     #[arg(long, value_enum)]
     format: Option<Format>,
     #[command(flatten)]
-    look: Look,
+    page: PageArgs,
 }
 
 impl Atlas {
     /// Writes the folder.
     pub fn run(&self) -> Result<(), Failure> {
         let files = match self.poster {
-            true => report::poster(&file::catalogue()?, self.look.language()),
+            true => report::poster(&file::catalogue()?, self.page.language()),
             false => self.atlas()?,
         };
-        let Some(to) = self.look.folder() else { return Ok(()) };
+        let Some(to) = self.page.folder() else { return Ok(()) };
         folder::write(to, &files)?;
         let pictures = |file: &&File| !file.name.starts_with("stars-");
         let names: Vec<String> =
@@ -45,11 +45,11 @@ impl Atlas {
         let stars = stars()?;
         let atlas = report::Atlas::new(&engines, &stars).map_err(Failure::new)?;
         let mut files = match self.format {
-            Some(format) => self.look.files(&atlas.page(), format)?,
+            Some(format) => self.page.files(&atlas.page(), format)?,
             None => {
                 let [readme, named] = atlas.pages();
                 let written = [(&readme, Format::Markdown), (&named, Format::Latex), (&named, Format::Html)];
-                let written = written.map(|(page, format)| self.look.files(page, format));
+                let written = written.map(|(page, format)| self.page.files(page, format));
                 written.into_iter().collect::<Result<Vec<_>, _>>()?.concat()
             }
         };

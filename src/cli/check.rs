@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crankstar::claim::{Claim, Claims, TableVerdict, parse_claims};
 use crankstar::engine::Engine;
-use crankstar::file::{self, Beside};
+use crankstar::file::{self, FileResolver};
 use crankstar::report;
 
 use super::failure::Failure;
@@ -46,6 +46,6 @@ fn find(folder: &Path, engine: &str) -> Result<Engine, String> {
     let path = folder.join(engine);
     let text = layouts::read_text(&path).map_err(|failure| failure.message().to_owned())?;
     let read = |name: &str| layouts::beside(&path, name);
-    let engine_of = file::parse_beside(&layouts::shown(&path), &text, Beside::new(&read));
+    let engine_of = file::parse_beside(&layouts::shown(&path), &text, FileResolver::new(&read));
     engine_of.map_err(|error| format!("in `{engine}`: {}", error.message()))
 }

@@ -11,9 +11,9 @@ use crankstar::verdict;
 use super::answer::DataAnswer;
 use super::failure::Failure;
 use super::firing::{self, ModeShape};
+use super::language::LanguageArgs;
 use super::masses::Masses;
 use super::pages::{Measures, shown};
-use super::spoken::Spoken;
 use super::verify::proved;
 use super::weigh::Weigh;
 use super::{EngineAndOrders, layouts, write};
@@ -46,7 +46,7 @@ pub struct Classify {
     #[command(flatten)]
     measures: Measures,
     #[command(flatten)]
-    spoken: Spoken,
+    language: LanguageArgs,
 }
 
 impl Classify {
@@ -110,7 +110,7 @@ impl Classify {
     }
 
     fn show(&self, answer: &Document) -> Result<(), Failure> {
-        write::to_stdout(&shown(answer, self.spoken.language(), self.measures.units()))
+        write::to_stdout(&shown(answer, self.language.language(), self.measures.units()))
     }
 
     fn run_firing(&self, as_tables: bool) -> Result<(), Failure> {

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::{Mutex, OnceLock};
 
 use crankstar::classroom::{self, Scheme};
-use crankstar::file::{self, Beside, Entry, Layout};
+use crankstar::file::{self, Entry, FileResolver, Layout};
 use crankstar::text::{decoded, harmless};
 
 use super::failure::Failure;
@@ -21,7 +21,7 @@ const STANDARD_INPUT: (&str, &str) = ("-", "standard input");
 /// Reads the engine of this name or path; what is odd about its quantities is told on standard error.
 pub fn read(layout: &Path) -> Result<Layout, Failure> {
     let (name, text) = source(layout)?;
-    let read = file::parse_layout_beside(&name, &text, Beside::new(&|path| beside(layout, path)))?;
+    let read = file::parse_layout_beside(&name, &text, FileResolver::new(&|path| beside(layout, path)))?;
     warn(&name, &text, &read);
     Ok(read)
 }

@@ -5,8 +5,8 @@ use crankstar::page::Units;
 use crankstar::report;
 
 use super::failure::Failure;
+use super::language::LanguageArgs;
 use super::pages::shown;
-use super::spoken::Spoken;
 use super::{print_json, write};
 
 /// Arguments of `list`.
@@ -16,7 +16,7 @@ pub struct List {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
-    spoken: Spoken,
+    language: LanguageArgs,
 }
 
 impl List {
@@ -25,7 +25,7 @@ impl List {
         let engines = file::catalogue()?;
         match self.json {
             true => print_json(&report::catalogue_document(&engines)),
-            false => write::to_stdout(&shown(&report::catalogue_answer(&engines), self.spoken.language(), Units::Si)),
+            false => write::to_stdout(&shown(&report::catalogue_answer(&engines), self.language.language(), Units::Si)),
         }
     }
 }

@@ -13,7 +13,7 @@ use crankstar::{report, table};
 
 use super::exercise::KEY;
 use super::failure::Failure;
-use super::pages::{self, Look};
+use super::pages::{self, PageArgs};
 use super::{layouts, write};
 
 /// Arguments of `mark`.
@@ -32,7 +32,7 @@ pub struct Mark {
     #[arg(long, value_enum)]
     format: Option<Format>,
     #[command(flatten)]
-    look: Look,
+    page: PageArgs,
 }
 
 /// Data, or pages in any of their formats.
@@ -82,27 +82,27 @@ impl Mark {
         let results = classroom::mark_class(&exercise, self.handed_in(&key)?, &scheme);
         let csv = || File { name: MARKS.to_owned(), text: table::csv(&classroom::marks_table(&results)) };
         match self.format {
-            Some(Format::Csv) if self.look.folder().is_none() => return write::to_stdout(&csv().text),
-            Some(Format::Page(format)) if self.look.folder().is_none() => {
+            Some(Format::Csv) if self.page.folder().is_none() => return write::to_stdout(&csv().text),
+            Some(Format::Page(format)) if self.page.folder().is_none() => {
                 let page = report::marks_page(&exercise, &results, &scheme);
-                return write::to_stdout(&self.look.files(&page, format)?[0].text);
+                return write::to_stdout(&self.page.files(&page, format)?[0].text);
             }
             Some(_) | None => {}
         }
-        let written = self.look.write(|| match self.format {
+        let written = self.page.write(|| match self.format {
             Some(Format::Csv) => Ok(vec![csv()]),
             format => {
                 let format = match format {
                     Some(Format::Page(format)) => format,
                     Some(Format::Csv) | None => pages::Format::Markdown,
                 };
-                let mut files = self.look.files(&report::marks_page(&exercise, &results, &scheme), format)?;
+                let mut files = self.page.files(&report::marks_page(&exercise, &results, &scheme), format)?;
                 files.push(csv());
                 files.extend(self.pages_of_students(&results, &scheme, format)?);
                 Ok(files)
             }
         })?;
-        write::to_stdout(&(self.look.shown(&report::marks_answer(&results, &scheme))? + &written))
+        write::to_stdout(&(self.page.shown(&report::marks_answer(&results, &scheme))? + &written))
     }
 
     /// A page for each sheet that is marked, named as the student's files are.
@@ -115,7 +115,7 @@ impl Mark {
         let mut files = Vec::new();
         for result in results {
             let (Some(pupil), Outcome::Marked(sheet)) = (result.pupil, &result.outcome) else { continue };
-            let page = self.look.files(&report::marked_page(pupil, sheet, scheme), format)?;
+            let page = self.page.files(&report::marked_page(pupil, sheet, scheme), format)?;
             let ending = |file: &File| file.name.rsplit('.').next().unwrap_or_default().to_owned();
             let named = |file: File| File { name: format!("students/{}.{}", pupil.file, ending(&file)), ..file };
             files.extend(page.into_iter().map(named));
@@ -136,7 +136,7 @@ impl Mark {
         }
         let real = |path: &Path| path.canonicalize().ok();
         let solutions = key.parent().map(|folder| folder.join(SOLUTIONS));
-        let ours = [Some(key), self.scheme.as_deref(), self.look.folder()];
+        let ours = [Some(key), self.scheme.as_deref(), self.page.folder()];
         let ours: Vec<PathBuf> = ours.into_iter().flatten().filter_map(real).collect();
         let mut found = Vec::new();
         files(&self.handed_in, DEEPEST, &ours, &mut found)?;

@@ -12,11 +12,11 @@ use super::failure::Failure;
 pub struct Masses {
     /// Whose masses the verdicts are about [default: all that the layout file has]
     #[arg(long, value_enum, value_name = "WHICH")]
-    masses: Option<Which>,
+    masses: Option<MassSet>,
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
-enum Which {
+enum MassSet {
     /// Pistons, pins, and the reciprocating part of the rods
     Reciprocating,
     /// What turns with the crankpins: the rotating part of the rods, pins and webs; no counterweights
@@ -27,13 +27,13 @@ enum Which {
     All,
 }
 
-impl From<Which> for order::Masses {
-    fn from(which: Which) -> Self {
+impl From<MassSet> for order::Masses {
+    fn from(which: MassSet) -> Self {
         match which {
-            Which::Reciprocating => order::Masses::Reciprocating,
-            Which::Rotating => order::Masses::Rotating,
-            Which::Counterweights => order::Masses::Counterweights,
-            Which::All => order::Masses::All,
+            MassSet::Reciprocating => order::Masses::Reciprocating,
+            MassSet::Rotating => order::Masses::Rotating,
+            MassSet::Counterweights => order::Masses::Counterweights,
+            MassSet::All => order::Masses::All,
         }
     }
 }

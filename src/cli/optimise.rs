@@ -36,8 +36,8 @@ mod run {
     use std::collections::BTreeMap;
     use std::sync::Mutex;
 
-    use crankstar::file::{Beside, Layout};
-    use crankstar::optimise::Wish;
+    use crankstar::file::{FileResolver, Layout};
+    use crankstar::optimise::Request;
     use crankstar::page::File;
     use crankstar::report::OptimiseStudy;
 
@@ -65,8 +65,8 @@ mod run {
                     }
                     Ok(text)
                 };
-                let wish = Wish { couple, points: self.points, orders };
-                let study = OptimiseStudy::new(&engine, wish, Beside::new(&read)).map_err(Failure::new)?;
+                let wish = Request { couple, points: self.points, orders };
+                let study = OptimiseStudy::new(&engine, wish, FileResolver::new(&read)).map_err(Failure::new)?;
                 let named = named.into_inner().unwrap_or_default();
                 Ok(OptimiseStudy {
                     files: named.into_iter().map(|(name, text)| File { name, text }).collect(),

@@ -6,8 +6,8 @@ use clap::ValueEnum;
 use crankstar::page::{self, Document, File, Language, Options, Units};
 
 use super::failure::Failure;
+use super::language::LanguageArgs;
 use super::notation::Notation;
-use super::spoken::Spoken;
 use super::{folder, write};
 
 /// What a person may say of a page.
@@ -17,12 +17,12 @@ pub struct Pages {
     #[arg(long, value_enum, default_value = "markdown")]
     format: Format,
     #[command(flatten)]
-    look: Look,
+    page: PageArgs,
 }
 
 /// What a person may say of a page whatever it is written in.
 #[derive(clap::Args)]
-pub struct Look {
+pub struct PageArgs {
     /// How formulas are marked in Markdown
     #[arg(long, value_enum, default_value = "github")]
     math: Math,
@@ -53,7 +53,7 @@ pub struct Reader {
     #[command(flatten)]
     notation: Notation,
     #[command(flatten)]
-    spoken: Spoken,
+    language: LanguageArgs,
 }
 
 /// In which units a person wants to read.
@@ -78,7 +78,7 @@ impl Reader {
     /// The notation and the language, and the stamp where it is asked for.
     pub fn options(&self) -> Result<Options, Failure> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
-        let (symbols, language) = (self.notation.read()?, self.spoken.language());
+        let (symbols, language) = (self.notation.read()?, self.language.language());
         let units = self.measures.units();
         Ok(Options { stamp, symbols, language, units, ..Options::default() })
     }
@@ -126,7 +126,7 @@ fn prefix(text: &str) -> Result<String, String> {
     }
 }
 
-impl Look {
+impl PageArgs {
     fn format(&self, format: Format) -> page::Format {
         match (format, self.math) {
             (Format::Markdown, Math::Github) => page::Format::Markdown(page::Math::Github),
@@ -170,19 +170,19 @@ impl Look {
 
     /// The language.
     pub fn language(&self) -> Language {
-        self.reader.spoken.language()
+        self.reader.language.language()
     }
 }
 
 impl Pages {
     /// The folder that is named.
     pub fn folder(&self) -> Option<&Path> {
-        self.look.folder()
+        self.page.folder()
     }
 
     /// Writes these files into the folder; says what was written.
     pub fn write_files(&self, files: &[File]) -> Result<String, Failure> {
-        self.look.write(|| Ok(files.to_vec()))
+        self.page.write(|| Ok(files.to_vec()))
     }
 
     /// Whether the page runs scripts.
@@ -192,12 +192,12 @@ impl Pages {
 
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document) -> Result<Vec<File>, Failure> {
-        self.look.files(document, self.format)
+        self.page.files(document, self.format)
     }
 
     /// A short answer for the terminal, in the notation of the reader.
     pub fn shown(&self, answer: &Document) -> Result<String, Failure> {
-        self.look.shown(answer)
+        self.page.shown(answer)
     }
 
     /// Prints the short answer, and writes the page into the folder where one is named.
@@ -212,13 +212,13 @@ impl Pages {
         page: impl FnOnce() -> Document,
         beside: impl FnOnce() -> Vec<File>,
     ) -> Result<String, Failure> {
-        self.look.write(|| Ok(self.files(&page())?.into_iter().chain(beside()).collect()))
+        self.page.write(|| Ok(self.files(&page())?.into_iter().chain(beside()).collect()))
     }
 
     /// Writes the page into the folder and the short answer to the terminal; without a folder the page alone to standard output.
     pub fn show_page(&self, answer: impl FnOnce() -> Document, page: &Document) -> Result<(), Failure> {
         let files = self.files(page)?;
-        let Some(folder) = &self.look.output else { return write::to_stdout(&files[0].text) };
+        let Some(folder) = &self.page.output else { return write::to_stdout(&files[0].text) };
         folder::write(folder, &files)?;
         write::to_stdout(&format!("{}\n{}", self.shown(&answer())?, folder::written(folder, &files)))
     }

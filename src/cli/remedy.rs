@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use crankstar::engine::{Engine, LengthUnit};
 use crankstar::exact::Turn;
-use crankstar::file::{Beside, Layout, parse_angle, parse_length, parse_number};
-use crankstar::remedy::{self, Wish};
+use crankstar::file::{FileResolver, Layout, parse_angle, parse_length, parse_number};
+use crankstar::remedy::{self, Request};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -70,7 +70,7 @@ impl Remedy {
         let layout = &self.about.layout;
         let beside = |path: &str| layouts::beside(layout, path);
         let corrected =
-            remedy::corrected_file(remedy, &layouts::shown(file), Beside::new(&beside)).map_err(Failure::new)?;
+            remedy::corrected_file(remedy, &layouts::shown(file), FileResolver::new(&beside)).map_err(Failure::new)?;
         if file.exists() && layout.canonicalize().ok() == file.canonicalize().ok() {
             return Err(Failure::new("--write names the layout file itself, which stays as it is; name another file"));
         }
@@ -103,7 +103,7 @@ impl Remedy {
         Ok(parts.iter().enumerate().map(of_throw).collect())
     }
 
-    fn wish(&self, engine: &Engine, orders: Vec<u32>) -> Result<Wish, Failure> {
+    fn wish(&self, engine: &Engine, orders: Vec<u32>) -> Result<Request, Failure> {
         let planes = match self.planes.as_slice() {
             [] => None,
             [first, second] => Some([plane(engine, first)?, plane(engine, second)?]),
@@ -118,7 +118,7 @@ impl Remedy {
                 .map(Turn::new)
                 .map_err(|right| Failure::new(format!("--skew: cannot read `{text}`: {right}")))
         });
-        Ok(Wish { orders, planes, factors, skews: skews.collect::<Result<_, _>>()? })
+        Ok(Request { orders, planes, factors, skews: skews.collect::<Result<_, _>>()? })
     }
 }
 

@@ -24,7 +24,7 @@ pub fn to_stdout(text: &str) -> Result<(), Failure> {
 pub fn table_to_stdout() -> Result<impl Write + Send, Failure> {
     is_open()?;
     progress::end();
-    Ok(Seen(Some(std::io::stdout())))
+    Ok(PipeTolerant(Some(std::io::stdout())))
 }
 
 /// Nothing can be printed where the caller closed standard output.
@@ -36,9 +36,9 @@ fn is_open() -> Result<(), Failure> {
 }
 
 /// A reader that may leave.
-struct Seen(Option<std::io::Stdout>);
+struct PipeTolerant(Option<std::io::Stdout>);
 
-impl Write for Seen {
+impl Write for PipeTolerant {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         match self.0.as_mut().map(|out| out.write_all(bytes)) {
             Some(Err(error)) if error.kind() == ErrorKind::BrokenPipe => self.0 = None,

@@ -54,7 +54,7 @@ impl IntegerSum {
     /// The same sum in machine words, where the conductor and the sum of all weights stay below 2⁶³.
     ///
     /// No weight in the course of a decision exceeds the sum of all weights, so none can wrap.
-    pub fn in_words(&self) -> Option<(u64, Vec<(u64, i64)>)> {
+    pub fn in_machine_words(&self) -> Option<(u64, Vec<(u64, i64)>)> {
         let total: BigInt = self.terms.iter().map(|(_, weight)| weight.abs()).sum();
         total.to_i64()?;
         let conductor = u64::try_from(self.conductor.to_i64()?).ok()?;

@@ -50,7 +50,7 @@ pub(super) type Terms<E, W> = SmallVec<[(E, W); 16]>;
 /// Whether `Σ weight · e^{2πi·exponent/conductor}` is zero.
 ///
 /// Exponents lie in `0..conductor`, in any order and as often as they like. In machine words the conductor and
-/// the sum of the moduli of all weights must stay below 2⁶³ ([`super::IntegerSum::in_words`] sees to it).
+/// the sum of the moduli of all weights must stay below 2⁶³ ([`super::IntegerSum::in_machine_words`] sees to it).
 ///
 /// ```standalone_crate
 /// use crankstar::exact::vanishes;

@@ -15,12 +15,12 @@ pub fn ratio(numerator: i64, denominator: i64) -> BigRational {
 
 /// The sum of two fractions.
 pub fn plus(one: &BigRational, other: &BigRational) -> BigRational {
-    sum_in_words(one, other, 1).map_or_else(|| one + other, reduced)
+    sum_in_machine_words(one, other, 1).map_or_else(|| one + other, reduced)
 }
 
 /// The first less the second.
 pub fn minus(one: &BigRational, other: &BigRational) -> BigRational {
-    sum_in_words(one, other, -1).map_or_else(|| one - other, reduced)
+    sum_in_machine_words(one, other, -1).map_or_else(|| one - other, reduced)
 }
 
 /// The product of two fractions.
@@ -31,8 +31,8 @@ pub fn times(one: &BigRational, other: &BigRational) -> BigRational {
 /// The first divided by the second, which is not zero.
 pub fn over(one: &BigRational, other: &BigRational) -> BigRational {
     let inverse = || words(other).filter(|(numerator, _)| *numerator != 0);
-    let in_words = words(one).zip(inverse()).map(|(one, (c, d))| product(one, (d * c.signum(), c.abs())));
-    in_words.unwrap_or_else(|| one / other)
+    let in_machine_words = words(one).zip(inverse()).map(|(one, (c, d))| product(one, (d * c.signum(), c.abs())));
+    in_machine_words.unwrap_or_else(|| one / other)
 }
 
 /// Which is larger.
@@ -46,7 +46,7 @@ pub fn compare(one: &BigRational, other: &BigRational) -> Ordering {
 
 /// `a/b ± c/d` with the gcd g of the denominators: `(a·d/g ± c·b/g) / (b·d/g)`, in which only a divisor of g is left to take out (Knuth,
 /// The Art of Computer Programming, volume 2, section 4.5.1).
-pub(super) fn sum_in_words(one: &BigRational, other: &BigRational, sign: i128) -> Option<(i128, i128)> {
+pub(super) fn sum_in_machine_words(one: &BigRational, other: &BigRational, sign: i128) -> Option<(i128, i128)> {
     let ((a, b), (c, d)) = (words(one)?, words(other)?);
     let common = if b == d { b } else { b.gcd(&d) };
     let (left, right) = (b / common, d / common);

@@ -97,7 +97,7 @@ impl Turn {
 impl Add for &Turn {
     type Output = Turn;
     fn add(self, other: &Turn) -> Turn {
-        match fraction::sum_in_words(&self.0, &other.0, 1) {
+        match fraction::sum_in_machine_words(&self.0, &other.0, 1) {
             // Two turns in range make less than two whole ones.
             Some((sum, whole)) => Turn(fraction::reduced((if sum < whole { sum } else { sum - whole }, whole))),
             None => Turn::new(&self.0 + &other.0),

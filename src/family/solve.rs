@@ -13,8 +13,8 @@ use num_traits::{One, Signed, Zero};
 
 use super::Part;
 use super::circle::{self, Circle, Coprime, Solved};
-use super::left::ratio;
 use super::plane::{self, Boxes, Classes, Product, Quadratic, Triangle};
+use super::remaining::ratio;
 use crate::engine::PHI;
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};

@@ -6,12 +6,12 @@ use num_rational::BigRational;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use super::above::{Above, Throws};
 use super::error::LayoutError;
 use super::forms::Expanded;
 use super::geared_keys;
 use super::numbering::cylinder_name;
 use super::quantities;
+use super::shared_keys::{SharedKeys, Throws};
 use super::written::{Table, Text, place};
 use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
 
@@ -32,7 +32,7 @@ pub(super) struct Keys {
 pub(super) fn expand(
     list: &Spanned<Vec<Spanned<Table<Keys>>>>,
     several: &[Spanned<Table<geared_keys::Keys>>],
-    above: &Above<'_>,
+    above: &SharedKeys<'_>,
 ) -> Result<Expanded, LayoutError> {
     let tables = list.get_ref();
     if tables.is_empty() || tables.len() > MOST_CYLINDERS {

@@ -3,18 +3,18 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::above::{Above, Throws};
 use super::contradiction;
 use super::error::LayoutError;
 use super::forms::Expanded;
 use super::geared_keys::{Geared, equivalent};
+use super::shared_keys::{SharedKeys, Throws};
 use crate::engine::{Cylinder, Linear};
 
 /// Sets the throws that the file leaves out.
 ///
 /// # Errors
 /// A firing that the form cannot have, or that the same form with its banks exchanged could have with pins nearer together.
-pub(super) fn follow(expanded: &mut Expanded, above: &Above<'_>) -> Result<(), LayoutError> {
+pub(super) fn follow(expanded: &mut Expanded, above: &SharedKeys<'_>) -> Result<(), LayoutError> {
     let (splits_given, splays) = match &expanded.throws {
         Throws::Listed => return Ok(()),
         Throws::Follow { splits_given, splays } => (*splits_given, splays.as_slice()),

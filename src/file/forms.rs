@@ -8,11 +8,11 @@ use num_rational::BigRational;
 use num_traits::Signed;
 use serde::Deserialize;
 
-use super::above::{Above, Throws};
 use super::error::LayoutError;
 use super::geared_keys::Geared;
 use super::numbering::{self, Along};
 use super::quantities::{List, angle, angles, length, lengths, misread, optional_angle, optional_length, whole};
+use super::shared_keys::{SharedKeys, Throws};
 use super::written::{Column, Text, Values, Written, place};
 use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
 
@@ -118,7 +118,7 @@ pub(super) struct Pins {
 }
 
 impl Inline {
-    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let (throws, place) = above.throws(&self.throws, 1, table)?;
         let pins = pins(throws, place, &self.spacing, &self.positions, unit_length(), &mut unit)?;
@@ -129,7 +129,7 @@ impl Inline {
 }
 
 impl Vee {
-    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let angle = angle(&self.bank_angle)?;
         if angle.as_known().is_some_and(|angle| angle.abs() >= one()) {
@@ -149,7 +149,7 @@ impl Vee {
 }
 
 impl Flat {
-    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?;
         let (throws, place) = above.throws(&self.throws, 2, table)?;
@@ -166,7 +166,7 @@ impl Flat {
 }
 
 impl Boxer {
-    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let stagger = length(&self.stagger, &mut unit)?;
         let between_pairs = stagger.scaled(&integer(2));
@@ -178,7 +178,7 @@ impl Boxer {
 }
 
 impl Fan {
-    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let axes = angles(&self.banks)?;
         let splits = match &self.pin_splits {
@@ -214,7 +214,7 @@ impl Fan {
 }
 
 impl Radial {
-    pub fn expand(&self, above: &Above<'_>) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let count = whole(&self.cylinders, "cylinders of a row")?;
         let rows = self.rows.as_ref().map_or(Ok(1), |rows| whole(rows, "number of rows"))?;

@@ -7,8 +7,8 @@ use num_traits::{Signed, Zero};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use super::beside::Beside;
 use super::error::LayoutError;
+use super::file_resolver::FileResolver;
 use super::gas_process::{self, Settings};
 use super::gas_table::{self, Reading, Rows};
 use super::quantities::misread;
@@ -94,7 +94,7 @@ pub(super) fn read(
     table: &Spanned<Table<Keys>>,
     cylinders: &[Cylinder<Linear, Linear>],
     cycle: Option<Cycle>,
-    beside: Beside<'_>,
+    beside: FileResolver<'_>,
 ) -> Result<Gas, LayoutError> {
     let all = &table.get_ref().0;
     let Some(cycle) = cycle else {
@@ -172,7 +172,7 @@ impl Layers<'_> {
     fn chambers(
         &self,
         (cycle, names): (Cycle, &[String]),
-        beside: Beside<'_>,
+        beside: FileResolver<'_>,
         laws: &mut Vec<PressureLaw>,
     ) -> Result<Vec<Chamber>, LayoutError> {
         let Some(bore) = self.pick(|keys| &keys.bore) else {
@@ -205,7 +205,7 @@ impl Layers<'_> {
     fn laws(
         &self,
         (cycle, names): (Cycle, &[String]),
-        beside: Beside<'_>,
+        beside: FileResolver<'_>,
         ambient: &BigRational,
     ) -> Result<Vec<PressureLaw>, LayoutError> {
         let says = |keys: &Keys| keys.table.is_some() || keys.pressure.is_some() || keys.process.is_some();

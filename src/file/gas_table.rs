@@ -5,8 +5,8 @@ use std::ops::Range;
 use num_rational::BigRational;
 use serde_spanned::Spanned;
 
-use super::beside::Beside;
 use super::error::LayoutError;
+use super::file_resolver::FileResolver;
 use super::pressure_csv::{self, Heading, Sheet, decimal};
 use super::quantities::misread;
 use super::units::{self, PressureUnit};
@@ -51,7 +51,7 @@ pub(super) fn inline(list: &Rows, reading: &Reading, cycle: Cycle) -> Result<Pre
 /// The tables of a file beside the layout: one of all cylinders, or as many as there are, in their order.
 pub(super) fn beside(
     path: &Text,
-    beside: Beside<'_>,
+    beside: FileResolver<'_>,
     reading: &Reading,
     (cycle, cylinders): (Cycle, &[String]),
 ) -> Result<Vec<PressureTable>, LayoutError> {

@@ -7,11 +7,11 @@
 use num_rational::BigRational;
 use serde::Deserialize;
 
-use super::above::Throws;
 use super::error::LayoutError;
 use super::forms::{Expanded, pins};
 use super::geared_keys::{Axis, Distance, Geared, sense};
 use super::quantities::{List, angles, misread, optional_angle};
+use super::shared_keys::Throws;
 use super::written::{Text, place};
 use crate::engine::{Convention, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
 use crate::exact::Turn;
@@ -210,7 +210,7 @@ fn above_each_other(names: [&str; 2], of_second: Sense, distance: Option<&Text>)
     let of_first = if names[0] == "upper" { 1 } else { -1 };
     let axis = |half: BigRational| match distance {
         Some(distance) => Axis::Across(Distance::of(half, distance), Distance::none()),
-        None => Axis::Above(half),
+        None => Axis::SharedKeys(half),
     };
     let crank = |name: &str, sense, sign: i64| Geared {
         speed: 1,

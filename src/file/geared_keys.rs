@@ -70,8 +70,8 @@ pub(super) enum Axis {
     Across(Distance, Distance),
     /// So far in this direction.
     Towards(Distance, Turn),
-    /// Above (+1/2) or below (−1/2) the middle, so many times a distance that is left out.
-    Above(BigRational),
+    /// SharedKeys (+1/2) or below (−1/2) the middle, so many times a distance that is left out.
+    SharedKeys(BigRational),
     /// Nothing is said of it.
     LeftOut,
 }
@@ -88,7 +88,7 @@ impl Axis {
             Axis::Towards(_, angle) => {
                 *angle = Turn::new(convention.in_the_sense_of_rotation(angle.turns().clone()));
             }
-            Axis::Above(_) | Axis::LeftOut => {}
+            Axis::SharedKeys(_) | Axis::LeftOut => {}
         }
     }
 }
@@ -286,7 +286,7 @@ pub(super) fn placed(geared: &[Geared], dimensions: &Dimensions) -> Result<Vec<G
                 let distance = distance.read(radius)?;
                 GearedCrank::towards(&crank.name, crank.sense, distance, angle.clone()).turning(crank.speed)
             }
-            Axis::Above(times) => {
+            Axis::SharedKeys(times) => {
                 let term = Term { angle: Turn::zero(), weight: times.clone() };
                 GearedCrank::without(&crank.name, crank.sense, AxisLeftOut::Distance(term)).turning(crank.speed)
             }

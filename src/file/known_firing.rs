@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
-use super::above::Above;
 use super::contradiction;
 use super::error::LayoutError;
 use super::firing_order;
+use super::shared_keys::SharedKeys;
 use super::written::place;
 use crate::engine::{Cycle, Cylinder, Engine, Firing};
 
@@ -16,7 +16,7 @@ use crate::engine::{Cycle, Cylinder, Engine, Firing};
 /// # Errors
 /// What the throws cannot fire, with what would fit.
 pub(super) fn read(
-    above: &Above<'_>,
+    above: &SharedKeys<'_>,
     values: &BTreeMap<String, BigRational>,
     engine: &Engine,
 ) -> Result<Option<Firing>, LayoutError> {

@@ -7,17 +7,16 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 use toml::de::DeTable;
 
-use super::above::Above;
 use super::articulated_keys;
 use super::asked::{check_values, cycle, effects, orders, values};
 use super::balancer_keys;
 use super::bearings;
-use super::beside::Beside;
 use super::convention_keys;
 use super::counterweight_keys;
 use super::crankshaft_keys;
 use super::cylinder_keys;
 use super::error::LayoutError;
+use super::file_resolver::FileResolver;
 use super::firing_order::{self, FiringOrder};
 use super::firing_throws;
 use super::flywheel_keys;
@@ -29,6 +28,7 @@ use super::known_firing;
 use super::mechanism_keys;
 use super::narrow;
 use super::quantities;
+use super::shared_keys::SharedKeys;
 use super::title_block_keys;
 use super::torsion_keys;
 use super::written::{Table, Text, place, read, read_table};
@@ -98,14 +98,14 @@ pub enum Layout {
 /// # Errors
 /// The first mistake, with its place and what would be right; an unknown without a value is one.
 pub fn parse(name: &str, source: &str) -> Result<Engine, LayoutError> {
-    parse_beside(name, source, Beside::nothing())
+    parse_beside(name, source, FileResolver::nothing())
 }
 
 /// The same of a layout that may name a file beside itself, which `beside` reads.
 ///
 /// # Errors
 /// The first mistake, with its place in the file where it stands, and what would be right.
-pub fn parse_beside(name: &str, source: &str, beside: Beside<'_>) -> Result<Engine, LayoutError> {
+pub fn parse_beside(name: &str, source: &str, beside: FileResolver<'_>) -> Result<Engine, LayoutError> {
     match parse_layout_beside(name, source, beside)? {
         Layout::Known(layout, _) => Ok(*layout),
         Layout::Open(family) => {
@@ -121,14 +121,14 @@ pub fn parse_beside(name: &str, source: &str, beside: Beside<'_>) -> Result<Engi
 /// # Errors
 /// The first mistake, with its place and what would be right.
 pub fn parse_layout(name: &str, source: &str) -> Result<Layout, LayoutError> {
-    parse_layout_beside(name, source, Beside::nothing())
+    parse_layout_beside(name, source, FileResolver::nothing())
 }
 
 /// The same of a layout that may name a file beside itself, a table of pressures, which `beside` reads.
 ///
 /// # Errors
 /// The first mistake, with its place in the file where it stands, and what would be right.
-pub fn parse_layout_beside(name: &str, source: &str, beside: Beside<'_>) -> Result<Layout, LayoutError> {
+pub fn parse_layout_beside(name: &str, source: &str, beside: FileResolver<'_>) -> Result<Layout, LayoutError> {
     let layout = read::<File>(source).and_then(|file| layout(name, source, file, beside));
     layout.map_err(|error| error.in_file(name, source))
 }
@@ -138,16 +138,17 @@ pub(super) fn read_layout(
     name: &str,
     source: &str,
     table: Spanned<DeTable<'_>>,
-    beside: Beside<'_>,
+    beside: FileResolver<'_>,
 ) -> Result<Layout, LayoutError> {
     let layout = read_table::<File>(table).and_then(|file| layout(name, source, file, beside));
     layout.map_err(|error| error.in_file(name, source))
 }
 
-fn layout(name: &str, source: &str, file: File, beside: Beside<'_>) -> Result<Layout, LayoutError> {
+fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Result<Layout, LayoutError> {
     let cycle = file.cycle.as_ref().map(cycle).transpose()?;
     let convention = convention_keys::read(file.rotation.as_ref(), file.seen_from.as_ref())?;
-    let above = Above { order: file.firing_order.as_ref(), angles: file.firing_angles.as_ref(), cycle, convention };
+    let above =
+        SharedKeys { order: file.firing_order.as_ref(), angles: file.firing_angles.as_ref(), cycle, convention };
     let mut expanded = expand(&file, &above)?;
     if !expanded.geared.is_empty() {
         let given = [
@@ -301,7 +302,7 @@ fn dimensions(file: &File, expanded: &mut Expanded) -> Result<Dimensions, Layout
 }
 
 /// The one form that the file uses, as cylinders.
-fn expand(file: &File, above: &Above<'_>) -> Result<Expanded, LayoutError> {
+fn expand(file: &File, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
     let mut forms: Vec<(Range<usize>, Result<Expanded, LayoutError>)> = Vec::new();
     let several = geared_keys::several(file.crankshaft.as_ref());
     if let Some(table) = several.first().filter(|_| file.cylinder.is_none()) {

@@ -2,12 +2,10 @@
 //!
 #![doc = include_str!("README.md")]
 
-mod above;
 mod articulated_keys;
 mod asked;
 mod balancer_keys;
 mod bearings;
-mod beside;
 mod catalogue;
 mod contradiction;
 mod convention_keys;
@@ -15,6 +13,7 @@ mod counterweight_keys;
 mod crankshaft_keys;
 mod cylinder_keys;
 mod error;
+mod file_resolver;
 mod firing_order;
 mod firing_throws;
 mod flywheel_keys;
@@ -38,6 +37,7 @@ mod quantities;
 mod replaced;
 mod rewritten;
 mod schema;
+mod shared_keys;
 mod template;
 mod title_block_keys;
 mod torsion_keys;
@@ -45,9 +45,9 @@ pub(crate) mod units;
 mod usual;
 pub(crate) mod written;
 
-pub use beside::Beside;
 pub use catalogue::{Entry, catalogue, find};
 pub use error::LayoutError;
+pub use file_resolver::FileResolver;
 pub use layout::{Layout, parse, parse_beside, parse_layout, parse_layout_beside};
 pub use number::{NumberError, parse_number};
 pub use quantities::{parse_angle, parse_length};

@@ -11,11 +11,11 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use serde::Deserialize;
 
-use super::above::{Above, Splay, Throws};
 use super::error::LayoutError;
 use super::forms::{Expanded, half, offsets_of, pins, unit_length};
 use super::numbering;
 use super::quantities::{List, angle, misread, optional_angle, optional_length};
+use super::shared_keys::{SharedKeys, Splay, Throws};
 use super::written::{Column, Text, Written, place};
 use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
 
@@ -68,7 +68,7 @@ struct Narrow<'a> {
 }
 
 impl Vr {
-    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
         let middle = Middle { angle: Linear::default(), split: Linear::default(), offset: Linear::default() };
         let narrow = Narrow {
             form: Form::Vr,
@@ -85,7 +85,7 @@ impl Vr {
 }
 
 impl W {
-    pub fn expand(&self, table: Range<usize>, above: &Above<'_>) -> Result<Expanded, LayoutError> {
+    pub fn expand(&self, table: Range<usize>, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let wide = bank_angle(&self.bank_angle)?.scaled(&half());
         let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?.scaled(&half());
@@ -121,7 +121,7 @@ impl Narrow<'_> {
         splits_given: bool,
         mut unit: LengthUnit,
         table: Range<usize>,
-        above: &Above<'_>,
+        above: &SharedKeys<'_>,
     ) -> Result<Expanded, LayoutError> {
         let narrow = bank_angle(self.angle)?;
         let splay = splay(self, &narrow, above)?;
@@ -176,7 +176,7 @@ impl Narrow<'_> {
 }
 
 /// The angle between the pins of both banks: as written; left out, 0 beside throws, and where they follow that of the banks.
-fn splay(narrow: &Narrow<'_>, angle: &Linear, above: &Above<'_>) -> Result<Linear, LayoutError> {
+fn splay(narrow: &Narrow<'_>, angle: &Linear, above: &SharedKeys<'_>) -> Result<Linear, LayoutError> {
     if narrow.throws.is_some() || above.firing_place().is_none() {
         return optional_angle(narrow.splay);
     }

@@ -6,8 +6,8 @@ use std::fmt;
 use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::beside::Beside;
 use super::error::LayoutError;
+use super::file_resolver::FileResolver;
 use super::layout::{Layout, read_layout};
 use super::schema::FORMS;
 use super::written;
@@ -54,7 +54,7 @@ impl fmt::Display for Key {
 pub struct Template<'a> {
     name: &'a str,
     source: &'a str,
-    beside: Beside<'a>,
+    beside: FileResolver<'a>,
     table: Spanned<DeTable<'a>>,
 }
 
@@ -73,11 +73,11 @@ impl<'a> Template<'a> {
     /// The text is not TOML.
     pub fn new(name: &'a str, source: &'a str) -> Result<Self, LayoutError> {
         let table = written::table(source).map_err(|error| error.in_file(name, source))?;
-        Ok(Template { name, source, beside: Beside::nothing(), table })
+        Ok(Template { name, source, beside: FileResolver::nothing(), table })
     }
 
     /// The same file with what lies beside it.
-    pub fn with_beside(self, beside: Beside<'a>) -> Self {
+    pub fn with_beside(self, beside: FileResolver<'a>) -> Self {
         Template { beside, ..self }
     }
 

@@ -3,7 +3,7 @@
 use num_complex::Complex;
 
 use super::Carried;
-use super::course::{Course, PistonForces};
+use super::force_history::{ForceHistory, PistonForces};
 use crate::torque::{self, Extreme};
 
 /// The largest load of a place in a cycle.
@@ -54,7 +54,7 @@ pub(super) struct Samples {
 }
 
 impl Samples {
-    pub fn new(course: &Course) -> Self {
+    pub fn new(course: &ForceHistory) -> Self {
         let mut grid: Vec<f64> = torque::angles(course.period()).chain(course.kinks()).collect();
         grid.sort_unstable_by(f64::total_cmp);
         grid.dedup_by(|next, before| *next - *before < SAME);
@@ -68,7 +68,7 @@ impl Samples {
     }
 
     /// The largest load of a place: of all, and of the masses alone.
-    pub fn peaks_of(&self, course: &Course, carried: &Carried) -> [CyclePeak; 2] {
+    pub fn peaks_of(&self, course: &ForceHistory, carried: &Carried) -> [CyclePeak; 2] {
         let at = |(step, theta): (usize, &f64)| {
             let shaft = [carried.shaft * Complex::cis(*theta), Complex::new(0.0, 0.0)];
             carried.parts.iter().zip(&self.pins).fold(shaft, |[inertia, gas], (part, row)| {
@@ -83,7 +83,7 @@ impl Samples {
 
     fn two(
         &self,
-        course: &Course,
+        course: &ForceHistory,
         known: &[[Complex<f64>; 2]],
         (parts, inertia): (impl Fn(f64) -> [Complex<f64>; 2], impl Fn(f64) -> Complex<f64>),
     ) -> [CyclePeak; 2] {
@@ -106,7 +106,7 @@ impl Samples {
 }
 
 impl CylinderPeaks {
-    pub(super) fn new(course: &Course, samples: &Samples, index: usize) -> Self {
+    pub(super) fn new(course: &ForceHistory, samples: &Samples, index: usize) -> Self {
         let extremes = |value: &dyn Fn(f64, PistonForces) -> f64| {
             let known = samples.grid.iter().zip(&samples.forces[index]);
             let known: Vec<f64> = known.map(|(&theta, &forces)| value(theta, forces)).collect();

@@ -4,13 +4,13 @@
 //! with `−F (1 − i tan β) e^{iα}` and its rotating mass, and the main bearings carry the pins in fixed parts (theory, section 12). Largest
 //! values are those of the forces themselves, through the whole cycle; the orders are a series, halves in a four-stroke engine.
 
-mod course;
+mod force_history;
 mod largest;
 mod order;
 mod peak;
 mod shared;
 
-pub use course::{Course, PistonForces};
+pub use force_history::{ForceHistory, PistonForces};
 pub use largest::{CyclePeak, CylinderPeaks};
 pub use order::{CycleMean, GasStars, JournalOrder};
 pub use peak::LoadPeak;
@@ -29,7 +29,7 @@ use largest::Samples;
 #[derive(Clone, Debug)]
 pub struct CycleLoads {
     /// The forces at any crank angle.
-    pub course: Course,
+    pub course: ForceHistory,
     /// What each cylinder loads its wall, its rod and its crankpin with, in the order of the layout.
     pub cylinders: Vec<CylinderLoads>,
     /// What crankpins feel on which several rods work, in the order of the throws.
@@ -127,9 +127,9 @@ fn classes(engine: &Engine) -> Result<(Vec<Class>, Scale), Missing> {
 ///
 /// # Errors
 /// What the layout lacks.
-pub fn course(engine: &Engine) -> Result<Course, Missing> {
+pub fn course(engine: &Engine) -> Result<ForceHistory, Missing> {
     let (classes, scale) = classes(engine)?;
-    Ok(Course::new(engine, classes, scale.force()))
+    Ok(ForceHistory::new(engine, classes, scale.force()))
 }
 
 /// The complete loads of an engine.
@@ -142,7 +142,7 @@ pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, Missing> {
     let pins = pin_loads(engine, &whole)?;
     let warnings = torque::warnings(engine, &classes);
     let warnings = warnings.into_iter().map(|(class, warning)| (classes[class].cylinders.clone(), warning)).collect();
-    let course = Course::new(engine, classes, scale.force());
+    let course = ForceHistory::new(engine, classes, scale.force());
     let samples = Samples::new(&course);
     let cylinders = engine.cylinders().iter().enumerate().zip(&pins.pins).map(|((index, cylinder), pin)| {
         let own = |of: usize| BigRational::from_integer(i32::from(of == index).into());
@@ -171,7 +171,7 @@ fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<Big
     let bearing = |index: usize| {
         let part = |position: &BigRational| shares.part(index, position);
         let parts: Vec<BigRational> = engine.cylinders().iter().map(|cylinder| part(&cylinder.position)).collect();
-        let carried = course::carried_by(engine, &parts, part, newtons);
+        let carried = force_history::carried_by(engine, &parts, part, newtons);
         (parts, carried)
     };
     Ok((0..engine.bearings().len()).map(bearing).collect())
@@ -207,7 +207,7 @@ pub fn worst(peaks: impl Iterator<Item = f64> + Clone) -> usize {
 
 fn bearings(
     engine: &Engine,
-    course: &Course,
+    course: &ForceHistory,
     samples: &Samples,
     (method, newtons): (Method, f64),
 ) -> Result<CycleBearings, Missing> {

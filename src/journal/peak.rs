@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use super::course::Course;
+use super::force_history::ForceHistory;
 use super::largest::Samples;
 use super::{Carried, carried_by_bearings, course};
 use crate::engine::{CycleOrder, Engine};
@@ -17,7 +17,7 @@ use crate::torque;
 
 /// The largest load of any main bearing by several methods.
 pub struct LoadPeak {
-    course: Course,
+    course: ForceHistory,
     bearings: Vec<Bearing>,
     revolutions: u32,
     /// The largest load by the forces themselves, in newtons.

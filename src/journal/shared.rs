@@ -4,7 +4,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 
 use super::Carried;
-use super::course::Course;
+use super::force_history::ForceHistory;
 use super::largest::{CyclePeak, Samples};
 use crate::engine::{Engine, Throw, throws};
 
@@ -27,7 +27,7 @@ pub struct SharedPin {
 
 impl SharedPin {
     /// The pins of an engine on which two rods or more work.
-    pub(super) fn of(engine: &Engine, course: &Course, samples: &Samples) -> Vec<Self> {
+    pub(super) fn of(engine: &Engine, course: &ForceHistory, samples: &Samples) -> Vec<Self> {
         let shared = throws(engine).into_iter().enumerate().filter(|(_, throw)| throw.cylinders.len() > 1);
         let pin = |(index, throw): (usize, Throw)| {
             let of = |cylinder: usize| if throw.cylinders.contains(&cylinder) { 1.0 } else { 0.0 };
@@ -40,12 +40,12 @@ impl SharedPin {
     }
 
     /// Its load, seen from the engine.
-    pub fn load(&self, course: &Course, theta: f64) -> Complex<f64> {
+    pub fn load(&self, course: &ForceHistory, theta: f64) -> Complex<f64> {
         course.carried(&self.carried, theta)
     }
 
     /// The same seen from the crank: the real part is outward along the throw, the imaginary part in the sense of rotation.
-    pub fn load_on_the_crank(&self, course: &Course, theta: f64) -> Complex<f64> {
+    pub fn load_on_the_crank(&self, course: &ForceHistory, theta: f64) -> Complex<f64> {
         match self.cylinders.first() {
             Some(&first) => course.seen_from_the_crank(first, self.load(course, theta), theta),
             None => Complex::new(0.0, 0.0),

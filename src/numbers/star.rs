@@ -30,7 +30,7 @@ impl Star {
     /// The sum over the least even conductor; none above the largest conductor or weight.
     pub fn of(sum: &PhasorSum) -> Option<Star> {
         let whole = IntegerSum::collect(sum.terms());
-        let (conductor, terms) = whole.in_words()?;
+        let (conductor, terms) = whole.in_machine_words()?;
         let common = terms.iter().fold(conductor, |common, (exponent, _)| common.gcd(exponent)).max(1);
         let conductor = conductor / common;
         // Before doubling: an odd conductor has the same field.

@@ -13,10 +13,10 @@ use super::place::{Place, places};
 use super::problem::Problem;
 use super::sample::Samples;
 use super::solve::{Goal, Least, Solution};
-use super::{Couple, Wish};
+use super::{Couple, Request};
 use crate::engine::{Engine, throws};
 use crate::exact::Turn;
-use crate::file::Beside;
+use crate::file::FileResolver;
 
 /// Part by which the mass, or the peak, may exceed its optimum where the other is made least among all that reach it.
 pub(super) const SLACK: f64 = 1e-6;
@@ -24,8 +24,8 @@ pub(super) const SLACK: f64 = 1e-6;
 /// A problem with what its solutions share.
 pub(super) struct Search<'a> {
     engine: &'a Engine,
-    wish: &'a Wish,
-    beside: Beside<'a>,
+    wish: &'a Request,
+    beside: FileResolver<'a>,
     pub places: Vec<Place>,
     problem: Problem,
     samples: Samples,
@@ -34,7 +34,7 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub fn new(engine: &'a Engine, wish: &'a Wish, beside: Beside<'a>) -> Result<Self, OptimiseError> {
+    pub fn new(engine: &'a Engine, wish: &'a Request, beside: FileResolver<'a>) -> Result<Self, OptimiseError> {
         let places = places(engine);
         let mut problem = Problem::new(engine, &places, wish)?;
         let own = throws(engine).into_iter().map(|throw| throw.angle);

@@ -6,7 +6,7 @@ use num_complex::Complex;
 
 use super::error::OptimiseError;
 use crate::engine::Engine;
-use crate::journal::{self, Carried, Course};
+use crate::journal::{self, Carried, ForceHistory};
 use crate::loads::{BearingLoads, Circle, Harmonic, Scale, Waveform};
 use crate::torque;
 
@@ -23,7 +23,7 @@ pub(super) enum Felt {
 
 /// Gas and masses through the cycle.
 pub(super) struct AllForces {
-    course: Course,
+    course: ForceHistory,
     carried: Vec<Carried>,
     /// m r ω² in newtons.
     unit: f64,

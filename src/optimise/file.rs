@@ -2,14 +2,14 @@
 
 use super::error::OptimiseError;
 use crate::engine::{Counterweight, Engine};
-use crate::file::{Beside, comment, counterweight_table, parse_beside, without_counterweights};
+use crate::file::{FileResolver, comment, counterweight_table, parse_beside, without_counterweights};
 
 /// The engine with these counterweights, read back from its own file: what is written is what is measured.
 ///
 /// # Errors
 /// [`OptimiseError::File`] where the file names its counterweights in a way that this writer does not find.
 pub(super) fn with_counterweights(
-    (engine, beside): (&Engine, Beside<'_>),
+    (engine, beside): (&Engine, FileResolver<'_>),
     weights: &[Vec<Counterweight>],
     head: &str,
     notes: &[String],

@@ -3,13 +3,13 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::Wish;
+use super::Request;
 use super::best::{SLACK, Search};
 use super::design::{Design, measure};
 use super::error::OptimiseError;
 use super::place::{Place, uniform};
 use crate::engine::Engine;
-use crate::file::Beside;
+use crate::file::FileResolver;
 
 /// More points than this say nothing more.
 pub(super) const MOST_POINTS: usize = 200;
@@ -54,12 +54,12 @@ pub struct Front {
 /// Finds the front of an engine.
 ///
 /// ```standalone_crate
-/// use crankstar::optimise::{Couple, Residual, Wish, front};
+/// use crankstar::optimise::{Couple, Residual, Request, front};
 /// let file = "speed = 6000\nbearings = [1.5, 0.5, -0.5, -1.5]\n[inline]\nthrows = [0, 120, 240]\n[mechanism]\n\
 ///     reciprocating_mass = 0.65\nrotating_mass = 0.5\ncrank_radius = '45 mm'\nrod_ratio = 0.25\n\
 ///     [crankshaft]\nbalance_factor = 1\ncounterweight_radius = '45 mm'\nweb_offset = 0.2";
 /// let i3 = crankstar::file::parse("i3.toml", file).unwrap();
-/// let wish = Wish { couple: Couple::Zero, points: 2, orders: vec![1, 2] };
+/// let wish = Request { couple: Couple::Zero, points: 2, orders: vec![1, 2] };
 /// let front = front(&i3, &wish).unwrap();
 /// let [lightest, calmest] = front.points.as_slice() else { panic!() };
 /// assert!(lightest.design.mass < calmest.design.mass && lightest.design.peak() > calmest.design.peak());
@@ -69,15 +69,15 @@ pub struct Front {
 ///
 /// # Errors
 /// [`OptimiseError`] says what is missing.
-pub fn front(engine: &Engine, wish: &Wish) -> Result<Front, OptimiseError> {
-    front_beside(engine, wish, Beside::nothing())
+pub fn front(engine: &Engine, wish: &Request) -> Result<Front, OptimiseError> {
+    front_beside(engine, wish, FileResolver::nothing())
 }
 
 /// The same of an engine whose layout names a file beside itself, which `beside` reads: the layout is written and read back.
 ///
 /// # Errors
 /// [`OptimiseError`] says what is missing.
-pub fn front_beside(engine: &Engine, wish: &Wish, beside: Beside<'_>) -> Result<Front, OptimiseError> {
+pub fn front_beside(engine: &Engine, wish: &Request, beside: FileResolver<'_>) -> Result<Front, OptimiseError> {
     if !(1..=MOST_POINTS).contains(&wish.points) {
         return Err(OptimiseError::Points(wish.points));
     }

@@ -40,7 +40,7 @@ pub use place::{Place, places, uniform};
 
 /// What is asked of the counterweights.
 #[derive(Clone, Debug)]
-pub struct Wish {
+pub struct Request {
     /// What may be left of the first-order couple that turns with the crank. Its force is always removed.
     pub couple: Couple,
     /// How many points of the front, 1 or more; one alone is that with the least load.

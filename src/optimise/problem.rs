@@ -7,7 +7,7 @@ use num_traits::{One, Signed, ToPrimitive};
 use super::error::OptimiseError;
 use super::felt::Felt;
 use super::place::Place;
-use super::{Couple, Wish};
+use super::{Couple, Request};
 use crate::beam::Beam;
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
@@ -41,7 +41,7 @@ pub(super) struct Problem {
 }
 
 impl Problem {
-    pub fn new(engine: &Engine, places: &[Place], wish: &Wish) -> Result<Self, OptimiseError> {
+    pub fn new(engine: &Engine, places: &[Place], wish: &Request) -> Result<Self, OptimiseError> {
         match places {
             [] => return Err(OptimiseError::NoPlaces),
             [only] => return Err(OptimiseError::OnePlane(only.position.to_string())),

@@ -57,7 +57,7 @@ fn check_arcs(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Audit) -> Resu
         return Err(format!("an enclosure has {FEWEST_BITS} to {MOST_BITS} bits").into());
     }
     check_mirrored(claim, unknown, audit)?;
-    let ground = Ground::new(unknown, claim.bits, audit)?;
+    let ground = Evaluator::new(unknown, claim.bits, audit)?;
     let mut from = &claim.from;
     for arc in &claim.arcs {
         audit.spend(1 + steps_of(from) + steps_of(arc.to()))?;
@@ -98,7 +98,7 @@ pub(super) fn check_free<'a>(
     unknown: &Unknown<'_>,
     audit: &Audit,
 ) -> Result<(), Reason> {
-    let ground = Ground::new(unknown, bits, audit)?;
+    let ground = Evaluator::new(unknown, bits, audit)?;
     let curve = ground.derivative(0);
     arcs.try_for_each(|ends| ground.demand_free(&curve, ends))
 }
@@ -126,7 +126,7 @@ fn check_mirrored(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Audit) -> 
 }
 
 /// The sum with its coefficients enclosed.
-struct Ground<'a> {
+struct Evaluator<'a> {
     unknown: &'a Unknown<'a>,
     sums: Vec<Complex>,
     moduli: Vec<BigInt>,
@@ -137,7 +137,7 @@ struct Ground<'a> {
 /// A curve `Σ C_j e^{2πi m_j s}`: each `2m_j` with its `C_j`.
 type Curve = Vec<(i64, Complex)>;
 
-impl<'a> Ground<'a> {
+impl<'a> Evaluator<'a> {
     fn new(unknown: &'a Unknown<'a>, bits: u32, audit: &'a Audit) -> Result<Self, Reason> {
         let mut scale = BigInt::one();
         for weight in unknown.sums.iter().flat_map(|sum| sum.values()) {
@@ -147,7 +147,7 @@ impl<'a> Ground<'a> {
         let circle = audit.circle(bits);
         let sums = unknown.sums.iter().map(|sum| Ok(enclose(sum, &scale, &circle, audit)?));
         let sums = sums.collect::<Result<Vec<_>, Reason>>()?;
-        Ok(Ground { unknown, sums, moduli: unknown.moduli(audit)?, bits, audit })
+        Ok(Evaluator { unknown, sums, moduli: unknown.moduli(audit)?, bits, audit })
     }
 
     /// The i-th derivative of the sum along the circle, up to a factor.

@@ -27,7 +27,7 @@ const SLIGHT: (i64, i64) = (1, 1_000_000);
 const MOST_COMMON: i64 = 2;
 
 /// A sum of the corrected engine that is not zero.
-pub(super) struct Left {
+pub(super) struct LeftOut {
     pub quantity: Quantity,
     pub order: u32,
     pub sense: Sense,
@@ -36,7 +36,7 @@ pub(super) struct Left {
 }
 
 /// Checks that `left_out` names the orders and senses in which something is left, each once, and that it is little.
-pub(super) fn check_left_out(document: &RemedyDocument, left: &[Left], audit: &Audit) -> Result<(), Fault> {
+pub(super) fn check_left_out(document: &RemedyDocument, left: &[LeftOut], audit: &Audit) -> Result<(), Fault> {
     let named: BTreeSet<(u32, Sense)> = document.left_out.iter().map(|one| (one.order, one.sense)).collect();
     let found: BTreeSet<(u32, Sense)> = left.iter().map(|one| (one.order, one.sense)).collect();
     if named.len() < document.left_out.len() || named != found {
@@ -51,7 +51,7 @@ pub(super) fn check_left_out(document: &RemedyDocument, left: &[Left], audit: &A
         for (quantity, unit) in [(Quantity::FORCE, load.clone()), (Quantity::MOMENT, &load * length(document))] {
             let place = || format!("left_out (order {order}, {})", quantity.name());
             let of_order = left.iter().filter(|one| (one.quantity, one.order) == (quantity, order));
-            let of_order: Vec<&Left> = of_order.collect();
+            let of_order: Vec<&LeftOut> = of_order.collect();
             if of_order.is_empty() {
                 continue;
             }
@@ -74,7 +74,7 @@ fn length(document: &RemedyDocument) -> BigRational {
 }
 
 /// The lengths of the vectors of both senses, added.
-fn end_to_end(left: &[&Left], order: u32, audit: &Audit) -> Result<BigRational, Reason> {
+fn end_to_end(left: &[&LeftOut], order: u32, audit: &Audit) -> Result<BigRational, Reason> {
     let motion = Motion::new(audit);
     let mut most = BigRational::zero();
     for (place, sense) in Sense::BOTH.into_iter().enumerate() {

@@ -19,7 +19,7 @@ use super::engine::{
     own_order, power, rods,
 };
 use super::fraction;
-use super::left_out::{Left, check_left_out};
+use super::left_out::{LeftOut, check_left_out};
 use super::reading::Format;
 use super::source::{differ, turned};
 use super::verdict::{Vector, phase};
@@ -201,7 +201,7 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
                                 "what is left is multiplied by a number that the engine does not have",
                             ));
                         }
-                        left.push(Left { quantity, order, sense, coefficient, sum });
+                        left.push(LeftOut { quantity, order, sense, coefficient, sum });
                     }
                 }
             }

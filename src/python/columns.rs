@@ -52,7 +52,7 @@ fn values<'py>(py: Python<'py>, values: &Values) -> PyResult<Bound<'py, PyAny>> 
             let written = values.iter().map(|text| text.as_ref().map(|text| text.written()));
             Ok(PyList::new(py, written)?.into_any())
         }
-        Values::Whole(values) => match whole(values, |value| value.to_ne_bytes()) {
+        Values::Integer(values) => match whole(values, |value| value.to_ne_bytes()) {
             Some(bytes) => array(py, &bytes, "int64"),
             None => Ok(PyList::new(py, values)?.into_any()),
         },

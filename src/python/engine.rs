@@ -20,11 +20,11 @@ use super::{asked, keys, notebook, pages};
 use crate::accuracy::Timing;
 use crate::engine::{self, Family};
 #[cfg(feature = "optimise")]
-use crate::file::Beside;
+use crate::file::FileResolver;
 use crate::firing::Weights;
 use crate::loads;
 #[cfg(feature = "optimise")]
-use crate::optimise::Wish;
+use crate::optimise::Request;
 use crate::page::Format;
 #[cfg(feature = "optimise")]
 use crate::report::OptimiseStudy;
@@ -293,9 +293,9 @@ impl Engine {
         let orders = asked::rising(asked::orders(orders)?.unwrap_or_else(usual));
         let couple = couple.map(keys::number).transpose()?.unwrap_or_else(|| "zero".to_owned());
         let keywords = json!({ "orders": orders, "couple": couple, "points": points });
-        let wish = Wish { couple: couple.parse().map_err(told)?, points, orders };
+        let wish = Request { couple: couple.parse().map_err(told)?, points, orders };
         let read = |path: &str| self.source.beside(path);
-        let study = py.detach(|| OptimiseStudy::new(&self.engine, wish, Beside::new(&read))).map_err(told)?;
+        let study = py.detach(|| OptimiseStudy::new(&self.engine, wish, FileResolver::new(&read))).map_err(told)?;
         Ok(Answer::new(self.asked("optimise", &keywords), study))
     }
 

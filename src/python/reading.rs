@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use super::again::Files;
 use super::error::{self, told};
 use crate::engine::{self, Family};
-use crate::file::{self, Beside, Layout};
+use crate::file::{self, FileResolver, Layout};
 use crate::text::decoded;
 
 /// A layout file, and the engine that it describes.
@@ -70,7 +70,7 @@ impl Source {
             found.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), text.clone());
             Ok(text)
         };
-        let layout = file::parse_layout_beside(&self.name, &self.text, Beside::new(&read));
+        let layout = file::parse_layout_beside(&self.name, &self.text, FileResolver::new(&read));
         self.files = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         match layout.map_err(|error| error::layout(&error))? {
             Layout::Known(engine, family) => Ok((*engine, family.map(|family| *family))),

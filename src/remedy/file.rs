@@ -10,7 +10,7 @@ use super::rounded::{is_of_link, leaves_little, rounded};
 use super::tables::{Kept, with_tables};
 use super::{Corrected, Remedy, Weight};
 use crate::engine::{Counterweight, Engine};
-use crate::file::{Beside, LayoutError, parse_beside};
+use crate::file::{FileResolver, LayoutError, parse_beside};
 use crate::order::{self, Factor};
 
 /// Why no file can be written.
@@ -65,7 +65,7 @@ pub struct CorrectedFile {
 ///
 /// # Errors
 /// Why the file cannot be written.
-pub fn corrected_file(remedy: &Remedy, name: &str, beside: Beside<'_>) -> Result<CorrectedFile, FileError> {
+pub fn corrected_file(remedy: &Remedy, name: &str, beside: FileResolver<'_>) -> Result<CorrectedFile, FileError> {
     let engine = remedy.subject.engine();
     let source = engine.file().written();
     if source.trim().is_empty() {

@@ -37,7 +37,7 @@ use crate::proof::Sense;
 
 /// What is asked of a remedy.
 #[derive(Clone, Debug, Default)]
-pub struct Wish {
+pub struct Request {
     /// The orders that are to vanish, rising.
     pub orders: Vec<u32>,
     /// Planes of counterweights and couples; the outermost throws if left out.
@@ -111,9 +111,9 @@ impl Remedy {
 /// Finds the weights that make every vector of the orders asked for vanish, and proves it on the corrected engine.
 ///
 /// ```standalone_crate
-/// use crankstar::remedy::{Wish, remedy};
+/// use crankstar::remedy::{Request, remedy};
 /// let i3 = crankstar::file::find("I3").unwrap().engine().unwrap();
-/// let remedy = remedy(&i3, &Wish { orders: vec![1, 2], ..Wish::default() }).unwrap();
+/// let remedy = remedy(&i3, &Request { orders: vec![1, 2], ..Request::default() }).unwrap();
 /// assert!(remedy.holds());
 /// // Two counterweights in the planes of the outer throws, and three shafts with a couple each.
 /// assert_eq!(remedy.crankshaft.as_ref().unwrap().weights[0].modulus().unwrap().to_string(), "√3/4");
@@ -122,7 +122,7 @@ impl Remedy {
 ///
 /// # Errors
 /// What is missing, or does not fit.
-pub fn remedy(engine: &Engine, wish: &Wish) -> Result<Remedy, RemedyError> {
+pub fn remedy(engine: &Engine, wish: &Request) -> Result<Remedy, RemedyError> {
     let subject = ComparableEngine::new(engine).map_err(RemedyError::Missing)?;
     let count = throws(engine).len();
     for (what, given) in [("balance factors", wish.factors.len()), ("skew angles", wish.skews.len())] {

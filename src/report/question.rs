@@ -13,13 +13,13 @@ use super::{AccuracyStudy, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, 
 use crate::accuracy::Timing;
 use crate::engine::{CycleOrder, Engine};
 #[cfg(feature = "optimise")]
-use crate::file::Beside;
+use crate::file::FileResolver;
 use crate::firing::Weights;
 use crate::loads::{usual_bearing_orders, usual_orders};
 #[cfg(feature = "optimise")]
 use crate::optimise::{self, Couple};
 use crate::page::{Document, File};
-use crate::remedy::{self, Wish};
+use crate::remedy::{self, Request};
 use crate::table::{Named, Table};
 use crate::text::Untrusted;
 
@@ -111,13 +111,13 @@ const ASKED: &[(&str, Ask)] = &[
     ("accuracy", |engine, _| Ok(Box::new(AccuracyStudy::new(engine, &[], Timing::Off, &|_| ())?))),
     ("remedy", |engine, orders| {
         let orders = whole_or(orders, || usual_orders(engine));
-        Ok(Box::new(remedy::remedy(engine, &Wish { orders, ..Wish::default() })?))
+        Ok(Box::new(remedy::remedy(engine, &Request { orders, ..Request::default() })?))
     }),
     #[cfg(feature = "optimise")]
     ("optimise", |engine, orders| {
         let orders = whole_or(orders, || usual_bearing_orders(engine));
-        let wish = optimise::Wish { couple: Couple::Zero, points: USUAL_POINTS, orders };
-        Ok(Box::new(OptimiseStudy::new(engine, wish, Beside::nothing())?))
+        let wish = optimise::Request { couple: Couple::Zero, points: USUAL_POINTS, orders };
+        Ok(Box::new(OptimiseStudy::new(engine, wish, FileResolver::nothing())?))
     }),
 ];
 

@@ -15,7 +15,7 @@ pub enum Values {
     /// Exact numbers as text, in closed form: `√10`, `1/3`, `0`.
     Exact(Vec<Option<String>>),
     /// Whole numbers.
-    Whole(Vec<Option<i64>>),
+    Integer(Vec<Option<i64>>),
     /// Decimals; 0 is written where it is proved, and the column beside it that ends in `vanishes` tells so.
     Decimal(Vec<Option<f64>>),
     /// True or false; `None` where it is not decided.
@@ -32,7 +32,7 @@ pub enum Kind {
     /// An exact number as text.
     Exact,
     /// A whole number.
-    Whole,
+    Integer,
     /// A decimal.
     Decimal,
     /// True or false.
@@ -46,7 +46,7 @@ impl Kind {
             Kind::Words => "text",
             Kind::Person => "text of the file",
             Kind::Exact => "exact",
-            Kind::Whole => "whole",
+            Kind::Integer => "whole",
             Kind::Decimal => "decimal",
             Kind::Truth => "truth",
         }
@@ -59,7 +59,7 @@ impl Values {
         match self {
             Values::Words(values) | Values::Exact(values) => values.len(),
             Values::Person(values) => values.len(),
-            Values::Whole(values) => values.len(),
+            Values::Integer(values) => values.len(),
             Values::Decimal(values) => values.len(),
             Values::Truth(values) => values.len(),
         }
@@ -76,7 +76,7 @@ impl Values {
             Values::Words(values) => Values::Words(vec![values[row].clone()]),
             Values::Exact(values) => Values::Exact(vec![values[row].clone()]),
             Values::Person(values) => Values::Person(vec![values[row].clone()]),
-            Values::Whole(values) => Values::Whole(vec![values[row]]),
+            Values::Integer(values) => Values::Integer(vec![values[row]]),
             Values::Decimal(values) => Values::Decimal(vec![values[row]]),
             Values::Truth(values) => Values::Truth(vec![values[row]]),
         }
@@ -88,12 +88,12 @@ impl Values {
             (Values::Words(values), Some(Values::Words(more))) => values.extend_from_slice(more),
             (Values::Exact(values), Some(Values::Exact(more))) => values.extend_from_slice(more),
             (Values::Person(values), Some(Values::Person(more))) => values.extend_from_slice(more),
-            (Values::Whole(values), Some(Values::Whole(more))) => values.extend_from_slice(more),
+            (Values::Integer(values), Some(Values::Integer(more))) => values.extend_from_slice(more),
             (Values::Decimal(values), Some(Values::Decimal(more))) => values.extend_from_slice(more),
             (Values::Truth(values), Some(Values::Truth(more))) => values.extend_from_slice(more),
             (Values::Words(values) | Values::Exact(values), _) => values.push(None),
             (Values::Person(values), _) => values.push(None),
-            (Values::Whole(values), _) => values.push(None),
+            (Values::Integer(values), _) => values.push(None),
             (Values::Decimal(values), _) => values.push(None),
             (Values::Truth(values), _) => values.push(None),
         }
@@ -105,7 +105,7 @@ impl Values {
             Values::Words(_) => Values::Words(Vec::new()),
             Values::Person(_) => Values::Person(Vec::new()),
             Values::Exact(_) => Values::Exact(Vec::new()),
-            Values::Whole(_) => Values::Whole(Vec::new()),
+            Values::Integer(_) => Values::Integer(Vec::new()),
             Values::Decimal(_) => Values::Decimal(Vec::new()),
             Values::Truth(_) => Values::Truth(Vec::new()),
         }
@@ -117,7 +117,7 @@ impl Values {
         match self {
             Values::Words(values) | Values::Exact(values) => values.push(is_there.then(|| text.into_owned())),
             Values::Person(values) => values.push(is_there.then(|| Untrusted::new(&*text))),
-            Values::Whole(values) => values.push(if is_there { Some(text.parse().ok()?) } else { None }),
+            Values::Integer(values) => values.push(if is_there { Some(text.parse().ok()?) } else { None }),
             Values::Decimal(values) => values.push(if is_there { Some(text.parse().ok()?) } else { None }),
             Values::Truth(values) => values.push(if is_there { Some(text.parse().ok()?) } else { None }),
         }
@@ -130,7 +130,7 @@ impl Values {
             Values::Words(_) => Kind::Words,
             Values::Person(_) => Kind::Person,
             Values::Exact(_) => Kind::Exact,
-            Values::Whole(_) => Kind::Whole,
+            Values::Integer(_) => Kind::Integer,
             Values::Decimal(_) => Kind::Decimal,
             Values::Truth(_) => Kind::Truth,
         }
@@ -204,9 +204,11 @@ impl Column {
         let round = |value: f64| format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
         let values = match self.values {
             Values::Decimal(values) => Values::Decimal(values.into_iter().map(|value| value.map(round)).collect()),
-            other @ (Values::Words(_) | Values::Person(_) | Values::Exact(_) | Values::Whole(_) | Values::Truth(_)) => {
-                other
-            }
+            other @ (Values::Words(_)
+            | Values::Person(_)
+            | Values::Exact(_)
+            | Values::Integer(_)
+            | Values::Truth(_)) => other,
         };
         Column { values, ..self }
     }

@@ -51,7 +51,7 @@ fn field(all: &mut String, values: &Values, row: usize) {
             let text = values[row].as_ref().map(|text| text::field(&text.escaped(Format::Csv)));
             all.push_str(&text.unwrap_or_default());
         }
-        Values::Whole(values) => values[row].into_iter().for_each(|value| add(all, format_args!("{value}"))),
+        Values::Integer(values) => values[row].into_iter().for_each(|value| add(all, format_args!("{value}"))),
         Values::Decimal(values) => values[row].into_iter().for_each(|value| decimal(all, value)),
         Values::Truth(values) => all.push_str(values[row].map_or("", |value| if value { "true" } else { "false" })),
     }

@@ -9,7 +9,7 @@ impl Serialize for Value<'_> {
         match self {
             Value::Words(text) | Value::Exact(text) => serializer.serialize_str(text),
             Value::Person(text) => serializer.serialize_str(text.written()),
-            Value::Whole(number) => serializer.serialize_i64(*number),
+            Value::Integer(number) => serializer.serialize_i64(*number),
             Value::Decimal(number) => serializer.serialize_f64(*number),
             Value::Truth(truth) => serializer.serialize_bool(*truth),
         }

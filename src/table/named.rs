@@ -15,7 +15,7 @@ pub enum Value<'a> {
     /// An exact number as text.
     Exact(&'a str),
     /// A whole number.
-    Whole(i64),
+    Integer(i64),
     /// A decimal.
     Decimal(f64),
     /// True or false.
@@ -29,7 +29,7 @@ impl Values {
             Values::Words(values) => values.get(row)?.as_deref().map(Value::Words),
             Values::Exact(values) => values.get(row)?.as_deref().map(Value::Exact),
             Values::Person(values) => values.get(row)?.as_ref().map(Value::Person),
-            Values::Whole(values) => values.get(row)?.map(Value::Whole),
+            Values::Integer(values) => values.get(row)?.map(Value::Integer),
             Values::Decimal(values) => values.get(row)?.map(Value::Decimal),
             Values::Truth(values) => values.get(row)?.map(Value::Truth),
         }
@@ -41,7 +41,7 @@ impl Value<'_> {
     fn is(&self, key: &str) -> bool {
         match self {
             Value::Decimal(number) => decimal(key) == Some(*number),
-            Value::Words(_) | Value::Person(_) | Value::Exact(_) | Value::Whole(_) | Value::Truth(_) => {
+            Value::Words(_) | Value::Person(_) | Value::Exact(_) | Value::Integer(_) | Value::Truth(_) => {
                 self.to_string() == key
             }
         }
@@ -61,7 +61,7 @@ impl fmt::Display for Value<'_> {
         match self {
             Value::Words(text) | Value::Exact(text) => f.write_str(text),
             Value::Person(text) => f.write_str(&harmless(text.written())),
-            Value::Whole(number) => number.fmt(f),
+            Value::Integer(number) => number.fmt(f),
             Value::Decimal(number) => number.fmt(f),
             Value::Truth(truth) => truth.fmt(f),
         }

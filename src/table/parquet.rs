@@ -66,7 +66,7 @@ impl<W: Write + Send> Groups<W> {
 fn field(column: &Column) -> Result<TypePtr, ParquetError> {
     let (physical, logical) = match column.values().kind() {
         Kind::Words | Kind::Person | Kind::Exact => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
-        Kind::Whole => (Physical::INT64, None),
+        Kind::Integer => (Physical::INT64, None),
         Kind::Decimal => (Physical::DOUBLE, None),
         Kind::Truth => (Physical::BOOLEAN, None),
     };
@@ -95,7 +95,7 @@ fn write(writer: &mut SerializedColumnWriter<'_>, values: &Values) -> Result<(),
         Values::Person(values) => {
             put::<ByteArrayType, _>(writer, values, |words| ByteArray::from(words.escaped(Format::Plain).into_bytes()))
         }
-        Values::Whole(values) => put::<Int64Type, _>(writer, values, |number| *number),
+        Values::Integer(values) => put::<Int64Type, _>(writer, values, |number| *number),
         Values::Decimal(values) => put::<DoubleType, _>(writer, values, |number| *number),
         Values::Truth(values) => put::<BoolType, _>(writer, values, |truth| *truth),
     }

@@ -49,7 +49,7 @@ fn cell(sheet: &mut Worksheet, (down, right): (u32, u16), values: &Values, row: 
                 sheet.write_string(down, right, words.escaped(text::Format::Plain))?;
             }
         }
-        Values::Whole(values) => {
+        Values::Integer(values) => {
             if let Some(number) = values[row] {
                 whole(sheet, (down, right), number)?;
             }

@@ -6,7 +6,7 @@
 
 use num_traits::ToPrimitive;
 
-use super::course::Course;
+use super::curve::TorqueCurve;
 use super::extreme::Extreme;
 use crate::engine::Engine;
 
@@ -59,7 +59,7 @@ const EXAMPLE: f64 = 0.01;
 const HALVINGS: usize = 100;
 
 /// How evenly an engine turns at this speed, in radians a second.
-pub fn evenness(engine: &Engine, course: &Course, omega: f64) -> Evenness {
+pub fn evenness(engine: &Engine, course: &TorqueCurve, omega: f64) -> Evenness {
     let [fastest, slowest] = course.extremes(|theta| course.work(theta));
     let energy = fastest.value - slowest.value;
     let squared = omega * omega;
@@ -89,7 +89,7 @@ pub fn evenness(engine: &Engine, course: &Course, omega: f64) -> Evenness {
 
 /// The irregularity by the balance of energy: its beginning is where the mean of largest and smallest speed is the given one. None where
 /// the flywheel is too light to carry the engine through its cycle.
-pub fn by_energy(course: &Course, inertia: f64, omega: f64) -> Option<f64> {
+pub fn by_energy(course: &TorqueCurve, inertia: f64, omega: f64) -> Option<f64> {
     let grid: Vec<(f64, f64)> =
         course.angles().map(|theta| (course.gas_work(theta), inertia + course.reduced_inertia(theta))).collect();
     let speed = |energy: f64, (work, inertia): (f64, f64)| (2.0 * (energy + work) / inertia).max(0.0).sqrt();

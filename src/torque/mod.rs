@@ -4,7 +4,7 @@
 //! are one class: the order κ of a class is `Re t_κ S_κ e^{iκθ}`, its star `S_κ = Σ e^{−iκφ_j}` exact (theory, section 12).
 
 mod class;
-mod course;
+mod curve;
 mod evenness;
 mod extreme;
 mod guide;
@@ -13,7 +13,7 @@ mod peak;
 
 pub use crate::loads::PeakMethod;
 pub use class::{Class, Inertia, classes, warnings};
-pub use course::Course;
+pub use curve::TorqueCurve;
 pub use evenness::{Evenness, evenness};
 pub use extreme::{Extreme, angles, extremes, largest};
 pub use guide::{GuideMoments, guide_moments};
@@ -30,7 +30,7 @@ pub struct EngineTorque {
     /// The classes of equal cylinders.
     pub classes: Vec<Class>,
     /// Through the cycle.
-    pub course: Course,
+    pub course: TorqueCurve,
     /// Orders of the cycle, rising; halves in a four-stroke.
     pub orders: Vec<TorqueOrder>,
     /// Mean torque in newton-metres.
@@ -62,7 +62,7 @@ pub const HIGHEST: u32 = 12;
 /// What the layout lacks.
 pub fn torque(engine: &Engine) -> Result<EngineTorque, Missing> {
     let classes = classes(engine)?;
-    let course = Course::new(&classes);
+    let course = TorqueCurve::new(&classes);
     let orders = orders(&classes);
     let each = |of: &dyn Fn(&Class) -> f64| -> f64 {
         classes.iter().map(|class| of(class) * class.cylinders.len() as f64).sum()

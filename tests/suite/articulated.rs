@@ -7,7 +7,7 @@ use crankstar::file;
 use crankstar::loads;
 use crankstar::motion::Linkage;
 use crankstar::proof::{RodStatement, Sense, Shape, check_document, read_document};
-use crankstar::remedy::{Wish, remedy};
+use crankstar::remedy::{Request, remedy};
 use crankstar::report;
 use crankstar::verdict::Outcome;
 use num_complex::Complex;
@@ -84,7 +84,7 @@ fn two_rows_with_masters_a_hundred_degrees_apart_are_those_of_the_double_wasp() 
     assert_halves(&order(&loads, 4).force, [0.0054, 0.0], 4);
     assert_halves(&order(&loads, 1).moment, [4.5, 0.0], 9);
     assert_halves(&order(&loads, 2).moment, [0.5920, 0.0004], 4);
-    let cured = remedy(&engine, &Wish { orders: vec![1, 2, 4], ..Wish::default() }).expect("a remedy");
+    let cured = remedy(&engine, &Request { orders: vec![1, 2, 4], ..Request::default() }).expect("a remedy");
     let second: Vec<f64> = cured
         .weights()
         .iter()
@@ -212,7 +212,7 @@ fn documents_of_random_radials_with_master_rods_verify() {
         }
         check_document(&cheat).expect_err("links that cannot turn round");
         second::refuses(&[("links that cannot turn round", cheat)]);
-        let cured = remedy(&engine, &Wish { orders: vec![1, 2, 4], ..Wish::default() }).expect("a remedy");
+        let cured = remedy(&engine, &Request { orders: vec![1, 2, 4], ..Request::default() }).expect("a remedy");
         for bytes in [
             serde_json::to_vec(&all).expect("JSON"),
             serde_json::to_vec(&report::remedy_document(&cured)).expect("JSON"),

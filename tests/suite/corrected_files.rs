@@ -1,10 +1,10 @@
 //! Is the layout file that `remedy` writes the engine that was promised? Over random engines of every form, and by the trade's factor.
 
 use crankstar::engine::{Engine, Mechanism};
-use crankstar::file::{Beside, catalogue, parse};
+use crankstar::file::{FileResolver, catalogue, parse};
 use crankstar::order::{self, Masses};
 use crankstar::proof::{Planar, Quantity, Sense, check_document, check_remedy_document};
-use crankstar::remedy::{Remedy, Wish, corrected_file, remedy};
+use crankstar::remedy::{Remedy, Request, corrected_file, remedy};
 use crankstar::{report, verdict};
 
 use crate::support::dice::Dice;
@@ -12,13 +12,13 @@ use crate::support::engines::{FORMS, file};
 use crate::support::written::{engine as read, fraction};
 
 fn found(engine: &Engine, orders: &[u32]) -> Option<Remedy> {
-    remedy(engine, &Wish { orders: orders.to_vec(), ..Wish::default() }).ok()
+    remedy(engine, &Request { orders: orders.to_vec(), ..Request::default() }).ok()
 }
 
 /// The engine of the file that is written, whose every order that was asked for is zero.
 #[track_caller]
 fn corrected(remedy: &Remedy) -> Engine {
-    let written = corrected_file(remedy, "corrected.toml", Beside::nothing()).unwrap_or_else(|error| {
+    let written = corrected_file(remedy, "corrected.toml", FileResolver::nothing()).unwrap_or_else(|error| {
         panic!("{error}\n{}", remedy.subject.engine().file().written());
     });
     assert!(!written.is_rounded, "{}", written.text);
@@ -88,7 +88,7 @@ fn shafts_against_links_are_written_in_decimals_that_leave_too_little_for_anothe
     for text in texts {
         let engine = read(&text);
         let remedy = found(&engine, &[1, 2, 4]).expect("a remedy");
-        let written = corrected_file(&remedy, "corrected.toml", Beside::nothing()).expect("a file");
+        let written = corrected_file(&remedy, "corrected.toml", FileResolver::nothing()).expect("a file");
         rounded += usize::from(written.is_rounded);
         assert_eq!(
             written.is_rounded,

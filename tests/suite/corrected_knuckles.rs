@@ -12,7 +12,7 @@ use crankstar::page::Format;
 use crankstar::proof::{
     Coefficient, Document, Quantity, RodStatement, Shape, WholeOutcome, check_document, read_document,
 };
-use crankstar::remedy::{Wish, remedy};
+use crankstar::remedy::{Request, remedy};
 use crankstar::report;
 use crankstar::verdict::Outcome;
 use num_complex::Complex;
@@ -202,7 +202,7 @@ fn documents_of_random_corrected_engines_verify() {
         let all = document(&engine, &verdicts, false, None);
         checked(&serde_json::to_vec(&all).expect("JSON"), &text);
         second::accepts(&[&all], &[]);
-        let cured = remedy(&engine, &Wish { orders: vec![1, 2, 3], ..Wish::default() }).expect("a remedy");
+        let cured = remedy(&engine, &Request { orders: vec![1, 2, 3], ..Request::default() }).expect("a remedy");
         checked(&serde_json::to_vec(&report::remedy_document(&cured)).expect("JSON"), &text);
     }
 }
@@ -416,7 +416,7 @@ fn cheats_with_corrected_angles_are_refused() {
 #[test]
 fn numbers_of_links_in_a_remedy_are_named_by_what_tells_them() {
     let engine = mirror_pairs();
-    let cured = remedy(&engine, &Wish { orders: vec![1, 2], ..Wish::default() }).expect("a remedy");
+    let cured = remedy(&engine, &Request { orders: vec![1, 2], ..Request::default() }).expect("a remedy");
     let document = report::remedy_document(&cured);
     let coefficients = document.weights.iter().flat_map(|weight| &weight.parts).map(|part| &part.coefficient);
     assert!(coefficients.clone().any(|one| matches!(one, Coefficient::Corrected(_))));

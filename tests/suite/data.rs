@@ -82,7 +82,7 @@ fn is_read(column: &Column, row: usize, field: &str) -> bool {
         Values::Person(values) => {
             values[row].as_ref().map(|text| text.escaped(text::Format::Csv)).unwrap_or_default() == field
         }
-        Values::Whole(values) => values[row] == field.parse().ok(),
+        Values::Integer(values) => values[row] == field.parse().ok(),
         Values::Decimal(values) => values[row].map(f64::to_bits) == field.parse::<f64>().ok().map(f64::to_bits),
         Values::Truth(values) => values[row] == field.parse().ok(),
     }
@@ -283,7 +283,7 @@ fn the_tables_of_a_sweep_are_the_document() {
     assert!(truths(zeros, "complete").iter().all(|complete| *complete == Some(true)));
     let at = |quantity: &str, of: &str, order: i64| -> Vec<String> {
         let orders = match zeros.column("order").expect("orders").values() {
-            Values::Whole(orders) => orders.clone(),
+            Values::Integer(orders) => orders.clone(),
             other => panic!("{:?}", other.kind()),
         };
         let rows = (0..zeros.rows()).filter(|row| {

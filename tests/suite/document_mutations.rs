@@ -5,7 +5,7 @@
 
 use crankstar::file::{self, Layout};
 use crankstar::proof::{Masses, Sense, read_document};
-use crankstar::remedy::{Wish, remedy};
+use crankstar::remedy::{Request, remedy};
 use crankstar::{family, report};
 use serde_json::Value;
 
@@ -161,7 +161,7 @@ fn every_change_of_links_on_a_master_rod_is_refused() {
     classify(&format!("radial.cylinders = 3\n{row}\nknuckle_mass = '1/3'"), &[1, 2], false, false);
     let engine =
         file::parse("engine", &format!("radial.cylinders = 3\n{row}\nknuckle_mass = '1/7'")).expect("a layout");
-    let found = remedy(&engine, &Wish { orders: vec![1, 2], ..Wish::default() }).expect("a remedy");
+    let found = remedy(&engine, &Request { orders: vec![1, 2], ..Request::default() }).expect("a remedy");
     assert_guarded(&report::remedy_document(&found));
 }
 
@@ -223,7 +223,7 @@ fn every_change_of_a_remedy_is_refused() {
         "inline.throws = [0, 100]\n[mechanism]\nrod_ratio = 0.3\noffset_ratio = [0.1, -0.1]\nreciprocating_mass = [1, 2]",
     ] {
         let layout = file::parse("engine", text).expect("a layout");
-        let found = remedy(&layout, &Wish { orders: vec![1, 2], ..Wish::default() }).expect("a remedy");
+        let found = remedy(&layout, &Request { orders: vec![1, 2], ..Request::default() }).expect("a remedy");
         assert_guarded(&report::remedy_document(&found));
     }
 }

@@ -3,7 +3,7 @@
 use crankstar::engine::Engine;
 use crankstar::file::{self, Layout};
 use crankstar::proof::{AnyDocument, Checked, Document, Vector, VerdictClaim, read_document};
-use crankstar::remedy::{Wish, remedy};
+use crankstar::remedy::{Request, remedy};
 use crankstar::report::{self, Compared, Numbers};
 use crankstar::text::Untrusted;
 use crankstar::{family, order, verdict};
@@ -125,7 +125,7 @@ fn every_document_of_a_remedy_verifies() {
     let mut remedies = 0;
     for (index, (text, layout)) in known(3).enumerate() {
         let orders = [vec![1], vec![1, 2], vec![3], vec![1, 2, 4]][index % 4].clone();
-        let Ok(found) = remedy(&layout, &Wish { orders, ..Wish::default() }) else { continue };
+        let Ok(found) = remedy(&layout, &Request { orders, ..Request::default() }) else { continue };
         remedies += 1;
         verified(&report::remedy_document(&found), &text);
     }

@@ -15,7 +15,7 @@ use crankstar::family::{self, OpenSum, When};
 use crankstar::file::{self, Layout};
 use crankstar::page::Format;
 use crankstar::proof::{Sense, Vector, check_certificate, check_open_document};
-use crankstar::remedy::{Wish, remedy};
+use crankstar::remedy::{Request, remedy};
 use crankstar::report;
 
 use crate::studies::world::{BuiltEngine, engines_page};
@@ -99,7 +99,7 @@ fn built(name: &str) -> BuiltEngine {
 
 /// The turns of the shafts that an order needs, with their sense.
 fn shafts(engine: &Engine, order: u32) -> BTreeSet<i32> {
-    let remedy = remedy(engine, &Wish { orders: vec![order], ..Wish::default() }).expect("a remedy");
+    let remedy = remedy(engine, &Request { orders: vec![order], ..Request::default() }).expect("a remedy");
     assert!(remedy.holds());
     let signed = |sense: Sense| if sense == Sense::Direct { order as i32 } else { -(order as i32) };
     remedy.shafts.iter().map(|shaft| signed(shaft.sense)).collect()

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crankstar::engine::{DELTA, Family, PHI};
 use crankstar::exact::Turn;
-use crankstar::family::{self, Left, NotComparable, OpenVerdict, When};
+use crankstar::family::{self, NotComparable, OpenVerdict, Remaining, When};
 use crankstar::file::{self, Layout};
 use crankstar::numbers::Form;
 use crankstar::page::Format;
@@ -195,7 +195,7 @@ fn the_cross_plane_v8_of_the_thesis_leaves_root_ten_times_its_lengths() {
     let family =
         open("vee = { bank_angle = 90, throws = [0, 270, 90, 180], spacing = '2a + b + 2c', bank_offset = 'b' }");
     let order = &family::classify(&family, &[1]).expect("orders")[0];
-    let Left::Factored { factor, lengths, degrees, .. } = family::left(&order.moment[0]) else {
+    let Remaining::Factored { factor, lengths, degrees, .. } = family::remaining(&order.moment[0]) else {
         panic!("not factored")
     };
     assert_eq!((factor, lengths.to_string().as_str()), (Form::parse("2√10").expect("a number"), "2a + b + 2c"));
@@ -208,7 +208,7 @@ fn the_flat_plane_v8_of_the_thesis_keeps_second_order_moments_only_through_its_b
     let text = "vee = { bank_angle = 90, throws = [0, 180, 180, 0], spacing = '2a + b + 2c', bank_offset = 'b' }";
     let order = &family::classify(&open(text), &[2]).expect("orders")[0];
     for verdict in &order.moment {
-        let Left::Factored { factor, lengths, .. } = family::left(verdict) else { panic!("not factored") };
+        let Remaining::Factored { factor, lengths, .. } = family::remaining(verdict) else { panic!("not factored") };
         assert_eq!((factor, lengths.to_string().as_str()), (Form::parse("2√2").expect("a number"), "b"));
     }
     let without = text.replace(", bank_offset = 'b'", "");
@@ -231,15 +231,15 @@ fn what_factors_out_agrees_with_the_sum_at_any_lengths() {
                 at(&[("a", fraction(7, 3)), ("b", fraction(2, 5)), ("c", fraction(11, 7)), ("d", fraction(13, 9))]);
             let engine = family.with(&values).expect("it is built").only().expect("known").expect("it is built");
             let sum = order::star(&engine, Quantity::MOMENT, verdict.order, Some(verdict.sense));
-            match family::left(verdict) {
-                Left::Nothing => assert!(sum.vanishes() && verdict.always()),
-                Left::Factored { factor, lengths, .. } => {
+            match family::remaining(verdict) {
+                Remaining::Nothing => assert!(sum.vanishes() && verdict.always()),
+                Remaining::Factored { factor, lengths, .. } => {
                     let value = lengths.with(&values).as_known().expect("known").clone();
                     let expected = factor.scaled(&num_traits::abs(value));
                     assert_eq!(crankstar::numbers::modulus(&sum).expect("small"), expected, "{text}");
                 }
-                Left::Apart => assert!(!verdict.always()),
-                Left::Open => panic!("no angle is open"),
+                Remaining::Apart => assert!(!verdict.always()),
+                Remaining::Open => panic!("no angle is open"),
             }
         }
     }
@@ -280,7 +280,7 @@ fn reports_on_families_are_written_in_every_format() {
         let page = report::family_page(&family, &orders, false);
         for format in [Format::GITHUB, pages::DOLLARS, Format::Latex, Format::Html, Format::PLAIN] {
             let written = pages::text(&page, format);
-            assert!(written.contains("Left open") && written.contains("opposite") || text == UNEQUAL || text == W);
+            assert!(written.contains("Remaining open") && written.contains("opposite") || text == UNEQUAL || text == W);
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crankstar::engine::Engine;
-use crankstar::file::{self, Beside};
+use crankstar::file::{self, FileResolver};
 use crankstar::gas::{CylinderGas, NoGas, Warning};
 
 use crate::support::dice::Dice;
@@ -239,7 +239,7 @@ fn a_table_in_a_file_beside_the_layout_is_that_in_the_layout() {
         let csv = format!("\u{feff}angle{separator}pressure\r\n# measured\r\n\r\n{}", lines.concat());
         let read =
             |path: &str| if path == "data/indicator.csv" { Ok(csv.clone()) } else { Err("no such file".to_owned()) };
-        let beside = file::parse_layout_beside("layout.toml", &text, Beside::new(&read)).expect("it reads");
+        let beside = file::parse_layout_beside("layout.toml", &text, FileResolver::new(&read)).expect("it reads");
         let file::Layout::Known(beside, _) = beside else { panic!("an engine") };
         assert_eq!(beside.gas(), inline.gas());
     }

@@ -1,7 +1,7 @@
 //! Is every mistake in a gas, a table or a flywheel told, with its place and what would be right?
 
 use crankstar::engine::{DeadCentre, PressureLaw, Setting};
-use crankstar::file::{Beside, parse, parse_layout_beside};
+use crankstar::file::{FileResolver, parse, parse_layout_beside};
 use num_rational::BigRational;
 
 use crate::gas::engine;
@@ -159,7 +159,7 @@ fn mistakes_in_a_csv_file_name_its_line() {
     let text = format!("{BEFORE}[gas]\nbore = '86 mm'\nunit = 'bar'\ntable = 'a.csv'\n{AFTER}");
     let told = |csv: &str| {
         let read = |_: &str| Ok(csv.to_owned());
-        parse_layout_beside("layout.toml", &text, Beside::new(&read)).expect_err("a mistake").to_string()
+        parse_layout_beside("layout.toml", &text, FileResolver::new(&read)).expect_err("a mistake").to_string()
     };
     let good: Vec<String> = (0..36).map(|index| format!("{},{}", 20 * index, 1 + index % 3)).collect();
     let with = |line: usize, row: &str| {
@@ -181,7 +181,7 @@ fn mistakes_in_a_csv_file_name_its_line() {
     }
     assert!(told("").contains("a table of 0 rows"));
     let none = |_: &str| Err("no such file".to_owned());
-    let error = parse_layout_beside("layout.toml", &text, Beside::new(&none)).expect_err("no file").to_string();
+    let error = parse_layout_beside("layout.toml", &text, FileResolver::new(&none)).expect_err("no file").to_string();
     assert!(error.contains("no such file") && error.contains("layout.toml:8"), "{error}");
 }
 

@@ -5,7 +5,7 @@ use crankstar::file::parse;
 use crankstar::numbers;
 use crankstar::order::Masses;
 use crankstar::proof::Sense;
-use crankstar::remedy::{Wish, remedy};
+use crankstar::remedy::{Request, remedy};
 use crankstar::report::{remedy_answer, remedy_cures};
 use crankstar::verdict;
 
@@ -140,7 +140,7 @@ fn left_is_the_left_of_the_drawing() {
 
 /// What a remedy for these orders says in sentences, and what it answers in short.
 fn said(text: &str, orders: &[u32]) -> [String; 2] {
-    let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
+    let wish = Request { orders: orders.to_vec(), ..Request::default() };
     let found = remedy(&layout(text), &wish).expect("a remedy");
     let cures = remedy_cures(&found).iter().map(crankstar::page::Text::plain).collect::<Vec<_>>().join("\n");
     [cures, pages::text(&remedy_answer(&found), pages::DOLLARS)]
@@ -167,7 +167,7 @@ fn a_crankshaft_that_turns_against_the_reference_bears_the_weight_at_minus_1() {
 #[test]
 fn the_weight_at_minus_1_stands_on_that_crankshaft_as_it_is_proposed() {
     let twin = "[u]\nthrows = [0]\nsense = 'against'\ndistance = 4\n";
-    let found = remedy(&layout(twin), &Wish { orders: vec![1], ..Wish::default() }).expect("a remedy");
+    let found = remedy(&layout(twin), &Request { orders: vec![1], ..Request::default() }).expect("a remedy");
     let [shaft] = &found.shafts[..] else { panic!("one shaft") };
     assert_eq!((shaft.order, shaft.sense, shaft.weights.len()), (1, Sense::Reverse, 1));
     let size = shaft.weights[0].modulus().expect("a length").to_string();

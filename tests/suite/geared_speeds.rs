@@ -8,7 +8,7 @@ use crankstar::loads::{loads_at, needed_orders, vanishes_at_every_order};
 use crankstar::numbers::evaluate;
 use crankstar::order::{Factor, Masses};
 use crankstar::proof::{Document, Quantity, Sense, Shape, check_document, check_remedy_document};
-use crankstar::remedy::{Wish, corrected_file, remedy};
+use crankstar::remedy::{Request, corrected_file, remedy};
 use crankstar::verdict::{self, NoTheorem, OrderVerdict};
 use crankstar::{file, report};
 use num_rational::BigRational;
@@ -79,7 +79,7 @@ fn crankshafts_at_twice_the_speed_are_the_lanchester_pair_of_the_remedy() {
     let mass = "reciprocating_mass = ['1 kg', '0 kg', '0 kg']\n";
     let mechanism = "[mechanism]\nstroke = '80 mm'\nrod_ratio = 0.25\n";
     let plain = layout(&format!("inline.throws = [0]\n{mechanism}reciprocating_mass = '1 kg'\n"));
-    let wish = Wish { orders: vec![2], ..Wish::default() };
+    let wish = Request { orders: vec![2], ..Request::default() };
     let shafts = remedy(&plain, &wish).expect("a remedy").shafts;
     assert!(shafts.iter().all(|shaft| shaft.lanchester) && shafts.len() == 2);
     // Before c_2 in the remedy: U = c_2/8 in each sense, which is no rational number; here 8U is written as c_2 in decimals.
@@ -108,10 +108,10 @@ fn remedies_of_engines_with_fast_cranks_hold() {
     for _ in 0..12 {
         let text = any_engine_at(&mut dice, 3);
         let engine = layout(&text);
-        let remedy = remedy(&engine, &Wish { orders: vec![1, 2, 3], ..Wish::default() }).expect("a remedy");
+        let remedy = remedy(&engine, &Request { orders: vec![1, 2, 3], ..Request::default() }).expect("a remedy");
         assert!(remedy.holds(), "{text}");
         check_remedy_document(&report::remedy_document(&remedy)).unwrap_or_else(|fault| panic!("{fault}\n{text}"));
-        match corrected_file(&remedy, "speeds.toml", file::Beside::nothing()) {
+        match corrected_file(&remedy, "speeds.toml", file::FileResolver::nothing()) {
             Ok(file) => {
                 written += 1;
                 let corrected = layout(&file.text);

@@ -3,7 +3,7 @@
 use crankstar::loads::{Method, bearing_loads};
 use crankstar::page::figure::Mark;
 use crankstar::page::{self, Block, Document, Format, Options, Piece, Text, Unit, Units};
-use crankstar::remedy::{Wish, remedy};
+use crankstar::remedy::{Request, remedy};
 use crankstar::report::{self, Numbers};
 
 use crate::support::written::engine as read;
@@ -118,7 +118,7 @@ fn each_quantity_in_pounds_and_inches_converts_back_to_that_of_the_si() {
     let torque = crankstar::torque::torque(&engine).expect("a torque");
     assert!(assert_agrees(&report::torque_page(&engine, &torque)) > 10);
     let i3 = read(I3);
-    let remedy = remedy(&i3, &Wish { orders: vec![1, 2], ..Wish::default() }).expect("a remedy");
+    let remedy = remedy(&i3, &Request { orders: vec![1, 2], ..Request::default() }).expect("a remedy");
     assert!(assert_agrees(&report::remedy_page(&remedy)) > 5);
     let supported = read(I3);
     let [continuous, determinate] = [Method::Continuous, Method::Determinate]

@@ -2,7 +2,7 @@
 
 use crankstar::numbers::evaluate;
 use crankstar::proof::{Coefficient, LeftOutClaim, Quantity, RemedyDocument, Sense, check_remedy_document};
-use crankstar::remedy::{Remedy, Wish, remedy};
+use crankstar::remedy::{Remedy, Request, remedy};
 use crankstar::report::remedy_document;
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -16,7 +16,7 @@ use crate::support::written::{engine as read, sum};
 const RODS: &str = "[mechanism]\nrod_ratio = 0.25";
 
 fn found(text: &str, orders: &[u32]) -> Remedy {
-    remedy(&read(text), &Wish { orders: orders.to_vec(), ..Wish::default() }).expect("a remedy")
+    remedy(&read(text), &Request { orders: orders.to_vec(), ..Request::default() }).expect("a remedy")
 }
 
 /// The sums of an engine, nothing against them, and the claim that these orders and senses are too little for a weight.

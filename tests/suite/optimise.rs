@@ -16,7 +16,7 @@ use crankstar::file::parse;
 use crankstar::journal::{bearing_peaks, cycle_loads};
 use crankstar::loads::{Circle, Method, Outcome, Scale, Waveform, bearing_loads, loads, usual_bearing_orders};
 use crankstar::optimise::{
-    Couple, Front, OptimiseError, Optimum, Place, Residual, Uniform, Wish, front, measure, places, uniform,
+    Couple, Front, OptimiseError, Optimum, Place, Request, Residual, Uniform, front, measure, places, uniform,
 };
 use crankstar::page::Format;
 use crankstar::{page, report};
@@ -41,8 +41,8 @@ fn read(engine: &str, file: &str) -> Engine {
     parse(file, &text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn wish(layout: &Engine, couple: Couple, points: usize) -> Wish {
-    Wish { couple, points, orders: usual_bearing_orders(layout) }
+fn wish(layout: &Engine, couple: Couple, points: usize) -> Request {
+    Request { couple, points, orders: usual_bearing_orders(layout) }
 }
 
 fn solved(layout: &Engine, couple: Couple, points: usize) -> Front {
@@ -544,7 +544,7 @@ fn what_is_missing_is_named() {
     };
     let i3 = engine("[0, 120, 240]", beam, WEBS);
     assert_eq!(refused(&i3, Couple::Zero, 0), OptimiseError::Points(0).to_string());
-    let no_first = front(&i3, &Wish { couple: Couple::Zero, points: 1, orders: vec![2] });
+    let no_first = front(&i3, &Request { couple: Couple::Zero, points: 1, orders: vec![2] });
     assert_eq!(no_first.err(), Some(OptimiseError::NoFirstOrder));
     let no_bearings = Draft { bearings: Vec::new(), ..i3.clone().into_draft() }.build().expect("it holds");
     assert!(refused(&no_bearings, Couple::Zero, 1).contains("main bearings"));

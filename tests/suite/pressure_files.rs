@@ -1,7 +1,7 @@
 //! Is a file of pressures read as the instrument or the spreadsheet meant it, in whatever dialect?
 
 use crankstar::engine::{Engine, PressureLaw};
-use crankstar::file::{Beside, parse_beside};
+use crankstar::file::{FileResolver, parse_beside};
 use crankstar::text::decoded;
 use num_rational::BigRational;
 use proptest::prelude::*;
@@ -13,7 +13,7 @@ const LAYOUT: &str = "cycle = 'four-stroke'\nfiring_order = '1-3-4-2'\n[mechanis
 
 fn read(layout: &str, bytes: &[u8]) -> Result<Engine, String> {
     let text = decoded(bytes).0;
-    parse_beside("layout.toml", layout, Beside::new(&|_| Ok(text.clone()))).map_err(|error| error.to_string())
+    parse_beside("layout.toml", layout, FileResolver::new(&|_| Ok(text.clone()))).map_err(|error| error.to_string())
 }
 
 /// The pressures in pascals of each cylinder at the first rows, a list a cylinder.

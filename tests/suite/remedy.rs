@@ -7,7 +7,9 @@ use crankstar::loads::{Outcome, loads};
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::Direction;
 use crankstar::proof::{RemedyDocument, Sense, Vector, check_certificate, check_remedy_document};
-use crankstar::remedy::{ComparableEngine, Kind, Partial, Remedy, RemedyError, Wish, corrected, pair_height, remedy};
+use crankstar::remedy::{
+    ComparableEngine, Kind, Partial, Remedy, RemedyError, Request, corrected, pair_height, remedy,
+};
 use crankstar::{page, report};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -19,12 +21,12 @@ use crate::support::written::{engine as read, fraction, of_catalogue as engine};
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 const CROSS: &str = include_str!("../../reports/examples/thesis-v8-crossplane/layout.toml");
 
-fn wish(orders: &[u32]) -> Wish {
-    Wish { orders: orders.to_vec(), ..Wish::default() }
+fn wish(orders: &[u32]) -> Request {
+    Request { orders: orders.to_vec(), ..Request::default() }
 }
 
-fn planes(first: BigRational, second: BigRational) -> Wish {
-    Wish { orders: vec![1], planes: Some([first, second]), ..Wish::default() }
+fn planes(first: BigRational, second: BigRational) -> Request {
+    Request { orders: vec![1], planes: Some([first, second]), ..Request::default() }
 }
 
 /// Every sum of the corrected engine vanishes, and an independent checker accepts the evidence.
@@ -107,12 +109,12 @@ fn the_engine_with_the_two_counterweights_on_it_has_no_direct_first_order_in_the
 #[test]
 fn balance_factor_1_leaves_no_direct_first_order_and_65_percent_leaves_35() {
     let layout = read(I3);
-    let full = remedy(&layout, &Wish { factors: vec![fraction(1, 1)], ..wish(&[1]) }).expect("a remedy");
+    let full = remedy(&layout, &Request { factors: vec![fraction(1, 1)], ..wish(&[1]) }).expect("a remedy");
     assert!(full.crankshaft.is_none());
     assert_eq!(full.bays.len(), 3);
     let subject = ComparableEngine::new(&layout).expect("masses");
     let bare = subject.moment(1, Sense::Direct);
-    let part = remedy(&layout, &Wish { factors: vec![fraction(65, 100)], ..wish(&[1]) }).expect("a remedy");
+    let part = remedy(&layout, &Request { factors: vec![fraction(65, 100)], ..wish(&[1]) }).expect("a remedy");
     let weights = &part.crankshaft.as_ref().expect("counterweights").weights;
     let added = weights.iter().map(|w| w.adds().scaled(&w.position)).reduce(|a, b| a.plus(&b)).expect("weights");
     assert!(added.plus(&bare.scaled(&fraction(35, 100))).vanishes());
@@ -122,7 +124,7 @@ fn balance_factor_1_leaves_no_direct_first_order_and_65_percent_leaves_35() {
 #[test]
 fn skewed_bays_are_corrected_too() {
     let skews = vec![Turn::fraction(1, 12), Turn::zero(), Turn::fraction(-1, 12)];
-    let remedy = remedy(&read(I3), &Wish { factors: vec![fraction(1, 1)], skews, ..wish(&[1]) }).expect("a remedy");
+    let remedy = remedy(&read(I3), &Request { factors: vec![fraction(1, 1)], skews, ..wish(&[1]) }).expect("a remedy");
     assert!(remedy.crankshaft.is_some());
     assert_balanced("skewed", &remedy);
 }
@@ -214,7 +216,7 @@ fn planes_that_coincide_are_refused() {
         refused,
         Some(RemedyError::BeyondTheShaft(fraction(-11, 100), Box::new([fraction(-1, 10), fraction(1, 10)])))
     );
-    let many = remedy(&read(I3), &Wish { factors: vec![fraction(1, 1); 4], ..wish(&[1]) });
+    let many = remedy(&read(I3), &Request { factors: vec![fraction(1, 1); 4], ..wish(&[1]) });
     assert!(matches!(many.err(), Some(RemedyError::TooMany { given: 4, throws: 3, .. })));
 }
 
@@ -383,7 +385,7 @@ fn answered(text: &str) -> Result<(), TestCaseError> {
     let Ok(layout) = parse("layout.toml", text) else { return Ok(()) };
     let _ = loads(&layout, &[1, 2]);
     let factors = vec![fraction(1, 2)];
-    let Ok(found) = remedy(&layout, &Wish { factors, ..wish(&[1, 2, 3]) }) else { return Ok(()) };
+    let Ok(found) = remedy(&layout, &Request { factors, ..wish(&[1, 2, 3]) }) else { return Ok(()) };
     prop_assert!(found.holds());
     for document in [report::remedy_answer(&found), report::remedy_page(&found)] {
         let written = page::write(&document, page::Format::Latex, &page::Options::default());
@@ -427,7 +429,7 @@ proptest! {
         apart in 1..50_i64,
     ) {
         let layout = read(&cylinders.concat());
-        let wish = Wish { orders: vec![1, 2, 4], planes: Some([fraction(first, 7), fraction(first + apart, 7)]), ..Wish::default() };
+        let wish = Request { orders: vec![1, 2, 4], planes: Some([fraction(first, 7), fraction(first + apart, 7)]), ..Request::default() };
         let remedy = remedy(&layout, &wish).expect("a remedy");
         prop_assert!(remedy.holds());
     }
@@ -439,7 +441,7 @@ proptest! {
         skew in angle(),
     ) {
         let layout = read(&cylinders.concat());
-        let wish = Wish { orders: vec![1, 2], factors: vec![fraction(percent, 100)], skews: vec![skew], ..Wish::default() };
+        let wish = Request { orders: vec![1, 2], factors: vec![fraction(percent, 100)], skews: vec![skew], ..Request::default() };
         let remedy = remedy(&layout, &wish).expect("a remedy");
         prop_assert!(remedy.holds());
     }

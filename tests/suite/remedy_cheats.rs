@@ -4,7 +4,7 @@ use crankstar::file::parse;
 use crankstar::proof::{
     Certificate, Format, Masses, RemedyDocument, RodStatement, Sense, Vector, check_remedy_document,
 };
-use crankstar::remedy::{Wish, remedy};
+use crankstar::remedy::{Request, remedy};
 use crankstar::report::remedy_document;
 
 use crate::support::written::fraction;
@@ -14,7 +14,7 @@ const OFFSET: &str = include_str!("../../reports/examples/i6-offset/layout.toml"
 
 fn document_of(text: &str, orders: &[u32]) -> RemedyDocument {
     let layout = parse("layout.toml", text).expect("a layout");
-    let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
+    let wish = Request { orders: orders.to_vec(), ..Request::default() };
     let json = serde_json::to_string(&remedy_document(&remedy(&layout, &wish).expect("a remedy"))).expect("JSON");
     serde_json::from_str(&json).expect("the document reads")
 }

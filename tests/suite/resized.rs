@@ -6,23 +6,23 @@ use std::fs;
 use crankstar::BigRational;
 use crankstar::engine::Engine;
 use crankstar::exact::Turn;
-use crankstar::file::Beside;
+use crankstar::file::FileResolver;
 use crankstar::order;
 use crankstar::page;
 use crankstar::proof::{Planar, Sense};
-use crankstar::remedy::{Remedy, Wish, corrected_file, remedy};
+use crankstar::remedy::{Remedy, Request, corrected_file, remedy};
 use crankstar::report;
 use proptest::prelude::*;
 
 use crate::support::program::{program, scratch};
 use crate::support::written::engine as read;
 
-fn wish(orders: &[u32]) -> Wish {
-    Wish { orders: orders.to_vec(), ..Wish::default() }
+fn wish(orders: &[u32]) -> Request {
+    Request { orders: orders.to_vec(), ..Request::default() }
 }
 
 fn corrected(found: &Remedy) -> (String, Engine) {
-    let file = corrected_file(found, "corrected.toml", Beside::nothing());
+    let file = corrected_file(found, "corrected.toml", FileResolver::nothing());
     let text = file.unwrap_or_else(|error| panic!("{error}\n{}", found.subject.engine().file().written())).text;
     let engine = read(&text);
     (text, engine)
@@ -52,7 +52,7 @@ fn directions(engine: &Engine) -> BTreeMap<Place, Vec<Turn>> {
 }
 
 /// The corrected file of an engine leaves nothing, has no weight beside its opposite, and needs no remedy.
-fn assert_cured(text: &str, wish: &Wish) -> (String, Engine) {
+fn assert_cured(text: &str, wish: &Request) -> (String, Engine) {
     let engine = read(text);
     let found = remedy(&engine, wish).unwrap_or_else(|error| panic!("{error}\n{text}"));
     assert!(found.holds(), "{text}");
@@ -70,7 +70,7 @@ fn assert_cured(text: &str, wish: &Wish) -> (String, Engine) {
             assert!(!directions.contains(&opposite), "{place:?} has a weight and one opposite:\n{text}\n{written}");
         }
     }
-    let again = remedy(&cured, &Wish { orders: wish.orders.clone(), ..Wish::default() }).expect("a remedy");
+    let again = remedy(&cured, &Request { orders: wish.orders.clone(), ..Request::default() }).expect("a remedy");
     assert!(again.weights().is_empty() && again.left_out.is_empty(), "{written}");
     assert!(answer(&again).contains("no weight is needed"), "{}", answer(&again));
     (written, cured)
@@ -128,7 +128,7 @@ fn a_pair_of_balancers_is_resized_in_its_planes_and_keeps_its_axes() {
 fn balance_factors_are_of_all_that_stands_at_a_throw() {
     let text = format!("{SINGLE}[[counterweight]]\nthrow = 1\nmass = 0.8\nradius = 0.05\n");
     let half = BigRational::new(1.into(), 2.into());
-    let wish = Wish { factors: vec![half.clone()], orders: vec![2], ..Wish::default() };
+    let wish = Request { factors: vec![half.clone()], orders: vec![2], ..Request::default() };
     let (written, cured) = corrected(&remedy(&read(&text), &wish).expect("a remedy"));
     let [weight] = cured.crankshaft().counterweights.as_slice() else { panic!("{written}") };
     assert_eq!(weight.mass_radius(), BigRational::new(11.into(), 800.into()), "{written}");

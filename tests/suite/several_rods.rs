@@ -10,12 +10,12 @@ use crate::support::verdicts;
 use crate::support::written::engine;
 use crankstar::engine::Engine;
 use crankstar::exact::Turn;
-use crankstar::file::Beside;
+use crankstar::file::FileResolver;
 use crankstar::motion::SliderCrank;
 use crankstar::numbers::{Direction, float};
 use crankstar::order::Masses;
 use crankstar::proof::{Shape, check_document};
-use crankstar::remedy::{Wish, corrected_file, remedy};
+use crankstar::remedy::{Request, corrected_file, remedy};
 use crankstar::verdict::{OrderVerdict, classify};
 
 const ORDERS: [u32; 6] = [1, 2, 3, 4, 5, 6];
@@ -153,7 +153,7 @@ fn of_opposed_offsets_the_first_order_has_an_exact_weight() {
     let classes: Vec<bool> = first.parts.iter().map(|part| part.force.is_balanced()).collect();
     assert_eq!(classes, [false, true], "2 before 1, and 0 before the imaginary part");
     assert_eq!(first.force.shape, Shape::Planar);
-    let found = remedy(&opposed(), &Wish { orders: vec![1], ..Wish::default() }).expect("a remedy");
+    let found = remedy(&opposed(), &Request { orders: vec![1], ..Request::default() }).expect("a remedy");
     assert!(found.holds());
     for weight in found.weights() {
         assert_eq!(weight.modulus().map(|form| form.to_string()).as_deref(), Some("1"));
@@ -164,8 +164,9 @@ fn of_opposed_offsets_the_first_order_has_an_exact_weight() {
 #[test]
 fn a_file_names_the_weights_against_imaginary_parts_exactly() {
     let cylinders = [(270, 0, 0, "2/7", "-1/20".to_owned()), (210, 0, 1, "3/10", "1/20".to_owned())];
-    let found = remedy(&engine(&file(&cylinders, "")), &Wish { orders: vec![1], ..Wish::default() }).expect("a remedy");
-    let written = corrected_file(&found, "engine.toml", Beside::nothing()).expect("a file");
+    let found =
+        remedy(&engine(&file(&cylinders, "")), &Request { orders: vec![1], ..Request::default() }).expect("a remedy");
+    let written = corrected_file(&found, "engine.toml", FileResolver::nothing()).expect("a file");
     assert!(!written.is_rounded);
     let first = &judged(&engine(&written.text))[0];
     assert!(first.force.is_balanced() && first.moment.is_balanced(), "{}", written.text);

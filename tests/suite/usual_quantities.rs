@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Output, Stdio};
 
-use crankstar::file::{self, Beside, Layout, parse_layout, parse_layout_beside};
+use crankstar::file::{self, FileResolver, Layout, parse_layout, parse_layout_beside};
 
 use crate::support::program::{call, scratch};
 
@@ -106,7 +106,7 @@ fn no_engine_of_this_repository_is_odd() {
         let text = std::fs::read_to_string(&path).expect("a text");
         let beside = |name: &str| std::fs::read_to_string(path.with_file_name(name)).map_err(|error| error.to_string());
         // Files of claims and exercises are no layouts.
-        let Ok(layout) = parse_layout_beside("layout.toml", &text, Beside::new(&beside)) else { continue };
+        let Ok(layout) = parse_layout_beside("layout.toml", &text, FileResolver::new(&beside)) else { continue };
         let odd: Vec<String> = file::warnings("layout.toml", &text, &layout).iter().map(ToString::to_string).collect();
         assert!(odd.is_empty(), "{}: {odd:?}", path.display());
         read += 1;

@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::curve::{Curve, Ground, inside, multiples};
+use super::curve::{Curve, Evaluator, inside, multiples};
 use super::factor::Factor;
 use super::polynomial::Polynomial;
 use super::rational::{self, multiplicity};
@@ -80,8 +80,8 @@ pub(super) fn cover(polynomial: Polynomial) -> Circle {
     let finest = polynomial.moduli().iter().map(BigInt::bits).max().unwrap_or(1);
     let bits = (2 * finest + SPARE_BITS).clamp(FEWEST_BITS, MOST_BITS).next_multiple_of(32) as u32;
     let mirrored = polynomial.mirrored();
-    let ground = Ground::new(&polynomial, bits);
-    let cutter = Cutter {
+    let ground = Evaluator::new(&polynomial, bits);
+    let cutter = Subdivider {
         plain: ground.derivative(0),
         line: mirrored.is_some().then(|| [ground.centred(), ground.slope()]),
         narrowest: BigRational::new(BigInt::one(), BigInt::one() << (bits / 2)),
@@ -125,16 +125,16 @@ struct Rational {
     kind: Kind,
 }
 
-struct Cutter<'a> {
+struct Subdivider<'a> {
     polynomial: &'a Polynomial,
-    ground: &'a Ground,
+    ground: &'a Evaluator,
     plain: Curve<'a>,
     /// The centred sum and its derivative, where they stay on a line.
     line: Option<[Curve<'a>; 2]>,
     narrowest: BigRational,
 }
 
-impl Cutter<'_> {
+impl Subdivider<'_> {
     /// Arcs about the rational zeros that decimals propose, none touching another.
     fn around_rational_zeros(&self) -> Vec<Rational> {
         let proposed = rational::propose(self.polynomial);

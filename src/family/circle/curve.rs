@@ -68,7 +68,7 @@ impl Spot {
 
 /// A sum of rotating vectors, each turning by half of a whole number.
 pub(super) struct Curve<'a> {
-    ground: &'a Ground,
+    ground: &'a Evaluator,
     /// `2m_j`.
     doubled: Vec<i64>,
     /// `C_j`.
@@ -78,7 +78,7 @@ pub(super) struct Curve<'a> {
 }
 
 /// The coefficients of a polynomial, enclosed, over the sum of all weights.
-pub(super) struct Ground {
+pub(super) struct Evaluator {
     pub bits: u32,
     sums: Vec<Spot>,
     exponents: Vec<i64>,
@@ -86,11 +86,11 @@ pub(super) struct Ground {
     pub spent: Cell<usize>,
 }
 
-impl Ground {
+impl Evaluator {
     pub fn new(polynomial: &Polynomial, bits: u32) -> Self {
         let scale = polynomial.total().recip();
         let sums = polynomial.sums.iter().map(|sum| Spot::of(&sum.scaled(&scale), bits)).collect();
-        Ground { bits, sums, exponents: polynomial.exponents.clone(), spent: Cell::new(0) }
+        Evaluator { bits, sums, exponents: polynomial.exponents.clone(), spent: Cell::new(0) }
     }
 
     fn curve(&self, doubled: impl Fn(i64) -> i64, factor: impl Fn(i64) -> BigInt) -> Curve<'_> {

@@ -1,7 +1,7 @@
 //! At each irrational zero of a circle, which sign has a real polynomial? Where it is free on the arc, one end tells.
 
 use super::arcs::{Arc, Circle, Kind, joined};
-use super::curve::{Curve, Ground};
+use super::curve::{Curve, Evaluator};
 use super::polynomial::Polynomial;
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -15,9 +15,9 @@ impl Circle {
         number: &Polynomial,
         sign: impl Fn(&BigRational) -> Option<S>,
     ) -> (Circle, Vec<S>) {
-        let line = Ground::new(&self.polynomial, self.bits);
+        let line = Evaluator::new(&self.polynomial, self.bits);
         let slope = line.slope();
-        let ground = (!number.total().is_zero()).then(|| Ground::new(number, self.bits));
+        let ground = (!number.total().is_zero()).then(|| Evaluator::new(number, self.bits));
         let curve = ground.as_ref().map(|ground| ground.derivative(0));
         let known = |ends: [&BigRational; 2]| curve.as_ref().filter(|curve| curve.is_free(ends)).and(sign(ends[0]));
         let mut from = self.from.clone();

@@ -21,7 +21,7 @@ pub(super) enum Kind {
     /// A number without a unit.
     Number,
     /// A whole number from here to there.
-    Whole(u32, u32),
+    Integer(u32, u32),
     /// `true` or `false`.
     Truth,
     /// One of these words.
@@ -63,7 +63,7 @@ impl Kind {
             Kind::Stiffness => number("N m/rad; with a unit as a text: \"1 MN m/rad\""),
             Kind::Quantity => number("with its unit, as a text"),
             Kind::Number => number("a number, or a fraction as a text: \"1/4\""),
-            Kind::Whole(from, to) => json!({
+            Kind::Integer(from, to) => json!({
                 "anyOf": [{ "type": "integer", "minimum": from, "maximum": to }, { "type": "string", "pattern": "^\\s*\\+?[0-9]" }]
             }),
             Kind::Truth => json!({ "type": "boolean" }),

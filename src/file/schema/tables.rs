@@ -78,7 +78,7 @@ pub(super) const TABLES: &[Keys] = &[
             key("source", Text, "Where the crank star is published."),
             key(
                 "orders",
-                Each(&Whole(1, 1000)),
+                Each(&Integer(1, 1000)),
                 "Orders to judge, 1 to 1000; left out, 1, 2, 4, 6 and others that matter.",
             ),
             key(
@@ -255,7 +255,7 @@ pub(super) const TABLES: &[Keys] = &[
         keys: &[
             needed("name", Text, "One to twelve letters or digits."),
             needed("sense", SENSES, "\"with\" the first crankshaft, or \"against\" it; of the first \"with\"."),
-            key("speed", Whole(1, 1000), "How many times it turns while the first turns once; 1 if left out."),
+            key("speed", Integer(1, 1000), "How many times it turns while the first turns once; 1 if left out."),
             key("height", Length, "Of its axis over the middle."),
             key("offset", Length, "Of its axis to the left of the drawing."),
             key("distance", Length, "Of its axis from the middle, with angle, in place of height and offset."),
@@ -269,7 +269,7 @@ pub(super) const TABLES: &[Keys] = &[
         keys: &[
             key(
                 "throw",
-                Whole(1, 1000),
+                Integer(1, 1000),
                 "The throw from which the angle counts; left out, it counts from the reference direction.",
             ),
             key("angle", Angle, "Opposite to its throw if left out."),
@@ -287,7 +287,7 @@ pub(super) const TABLES: &[Keys] = &[
         name: "balancer",
         about: "A balancer shaft: mass and radius of its weight, or mass_radius.",
         keys: &[
-            needed("order", Whole(1, 1000), "How many times it turns while the crank turns once."),
+            needed("order", Integer(1, 1000), "How many times it turns while the crank turns once."),
             needed("sense", SENSES, "\"with\" the crank, or \"against\" it."),
             key("mass", Mass, "With radius."),
             key("radius", Length, "Of its centre of gravity."),
@@ -331,7 +331,7 @@ pub(super) const TABLES: &[Keys] = &[
         keys: &[
             needed("inertias", Each(&Inertia), "Moment of inertia of each disc."),
             needed("stiffnesses", Each(&Stiffness), "Between each disc and the next."),
-            key("crankpins_at", Each(&Whole(1, 10_000)), "The disc of each crankpin; 1, 2, … if left out."),
+            key("crankpins_at", Each(&Integer(1, 10_000)), "The disc of each crankpin; 1, 2, … if left out."),
         ],
     },
     Keys {
@@ -345,7 +345,7 @@ pub(super) const TABLES: &[Keys] = &[
             key("reciprocating_mass", Mass, "1 if left out."),
             key(
                 "pin",
-                Whole(0, 1_000_000),
+                Integer(0, 1_000_000),
                 "Cylinders with the same number share a crankpin; left out, those at the same position do.",
             ),
             key("crankshaft", Text, "The name of its crankshaft, of several."),
@@ -449,8 +449,8 @@ pub(super) const TABLES: &[Keys] = &[
         name: "radial",
         about: "Rows of cylinders evenly round the crankshaft.",
         keys: &[
-            needed("cylinders", Whole(1, 1000), "Of a row."),
-            key("rows", Whole(1, 1000), "1 if left out; else the next two say how each row follows the one before."),
+            needed("cylinders", Integer(1, 1000), "Of a row."),
+            key("rows", Integer(1, 1000), "1 if left out; else the next two say how each row follows the one before."),
             key("row_rotation", Angle, "By which each row is turned from the one before."),
             key("row_throw", Angle, "From its throw to the next; left out, it follows from the firing."),
             key("row_spacing", Length, "Between rows; 1 if left out."),

@@ -10,7 +10,7 @@ use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
 use super::super::{Unit, Units, block::in_si_units};
 use super::columns::{Cells, Letters};
-use super::filled::{Drawn, Folded, Heading, Whole, fence, id};
+use super::filled::{Drawn, Folded, Heading, PageContext, fence, id};
 use super::labels::{Caption, Labels, short};
 use super::notation::plain;
 use super::{File, Options, Writer, templates};
@@ -64,7 +64,7 @@ impl<'a> Composer<'a> {
         }
         let body = self.blocks(rest);
         let listed = |heading: &&Heading| document.has_contents && heading.level == 1;
-        let whole = Whole {
+        let whole = PageContext {
             title: self.writer.paragraph(self.text(&document.title)),
             plain_title: self.writer.words(&self.plain(&document.title)),
             contents: self.headings.iter().filter(listed).collect(),

@@ -26,7 +26,7 @@ pub(super) struct Folded {
 
 /// The document.
 #[derive(Serialize)]
-pub(super) struct Whole<'a> {
+pub(super) struct PageContext<'a> {
     pub title: String,
     pub plain_title: String,
     pub contents: Vec<&'a Heading>,

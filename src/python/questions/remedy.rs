@@ -6,13 +6,13 @@ use serde_json::{Value, json};
 
 use crate::engine::{Engine, LengthUnit};
 use crate::exact::Turn;
-use crate::file::{Beside, parse_length};
+use crate::file::{FileResolver, parse_length};
 use crate::python::again::Reduced;
 use crate::python::answer::{Answer, asked_again};
 use crate::python::asked::{in_turns, written};
 use crate::python::error::told;
 use crate::python::reading::Source;
-use crate::remedy::{self, Wish};
+use crate::remedy::{self, Request};
 
 /// What is wanted of a remedy, as it was written.
 pub(in crate::python) struct Wanted {
@@ -72,10 +72,10 @@ pub(in crate::python) fn remedy(
         wanted.planes.as_ref().map(|[first, second]| Ok::<_, PyErr>([plane(engine, first)?, plane(engine, second)?]));
     let Wanted { orders, factors, skews, .. } = wanted;
     let wish =
-        Wish { orders: orders.clone(), planes: planes.transpose()?, factors: factors.clone(), skews: skews.clone() };
+        Request { orders: orders.clone(), planes: planes.transpose()?, factors: factors.clone(), skews: skews.clone() };
     let cured = remedy::remedy(engine, &wish).map_err(told)?;
     let read = |path: &str| source.beside(path);
-    let layout = remedy::corrected_file(&cured, &source.name, Beside::new(&read))
+    let layout = remedy::corrected_file(&cured, &source.name, FileResolver::new(&read))
         .map(|file| file.text)
         .map_err(|error| error.to_string());
     let holds = cured.holds();

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use serde_json::{Map, Value, json};
 
 use crate::engine::CycleOrder;
-use crate::file::{Beside, Template};
+use crate::file::{FileResolver, Template};
 use crate::python::asked::written;
 use crate::python::error::{self, told};
 use crate::python::reading::Source;
@@ -43,7 +43,7 @@ pub(in crate::python) fn sweep(
 ) -> PyResult<Sweep> {
     let read = |path: &str| source.beside(path);
     let template = Template::new(&source.name, &source.text).map_err(|error| error::layout(&error))?;
-    let template = template.with_beside(Beside::new(&read));
+    let template = template.with_beside(FileResolver::new(&read));
     let flags =
         ranges.flags.iter().map(|(flag, range)| Parameter::short_cut(&flag.replace('_', "-"), range, &template));
     let keys = ranges.keys.iter().map(|(key, range)| Parameter::parse(&format!("{key}={range}")));

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::super::residual::shape_name;
-use super::entry::{EngineRow, Left, Origin};
+use super::entry::{EngineRow, Origin, Remaining};
 use crate::engine::{Cycle, LengthUnit};
 use crate::page::Text;
 use crate::proof::Shape;
@@ -54,7 +54,7 @@ pub(super) fn csv(all: &[EngineRow]) -> String {
 }
 
 /// The largest value in decimals, its closed form where one is known, the shape.
-fn amount(left: &Left) -> [String; 3] {
+fn amount(left: &Remaining) -> [String; 3] {
     let shape = shape_name(left.shape).to_owned();
     if left.shape == Shape::Balanced {
         return ["0".to_owned(), "0".to_owned(), shape];

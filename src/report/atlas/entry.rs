@@ -8,7 +8,7 @@ use crate::order::Masses;
 use crate::page::Text;
 use crate::proof::Quantity;
 use crate::proof::Shape;
-use crate::remedy::{self, Wish};
+use crate::remedy::{self, Request};
 use crate::search::{Best, FoundStar};
 use crate::text::Untrusted;
 use crate::verdict::{self, Balance, OrderBalance, OrderVerdict, WholeOrder};
@@ -46,24 +46,24 @@ pub(super) struct EngineRow {
 /// Force and moment of one order.
 pub(super) struct Order {
     pub order: u32,
-    pub force: Left,
-    pub moment: Left,
+    pub force: Remaining,
+    pub moment: Remaining,
 }
 
 /// What is left of a force or a moment.
-pub(super) struct Left {
+pub(super) struct Remaining {
     pub shape: Shape,
     /// The largest value through a revolution; none of an order that several sums make up, before different numbers.
     pub largest: Option<Amount>,
 }
 
-impl Left {
+impl Remaining {
     fn new(judged: &OrderVerdict, whole: &WholeOrder, balance: fn(&OrderBalance) -> &Balance) -> Self {
         let largest = match judged.parts.as_slice() {
             [only] => Some(residual::largest(balance(only))),
             _ => None,
         };
-        Left { shape: whole.shape, largest }
+        Remaining { shape: whole.shape, largest }
     }
 }
 
@@ -92,7 +92,7 @@ impl EngineRow {
     }
 
     fn judged(layout: &Engine, origin: Origin, name: String, title: Untrusted, ties: Option<Ties>) -> Self {
-        let wish = Wish { orders: REMEDIED.to_vec(), ..Wish::default() };
+        let wish = Request { orders: REMEDIED.to_vec(), ..Request::default() };
         let names = |firing: &crate::engine::Firing| {
             let name = |shot: &crate::engine::Shot| layout.cylinders()[shot.cylinder].name.as_str();
             firing.shots.iter().map(name).collect::<Vec<_>>().join("-")
@@ -109,8 +109,8 @@ impl EngineRow {
                 .iter()
                 .map(|judged| Order {
                     order: judged.order,
-                    force: Left::new(judged, &judged.force, |part| &part.force),
-                    moment: Left::new(judged, &judged.moment, |part| &part.moment),
+                    force: Remaining::new(judged, &judged.force, |part| &part.force),
+                    moment: Remaining::new(judged, &judged.moment, |part| &part.moment),
                 })
                 .collect(),
             first_left: engine_cells::first_left(layout, &verdict::every_order(layout, Masses::Reciprocating)),

@@ -3,7 +3,7 @@
 use super::super::residual::shape_name;
 use super::super::typeset::Amount;
 use super::REMEDIED;
-use super::entry::{EngineRow, Left, Order, Origin, Ties};
+use super::entry::{EngineRow, Order, Origin, Remaining, Ties};
 use crate::engine::Cycle;
 use crate::numbers::Form;
 use crate::page::{Number, Table, Text, phrase};
@@ -99,7 +99,7 @@ fn cell(engine: &EngineRow, order: &Order, quantity: Planar) -> Text {
     }
 }
 
-fn part(order: &Order, quantity: Planar) -> &Left {
+fn part(order: &Order, quantity: Planar) -> &Remaining {
     match quantity {
         Planar::Force => &order.force,
         Planar::Moment => &order.moment,

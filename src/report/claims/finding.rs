@@ -63,7 +63,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         }
         (Finding::Mass(mass), _) => phrase!("The crankshaft's mass is {}.", kilograms(mass)),
         (Finding::Bearings(loads), _) => super::super::bearings::peaks_in_words(loads),
-        (Finding::Whole(orders), _) => Text::joined(orders.iter().map(of_several_rods), " "),
+        (Finding::CombinedOrders(orders), _) => Text::joined(orders.iter().map(of_several_rods), " "),
         (Finding::Remedy(remedy), _) => needs(remedy),
         (Finding::Terms(terms), _) => shaking::found(terms),
         (Finding::Largest(found), _) => forces::largest(found),

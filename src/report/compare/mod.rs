@@ -14,7 +14,7 @@ use crate::engine::{Engine, NotAnOrder};
 use crate::journal::{self, CyclePeak};
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::proof::Quantity;
-use crate::remedy::{self, Remedy, RemedyError, Wish};
+use crate::remedy::{self, Remedy, RemedyError, Request};
 use crate::text::Untrusted;
 use crate::verdict::{self, EveryOrderTheorem, Judgement, NoTheorem, OrderVerdict};
 
@@ -46,7 +46,7 @@ impl Compared {
     /// A number that is no order.
     pub fn new(name: Untrusted, engine: &Engine, orders: &[u32]) -> Result<Self, NotAnOrder> {
         let judged = Judgement::new(engine, orders, &Quantity::PLANAR)?;
-        let wish = Wish { orders: orders.to_vec(), ..Wish::default() };
+        let wish = Request { orders: orders.to_vec(), ..Request::default() };
         Ok(Compared {
             name,
             engine: engine.clone(),

@@ -77,7 +77,7 @@ pub(super) fn exact(values: impl IntoIterator<Item = Option<BigRational>>) -> Va
 
 /// Whole numbers that there are in every row.
 pub(super) fn whole<N: TryInto<i64>>(values: impl IntoIterator<Item = N>) -> Values {
-    Values::Whole(values.into_iter().map(|value| value.try_into().ok()).collect())
+    Values::Integer(values.into_iter().map(|value| value.try_into().ok()).collect())
 }
 
 /// True, false, or not decided.

@@ -60,7 +60,7 @@ impl<'a, R> Filling<'a, R> {
     /// A column of whole numbers that some rows lack.
     pub fn maybe_whole(&mut self, name: impl Into<Name>, about: &'static str, of: impl Fn(&R) -> Option<usize>) {
         let values = self.rows.iter().map(|row| of(row).and_then(|number| number.try_into().ok()));
-        self.add(name, Unit::NONE, about, Values::Whole(values.collect()));
+        self.add(name, Unit::NONE, about, Values::Integer(values.collect()));
     }
 
     /// A column of true and false.

@@ -49,7 +49,7 @@ fn stars(front: &Front, document: &FrontDocument) -> Table {
     add(
         "neighbours",
         "pairs of neighbours in a bank that fire in succession, the fewest that the star allows; empty without even firing, unless they are compared",
-        Values::Whole(known.iter().map(|star| star.neighbours.and_then(|count| count.try_into().ok())).collect()),
+        Values::Integer(known.iter().map(|star| star.neighbours.and_then(|count| count.try_into().ok())).collect()),
     );
     add(
         "classes",
@@ -67,7 +67,7 @@ fn stars(front: &Front, document: &FrontDocument) -> Table {
 
 /// Numbers of stars, where they are known.
 fn counted(counts: impl Iterator<Item = Option<u64>>) -> Values {
-    Values::Whole(counts.map(|count| count.and_then(|count| count.try_into().ok())).collect())
+    Values::Integer(counts.map(|count| count.and_then(|count| count.try_into().ok())).collect())
 }
 
 /// The moment of an order: its length, exactly, and whether it is zero.

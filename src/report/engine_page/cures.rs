@@ -11,7 +11,7 @@ use super::weighing::Weighed;
 use crate::engine::{Engine, LengthUnit};
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::proof::{Planar, Sense};
-use crate::remedy::{self, Remedy, Shaft, Weight, Wish};
+use crate::remedy::{self, Remedy, Request, Shaft, Weight};
 use crate::verdict::{Judgement, OrderVerdict};
 
 /// Orders above this are usually left as they are.
@@ -30,7 +30,7 @@ pub(super) fn line(
     let told: Vec<&OrderVerdict> = orders.iter().copied().filter(|order| is_worth_it(order, weighed)).collect();
     let is_cured = |order: &&OrderVerdict| order.order <= USUALLY_CURED || weighed.is_some_and(Weighed::asks_for_all);
     let (low, high): (Vec<&OrderVerdict>, Vec<&OrderVerdict>) = told.into_iter().partition(is_cured);
-    let wish = Wish { orders: low.iter().map(|order| order.order).collect(), ..Wish::default() };
+    let wish = Request { orders: low.iter().map(|order| order.order).collect(), ..Request::default() };
     let is_sized = is_as_built(engine, judged) || judged.masses == crate::order::Masses::Reciprocating;
     let remedy = weighed.filter(|_| is_sized).and_then(|weighed| remedy::remedy(&weighed.engine, &wish).ok());
     let told = RefCell::default();

@@ -29,7 +29,7 @@ use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
 use crate::order::Masses;
 use crate::page::{Block, Document, Fold, Table, Text, phrase};
-use crate::remedy::{self, Remedy, RemedyError, Wish};
+use crate::remedy::{self, Remedy, RemedyError, Request};
 use crate::verdict::{self, EveryOrderTheorem, Judgement, NoTheorem};
 
 /// What a report shows of an engine.
@@ -55,7 +55,7 @@ impl Contents<'_> {
     /// The remedy for orders 1 and 2, where the file asks for it.
     fn remedy(&self) -> Option<Result<Remedy, RemedyError>> {
         let orders = [1, 2].into_iter().filter(|order| self.judged.orders.iter().any(|judged| judged.order == *order));
-        let wish = Wish { orders: orders.collect(), ..Wish::default() };
+        let wish = Request { orders: orders.collect(), ..Request::default() };
         self.engine.effects().remedy.then(|| remedy::remedy(self.engine, &wish))
     }
 

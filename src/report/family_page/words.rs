@@ -10,7 +10,7 @@ use super::{boxes_words, circle_words, plane_words, quadratic_words};
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{
-    self, Alternative, Angles, Condition, Cosine, EvenFiring, Left, Never, OpenSum, OpenVerdict, Part, When,
+    self, Alternative, Angles, Condition, Cosine, EvenFiring, Never, OpenSum, OpenVerdict, Part, Remaining, When,
 };
 use crate::numbers::Form;
 use crate::page::number::Bearing;
@@ -21,7 +21,7 @@ pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
     if verdict.always() {
         return Text::zero();
     }
-    if let Left::Factored { factor, lengths, .. } = family::left(verdict) {
+    if let Remaining::Factored { factor, lengths, .. } = family::remaining(verdict) {
         return factored(&factor, &lengths);
     }
     if verdict.never() {
@@ -251,7 +251,7 @@ fn factored(factor: &Form, lengths: &Linear) -> Text {
 
 /// Where the lengths factor out, in which direction what is left points.
 pub(super) fn left_sentence(verdict: &OpenVerdict) -> Option<Text> {
-    let Left::Factored { factor, lengths, direction, degrees } = family::left(verdict) else { return None };
+    let Remaining::Factored { factor, lengths, direction, degrees } = family::remaining(verdict) else { return None };
     let bearing = Bearing { exact: direction, decimal: degrees };
     Some(phrase!("What is left: length {}, angle {}.", factored(&factor, &lengths), bearing))
 }

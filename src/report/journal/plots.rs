@@ -7,7 +7,7 @@ use num_complex::Complex;
 use super::super::convention::said;
 use super::super::torque::names;
 use crate::engine::{Convention, Engine};
-use crate::journal::{Course, CycleBearing, CycleBearings, CycleLoads, SharedPin};
+use crate::journal::{CycleBearing, CycleBearings, CycleLoads, ForceHistory, SharedPin};
 use crate::page::plot::{Axis, Curve, Plot, PointMark, Polar};
 use crate::page::{Picture, Unit, phrase};
 
@@ -21,7 +21,7 @@ const MOST_SHARED: usize = 8;
 const MOST_RODS: usize = 3;
 
 /// Angles through the cycle, both ends among them.
-fn angles(course: &Course) -> Vec<f64> {
+fn angles(course: &ForceHistory) -> Vec<f64> {
     let steps = (course.period() / TAU * STEPS as f64).round() as usize;
     (0..=steps).map(|step| course.period() * step as f64 / steps as f64).collect()
 }

@@ -5,8 +5,8 @@ use super::super::question::Question;
 use super::amounts::Units;
 use super::{optimise_answer, optimise_layouts, optimise_page};
 use crate::engine::Engine;
-use crate::file::Beside;
-use crate::optimise::{Couple, Front, OptimiseError, Wish, front_beside};
+use crate::file::FileResolver;
+use crate::optimise::{Couple, Front, OptimiseError, Request, front_beside};
 use crate::page::{Document, File};
 use crate::table::Table;
 use crate::text::Untrusted;
@@ -28,7 +28,7 @@ impl OptimiseStudy {
     ///
     /// # Errors
     /// See [`OptimiseError`].
-    pub fn new(engine: &Engine, wish: Wish, beside: Beside<'_>) -> Result<Self, OptimiseError> {
+    pub fn new(engine: &Engine, wish: Request, beside: FileResolver<'_>) -> Result<Self, OptimiseError> {
         let front = front_beside(engine, &wish, beside)?;
         Ok(OptimiseStudy { engine: engine.clone(), front, couple: wish.couple, files: Vec::new() })
     }

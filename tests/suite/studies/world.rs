@@ -5,7 +5,7 @@ use crankstar::engine::{Engine, Firing};
 use crankstar::family::OpenOrder;
 use crankstar::page::{Block, Document, Fold, Table, Text};
 use crankstar::proof::Quantity;
-use crankstar::remedy::{self, Wish};
+use crankstar::remedy::{self, Request};
 use crankstar::report::{claim_finding, claim_needs, claim_status, exact_angles, force_and_moment_left, remedy_cures};
 use crankstar::verdict::Judgement;
 
@@ -79,7 +79,7 @@ impl BuiltEngine {
 
     /// What an order needs; nothing where that is not decided. Where rods differ it says the sizes, which no exact number tells.
     fn needs(&self, order: u32) -> Vec<Text> {
-        let wish = Wish { orders: vec![order], ..Wish::default() };
+        let wish = Request { orders: vec![order], ..Request::default() };
         let Ok(remedy) = remedy::remedy(&self.engine, &wish) else { return Vec::new() };
         let told = usize::from(remedy.crankshaft.is_some()) + usize::from(!remedy.shafts.is_empty());
         match self.engine.mechanisms().len() > 1 && told > 0 {

@@ -10,7 +10,7 @@ use crankstar::family;
 use crankstar::file::{self, Layout};
 use crankstar::loads::{Method, bearing_loads, usual_orders};
 use crankstar::page::{Block, Document, Piece, Text};
-use crankstar::remedy::{self, Wish};
+use crankstar::remedy::{self, Request};
 use crankstar::report::{self, Numbers};
 
 use super::pages;
@@ -66,7 +66,7 @@ fn collect<'a>(text: &'a Text, found: &mut BTreeSet<&'a str>) {
 
 /// The report on an engine, with its remedy, and its loads and its bearings where it has any.
 pub fn pages_of(engine: &Engine) -> Vec<Document> {
-    let remedy = remedy::remedy(engine, &Wish { orders: vec![1, 2], ..Wish::default() });
+    let remedy = remedy::remedy(engine, &Request { orders: vec![1, 2], ..Request::default() });
     let solve = |method| bearing_loads(engine, engine.orders(), method).ok();
     let bearings = solve(Method::Continuous).zip(solve(Method::Determinate));
     let remedy = remedy.ok().map(|remedy| report::remedy_page(&remedy));

@@ -3,9 +3,9 @@
 //! Theory, section 17: on a box a sum is free where it keeps away from 0, and about a simple zero Krawczyk's test shows that it is the only
 //! one. Where neither is found before the count of boxes ends, the box is named as open.
 
-mod cutter;
-mod ground;
+mod evaluator;
 mod spot;
+mod subdivider;
 mod torus;
 
 use num_rational::BigRational;
@@ -14,7 +14,7 @@ use super::super::Part;
 use super::super::solve::{Never, When};
 use crate::exact::Turn;
 use crate::proof::Certificate;
-use ground::Ground;
+use evaluator::Evaluator;
 use torus::Torus;
 
 /// The torus of s and t, which φ and δ turn, cut into boxes.
@@ -70,7 +70,7 @@ const LARGEST_OPEN: i64 = 16;
 /// When the parts cancel; `None` where an unknown enters too many times, or where too much stays open.
 pub(super) fn when(parts: &[&Part]) -> Option<When> {
     let torus = Torus::of(parts)?;
-    let found = cutter::cut(&Ground::new(&torus), &torus);
+    let found = subdivider::cut(&Evaluator::new(&torus), &torus);
     let area: BigRational = found.open.iter().map(|[s, t]| (&s[1] - &s[0]) * (&t[1] - &t[0])).sum();
     if found.open.len() > MOST_OPEN || area > BigRational::new(1.into(), LARGEST_OPEN.into()) {
         return None;

@@ -13,7 +13,7 @@ use crate::numbers::{self, Direction, Form};
 /// What is left of one quantity, order and sense, its angles known.
 #[derive(Clone, Debug)]
 #[allow(clippy::large_enum_variant, reason = "an order has a few of them")]
-pub enum Left {
+pub enum Remaining {
     /// Nothing.
     Nothing,
     /// `factor · lengths`, in one direction, as in `√10 (2a + b + 2c)` at −18.43°.
@@ -34,16 +34,16 @@ pub enum Left {
 }
 
 /// What is left of a verdict in which φ and δ do not enter.
-pub fn left(verdict: &OpenVerdict) -> Left {
+pub fn remaining(verdict: &OpenVerdict) -> Remaining {
     let sums: Vec<(&OpenSum, &PhasorSum)> =
         verdict.sums.iter().filter_map(|sum| sum.left().next().map(|part| (sum, &part.sum))).collect();
     let is_open = verdict.sums.iter().flat_map(OpenSum::left).any(|part| !part.phi.is_zero() || !part.delta.is_zero());
-    let Some((_, reference)) = sums.first() else { return Left::Nothing };
+    let Some((_, reference)) = sums.first() else { return Remaining::Nothing };
     if is_open {
-        return Left::Open;
+        return Remaining::Open;
     }
     let ratios: Option<Vec<BigRational>> = sums.iter().map(|(_, sum)| ratio(sum, reference)).collect();
-    let (Some(ratios), Some(factor)) = (ratios, numbers::modulus(reference)) else { return Left::Apart };
+    let (Some(ratios), Some(factor)) = (ratios, numbers::modulus(reference)) else { return Remaining::Apart };
     let content = ratios.iter().fold((BigInt::zero(), BigInt::one()), |(g, l), q| (g.gcd(q.numer()), l.lcm(q.denom())));
     let content = BigRational::new(content.0, content.1);
     let lengths = sums.iter().zip(&ratios).fold(Linear::default(), |lengths, ((sum, _), ratio)| {
@@ -54,7 +54,7 @@ pub fn left(verdict: &OpenVerdict) -> Left {
         };
         lengths.plus(&part)
     });
-    Left::Factored {
+    Remaining::Factored {
         factor: factor.scaled(&content.abs()),
         lengths,
         direction: numbers::direction_of(reference),

@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::ground::{FINEST, Ground, dyadic};
+use super::evaluator::{Evaluator, FINEST, dyadic};
 use super::torus::Torus;
 use super::{BoxZero, Boxes};
 use crate::exact::PhasorSum;
@@ -60,8 +60,8 @@ impl Place {
 }
 
 /// Cuts the torus.
-pub(super) fn cut(ground: &Ground, torus: &Torus) -> Boxes {
-    let mut cutter = Cutter { ground, torus, zeros: Vec::new(), failed: Vec::new() };
+pub(super) fn cut(ground: &Evaluator, torus: &Torus) -> Boxes {
+    let mut subdivider = Subdivider { ground, torus, zeros: Vec::new(), failed: Vec::new() };
     let mut places = vec![Place { index: [0, 0], level: [0, 0] }];
     let mut known = vec![Known::Open];
     let mut waiting = VecDeque::from([0]);
@@ -71,7 +71,7 @@ pub(super) fn cut(ground: &Ground, torus: &Torus) -> Boxes {
         if places.len() > MOST_BOXES || waiting.len() > MOST_WAITING {
             continue;
         }
-        if let Some(found) = cutter.known(place) {
+        if let Some(found) = subdivider.known(place) {
             known[at] = found;
             continue;
         }
@@ -88,13 +88,13 @@ pub(super) fn cut(ground: &Ground, torus: &Torus) -> Boxes {
     }
     // A box that was open may be within that of a zero that was found later.
     for (place, known) in places.iter().zip(&mut known) {
-        if matches!(known, Known::Open) && cutter.is_within_one(*place) {
+        if matches!(known, Known::Open) && subdivider.is_within_one(*place) {
             *known = Known::Zero;
         }
     }
     let open = places.iter().zip(&known).filter(|(_, known)| matches!(known, Known::Open));
     let open = joined(open.map(|(place, _)| place.ends()).collect());
-    Boxes { times: torus.times.clone(), tree: written(&known), zeros: cutter.zeros, open }
+    Boxes { times: torus.times.clone(), tree: written(&known), zeros: subdivider.zeros, open }
 }
 
 /// In the order in which the boxes are cut.
@@ -134,15 +134,15 @@ fn joined(boxes: Vec<[[BigRational; 2]; 2]>) -> Vec<[[BigRational; 2]; 2]> {
     joined
 }
 
-struct Cutter<'a> {
-    ground: &'a Ground,
+struct Subdivider<'a> {
+    ground: &'a Evaluator,
     torus: &'a Torus,
     zeros: Vec<BoxZero>,
     /// Where decimals have a zero, and no box about it holds one alone.
     failed: Vec<[f64; 2]>,
 }
 
-impl Cutter<'_> {
+impl Subdivider<'_> {
     fn known(&mut self, place: Place) -> Option<Known> {
         if self.is_within_one(place) {
             return Some(Known::Zero);

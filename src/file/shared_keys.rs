@@ -12,7 +12,7 @@ use super::written::place;
 use crate::engine::{Convention, Cycle, Cylinder, Linear, MOST_CYLINDERS};
 
 /// The keys above the form.
-pub(super) struct Above<'a> {
+pub(super) struct SharedKeys<'a> {
     pub order: Option<&'a Spanned<FiringOrder>>,
     pub angles: Option<&'a List>,
     pub cycle: Option<Cycle>,
@@ -51,7 +51,7 @@ impl Throws {
     }
 }
 
-impl Above<'_> {
+impl SharedKeys<'_> {
     /// The place where the firing is said, if it is said with its cycle.
     pub fn firing_place(&self) -> Option<Range<usize>> {
         self.cycle?;

@@ -16,7 +16,7 @@ use crate::exact::{PhasorSum, Term, Turn};
 pub(super) const FINEST: u32 = 16;
 
 /// The sum over that of its weights, its exponents doubled and as large either way.
-pub(super) struct Ground {
+pub(super) struct Evaluator {
     terms: Vec<Vector>,
     /// `e^{2πi 2^−k}`, k from 0 on.
     halves: Vec<Spot>,
@@ -36,7 +36,7 @@ struct Jet {
     by: [Spot; 2],
 }
 
-impl Ground {
+impl Evaluator {
     pub fn new(torus: &Torus) -> Self {
         let total: BigRational = torus.sums.iter().flat_map(PhasorSum::terms).map(|term| term.weight.abs()).sum();
         let degrees = torus.degrees();
@@ -47,7 +47,7 @@ impl Ground {
         });
         let halves = (0..=FINEST + 2).map(|k| unit(BigRational::new(BigInt::one(), BigInt::one() << k)));
         let shift = 64 - degrees[0].max(degrees[1]).leading_zeros();
-        Ground { terms: each.collect(), halves: halves.collect(), shift }
+        Evaluator { terms: each.collect(), halves: halves.collect(), shift }
     }
 
     /// `e^{2πi a / 2^(FINEST + 2)}`.

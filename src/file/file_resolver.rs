@@ -4,12 +4,12 @@ use std::fmt;
 
 /// Reads a file that a layout names: a relative path in, its text or what is wrong out.
 #[derive(Clone, Copy)]
-pub struct Beside<'a>(&'a (dyn Fn(&str) -> Result<String, String> + Sync));
+pub struct FileResolver<'a>(&'a (dyn Fn(&str) -> Result<String, String> + Sync));
 
-impl<'a> Beside<'a> {
+impl<'a> FileResolver<'a> {
     /// What this function reads.
     pub fn new(read: &'a (dyn Fn(&str) -> Result<String, String> + Sync)) -> Self {
-        Beside(read)
+        FileResolver(read)
     }
 
     /// The text of a file.
@@ -28,16 +28,16 @@ impl<'a> Beside<'a> {
     }
 }
 
-impl Beside<'static> {
+impl FileResolver<'static> {
     /// Nothing lies beside a layout that is only a text.
     pub fn nothing() -> Self {
-        Beside(&|_| {
+        FileResolver(&|_| {
             Err("nothing beside this layout can be read here; write its rows into it: pressure = [[angle, pressure], …]".to_owned())
         })
     }
 }
 
-impl fmt::Debug for Beside<'_> {
+impl fmt::Debug for FileResolver<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Beside")
     }

@@ -5,7 +5,7 @@ use crankstar::page::Language;
 
 /// The argument.
 #[derive(clap::Args)]
-pub struct Spoken {
+pub struct LanguageArgs {
     /// The language of page and answer
     #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
     lang: Lang,
@@ -20,7 +20,7 @@ enum Lang {
     De,
 }
 
-impl Spoken {
+impl LanguageArgs {
     /// The language.
     pub fn language(&self) -> Language {
         match self.lang {

@@ -14,7 +14,7 @@ use crate::torque::Class;
 
 /// The forces over the crank angle θ, in radians and newtons.
 #[derive(Clone, Debug)]
-pub struct Course {
+pub struct ForceHistory {
     classes: Vec<Class>,
     cylinders: Vec<Cylinder>,
     period: f64,
@@ -73,7 +73,7 @@ impl PistonForces {
     }
 }
 
-impl Course {
+impl ForceHistory {
     pub(super) fn new(engine: &Engine, classes: Vec<Class>, newtons: f64) -> Self {
         let turning = order::turning_masses(engine);
         let rotating = |index: usize| {
@@ -93,7 +93,7 @@ impl Course {
             Cylinder { class, fires, mass: mass(cylinder), axis, throw, rotating: rotating(index) }
         });
         let cylinders = cylinders.collect();
-        Course { cylinders, period: classes.first().map_or(TAU, |class| class.gas.period()), classes }
+        ForceHistory { cylinders, period: classes.first().map_or(TAU, |class| class.gas.period()), classes }
     }
 
     /// Length of the cycle in radians.

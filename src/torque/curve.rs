@@ -9,7 +9,7 @@ use crate::numbers;
 
 /// The torque over the crank angle θ, in radians.
 #[derive(Clone, Debug)]
-pub struct Course {
+pub struct TorqueCurve {
     pistons: Vec<Piston>,
     classes: Vec<ClassCourse>,
     period: f64,
@@ -63,7 +63,7 @@ impl ClassCourse {
     }
 }
 
-impl Course {
+impl TorqueCurve {
     pub(super) fn new(classes: &[Class]) -> Self {
         let pistons = classes.iter().enumerate().flat_map(|(class, of)| {
             let piston =
@@ -71,7 +71,7 @@ impl Course {
             of.fires.iter().zip(&of.masses).map(piston)
         });
         let period = classes.first().map_or(TAU, |class| class.gas.period());
-        Course { pistons: pistons.collect(), classes: classes.iter().map(ClassCourse::new).collect(), period }
+        TorqueCurve { pistons: pistons.collect(), classes: classes.iter().map(ClassCourse::new).collect(), period }
     }
 
     /// Length of the cycle in radians.
