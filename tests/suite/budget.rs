@@ -15,7 +15,7 @@ const BUDGET: [(&str, usize); 32] = [
     ("engine", 3340),
     ("exact", 1270),
     ("family", 4170),
-    ("file", 7410),
+    ("file", 6900),
     ("firing", 440),
     ("gas", 1000),
     ("journal", 980),
