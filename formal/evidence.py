@@ -1,4 +1,4 @@
-"""The second checker, verify.py: loads, comparisons and sweeps, numbers with verdicts as their evidence (src/proof/README.md)."""
+"""The second checker, verify.py: loads and comparisons, numbers with verdicts as their evidence (src/proof/README.md)."""
 from enclosures import exact
 from verify import check_classify, demand, each, equal, read, types
 
@@ -25,14 +25,14 @@ types("""amplitudes = zero-to-peak; force-unit = N m_r_ω²; moment-unit = N_m N
 
 
 def check(tree, notes):
-    """Of loads, comparisons and sweeps: the documents of verdicts in them, and what the rest says beside those."""
+    """Of loads and comparisons: the documents of verdicts in them, and what the rest says beside those."""
     kind, proved, evidence = tree["format"].split()[1], [], tree["evidence"]
-    document = {"loads": lambda: read(tree, "loads"), "compare": lambda: read(tree, "comparison"), "sweep": lambda: None}[kind]()
+    document = read(tree, {"loads": "loads", "compare": "comparison"}[kind])
     for one in each("evidence", evidence):
         demand(one["format"] == "crankstar classify 2", "it is no document of verdicts")
         proved.append(check_classify(one, notes))
     demand(proved and (kind != "loads" or len(proved) == 1), "there is no evidence, or too much")
-    notes.add("the numbers outside of `evidence`, but whether the size of an order is 0" if document else "all that stands outside of `evidence`")
+    notes.add("the numbers outside of `evidence`, but whether the size of an order is 0")
     if kind == "loads":
         check_loads(document, evidence[0], proved[0][0])
     if kind == "compare":

@@ -288,7 +288,7 @@ def beside(name):
 
 LARGEST = 4 << 20  # bytes
 CHECKS = {"classify 2": None, "family 2": "families", "remedy 2": "remedies", "firing 1": "firing",
-          "loads 3": "evidence", "compare 3": "evidence", "sweep 2": "evidence"}
+          "loads 3": "evidence", "compare 3": "evidence"}
 
 def integer_of(text):
     return Decimal(text) if text == "-0" else int(text)

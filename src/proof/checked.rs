@@ -9,7 +9,6 @@ use super::document::Document;
 use super::engine::{Masses, Quantity, RodStatement};
 use super::firing::FiringDocument;
 use super::open::OpenDocument;
-use super::reading::Format;
 use super::remedy::RemedyDocument;
 use super::whole_sum::{WholeClaim, WholeOutcome};
 
@@ -43,7 +42,6 @@ const EQUAL_RODS: &str = "that the rods are equal and centric: the document name
 const SAME_RODS: &str = "that the rods are equal, so that each sum is one of the engine: families name none";
 const OUTSIDE: &str =
     "the numbers outside of `evidence`, such as newtons and decimals, but whether the size of an order is 0";
-const OUTSIDE_OF_SWEEPS: &str = "all that stands outside of `evidence`";
 const NOT_SOLVED: &str = "the sums that are said to be `not-solved` or `equal-lengths`, and arcs and boxes that are `open`: no angles are claimed for them";
 const WEIGHTS: &str = "weights in kilograms and metres, heights of shafts, partial balance (none is in the document)";
 
@@ -125,8 +123,7 @@ impl Checked {
     }
 
     /// Of a document that holds others as its evidence.
-    pub(super) fn evidence(format: Format, documents: &[Document], counts: Counts) -> Self {
-        let outside = if format == Format::Sweep { OUTSIDE_OF_SWEEPS } else { OUTSIDE };
+    pub(super) fn evidence(documents: &[Document], counts: Counts) -> Self {
         let each: Vec<Checked> = documents.iter().map(|document| Checked::classify(document, counts)).collect();
         let total = |number: fn(&Checked) -> usize| each.iter().map(number).sum();
         Checked {
@@ -138,7 +135,7 @@ impl Checked {
             open_wholes: total(|one| one.open_wholes),
             shapes: total(|one| one.shapes),
             theorems: total(|one| one.theorems),
-            not_covered: once(each.iter().flat_map(|one| one.not_covered.clone()).chain([outside])),
+            not_covered: once(each.iter().flat_map(|one| one.not_covered.clone()).chain([OUTSIDE])),
         }
     }
 }

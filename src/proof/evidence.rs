@@ -1,6 +1,6 @@
 //! Do numbers agree with the verdicts that stand beside them?
 //!
-//! The documents of loads, comparisons and sweeps hold documents of verdicts under `evidence`, which are checked as any.
+//! The documents of loads and comparisons hold documents of verdicts under `evidence`, which are checked as any.
 //! All else in those of loads and comparisons is numbers with their labels: a 0 is compared with the verdicts, which alone say what is zero.
 
 use serde::{Serialize, Serializer};
@@ -14,15 +14,13 @@ use super::document_check::judge;
 use super::engine::{Quantity, Sense};
 use super::judged::Judged;
 use super::outside::{Compared, Comparison, Loads};
-use super::reading::{Format, Unreadable, typed};
+use super::reading::{Unreadable, typed};
 use super::shape::{Shape, ShapeClaim};
 
-/// Numbers with verdicts as their evidence: the JSON document of `loads`, `compare` or `sweep`.
+/// Numbers with verdicts as their evidence: the JSON document of `loads` or `compare`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EvidenceDocument {
-    /// Which of the three it is.
-    pub format: Format,
-    /// The verdicts: on the one engine of `loads`, on each of `compare`, on some of `sweep`.
+    /// The verdicts: on the one engine of `loads`, on each of `compare`.
     pub evidence: Vec<Document>,
     outside: Outside,
     /// All of the document.
@@ -34,8 +32,6 @@ pub struct EvidenceDocument {
 enum Outside {
     Loads(Box<Loads>),
     Comparison(Comparison),
-    /// It is not read.
-    Sweep,
 }
 
 impl Serialize for EvidenceDocument {
@@ -45,19 +41,22 @@ impl Serialize for EvidenceDocument {
 }
 
 impl EvidenceDocument {
-    pub(super) fn read(format: Format, tree: Value) -> Result<Self, Unreadable> {
-        let outside = match format {
-            Format::Loads => Outside::Loads(Box::new(typed(&tree)?)),
-            Format::Compare => Outside::Comparison(typed(&tree)?),
-            Format::Classify | Format::Family | Format::Remedy | Format::Firing | Format::Sweep => Outside::Sweep,
-        };
+    pub(super) fn of_loads(tree: Value) -> Result<Self, Unreadable> {
+        Self::read(Outside::Loads(Box::new(typed(&tree)?)), tree)
+    }
+
+    pub(super) fn of_comparison(tree: Value) -> Result<Self, Unreadable> {
+        Self::read(Outside::Comparison(typed(&tree)?), tree)
+    }
+
+    fn read(outside: Outside, tree: Value) -> Result<Self, Unreadable> {
         let list = tree.get("evidence").and_then(Value::as_array);
         let list = list.ok_or_else(|| Unreadable::Malformed("it has no list `evidence`".to_owned()))?;
         let one = |(index, entry): (usize, &Value)| {
             typed(entry).map_err(|error| Unreadable::Malformed(format!("evidence[{index}]: {error}")))
         };
         let evidence = list.iter().enumerate().map(one).collect::<Result<_, _>>()?;
-        Ok(EvidenceDocument { format, evidence, outside, tree })
+        Ok(EvidenceDocument { evidence, outside, tree })
     }
 
     /// Its title, or that of its first engine.
@@ -78,10 +77,8 @@ impl EvidenceDocument {
             (Outside::Loads(loads), [only]) => check_loads(loads, &self.evidence[0], only)?,
             (Outside::Loads(_), _) => return Err(Fault::new("evidence", "loads are those of one engine")),
             (Outside::Comparison(comparison), _) => check_comparison(comparison, &self.evidence)?,
-            (Outside::Sweep, []) => return Err(Fault::new("evidence", "the list is empty, there is nothing to check")),
-            (Outside::Sweep, _) => (),
         }
-        Ok(Checked::evidence(self.format, &self.evidence, audit.counts()))
+        Ok(Checked::evidence(&self.evidence, audit.counts()))
     }
 }
 

@@ -45,9 +45,6 @@ pub enum Format {
     /// Engines side by side, with the verdicts on each.
     #[serde(rename = "crankstar compare 3")]
     Compare,
-    /// Engines over a range, with verdicts on some.
-    #[serde(rename = "crankstar sweep 2")]
-    Sweep,
 }
 
 /// A document of one of the formats.
@@ -97,7 +94,7 @@ impl fmt::Display for Unreadable {
             Unreadable::Format(Some(name)) => write!(
                 f,
                 "the format {name} is not known; known are \"crankstar classify 2\", \"crankstar family 2\", \
-                 \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 3\", \"crankstar compare 3\" and \"crankstar sweep 2\""
+                 \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 3\" and \"crankstar compare 3\""
             ),
         }
     }
@@ -126,9 +123,8 @@ pub fn read_document(bytes: &[u8]) -> Result<AnyDocument, Unreadable> {
         Format::Family => typed(&tree).map(AnyDocument::Family),
         Format::Remedy => typed(&tree).map(AnyDocument::Remedy),
         Format::Firing => typed(&tree).map(AnyDocument::Firing),
-        Format::Loads | Format::Compare | Format::Sweep => {
-            EvidenceDocument::read(format, tree).map(AnyDocument::Evidence)
-        }
+        Format::Loads => EvidenceDocument::of_loads(tree).map(AnyDocument::Evidence),
+        Format::Compare => EvidenceDocument::of_comparison(tree).map(AnyDocument::Evidence),
     }
 }
 

@@ -15,6 +15,8 @@ use super::torsion::{self, RankedOrder, Torsion};
 /// A front for other programs to read.
 #[derive(Clone, Debug, Serialize)]
 pub struct FrontDocument {
+    /// `crankstar search 1`.
+    pub format: &'static str,
     /// The engine: `In-line 6`, `V8, 90°`.
     pub engine: String,
     /// `two-stroke` or `four-stroke`.
@@ -165,6 +167,7 @@ pub fn document(front: &Front) -> FrontDocument {
         false => torsion::deflections(problem, problem.mode_shape.clone()).unwrap_or_default(),
     };
     FrontDocument {
+        format: "crankstar search 1",
         engine: found::name(problem),
         cycle: found::cycle(problem),
         orders: problem.orders.clone(),

@@ -35,6 +35,17 @@ pub enum Zeros {
 impl Zeros {
     /// All of them.
     pub const ALL: [Zeros; 5] = [Zeros::Direct, Zeros::Reverse, Zeros::Largest, Zeros::Along, Zeros::Across];
+
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Zeros::Direct => "direct",
+            Zeros::Reverse => "reverse",
+            Zeros::Largest => "all",
+            Zeros::Along => "along",
+            Zeros::Across => "across",
+        }
+    }
 }
 
 /// Where one of them vanishes.

@@ -188,6 +188,15 @@ fn documents() -> Vec<(&'static str, Value)> {
         ("bearings", format!("bearings {examples}/v8-gas/layout.toml --json")),
         ("torque", format!("torque {examples}/v8-gas/layout.toml --json")),
         ("torsion", format!("torsion {examples}/i6-torsion/layout.toml --json")),
+        ("accuracy", "accuracy examples/four.toml --json".to_owned()),
+        ("optimise", "optimise reports/thesis/i3-100.toml --json".to_owned()),
+        ("search", "search --cylinders 6 --cycle four-stroke --json".to_owned()),
+        ("search", "search --cylinders 6 --cycle four-stroke --torsion --json".to_owned()),
+        ("search", "search --cylinders 7 --cycle two-stroke --json".to_owned()),
+        ("search", "search --cylinders 15 --cycle two-stroke --json".to_owned()),
+        ("sweep", "sweep V6-60-shared --bank-angle 0..180:60 --format json".to_owned()),
+        ("sweep", format!("sweep {examples}/v8-gas/layout.toml --speed 1000..3000:1000 --format json")),
+        ("sweep", "sweep V8-crossplane --bank-angle 0..180:60 --format json".to_owned()),
     ]
     .map(|(name, line)| (name, line.split(' ').map(str::to_owned).collect()))
     .into();
@@ -210,7 +219,7 @@ fn the_schemas_take_the_documents_and_refuse_others() {
         walk(&document, &mut Vec::new(), &mut places);
         let is_free = |path: &[Step]| {
             // Columns of tables, and coefficients by symbol.
-            let is_table = ["bearings", "torque", "torsion"].contains(&name);
+            let is_table = ["bearings", "torque", "torsion", "accuracy", "optimise", "sweep"].contains(&name);
             let keys = ["throw", "bank", "position", "reference_plane"];
             let is_linear = matches!(path.last(), Some(Step::Key(key)) if keys.contains(&key.as_str()));
             (is_table || is_linear && name == "family") && !path.is_empty()

@@ -16,6 +16,7 @@ use num_traits::ToPrimitive;
 
 use crate::studies::section::section;
 use crate::support::program::scratch;
+use crate::support::tables;
 use crate::support::written::fraction;
 use crate::support::{dice, every_form};
 const V6: &str = "cycle = \"four-stroke\"\n[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\n";
@@ -407,7 +408,7 @@ fn the_table_has_a_row_a_point_and_zero_only_where_it_is_proved() {
     for line in &lines[1..] {
         assert_eq!(line[column] == "0", ["90", "180"].contains(&line[0]), "{}", line[0]);
     }
-    let document = serde_json::to_value(report::sweep_document(&sweep)).expect("JSON");
+    let document = tables::json_of(&sweep);
     assert_eq!(document["points"].as_array().map(Vec::len), Some(19));
     assert_eq!(document["zeros"][7]["quantity"], "moment");
 }

@@ -462,16 +462,6 @@ fn checked(tree: &serde_json::Value) -> Result<crankstar::proof::Checked, String
 }
 
 #[test]
-fn sweeps_hold_evidence() {
-    use serde_json::json;
-    let documents = [with_masses(Masses::All), unequal()];
-    let sweep = json!({ "format": "crankstar sweep 2", "points": [], "evidence": documents });
-    assert!(checked(&sweep).is_ok());
-    let empty = json!({ "format": "crankstar sweep 2", "points": [], "evidence": [] });
-    assert!(checked(&empty).is_err_and(|fault| fault.contains("there is nothing to check")));
-}
-
-#[test]
 fn the_outcomes_are_written_in_words() {
     let json = |outcome: WholeOutcome| serde_json::to_string(&outcome).expect("JSON");
     assert_eq!(json(WholeOutcome::Zero), "\"zero\"");

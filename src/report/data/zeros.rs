@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::cells::{decimals, exact, truths, whole, words};
 use super::sweep::EXACT;
 use crate::numbers::float;
-use crate::sweep::{Sweep, Zeros};
+use crate::sweep::Sweep;
 use crate::table::{Column, Table, Unit};
 
 /// A value at which something vanishes, or none where it never does, or everywhere.
@@ -33,7 +33,7 @@ pub(super) fn zeros(sweep: &Sweep) -> Table {
         spread(&set.at, &set.irrational).map(move |at| Zero {
             quantity: set.quantity.name(),
             halves: 2 * set.order,
-            of: zeros_name(set.of),
+            of: set.of.name(),
             exists: set.exists,
             everywhere: set.everywhere,
             complete: set.complete,
@@ -149,14 +149,4 @@ fn with_values(sweep: &Sweep, table: Table, rows: &[Zero]) -> Table {
             EXACT,
             exact(rows.iter().map(|row| row.at.as_ref().and_then(At::exact))),
         ))
-}
-
-fn zeros_name(of: Zeros) -> &'static str {
-    match of {
-        Zeros::Direct => "direct",
-        Zeros::Reverse => "reverse",
-        Zeros::Largest => "all",
-        Zeros::Along => "along",
-        Zeros::Across => "across",
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::super::data;
 use super::super::question::Question;
-use super::{sweep_answer, sweep_csv, sweep_document, sweep_page};
+use super::{sweep_answer, sweep_csv, sweep_page};
 use crate::page::{Document, File};
 use crate::sweep::Sweep;
 use crate::table::Table;
@@ -33,12 +33,8 @@ impl Question for Sweep {
         sweep_page(self)
     }
 
-    /// The points and the document.
+    /// The points, and all tables as JSON.
     fn beside(&self) -> serde_json::Result<Vec<File>> {
         Ok(vec![sweep_csv(self), File { name: "sweep.json".into(), text: text::json(&self.json()?) + "\n" }])
-    }
-
-    fn json(&self) -> serde_json::Result<String> {
-        serde_json::to_string_pretty(&sweep_document(self))
     }
 }

@@ -3,7 +3,6 @@
 use super::amounts::{self, number_of, place_cells, place_headings, size, unit};
 use super::findings::Finding;
 use super::plots::amplitudes;
-use super::words::zeros_name;
 use crate::engine::DOES_NOT_EXIST;
 use crate::page::{Block, Fold, Number, Table, Text, Unit, number, phrase};
 use crate::proof::Planar;
@@ -11,7 +10,7 @@ use crate::sweep::{Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// A row for each order and quantity that does not vanish everywhere: where each vector does.
 pub(super) fn zeros(parameter: &Parameter, sets: &[ZeroSet]) -> Table {
-    let mut table = Table::new(["Order", "Quantity"].into_iter().chain(Zeros::ALL.map(zeros_name)));
+    let mut table = Table::new(["Order", "Quantity"].into_iter().chain(Zeros::ALL.map(Zeros::name)));
     for of in sets.chunk_by(|a, b| (a.order, a.quantity) == (b.order, b.quantity)) {
         if of.iter().all(|set| set.exists && set.everywhere) {
             continue;

@@ -31,6 +31,11 @@ fn json(document: &impl serde::Serialize) -> Value {
     serde_json::to_value(document).expect("JSON")
 }
 
+/// The document of an answer.
+pub fn json_of(answer: &dyn Question) -> Value {
+    serde_json::from_str(&answer.json().expect("JSON")).expect("JSON")
+}
+
 /// All questions that can be asked of an engine.
 pub fn of_engine(engine: &Engine, orders: &[u32]) -> Vec<Answered> {
     let mut all = vec![classify(engine, orders), compare(engine, orders)];
@@ -72,7 +77,7 @@ pub fn valued(engine: &Engine, name: &str) -> Answered {
     let names = vec![name.parse().expect("a name")];
     let row = (Untrusted::new("one"), ValuesStudy::row(engine, &names));
     let study = ValuesStudy { names, rows: vec![row] };
-    let document = serde_json::from_str(&study.json().expect("JSON")).expect("JSON");
+    let document = json_of(&study);
     Answered { question: "values", tables: study.tables(), document }
 }
 
@@ -84,8 +89,7 @@ pub fn swept(text: &str, parameters: &[&str], orders: &[u32], firing: &[&str]) -
     if !firing.is_empty() {
         swept.firing = Some(sweep::firing_stars(&template, &swept, &firing).expect("stars"));
     }
-    let document = json(&report::sweep_document(&swept));
-    let answered = Answered { question: "sweep", tables: data::sweep(&swept), document };
+    let answered = Answered { question: "sweep", tables: swept.tables(), document: json_of(&swept) };
     (swept, answered)
 }
 
