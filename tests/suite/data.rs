@@ -468,6 +468,31 @@ fn the_documentation_lists_every_column_of_every_table_and_no_other() {
     }
 }
 
+/// `columns.txt` says something of every column, and nothing of one that no table has.
+#[test]
+fn every_column_has_its_sentence_and_every_sentence_its_column() {
+    let mut columns: BTreeSet<(String, &str, &str)> = BTreeSet::new();
+    for answer in every_answer() {
+        for table in &answer.tables {
+            let path = format!("{}.{}", answer.question, table.name());
+            assert!(!table.about().is_empty(), "{path}");
+            for column in table.columns() {
+                assert!(!column.about().is_empty(), "{path}: {}", column.name());
+                let names = [column.pattern(), column.name()];
+                columns.extend(names.map(|name| (path.clone(), name, column.about())));
+            }
+        }
+    }
+    let sections = include_str!("../../src/report/data/columns.txt").trim_end().split("\n\n");
+    for (head, lines) in sections.map(|section| section.split_once('\n').unwrap_or((section, ""))) {
+        let path = head[1..].split(']').next().expect("a name");
+        for line in lines.lines().filter(|line| !line.starts_with("as ")) {
+            let (name, about) = line.split_once(": ").expect("a name and what it tells");
+            assert!(columns.contains(&(path.to_owned(), name, about)), "[{path}] {line}");
+        }
+    }
+}
+
 /// Each unit that a name may hold, as the documentation explains it.
 #[test]
 fn the_documentation_explains_every_unit_in_a_name() {

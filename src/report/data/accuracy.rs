@@ -33,35 +33,24 @@ struct Found {
     on_front: Option<bool>,
 }
 
-const CASE: &str = "the number of its rod ratio, from 1";
-const LOAD: &str = "what is largest: force, moment, inertia_torque; bearing, torque, bearing_with_gas";
-
 fn all_methods(study: &AccuracyStudy) -> Table {
     let mut rows = Vec::new();
     for (number, case) in (1..).zip(&study.cases) {
         rows.extend(case.studies.iter().flat_map(|load| of_study(study, number, load)));
         rows.extend(case.further.iter().flat_map(|load| of_further(number, load)));
     }
-    let about = "a method for a largest load; of a load that is zero or below all of them there is none";
-    let mut table = Filling::new("methods", about, &rows).keyed(4);
-    table.whole("case", CASE, |row| row.case);
-    table.words("load", LOAD, |row| Some(row.load.to_owned()));
-    table.words("method", "orders, closed_form, intervals, fractions, refined", |row| Some(row.method.to_owned()));
-    let about = "the highest order, angles of a revolution, or digits asked for; 0 where the method has no setting";
-    table.decimal("setting", Unit::NONE, about, |row| Some(row.setting.unwrap_or(0.0)));
-    table.decimal("value", Unit::NONE, "what it finds, in the unit beside it", |row| Some(row.value));
-    table.words("unit", "the unit of the value", |row| Some(row.unit.name.to_owned()));
-    table.decimal("error", Unit::NONE, "it is off by this part of the reference", |row| Some(row.error));
-    let about = "the same anywhere in the cycle; empty where it is not looked for";
-    table.decimal("error_anywhere", Unit::NONE, about, |row| row.farthest);
-    table.decimal("bound", Unit::NONE, "the error is guaranteed to be no more; empty without a guarantee", |row| {
-        row.bound
-    });
-    table.decimal("time_{unit}", Unit::SECOND, "median time of one evaluation, where it was measured", |row| {
-        row.seconds
-    });
-    let about = "whether no other method is both faster and more accurate; empty where that is not compared";
-    table.truth("unbeaten", about, |row| row.on_front);
+    let mut table = Filling::new("accuracy.methods", &rows).keyed(4);
+    table.whole("case", |row| row.case);
+    table.words("load", |row| Some(row.load.to_owned()));
+    table.words("method", |row| Some(row.method.to_owned()));
+    table.decimal("setting", Unit::NONE, |row| Some(row.setting.unwrap_or(0.0)));
+    table.decimal("value", Unit::NONE, |row| Some(row.value));
+    table.words("unit", |row| Some(row.unit.name.to_owned()));
+    table.decimal("error", Unit::NONE, |row| Some(row.error));
+    table.decimal("error_anywhere", Unit::NONE, |row| row.farthest);
+    table.decimal("bound", Unit::NONE, |row| row.bound);
+    table.decimal("time_{unit}", Unit::SECOND, |row| row.seconds);
+    table.truth("unbeaten", |row| row.on_front);
     table.done()
 }
 
@@ -133,22 +122,15 @@ fn peaks(study: &AccuracyStudy) -> Option<Table> {
     if rows.is_empty() {
         return None;
     }
-    let mut table = Filling::new("peaks", "the largest value of a load, guaranteed", &rows).keyed(2);
-    table.whole("case", CASE, |(number, ..)| *number);
-    table.words("load", LOAD, |(.., load)| Some(name(load.quantity).to_owned()));
-    let about = "the rod ratio λ; empty where the rods differ";
-    table.exact("rod_ratio", Unit::NONE, about, |(_, case, _)| case.ratio.as_ref().map(exact_number));
-    let about = "whether it vanishes at every order that was looked at";
-    table.truth("nothing_found", about, |(.., load)| Some(load.rows.is_empty()));
-    let about = "at least this, in multiples: m r ω², that times the unit of the positions, or m r² ω²; rounded down behind the fortieth place";
-    table.exact("at_least", Unit::NONE, about, |(.., load)| Some(methods::decimals(&load.peak.low, false)));
-    let about = "at most this; rounded up";
-    table.exact("at_most", Unit::NONE, about, |(.., load)| Some(methods::decimals(&load.peak.high, true)));
-    let about = "how many of the unit of the methods are one multiple";
-    table.decimal("multiple", Unit::NONE, about, |(.., load)| Some(methods::unit(&study.engine, load.quantity).1));
-    let about = "errors below this are roundings of doubles";
-    table.decimal("rounding", Unit::NONE, about, |(.., load)| Some(load.rounding));
-    let about = "the peak is known to this part of itself";
-    table.decimal("reference_error", Unit::NONE, about, |(.., load)| Some(load.doubt));
+    let mut table = Filling::new("accuracy.peaks", &rows).keyed(2);
+    table.whole("case", |(number, ..)| *number);
+    table.words("load", |(.., load)| Some(name(load.quantity).to_owned()));
+    table.exact("rod_ratio", Unit::NONE, |(_, case, _)| case.ratio.as_ref().map(exact_number));
+    table.truth("nothing_found", |(.., load)| Some(load.rows.is_empty()));
+    table.exact("at_least", Unit::NONE, |(.., load)| Some(methods::decimals(&load.peak.low, false)));
+    table.exact("at_most", Unit::NONE, |(.., load)| Some(methods::decimals(&load.peak.high, true)));
+    table.decimal("multiple", Unit::NONE, |(.., load)| Some(methods::unit(&study.engine, load.quantity).1));
+    table.decimal("rounding", Unit::NONE, |(.., load)| Some(load.rounding));
+    table.decimal("reference_error", Unit::NONE, |(.., load)| Some(load.doubt));
     Some(table.done())
 }

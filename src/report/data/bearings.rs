@@ -48,10 +48,6 @@ fn methods(study: &BearingsStudy) -> [(&'static str, &BearingLoads); 2] {
     [("continuous", &study.continuous), ("determinate", &study.determinate)]
 }
 
-pub(super) const METHOD: &str = "continuous: one beam on all bearings; determinate: each span a beam of its own";
-pub(super) const NUMBER: &str = "its number in the file, from 1";
-pub(super) const PLACE: &str = "where it stands along the shaft, exact";
-
 /// Each bearing by each method.
 fn each(study: &BearingsStudy) -> Vec<(&'static str, usize, &BearingLoad)> {
     let all = methods(study).into_iter().flat_map(|(method, loads)| {
@@ -64,51 +60,31 @@ fn of_bearings(study: &BearingsStudy, units: Units) -> Table {
     let left_out = methods(study).map(|(_, loads)| left_out_of_bearings(&study.engine, loads).ok().flatten());
     let of_method = |method: &str| usize::from(method != "continuous");
     let rows = each(study);
-    let about = "a main bearing: the largest load of the masses in a revolution, all orders together";
-    let mut table = Filling::new("bearings", about, &rows).keyed(2);
-    table.words("method", METHOD, |(method, ..)| Some((*method).to_owned()));
-    table.whole("bearing", NUMBER, |(_, number, _)| *number);
+    let mut table = Filling::new("bearings.bearings", &rows).keyed(2);
+    table.words("method", |(method, ..)| Some((*method).to_owned()));
+    table.whole("bearing", |(_, number, _)| *number);
     let unit = position_unit(&study.engine);
-    table.exact("position_{unit}", unit, PLACE, |(.., bearing)| Some(exact_number(&bearing.position)));
+    table.exact("position_{unit}", unit, |(.., bearing)| Some(exact_number(&bearing.position)));
     type PeakOf = fn(&BearingLoad) -> &Peak;
-    let peaks: [([&str; 2], &str, PeakOf); 3] = [
-        (["force_zero_to_peak_{unit}", "theta_{unit}"], "largest force that the bearing feels", |one| &one.peak),
-        (
-            ["force_y_zero_to_peak_{unit}", "force_y_theta_{unit}"],
-            "largest size of its component along the reference direction y",
-            |one| &one.along,
-        ),
-        (
-            ["force_x_zero_to_peak_{unit}", "force_x_theta_{unit}"],
-            "largest size of its component across it, along x",
-            |one| &one.across,
-        ),
+    let peaks: [([&str; 2], PeakOf); 3] = [
+        (["force_zero_to_peak_{unit}", "theta_{unit}"], |one| &one.peak),
+        (["force_y_zero_to_peak_{unit}", "force_y_theta_{unit}"], |one| &one.along),
+        (["force_x_zero_to_peak_{unit}", "force_x_theta_{unit}"], |one| &one.across),
     ];
-    for (names, about, of) in peaks {
-        peak(&mut table, names, units, about, |(.., bearing)| of(bearing));
+    for (names, of) in peaks {
+        peak(&mut table, names, units, |(.., bearing)| of(bearing));
     }
-    table.truth("worst", "whether no bearing feels more by this method", |(method, number, _)| {
-        Some(methods(study)[of_method(method)].1.worst.contains(&(number - 1)))
-    });
-    let about = "the orders that are not listed add at most this to the load; empty where they add nothing";
-    table.decimal("left_out_{unit}", units.force, about, |(method, ..)| {
+    table.truth("worst", |(method, number, _)| Some(methods(study)[of_method(method)].1.worst.contains(&(number - 1))));
+    table.decimal("left_out_{unit}", units.force, |(method, ..)| {
         left_out[of_method(method)].as_ref().map(|bound| bound.most * units.newtons)
     });
     table.done()
 }
 
-const THETA: &str = "crank angle where it stands; empty where it stands at all, or is 0";
-
 /// A largest value, and the crank angle where it stands.
-fn peak<R>(
-    table: &mut Filling<R>,
-    [size, angle]: [&'static str; 2],
-    units: Units,
-    about: &'static str,
-    of: impl Fn(&R) -> &Peak,
-) {
-    table.decimal(size, units.force, about, |row| Some(of(row).value * units.newtons));
-    table.decimal(angle, Unit::DEGREE, THETA, |row| of(row).angle.filter(|_| of(row).value > 0.0));
+fn peak<R>(table: &mut Filling<R>, [size, angle]: [&'static str; 2], units: Units, of: impl Fn(&R) -> &Peak) {
+    table.decimal(size, units.force, |row| Some(of(row).value * units.newtons));
+    table.decimal(angle, Unit::DEGREE, |row| of(row).angle.filter(|_| of(row).value > 0.0));
 }
 
 /// The most loaded bearing of the continuous beam; none where no bearing feels anything.
@@ -124,60 +100,34 @@ fn worst(study: &BearingsStudy, units: Units) -> Option<Table> {
     });
     let with_gas = of_all.is_some();
     let rows = [of_all.or_else(of_masses)?];
-    let about = "the main bearing with the largest load, of gas and masses where the layout asks for the gas";
-    let mut table = Filling::new("worst", about, &rows).keyed(0);
-    table.whole("bearing", "its number in the file, from 1; the first of equal ones", |(index, ..)| index + 1);
-    table.decimal(
-        "force_zero_to_peak_{unit}",
-        units.force,
-        "its largest load, on a continuous beam",
-        |(_, force, _)| Some(*force),
-    );
-    table.decimal("theta_{unit}", Unit::DEGREE, THETA, |(.., angle)| *angle);
-    table.truth("with_gas", "whether the gas is in it", |_| Some(with_gas));
+    let mut table = Filling::new("bearings.worst", &rows).keyed(0);
+    table.whole("bearing", |(index, ..)| index + 1);
+    table.decimal("force_zero_to_peak_{unit}", units.force, |(_, force, _)| Some(*force));
+    table.decimal("theta_{unit}", Unit::DEGREE, |(.., angle)| *angle);
+    table.truth("with_gas", |_| Some(with_gas));
     Some(table.done())
 }
 
 /// The largest length of an order, and its two vectors.
 fn vectors<R>(table: &mut Filling<R>, units: Units, of: impl Fn(&R) -> (u32, &[OrderSum; 2], &Swing)) {
-    table.decimal("force_zero_to_peak_{unit}", units.force, "largest length in a revolution", |row| {
-        Some(of(row).2.largest() * units.newtons)
-    });
+    table.decimal("force_zero_to_peak_{unit}", units.force, |row| Some(of(row).2.largest() * units.newtons));
     type Pick = fn(&Swing) -> &Vector;
-    let both: [(usize, [&'static str; 4], &'static str, Pick); 2] = [
-        (
-            0,
-            ["direct_zero_to_peak_{unit}", "direct_exact", "direct_angle_{unit}", "direct_vanishes"],
-            "½|P⁺|, the vector that turns with the crank",
-            |swing| &swing.direct,
-        ),
-        (
-            1,
-            ["reverse_zero_to_peak_{unit}", "reverse_exact", "reverse_angle_{unit}", "reverse_vanishes"],
-            "½|P⁻|, the vector that turns against the crank",
-            |swing| &swing.reverse,
-        ),
+    let both: [(usize, [&'static str; 4], Pick); 2] = [
+        (0, ["direct_zero_to_peak_{unit}", "direct_exact", "direct_angle_{unit}", "direct_vanishes"], |swing| {
+            &swing.direct
+        }),
+        (1, ["reverse_zero_to_peak_{unit}", "reverse_exact", "reverse_angle_{unit}", "reverse_vanishes"], |swing| {
+            &swing.reverse
+        }),
     ];
-    for (place, [size, exact, angle, zero], about, vector) in both {
-        table.decimal(size, units.force, about, |row| Some(vector(of(row).2).value.norm() / 2.0 * units.newtons));
-        table.exact(
-            exact,
-            Unit::MASS_RADIUS,
-            "the length |P| in closed form, in multiples of m r, each sum with the number of the motion that it is multiplied by: c_k, n_k or u_k; empty where one has none",
-            |row| lengths(&of(row).1[place], of(row).0),
-        );
-        table.decimal(
-            angle,
-            Unit::DEGREE,
-            "where it points at θ = 0, from y in the sense of rotation; empty where it is 0",
-            |row| {
-                let value = vector(of(row).2).value;
-                (value.norm_sqr() > 0.0).then(|| numbers::degrees(value))
-            },
-        );
-        table.truth(zero, "whether it is proved to be 0; empty where that is not decided", |row| {
-            vector(of(row).2).outcome.vanishes()
+    for (place, [size, exact, angle, zero], vector) in both {
+        table.decimal(size, units.force, |row| Some(vector(of(row).2).value.norm() / 2.0 * units.newtons));
+        table.exact(exact, Unit::MASS_RADIUS, |row| lengths(&of(row).1[place], of(row).0));
+        table.decimal(angle, Unit::DEGREE, |row| {
+            let value = vector(of(row).2).value;
+            (value.norm_sqr() > 0.0).then(|| numbers::degrees(value))
         });
+        table.truth(zero, |row| vector(of(row).2).outcome.vanishes());
     }
 }
 
@@ -186,11 +136,10 @@ fn orders(study: &BearingsStudy, units: Units) -> Table {
         .into_iter()
         .flat_map(|(method, number, bearing)| bearing.orders.iter().map(move |order| (method, number, order)))
         .collect();
-    let about = "an order k of what a main bearing feels of the masses; order 0 is a constant force";
-    let mut table = Filling::new("orders", about, &rows).keyed(3);
-    table.words("method", METHOD, |(method, ..)| Some((*method).to_owned()));
-    table.whole("bearing", NUMBER, |(_, number, _)| *number);
-    table.whole("order", "the order k", |(.., order)| order.order as usize);
+    let mut table = Filling::new("bearings.orders", &rows).keyed(3);
+    table.words("method", |(method, ..)| Some((*method).to_owned()));
+    table.whole("bearing", |(_, number, _)| *number);
+    table.whole("order", |(.., order)| order.order as usize);
     vectors(&mut table, units, |(.., order)| (order.order, &order.sums, &order.swing));
     table.done()
 }
@@ -222,17 +171,13 @@ fn terms(study: &BearingsStudy) -> Table {
             }
         }
     }
-    let about = "a term of the exact sum behind a vector on the continuous beam: the vector in multiples of m r ω² is half \
-                 the sum of the terms, each times its coefficient, which is conjugated in a reverse one";
-    let mut table = Filling::new("terms", about, &rows).keyed(5);
-    table.whole("bearing", NUMBER, |row| row.0);
-    table.whole("order", "the order k", |row| row.1 as usize);
-    table.words("sense", "direct: with the crank; reverse: against it", |row| Some(row.2.to_owned()));
-    table.words("coefficient", "the number of the motion that the term is multiplied by", |row| {
-        Some(coefficient(row.3))
-    });
-    table.exact("angle_turns", Unit::NONE, "its angle in turns", |row| Some(row.4.angle.turns().to_string()));
-    table.exact("weight", Unit::NONE, "its weight", |row| Some(row.4.weight.to_string()));
+    let mut table = Filling::new("bearings.terms", &rows).keyed(5);
+    table.whole("bearing", |row| row.0);
+    table.whole("order", |row| row.1 as usize);
+    table.words("sense", |row| Some(row.2.to_owned()));
+    table.words("coefficient", |row| Some(coefficient(row.3)));
+    table.exact("angle_turns", Unit::NONE, |row| Some(row.4.angle.turns().to_string()));
+    table.exact("weight", Unit::NONE, |row| Some(row.4.weight.to_string()));
     table.done()
 }
 
@@ -264,12 +209,8 @@ fn theta(loads: &BearingLoads, units: Units) -> Table {
     let circle = Circle::new(STEPS);
     let all: Vec<Vec<Complex<f64>>> = loads.bearings.iter().map(|bearing| bearing.waveform.sample(&circle)).collect();
     let rows: Vec<usize> = (0..STEPS).collect();
-    let about =
-        "a crank angle: what each bearing feels of the masses on a continuous beam, all orders of `orders` together";
-    let mut table = Filling::new("theta", about, &rows);
-    table.decimal("theta_{unit}", Unit::DEGREE, "the crank angle θ, every degree of a revolution", |theta| {
-        Some(*theta as f64)
-    });
+    let mut table = Filling::new("bearings.theta", &rows);
+    table.decimal("theta_{unit}", Unit::DEGREE, |theta| Some(*theta as f64));
     for (index, tips) in all.iter().enumerate() {
         let force = |theta: usize| Some(tips[theta] * units.newtons);
         components(&mut table, index + 1, units.force, |theta| force(*theta));
@@ -284,10 +225,8 @@ pub(super) fn components<R>(
     unit: Unit,
     force: impl Fn(&R) -> Option<Complex<f64>>,
 ) {
-    let (along, across) =
-        ("force on this bearing along the reference direction y", "force on it along x, to the right of y");
-    table.decimal(("bearing_{bearing}_y_{unit}", bearing), unit, along, |row| force(row).map(|force| force.re));
-    table.decimal(("bearing_{bearing}_x_{unit}", bearing), unit, across, |row| force(row).map(|force| -force.im));
+    table.decimal(("bearing_{bearing}_y_{unit}", bearing), unit, |row| force(row).map(|force| force.re));
+    table.decimal(("bearing_{bearing}_x_{unit}", bearing), unit, |row| force(row).map(|force| -force.im));
 }
 
 /// What the rods load the crankpins with, each beside its cylinder.
@@ -298,16 +237,15 @@ fn pins_of(study: &BearingsStudy) -> Option<PinLoads> {
 fn pins(study: &BearingsStudy, units: Units) -> Option<Table> {
     let loads = pins_of(study)?;
     let rows: Vec<_> = study.engine.cylinders().iter().zip(&loads.pins).collect();
-    let mut table = Filling::new("pins", "what the rod of a cylinder loads its crankpin with, of the masses", &rows);
-    table.person("cylinder", "the cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
-    let about = "where its crankpin stands along the shaft, exact";
-    table.exact("position_{unit}", position_unit(&study.engine), about, |(_, pin)| Some(exact_number(&pin.position)));
+    let mut table = Filling::new("bearings.pins", &rows);
+    table.person("cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
+    table.exact("position_{unit}", position_unit(&study.engine), |(_, pin)| Some(exact_number(&pin.position)));
     let force = ["force_zero_to_peak_{unit}", "theta_{unit}"];
-    peak(&mut table, force, units, "largest load in a revolution", |(_, pin)| &pin.peak);
+    peak(&mut table, force, units, |(_, pin)| &pin.peak);
     let along = ["along_throw_zero_to_peak_{unit}", "along_throw_theta_{unit}"];
-    peak(&mut table, along, units, "largest size of its component along the throw", |(_, pin)| &pin.along);
+    peak(&mut table, along, units, |(_, pin)| &pin.along);
     let across = ["across_throw_zero_to_peak_{unit}", "across_throw_theta_{unit}"];
-    peak(&mut table, across, units, "largest size of its component across the throw", |(_, pin)| &pin.across);
+    peak(&mut table, across, units, |(_, pin)| &pin.across);
     Some(table.done())
 }
 
@@ -316,10 +254,9 @@ fn pin_orders(study: &BearingsStudy, units: Units) -> Option<Table> {
     let pairs = study.engine.cylinders().iter().zip(&loads.pins);
     let rows: Vec<_> =
         pairs.flat_map(|(cylinder, pin)| pin.orders.iter().map(move |order| (cylinder, order))).collect();
-    let about = "an order k of what a rod loads its crankpin with, of the masses; order 0 is a constant force";
-    let mut table = Filling::new("pin_orders", about, &rows).keyed(2);
-    table.person("cylinder", "the cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
-    table.whole("order", "the order k", |(_, order)| order.order as usize);
+    let mut table = Filling::new("bearings.pin_orders", &rows).keyed(2);
+    table.person("cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
+    table.whole("order", |(_, order)| order.order as usize);
     vectors(&mut table, units, |(_, order)| (order.order, &order.sums, &order.swing));
     Some(table.done())
 }
@@ -333,11 +270,10 @@ fn parts(study: &BearingsStudy) -> Table {
             })
         })
         .collect();
-    let mut table = Filling::new("parts", "the part of a load that a main bearing carries", &rows).keyed(3);
-    table.words("method", METHOD, |(method, ..)| Some((*method).to_owned()));
-    let about = "where the load acts along the shaft, exact";
-    table.exact("load_position_{unit}", position_unit(&study.engine), about, |(_, at, ..)| Some(exact_number(at)));
-    table.whole("bearing", NUMBER, |(_, _, bearing, _)| *bearing);
-    table.exact("part", Unit::NONE, "what it carries of a unit load, exact", |(.., part)| Some(exact_number(part)));
+    let mut table = Filling::new("bearings.parts", &rows).keyed(3);
+    table.words("method", |(method, ..)| Some((*method).to_owned()));
+    table.exact("load_position_{unit}", position_unit(&study.engine), |(_, at, ..)| Some(exact_number(at)));
+    table.whole("bearing", |(_, _, bearing, _)| *bearing);
+    table.exact("part", Unit::NONE, |(.., part)| Some(exact_number(part)));
     table.done()
 }

@@ -84,8 +84,3 @@ pub(super) fn whole<N: TryInto<i64>>(values: impl IntoIterator<Item = N>) -> Val
 pub(super) fn truths(values: impl IntoIterator<Item = Option<bool>>) -> Values {
     Values::Truth(values.into_iter().collect())
 }
-
-/// Words.
-pub(super) fn words<W: Into<String>>(values: impl IntoIterator<Item = W>) -> Values {
-    Values::Words(values.into_iter().map(|words| Some(words.into())).collect())
-}

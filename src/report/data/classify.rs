@@ -28,12 +28,10 @@ pub fn classify(engine: &Engine, judged: &Judgement, document: &Document) -> Vec
     };
     let (force, moment) = (of(Quantity::FORCE), of(Quantity::MOMENT));
     let both: Vec<[&VerdictClaim; 2]> = force.into_iter().zip(moment).map(|(force, moment)| [force, moment]).collect();
-    let about_the_axis = [
-        ("torque", "a sum of an order of the inertia torque", of(Quantity::TORQUE)),
-        ("roll", "a sum of an order of the roll moment on the frame", of(Quantity::ROLL)),
-    ];
+    let about_the_axis =
+        [("classify.torque", "torque", of(Quantity::TORQUE)), ("classify.roll", "roll", of(Quantity::ROLL))];
     let about_the_axis = about_the_axis.into_iter().filter(|(_, _, rows)| !rows.is_empty());
-    let tables = about_the_axis.map(|(name, about, rows)| axis_sums(name, about, &rows));
+    let tables = about_the_axis.map(|(path, name, rows)| axis_sums(path, name, &rows));
     [orders(engine, judged), sums(engine, &both)].into_iter().chain(tables).collect()
 }
 
@@ -48,12 +46,9 @@ fn orders(engine: &Engine, judged: &Judgement) -> Table {
     });
     let rows: Vec<Row> = rows.collect();
     let [_, moment] = units(engine);
-    let about = "an order k; where it has several sums with coefficients of their own, each of them besides";
-    let mut table = Filling::new("orders", about, &rows);
-    table.words("masses", "whose masses the row is about: reciprocating, rotating, counterweights or all", |row| {
-        Some(row.masses.to_owned())
-    });
-    table.words("of", "the sources of one sum; empty where the row is about all", |row| row.of.clone());
+    let mut table = Filling::new("classify.orders", &rows);
+    table.words("masses", |row| Some(row.masses.to_owned()));
+    table.words("of", |row| row.of.clone());
     of_orders(&mut table, |row| &row.order, &[moment], |_| moment);
     table.done()
 }
@@ -69,13 +64,9 @@ fn masses_name(masses: Masses) -> &'static str {
 
 /// A row a vector of an order: the direct, the reverse, of each class of sources.
 fn sums(engine: &Engine, rows: &[[&VerdictClaim; 2]]) -> Table {
-    let about =
-        "a vector of an order: P⁺ or P⁻ as a sum of the engine's vectors, without the factor ½ and the coefficient c_k";
-    let mut table = Filling::new("sums", about, rows);
-    table.whole("order", "the order k", |[force, _]| force.order as usize);
-    table.words("sense", "direct: it turns with the crank; reverse: against it", |[force, _]| {
-        force.sense.map(|sense| sense_name(sense).to_owned())
-    });
+    let mut table = Filling::new("classify.sums", rows);
+    table.whole("order", |[force, _]| force.order as usize);
+    table.words("sense", |[force, _]| force.sense.map(|sense| sense_name(sense).to_owned()));
     of(&mut table, |[force, _]| force);
     let moment = match Arm::of(engine) {
         Arm::Metre => Unit::MASS_RADIUS_METRE,
@@ -86,49 +77,26 @@ fn sums(engine: &Engine, rows: &[[&VerdictClaim; 2]]) -> Table {
     table.done()
 }
 
-fn axis_sums(name: &'static str, about: &'static str, rows: &[&VerdictClaim]) -> Table {
-    let mut table = Filling::new(name, about, rows);
-    table.whole("order", "the order k", |verdict| verdict.order as usize);
+fn axis_sums(path: &'static str, name: &'static str, rows: &[&VerdictClaim]) -> Table {
+    let mut table = Filling::new(path, rows);
+    table.whole("order", |verdict| verdict.order as usize);
     of(&mut table, |verdict| verdict);
     sum(&mut table, name, Unit::MASS_RADIUS_SQUARED, |verdict| verdict);
     table.done()
 }
 
 fn of<R>(table: &mut Filling<R>, verdict: impl Fn(&R) -> &VerdictClaim) {
-    table.words("of", "whose vectors they are, where the order has several such sums", |row| {
-        Some(verdict(row).of.join(" ")).filter(|of| !of.is_empty())
-    });
+    table.words("of", |row| Some(verdict(row).of.join(" ")).filter(|of| !of.is_empty()));
 }
 
 /// The length of a sum, its direction, its evidence.
 fn sum<R>(table: &mut Filling<R>, quantity: &'static str, unit: Unit, verdict: impl Fn(&R) -> &VerdictClaim) {
-    table.truth(("{quantity}_vanishes", quantity), "whether the sum is 0, with proof", |row| {
-        Some(verdict(row).vanishes)
-    });
-    table.decimal(("{quantity}_modulus_{unit}", quantity), unit, "length of the sum", |row| Some(verdict(row).modulus));
-    table.exact(
-        ("{quantity}_modulus_exact", quantity),
-        Unit::NONE,
-        "the same in closed form, where one is short enough to read",
-        |row| modulus(verdict(row)),
-    );
-    table.decimal(
-        ("{quantity}_angle_{unit}", quantity),
-        Unit::DEGREE,
-        "where it points at θ = 0, from y in the sense of rotation; empty where it is 0",
-        |row| verdict(row).angle_deg,
-    );
-    table.exact(
-        ("{quantity}_angle_{unit}_exact", quantity),
-        Unit::DEGREE,
-        "the same exactly, where it is a rational part of a turn",
-        |row| angle(verdict(row)),
-    );
-    table.words(
-        ("{quantity}_evidence", quantity),
-        "what proves it: polygons (it is 0), residue or splitting (it is not)",
-        |row| Some(evidence(&verdict(row).certificate).to_owned()),
-    );
+    table.truth(("{quantity}_vanishes", quantity), |row| Some(verdict(row).vanishes));
+    table.decimal(("{quantity}_modulus_{unit}", quantity), unit, |row| Some(verdict(row).modulus));
+    table.exact(("{quantity}_modulus_exact", quantity), Unit::NONE, |row| modulus(verdict(row)));
+    table.decimal(("{quantity}_angle_{unit}", quantity), Unit::DEGREE, |row| verdict(row).angle_deg);
+    table.exact(("{quantity}_angle_{unit}_exact", quantity), Unit::DEGREE, |row| angle(verdict(row)));
+    table.words(("{quantity}_evidence", quantity), |row| Some(evidence(&verdict(row).certificate).to_owned()));
 }
 
 fn star(verdict: &VerdictClaim) -> PhasorSum {

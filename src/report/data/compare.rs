@@ -29,74 +29,56 @@ fn orders(engines: &[Compared], document: &CompareDocument) -> Table {
     let rows: Vec<Row> = rows.collect();
     let used = |unit: &Unit| rows.iter().any(|row| row.moment == *unit);
     let moments: Vec<Unit> = [Unit::OPEN_SPACING, Unit::OPEN_METRE].into_iter().filter(used).collect();
-    let mut table = Filling::new("orders", "an order k of an engine as it is built", &rows);
-    table.person("engine", ENGINE, |row| Some(row.name.clone()));
+    let mut table = Filling::new("compare.orders", &rows);
+    table.person("engine", |row| Some(row.name.clone()));
     of_orders(&mut table, |row| row.order, &moments, |row| row.moment);
     if document.engines.iter().any(|entry| entry.newtons.is_some()) {
         let newtons = |row: &Row, of: fn(&Newtons) -> f64| {
             row.entry.newtons.as_ref()?.iter().find(|newtons| newtons.order == row.order.order).map(of)
         };
-        let about = "largest length in a revolution; empty where the layout lacks numbers";
-        table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::NEWTON, about, |row| {
+        table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::NEWTON, |row| {
             newtons(row, |newtons| newtons.force)
         });
-        table.decimal(("{quantity}_zero_to_peak_{unit}", "moment"), Unit::NEWTON_METRE, about, |row| {
+        table.decimal(("{quantity}_zero_to_peak_{unit}", "moment"), Unit::NEWTON_METRE, |row| {
             newtons(row, |newtons| newtons.moment)
         });
     }
     table.done()
 }
 
-const ENGINE: &str = "what the engine is called in the comparison";
-
 fn of_engines(engines: &[Compared], document: &CompareDocument) -> Table {
     let rows: Vec<(&Compared, &EngineEntry)> = engines.iter().zip(&document.engines).collect();
-    let mut table = Filling::new("engines", "an engine", &rows);
-    table.person("engine", ENGINE, |(compared, _)| Some(compared.name.clone()));
-    table.person("title", "its title", |(compared, _)| Some(compared.engine.title().clone()));
-    table.whole("cylinders", "how many cylinders it has", |(_, entry)| entry.cylinders);
-    table.truth(
-        "fires_evenly",
-        "whether all firing intervals are equal; empty where the layout does not say",
-        |(_, entry)| entry.firing.as_ref().map(|firing| firing.even),
-    );
+    let mut table = Filling::new("compare.engines", &rows);
+    table.person("engine", |(compared, _)| Some(compared.name.clone()));
+    table.person("title", |(compared, _)| Some(compared.engine.title().clone()));
+    table.whole("cylinders", |(_, entry)| entry.cylinders);
+    table.truth("fires_evenly", |(_, entry)| entry.firing.as_ref().map(|firing| firing.even));
     let interval = |entry: &EngineEntry, best: fn(f64, f64) -> f64| {
         let Firing { intervals_deg, .. } = entry.firing.as_ref()?;
         intervals_deg.iter().copied().reduce(best)
     };
-    table.decimal("longest_firing_interval_{unit}", Unit::DEGREE, "longest interval between firings", |(_, entry)| {
-        interval(entry, f64::max)
-    });
-    table.decimal(
-        "shortest_firing_interval_{unit}",
-        Unit::DEGREE,
-        "shortest interval between firings",
-        |(_, entry)| interval(entry, f64::min),
-    );
-    let first = "the lowest order of all that is left, with its shape; none; or why it is not stated";
-    table.words("first_force_left", first, |(_, entry)| Some(entry.first_force_left.clone()));
-    table.words("first_moment_left", first, |(_, entry)| Some(entry.first_moment_left.clone()));
-    table.words("remedy", "what takes away the orders compared", |(_, entry)| Some(entry.remedy.clone()));
+    table.decimal("longest_firing_interval_{unit}", Unit::DEGREE, |(_, entry)| interval(entry, f64::max));
+    table.decimal("shortest_firing_interval_{unit}", Unit::DEGREE, |(_, entry)| interval(entry, f64::min));
+    table.words("first_force_left", |(_, entry)| Some(entry.first_force_left.clone()));
+    table.words("first_moment_left", |(_, entry)| Some(entry.first_moment_left.clone()));
+    table.words("remedy", |(_, entry)| Some(entry.remedy.clone()));
     let has = |of: fn(&EngineEntry) -> bool| rows.iter().any(|(_, entry)| of(entry));
     if has(|entry| entry.worst_bearings.is_some()) {
-        table.words("worst_bearings", "the main bearings with the largest load of the masses, from 1", |(_, entry)| {
-            entry.worst_bearings.as_ref().map(|worst| numbers(&worst.bearings))
-        });
-        let about = "that load, zero to peak; empty where it is counted in the other unit, or not known";
+        table.words("worst_bearings", |(_, entry)| entry.worst_bearings.as_ref().map(|worst| numbers(&worst.bearings)));
         for unit in [Unit::NEWTON, Unit::MULTIPLE] {
             if rows.iter().any(|(_, entry)| entry.worst_bearings.as_ref().is_some_and(|worst| worst.unit == unit.name))
             {
-                table.decimal("worst_bearing_zero_to_peak_{unit}", unit, about, |(_, entry)| {
+                table.decimal("worst_bearing_zero_to_peak_{unit}", unit, |(_, entry)| {
                     entry.worst_bearings.as_ref().filter(|worst| worst.unit == unit.name).map(|worst| worst.peak)
                 });
             }
         }
     }
     if has(|entry| entry.worst_bearing_with_gas.is_some()) {
-        table.words("worst_bearing_with_gas", "the one with the largest load of gas and masses", |(_, entry)| {
+        table.words("worst_bearing_with_gas", |(_, entry)| {
             entry.worst_bearing_with_gas.as_ref().map(|worst| numbers(&worst.bearings))
         });
-        table.decimal("worst_bearing_with_gas_zero_to_peak_{unit}", Unit::NEWTON, "that load", |(_, entry)| {
+        table.decimal("worst_bearing_with_gas_zero_to_peak_{unit}", Unit::NEWTON, |(_, entry)| {
             entry.worst_bearing_with_gas.as_ref().map(|worst| worst.peak)
         });
     }

@@ -1,12 +1,14 @@
-//! How is a table filled? From rows of what is known, a column at a time.
+//! How is a table filled? From rows of what is known, a column at a time; `columns.txt` says what each column tells.
 
 use super::cells::{decimals, truths, whole};
+use super::sentences;
 use crate::table::{Column, Table, Unit, Values};
 use crate::text::Untrusted;
 
 /// A table, and the rows that its columns are read from.
 pub(super) struct Filling<'a, R> {
     rows: &'a [R],
+    path: &'static str,
     table: Table,
 }
 
@@ -25,10 +27,17 @@ impl<H: ToString> From<(&'static str, H)> for Name {
     }
 }
 
+impl<G: ToString, H: ToString> From<(&'static str, G, H)> for Name {
+    fn from((pattern, first, second): (&'static str, G, H)) -> Self {
+        Name(pattern, vec![first.to_string(), second.to_string()])
+    }
+}
+
 impl<'a, R> Filling<'a, R> {
-    /// A table of this name, in which `about` says what a row is.
-    pub fn new(name: &'static str, about: &'static str, rows: &'a [R]) -> Self {
-        Filling { rows, table: Table::new(name, about, rows.len()) }
+    /// A table by its place in `columns.txt`: the question, a point, its name.
+    pub fn new(path: &'static str, rows: &'a [R]) -> Self {
+        let name = path.split_once('.').map_or(path, |(_, name)| name);
+        Filling { rows, path, table: Table::new(name, sentences::of_row(path), rows.len()) }
     }
 
     /// The same whose rows are named by their first `keys` columns; by none where it has one row.
@@ -41,45 +50,51 @@ impl<'a, R> Filling<'a, R> {
         self.table
     }
 
-    fn add(&mut self, name: impl Into<Name>, unit: Unit, about: &'static str, values: Values) {
+    fn add(&mut self, name: impl Into<Name>, unit: Unit, values: Values) {
         let Name(pattern, holes) = name.into();
         let holes: Vec<&str> = holes.iter().map(String::as_str).collect();
-        self.table.push(Column::named(pattern, &holes, unit, about, values));
+        self.table.push(Column::named(
+            pattern,
+            &holes,
+            unit,
+            sentences::of_column(self.path, pattern, &holes, unit),
+            values,
+        ));
     }
 
     /// A column of decimals.
-    pub fn decimal(&mut self, name: impl Into<Name>, unit: Unit, about: &'static str, of: impl Fn(&R) -> Option<f64>) {
-        self.add(name, unit, about, decimals(self.rows.iter().map(of)));
+    pub fn decimal(&mut self, name: impl Into<Name>, unit: Unit, of: impl Fn(&R) -> Option<f64>) {
+        self.add(name, unit, decimals(self.rows.iter().map(of)));
     }
 
     /// A column of whole numbers.
-    pub fn whole(&mut self, name: impl Into<Name>, about: &'static str, of: impl Fn(&R) -> usize) {
-        self.add(name, Unit::NONE, about, whole(self.rows.iter().map(of)));
+    pub fn whole(&mut self, name: impl Into<Name>, of: impl Fn(&R) -> usize) {
+        self.add(name, Unit::NONE, whole(self.rows.iter().map(of)));
     }
 
     /// A column of whole numbers that some rows lack.
-    pub fn maybe_whole(&mut self, name: impl Into<Name>, about: &'static str, of: impl Fn(&R) -> Option<usize>) {
+    pub fn maybe_whole(&mut self, name: impl Into<Name>, of: impl Fn(&R) -> Option<usize>) {
         let values = self.rows.iter().map(|row| of(row).and_then(|number| number.try_into().ok()));
-        self.add(name, Unit::NONE, about, Values::Integer(values.collect()));
+        self.add(name, Unit::NONE, Values::Integer(values.collect()));
     }
 
     /// A column of true and false.
-    pub fn truth(&mut self, name: impl Into<Name>, about: &'static str, of: impl Fn(&R) -> Option<bool>) {
-        self.add(name, Unit::NONE, about, truths(self.rows.iter().map(of)));
+    pub fn truth(&mut self, name: impl Into<Name>, of: impl Fn(&R) -> Option<bool>) {
+        self.add(name, Unit::NONE, truths(self.rows.iter().map(of)));
     }
 
     /// A column of words.
-    pub fn words(&mut self, name: impl Into<Name>, about: &'static str, of: impl Fn(&R) -> Option<String>) {
-        self.add(name, Unit::NONE, about, Values::Words(self.rows.iter().map(of).collect()));
+    pub fn words(&mut self, name: impl Into<Name>, of: impl Fn(&R) -> Option<String>) {
+        self.add(name, Unit::NONE, Values::Words(self.rows.iter().map(of).collect()));
     }
 
     /// A column of exact numbers, as text.
-    pub fn exact(&mut self, name: impl Into<Name>, unit: Unit, about: &'static str, of: impl Fn(&R) -> Option<String>) {
-        self.add(name, unit, about, Values::Exact(self.rows.iter().map(of).collect()));
+    pub fn exact(&mut self, name: impl Into<Name>, unit: Unit, of: impl Fn(&R) -> Option<String>) {
+        self.add(name, unit, Values::Exact(self.rows.iter().map(of).collect()));
     }
 
     /// A column of what a person wrote.
-    pub fn person(&mut self, name: impl Into<Name>, about: &'static str, of: impl Fn(&R) -> Option<Untrusted>) {
-        self.add(name, Unit::NONE, about, Values::Person(self.rows.iter().map(of).collect()));
+    pub fn person(&mut self, name: impl Into<Name>, of: impl Fn(&R) -> Option<Untrusted>) {
+        self.add(name, Unit::NONE, Values::Person(self.rows.iter().map(of).collect()));
     }
 }

@@ -11,19 +11,15 @@ use crate::table::{Table, Unit};
 pub fn firing(study: &FiringStudy) -> Table {
     let stars = study.orders.iter().flat_map(|order| order.stars.iter().map(move |star| (order, star)));
     let rows: Vec<(&StarOrder, &FiringStar, _)> = stars.map(|(order, star)| (order, star, star_length(star))).collect();
-    let mut table = Filling::new("orders", "a firing star", &rows);
-    table.decimal("order", Unit::NONE, "the order κ of the crank speed", |(order, ..)| order.order.exact().to_f64());
-    table.words("of", "the cylinders whose vectors it adds, with a space between", |(_, star, _)| {
+    let mut table = Filling::new("firing.orders", &rows);
+    table.decimal("order", Unit::NONE, |(order, ..)| order.order.exact().to_f64());
+    table.words("of", |(_, star, _)| {
         let names: Vec<String> = star.sources.iter().map(|source| source.name(&study.engine)).collect();
         Some(names.join(" "))
     });
-    let about = "whether it is proved to be 0, whatever the pressure is; else it is proved not to be";
-    table.truth("vanishes", about, |(_, star, _)| Some(star.vanishes()));
-    table.decimal("length_{unit}", Unit::CRANK_RADIUS, "its length", |(.., length)| Some(length.decimal));
-    table.exact("length_exact", Unit::NONE, "the same in closed form", |(.., length)| {
-        length.exact.as_ref().map(ToString::to_string)
-    });
-    let about = "whether all vectors of the order stand in one direction";
-    table.truth("major", about, |(order, ..)| Some(order.is_major()));
+    table.truth("vanishes", |(_, star, _)| Some(star.vanishes()));
+    table.decimal("length_{unit}", Unit::CRANK_RADIUS, |(.., length)| Some(length.decimal));
+    table.exact("length_exact", Unit::NONE, |(.., length)| length.exact.as_ref().map(ToString::to_string));
+    table.truth("major", |(order, ..)| Some(order.is_major()));
     table.done()
 }

@@ -2,7 +2,7 @@
 
 use num_complex::Complex;
 
-use super::bearings::{METHOD, NUMBER, PLACE, components, position_unit};
+use super::bearings::{components, position_unit};
 use super::cells::exact_number;
 use super::filling::Filling;
 use crate::engine::Engine;
@@ -37,21 +37,18 @@ fn of_bearings(engine: &Engine, loads: &CycleLoads) -> Table {
             all.bearings.iter().enumerate().map(move |(index, bearing)| (method, index, all, missed, bearing))
         })
         .collect();
-    let about = "a main bearing: the largest load of gas and masses in a cycle";
-    let mut table = Filling::new("gas_bearings", about, &rows).keyed(2);
-    table.words("method", METHOD, |row| Some(row.0.to_owned()));
-    table.whole("bearing", NUMBER, |row| row.1 + 1);
-    table.exact("position_{unit}", position_unit(engine), PLACE, |row| Some(exact_number(&row.4.position)));
+    let mut table = Filling::new("bearings.gas_bearings", &rows).keyed(2);
+    table.words("method", |row| Some(row.0.to_owned()));
+    table.whole("bearing", |row| row.1 + 1);
+    table.exact("position_{unit}", position_unit(engine), |row| Some(exact_number(&row.4.position)));
     peak(&mut table, WITH_GAS, |row| &row.4.peak);
     gas(&mut table, |row| &row.4.peak);
     peak(&mut table, WITHOUT_GAS, |row| &row.4.inertia);
     let mean = |bearing: &CycleBearing| bearing.series.mean.total();
-    table.decimal("mean_y_{unit}", Unit::NEWTON, "the force that stays, along y", |row| Some(mean(row.4).re));
-    table.decimal("mean_x_{unit}", Unit::NEWTON, "the force that stays, along x", |row| Some(0.0 - mean(row.4).im));
-    let about = "whether it has the largest load by this method, the first of equal ones";
-    table.truth("worst", about, |row| Some(row.2.worst == row.1));
-    let about = "how much of a load the orders of `gas_orders` miss at most";
-    table.decimal("missed_{unit}", Unit::NEWTON, about, |row| Some(row.3));
+    table.decimal("mean_y_{unit}", Unit::NEWTON, |row| Some(mean(row.4).re));
+    table.decimal("mean_x_{unit}", Unit::NEWTON, |row| Some(0.0 - mean(row.4).im));
+    table.truth("worst", |row| Some(row.2.worst == row.1));
+    table.decimal("missed_{unit}", Unit::NEWTON, |row| Some(row.3));
     table.done()
 }
 
@@ -61,74 +58,48 @@ const WITHOUT_GAS: [&str; 4] =
 
 /// A largest load with its crank angle, and its components there.
 fn peak<R>(table: &mut Filling<R>, [size, angle, y, x]: [&'static str; 4], of: impl Fn(&R) -> &CyclePeak) {
-    table.decimal(size, Unit::NEWTON, "largest force in a cycle", |row| Some(of(row).value));
-    table.decimal(angle, Unit::DEGREE, "crank angle of the cycle where it stands", |row| Some(of(row).angle));
-    let (along, across) =
-        ("its component there along the reference direction y", "its component there along x, to the right of y");
-    table.decimal(y, Unit::NEWTON, along, |row| Some(of(row).vector.re));
-    table.decimal(x, Unit::NEWTON, across, |row| Some(0.0 - of(row).vector.im));
+    table.decimal(size, Unit::NEWTON, |row| Some(of(row).value));
+    table.decimal(angle, Unit::DEGREE, |row| Some(of(row).angle));
+    table.decimal(y, Unit::NEWTON, |row| Some(of(row).vector.re));
+    table.decimal(x, Unit::NEWTON, |row| Some(0.0 - of(row).vector.im));
 }
 
 /// What the gas adds along the largest load.
 fn gas<R>(table: &mut Filling<R>, of: impl Fn(&R) -> &CyclePeak) {
-    let about = "what the gas adds along the largest force of gas and masses";
-    table.decimal("gas_along_{unit}", Unit::NEWTON, about, |row| Some(of(row).gas_along()));
+    table.decimal("gas_along_{unit}", Unit::NEWTON, |row| Some(of(row).gas_along()));
 }
 
 fn of_cylinders(engine: &Engine, loads: &CycleLoads) -> Table {
     let rows: Vec<_> = engine.cylinders().iter().zip(&loads.cylinders).collect();
-    let about = "a cylinder: the largest loads of its crankpin, its rod and its wall in a cycle";
-    let mut table = Filling::new("gas_cylinders", about, &rows);
-    table.person("cylinder", "the cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
+    let mut table = Filling::new("bearings.gas_cylinders", &rows);
+    table.person("cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
     peak(&mut table, WITH_GAS, |(_, loads)| &loads.peaks.pin);
     gas(&mut table, |(_, loads)| &loads.peaks.pin);
     peak(&mut table, WITHOUT_GAS, |(_, loads)| &loads.peaks.pin_of_inertia);
     type Pick = fn(&CylinderLoads) -> Extreme;
-    let extremes: [([&str; 2], &str, Pick); 5] = [
-        (
-            ["rod_largest_{unit}", "rod_largest_theta_{unit}"],
-            "largest force along the rod, positive where it is pressed",
-            |loads| loads.peaks.rod[0],
-        ),
-        (
-            ["rod_least_{unit}", "rod_least_theta_{unit}"],
-            "least force along the rod, negative where it is pulled",
-            |loads| loads.peaks.rod[1],
-        ),
-        (["big_end_pull_{unit}", "big_end_pull_theta_{unit}"], "largest pull of the big end, for the bolts", |loads| {
-            loads.peaks.pull
-        }),
-        (
-            ["side_greatest_{unit}", "side_greatest_theta_{unit}"],
-            "greatest side force of the wall on the piston, a quarter turn from the axis in the sense of rotation",
-            |loads| loads.peaks.side[0],
-        ),
-        (["side_least_{unit}", "side_least_theta_{unit}"], "least of it, negative to the other side", |loads| {
-            loads.peaks.side[1]
-        }),
+    let extremes: [([&str; 2], Pick); 5] = [
+        (["rod_largest_{unit}", "rod_largest_theta_{unit}"], |loads| loads.peaks.rod[0]),
+        (["rod_least_{unit}", "rod_least_theta_{unit}"], |loads| loads.peaks.rod[1]),
+        (["big_end_pull_{unit}", "big_end_pull_theta_{unit}"], |loads| loads.peaks.pull),
+        (["side_greatest_{unit}", "side_greatest_theta_{unit}"], |loads| loads.peaks.side[0]),
+        (["side_least_{unit}", "side_least_theta_{unit}"], |loads| loads.peaks.side[1]),
     ];
-    for ([size, angle], about, of) in extremes {
-        table.decimal(size, Unit::NEWTON, about, |(_, loads)| Some(of(loads).value));
-        let about = "crank angle of the cycle where it stands";
-        table.decimal(angle, Unit::DEGREE, about, |(_, loads)| Some(of(loads).angle));
+    for ([size, angle], of) in extremes {
+        table.decimal(size, Unit::NEWTON, |(_, loads)| Some(of(loads).value));
+        table.decimal(angle, Unit::DEGREE, |(_, loads)| Some(of(loads).angle));
     }
     table.done()
 }
 
 fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
     let rows: Vec<&SharedPin> = loads.shared_pins.iter().collect();
-    let about = "a crankpin with several rods: what all of them load it with together";
-    let mut table = Filling::new("gas_pins", about, &rows);
-    table.whole("crankpin", "the number of its throw, from 1", |pin| pin.throw + 1);
-    table.words(
-        "cylinders",
-        "the cylinders whose rods it carries, by their numbers in the file, with a space between",
-        |pin| {
-            let numbers: Vec<String> = pin.cylinders.iter().map(|index| (index + 1).to_string()).collect();
-            Some(numbers.join(" "))
-        },
-    );
-    table.exact("position_{unit}", position_unit(engine), PLACE, |pin| Some(exact_number(&pin.position)));
+    let mut table = Filling::new("bearings.gas_pins", &rows);
+    table.whole("crankpin", |pin| pin.throw + 1);
+    table.words("cylinders", |pin| {
+        let numbers: Vec<String> = pin.cylinders.iter().map(|index| (index + 1).to_string()).collect();
+        Some(numbers.join(" "))
+    });
+    table.exact("position_{unit}", position_unit(engine), |pin| Some(exact_number(&pin.position)));
     peak(&mut table, WITH_GAS, |pin| &pin.peak);
     gas(&mut table, |pin| &pin.peak);
     peak(&mut table, WITHOUT_GAS, |pin| &pin.inertia);
@@ -143,10 +114,9 @@ fn orders(loads: &CycleLoads) -> Table {
             })
         })
         .collect();
-    let about = "an order κ of what a main bearing feels of gas and masses";
-    let mut table = Filling::new("gas_orders", about, &rows).keyed(3);
-    table.words("method", METHOD, |(method, ..)| Some((*method).to_owned()));
-    table.whole("bearing", NUMBER, |(_, bearing, _)| *bearing);
+    let mut table = Filling::new("bearings.gas_orders", &rows).keyed(3);
+    table.words("method", |(method, ..)| Some((*method).to_owned()));
+    table.whole("bearing", |(_, bearing, _)| *bearing);
     of_orders(&mut table, |(.., order)| order);
     table.done()
 }
@@ -155,63 +125,37 @@ fn pin_orders(engine: &Engine, loads: &CycleLoads) -> Table {
     let pairs = engine.cylinders().iter().zip(&loads.cylinders);
     let rows: Vec<_> =
         pairs.flat_map(|(cylinder, loads)| loads.pin.orders.iter().map(move |order| (cylinder, order))).collect();
-    let about = "an order κ of what a rod loads its crankpin with, of gas and masses";
-    let mut table = Filling::new("gas_pin_orders", about, &rows).keyed(2);
-    table.person("cylinder", "the cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
+    let mut table = Filling::new("bearings.gas_pin_orders", &rows).keyed(2);
+    table.person("cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
     of_orders(&mut table, |(_, order)| order);
     table.done()
 }
 
 /// What is said of an order: whether it vanishes, how large it is, the vectors of gas and of masses.
 fn of_orders<R>(table: &mut Filling<R>, of: impl Fn(&R) -> &JournalOrder) {
-    table.exact("order", Unit::NONE, "the order, halves too in a four-stroke engine: 3/2", |row| {
-        Some(of(row).order.exact().to_string())
-    });
-    table.truth(
-        "force_vanishes",
-        "whether it is proved to be 0, for every pressure that the cylinders of a class share",
-        |row| Some(of(row).vanishes()),
-    );
-    table.decimal("force_zero_to_peak_{unit}", Unit::NEWTON, "largest length", |row| {
+    table.exact("order", Unit::NONE, |row| Some(of(row).order.exact().to_string()));
+    table.truth("force_vanishes", |row| Some(of(row).vanishes()));
+    table.decimal("force_zero_to_peak_{unit}", Unit::NEWTON, |row| {
         Some(if of(row).vanishes() { 0.0 } else { of(row).largest() })
     });
     type Pick = fn(&JournalOrder) -> Complex<f64>;
-    let vectors: [([&str; 2], &str, Pick); 4] = [
-        (
-            ["gas_direct_y_{unit}", "gas_direct_x_{unit}"],
-            "of the gas, the vector that turns with the crank, at θ = 0",
-            |order| order.gas[0],
-        ),
-        (
-            ["gas_reverse_y_{unit}", "gas_reverse_x_{unit}"],
-            "of the gas, the vector that turns against it, at θ = 0",
-            |order| order.gas[1],
-        ),
-        (
-            ["masses_direct_y_{unit}", "masses_direct_x_{unit}"],
-            "of the masses, the vector that turns with the crank, at θ = 0",
-            |order| order.inertia[0],
-        ),
-        (
-            ["masses_reverse_y_{unit}", "masses_reverse_x_{unit}"],
-            "of the masses, the vector that turns against it, at θ = 0",
-            |order| order.inertia[1],
-        ),
+    let vectors: [([&str; 2], Pick); 4] = [
+        (["gas_direct_y_{unit}", "gas_direct_x_{unit}"], |order| order.gas[0]),
+        (["gas_reverse_y_{unit}", "gas_reverse_x_{unit}"], |order| order.gas[1]),
+        (["masses_direct_y_{unit}", "masses_direct_x_{unit}"], |order| order.inertia[0]),
+        (["masses_reverse_y_{unit}", "masses_reverse_x_{unit}"], |order| order.inertia[1]),
     ];
-    for ([y, x], about, vector) in vectors {
-        table.decimal(y, Unit::NEWTON, about, |row| Some(vector(of(row)).re));
-        table.decimal(x, Unit::NEWTON, about, |row| Some(0.0 - vector(of(row)).im));
+    for ([y, x], vector) in vectors {
+        table.decimal(y, Unit::NEWTON, |row| Some(vector(of(row)).re));
+        table.decimal(x, Unit::NEWTON, |row| Some(0.0 - vector(of(row)).im));
     }
 }
 
 fn theta(loads: &CycleLoads) -> Option<Table> {
     let [continuous, _] = loads.bearings.as_ref()?;
     let rows: Vec<usize> = (0..loads.course.period().to_degrees().round() as usize).collect();
-    let about = "a crank angle of the cycle: what each bearing feels of gas and masses on a continuous beam";
-    let mut table = Filling::new("gas_theta", about, &rows);
-    table.decimal("theta_{unit}", Unit::DEGREE, "the crank angle θ, every degree of the cycle", |theta| {
-        Some(*theta as f64)
-    });
+    let mut table = Filling::new("bearings.gas_theta", &rows);
+    table.decimal("theta_{unit}", Unit::DEGREE, |theta| Some(*theta as f64));
     for (index, bearing) in continuous.bearings.iter().enumerate() {
         let forces: Vec<Complex<f64>> =
             rows.iter().map(|theta| loads.course.carried(&bearing.carried, (*theta as f64).to_radians())).collect();

@@ -16,6 +16,7 @@ mod loads;
 mod optimise;
 mod remedy;
 mod search;
+mod sentences;
 mod sweep;
 mod torque;
 mod torsion;

@@ -51,7 +51,7 @@ const PARTS: [([&str; 3], &str); 6] = [
 /// What is said of a column that tells whether another is zero.
 const VANISHES: &str = "whether it is proved to be 0";
 /// What is said of a column that holds another as it is exactly.
-pub(super) const EXACT: &str = "the same, exact";
+const EXACT: &str = "the same, exact";
 
 /// The points: first the columns that `sweep.csv` always had, then which amplitudes vanish and what is exact.
 pub fn points(sweep: &Sweep) -> Table {

@@ -6,8 +6,8 @@ use crate::table::{Column, Single, Table, Unit, Values};
 
 /// The values, and beside each why an engine has none.
 pub fn values(study: &ValuesStudy) -> Table {
-    let mut table = Filling::new("values", "an engine", &study.rows);
-    table.person("engine", "the layout, as it was named", |(name, _)| Some(name.clone()));
+    let mut table = Filling::new("values.values", &study.rows);
+    table.person("engine", |(name, _)| Some(name.clone()));
     let mut table = table.done();
     for (place, name) in study.names.iter().enumerate() {
         let all: Vec<&Result<Single, String>> = study.rows.iter().map(|(_, values)| &values[place]).collect();

@@ -23,41 +23,26 @@ pub(super) fn of_orders<R>(
     moment_units: &[Unit],
     moment_unit: impl Fn(&R) -> Unit,
 ) {
-    table.whole("order", "the order k", |row| order(row).order as usize);
-    table.truth("exists", "whether some mass has the order at all", |row| Some(order(row).exists));
+    table.whole("order", |row| order(row).order as usize);
+    table.truth("exists", |row| Some(order(row).exists));
     let force = |row: &R| order(row).force.clone();
     let moment = |row: &R| order(row).moment.clone();
     amount(table, "force", force);
-    table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::OPEN, LARGEST, |row| force(row).largest);
-    table.exact(("{quantity}_exact", "force"), Unit::NONE, EXACT, |row| force(row).exact);
+    table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::OPEN, |row| force(row).largest);
+    table.exact(("{quantity}_exact", "force"), Unit::NONE, |row| force(row).exact);
     amount(table, "moment", moment);
     for unit in moment_units {
-        table.decimal(("{quantity}_zero_to_peak_{unit}", "moment"), *unit, LARGEST, |row| {
+        table.decimal(("{quantity}_zero_to_peak_{unit}", "moment"), *unit, |row| {
             moment(row).largest.filter(|_| moment_unit(row) == *unit)
         });
     }
-    table.exact(("{quantity}_exact", "moment"), Unit::NONE, EXACT, |row| moment(row).exact);
-    table.truth(
-        "moment_is_couple",
-        "whether the moment is the same about every plane: the force of this order vanishes",
-        |row| Some(order(row).moment_is_couple),
-    );
+    table.exact(("{quantity}_exact", "moment"), Unit::NONE, |row| moment(row).exact);
+    table.truth("moment_is_couple", |row| Some(order(row).moment_is_couple));
 }
 
-const LARGEST: &str = "largest length in a revolution, ½(|P⁺| + |P⁻|), for masses that turn and have a row of their own without c_k; empty where several sums with coefficients of their own make up the order, or it depends on the rods";
-const EXACT: &str = "the same in closed form, where one is short enough to read";
-
 fn amount<R>(table: &mut Filling<R>, quantity: &'static str, of: impl Fn(&R) -> Amount) {
-    table.truth(
-        ("{quantity}_vanishes", quantity),
-        "whether it is proved to be 0; empty where that is not decided",
-        |row| vanishes(of(row).shape),
-    );
-    table.words(
-        ("{quantity}_shape", quantity),
-        "what is left: balanced, rotating, counter-rotating, planar, elliptical, not decided; or that the order does not exist",
-        |row| Some(shape_name(of(row).shape).to_owned()),
-    );
+    table.truth(("{quantity}_vanishes", quantity), |row| vanishes(of(row).shape));
+    table.words(("{quantity}_shape", quantity), |row| Some(shape_name(of(row).shape).to_owned()));
 }
 
 /// Whether nothing is left. Where the shape is not decided, that something is left may be known all the same: the verdicts of `classify` tell.

@@ -2,11 +2,11 @@
 
 use num_rational::BigRational;
 
-use super::cells::{decimals, exact, truths, whole, words};
-use super::sweep::EXACT;
+use super::cells::exact_number;
+use super::filling::Filling;
 use crate::numbers::float;
 use crate::sweep::Sweep;
-use crate::table::{Column, Table, Unit};
+use crate::table::{Table, Unit};
 
 /// A value at which something vanishes, or none where it never does, or everywhere.
 struct Zero {
@@ -41,26 +41,12 @@ pub(super) fn zeros(sweep: &Sweep) -> Table {
         })
     });
     let rows: Vec<Zero> = rows.collect();
-    let table = Table::new(
-        "zeros",
-        "a value at which a vector vanishes; one row without a value where there is none, and no exact value at an angle that is no rational turn",
-        rows.len(),
-    )
-    .with(Column::new("quantity", Unit::NONE, "force or moment", words(rows.iter().map(|row| row.quantity))))
-    .with(Column::new("order", Unit::NONE, "the order k", whole(rows.iter().map(|row| row.halves / 2))))
-    .with(Column::new(
-        "of",
-        Unit::NONE,
-        "what vanishes: the direct or the reverse vector, all (both), the part along y or across it",
-        words(rows.iter().map(|row| row.of)),
-    ))
-    .with(Column::new(
-        "exists",
-        Unit::NONE,
-        "whether the engine has the order at all",
-        truths(rows.iter().map(|row| Some(row.exists))),
-    ));
-    with_values(sweep, table, &rows)
+    let mut table = Filling::new("sweep.zeros", &rows);
+    table.words("quantity", |row| Some(row.quantity.to_owned()));
+    table.whole("order", |row| (row.halves / 2) as usize);
+    table.words("of", |row| Some(row.of.to_owned()));
+    table.truth("exists", |row| Some(row.exists));
+    with_values(sweep, table)
 }
 
 /// Where each firing star does.
@@ -78,21 +64,10 @@ pub(super) fn firing_zeros(sweep: &Sweep) -> Table {
         })
     });
     let rows: Vec<Zero> = rows.collect();
-    let about = "a value at which a firing star vanishes; one row without a value where there is none, and no exact value at an angle that is no rational turn";
-    let table = Table::new("firing_zeros", about, rows.len())
-        .with(Column::new(
-            "order",
-            Unit::NONE,
-            "the order of the gas torque, halves too: 3/2",
-            exact(rows.iter().map(|row| Some(BigRational::new(row.halves.into(), 2.into())))),
-        ))
-        .with(Column::new(
-            "fires",
-            Unit::NONE,
-            "whether the cylinders can fire as the file says somewhere in the range",
-            truths(rows.iter().map(|row| Some(row.exists))),
-        ));
-    with_values(sweep, table, &rows)
+    let mut table = Filling::new("sweep.firing_zeros", &rows);
+    table.exact("order", Unit::NONE, |row| Some(exact_number(&BigRational::new(row.halves.into(), 2.into()))));
+    table.truth("fires", |row| Some(row.exists));
+    with_values(sweep, table)
 }
 
 /// Each value, or none where there is none.
@@ -120,33 +95,13 @@ impl At {
     }
 }
 
-fn with_values(sweep: &Sweep, table: Table, rows: &[Zero]) -> Table {
+fn with_values(sweep: &Sweep, mut table: Filling<Zero>) -> Table {
     let name = sweep.parameters.first().map(|parameter| parameter.column()).unwrap_or_default();
-    table
-        .with(Column::new(
-            "everywhere",
-            Unit::NONE,
-            "whether it vanishes at every value of the range",
-            truths(rows.iter().map(|row| Some(row.everywhere))),
-        ))
-        .with(Column::new(
-            "complete",
-            Unit::NONE,
-            "whether the values are proved to be all in the range; else they are those found",
-            truths(rows.iter().map(|row| Some(row.complete))),
-        ))
-        .with(Column::named(
-            "{parameter}",
-            &[&name],
-            Unit::NONE,
-            "the value of the parameter, in the unit of the range",
-            decimals(rows.iter().map(|row| row.at.as_ref().map(At::decimal))),
-        ))
-        .with(Column::named(
-            "{parameter}_exact",
-            &[&name],
-            Unit::NONE,
-            EXACT,
-            exact(rows.iter().map(|row| row.at.as_ref().and_then(At::exact))),
-        ))
+    table.truth("everywhere", |row| Some(row.everywhere));
+    table.truth("complete", |row| Some(row.complete));
+    table.decimal(("{parameter}", &name), Unit::NONE, |row| row.at.as_ref().map(At::decimal));
+    table.exact(("{parameter}_exact", &name), Unit::NONE, |row| {
+        row.at.as_ref().and_then(At::exact).as_ref().map(exact_number)
+    });
+    table.done()
 }
