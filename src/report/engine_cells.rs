@@ -2,7 +2,7 @@
 
 use super::residual;
 use super::typeset;
-use crate::engine::{Engine, Firing};
+use crate::engine::{Engine, Firing, Shot};
 use crate::page::{Text, phrase};
 use crate::proof::{Planar, Sense};
 use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
@@ -26,6 +26,18 @@ pub fn firing(firing: Option<&Firing>) -> Text {
             _ => Text::default(),
         },
     }
+}
+
+/// `1-3-4-2`; `not given` where the layout does not say. Cylinders that fire together stand in brackets.
+pub(super) fn firing_order(engine: &Engine) -> Text {
+    let Some(firing) = engine.firing() else { return "not given".into() };
+    let together = firing.shots.chunk_by(|one, other| one.angle == other.angle);
+    let name = |shot: &Shot| engine.cylinders()[shot.cylinder].name.as_str();
+    let groups = together.map(|shots| match shots {
+        [only] => name(only).to_owned(),
+        several => format!("({})", several.iter().map(name).collect::<Vec<_>>().join(", ")),
+    });
+    Text::label(groups.collect::<Vec<_>>().join("-"))
 }
 
 /// The lowest order of the force and of the moment that is left, of all that exist: `2, planar`, or `none`.

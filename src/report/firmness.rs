@@ -27,7 +27,7 @@ fn words(disturbance: Disturbance) -> (&'static str, &'static str) {
              next column.",
         ),
         Disturbance::CylinderMasses => {
-            ("Masses by cylinder", "every mass is its own; only vectors of length zero survive that.")
+            ("Masses by cylinder", "each cylinder has its own mass; only vectors of length zero survive that.")
         }
     }
 }
@@ -42,7 +42,7 @@ pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
         let force = firmness(engine, &order.force).map(|firmness| (phrase!("force, order {}", order.order), firmness));
         let moment =
             firmness(engine, &order.moment).map(|firmness| (phrase!("moment, order {}", order.order), firmness));
-        table.rows.extend([force, moment].into_iter().flatten().map(|(name, firmness)| row(name, &firmness)));
+        table.rows.extend([force, moment].into_iter().flatten().map(|(name, firmness)| row(engine, name, &firmness)));
     }
     if table.rows.is_empty() {
         return Vec::new();
@@ -52,17 +52,17 @@ pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
         phrase!("**{}:** {}", heading, meaning)
     };
     vec![
-        Block::Heading(1, "How firm the zeros are".into()),
+        Block::Heading(1, "Firm and accidental zeros".into()),
         Block::Paragraph(INTRODUCTION.into()),
         table.into(),
         Block::List(Disturbance::ALL.map(meaning).into()),
     ]
 }
 
-const INTRODUCTION: &str = "Does the zero stay, whatever the disturbance? Yes or no is decided exactly; – where there is nothing to disturb. A zero is \
-                            firm if only masses that differ from cylinder to cylinder can break it, else accidental: the table of results says what it needs.";
+const INTRODUCTION: &str = "Which zeros survive a change of the engine? Yes and no are decided exactly; – where there is nothing to change. A zero is \
+                            firm if only masses that differ from cylinder to cylinder can break it; otherwise the last column says what it needs.";
 
-fn row(name: Text, firmness: &Firmness) -> Vec<Text> {
+fn row(engine: &Engine, name: Text, firmness: &Firmness) -> Vec<Text> {
     let cell = |disturbance| match firmness.outcome(disturbance) {
         FirmnessOutcome::Survives => "yes",
         FirmnessOutcome::Breaks => "no",
@@ -70,15 +70,23 @@ fn row(name: Text, firmness: &Firmness) -> Vec<Text> {
     };
     let mut cells = vec![name];
     cells.extend(Disturbance::ALL.map(|disturbance| cell(disturbance).into()));
-    cells.push(if firmness.is_firm() { "firm" } else { "accidental" }.into());
+    cells.push(match firmness.is_firm() {
+        true => "firm".into(),
+        false => phrase!("needs {}", needs_words(engine, firmness)),
+    });
     cells
+}
+
+/// What an accidental zero needs: `symmetric spacing, equal banks`.
+fn needs_words(engine: &Engine, firmness: &Firmness) -> Text {
+    Text::joined(needs(engine, firmness).into_iter().map(Text::from), ", ")
 }
 
 /// How firm the zeros of one order are, in a few words: `force firm; moment needs symmetric spacing`.
 pub(super) fn summary(engine: &Engine, order: &OrderBalance) -> Text {
     let words = |firmness: Firmness, firm: &'static str, needed: &'static str| match firmness.is_firm() {
         true => Text::from(firm),
-        false => phrase!(needed, Text::joined(needs(engine, &firmness).into_iter().map(Text::from), ", ")),
+        false => phrase!(needed, needs_words(engine, &firmness)),
     };
     let force = firmness(engine, &order.force).map(|firmness| words(firmness, "force firm", "force needs {}"));
     let moment = firmness(engine, &order.moment).map(|firmness| words(firmness, "moment firm", "moment needs {}"));

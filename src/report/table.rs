@@ -12,7 +12,7 @@ use crate::exact::{Turn, fraction};
 use crate::order::{self, Factor, Source, TurningMass};
 use crate::page::{Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::{Planar, Sense};
-use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict};
+use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict, WholeOrder};
 
 /// Orders × (force, moment): what is left, exactly, whether the moment is a couple, how firm the zeros of the pistons are.
 ///
@@ -31,7 +31,7 @@ pub(super) fn summary(
         };
         columns.push(("How firm".into(), orders.iter().map(firm).collect()));
     }
-    in_columns(columns)
+    in_columns(columns, &small(orders, weighed))
 }
 
 /// The exact sums of orders that are made of several: what stands before one number each.
@@ -46,13 +46,33 @@ pub(super) fn sums(orders: &[OrderVerdict]) -> Option<Table> {
 /// A heading with its cells.
 type Cells = (Text, Vec<Text>);
 
-fn in_columns(columns: Vec<Cells>) -> Table {
+/// The columns as a table; neighbouring orders that are small share a row, with what they have in common once.
+fn in_columns(columns: Vec<Cells>, small: &[bool]) -> Table {
     let mut table = Table::new(columns.iter().map(|(heading, _)| heading.clone()));
-    let rows = columns.first().map_or(0, |(_, cells)| cells.len());
-    for row in 0..rows {
-        table.push(columns.iter().map(|(_, cells)| cells[row].clone()).collect());
+    let rows: Vec<usize> = (0..small.len()).collect();
+    for shared in rows.chunk_by(|one, next| small[*one] && small[*next]) {
+        let cell = |(_, cells): &Cells| {
+            let (first, of_each) = (&cells[shared[0]], shared.iter().map(|row| cells[*row].clone()));
+            let is_one = of_each.clone().all(|cell| cell.plain() == first.plain());
+            if is_one { first.clone() } else { Text::joined(of_each, "; ") }
+        };
+        table.push(columns.iter().map(cell).collect());
     }
     table
+}
+
+/// Whether each order is told together with others: something of it is left, and little.
+fn small(orders: &[OrderVerdict], weighed: Option<&Weighed>) -> Vec<bool> {
+    let is_small = |order: &OrderVerdict| {
+        let has_others = order.torque.is_some() || order.roll.is_some();
+        weighed.is_some_and(|weighed| {
+            let wholes = || Planar::BOTH.into_iter().map(|of| order.whole(of));
+            let is_known = wholes().flat_map(|whole| &whole.outcomes).all(|outcome| outcome.vanishes().is_some());
+            let is_left = wholes().any(WholeOrder::is_left);
+            is_known && is_left && !has_others && Planar::BOTH.into_iter().all(|of| !weighed.is_told(order.order, of))
+        })
+    };
+    orders.iter().map(is_small).collect()
 }
 
 /// Order, and force and moment: how large, where that is known, and exactly.
@@ -82,7 +102,7 @@ pub(super) fn verdicts(orders: &[OrderVerdict], weighed: Option<&Weighed>) -> Ta
     let roll = || cells(&|order| order.roll.as_ref().map(residual::roll));
     columns.extend(with_torque.then(|| ("Torque".into(), torque())));
     columns.extend(with_roll.then(|| ("Roll".into(), roll())));
-    in_columns(columns)
+    in_columns(columns, &small(orders, weighed))
 }
 
 /// Whether a summary says how firm the zeros are.

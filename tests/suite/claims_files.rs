@@ -225,12 +225,12 @@ fn a_page_counts_what_is_quoted_what_is_folklore_and_what_is_its_own_apart() {
     for words in [
         "Claims quoted from their sources: 1 of 2 hold.",
         "Claims often made, for which no source was found: 0 of 1 hold.",
-        "Statements reckoned here, which no source makes: 1 of 1 hold.",
+        "Our own cross-checks: 1 of 1 hold.",
         "**a book, page 7:** “fires as it should”",
     ] {
         assert!(page.contains(words), "{words}\n{page}");
     }
-    let (claimed, own) = page.split_once("Reckoned here:").expect("a table of its own");
+    let (claimed, own) = page.split_once("Cross-checks of our own:").expect("a table of its own");
     assert!(claimed.contains("fires evenly") && own.contains("second-order force = 4"));
     assert!(!claimed.contains("second-order force = 4 "), "{page}");
 }

@@ -77,10 +77,14 @@ fn engines_stand_side_by_side_with_remedy_and_first_order_left() {
     assert_eq!(line(&text, "Force 2"), "Force 2 | 4, planar | 0 | 0");
     assert_eq!(line(&text, "Moment 1"), "Moment 1 | 0 | couple √10 ≈ 3.162, rotating | 0");
     assert_eq!(line(&text, "First force left"), "First force left | 2, planar | 4, planar | none");
-    assert!(line(&text, "Remedy").starts_with("Remedy | Lanchester pair ±2; Lanchester pair ±4;"), "{text}");
-    assert!(
-        line(&text, "Remedy").contains(" | 2 counterweights (couple); Lanchester pair ±4 | shafts ±2 (couple each);")
+    assert_eq!(line(&text, "Force, order 2"), "Force, order 2 | 1.17 m r ω², planar | 0 | 0");
+    assert_eq!(
+        line(&text, "Cures"),
+        "Cures | Lanchester pair ±2 | 2 counterweights (couple) | shafts ±2 (couple each)"
     );
+    let all = line(&text, "All cures");
+    assert!(all.contains("| Lanchester pair ±2; Lanchester pair ±4;"), "{text}");
+    assert!(all.contains(" | 2 counterweights (couple); Lanchester pair ±4 | shafts ±2 (couple each);"), "{text}");
     assert!(text.contains("Balanced furthest: I4, boxer-4, with nothing left below order 2."));
     assert!(text.lines().all(|line| line.chars().count() <= 81), "{text}");
     assert!(text.contains("Positions have no unit"));
@@ -103,10 +107,11 @@ fn newtons_and_bearings_stand_where_all_have_numbers() {
     let (lambda, omega) = (43.0_f64 / 143.0, 6000.0_f64 / 60.0 * std::f64::consts::TAU);
     let c_2 = lambda + lambda.powi(3) / 4.0 + 15.0 * lambda.powi(5) / 128.0;
     let expected = 4.0 * 0.5 * 0.043 * omega * omega * c_2;
-    let written = line(&text, "Force 2 in N");
-    let written: f64 = written.split(" | ").nth(1).expect("a cell").trim_start_matches("≈ ").parse().expect("a number");
-    assert!((written - expected).abs() < 1e-3 * expected, "{written} {expected}");
-    assert_eq!(line(&text, "Force 1 in N"), "Force 1 in N | 0 | 0");
+    let written = line(&text, "Force, order 2");
+    let written = written.split(" | ").nth(1).and_then(|cell| cell.split_once(" kN, planar")).expect("kilonewtons");
+    let written = 1000.0 * written.0.parse::<f64>().expect("a number");
+    assert!((written - expected).abs() < 5e-3 * expected, "{written} {expected}");
+    assert_eq!(line(&text, "Sizes"), "Sizes | at 6000 rpm | at 6000 rpm");
     assert!(line(&text, "Worst main bearing").contains("bearing 3 with ≈ "));
     assert!(text.contains("Positions are in metres."));
     // The folder names a layout.toml.
@@ -150,7 +155,8 @@ fn different_units_and_missing_numbers_are_said() {
     assert!(words(&text).contains(
         "different units, so that the moments do not compare: metres in metres, multiples of the spacing in I4"
     ));
-    assert!(words(&text).contains("With them: metres; without: I4."), "{text}");
+    let force = line(&text, "Force, order 2");
+    assert!(force.contains(" kN, planar | ") && force.ends_with(" m r ω², planar"), "{text}");
     assert!(line(&text, "Worst main bearing").ends_with("none named"));
 }
 

@@ -1,10 +1,10 @@
 //! What stands on a page of claims, and on the terminal? Each statement with its claims, who says them and where, the
-//! answers, and what they rest on; what the file reckons beside them stands apart and is not counted as a claim.
+//! answers, and what they rest on; the file's own cross-checks stand apart and are not counted as claims.
 
 use super::evidence::evidence;
 use super::finding::{claim_finding, claim_status};
 use super::student;
-use crate::claim::{Answer, Claim, Claims, Provenance, Published, Quote, Statement, Topic};
+use crate::claim::{Answer, Claim, Claims, Provenance, Published, Quote, Statement, Status, Topic};
 use crate::page::{Block, Document, Fold, Table, Text, phrase};
 use crate::text::Untrusted;
 
@@ -15,7 +15,8 @@ type Answered<'a> = (&'a Claim, Answer);
 pub fn claims_answer(claims: &Claims) -> Document {
     let mut page = Document::new("claims", &claims.title);
     page.push(Block::Answer(counts(claims)));
-    let answered: Vec<Answered> = answered(claims.statements.iter().flat_map(|statement| &statement.claims));
+    let mut answered: Vec<Answered> = answered(claims.statements.iter().flat_map(|statement| &statement.claims));
+    answered.sort_by_key(|(_, answer)| rank(&answer.status));
     if !answered.is_empty() {
         page.push(narrow(&answered));
     }
@@ -27,6 +28,7 @@ pub fn claims_answer(claims: &Claims) -> Document {
 pub fn claims_page(claims: &Claims) -> Document {
     let mut page = Document::new("claims", &claims.title);
     page.push(Block::Answer(counts(claims)));
+    page.blocks.extend(exceptions(claims));
     page.push(Block::Paragraph(HOW.into()));
     page.blocks.extend(of_forces(claims));
     for published in &claims.statements {
@@ -38,6 +40,29 @@ pub fn claims_page(claims: &Claims) -> Document {
         page.blocks.extend(tables);
     }
     page
+}
+
+/// What does not hold stands first, then what is not decided.
+fn rank(status: &Status) -> u8 {
+    match status {
+        Status::NotDecided => 1,
+        other if other.holds() => 2,
+        _ => 0,
+    }
+}
+
+/// The claims that do not hold, and those that are not decided: before the statements, which stand in the order of their file.
+fn exceptions(claims: &Claims) -> Vec<Block> {
+    let answered = answered(claims.statements.iter().flat_map(|statement| &statement.claims));
+    let of = |wanted: u8, heading: &'static str| {
+        let those: Vec<&Answered> = answered.iter().filter(|(_, answer)| rank(&answer.status) == wanted).collect();
+        (!those.is_empty()).then(|| [Block::Heading(1, heading.into()), table(those).into()])
+    };
+    [(0, "What does not hold"), (1, "What is not decided")]
+        .into_iter()
+        .filter_map(|(rank, heading)| of(rank, heading))
+        .flatten()
+        .collect()
 }
 
 const HOW: &str = "Each answer is decided exactly and proved by the certificates below it, but for values in newtons and the bearings that \
@@ -76,7 +101,7 @@ fn counts(claims: &Claims) -> Vec<Text> {
     let kinds = [
         (quoted, "Claims quoted from their sources: {} of {} hold."),
         (folklore, "Claims often made, for which no source was found: {} of {} hold."),
-        (own, "Statements reckoned here, which no source makes: {} of {} hold."),
+        (own, "Our own cross-checks: {} of {} hold."),
         (tables, "Vector-star tables: {} of {} are right."),
     ];
     let counted = kinds.into_iter().filter(|([all, _], _)| *all > 0);
@@ -98,7 +123,7 @@ fn statement(published: &Published) -> Vec<Block> {
         blocks.push(table(group.iter().copied()).into());
     }
     if !own.is_empty() {
-        blocks.push(Block::Paragraph("Reckoned here:".into()));
+        blocks.push(Block::Paragraph("Cross-checks of our own:".into()));
         blocks.push(table(own.iter().copied()).into());
     }
     blocks.extend(published.conclusion.as_ref().map(|words| Block::Paragraph(phrase!("**Conclusion.** {}", words))));
@@ -158,8 +183,9 @@ fn certificates<'a>(claims: impl Iterator<Item = &'a Answered<'a>>) -> Option<Bl
 
 /// The students' tables with their answers.
 fn tables(claims: &Claims) -> impl Iterator<Item = Block> {
-    let judged = claims.tables.iter().zip(claims.judged_tables());
-    let rows = judged.map(|(table, verdict)| {
+    let mut judged: Vec<_> = claims.tables.iter().zip(claims.judged_tables()).collect();
+    judged.sort_by_key(|(_, verdict)| verdict.holds());
+    let rows = judged.into_iter().map(|(table, verdict)| {
         let answer = if verdict.holds() { "**true**" } else { "**false**" };
         vec![(&table.engine).into(), table.order.into(), answer.into(), student::table_finding(table, &verdict)]
     });

@@ -1,4 +1,4 @@
-//! How do engines compare? Side by side: what each leaves by order, the remedy, the firing, the main bearings.
+//! How do engines compare? Side by side: sizes, cures, firing and main bearings first, exact verdicts below.
 
 pub(super) mod document;
 mod notes;
@@ -31,6 +31,8 @@ pub struct Compared {
     pub theorem: Result<EveryOrderTheorem, NoTheorem>,
     /// What takes away the orders that are compared.
     pub remedy: Result<Remedy, RemedyError>,
+    /// What takes away orders 1 and 2, of those that are compared; all where neither is.
+    pub cures: Result<Remedy, RemedyError>,
     /// The orders in newtons, where the layout has the numbers.
     pub loads: Result<Loads, Missing>,
     /// What the main bearings feel, where the layout names them.
@@ -46,13 +48,15 @@ impl Compared {
     /// A number that is no order.
     pub fn new(name: Untrusted, engine: &Engine, orders: &[u32]) -> Result<Self, NotAnOrder> {
         let judged = Judgement::new(engine, orders, &Quantity::PLANAR)?;
-        let wish = Request { orders: orders.to_vec(), ..Request::default() };
+        let low: Vec<u32> = orders.iter().copied().filter(|order| *order <= 2).collect();
+        let cured = |orders: &[u32]| remedy::remedy(engine, &Request { orders: orders.to_vec(), ..Request::default() });
         Ok(Compared {
             name,
             engine: engine.clone(),
             theorem: verdict::every_order(engine, judged.masses),
             judged,
-            remedy: remedy::remedy(engine, &wish),
+            remedy: cured(orders),
+            cures: cured(if low.is_empty() { orders } else { &low }),
             loads: loads::loads(engine, orders),
             bearings: loads::bearing_loads(engine, &loads::bearing_orders(engine, orders), Method::Continuous),
             // What nobody asks for costs nothing.
@@ -85,9 +89,9 @@ impl Compared {
 }
 
 /// The orders that are compared, rising.
-fn orders_of(engines: &[Compared]) -> Vec<u32> {
-    let mut orders: Vec<u32> =
-        engines.iter().flat_map(|engine| &engine.judged.orders).map(|order| order.order).collect();
+fn orders_of<'a>(engines: impl IntoIterator<Item = &'a Compared>) -> Vec<u32> {
+    let orders = engines.into_iter().flat_map(|engine| &engine.judged.orders);
+    let mut orders: Vec<u32> = orders.map(|order| order.order).collect();
     orders.sort_unstable();
     orders.dedup();
     orders

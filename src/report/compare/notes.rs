@@ -7,7 +7,7 @@ use crate::page::{Text, phrase};
 
 /// What follows the table.
 pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
-    let mut notes: Vec<Text> = vec![residual::LEGEND.into(), positions(engines), FIRST_LEFT.into()];
+    let mut notes: Vec<Text> = vec![SIZES.into(), residual::LEGEND.into(), positions(engines), FIRST_LEFT.into()];
     notes.push(engine_cells::REMEDIES.into());
     if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| order.parts.len() > 1)) {
         notes.push(SEVERAL_SUMS.into());
@@ -19,23 +19,17 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
         notes.push(residual::SPEED_LEGEND.into());
     }
     notes.extend(engines.iter().filter_map(without_gas));
-    let [with, without] = [true, false].map(|wanted| names(engines, |engine| engine.has_newtons() == wanted));
-    if !with.is_empty() && !without.is_empty() {
-        notes.push(phrase!(
-            "No newtons: for these all engines have to give rods, mass, crank radius, speed and positions in metres. With them: {}; without: {}.",
-            with,
-            without
-        ));
-    }
     notes
 }
+
+const SIZES: &str = "Sizes are the largest values through a revolution, rounded; 0 is proved. An order has a row where it is above 1 % of the largest in one of the engines; the others add up to at most what is stated, – is less than a millionth of the largest, or not known. Cures are those of orders 1 and 2, or of all orders where neither is compared.";
 
 const FIRST_LEFT: &str = "First left: the lowest of all orders that exist. All is about the engines as they are built, with all masses that a layout names; where masses that turn have a part in an order, the pistons alone stand below it.";
 
 const SEVERAL_SUMS: &str = "Where rods differ, or a shaft turns at an order of the pistons, the whole of it is judged, and each of its sums by itself: only equal rods have c_k in common.";
 
 /// The names of those that this is true of.
-fn names(engines: &[Compared], of: impl Fn(&Compared) -> bool) -> Text {
+pub(super) fn names(engines: &[Compared], of: impl Fn(&Compared) -> bool) -> Text {
     Text::joined(engines.iter().filter(|engine| of(engine)).map(|engine| (&engine.name).into()), ", ")
 }
 

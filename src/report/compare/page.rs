@@ -1,11 +1,10 @@
-//! What stands on the page of a comparison, and on the terminal? The answer, the vector stars, the table, how it is read.
+//! What stands on the page of a comparison, and on the terminal? The answer, sizes, exact verdicts, vector stars, how to read it.
 
-use super::super::calculation::Unit;
 use super::super::multiples::{self, Column};
 use super::super::residual;
+use super::rows::Sized;
 use super::{Compared, notes, orders_of, rows};
-use crate::loads::OrderLoads;
-use crate::page::{Block, Document, Picture, Text, phrase};
+use crate::page::{Block, Document, Fold, Picture, Text, phrase};
 use crate::proof::Planar;
 use crate::text::Format;
 use crate::verdict::{FirstLeft, OrderBalance};
@@ -16,13 +15,13 @@ const MOST_BESIDE: usize = 3;
 /// The same on a page.
 const MOST_ON_A_PAGE: usize = 5;
 
-/// The short answer: what each engine leaves, and the tables.
+/// Stars of more engines than this are folded.
+const MOST_OF_STARS: usize = 4;
+
+/// The short answer: who is balanced furthest, and the tables.
 pub fn compare_answer(engines: &[Compared]) -> Document {
     let mut page = Document::new("compare", "Comparison");
-    page.push(Block::Answer(answer(engines)));
-    for shown in engines.chunks(MOST_BESIDE) {
-        page.push(rows::table(engines, shown));
-    }
+    page.blocks.extend(tables(engines, MOST_BESIDE));
     page.push(Block::List(notes::notes(engines)));
     page
 }
@@ -30,28 +29,46 @@ pub fn compare_answer(engines: &[Compared]) -> Document {
 /// The page, with the stars of each order in one picture.
 pub fn compare_page(engines: &[Compared]) -> Document {
     let mut page = Document::new("compare", "Comparison");
-    page.push(Block::Answer(answer(engines)));
+    page.blocks.extend(tables(engines, MOST_ON_A_PAGE));
+    let stars: Vec<Block> =
+        orders_of(engines).into_iter().flat_map(|order| stars(engines, order).map(Block::from)).collect();
     page.push(Block::Heading(1, "Vector stars".into()));
-    for order in orders_of(engines) {
-        page.blocks.extend(stars(engines, order).map(Block::from));
+    match engines.len() > MOST_OF_STARS {
+        true => page.push(Block::Folded(Fold { summary: "The stars of each order".into(), blocks: stars })),
+        false => page.blocks.extend(stars),
     }
-    page.push(Block::Heading(1, "Side by side".into()));
-    for shown in engines.chunks(MOST_ON_A_PAGE) {
-        page.push(rows::table(engines, shown));
-    }
-    page.push(Block::Heading(1, "How it is read".into()));
+    page.push(Block::Heading(1, "How to read it".into()));
     page.push(Block::List(notes::notes(engines)));
     page
 }
 
-/// What stands first: a line per engine, and which of them is balanced up to the highest order.
+/// The answer, sizes and cures, then the exact verdicts: so many engines beside each other.
+fn tables(engines: &[Compared], beside: usize) -> Vec<Block> {
+    let all: Vec<Sized> = engines.iter().map(Sized::new).collect();
+    let sizes = all.chunks(beside).map(|shown| rows::sizes(&all, shown).into());
+    let verdicts = all.chunks(beside).map(|shown| rows::verdicts(&all, shown).into());
+    let mut blocks = vec![Block::Answer(answer(engines))];
+    blocks.extend(sizes);
+    blocks.push(Block::Heading(1, "Exact verdicts".into()));
+    blocks.extend(verdicts);
+    blocks
+}
+
+/// What stands first: which engines are balanced furthest; else a line per engine.
 fn answer(engines: &[Compared]) -> Vec<Text> {
-    let mut lines: Vec<Text> = furthest(engines).into_iter().collect();
-    lines.extend(engines.iter().map(left));
-    if engines.iter().all(Compared::has_newtons) {
-        lines.extend(engines.iter().filter_map(largest));
-    }
-    lines
+    let lines: Vec<Text> = furthest(engines).into_iter().chain(balanced(engines)).collect();
+    if lines.is_empty() { engines.iter().map(left).collect() } else { lines }
+}
+
+/// The engines that have neither force nor moment at orders 1 and 2, where both are compared.
+fn balanced(engines: &[Compared]) -> Option<Text> {
+    let is_zero = |engine: &Compared| {
+        [1, 2]
+            .into_iter()
+            .all(|order| engine.at(order).is_some_and(|of| of.force.is_balanced() && of.moment.is_balanced()))
+    };
+    let names = notes::names(engines, is_zero);
+    (!names.is_empty()).then(|| phrase!("No force and no moment at orders 1 and 2: {}.", names))
 }
 
 /// The engines that leave nothing up to the highest order, where every order of all is known and they are not all alike.
@@ -109,38 +126,6 @@ fn left(engine: &Compared) -> Text {
             moment_shape
         ),
     }
-}
-
-/// The order with the largest force and that with the largest moment, in newtons.
-fn largest(engine: &Compared) -> Option<Text> {
-    let loads = engine.loads.as_ref().ok()?;
-    let of = |quantity: Planar, value: fn(&OrderLoads) -> f64| {
-        let largest = loads.orders.iter().max_by(|one, other| value(one).total_cmp(&value(other)))?;
-        let unit = Unit::of(&engine.engine, loads, quantity);
-        let size = phrase!("{} {}", Text::measured(value(largest) * unit.factor, unit.unit), unit.label());
-        (value(largest) * unit.factor > 0.0).then_some((size, largest.order))
-    };
-    let (name, speed) = (&engine.name, rows::speed(engine));
-    let force = of(Planar::Force, |loads| loads.force.largest());
-    let moment = of(Planar::Moment, |loads| loads.moment.largest());
-    Some(match (force, moment) {
-        (None, None) => phrase!("**{}** at {} rpm: no force and no moment at these orders.", name, speed),
-        (Some((size, order)), None) => {
-            phrase!("**{}** at {} rpm: the largest force is {}, of order {}; no moment.", name, speed, size, order)
-        }
-        (None, Some((size, order))) => {
-            phrase!("**{}** at {} rpm: the largest moment is {}, of order {}; no force.", name, speed, size, order)
-        }
-        (Some((force, of_force)), Some((moment, of_moment))) => phrase!(
-            "**{}** at {} rpm: the largest force is {}, of order {}, the largest moment {}, of order {}.",
-            name,
-            speed,
-            force,
-            of_force,
-            moment,
-            of_moment
-        ),
-    })
 }
 
 /// The stars of an order, in as many pictures as the engines need.

@@ -1,25 +1,113 @@
-//! Which rows does a comparison have? A column per engine: words of the verdicts, newtons where all have them.
+//! Which rows does a comparison have? A column per engine: sizes and cures first, the exact verdicts below.
 
-use super::super::calculation::{self, Unit};
-use super::super::{bearings, engine_cells};
+use super::super::calculation::percent;
+use super::super::engine_page::{Rest, Weighed, Weighing, circumstances};
+use super::super::{bearings, engine_cells, residual};
 use super::{Compared, orders_of};
-use crate::engine::DOES_NOT_EXIST;
-use crate::loads::{Missing, OrderLoads};
-use crate::page::{self, Number, Table, Text, phrase};
-use crate::proof::Planar;
+use crate::loads::Missing;
+use crate::page::{self, Table, Text, phrase};
+use crate::proof::{Axial, Planar, Quantity};
 use crate::verdict::OrderVerdict;
 
-/// The table of some of the engines that are compared: a column per engine, a row each thing that any of all has.
-pub(super) fn table(all: &[Compared], shown: &[Compared]) -> Table {
-    let mut table = Table::new([Text::default()].into_iter().chain(shown.iter().map(|engine| (&engine.name).into())));
-    let mut add = |name: Text, cell: &dyn Fn(&Compared) -> Text| {
+/// An engine that is compared, with the sizes of its orders where it has any.
+pub(super) struct Sized<'a> {
+    pub compared: &'a Compared,
+    pub weighed: Option<Weighed<'a>>,
+}
+
+impl<'a> Sized<'a> {
+    pub fn new(compared: &'a Compared) -> Self {
+        let orders: Vec<u32> = compared.judged.orders.iter().map(|order| order.order).collect();
+        let weighed = Weighed::new(&compared.engine, compared.judged.masses, &orders, Weighing::usual());
+        Sized { compared, weighed: weighed.map(Weighed::beside_others) }
+    }
+
+    /// Whether the force or the moment of an order is worth a row: it is large beside the others, or its size is not known.
+    fn is_told(&self, order: u32, quantity: Planar) -> bool {
+        let Some(verdict) = self.compared.at(order) else { return false };
+        let is_told = |weighed: &Weighed| weighed.is_told(order, quantity);
+        !verdict.whole(quantity).is_balanced() && verdict.exists() && self.weighed.as_ref().is_none_or(is_told)
+    }
+
+    /// `1.17 m r ω², planar`; exactly where it has no size.
+    fn size(&self, order: u32, quantity: Planar) -> Text {
+        let Some(verdict) = self.compared.at(order) else { return Text::default() };
+        let whole = verdict.whole(quantity);
+        let is_known = whole.is_left() && whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some());
+        let weighed = self.weighed.as_ref().filter(|_| is_known);
+        match weighed.and_then(|weighed| weighed.amount(weighed.size(order, quantity), quantity)) {
+            Some(size) => phrase!("{}, {}", size, residual::shape_name(whole.shape)),
+            None => engine_cells::cell(verdict, quantity),
+        }
+    }
+
+    /// What the orders without a row, and all that are not compared, add up to at most.
+    fn rest(&self, quantity: Planar) -> Text {
+        match self.weighed.as_ref().and_then(|weighed| weighed.rest(quantity).1) {
+            None => "–".into(),
+            Some(Rest::Part(part)) => phrase!("{} % of the largest", percent(part)),
+            Some(Rest::Amount(amount)) => amount,
+        }
+    }
+
+    /// The largest order of the roll moment, or of the inertia torque.
+    fn roll(&self) -> Option<Text> {
+        let weighed = self.weighed.as_ref()?;
+        let quantity = if weighed.loads.roll.is_some() { Axial::Roll } else { Axial::Torque };
+        let orders = weighed.about_the_axis(quantity).into_iter();
+        let (order, size) = orders.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
+        Some(phrase!("{} (order {})", weighed.amount(size, Quantity::Axial(quantity))?, order))
+    }
+}
+
+/// The table of sizes of some of the engines that are compared: a column per engine, a row for each thing that any of all has.
+pub(super) fn sizes(all: &[Sized], shown: &[Sized]) -> Table {
+    let mut table = with_names(shown);
+    let mut add = |name: Text, cell: &dyn Fn(&Sized) -> Text| {
         table.push([name].into_iter().chain(shown.iter().map(cell)).collect());
     };
-    add("Title".into(), &|engine| engine.engine.title().into());
-    add("Cylinders".into(), &|engine| engine.engine.cylinders().len().into());
-    add("Firing".into(), &|engine| engine_cells::firing(engine.engine.firing()));
-    let orders = orders_of(all);
-    for &order in &orders {
+    add("Title".into(), &|engine| engine.compared.engine.title().into());
+    add("Cylinders".into(), &|engine| engine.compared.engine.cylinders().len().into());
+    add("Firing".into(), &|engine| engine_cells::firing(engine.compared.engine.firing()));
+    if all.iter().any(|engine| engine.compared.engine.firing().is_some()) {
+        add("Firing order".into(), &|engine| engine_cells::firing_order(&engine.compared.engine));
+    }
+    add("Sizes".into(), &|engine| circumstances(engine.weighed.as_ref()).unwrap_or_else(|| "–".into()));
+    for order in orders_of(all.iter().map(|engine| engine.compared)) {
+        for (name, quantity) in [("Force, order {}", Planar::Force), ("Moment, order {}", Planar::Moment)] {
+            if all.iter().any(|engine| engine.is_told(order, quantity)) {
+                add(phrase!(name, order), &|engine| engine.size(order, quantity));
+            }
+        }
+    }
+    add("Other forces, at most".into(), &|engine| engine.rest(Planar::Force));
+    add("Other moments, at most".into(), &|engine| engine.rest(Planar::Moment));
+    if all.iter().any(|engine| engine.roll().is_some()) {
+        add("Rolling torque".into(), &|engine| engine.roll().unwrap_or_else(|| "–".into()));
+    }
+    add("Cures".into(), &|engine| engine_cells::remedy(&engine.compared.cures));
+    if all.iter().any(|engine| engine.compared.bearings.as_ref().err() != Some(&Missing::Bearings)) {
+        add("Worst main bearing".into(), &|engine| worst_bearing(engine.compared));
+    }
+    if all.iter().any(|engine| engine.compared.with_gas.is_some()) {
+        add("Worst main bearing with gas".into(), &|engine| worst_with_gas(engine.compared));
+    }
+    table
+}
+
+/// A table with a column per engine.
+fn with_names(shown: &[Sized]) -> Table {
+    let names = shown.iter().map(|engine| (&engine.compared.name).into());
+    Table::new([Text::default()].into_iter().chain(names))
+}
+
+/// The exact verdicts of some of the engines that are compared.
+pub(super) fn verdicts(all: &[Sized], shown: &[Sized]) -> Table {
+    let mut table = with_names(shown);
+    let mut add = |name: Text, cell: &dyn Fn(&Compared) -> Text| {
+        table.push([name].into_iter().chain(shown.iter().map(|engine| cell(engine.compared))).collect());
+    };
+    for order in orders_of(all.iter().map(|engine| engine.compared)) {
         for (name, alone, quantity) in [
             ("Force {}", "Force {}, pistons alone", Planar::Force),
             ("Moment {}", "Moment {}, pistons alone", Planar::Moment),
@@ -28,7 +116,7 @@ pub(super) fn table(all: &[Compared], shown: &[Compared]) -> Table {
                 judged.map_or_else(Text::default, |judged| engine_cells::cell(judged, quantity))
             };
             add(phrase!(name, order), &|engine| words(engine.at(order)));
-            if all.iter().any(|engine| engine.pistons_at(order).is_some()) {
+            if all.iter().any(|engine| engine.compared.pistons_at(order).is_some()) {
                 add(phrase!(alone, order), &|engine| words(engine.pistons_at(order).or(engine.at(order))));
             }
         }
@@ -36,38 +124,8 @@ pub(super) fn table(all: &[Compared], shown: &[Compared]) -> Table {
     let first = |engine: &Compared| engine_cells::first_left(&engine.engine, &engine.theorem);
     add("First force left".into(), &|engine| first(engine)[0].clone());
     add("First moment left".into(), &|engine| first(engine)[1].clone());
-    add("Remedy".into(), &|engine| engine_cells::remedy(&engine.remedy));
-    if all.iter().all(Compared::has_newtons) {
-        add("Speed in rpm".into(), &speed);
-        for &order in &orders {
-            add(phrase!("Force {} in {}", order, page::Unit::NEWTON), &|engine| newtons(engine, order, Planar::Force));
-            add(phrase!("Moment {} in {}", order, page::Unit::NEWTON_METRE), &|engine| {
-                newtons(engine, order, Planar::Moment)
-            });
-        }
-    }
-    if all.iter().any(|engine| engine.bearings.as_ref().err() != Some(&Missing::Bearings)) {
-        add("Worst main bearing".into(), &worst_bearing);
-    }
-    if all.iter().any(|engine| engine.with_gas.is_some()) {
-        add("Worst main bearing with gas".into(), &worst_with_gas);
-    }
+    add("All cures".into(), &|engine| engine_cells::remedy(&engine.remedy));
     table
-}
-
-/// The speed of an engine, where its layout has one.
-pub(super) fn speed(engine: &Compared) -> Text {
-    engine.engine.dimensions().speed.as_ref().map_or_else(Text::default, |speed| Number::exact(speed).into())
-}
-
-fn newtons(engine: &Compared, order: u32, quantity: Planar) -> Text {
-    let Ok(loads) = &engine.loads else { return Text::default() };
-    let unit = Unit::of(&engine.engine, loads, quantity);
-    let swing = |loads: &OrderLoads| match loads.exists(&engine.engine) {
-        false => DOES_NOT_EXIST.into(),
-        true => calculation::largest(loads.swing(quantity), unit),
-    };
-    loads.orders.iter().find(|loads| loads.order == order).map_or_else(Text::default, swing)
 }
 
 fn worst_bearing(engine: &Compared) -> Text {

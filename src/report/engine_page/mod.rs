@@ -13,9 +13,9 @@ mod weighing;
 
 pub use answer::{engine_answer, engine_answer_weighed};
 pub(super) use conventions::{ASSUMED, CENTRES, FIRES, reference_plane};
-pub(super) use weighing::Weighed;
 use weighing::WeighedParts;
 pub use weighing::Weighing;
+pub(super) use weighing::{Rest, Weighed, circumstances};
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};

@@ -48,6 +48,8 @@ pub(in crate::report) struct Weighed<'a> {
     left: LeftOut,
     /// λ of the rods, where the file gives none.
     pub assumed: Option<BigRational>,
+    /// Every order is told by itself.
+    tells_all: bool,
 }
 
 impl<'a> Weighed<'a> {
@@ -58,12 +60,14 @@ impl<'a> Weighed<'a> {
         let loads = loads::loads(&engine, orders).ok()?;
         let torque: Vec<u32> = loads.torque.iter().flat_map(|torque| &torque.orders).map(|order| order.order).collect();
         let left = loads::left_out(&engine, orders, &torque).ok()?;
-        Some(Weighed { weighing, engine, loads, left, assumed: is_open.then(|| weighing.ratio()) })
+        let tells_all = weighing.all || weighing.asked || engine.orders_given();
+        let assumed = is_open.then(|| weighing.ratio());
+        Some(Weighed { weighing, engine, loads, left, assumed, tells_all })
     }
 
-    /// Whether every order is told by itself.
-    fn tells_all(&self) -> bool {
-        self.weighing.all || self.weighing.asked || self.engine.orders_given()
+    /// The same beside other engines, which may have asked for some of the orders: those below the threshold are told together.
+    pub fn beside_others(self) -> Self {
+        Weighed { tells_all: false, ..self }
     }
 
     /// Whether cures of every order are asked for.
@@ -142,7 +146,7 @@ impl<'a> Weighed<'a> {
     /// Whether what is left of an order is told by itself.
     pub fn is_told(&self, order: u32, quantity: impl Into<Quantity>) -> bool {
         let quantity = quantity.into();
-        self.tells_all() || self.size(order, quantity) >= self.limit(quantity)
+        self.tells_all || self.size(order, quantity) >= self.limit(quantity)
     }
 
     /// Whether so much, in multiples of m r ω², is worth a shaft.
@@ -281,7 +285,7 @@ fn with_sizes(engine: &Engine, masses: Masses, weighing: &Weighing) -> Option<En
 }
 
 /// `at 6000 rpm`, `λ = 2/7 assumed`; nothing where the rods are given and no speed is.
-pub(super) fn circumstances(weighed: Option<&Weighed>) -> Option<Text> {
+pub(in crate::report) fn circumstances(weighed: Option<&Weighed>) -> Option<Text> {
     let weighed = weighed?;
     let speed = weighed.loads.scale.as_ref().map(|scale| super::super::typeset::short(&scale.speed));
     let ratio = weighed.assumed.as_ref().map(super::super::typeset::short);

@@ -6,6 +6,7 @@ mod document;
 mod picture;
 mod plane_words;
 mod quadratic_words;
+mod special_angles;
 mod tables;
 mod words;
 
@@ -64,7 +65,8 @@ pub fn family_summary(family: &Family, orders: &[OpenOrder]) -> Block {
 pub fn family_proofs(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
     let of_order = |order: &OpenOrder| {
         let heading = Block::Heading(2, phrase!("Order {}", order.order));
-        [heading, tables::phases(family, order.order).into()].into_iter().chain(proofs(order)).collect::<Vec<_>>()
+        let folded = Fold { summary: "Why: sums and certificates".into(), blocks: proofs(order) };
+        [heading, tables::phases(family, order.order).into(), Block::Folded(folded)]
     };
     orders.iter().flat_map(of_order).collect()
 }
@@ -111,7 +113,7 @@ fn amplitude_picture(family: &Family, orders: &[OpenOrder]) -> Option<Block> {
 
 /// What is open, and where each order vanishes.
 fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
-    let mut lines = vec![left_open(family)];
+    let mut lines = special_angles::sentences(family, orders);
     let always = |verdicts: &[OpenVerdict; 2]| verdicts.iter().all(OpenVerdict::always);
     let list = |is_meant: &dyn Fn(&OpenOrder) -> bool| -> Vec<String> {
         orders.iter().filter(|order| is_meant(order)).map(|order| order.order.to_string()).collect()
@@ -120,15 +122,15 @@ fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
     let forces = list(&|order| always(&order.force) && !always(&order.moment));
     if !both.is_empty() {
         lines.push(phrase!(
-            "Whatever they are, force and moment of {} vanish.",
+            "Force and moment of {} vanish in the whole family.",
             super::residual::orders_in_words(&both)
         ));
     }
     if !forces.is_empty() {
-        lines.push(phrase!("Whatever they are, the force of {} vanishes.", super::residual::orders_in_words(&forces)));
+        lines.push(phrase!("The force of {} vanishes in the whole family.", super::residual::orders_in_words(&forces)));
     }
-    lines.extend(exact_angles(orders));
     lines.extend(even_firing(family));
+    lines.push(left_open(family));
     lines
 }
 

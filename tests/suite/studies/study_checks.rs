@@ -30,7 +30,7 @@ fn said(provenance: &Provenance, above: &Untrusted) -> Text {
         }
         Provenance::Quoted(Quote { source, place, words }) => phrase!("Said in {}, {}: “{}”", source, place, words),
         Provenance::Folklore => "Often said; no source was found:".into(),
-        Provenance::Own => "Reckoned here, and not said there:".into(),
+        Provenance::Own => "Our own cross-check:".into(),
     }
 }
 

@@ -63,7 +63,7 @@ fn answer(study: &Study) -> Vec<Text> {
     let [own, own_hold, _] = count(false);
     let counted = [
         phrase!("**Checks of what the source says:** {}, of which {} hold and {} do not.", claims, hold, fail),
-        phrase!("**Reckoned here, and not said there:** {}, of which {} hold.", own, own_hold),
+        phrase!("**Our own cross-checks:** {}, of which {} hold.", own, own_hold),
     ];
     let failing = checks().filter(|check| !check.holds && check.provenance.is_claimed());
     let told = |check: &Checked| {

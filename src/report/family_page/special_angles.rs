@@ -1,0 +1,59 @@
+//! At which bank angles do counterweights cancel order 1, and what remains of order 2 there?
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::super::residual;
+use super::words;
+use crate::engine::{Family, PHI};
+use crate::exact::Turn;
+use crate::family::OpenOrder;
+use crate::page::{Text, phrase};
+use crate::proof::Quantity;
+use crate::verdict::Judgement;
+
+/// A sentence for each group of angles where the same remains; none where order 1 always or never loses its reverse vectors.
+pub(super) fn sentences(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
+    let mut groups: Vec<(BTreeSet<Turn>, Option<Text>)> = Vec::new();
+    for angle in angles(orders).unwrap_or_default() {
+        let remains = remains(family, &angle);
+        let plain = |text: &Option<Text>| text.as_ref().map(Text::plain);
+        match groups.iter_mut().find(|(_, other)| plain(other) == plain(&remains)) {
+            Some((angles, _)) => _ = angles.insert(angle),
+            None => groups.push((BTreeSet::from([angle]), remains)),
+        }
+    }
+    let sentence = |(angles, remains): (BTreeSet<Turn>, Option<Text>)| match remains {
+        Some(remains) => phrase!("At φ = {} counterweights cancel order 1; {}.", words::list(&angles), remains),
+        None => phrase!("At φ = {} counterweights cancel order 1.", words::list(&angles)),
+    };
+    groups.into_iter().map(sentence).collect()
+}
+
+/// The bank angles at which both reverse vectors of order 1 vanish.
+fn angles(orders: &[OpenOrder]) -> Option<BTreeSet<Turn>> {
+    let first = orders.iter().find(|order| order.order == 1)?;
+    let [force, moment] = [&first.force, &first.moment].map(|[_, reverse]| reverse);
+    match (force.always(), moment.always()) {
+        (true, true) => None,
+        (true, false) => moment.bank_angles(),
+        (false, true) => force.bank_angles(),
+        (false, false) => Some(force.bank_angles()?.intersection(&moment.bank_angles()?).cloned().collect()),
+    }
+}
+
+/// What remains of order 2 at an angle; none where lengths are open besides.
+fn remains(family: &Family, angle: &Turn) -> Option<Text> {
+    let values = BTreeMap::from([(PHI.to_owned(), angle.turns().clone())]);
+    let member = family.with(&values).ok()?.only()?.ok()?;
+    let judged = Judgement::new(&member, &[2], &[Quantity::FORCE, Quantity::MOMENT]).ok()?;
+    let second = judged.orders.first().filter(|order| order.parts.len() == 1)?;
+    let [force, moment] = residual::whole(second);
+    Some(match (force.is_zero(), moment.is_zero()) {
+        (true, true) => "order 2 is balanced".into(),
+        (false, true) => phrase!("order 2 remains: force {} (m r ω² c₂)", force),
+        (true, false) => phrase!("order 2 remains: {} (m r ω² c₂ times the unit of the positions)", moment),
+        (false, false) => {
+            phrase!("order 2 remains: force {} (m r ω² c₂), {} (times the unit of the positions)", force, moment)
+        }
+    })
+}
