@@ -33,6 +33,10 @@ Record engine := Engine {
   turning_masses : list turning_mass
 }.
 
+(* The cylinders and masses of an engine that stand before one number of the motion, where rods differ. *)
+Definition part_of (E : engine) (of_cylinders of_turning_masses : list bool) : engine :=
+  Engine (plane E) (mask of_cylinders (cylinders E)) (mask of_turning_masses (turning_masses E)).
+
 (** * The vectors of an order *)
 
 Inductive quantity := Force (s : sense) | Moment (s : sense) | Torque.

@@ -3,29 +3,46 @@
 mod engine;
 mod evidence;
 mod not_stated;
+mod parts;
+mod real;
 mod theorem;
 
+use self::parts::Parts;
+use self::theorem::Theorem;
 use crate::proof::Document;
 use crate::text::coq_comment;
 
 pub use not_stated::NotStated;
 
 /// A file that Coq compiles beside those of `formal/`: the engine in rational numbers, a theorem for each verdict, and for each shape
-/// that has evidence; with statements on every order, those too.
+/// that has evidence; with statements on every order, those too. From them follow theorems on the force itself, over the real numbers.
 ///
 /// # Errors
 /// What the engine has that the file cannot state.
 pub fn coq_file(document: &Document) -> Result<String, NotStated> {
     not_stated::check(document)?;
-    let theorems = theorem::theorems(document)?;
-    let mut text = format!("{}\n{}\n{SECTION}\n", head(document), engine::definition(document));
-    for theorem in &theorems {
-        text.push_str(&format!("{}\n", theorem.text));
+    let parts = Parts::of(document);
+    let (vectors, real) = (theorem::theorems(document, &parts)?, real::theorems(document, &parts));
+    let engine = engine::definition(document) + &parts.definitions(document);
+    let mut text = format!("{}\n{engine}\n{SECTION}\n{}", head(document), texts(&vectors));
+    text.push_str(&format!(
+        "End Verdicts.\n\n(* All of them; none may rest on an axiom. *)\n{}",
+        all("verdicts", &vectors)
+    ));
+    if !real.is_empty() {
+        text.push_str(&format!("\n{}\n{}{AXIOMS}{}", real::HEAD, texts(&real), all("forces", &real)));
     }
-    text.push_str("End Verdicts.\n\n(* All of them; none may rest on an axiom. *)\nDefinition verdicts :=\n");
-    let names: Vec<String> = theorems.iter().map(|theorem| format!("  {}", theorem.name)).collect();
-    text.push_str(&format!("  (\n{}).\nPrint Assumptions verdicts.\n", names.join(",\n")));
     Ok(text)
+}
+
+fn texts(theorems: &[Theorem]) -> String {
+    theorems.iter().map(|theorem| format!("{}\n", theorem.text)).collect()
+}
+
+/// All theorems as one, whose axioms are printed.
+fn all(name: &str, theorems: &[Theorem]) -> String {
+    let names: Vec<String> = theorems.iter().map(|theorem| format!("  {}", theorem.name)).collect();
+    format!("Definition {name} :=\n  (\n{}).\nPrint Assumptions {name}.\n", names.join(",\n"))
 }
 
 /// What stands before the theorems: any field of complex numbers, and the circle in it.
@@ -36,13 +53,15 @@ Section Verdicts.
 Variables (F : numClosedFieldType) (e : circle F).
 ";
 
+const AXIOMS: &str = "(* They rest on the four axioms of the real numbers that formal/README.md names. *)\n";
+
 fn head(document: &Document) -> String {
     format!(
         "(* {}: verdicts on {}, each a theorem.
 
    Written by crankstar classify --format coq. Compile with formal/ of crankstar: coqc -Q formal Crankstar THIS.v
-   A theorem is about the sum of the vectors of an order, without the number c_k of the motion that all cylinders share (1 in order 1;
-   0 in odd orders above 1 of rods without offset). formal/Engine.v says what its words mean. *)
+   First the sums of the vectors of an order, without the number c_k of the motion that all their cylinders share (1 in order 1 and 0 in odd
+   orders above 1, of rods without offset), then the force itself, with that number. formal/Engine.v says what the words mean. *)
 From Coq Require Import ZArith QArith.
 From mathcomp Require Import all_ssreflect all_algebra ssrZ.
 From Crankstar Require Import Sums Splitting Engine Checker.

@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use num_traits::Zero;
-
 use crate::proof::{Cylinder, Document, Masses, Quantity, RodStatement};
 use crate::text::harmless;
 
@@ -12,19 +10,10 @@ use crate::text::harmless;
 pub enum NotStated {
     /// A cylinder hangs on a master rod.
     Link(String),
-    /// The axis of a cylinder misses the crankshaft.
-    Offset(String),
     /// Several crankshafts, and the roll moment with them.
     SeveralCrankshafts,
     /// A shaft is sized by the number c_k of a rod.
     SizedByRod(String),
-    /// An order has several sums, each before a number of its own.
-    SeveralSums {
-        /// Of what.
-        quantity: Quantity,
-        /// The order.
-        order: u32,
-    },
     /// What is said of every order is no period of verdicts.
     NoPeriod,
     /// What makes all weights whole holds the prime of a residue once more than what makes the collected ones whole.
@@ -47,25 +36,12 @@ impl fmt::Display for NotStated {
                     harmless(name)
                 )
             }
-            NotStated::Offset(name) => {
-                write!(
-                    f,
-                    "the rod of cylinder {} has an offset; formal/Engine.v knows rods in line with the crank",
-                    harmless(name)
-                )
-            }
             NotStated::SeveralCrankshafts => {
                 f.write_str("it has several crankshafts; formal/Engine.v knows one, that turns once in a revolution")
             }
             NotStated::SizedByRod(name) => {
                 write!(f, "{} is sized by the number c_k of a rod, which is not rational", harmless(name))
             }
-            NotStated::SeveralSums { quantity, order } => write!(
-                f,
-                "order {order} of the {} has several sums, before numbers that differ; leave the order out, or judge with --masses \
-                 reciprocating where the rods are equal",
-                quantity.name()
-            ),
             NotStated::NoPeriod => f.write_str(
                 "what vanishes at every order is told by recurrences, and formal/Checker.v knows periods; leave out --all-orders",
             ),
@@ -87,7 +63,7 @@ pub(super) fn has_pistons(document: &Document) -> bool {
     }
 }
 
-/// Checks that each sum is one over rational numbers, the same as that of `formal/Engine.v`.
+/// Checks that each sum is one over rational numbers, as those of `formal/Engine.v` are.
 pub(super) fn check(document: &Document) -> Result<(), NotStated> {
     let pistons = document.cylinders.iter().filter(|_| has_pistons(document));
     for cylinder in pistons {
@@ -102,16 +78,12 @@ pub(super) fn check(document: &Document) -> Result<(), NotStated> {
     if !document.recurrences.is_empty() {
         return Err(NotStated::NoPeriod);
     }
-    match document.verdicts.iter().find(|verdict| !verdict.of.is_empty()) {
-        None => Ok(()),
-        Some(verdict) => Err(NotStated::SeveralSums { quantity: verdict.quantity, order: verdict.order }),
-    }
+    Ok(())
 }
 
 fn check_cylinder(cylinder: &Cylinder) -> Result<(), NotStated> {
     match &cylinder.rod {
         RodStatement::Link(_) => return Err(NotStated::Link(cylinder.name.clone())),
-        RodStatement::Known(rod) if !rod.offset.is_zero() => return Err(NotStated::Offset(cylinder.name.clone())),
         RodStatement::Known(_) | RodStatement::Unknown => (),
     }
     match cylinder.speed == 1 && cylinder.crankshaft.is_none() {

@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use super::engine::sense;
 use super::evidence::{Grid, evidence, list};
 use super::not_stated::NotStated;
+use super::parts::Parts;
 use crate::proof::{
     Certificate, Document, OrderClaim, Quantity, Sense, Shape, ShapeClaim, ShapeEvidence, TheoremClaim, Vector,
     VerdictClaim,
@@ -24,34 +25,48 @@ impl Theorem {
         let text = format!("Theorem {name} :\n  {statement}.\nProof. apply: {lemma}; vm_compute; reflexivity. Qed.\n");
         Theorem { name, text }
     }
+
+    /// A theorem that one term proves.
+    pub fn exact(name: String, statement: &str, term: &str) -> Self {
+        let text = format!("Theorem {name} :\n  {statement}.\nProof. exact: ({term}). Qed.\n");
+        Theorem { name, text }
+    }
 }
 
 /// A theorem for each verdict, shape and statement on every order, in the order of the document.
-pub(super) fn theorems(document: &Document) -> Result<Vec<Theorem>, NotStated> {
-    let verdicts = document.verdicts.iter().map(|verdict| {
-        let grid = Grid::of(verdict.terms.iter());
-        of_sum(verdict.quantity, verdict.order, verdict.sense, verdict.vanishes, grid, &verdict.certificate)
-    });
+pub(super) fn theorems(document: &Document, parts: &Parts) -> Result<Vec<Theorem>, NotStated> {
+    let verdicts = document.verdicts.iter().map(|verdict| of_verdict(verdict, parts));
     let shapes = document.shapes.iter().filter_map(|shape| of_shape(document, shape).transpose());
     let every = document.theorems.iter().flat_map(|claim| of_every_order(document, claim));
     verdicts.chain(shapes).chain(every).collect()
 }
 
-fn of_sum(
+/// The vector that a theorem is about.
+struct About {
     quantity: Quantity,
     order: u32,
     sense: Option<Sense>,
-    vanishes: bool,
-    grid: Grid,
-    certificate: &Certificate,
-) -> Result<Theorem, NotStated> {
+    /// The engine, or the part of it.
+    engine: String,
+    /// What the name of the theorem ends with.
+    ends: String,
+}
+
+fn of_verdict(verdict: &VerdictClaim, parts: &Parts) -> Result<Theorem, NotStated> {
+    let VerdictClaim { quantity, order, sense, .. } = *verdict;
+    let about = About { quantity, order, sense, engine: parts.engine(&verdict.of), ends: parts.order(verdict) };
+    of_sum(&about, verdict.vanishes, Grid::of(verdict.terms.iter()), &verdict.certificate)
+}
+
+fn of_sum(about: &About, vanishes: bool, grid: Grid, certificate: &Certificate) -> Result<Theorem, NotStated> {
+    let About { quantity, order, sense, ref engine, ref ends } = *about;
     let evidence = evidence(grid, certificate).ok_or(NotStated::Scale { quantity, order })?;
     let (relation, lemma) = if vanishes { ("=", "vanishes") } else { ("<>", "is_left") };
     let what = vector(quantity, sense);
     Ok(Theorem::new(
-        format!("{}_order_{order}", name(quantity, sense)),
-        &format!("vector e the_engine {what} {order} {relation} 0%R"),
-        &format!("(@{lemma} F e the_engine {what} {order}\n  {evidence})"),
+        format!("{}_{ends}", name(quantity, sense)),
+        &format!("vector e {engine} {what} {order} {relation} 0%R"),
+        &format!("(@{lemma} F e {engine} {what} {order}\n  {evidence})"),
     ))
 }
 
@@ -65,11 +80,13 @@ fn of_shape(document: &Document, claim: &ShapeClaim) -> Result<Option<Theorem>, 
         }
     };
     let (quantity, order) = (claim.quantity, claim.order);
-    let Some(ShapeEvidence::Certificate(certificate)) = &claim.evidence else {
-        return Err(NotStated::SeveralSums { quantity, order });
+    let vectors = || document.verdicts.iter().filter(|verdict| (verdict.quantity, verdict.order) == (quantity, order));
+    // Where rods differ, the lengths are those of a whole that no vector of the file is.
+    let certificate = match &claim.evidence {
+        Some(ShapeEvidence::Certificate(certificate)) if vectors().all(|verdict| verdict.of.is_empty()) => certificate,
+        Some(_) | None => return Ok(None),
     };
-    let is_it = |verdict: &&VerdictClaim| (verdict.quantity, verdict.order) == (quantity, order);
-    let grid = Grid::of(document.verdicts.iter().filter(is_it).flat_map(|verdict| &verdict.terms)).squared();
+    let grid = Grid::of(vectors().flat_map(|verdict| &verdict.terms)).squared();
     let evidence = evidence(grid, certificate).ok_or(NotStated::Scale { quantity, order })?;
     let length = |sense| format!("`|vector e the_engine {} {order}|%R", vector(quantity, Some(sense)));
     Ok(Some(Theorem::new(
@@ -83,7 +100,9 @@ fn of_shape(document: &Document, claim: &ShapeClaim) -> Result<Option<Theorem>, 
 fn of_every_order(document: &Document, claim: &TheoremClaim) -> Vec<Result<Theorem, NotStated>> {
     let (quantity, sense) = (claim.quantity, Some(claim.sense));
     let of_order = |verdict: &OrderClaim| {
-        of_sum(quantity, verdict.order, sense, verdict.vanishes, grid_of(document), &verdict.certificate)
+        let (order, ends) = (verdict.order, format!("order_{}", verdict.order));
+        let about = About { quantity, order, sense, engine: "the_engine".to_owned(), ends };
+        of_sum(&about, verdict.vanishes, grid_of(document), &verdict.certificate)
     };
     let (even, first): (Vec<&OrderClaim>, Vec<&OrderClaim>) =
         claim.verdicts.iter().partition(|verdict| verdict.order % 2 == 0);
@@ -97,9 +116,7 @@ fn of_every_order(document: &Document, claim: &TheoremClaim) -> Vec<Result<Theor
         .collect();
     let every = all.map(|evidence| {
         let what = vector(quantity, sense);
-        let survivors = &claim.survivors;
-        let residues = list(survivors.residues.iter().map(u32::to_string).collect());
-        let modulus = survivors.modulus;
+        let (residues, modulus) = (even_residues(claim), claim.survivors.modulus);
         Theorem::new(
             format!("{}_every_even_order", name(quantity, sense)),
             &format!(
@@ -112,6 +129,11 @@ fn of_every_order(document: &Document, claim: &TheoremClaim) -> Vec<Result<Theor
         )
     });
     first.chain(std::iter::once(every)).collect()
+}
+
+/// The residues at which an even order is left.
+pub(super) fn even_residues(claim: &TheoremClaim) -> String {
+    list(claim.survivors.residues.iter().map(u32::to_string).collect())
 }
 
 /// That of every order: an angle of order k is a whole combination of throws and banks, a weight one of masses times arms.
@@ -132,7 +154,7 @@ fn grid_of(document: &Document) -> Grid {
 }
 
 /// What a theorem is called: of letters alone.
-fn name(quantity: Quantity, sense: Option<Sense>) -> String {
+pub(super) fn name(quantity: Quantity, sense: Option<Sense>) -> String {
     match sense {
         Some(sense) => format!("{}_{}", quantity.name(), sense.name()),
         None => quantity.name().to_owned(),
