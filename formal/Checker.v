@@ -47,7 +47,7 @@ Definition square (sign : Z) (l : seq (Q * Q)) : seq (Q * Q) :=
 Definition squares (E : engine) (q : sense -> quantity) (k : Z) : seq (Q * Q) :=
   square 1 (vectors E (q Direct) k) ++ square (-1) (vectors E (q Reverse) k).
 
-(* One verdict for each of the even orders 2, 4, ..: is it left where it is one of the residues? *)
+(* One verdict for each of the orders k, k + 2, ..: is it left where it is one of the residues? *)
 Fixpoint check_period (E : engine) (q : quantity) (modulus : Z) (residues : seq Z) (k : Z) (evs : seq evidence) : bool :=
   match evs with
   | nil => true
@@ -56,12 +56,13 @@ Fixpoint check_period (E : engine) (q : quantity) (modulus : Z) (residues : seq 
       && check_period E q modulus residues (Z.add k 2) evs'
   end.
 
-Definition check_every (E : engine) (q : quantity) (modulus : Z) (residues : seq Z) (evs : seq evidence) : bool :=
+(* Every second order from the first on, 2 or 3, by one period. *)
+Definition check_every (E : engine) (q : quantity) (first modulus : Z) (residues : seq Z) (evs : seq evidence) : bool :=
   let period := Z.mul 2 (Z.of_nat (size evs)) in
-  Z.ltb 0 modulus && Z.ltb 0 period && Z.eqb (Z.modulo period modulus) 0
+  Z.leb 2 first && Z.ltb 0 modulus && Z.ltb 0 period && Z.eqb (Z.modulo period modulus) 0
   && all (fun c => is_whole period (throw c) && is_whole period (bank c)) (cylinders E)
   && all (fun t => Z.leb (order t) 1) (turning_masses E)
-  && check_period E q modulus residues 2 evs.
+  && check_period E q modulus residues first evs.
 
 (** * Proofs *)
 
@@ -310,21 +311,21 @@ elim: evs k => [|ev evs IH] k //= /andP[/andP[ok res] rest] [|i] i_lt.
 have := IH _ rest i i_lt; have -> // : Z.add (Z.add k 2) (Z.mul 2 (Z.of_nat i)) = Z.add k (Z.mul 2 (Z.of_nat i.+1)) by lia.
 Qed.
 
-(** An even order is left where it is one of the residues, whatever its size. *)
-Theorem every_even_order q modulus residues evs : check_every E q modulus residues evs = true ->
-  forall k, Z.le 2 k -> Z.modulo k 2 = Z0 -> vector e E q k <> 0 <-> Z.modulo k modulus \in residues.
+(** Every second order is left where it is one of the residues, whatever its size. *)
+Theorem every_second_order q first modulus residues evs : check_every E q first modulus residues evs = true ->
+  forall k, Z.le first k -> Z.modulo (Z.sub k first) 2 = Z0 -> vector e E q k <> 0 <-> Z.modulo k modulus \in residues.
 Proof.
-case/andP => /andP[/andP[/andP[/andP[/Z.ltb_spec0 m0 /Z.ltb_spec0 period0] /Z.eqb_spec div] whole] slow] ok k k2 k_even.
+case/andP => /andP[/andP[/andP[/andP[/andP[/Z.leb_spec0 first2 /Z.ltb_spec0 m0] /Z.ltb_spec0 period0] /Z.eqb_spec div] whole] slow] ok k k_first k_second.
 set period := Z.mul 2 _ in period0 div whole.
-have kd := Z.div_mod k 2; rewrite k_even in kd.
-pose i := Z.modulo (Z.sub (Z.div k 2) 1) (Z.of_nat (size evs)).
+have kd := Z.div_mod (Z.sub k first) 2; rewrite k_second in kd.
+pose i := Z.modulo (Z.div (Z.sub k first) 2) (Z.of_nat (size evs)).
 have size0 : Z.lt 0 (Z.of_nat (size evs)) by lia.
-have ib := Z.mod_pos_bound (Z.sub (Z.div k 2) 1) _ size0; rewrite -/i in ib.
-have id := Z.div_mod (Z.sub (Z.div k 2) 1) (Z.of_nat (size evs)); rewrite -/i in id.
-set j := Z.div (Z.sub (Z.div k 2) 1) _ in id.
+have ib := Z.mod_pos_bound (Z.div (Z.sub k first) 2) _ size0; rewrite -/i in ib.
+have id := Z.div_mod (Z.div (Z.sub k first) 2) (Z.of_nat (size evs)); rewrite -/i in id.
+set j := Z.div (Z.div (Z.sub k first) 2) _ in id.
 have i_lt : (Z.to_nat i < size evs)%N by lia.
 have /= := check_period_sound ok i_lt; rewrite Z2Nat.id; last lia.
-set r := Z.add 2 _; have kr : Z.sub k r = Z.mul j period.
+set r := Z.add first _; have kr : Z.sub k r = Z.mul j period.
   have {}kd := kd ltac:(lia); have {}id := id ltac:(lia); rewrite /r /period; lia.
 have <- : vector e E q k = vector e E q r.
   by apply: (@vectors_period _ _ _ period) => //; rewrite ?kr ?Z.mod_mul //; rewrite /r; lia.
@@ -334,5 +335,14 @@ suff -> : Z.modulo k modulus = Z.modulo r modulus by [].
 have -> : k = Z.add r (Z.mul (Z.mul j c) modulus) by rewrite -Z.mul_assoc -pE; lia.
 by rewrite Z.mod_add //; lia.
 Qed.
+
+(* The even orders, and the odd ones above 1, which rods with an offset have. *)
+Theorem every_even_order q modulus residues evs : check_every E q 2 modulus residues evs = true ->
+  forall k, Z.le 2 k -> Z.modulo k 2 = Z0 -> vector e E q k <> 0 <-> Z.modulo k modulus \in residues.
+Proof. by move/every_second_order => H k k2 even; apply: H => //; rewrite Zminus_mod even. Qed.
+
+Theorem every_odd_order q modulus residues evs : check_every E q 3 modulus residues evs = true ->
+  forall k, Z.le 3 k -> Z.modulo k 2 = Zpos 1 -> vector e E q k <> 0 <-> Z.modulo k modulus \in residues.
+Proof. by move/every_second_order => H k k3 odd; apply: H => //; rewrite Zminus_mod odd. Qed.
 
 End Verdicts.

@@ -219,17 +219,16 @@ rewrite mulrn_eq0 mulf_eq0 (negbTE r0) /= => /eqP v0; move/eqP: uv.
 by rewrite v0 mulr0 mulf_eq0 (negbTE d0) /= => /eqP u0; case: left.
 Qed.
 
-(* The even orders at once, where nothing turns faster than the crank. *)
-Lemma every_even (direct_left reverse_left : Z -> Prop) : all (fun t => Z.leb (order t) 1) (turning_masses E) = true ->
-  (forall k, Z.le 2 k -> Z.modulo k 2 = Z0 -> vector real_circle E (q Direct) k <> 0 <-> direct_left k) ->
-  (forall k, Z.le 2 k -> Z.modulo k 2 = Z0 -> vector real_circle E (q Reverse) k <> 0 <-> reverse_left k) ->
-  forall k, Z.le 2 k -> Z.modulo k 2 = Z0 -> c <> (0%re, 0%re) ->
-  (exists theta, both_parts c E arm k theta <> (0%re, 0%re)) <-> direct_left k \/ reverse_left k.
+(* What is known of every order k above 1, where nothing turns faster than the crank. *)
+Lemma vectors_of_every k (direct_left reverse_left : Prop) : all (fun t => Z.leb (order t) 1) (turning_masses E) = true ->
+  Z.le 2 k -> c <> (0%re, 0%re) ->
+  (vector real_circle E (q Direct) k <> 0 <-> direct_left) -> (vector real_circle E (q Reverse) k <> 0 <-> reverse_left) ->
+  (exists theta, both_parts c E arm k theta <> (0%re, 0%re)) <-> direct_left \/ reverse_left.
 Proof.
-move=> slow d r k k2 even c0; have k0 : Z.lt 0 k by lia.
+move=> slow k2 c0 <- <-; have k0 : Z.lt 0 k by lia.
 have share : shared k.
   by right; apply: sub_all slow => t /Z.leb_spec0 t1; apply/negP => /Z.eqb_spec; lia.
-rewrite -d // -r //; split=> [[theta left]|]; last exact: vectors_left.
+split=> [[theta left]|]; last exact: vectors_left.
 case: (vector real_circle E (q Direct) k =P 0) => [u0 | ]; last by left.
 by right=> v0; apply: left; exact: vectors_vanish.
 Qed.
@@ -284,23 +283,18 @@ Theorem some_moment c k : shared c E k -> Z.lt 0 k -> c <> (0%re, 0%re) ->
   vector real_circle E (Moment Direct) k <> 0 \/ vector real_circle E (Moment Reverse) k <> 0 -> exists theta, moment c E k theta <> (0%re, 0%re).
 Proof. by apply: vectors_left; right. Qed.
 
-Section Every.
-Variables (k : Z) (c : R * R) (a b : Z -> Prop).
-Hypothesis slow : all (fun t => Z.leb (order t) 1) (turning_masses E) = true.
+Lemma above_one k : Z.le 3 k -> Z.le 2 k.
+Proof. lia. Qed.
 
-Theorem force_every_even : Z.le 2 k -> Z.modulo k 2 = Z0 -> c <> (0%re, 0%re) ->
-  (forall k, Z.le 2 k -> Z.modulo k 2 = Z0 -> vector real_circle E (Force Direct) k <> 0 <-> a k) ->
-  (forall k, Z.le 2 k -> Z.modulo k 2 = Z0 -> vector real_circle E (Force Reverse) k <> 0 <-> b k) ->
-  (exists theta, force c E k theta <> (0%re, 0%re)) <-> a k \/ b k.
-Proof. by move=> k2 even c0 d r; apply: (every_even _ slow d r k2 even c0); left. Qed.
+Theorem every_force c k (a b : Prop) : all (fun t => Z.leb (order t) 1) (turning_masses E) = true -> Z.le 2 k -> c <> (0%re, 0%re) ->
+  (vector real_circle E (Force Direct) k <> 0 <-> a) -> (vector real_circle E (Force Reverse) k <> 0 <-> b) ->
+  (exists theta, force c E k theta <> (0%re, 0%re)) <-> a \/ b.
+Proof. by apply: vectors_of_every; left. Qed.
 
-Theorem moment_every_even : Z.le 2 k -> Z.modulo k 2 = Z0 -> c <> (0%re, 0%re) ->
-  (forall k, Z.le 2 k -> Z.modulo k 2 = Z0 -> vector real_circle E (Moment Direct) k <> 0 <-> a k) ->
-  (forall k, Z.le 2 k -> Z.modulo k 2 = Z0 -> vector real_circle E (Moment Reverse) k <> 0 <-> b k) ->
-  (exists theta, moment c E k theta <> (0%re, 0%re)) <-> a k \/ b k.
-Proof. by move=> k2 even c0 d r; apply: (every_even _ slow d r k2 even c0); right. Qed.
-
-End Every.
+Theorem every_moment c k (a b : Prop) : all (fun t => Z.leb (order t) 1) (turning_masses E) = true -> Z.le 2 k -> c <> (0%re, 0%re) ->
+  (vector real_circle E (Moment Direct) k <> 0 <-> a) -> (vector real_circle E (Moment Reverse) k <> 0 <-> b) ->
+  (exists theta, moment c E k theta <> (0%re, 0%re)) <-> a \/ b.
+Proof. by apply: vectors_of_every; right. Qed.
 
 Theorem no_torque c k : vector real_circle E Torque k = 0 -> forall theta, torque c E k theta = 0%re.
 Proof. by move=> v0 theta; rewrite torque_vector v0 mulr0 mul0r. Qed.

@@ -28,7 +28,7 @@ const BUDGET: [(&str, usize); 32] = [
     ("proof", 8680),
     ("python", 2520),
     ("remedy", 1500),
-    ("report", 27060),
+    ("report", 27460),
     ("search", 3600),
     ("shard", 680),
     ("stars", 670),

@@ -167,6 +167,52 @@ fn statements_on_every_order_have_a_certificate_for_each_even_order_of_a_period(
     );
 }
 
+/// Whether a statement on every order says that this one is left.
+fn left_at(statement: &str, order: u32) -> bool {
+    let (_, rest) = statement.split_once("<-> k mod ").expect("a modulus");
+    let (modulus, rest) = rest.split_once(" \\in (").expect("residues");
+    let residues = rest.split_once(" : seq Z").expect("a list").0.trim_start_matches("[:: ").trim_end_matches(']');
+    let modulus: u32 = modulus.parse().expect("a number");
+    residues.split("; ").any(|residue| residue.parse() == Ok(order % modulus))
+}
+
+#[test]
+fn every_order_of_rods_with_an_offset_is_left_where_the_recurrences_say_so() {
+    let folder = scratch("coq-every-order");
+    let engines = [
+        ("three", "[inline]\nthrows = [0, 120, 240]\n", "0.05"),
+        ("vee", "[vee]\nbank_angle = 60\nthrows = [0, 120, 240]\npin_split = 60\n", "0.05"),
+        ("two kinds", "[inline]\nthrows = [0, 90, 180, 270, 0, 72]\n", "[0.05, 0.05, 0.05, 0.05, 0, 0]"),
+    ];
+    for (title, text, offset) in engines {
+        let layout = folder.join("layout.toml");
+        let text = format!("title = '{title}'\n{text}[mechanism]\nrod_ratio = 0.25\noffset_ratio = {offset}\n");
+        fs::write(&layout, text).expect("a file");
+        let asked = ["classify", layout.to_str().expect("a path"), "--orders", "1", "--all-orders"];
+        let json = answered(&[&asked[..], &["--json"]].concat());
+        let AnyDocument::Classify(document) = read_document(json.as_bytes()).expect("a document") else {
+            panic!("{title}: verdicts on an engine")
+        };
+        let file = answered(&[&asked[..], &["--format", "coq"]].concat());
+        assert!(!document.recurrences.is_empty(), "{title}");
+        for claim in &document.recurrences {
+            for (parity, first, classes) in [("even", 2, &claim.even), ("odd", 3, &claim.odd)] {
+                let name = format!("{}_{}_every_{parity}_order", claim.quantity.name(), claim.sense.name());
+                for (index, class) in classes.iter().enumerate() {
+                    let part =
+                        if classes.len() > 1 || class.of.len() < document.cylinders.len() { index + 1 } else { 0 };
+                    let name = if part == 0 { name.clone() } else { format!("{name}_part_{part}") };
+                    let statement = stated(&file, &name).unwrap_or_else(|| panic!("{title}: no {name}"));
+                    for order in (first..200).step_by(2) {
+                        let zero = class.factors.iter().any(|factor| factor.zeros.contains(order));
+                        assert_eq!(left_at(&statement, order), !zero, "{title}, order {order}: {statement}");
+                    }
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn paths_of_classes_are_stated_too() {
     let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/formal/engines/large-denominator.toml");

@@ -8,6 +8,7 @@ use num_traits::{One, Zero};
 use crate::proof::{Certificate, Polygon, Step, Vector};
 
 /// What all angles and all weights of some vectors become whole by.
+#[derive(Clone)]
 pub(super) struct Grid {
     conductor: BigInt,
     scale: BigInt,

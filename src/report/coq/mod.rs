@@ -1,12 +1,14 @@
 //! What does `classify --format coq` write? The verdicts on an engine as theorems of Coq, which `formal/Checker.v` proves.
 
 mod engine;
+mod every_order;
 mod evidence;
 mod not_stated;
 mod parts;
 mod real;
 mod theorem;
 
+use self::every_order::Pattern;
 use self::parts::Parts;
 use self::theorem::Theorem;
 use crate::proof::Document;
@@ -22,7 +24,9 @@ pub use not_stated::NotStated;
 pub fn coq_file(document: &Document) -> Result<String, NotStated> {
     not_stated::check(document)?;
     let parts = Parts::of(document);
-    let (vectors, real) = (theorem::theorems(document, &parts)?, real::theorems(document, &parts));
+    let every = Pattern::all(document, &parts)?;
+    let vectors = theorem::theorems(document, &parts, &every)?;
+    let real = real::theorems(document, &parts, &every);
     let engine = engine::definition(document) + &parts.definitions(document);
     let mut text = format!("{}\n{engine}\n{SECTION}\n{}", head(document), texts(&vectors));
     text.push_str(&format!(

@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::proof::{Cylinder, Document, Masses, Quantity, RodStatement};
 use crate::text::harmless;
+use crate::verdict::LONGEST_PERIOD;
 
 /// Why there is no file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,8 +15,8 @@ pub enum NotStated {
     SeveralCrankshafts,
     /// A shaft is sized by the number c_k of a rod.
     SizedByRod(String),
-    /// What is said of every order is no period of verdicts.
-    NoPeriod,
+    /// What is said of every order repeats only after many orders.
+    LongPeriod,
     /// What makes all weights whole holds the prime of a residue once more than what makes the collected ones whole.
     Scale {
         /// Of what.
@@ -42,8 +43,9 @@ impl fmt::Display for NotStated {
             NotStated::SizedByRod(name) => {
                 write!(f, "{} is sized by the number c_k of a rod, which is not rational", harmless(name))
             }
-            NotStated::NoPeriod => f.write_str(
-                "what vanishes at every order is told by recurrences, and formal/Checker.v knows periods; leave out --all-orders",
+            NotStated::LongPeriod => write!(
+                f,
+                "the pattern of every order repeats only after more than {LONGEST_PERIOD} orders; leave out --all-orders"
             ),
             NotStated::Scale { quantity, order } => write!(
                 f,
@@ -74,9 +76,6 @@ pub(super) fn check(document: &Document) -> Result<(), NotStated> {
     }
     if let Some(shaft) = document.turning_masses.iter().find(|mass| mass.coefficient_of.is_some()) {
         return Err(NotStated::SizedByRod(shaft.name.clone()));
-    }
-    if !document.recurrences.is_empty() {
-        return Err(NotStated::NoPeriod);
     }
     Ok(())
 }

@@ -1,8 +1,9 @@
 //! Which theorems over the real numbers follow? The force (moment, torque) of an order is zero at every crank angle, or at some angle it is not.
 
+use super::every_order::{Parity, Pattern};
 use super::parts::Parts;
-use super::theorem::{Theorem, even_residues, name};
-use crate::proof::{Document, Quantity, Sense, TheoremClaim, VerdictClaim};
+use super::theorem::{Theorem, name};
+use crate::proof::{Document, Quantity, Sense, VerdictClaim};
 
 /// What stands before the theorems over the real numbers.
 pub(super) const HEAD: &str = "\
@@ -14,8 +15,8 @@ From Crankstar.real Require Import RealForce Bridge.
 Local Open Scope R_scope.
 ";
 
-/// A theorem for each order of force, moment and torque, and for all even orders of force and moment; the vectors have theirs above.
-pub(super) fn theorems(document: &Document, parts: &Parts) -> Vec<Theorem> {
+/// A theorem for each order of force, moment and torque, and for all orders of a parity of force and moment; the vectors have theirs above.
+pub(super) fn theorems(document: &Document, parts: &Parts, every: &[Pattern]) -> Vec<Theorem> {
     let first = |index: usize, verdict: &VerdictClaim| {
         let about = |other: &VerdictClaim| (other.quantity, other.order);
         index == 0 || about(&document.verdicts[index - 1]) != about(verdict)
@@ -28,7 +29,7 @@ pub(super) fn theorems(document: &Document, parts: &Parts) -> Vec<Theorem> {
             sums => together(sums),
         }
     });
-    orders.chain(document.theorems.iter().filter_map(|claim| of_every_order(document, claim))).collect()
+    orders.chain(every.iter().filter_map(|pattern| of_every_order(every, pattern))).collect()
 }
 
 /// What stands before one number of the motion: one vector of the torque, or the direct and the reverse one of force and moment.
@@ -177,26 +178,28 @@ fn zero(quantity: Quantity) -> &'static str {
     }
 }
 
-/// All even orders at once, which the statement on the direct vectors calls.
-fn of_every_order(document: &Document, direct: &TheoremClaim) -> Option<Theorem> {
-    let is_reverse = |other: &&TheoremClaim| (other.quantity, other.sense) == (direct.quantity, Sense::Reverse);
-    let reverse = document.theorems.iter().find(is_reverse).filter(|_| direct.sense == Sense::Direct)?;
-    let left = |claim: &TheoremClaim| {
-        format!("(k mod {})%Z \\in ({}%Z : seq Z)", claim.survivors.modulus, even_residues(claim))
+/// All orders of a parity at once, which the statement on the direct vectors calls.
+fn of_every_order(every: &[Pattern], direct: &Pattern) -> Option<Theorem> {
+    let about = |pattern: &Pattern| (pattern.quantity, pattern.ends());
+    let reverse = every.iter().find(|other| other.sense == Sense::Reverse && about(other) == about(direct));
+    let reverse = reverse.filter(|_| direct.sense == Sense::Direct)?;
+    let left = |pattern: &Pattern| format!("(k mod {})%Z \\in ({}%Z : seq Z)", pattern.modulus, pattern.residues());
+    let by = |pattern: &Pattern| format!("({} C real_circle k from second)", pattern.name());
+    let (what, engine, [from, second]) = (direct.quantity.name(), &direct.engine, direct.parity.premises());
+    let above_one = match direct.parity {
+        Parity::Even => "from",
+        Parity::Odd => "(above_one from)",
     };
-    let by =
-        |claim: &TheoremClaim| format!("({}_every_even_order C real_circle)", name(claim.quantity, Some(claim.sense)));
-    let what = direct.quantity.name();
     Some(Theorem::exact(
-        format!("real_{what}_every_even_order"),
+        format!("real_{what}_{}", direct.ends()),
         &format!(
-            "forall (k : Z) (c : R * R), (2 <= k)%Z -> (k mod 2 = 0)%Z -> c <> (0, 0) ->\n  \
-             (exists theta : R, {what} c the_engine k theta <> (0, 0)) <->\n  {} \\/ {}",
+            "forall (k : Z) (c : R * R), ({from})%Z -> ({second})%Z -> c <> (0, 0) ->\n  \
+             (exists theta : R, {what} c {engine} k theta <> (0, 0)) <->\n  {} \\/ {}",
             left(direct),
             left(reverse)
         ),
         &format!(
-            "fun k c k2 even c0 => @{what}_every_even the_engine k c _ _ erefl k2 even c0\n  {} {}",
+            "fun k c from second c0 => @every_{what} {engine} c k _ _ erefl {above_one} c0\n  {} {}",
             by(direct),
             by(reverse)
         ),

@@ -1,14 +1,12 @@
 //! Which theorems does the file hold, and by what are they proved?
 
-use num_rational::BigRational;
-
 use super::engine::sense;
-use super::evidence::{Grid, evidence, list};
+use super::every_order::{Pattern, grid_of};
+use super::evidence::{Grid, evidence};
 use super::not_stated::NotStated;
 use super::parts::Parts;
 use crate::proof::{
-    Certificate, Document, OrderClaim, Quantity, Sense, Shape, ShapeClaim, ShapeEvidence, TheoremClaim, Vector,
-    VerdictClaim,
+    Certificate, Document, Quantity, Sense, Shape, ShapeClaim, ShapeEvidence, TheoremClaim, VerdictClaim,
 };
 
 /// A theorem with its proof.
@@ -21,7 +19,7 @@ pub(super) struct Theorem {
 
 impl Theorem {
     /// A theorem that a lemma of Checker.v shows, once its premise is computed.
-    fn new(name: String, statement: &str, lemma: &str) -> Self {
+    pub fn new(name: String, statement: &str, lemma: &str) -> Self {
         let text = format!("Theorem {name} :\n  {statement}.\nProof. apply: {lemma}; vm_compute; reflexivity. Qed.\n");
         Theorem { name, text }
     }
@@ -34,11 +32,11 @@ impl Theorem {
 }
 
 /// A theorem for each verdict, shape and statement on every order, in the order of the document.
-pub(super) fn theorems(document: &Document, parts: &Parts) -> Result<Vec<Theorem>, NotStated> {
+pub(super) fn theorems(document: &Document, parts: &Parts, every: &[Pattern]) -> Result<Vec<Theorem>, NotStated> {
     let verdicts = document.verdicts.iter().map(|verdict| of_verdict(verdict, parts));
     let shapes = document.shapes.iter().filter_map(|shape| of_shape(document, shape).transpose());
-    let every = document.theorems.iter().flat_map(|claim| of_every_order(document, claim));
-    verdicts.chain(shapes).chain(every).collect()
+    let first = document.theorems.iter().filter_map(|claim| of_first_order(document, claim));
+    verdicts.chain(shapes).chain(first).chain(every.iter().map(Pattern::theorem)).collect()
 }
 
 /// The vector that a theorem is about.
@@ -96,61 +94,17 @@ fn of_shape(document: &Document, claim: &ShapeClaim) -> Result<Option<Theorem>, 
     )))
 }
 
-/// Order 1, where it is not judged besides, and all even orders at once.
-fn of_every_order(document: &Document, claim: &TheoremClaim) -> Vec<Result<Theorem, NotStated>> {
-    let (quantity, sense) = (claim.quantity, Some(claim.sense));
-    let of_order = |verdict: &OrderClaim| {
-        let (order, ends) = (verdict.order, format!("order_{}", verdict.order));
-        let about = About { quantity, order, sense, engine: "the_engine".to_owned(), ends };
-        of_sum(&about, verdict.vanishes, grid_of(document), &verdict.certificate)
+/// Order 1, where it is not judged besides.
+fn of_first_order(document: &Document, claim: &TheoremClaim) -> Option<Result<Theorem, NotStated>> {
+    let first = claim.verdicts.iter().find(|verdict| verdict.order == 1 && !document.orders.contains(&1))?;
+    let about = About {
+        quantity: claim.quantity,
+        order: 1,
+        sense: Some(claim.sense),
+        engine: "the_engine".to_owned(),
+        ends: "order_1".to_owned(),
     };
-    let (even, first): (Vec<&OrderClaim>, Vec<&OrderClaim>) =
-        claim.verdicts.iter().partition(|verdict| verdict.order % 2 == 0);
-    let first = first.into_iter().filter(|verdict| !document.orders.contains(&verdict.order)).map(of_order);
-    let all: Result<Vec<String>, NotStated> = even
-        .iter()
-        .map(|verdict| {
-            let order = verdict.order;
-            evidence(grid_of(document), &verdict.certificate).ok_or(NotStated::Scale { quantity, order })
-        })
-        .collect();
-    let every = all.map(|evidence| {
-        let what = vector(quantity, sense);
-        let (residues, modulus) = (even_residues(claim), claim.survivors.modulus);
-        Theorem::new(
-            format!("{}_every_even_order", name(quantity, sense)),
-            &format!(
-                "forall k, 2 <= k -> k mod 2 = 0 ->\n  vector e the_engine {what} k <> 0%R <-> k mod {modulus} \\in ({residues} : seq Z)"
-            ),
-            &format!(
-                "(@every_even_order F e the_engine {what} {modulus} {residues}\n  {})",
-                list(evidence).replace("; (Evidence", ";\n    (Evidence")
-            ),
-        )
-    });
-    first.chain(std::iter::once(every)).collect()
-}
-
-/// The residues at which an even order is left.
-pub(super) fn even_residues(claim: &TheoremClaim) -> String {
-    list(claim.survivors.residues.iter().map(u32::to_string).collect())
-}
-
-/// That of every order: an angle of order k is a whole combination of throws and banks, a weight one of masses times arms.
-fn grid_of(document: &Document) -> Grid {
-    let arm = |position: &BigRational| position - &document.reference_plane;
-    let of = |angle: &BigRational, weight: BigRational| Vector { angle: angle.clone(), weight };
-    let cylinders = document.cylinders.iter().flat_map(|cylinder| {
-        let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius;
-        let moment = &weight * arm(&cylinder.position);
-        [of(&cylinder.throw, weight), of(&cylinder.bank, moment)]
-    });
-    let turning = document.turning_masses.iter().flat_map(|mass| {
-        let moment = &mass.mass_radius * arm(&mass.position);
-        [of(&mass.angle, mass.mass_radius.clone()), of(&mass.angle, moment)]
-    });
-    let vectors: Vec<Vector> = cylinders.chain(turning).collect();
-    Grid::of(vectors.iter())
+    Some(of_sum(&about, first.vanishes, grid_of(document), &first.certificate))
 }
 
 /// What a theorem is called: of letters alone.
@@ -170,7 +124,7 @@ fn kind(quantity: Quantity) -> &'static str {
 }
 
 /// The quantity as Engine.v calls it.
-fn vector(quantity: Quantity, of: Option<Sense>) -> String {
+pub(super) fn vector(quantity: Quantity, of: Option<Sense>) -> String {
     match of {
         Some(of) => format!("({} {})", kind(quantity), sense(of)),
         None => kind(quantity).to_owned(),
