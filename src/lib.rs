@@ -50,7 +50,7 @@
 //! claim  optimise
 //! journal
 //! accuracy  remedy  sweep  search  torque  torsion
-//! loads  family
+//! loads  family  rotor
 //! firing
 //! verdict
 //! order  numbers  gas  stars
@@ -141,6 +141,8 @@ pub mod remedy;
 #[cfg(feature = "report")]
 #[allow(clippy::disallowed_types)]
 pub mod report;
+#[allow(clippy::disallowed_types)]
+pub mod rotor;
 #[allow(clippy::disallowed_types)]
 pub mod search;
 pub mod shard;

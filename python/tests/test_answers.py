@@ -203,3 +203,29 @@ def test_a_shaft_that_twists_has_its_frequencies_in_columns() -> None:
     modes = six.torsion(["1/2", 3]).tables["modes"]
     assert list(modes["mode"][:2]) == [1, 2] and modes["frequency_Hz"][0] < modes["frequency_Hz"][1]
     assert set(six.torsion([3]).tables["critical"]["order"]) == {"3"}
+
+
+def test_values_at_an_angle_are_those_of_a_slider_crank() -> None:
+    single = Engine(
+        "Single",
+        throws=[0],
+        speed=3000,
+        mechanism={"stroke": "86 mm", "rod_length": "143 mm", "reciprocating_mass": "0.5 kg"},
+    )
+    answer = single.angle([0, 90])
+    assert list(answer.tables["pistons"]["theta_deg"]) == [0, 90]
+    assert abs(answer.tables["pistons"]["way_m"][1] - (0.043 + 0.143 - (0.143**2 - 0.043**2) ** 0.5)) < 1e-15
+    assert len(single.angle(every=90).tables["torque"]["theta_deg"]) == 4
+    with pytest.raises(crankstar.CrankstarError, match="no step"):
+        single.angle(every=0)
+
+
+def test_the_table_of_a_project_guide_has_a_row_an_engine() -> None:
+    keys = {"crank_radius": "1 m", "rod_length": "2.05 m", "reciprocating_mass": "3000 kg"}
+    engines = [
+        Engine(order, cycle="two-stroke", speed=127, firing_order=order, inline={"spacing": "0.85 m"}, mechanism=keys)
+        for order in ("1-4-3-2-5", "1-5-3-4-2-6")
+    ]
+    moments = crankstar.moments(engines).tables["moments"]
+    assert list(moments["moment_1_v_vanishes"]) == [False, True]
+    assert abs(moments["moment_2_v_kN_m"][0] - 1169.272630) < 1e-5

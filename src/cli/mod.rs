@@ -1,6 +1,7 @@
 //! What can be asked on the command line?
 
 mod accuracy;
+mod angle;
 mod answer;
 mod atlas;
 mod bearings;
@@ -21,6 +22,7 @@ mod lock;
 mod man;
 mod mark;
 mod masses;
+mod moments;
 mod notation;
 mod optimise;
 mod pages;
@@ -29,6 +31,7 @@ mod progress;
 mod questions;
 mod remedy;
 mod report;
+mod rotor;
 mod schema;
 mod search;
 mod stars;
@@ -97,6 +100,10 @@ enum Command {
     Bearings(bearings::Bearings),
     /// Compute the torque of gas and inertia, and the flywheel
     Torque(torque::Torque),
+    /// Compute motion, forces and torque at crank angles
+    Angle(angle::Angle),
+    /// List external and guide-force moments, as a project guide does
+    Moments(moments::Moments),
     /// Find the speeds at which the crankshaft twists
     Torsion(torsion::Torsion),
     /// Tabulate any values of engines, by their names
@@ -105,6 +112,8 @@ enum Command {
     Accuracy(accuracy::Accuracy),
     /// Find counterweights and balancer shafts that cancel what is left
     Remedy(remedy::Remedy),
+    /// Find the masses that balance a shaft, a rotor or a locomotive
+    Rotor(rotor::Rotor),
     /// Find the counterweights with the least bearing loads
     Optimise(optimise::Optimise),
     /// Write the report, with pictures and proofs
@@ -226,6 +235,9 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> u8 {
         Command::Bearings(bearings) => bearings.run().map(done),
         Command::Firing(firing) => firing.run().map(done),
         Command::Torque(torque) => torque.run().map(done),
+        Command::Angle(angle) => angle.run().map(done),
+        Command::Moments(moments) => moments.run().map(done),
+        Command::Rotor(rotor) => rotor.run().map(done),
         Command::Values(values) => values.run().map(done),
         Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Remedy(remedy) => remedy.run().map(done),

@@ -8,8 +8,8 @@ use clap::Command;
 const QUESTIONS: [(&str, &[&str]); 9] = [
     ("Which engine?", &["list", "atlas"]),
     ("How does it balance?", &["classify", "firing", "report", "figure"]),
-    ("How large is it?", &["loads", "bearings", "torque", "torsion", "accuracy"]),
-    ("What cures it?", &["remedy", "optimise"]),
+    ("How large is it?", &["loads", "bearings", "torque", "angle", "moments", "torsion", "accuracy"]),
+    ("What cures it?", &["remedy", "optimise", "rotor"]),
     ("How does it change?", &["sweep"]),
     ("Which is best?", &["compare", "values", "search", "stars"]),
     ("Is it true?", &["check", "verify"]),

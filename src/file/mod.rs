@@ -36,6 +36,7 @@ mod pressure_csv;
 mod quantities;
 mod replaced;
 mod rewritten;
+mod rotor_keys;
 mod schema;
 mod shared_keys;
 mod template;
@@ -56,6 +57,7 @@ pub use rewritten::{
     balancer_table, comment, counterweight_in_multiples, counterweight_table, exact_number, without_balancers,
     without_counterweights,
 };
+pub use rotor_keys::{Rotor, RotorMass, parse_rotor};
 pub use schema::{schema, tables};
 pub use template::{Key, Template};
 pub use units::turns_per_unit;

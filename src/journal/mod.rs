@@ -5,12 +5,14 @@
 //! values are those of the forces themselves, through the whole cycle; the orders are a series, halves in a four-stroke engine.
 
 mod force_history;
+mod instant;
 mod largest;
 mod order;
 mod peak;
 mod shared;
 
 pub use force_history::{ForceHistory, PistonForces};
+pub use instant::{Instants, PistonAt};
 pub use largest::{CyclePeak, CylinderPeaks};
 pub use order::{CycleMean, GasStars, JournalOrder};
 pub use peak::LoadPeak;

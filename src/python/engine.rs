@@ -28,7 +28,9 @@ use crate::optimise::Request;
 use crate::page::Format;
 #[cfg(feature = "optimise")]
 use crate::report::OptimiseStudy;
-use crate::report::{self, AccuracyStudy, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
+use crate::report::{
+    self, AccuracyStudy, AngleStudy, AnglesAsked, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy,
+};
 use crate::verdict;
 
 /// An engine: its cylinders with exact angles and positions, and what else its layout says.
@@ -264,6 +266,23 @@ impl Engine {
     fn torque(&self, py: Python<'_>) -> PyResult<Answer> {
         let study = py.detach(|| TorqueStudy::new(&self.engine)).map_err(told)?;
         Ok(Answer::new(self.asked("torque", &json!({})), study))
+    }
+
+    /// Motion, forces and torque of every piston at crank angles, and what the main bearings feel.
+    ///
+    /// at: degrees, such as [30, 125]. every: a row every so many degrees; 10 where both are left out. gravity: adds the weight, in m/s².
+    #[pyo3(signature = (at=None, *, every=None, gravity=None))]
+    fn angle(
+        &self,
+        py: Python<'_>,
+        at: Option<Vec<f64>>,
+        every: Option<f64>,
+        gravity: Option<f64>,
+    ) -> PyResult<Answer> {
+        let wanted = AnglesAsked { at: at.unwrap_or_default(), every, gravity };
+        let keywords = json!({ "at": wanted.at, "every": every, "gravity": gravity });
+        let study = py.detach(|| AngleStudy::new(&self.engine, &wanted)).map_err(told)?;
+        Ok(Answer::new(self.asked("angle", &keywords), study))
     }
 
     /// The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout.

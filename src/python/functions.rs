@@ -15,7 +15,7 @@ use super::interrupt::interruptible;
 use super::questions::{self, Checked};
 use super::{asked, error, keys};
 use crate::file;
-use crate::report::{CompareStudy, Compared, ValueName, ValuesStudy};
+use crate::report::{CompareStudy, Compared, MomentsStudy, ValueName, ValuesStudy};
 use crate::search::Problem;
 
 /// The names of the engines that are known, as `Engine.named` takes them.
@@ -153,6 +153,15 @@ pub(super) fn compare(
         Ok::<_, PyErr>(CompareStudy { engines: compared.collect::<Result<_, _>>().map_err(told)? })
     })?;
     Ok(Answer::new(asked, study))
+}
+
+/// External moments and guide-force moments of engines side by side, as a maker's project guide lists them, in kN·m.
+#[pyfunction]
+pub(super) fn moments(py: Python<'_>, engines: Vec<PyRef<'_, Engine>>) -> PyResult<Answer> {
+    let sources = engines.iter().map(|engine| engine.source.clone()).collect();
+    let named: Vec<_> = engines.iter().map(|one| (one.engine.title().clone(), one.engine.clone())).collect();
+    let study = py.detach(|| MomentsStudy::new(&named)).map_err(told)?;
+    Ok(Answer::new(Asked::function("moments", sources, &json!({})), study))
 }
 
 /// Any values of any question, by their names, for each engine: a column each, and one that says why an engine has none.

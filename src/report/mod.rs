@@ -3,6 +3,7 @@
 //! `verdicts → words, tables, pictures → page::Document`, which [`crate::page`] writes in every format.
 
 mod accuracy;
+mod angle;
 mod argument;
 mod atlas;
 mod bearings;
@@ -24,6 +25,7 @@ mod firing;
 mod firmness;
 mod journal;
 mod loads_document;
+mod moments;
 pub mod moving;
 mod multiples;
 #[cfg(feature = "optimise")]
@@ -36,6 +38,7 @@ mod remedy;
 mod residual;
 mod residual_words;
 mod roll_asked;
+mod rotor;
 mod schema;
 mod search;
 mod star;
@@ -58,6 +61,7 @@ pub use crate::page::File;
 pub use accuracy::{
     AccuracyCase, AccuracyStudy, Further, FurtherLoad, accuracy_answer, accuracy_page, accuracy_section,
 };
+pub use angle::{AngleStudy, AnglesAsked, NoAngles};
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use atlas::{ATLAS_CYLINDERS, Atlas};
 pub use bearings::{BearingsStudy, bearings_answer, bearings_page};
@@ -88,6 +92,7 @@ pub use firing::{
 };
 pub use journal::{complete_bearings_answer, complete_bearings_page, without_gas};
 pub use loads_document::{LoadsDocument, loads_document};
+pub use moments::{Amplitude, External, MomentsRow, MomentsStudy, NoMoments};
 pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]
 pub use optimise::{OptimiseStudy, optimise_answer, optimise_layouts, optimise_page};
@@ -99,6 +104,7 @@ pub use residual::{
     modulus as star_length, moment as moment_left, moment_summary, order_name, roll as roll_left, shape_name,
     torque as torque_left, torque_part as torque_part_left, whole as force_and_moment_left, whole_summary,
 };
+pub use rotor::RotorStudy;
 pub use schema::{schema, schema_names};
 pub use search::{SearchStudy, search_answer, search_layouts, search_page, search_theorems, search_torsion};
 pub use star::{small_star, star_figure, told, torque_figure};

@@ -9,7 +9,10 @@ use serde::Serialize;
 
 #[cfg(feature = "optimise")]
 use super::OptimiseStudy;
-use super::{AccuracyStudy, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy};
+use super::{
+    AccuracyStudy, AngleStudy, AnglesAsked, BearingsStudy, FiringStudy, LoadsStudy, MomentsStudy, TorqueStudy,
+    TorsionStudy,
+};
 use crate::accuracy::Timing;
 use crate::engine::{CycleOrder, Engine};
 #[cfg(feature = "optimise")]
@@ -107,6 +110,8 @@ const ASKED: &[(&str, Ask)] = &[
     }),
     ("firing", |engine, orders| Ok(Box::new(FiringStudy::new(engine, orders, Weights::Rigid)?))),
     ("torque", |engine, _| Ok(Box::new(TorqueStudy::new(engine)?))),
+    ("angle", |engine, _| Ok(Box::new(AngleStudy::new(engine, &AnglesAsked::default())?))),
+    ("moments", |engine, _| Ok(Box::new(MomentsStudy::new(&[(engine.title().clone(), engine.clone())])?))),
     ("torsion", |engine, orders| Ok(Box::new(TorsionStudy::new(engine, orders)?))),
     ("accuracy", |engine, _| Ok(Box::new(AccuracyStudy::new(engine, &[], Timing::Off, &|_| ())?))),
     ("remedy", |engine, orders| {

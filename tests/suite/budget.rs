@@ -6,19 +6,19 @@ use std::fs;
 use std::path::Path;
 
 /// The rooms with their lines: what they have, and a little.
-const BUDGET: [(&str, usize); 32] = [
+const BUDGET: [(&str, usize); 33] = [
     ("accuracy", 1690),
     ("beam", 340),
     ("claim", 4960),
     ("classroom", 1790),
-    ("cli", 4400),
+    ("cli", 4620),
     ("engine", 3340),
     ("exact", 1270),
     ("family", 4170),
-    ("file", 6900),
+    ("file", 7060),
     ("firing", 440),
     ("gas", 1000),
-    ("journal", 980),
+    ("journal", 1210),
     ("loads", 2100),
     ("motion", 1830),
     ("numbers", 2150),
@@ -26,9 +26,10 @@ const BUDGET: [(&str, usize); 32] = [
     ("order", 1750),
     ("page", 6560),
     ("proof", 8680),
-    ("python", 2520),
+    ("python", 2560),
     ("remedy", 1500),
-    ("report", 27460),
+    ("report", 29100),
+    ("rotor", 540),
     ("search", 3600),
     ("shard", 680),
     ("stars", 670),

@@ -18,7 +18,7 @@ use crankstar::exact::{PhasorSum, Term};
 use crankstar::numbers;
 
 /// Documents of numbers alone, which have no certificates.
-const OF_NUMBERS: [&str; 4] = ["bearings", "torque", "torsion", "sweep"];
+const OF_NUMBERS: [&str; 5] = ["bearings", "torque", "torsion", "angle", "sweep"];
 
 const USUAL: usize = 6;
 const MANY: usize = 1_000;
@@ -111,7 +111,7 @@ fn tried(folder: &str, numbers: std::ops::Range<usize>) -> usize {
                 ask("cured", &["classify", written, "--json"]);
                 ask("cured-loads", &["loads", written, "--json"]);
             }
-            for question in ["bearings", "torque", "torsion"] {
+            for question in ["bearings", "torque", "torsion", "angle"] {
                 ask(question, &[question, layout, "--json"]);
             }
             ask("sweep", &["sweep", layout, "--speed=1000..2000:500", "--format=json"]);

@@ -12,7 +12,7 @@ use crankstar::journal::cycle_loads;
 use crankstar::loads::{Method, bearing_loads};
 use crankstar::page::figure::Mark;
 use crankstar::page::{self, Document, Format, Language, Options};
-use crankstar::report::{self, AccuracyCase, Compared};
+use crankstar::report::{self, AccuracyCase, Compared, Question};
 use crankstar::text::Untrusted;
 use crankstar::torque::torque;
 
@@ -120,6 +120,66 @@ fn pages_of_the_torque_have_german_for_every_phrase() {
         if let Ok(torque) = torque(&engine) {
             assert_known(&[report::torque_answer(&engine, &torque), report::torque_page(&engine, &torque)]);
         }
+    }
+}
+
+const V8_GAS: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
+
+#[test]
+fn values_at_crank_angles_have_german_for_every_phrase() {
+    let asked = report::AnglesAsked { every: Some(0.5), gravity: Some(9.81), ..report::AnglesAsked::default() };
+    for text in [V8_GAS, "[inline]\nthrows = [0, 180]\n[mechanism]\nstroke = 1\nrod_length = 2\n"] {
+        let engine = file::parse("layout.toml", text).expect("an engine");
+        for asked in [&asked, &report::AnglesAsked::default()] {
+            let study = report::AngleStudy::new(&engine, asked).expect("values");
+            assert_known(&[study.answer(), study.page()]);
+        }
+    }
+}
+
+#[test]
+fn moments_of_project_guides_have_german_for_every_phrase() {
+    let five = "cycle = 'two-stroke'\nspeed = 127\nfiring_order = '1-4-3-2-5'\n[inline]\nspacing = '1 m'\n[mechanism]\nstroke = '2 m'\n\
+        rod_length = '2 m'\nreciprocating_mass = '1000 kg'\n";
+    let weight = "[[counterweight]]\nangle = 90\nposition = '1 m'\nmass = '100 kg'\nradius = '1 m'\n";
+    for text in [V8_GAS, five, &format!("{five}{weight}")] {
+        let engine = file::parse("layout.toml", text).expect("an engine");
+        let study = report::MomentsStudy::new(&[(engine.title().clone(), engine)]).expect("moments");
+        assert_known(&[study.answer(), study.page()]);
+    }
+}
+
+#[test]
+fn masses_on_a_shaft_have_german_for_every_phrase() {
+    let mass = |rest: &str| format!("[[mass]]\n{rest}");
+    let known = "mass = 1\nradius = 1\nangle = 0\nposition = 0\n";
+    let other = "mass = 1\nradius = 1\nangle = 60\nposition = 2\n";
+    let wheel = |at: u32| mass(&format!("radius = 1\nposition = {at}\n"));
+    let crank = mass("mass = 1\nreciprocating_mass = 1\nradius = 1\nangle = 0\nposition = 0\n");
+    let twice = |wanted: &str| mass(known) + &mass(other) + &mass(wanted);
+    let angles: String =
+        [1, 2, 2].iter().zip(1..).map(|(m, z)| mass(&format!("mass = {m}\nradius = 1\nposition = {z}\n"))).collect();
+    let texts = [
+        mass(known),
+        mass(known) + &mass("mass = 1\nradius = 1\nangle = 180\nposition = 0\n"),
+        mass(known) + &wheel(1) + &wheel(2),
+        mass(known) + &wheel(1) + &wheel(1),
+        mass(known) + &wheel(0) + &wheel(0),
+        mass(known) + &wheel(1),
+        mass(known) + &mass("radius = 1\nangle = 90\nposition = 0\n"),
+        twice("radius = 1\n"),
+        twice("radius = 1\nangle = 90\n") + &mass("radius = 1\nangle = 200\n"),
+        twice("radius = 1\nangle = 90\n") + &mass("radius = 1\nangle = 90\n"),
+        mass(known) + &mass("mass = 1\nradius = 1\nangle = 180\nposition = 1\n") + &mass("radius = 1\n"),
+        mass("mass = 0\nradius = 1\nangle = 0\nposition = 0\n") + &mass("radius = 1\n"),
+        wheel(0) + &angles,
+        wheel(0) + &angles.replace("mass = 1", "mass = 100"),
+        format!("speed = 300\nshare = 0.5\n{crank}{}{}", wheel(1), wheel(2)),
+    ];
+    for text in texts {
+        let study =
+            report::RotorStudy::new(file::parse_rotor("shaft.toml", &text).expect("masses")).expect("it is solved");
+        assert_known(&[study.answer(), study.page()]);
     }
 }
 

@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_types)]
 
 mod accuracy;
+mod angle;
 mod arguments;
 mod articulated;
 mod atlas;
@@ -84,6 +85,7 @@ mod loads_page;
 mod man;
 mod marking;
 mod mechanism_files;
+mod moments;
 mod motion;
 mod moving;
 mod narrow_banks;
@@ -110,6 +112,7 @@ mod remedy_cheats;
 mod reports;
 mod resized;
 mod rooms;
+mod rotor;
 mod schemas;
 mod search;
 mod search_aims;

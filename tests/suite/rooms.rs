@@ -15,7 +15,7 @@ const STOREYS: [&[&str]; 16] = [
     &["order", "numbers", "gas", "stars"],
     &["verdict"],
     &["firing"],
-    &["loads", "family"],
+    &["loads", "family", "rotor"],
     &["accuracy", "remedy", "sweep", "search", "torque", "torsion"],
     &["journal"],
     &["claim", "optimise"],

@@ -24,6 +24,7 @@ __all__ = [
     "__version__",
     "catalogue",
     "compare",
+    "moments",
     "search",
     "values",
     "verify",
@@ -267,6 +268,14 @@ class Engine:
     ) -> Answer: ...
     def torsion(self, orders: _Number | _Numbers | None = None) -> Answer:
         """The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout."""
+    def angle(
+        self,
+        at: Iterable[float] | None = None,
+        *,
+        every: float | None = None,
+        gravity: float | None = None,
+    ) -> Answer:
+        """Motion, forces and torque of every piston at crank angles, in degrees; each tenth where none is named."""
     def torque(self) -> Answer:
         """The torque of gas and inertia in N m; needs `[gas]` in the layout."""
     def accuracy(self, rod_ratios: _Number | _Numbers | None = None, *, timing: bool = True) -> Answer:
@@ -306,6 +315,8 @@ class Engine:
 
 def catalogue() -> list[str]: ...
 def compare(engines: Sequence[Engine], orders: _Orders | None = None) -> Answer: ...
+def moments(engines: Sequence[Engine]) -> Answer:
+    """External moments and guide-force moments in kN m, as a maker's project guide lists them."""
 def values(engines: Sequence[Engine], names: Sequence[str]) -> Answer: ...
 def search(
     cylinders: int,

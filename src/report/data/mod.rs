@@ -4,6 +4,7 @@
 //! Amplitudes are zero to peak. Where a number is proved to be 0 it is 0, and the column beside it that ends in `vanishes` is true.
 
 mod accuracy;
+mod angle;
 mod bearings;
 mod cells;
 mod classify;
@@ -12,9 +13,11 @@ mod filling;
 mod firing;
 mod gas_loads;
 mod loads;
+mod moments;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod remedy;
+mod rotor;
 mod search;
 mod sentences;
 mod sweep;
@@ -25,15 +28,18 @@ mod verdicts;
 mod zeros;
 
 pub use accuracy::accuracy;
+pub use angle::angle;
 pub use bearings::bearings;
 pub use cells::exact_number;
 pub use classify::classify;
 pub use compare::compare;
 pub use firing::firing;
 pub use loads::loads;
+pub use moments::moments;
 #[cfg(feature = "optimise")]
 pub use optimise::optimise;
 pub use remedy::remedy;
+pub use rotor::rotor;
 pub use search::search;
 pub use sweep::{points as sweep_points, sweep};
 pub use torque::torque;
@@ -41,7 +47,7 @@ pub use torsion::torsion;
 pub use values::values;
 
 /// The questions that have tables, each with the names of all tables that its answer may have, the main one first.
-pub const TABLES: [(&str, &[&str]); 13] = [
+pub const TABLES: [(&str, &[&str]); 16] = [
     ("classify", &["orders", "sums", "torque", "roll"]),
     ("loads", &["orders", "torque", "roll", "theta", "largest"]),
     (
@@ -65,6 +71,9 @@ pub const TABLES: [(&str, &[&str]); 13] = [
     ),
     ("firing", &["orders"]),
     ("torque", &["orders", "cycle", "flywheel", "classes", "guides", "theta"]),
+    ("angle", &["pistons", "torque", "bearings"]),
+    ("moments", &["moments", "guides"]),
+    ("rotor", &["masses", "left"]),
     ("values", &["values"]),
     ("torsion", &["modes", "critical", "discs", "shapes", "cylinders", "forced"]),
     ("accuracy", &["methods", "peaks"]),

@@ -2,9 +2,9 @@
 
 use crankstar::data;
 use crankstar::engine::{CycleOrder, Engine};
-use crankstar::file::Template;
+use crankstar::file::{Template, parse_rotor};
 use crankstar::proof::Quantity;
-use crankstar::report::{self, Compared, Question, ValuesStudy};
+use crankstar::report::{self, Compared, Question, RotorStudy, ValuesStudy};
 use crankstar::search::{Front, Options, Problem, search, torsion};
 use crankstar::sweep::{self, Geometry, Parameter, Sweep};
 use crankstar::table::{Table, Values};
@@ -79,6 +79,13 @@ pub fn valued(engine: &Engine, name: &str) -> Answered {
     let study = ValuesStudy { names, rows: vec![row] };
     let document = json_of(&study);
     Answered { question: "values", tables: study.tables(), document }
+}
+
+/// What balances masses on a shaft.
+pub fn balanced(text: &str) -> Answered {
+    let study = RotorStudy::new(parse_rotor("shaft.toml", text).expect("masses")).expect("it is solved");
+    let document = json_of(&study);
+    Answered { question: "rotor", tables: study.tables(), document }
 }
 
 pub fn swept(text: &str, parameters: &[&str], orders: &[u32], firing: &[&str]) -> (Sweep, Answered) {

@@ -1,0 +1,46 @@
+//! `angle`: what do pistons, rods, crankpins and main bearings do at a crank angle?
+
+use std::path::PathBuf;
+
+use crankstar::file::Layout;
+use crankstar::report::{AngleStudy, AnglesAsked};
+
+use super::answer::Answer;
+use super::failure::Failure;
+use super::layouts;
+
+/// Arguments of `angle`.
+#[derive(clap::Args)]
+pub struct Angle {
+    /// The path of a layout file with a crank radius and rods
+    layout: PathBuf,
+    /// Crank angles in degrees, such as 30,125
+    #[arg(long, value_name = "DEGREES", value_delimiter = ',', allow_hyphen_values = true)]
+    at: Vec<f64>,
+    /// A table over the cycle, a row every so many degrees [default: 10 where --at is left out]
+    #[arg(long, value_name = "DEGREES")]
+    every: Option<f64>,
+    /// Add the weight of the pistons along their axes, direction 0 being up; in m/s², such as 9.81
+    #[arg(long, value_name = "M_PER_S2")]
+    gravity: Option<f64>,
+    /// Print the values as JSON
+    #[arg(long, conflicts_with_all = ["output", "format"])]
+    json: bool,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+impl Angle {
+    /// Prints the answer, and writes the page into the folder.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.answer.give("angle", self.json, || match layouts::read(&self.layout)? {
+            Layout::Known(engine, _) => {
+                let asked = AnglesAsked { at: self.at.clone(), every: self.every, gravity: self.gravity };
+                AngleStudy::new(&engine, &asked).map_err(Failure::new)
+            }
+            Layout::Open(_) => {
+                Err(Failure::new("values at an angle need an engine without unknowns; give them values below [values]"))
+            }
+        })
+    }
+}

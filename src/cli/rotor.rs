@@ -1,0 +1,32 @@
+//! `rotor`: which masses balance a shaft?
+
+use std::path::PathBuf;
+
+use crankstar::file::parse_rotor;
+use crankstar::report::RotorStudy;
+
+use super::answer::Answer;
+use super::failure::Failure;
+use super::layouts;
+
+/// Arguments of `rotor`.
+#[derive(clap::Args)]
+pub struct Rotor {
+    /// The path of a file of masses on a shaft; what it leaves out is found
+    file: PathBuf,
+    /// Print the masses as JSON
+    #[arg(long, conflicts_with_all = ["output", "format"])]
+    json: bool,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+impl Rotor {
+    /// Prints the answer, and writes the page into the folder.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.answer.give("rotor", self.json, || {
+            let text = layouts::read_text(&self.file)?;
+            RotorStudy::new(parse_rotor(&layouts::shown(&self.file), &text)?).map_err(Failure::new)
+        })
+    }
+}

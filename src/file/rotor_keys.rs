@@ -1,0 +1,144 @@
+//! How are masses on a shaft written? A file of `[[mass]]` tables, in which what is wanted is left out.
+
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+use serde::Deserialize;
+use serde_spanned::Spanned;
+
+use super::error::LayoutError;
+use super::number::parse_number;
+use super::quantities::{known_angle, mass, metres, misread, positive_metres};
+use super::units;
+use super::written::{Table, Text, place, read};
+use crate::exact::Turn;
+use crate::text::Untrusted;
+
+/// More masses than this are on no shaft.
+const MOST_MASSES: usize = 100;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    title: Option<Text>,
+    speed: Option<Text>,
+    share: Option<Text>,
+    mass: Option<Spanned<Vec<Spanned<Table<Keys>>>>>,
+}
+
+/// `[[mass]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    name: Option<Text>,
+    mass: Option<Text>,
+    reciprocating_mass: Option<Text>,
+    radius: Option<Text>,
+    angle: Option<Text>,
+    position: Option<Text>,
+}
+
+/// A mass that turns with a shaft; what is left out is wanted.
+#[derive(Clone, Debug)]
+pub struct RotorMass {
+    /// Its name, or its number.
+    pub name: Untrusted,
+    /// Mass in kilograms.
+    pub mass: Option<BigRational>,
+    /// What goes back and forth at it, in kilograms; 0 where the file says nothing of it.
+    pub reciprocating: BigRational,
+    /// Distance of its centre of gravity from the axis in metres.
+    pub radius: Option<BigRational>,
+    /// Its direction.
+    pub angle: Option<Turn>,
+    /// Where it stands along the shaft, in metres.
+    pub position: Option<BigRational>,
+}
+
+/// Masses on a shaft.
+#[derive(Clone, Debug)]
+pub struct Rotor {
+    /// The title; the name of the file where it has none.
+    pub title: Untrusted,
+    /// Speed in revolutions a minute.
+    pub speed: Option<BigRational>,
+    /// Which part of the reciprocating masses counts as if it turned.
+    pub share: BigRational,
+    /// The masses, in the order of the file.
+    pub masses: Vec<RotorMass>,
+}
+
+/// Reads a file of masses on a shaft.
+///
+/// # Errors
+/// The first mistake, with its place and what would be right.
+pub fn parse_rotor(name: &str, source: &str) -> Result<Rotor, LayoutError> {
+    read::<File>(source).and_then(|file| rotor(name, file)).map_err(|error| error.in_file(name, source))
+}
+
+fn rotor(name: &str, file: File) -> Result<Rotor, LayoutError> {
+    let right = "tables [[mass]] with position, mass, radius and angle each; what is to be found is left out";
+    let Some(tables) = &file.mass else { return Err(LayoutError::new("no masses on the shaft", right, None)) };
+    if tables.get_ref().len() > MOST_MASSES {
+        return Err(LayoutError::new("too many masses", format!("up to {MOST_MASSES} on a shaft"), place(tables)));
+    }
+    let masses: Vec<RotorMass> = tables
+        .get_ref()
+        .iter()
+        .enumerate()
+        .map(|(index, table)| one(index, &table.get_ref().0))
+        .collect::<Result<_, _>>()?;
+    if masses.is_empty() {
+        return Err(LayoutError::new("no masses on the shaft", right, place(tables)));
+    }
+    let share = match &file.share {
+        Some(text) => share(text)?,
+        None => match tables.get_ref().iter().find_map(|table| table.get_ref().0.reciprocating_mass.as_ref()) {
+            None => BigRational::zero(),
+            Some(text) => {
+                let right = "above the first table, which part of them is balanced: share = \"2/3\"; 0 for none";
+                return Err(LayoutError::new("reciprocating masses without a share", right, place(text)));
+            }
+        },
+    };
+    let speed = file
+        .speed
+        .as_ref()
+        .map(|text| units::speed(&text.get_ref().0).map_err(|right| misread("speed", &text.get_ref().0, right, text)));
+    Ok(Rotor {
+        title: file.title.map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
+        speed: speed.transpose()?,
+        share,
+        masses,
+    })
+}
+
+fn share(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    let refuse = |right: String| misread("share", written, right, text);
+    let value = parse_number(written).map_err(|error| refuse(error.to_string()))?;
+    let fits = value >= BigRational::zero() && value <= BigRational::one();
+    if fits {
+        Ok(value)
+    } else {
+        Err(refuse("the part of the reciprocating masses that is balanced, from 0 to 1".to_owned()))
+    }
+}
+
+fn one(index: usize, keys: &Keys) -> Result<RotorMass, LayoutError> {
+    let reciprocating = keys.reciprocating_mass.as_ref().map(mass).transpose()?;
+    if let (Some(_), None, Some(text)) = (&reciprocating, &keys.mass, &keys.reciprocating_mass) {
+        let right = "its mass that turns besides, mass = 0 where there is none";
+        return Err(LayoutError::new("a reciprocating mass at a mass that is wanted", right, place(text)));
+    }
+    Ok(RotorMass {
+        name: keys
+            .name
+            .as_ref()
+            .map_or_else(|| Untrusted::new((index + 1).to_string()), |name| name.get_ref().untrusted()),
+        mass: keys.mass.as_ref().map(mass).transpose()?,
+        reciprocating: reciprocating.unwrap_or_else(BigRational::zero),
+        radius: keys.radius.as_ref().map(positive_metres).transpose()?,
+        angle: keys.angle.as_ref().map(known_angle).transpose()?.map(Turn::new),
+        position: keys.position.as_ref().map(metres).transpose()?,
+    })
+}

@@ -1,0 +1,154 @@
+//! What is asked at crank angles? Motion, forces and torque of every piston, the loads of pins and main bearings.
+
+mod page;
+mod tables;
+
+use std::fmt;
+
+use num_complex::Complex;
+
+use super::data;
+use super::question::Question;
+use crate::engine::Engine;
+use crate::journal::{Instants, PistonAt};
+use crate::loads::Missing;
+use crate::page::Document;
+use crate::table::Table;
+use crate::text::Untrusted;
+
+pub(super) use tables::part;
+
+/// So many rows are computed at most: an angle of a cylinder is one.
+const MOST_ROWS: f64 = 100_000.0;
+/// Farther angles than this are not what anybody means.
+const FARTHEST: f64 = 1e6;
+/// Steps in degrees where nothing else is asked for.
+const USUAL_STEP: f64 = 10.0;
+
+/// Which angles, and with which weight.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AnglesAsked {
+    /// Crank angles in degrees.
+    pub at: Vec<f64>,
+    /// Step in degrees from 0 to the end of the cycle; where neither this nor an angle is asked for, 10.
+    pub every: Option<f64>,
+    /// Gravity in metres a square second, towards the direction 180°; none leaves the weight out.
+    pub gravity: Option<f64>,
+}
+
+/// Why there are no values at angles.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoAngles {
+    /// An angle that is none.
+    Angle(f64),
+    /// A step that leads nowhere, or to too many rows.
+    Step(f64),
+    /// A gravity that is none.
+    Gravity(f64),
+    /// What the layout lacks.
+    Missing(Missing),
+}
+
+impl fmt::Display for NoAngles {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NoAngles::Angle(angle) => {
+                write!(f, "{angle} is no crank angle; write degrees between -1000000 and 1000000, such as 30")
+            }
+            NoAngles::Step(step) => write!(
+                f,
+                "{step} is no step between crank angles; write degrees above 0, such as 10, so that angles and cylinders make at most {MOST_ROWS} rows"
+            ),
+            NoAngles::Gravity(value) => {
+                write!(f, "{value} is no gravity; write metres a square second from 0 to 1000, such as 9.81")
+            }
+            NoAngles::Missing(what) => what.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for NoAngles {}
+
+/// The values of an engine at one crank angle.
+#[derive(Clone, Debug)]
+pub struct Instant {
+    /// The crank angle θ in degrees.
+    pub theta: f64,
+    /// What each piston does.
+    pub pistons: Vec<PistonAt>,
+    /// What each main bearing feels, as a continuous beam; none where that is not known.
+    pub bearings: Vec<Complex<f64>>,
+}
+
+impl Instant {
+    /// A sum over the cylinders; none where one lacks it.
+    pub fn sum(&self, of: impl Fn(&PistonAt) -> Option<f64>) -> Option<f64> {
+        self.pistons.iter().map(of).sum()
+    }
+}
+
+/// The values of an engine at crank angles.
+#[derive(Clone, Debug)]
+pub struct AngleStudy {
+    /// The engine.
+    pub engine: Engine,
+    /// The angles, as they were asked for.
+    pub instants: Vec<Instant>,
+    /// What makes more of them.
+    pub law: Instants,
+}
+
+impl AngleStudy {
+    /// The values at these angles.
+    ///
+    /// # Errors
+    /// See [`NoAngles`].
+    pub fn new(engine: &Engine, asked: &AnglesAsked) -> Result<Self, NoAngles> {
+        if let Some(&wrong) = asked.at.iter().find(|angle| !(-FARTHEST..=FARTHEST).contains(*angle)) {
+            return Err(NoAngles::Angle(wrong));
+        }
+        if let Some(wrong) = asked.gravity.filter(|gravity| !(0.0..=1000.0).contains(gravity)) {
+            return Err(NoAngles::Gravity(wrong));
+        }
+        let law = Instants::new(engine, asked.gravity).map_err(NoAngles::Missing)?;
+        let step = asked.every.or_else(|| asked.at.is_empty().then_some(USUAL_STEP));
+        let mut angles = asked.at.clone();
+        if let Some(step) = step {
+            let count = (law.period() / step).ceil();
+            if !(step > 0.0 && count * engine.cylinders().len() as f64 <= MOST_ROWS) {
+                return Err(NoAngles::Step(step));
+            }
+            angles.extend((0..count as u32).map(|place| f64::from(place) * step));
+        }
+        if (angles.len() * engine.cylinders().len()) as f64 > MOST_ROWS {
+            return Err(NoAngles::Step(step.unwrap_or_default()));
+        }
+        let at = |theta: f64| {
+            let pistons = law.pistons(theta);
+            Instant { theta, bearings: law.bearings(theta, &pistons), pistons }
+        };
+        Ok(AngleStudy { engine: engine.clone(), instants: angles.into_iter().map(at).collect(), law })
+    }
+}
+
+impl Question for AngleStudy {
+    fn command(&self) -> &'static str {
+        "angle"
+    }
+
+    fn title(&self) -> Option<&Untrusted> {
+        Some(self.engine.title())
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        data::angle(self, name)
+    }
+
+    fn answer(&self) -> Document {
+        page::answer(self)
+    }
+
+    fn page(&self) -> Document {
+        page::page(self)
+    }
+}

@@ -1,0 +1,117 @@
+//! Which tables tell the values at crank angles? Motion, forces, torque, main bearings.
+
+use super::super::torque::angle;
+use super::{AngleStudy, Instant};
+use crate::journal::PistonAt;
+use crate::page::{Table, Text, Unit, phrase};
+
+/// A page shows so many rows of a table; the data have all.
+pub(super) const MOST_SHOWN: usize = 360;
+
+/// An angle as it was asked for, without the digits that only binary fractions have.
+pub(super) fn degrees(angle: f64) -> Text {
+    Text::label(format!("{}°", (angle * 1e9).round() / 1e9))
+}
+
+fn cell(value: Option<f64>, unit: Unit) -> Text {
+    value.map_or_else(|| "–".into(), |value| Text::measured(value, unit))
+}
+
+/// A value of a piston; none where it is not known.
+pub(super) type Value<'a> = &'a dyn Fn(&PistonAt) -> Option<f64>;
+
+/// One row per angle and piston, with these columns of which some value is known.
+fn pistons(study: &AngleStudy, columns: &[(&'static str, Unit, Value)]) -> Table {
+    let rows = || {
+        let all =
+            study.instants.iter().flat_map(|instant| instant.pistons.iter().map(move |piston| (instant.theta, piston)));
+        all.take(MOST_SHOWN)
+    };
+    let known: Vec<_> = columns.iter().filter(|(.., of)| rows().any(|(_, piston)| of(piston).is_some())).collect();
+    let one = study.engine.cylinders().len() == 1;
+    let first = if one { Text::label("θ") } else { "θ, cylinder".into() };
+    let head = known.iter().map(|(words, unit, _)| phrase!(*words, *unit));
+    let mut table = Table::new([first].into_iter().chain(head));
+    for (theta, piston) in rows() {
+        let name = &study.engine.cylinders()[piston.cylinder].name;
+        let of = if one { degrees(theta) } else { phrase!("{}, {}", degrees(theta), Text::label(name.clone())) };
+        let mut row = vec![of];
+        row.extend(known.iter().map(|(_, unit, of)| cell(of(piston), *unit)));
+        table.push(row);
+    }
+    table
+}
+
+/// Way, velocity, acceleration.
+pub(super) fn motion(study: &AngleStudy) -> Table {
+    let textbook = |place: usize| move |piston: &PistonAt| piston.textbook.map(|both| both[place]);
+    pistons(
+        study,
+        &[
+            ("ψ in {}", Unit::DEGREE, &|piston| Some(piston.psi)),
+            ("Way from the outer dead centre in {}", Unit::MILLIMETRE, &|piston| Some(1e3 * piston.way)),
+            ("Velocity in {}", Unit::METRE_PER_SECOND, &|piston| piston.velocity),
+            ("by the textbook in {}", Unit::METRE_PER_SECOND, &textbook(0)),
+            ("Acceleration in {}", Unit::METRE_PER_SQUARE_SECOND, &|piston| piston.acceleration),
+            ("by the textbook in {}", Unit::METRE_PER_SQUARE_SECOND, &textbook(1)),
+        ],
+    )
+}
+
+/// What acts on piston, rod, wall and crankpin.
+pub(super) fn forces(study: &AngleStudy) -> Table {
+    pistons(
+        study,
+        &[
+            ("Gas in {}", Unit::NEWTON, &|piston| piston.gas),
+            ("Inertia in {}", Unit::NEWTON, &|piston| piston.inertia),
+            ("Weight in {}", Unit::NEWTON, &|piston| piston.weight),
+            ("Piston effort in {}", Unit::NEWTON, &PistonAt::effort),
+            ("Rod thrust in {}", Unit::NEWTON, &PistonAt::rod),
+            ("Side force in {}", Unit::NEWTON, &PistonAt::side),
+            ("Crankpin in {}", Unit::NEWTON, &|piston| piston.pin.map(|pin| pin.norm())),
+            ("Torque in {}", Unit::NEWTON_METRE, &PistonAt::torque),
+        ],
+    )
+}
+
+/// The torque of all cylinders.
+pub(super) fn torque(study: &AngleStudy) -> Table {
+    let mut table = Table::new([
+        Text::label("θ"),
+        phrase!("Gas in {}", Unit::NEWTON_METRE),
+        phrase!("Inertia in {}", Unit::NEWTON_METRE),
+        phrase!("Torque in {}", Unit::NEWTON_METRE),
+    ]);
+    for instant in study.instants.iter().take(MOST_SHOWN) {
+        let parts =
+            [part(instant, |piston| piston.gas), part(instant, |piston| piston.inertia), instant.sum(PistonAt::torque)];
+        table
+            .push([degrees(instant.theta)].into_iter().chain(parts.map(|one| cell(one, Unit::NEWTON_METRE))).collect());
+    }
+    table
+}
+
+/// The torque of one kind of force, of all cylinders.
+pub(in crate::report) fn part(instant: &Instant, of: impl Fn(&PistonAt) -> Option<f64>) -> Option<f64> {
+    instant.sum(|piston| Some(of(piston)? * piston.lever))
+}
+
+/// One row per angle and main bearing.
+pub(super) fn bearings(study: &AngleStudy) -> Table {
+    let mut table =
+        Table::new([Text::label("θ"), "Main bearing".into(), phrase!("Force in {}", Unit::NEWTON), "towards".into()]);
+    let rows = study
+        .instants
+        .iter()
+        .flat_map(|instant| instant.bearings.iter().enumerate().map(move |one| (instant.theta, one)));
+    for (theta, (index, force)) in rows.take(MOST_SHOWN) {
+        table.push(vec![
+            degrees(theta),
+            (index + 1).into(),
+            Text::measured(force.norm(), Unit::NEWTON),
+            if force.norm() == 0.0 { "–".into() } else { angle(force.arg().to_degrees()) },
+        ]);
+    }
+    table
+}

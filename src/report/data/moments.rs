@@ -1,0 +1,85 @@
+//! Which columns hold external and guide-force moments, as project guides list them? A row an engine, and a row an engine and order.
+
+use num_traits::ToPrimitive;
+
+use super::filling::Filling;
+use crate::report::moments::{External, MomentsRow, MomentsStudy};
+use crate::table::{Table, Unit};
+use crate::text::Untrusted;
+use crate::torque::GuideMoments;
+
+/// A table of the moments of engines.
+pub fn moments(study: &MomentsStudy, name: &str) -> Option<Table> {
+    match name {
+        "moments" => Some(external(study)),
+        "guides" => guides(study),
+        _ => None,
+    }
+}
+
+fn external(study: &MomentsStudy) -> Table {
+    let keys = if study.rows.len() == 1 { 0 } else { 2 };
+    let mut table = Filling::new("moments.moments", &study.rows).keyed(keys);
+    table.person("engine", |row| Some(row.name.clone()));
+    table.words("state", |row| Some(if row.is_bare { "bare" } else { "as-built" }.to_owned()));
+    table.whole("cylinders", |row| row.engine.cylinders().len());
+    table.words("firing_order", |row| {
+        let names = row.engine.firing()?.shots.iter().map(|shot| row.engine.cylinders()[shot.cylinder].name.clone());
+        Some(names.collect::<Vec<_>>().join("-"))
+    });
+    type Pick = fn(&MomentsRow) -> &[External];
+    let kinds: [(Pick, Unit, [[&'static str; 2]; 2]); 2] = [
+        (
+            |row| &row.forces,
+            Unit::KILONEWTON,
+            [
+                ["force_{order}_v_{unit}", "force_{order}_v_vanishes"],
+                ["force_{order}_h_{unit}", "force_{order}_h_vanishes"],
+            ],
+        ),
+        (
+            |row| &row.moments,
+            Unit::KILONEWTON_METRE,
+            [
+                ["moment_{order}_v_{unit}", "moment_{order}_v_vanishes"],
+                ["moment_{order}_h_{unit}", "moment_{order}_h_vanishes"],
+            ],
+        ),
+    ];
+    for order in super::super::moments::ORDERS {
+        for (of, unit, names) in kinds {
+            for (component, [size, vanishes]) in names.into_iter().enumerate() {
+                let value = move |row: &MomentsRow| {
+                    of(row).iter().find(|one| one.order == order).and_then(|one| one.components[component])
+                };
+                table.decimal((size, order), unit, |row| Some(value(row).unwrap_or(0.0) / 1e3));
+                table.truth((vanishes, order), |row| Some(value(row).is_none()));
+            }
+        }
+    }
+    table.decimal("countered_{unit}", Unit::KILONEWTON_METRE, |row| Some(row.countered.unwrap_or(0.0) / 1e3));
+    table.truth("countered_vanishes", |row| Some(row.countered.is_none()));
+    table.decimal("moment_2_per_kilowatt", Unit::NONE, |row| row.per_kilowatt());
+    table.done()
+}
+
+fn guides(study: &MomentsStudy) -> Option<Table> {
+    let built = study.rows.iter().filter(|row| !row.is_bare);
+    let of = |row: &'_ MomentsRow| {
+        let (name, all) = (row.name.clone(), row.guides.as_ref().map(|(all, _)| all.clone()).unwrap_or_default());
+        all.into_iter().map(move |moments| (name.clone(), moments))
+    };
+    let rows: Vec<(Untrusted, GuideMoments)> = built.flat_map(of).collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let mut table = Filling::new("moments.guides", &rows).keyed(2);
+    table.person("engine", |row| Some(row.0.clone()));
+    table.decimal("order", Unit::NONE, |row| row.1.order.exact().to_f64());
+    let unit = Unit::KILONEWTON_METRE;
+    table.decimal("h_{unit}", unit, |row| Some(row.1.rocking.unwrap_or(0.0) / 1e3));
+    table.truth("h_vanishes", |row| Some(row.1.rocking.is_none()));
+    table.decimal("x_{unit}", unit, |row| Some(row.1.twisting.unwrap_or(0.0) / 1e3));
+    table.truth("x_vanishes", |row| Some(row.1.twisting.is_none()));
+    Some(table.done())
+}

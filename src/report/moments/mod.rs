@@ -1,0 +1,202 @@
+//! Which external moments and guide-force moments do engines have, side by side, as makers' project guides list them?
+//!
+//! Moments of the free forces by order, along direction 0 (V) and across it (H); each is zero by proof or a decimal. The guide-force
+//! moments H and X are those of the torque (makers' project guides of large two-strokes, sections 17.04 to 17.07).
+
+mod page;
+
+use std::fmt;
+
+use super::data;
+use super::question::Question;
+use crate::engine::{Crankshaft, CycleOrder, Engine};
+use crate::loads::{self, Arm, Missing, OrderLoads};
+use crate::order;
+use crate::page::Document;
+use crate::proof::{Planar, Sense};
+use crate::table::Table;
+use crate::text::Untrusted;
+use crate::torque::{self, GuideMoments};
+
+/// The orders of forces and moments that a project guide lists.
+pub(super) const ORDERS: [u32; 3] = [1, 2, 4];
+
+/// An amplitude, zero to peak, in newtons or newton-metres; none where it is proved to be zero.
+pub type Amplitude = Option<f64>;
+
+/// One order of the external force or moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct External {
+    /// The order.
+    pub order: u32,
+    /// Along direction 0 (V), and across it (H).
+    pub components: [Amplitude; 2],
+}
+
+/// An engine with its external moments.
+#[derive(Clone, Debug)]
+pub struct MomentsRow {
+    /// What it is called.
+    pub name: Untrusted,
+    /// The engine.
+    pub engine: Engine,
+    /// Whether its counterweights and balancer shafts are left out.
+    pub is_bare: bool,
+    /// The forces.
+    pub forces: Vec<External>,
+    /// The moments about the reference plane.
+    pub moments: Vec<External>,
+    /// The first-order moment where counterweights take away what turns with the crank: as large along as across.
+    pub countered: Amplitude,
+    /// The guide-force moments by order, and power in watts; or why there are none.
+    pub guides: Result<(Vec<GuideMoments>, Option<f64>), String>,
+}
+
+/// Engines with their moments.
+#[derive(Clone, Debug)]
+pub struct MomentsStudy {
+    /// A row an engine, and one more for an engine without its counterweights and balancer shafts where it has any.
+    pub rows: Vec<MomentsRow>,
+}
+
+/// Why an engine has no moments in newton-metres.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoMoments {
+    /// No engine.
+    Nothing,
+    /// No masses, crank radius or speed.
+    Scale(Untrusted),
+    /// No positions in metres.
+    Positions(Untrusted),
+    /// What else the layout lacks.
+    Missing(Untrusted, Missing),
+}
+
+impl fmt::Display for NoMoments {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = |name: &Untrusted| crate::text::harmless(name.written());
+        match self {
+            NoMoments::Nothing => f.write_str("no engine is named whose moments are wanted"),
+            NoMoments::Scale(of) => write!(
+                f,
+                "{}: moments in kN·m need a speed above the first table, and reciprocating_mass and crank_radius below [mechanism]",
+                name(of)
+            ),
+            NoMoments::Positions(of) => {
+                write!(
+                    f,
+                    "{}: moments in kN·m need the spacing of the cylinders, such as spacing = \"0.85 m\"",
+                    name(of)
+                )
+            }
+            NoMoments::Missing(of, what) => write!(f, "{}: {what}", name(of)),
+        }
+    }
+}
+
+impl std::error::Error for NoMoments {}
+
+impl MomentsStudy {
+    /// The moments of these engines.
+    ///
+    /// # Errors
+    /// See [`NoMoments`].
+    pub fn new(engines: &[(Untrusted, Engine)]) -> Result<Self, NoMoments> {
+        if engines.is_empty() {
+            return Err(NoMoments::Nothing);
+        }
+        let mut rows = Vec::new();
+        for (name, engine) in engines {
+            rows.push(MomentsRow::new(name, engine, false)?);
+            let crankshaft = engine.crankshaft();
+            if !(crankshaft.counterweights.is_empty() && crankshaft.balancers.is_empty()) {
+                let bare = Crankshaft {
+                    counterweights: Vec::new(),
+                    balance_factors: Vec::new(),
+                    balancers: Vec::new(),
+                    ..crankshaft.clone()
+                };
+                // What is taken away fits whatever is left.
+                let bare = engine.with_crankshaft(bare).unwrap_or_else(|_| engine.clone());
+                rows.push(MomentsRow::new(name, &bare, true)?);
+            }
+        }
+        Ok(MomentsStudy { rows })
+    }
+}
+
+impl MomentsRow {
+    fn new(name: &Untrusted, engine: &Engine, is_bare: bool) -> Result<Self, NoMoments> {
+        let scale = loads::scale(engine).ok_or_else(|| NoMoments::Scale(name.clone()))?;
+        if Arm::of(engine) != Arm::Metre {
+            return Err(NoMoments::Positions(name.clone()));
+        }
+        let missing = |what| NoMoments::Missing(name.clone(), what);
+        let all = loads::loads_at(engine, &ORDERS, &[]).map_err(missing)?;
+        let newtons = scale.force();
+        let of = |quantity| all.orders.iter().map(move |order| external(engine, order, quantity, newtons)).collect();
+        let reverse = order::all_masses(engine, Planar::Moment, 1, Sense::Reverse);
+        let countered = all.orders.first().filter(|_| !reverse.vanishes());
+        Ok(MomentsRow {
+            name: name.clone(),
+            is_bare,
+            forces: of(Planar::Force),
+            moments: of(Planar::Moment),
+            countered: countered.map(|first| first.moment.reverse.value.norm() / 2.0 * newtons),
+            guides: guides(engine),
+            engine: engine.clone(),
+        })
+    }
+
+    /// What the guide-force moments are of an order; none where there are none.
+    pub(super) fn guide(&self, order: CycleOrder) -> Option<&GuideMoments> {
+        self.guides.as_ref().ok()?.0.iter().find(|moments| moments.order == order)
+    }
+
+    /// The second-order moment over the power, in newton-metres a kilowatt: makers' measure of whether a compensator is needed.
+    pub(super) fn per_kilowatt(&self) -> Option<f64> {
+        let power = self.guides.as_ref().ok()?.1.filter(|power| *power > 0.0)?;
+        let second = self.moments.iter().find(|moment| moment.order == 2)?;
+        Some(second.components[0].unwrap_or_default() / (power / 1e3))
+    }
+}
+
+/// Both components of an order: `P⁺ ± P̄⁻`, zero where the sums of all coefficients are.
+fn external(engine: &Engine, order: &OrderLoads, quantity: Planar, newtons: f64) -> External {
+    let [direct, reverse] =
+        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order.order, sense));
+    let mirrored = reverse.mirrored();
+    let swing = order.swing(quantity);
+    let along = (!direct.plus(&mirrored).vanishes()).then(|| swing.along() * newtons);
+    let across = (!direct.minus(&mirrored).vanishes()).then(|| swing.across() * newtons);
+    External { order: order.order, components: [along, across] }
+}
+
+fn guides(engine: &Engine) -> Result<(Vec<GuideMoments>, Option<f64>), String> {
+    let torque = torque::torque(engine).map_err(|lack| lack.to_string())?;
+    let moments = torque::guide_moments(engine, &torque)
+        .ok_or("they are known for rods of a finite length on axes without an offset")?;
+    Ok((moments, torque.power))
+}
+
+impl Question for MomentsStudy {
+    fn command(&self) -> &'static str {
+        "moments"
+    }
+
+    fn title(&self) -> Option<&Untrusted> {
+        None
+    }
+
+    fn table(&self, name: &str) -> Option<Table> {
+        data::moments(self, name)
+    }
+
+    fn answer(&self) -> Document {
+        page::answer(self)
+    }
+
+    fn page(&self) -> Document {
+        page::page(self)
+    }
+}

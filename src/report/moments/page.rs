@@ -1,0 +1,160 @@
+//! What stands on the page of external and guide-force moments, and on the terminal?
+
+use super::{Amplitude, External, MomentsRow, MomentsStudy};
+use crate::engine::CycleOrder;
+use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, phrase};
+use crate::report::engine_cells;
+
+const CONVENTION: &str = "V is along direction 0, upright in an in-line engine, H across it; amplitudes are zero to peak, moments about the reference plane. **0** is proved. Forces and moments are \
+    proportional to the square of the speed, $(n/n_1)^2$; the guide-force moments are not, for the gas has part in them.";
+
+const COUNTERED: &str = "M1 with counterweights is what is left where counterweights take away all that turns with the crank at order 1: as large along as across. Compensators of the second \
+    order, balancer shafts at twice the speed, can take away M2 altogether; the command remedy gives the masses of both.";
+
+const GUIDES: &str = "H is the order of the torque, which rocks the frame about the shaft; X is the sum of the couples of guides and crank, each times its distance from the middle, over the rod length, \
+    and twists the frame.";
+
+const PER_KILOWATT: &str = "Moment over power (PRU) is makers' measure for the second order: below 60 N·m/kW a compensator is not relevant, up to 120 unlikely to be needed, up to 220 likely, above \
+    most likely.";
+
+/// The short answer.
+pub(super) fn answer(study: &MomentsStudy) -> Document {
+    let mut answer = Document::new("moments", "External forces and moments, guide-force moments");
+    answer.blocks.extend(tables(study));
+    answer
+}
+
+/// The page.
+pub(super) fn page(study: &MomentsStudy) -> Document {
+    let mut page = Document::new("moments", "External forces and moments, guide-force moments");
+    page.push(Block::Answer(study.rows.iter().filter(|row| !row.is_bare).map(said).collect()));
+    page.blocks.extend(tables(study));
+    page.push(Block::Heading(1, "Conventions".into()));
+    page.push(Block::Paragraph(CONVENTION.into()));
+    page
+}
+
+/// The largest external moment of an engine.
+fn said(row: &MomentsRow) -> Text {
+    let size = |moment: &External| moment.components.iter().flatten().copied().fold(0.0, f64::max);
+    let largest = row.moments.iter().max_by(|one, other| size(one).total_cmp(&size(other)));
+    match largest.filter(|moment| moment.components.iter().any(Option::is_some)) {
+        None => phrase!("**{}.** The moments of the orders 1, 2 and 4 vanish, proved.", &row.name),
+        Some(moment) => phrase!(
+            "**{}.** The largest external moment is that of order {}: {}.",
+            &row.name,
+            moment.order,
+            Text::from(Piece::Quantity(size(moment) / 1e3, Unit::KILONEWTON_METRE))
+        ),
+    }
+}
+
+fn tables(study: &MomentsStudy) -> Vec<Block> {
+    let mut blocks = vec![
+        Block::Heading(1, "External moments".into()),
+        external(study, Unit::KILONEWTON_METRE, |row| &row.moments, true).into(),
+        Block::Paragraph(COUNTERED.into()),
+        Block::Heading(1, "External forces".into()),
+    ];
+    blocks.push(match study.rows.iter().any(|row| row.forces.iter().any(|force| force.components != [None; 2])) {
+        true => external(study, Unit::KILONEWTON, |row| &row.forces, false).into(),
+        false => Block::Paragraph("The forces of the orders 1, 2 and 4 vanish in every engine, proved.".into()),
+    });
+    blocks.push(Block::Heading(1, "Guide-force moments".into()));
+    let has_guides = study.rows.iter().any(|row| row.guides.is_ok());
+    if has_guides {
+        blocks.push(Block::Paragraph(GUIDES.into()));
+        blocks.push(guides(study, "H, {}", |row, order| row.guide(order).map(|moments| moments.rocking)).into());
+        blocks.push(guides(study, "X, {}", |row, order| row.guide(order).map(|moments| moments.twisting)).into());
+        if study.rows.iter().any(|row| row.per_kilowatt().is_some()) {
+            blocks.push(Block::Paragraph(PER_KILOWATT.into()));
+        }
+    }
+    for row in study.rows.iter().filter(|row| !row.is_bare) {
+        if let Err(why) = &row.guides {
+            blocks.push(Block::Note(phrase!(
+                "{} has no guide-force moments: {}.",
+                &row.name,
+                Text::label(why.clone())
+            )));
+        }
+    }
+    blocks
+}
+
+fn name(row: &MomentsRow) -> Text {
+    match row.is_bare {
+        true => phrase!("{}, without counterweights and shafts", &row.name),
+        false => (&row.name).into(),
+    }
+}
+
+fn amount(value: Amplitude, unit: Unit) -> Text {
+    value.map_or_else(Text::zero, |value| Text::measured(value / 1e3, unit))
+}
+
+/// A row an engine: V and H of each order, those columns that are 0 in all engines left out but for V.
+fn external(study: &MomentsStudy, unit: Unit, of: fn(&MomentsRow) -> &[External], is_moment: bool) -> Table {
+    let sign = if is_moment { "M{}{}, {}" } else { "F{}{}, {}" };
+    let mut columns: Vec<(usize, usize)> = Vec::new();
+    let mut head: Vec<Text> = vec!["Engine".into(), "Cylinders".into(), "Firing".into()];
+    for (place, order) in super::ORDERS.into_iter().enumerate() {
+        for (component, letter) in ["V", "H"].into_iter().enumerate() {
+            let is_there =
+                study.rows.iter().any(|row| of(row).get(place).is_some_and(|one| one.components[component].is_some()));
+            if component == 0 || is_there {
+                columns.push((place, component));
+                head.push(phrase!(sign, order, Text::label(letter), unit));
+            }
+        }
+    }
+    let per_kilowatt = is_moment && study.rows.iter().any(|row| row.per_kilowatt().is_some());
+    if is_moment {
+        head.push(phrase!("M1 with counterweights, {}", unit));
+    }
+    if per_kilowatt {
+        head.push("M2V over power, N·m/kW".into());
+    }
+    let mut table = Table::new(head);
+    for row in &study.rows {
+        let mut cells = vec![name(row), row.engine.cylinders().len().into(), engine_cells::firing(row.engine.firing())];
+        cells.extend(
+            columns
+                .iter()
+                .map(|&(place, component)| amount(of(row).get(place).and_then(|one| one.components[component]), unit)),
+        );
+        if is_moment {
+            cells.push(amount(row.countered, unit));
+        }
+        if per_kilowatt {
+            let is_zero = row.moments.iter().any(|moment| moment.order == 2 && moment.components[0].is_none());
+            cells.push(match row.per_kilowatt() {
+                Some(_) if is_zero => Text::zero(),
+                Some(value) => Number::Decimal(value).into(),
+                None => "–".into(),
+            });
+        }
+        table.push(cells);
+    }
+    table
+}
+
+/// A row an engine, a column an order that some engine has.
+fn guides(study: &MomentsStudy, head: &'static str, of: fn(&MomentsRow, CycleOrder) -> Option<Amplitude>) -> Table {
+    let rows = || study.rows.iter().filter(|row| !row.is_bare && row.guides.is_ok());
+    let mut orders: Vec<CycleOrder> =
+        rows().flat_map(|row| row.guides.iter().flat_map(|(all, _)| all.iter().map(|one| one.order))).collect();
+    orders.sort_unstable();
+    orders.dedup();
+    orders.retain(|order| order.is_whole() || rows().any(|row| of(row, *order).flatten().is_some()));
+    let first = phrase!(head, Unit::KILONEWTON_METRE);
+    let mut table = Table::new([first].into_iter().chain(orders.iter().map(|order| Text::label(order.to_string()))));
+    for row in rows() {
+        let cell = |order: &CycleOrder| match of(row, *order) {
+            None => "–".into(),
+            Some(value) => amount(value, Unit::KILONEWTON_METRE),
+        };
+        table.push([name(row)].into_iter().chain(orders.iter().map(cell)).collect());
+    }
+    table
+}

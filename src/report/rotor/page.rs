@@ -1,0 +1,238 @@
+//! What stands on the page of masses on a shaft, and on the terminal?
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use super::super::residual;
+use super::super::torque::quantity;
+use super::RotorStudy;
+use crate::exact::PhasorSum;
+use crate::file::RotorMass;
+use crate::numbers::{self, Direction};
+use crate::page::number::{Amount, Number, given_with, turns};
+use crate::page::{Block, Document, Table, Text, Unit, phrase};
+use crate::rotor::{Answer, Found, Locomotive, Real, Reason};
+
+const FOUND: &str = "With $U = m r e^{i\\beta}$ the shaft is balanced where $\\sum U = 0$ and $\\sum z U = 0$: four real equations. Whether they hold, and whether a solution exists, is decided by exact sums; \
+    what stands after = is exact, after ≈ a decimal.";
+
+const LOCOMOTIVE: &str = "The share of the reciprocating masses that is balanced in the wheels goes up and down with them: hammer blow. The rest varies the tractive force, and about the middle between the wheels \
+    it is the swaying couple. These are of the first order alone, for a long rod; the secondary forces are left out.";
+
+/// The short answer.
+pub(super) fn answer(study: &RotorStudy) -> Document {
+    let mut answer = Document::new("rotor", &study.rotor.title);
+    answer.push(Block::Paragraph(verdict(study)));
+    answer.blocks.extend(found(study));
+    answer
+}
+
+/// The page.
+pub(super) fn page(study: &RotorStudy) -> Document {
+    let mut page = Document::new("rotor", phrase!("{}: masses on a shaft", &study.rotor.title));
+    page.push(Block::Answer(vec![verdict(study)]));
+    page.blocks.extend(found(study));
+    page.push(Block::Heading(1, "The masses".into()));
+    page.push(masses(study));
+    page.push(Block::Heading(1, "How it was found".into()));
+    page.push(Block::Paragraph(FOUND.into()));
+    page
+}
+
+fn verdict(study: &RotorStudy) -> Text {
+    match &study.answer {
+        Answer::Balanced => "The shaft is balanced: force and couple vanish, proved.".into(),
+        Answer::Left(_) => "The shaft is not balanced, proved.".into(),
+        Answer::Found(solutions) => {
+            // Where no angle is given the whole may be turned about the shaft.
+            let is_turned = study.rotor.masses.iter().all(|mass| mass.angle.is_none());
+            match (solutions.len(), is_turned) {
+                (1, false) => "One solution balances the shaft, and no other does.",
+                (1, true) => "One solution balances the shaft; all others are the same, turned about the shaft.",
+                (_, false) => "Two solutions balance the shaft, mirror images of each other, and no other does.",
+                (_, true) => {
+                    "Two solutions balance the shaft, mirror images of each other; all others are these, turned about the shaft."
+                }
+            }
+            .into()
+        }
+        Answer::Never(reason) => phrase!("No solution, proved: {}", why(*reason, true)),
+        Answer::Many(reason) => phrase!("Many solutions: {}", why(*reason, false)),
+    }
+}
+
+fn why(reason: Reason, is_never: bool) -> Text {
+    match reason {
+        Reason::OnePlane if is_never => "both wanted masses stand in one plane, and the couple about it is left.",
+        Reason::OnePlane => "both wanted masses stand in one plane, where all that counts is their sum.",
+        Reason::Couple => "the wanted masses balance the force, but the couple is left.",
+        Reason::Force => "no mass in the given direction balances the force.",
+        Reason::CoupleAlone => "a couple is left in a direction in which the wanted masses balance no force, so that no plane of theirs serves.",
+        Reason::NotParallel => {
+            "force and couple do not lie in one plane through the shaft, so that no single mass balances both."
+        }
+        Reason::OneLine => {
+            "both wanted masses stand in one line with the shaft, so that they cannot be told apart by their forces."
+        }
+        Reason::NoTriangle => {
+            "of the three moments about the plane of the wanted mass one is larger than the two others together."
+        }
+        Reason::BalancedAlready => {
+            "without some wanted mass nothing is left for it to balance, so that it is 0 and may stand anywhere."
+        }
+    }
+    .into()
+}
+
+fn found(study: &RotorStudy) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    if let Answer::Left(left) = &study.answer {
+        blocks.push(remaining(study, left).into());
+    }
+    for solution in study.solutions() {
+        blocks.push(table(study, solution).into());
+    }
+    if study.solutions().iter().flatten().any(|one| one.cosine.is_some()) {
+        blocks.push(Block::Note(
+            "cos is that of the angle from the first mass whose angle is wanted, or whose angle alone is given: exact."
+                .into(),
+        ));
+    }
+    if let Some(locomotive) = &study.locomotive {
+        blocks.push(Block::Heading(1, "Locomotive".into()));
+        blocks.push(of_locomotive(study, locomotive).into());
+        blocks.push(Block::Paragraph(LOCOMOTIVE.into()));
+    }
+    blocks
+}
+
+/// An amount of a real number, `of` so many of it.
+fn amount(real: &Real, of: &BigRational) -> Text {
+    let exact = real.exact.as_ref().map(|form| form.scaled(of));
+    Amount { exact, decimal: real.decimal * numbers::float(of) }.into()
+}
+
+fn one() -> BigRational {
+    BigRational::one()
+}
+
+/// The direction of a mass that was found: exact where it is a rational angle.
+fn direction(one: &Found) -> Text {
+    if one.vector.as_ref().is_some_and(PhasorSum::vanishes) {
+        return "–".into();
+    }
+    let rational = one.vector.as_ref().and_then(|vector| match numbers::direction_of(vector)? {
+        Direction::Turn(turn) => Some(turn),
+        Direction::Arctangent { .. } | Direction::Turned { .. } => None,
+    });
+    match rational {
+        Some(turn) => Text::label(turns(turn.turns())),
+        None => super::super::torque::angle(one.angle),
+    }
+}
+
+fn table(study: &RotorStudy, solution: &[Found]) -> Table {
+    let of = |one: &Found| &study.rotor.masses[one.index];
+    let has_position = solution.iter().any(|one| one.position.is_some());
+    let has_cosine = solution.iter().any(|one| one.cosine.is_some());
+    let mut head: Vec<Text> = vec![
+        "Mass".into(),
+        phrase!("Mass in {}", Unit::KILOGRAM),
+        phrase!("Radius in {}", Unit::MILLIMETRE),
+        phrase!("Mass times radius in {}", Unit::KILOGRAM_METRE),
+        "Angle".into(),
+    ];
+    head.extend(has_cosine.then(|| "cos".into()));
+    head.extend(has_position.then(|| phrase!("Position in {}", Unit::MILLIMETRE)));
+    let mut table = Table::new(head);
+    let thousand = BigRational::from_integer(1000.into());
+    for one in solution {
+        let mass = of(one);
+        let weight = match (&mass.mass, &mass.radius) {
+            (Some(weight), _) => Number::exact(weight).into(),
+            (None, Some(radius)) => amount(&one.mass_radius, &radius.recip()),
+            (None, None) => "–".into(),
+        };
+        let radius = match (&mass.radius, &mass.mass) {
+            (Some(radius), _) => Number::exact(&(radius * &thousand)).into(),
+            (None, Some(weight)) if weight.is_positive() => amount(&one.mass_radius, &(&thousand / weight)),
+            (None, _) => "–".into(),
+        };
+        let mut row = vec![(&mass.name).into(), weight, radius, amount(&one.mass_radius, &self::one()), direction(one)];
+        if has_cosine {
+            row.push(one.cosine.as_ref().map_or_else(|| "–".into(), |cosine| Number::exact(cosine).into()));
+        }
+        if has_position {
+            row.push(one.position.as_ref().map_or_else(|| "–".into(), |position| amount(position, &thousand)));
+        }
+        table.push(row);
+    }
+    table
+}
+
+/// Force and couple that are left: lengths of exact sums, and newtons where a speed is known.
+fn remaining(study: &RotorStudy, [force, couple]: &[PhasorSum; 2]) -> Table {
+    let rows = [
+        ("Force", force, Unit::KILOGRAM_METRE, Unit::NEWTON),
+        ("Couple about position 0", couple, Unit::KILOGRAM_SQUARE_METRE, Unit::NEWTON_METRE),
+    ];
+    lengths(study, &rows)
+}
+
+/// Lengths of stars by name: with their exact values, and at the speed of the file.
+fn lengths(study: &RotorStudy, rows: &[(&'static str, &PhasorSum, Unit, Unit)]) -> Table {
+    let omega_squared = study.omega_squared();
+    let head = ["", "Mass times radius", "Direction at θ = 0"].map(Text::from);
+    let mut table = Table::new(head.into_iter().chain(omega_squared.map(|_| Text::from("At the speed of the file"))));
+    for (name, sum, unit, at_speed) in rows {
+        let zero = sum.vanishes();
+        let length = if zero { Text::zero() } else { phrase!("{} {}", Text::from(residual::modulus_of(sum)), *unit) };
+        let towards = if zero { "–".into() } else { residual::bearing(sum).into() };
+        let mut row = vec![(*name).into(), length, towards];
+        if let Some(omega_squared) = omega_squared {
+            let size = numbers::length(numbers::evaluate(sum)) * omega_squared;
+            row.push(if zero { Text::zero() } else { quantity(size, *at_speed) });
+        }
+        table.push(row);
+    }
+    table
+}
+
+fn of_locomotive(study: &RotorStudy, locomotive: &Locomotive) -> Table {
+    let [one, other] = &locomotive.hammer_blow;
+    let (length, force) = (Unit::KILOGRAM_METRE, Unit::NEWTON);
+    lengths(
+        study,
+        &[
+            ("Hammer blow of the first wheel", one, length, force),
+            ("Hammer blow of the second wheel", other, length, force),
+            ("Variation of the tractive force", &locomotive.tractive, length, force),
+            ("Swaying couple", &locomotive.swaying, Unit::KILOGRAM_SQUARE_METRE, Unit::NEWTON_METRE),
+        ],
+    )
+}
+
+/// The masses as the file has them; what is wanted is a question mark.
+fn masses(study: &RotorStudy) -> Table {
+    let reciprocating = study.rotor.masses.iter().any(|mass| mass.reciprocating > BigRational::zero());
+    let mut head: Vec<Text> = vec!["Mass".into(), "turning".into()];
+    head.extend(reciprocating.then(|| "reciprocating".into()));
+    head.extend(["Radius".into(), "Angle".into(), "Position".into()]);
+    let mut table = Table::new(head);
+    let thousand = BigRational::from_integer(1000.into());
+    let or_wanted = |value: Option<Text>| value.unwrap_or_else(|| Text::label("?"));
+    let length = |value: &BigRational| given_with(&(value * &thousand), Unit::MILLIMETRE);
+    let row = |mass: &RotorMass| {
+        let mut row =
+            vec![(&mass.name).into(), or_wanted(mass.mass.as_ref().map(|mass| given_with(mass, Unit::KILOGRAM)))];
+        row.extend(reciprocating.then(|| given_with(&mass.reciprocating, Unit::KILOGRAM)));
+        row.push(or_wanted(mass.radius.as_ref().map(length)));
+        row.push(or_wanted(mass.angle.as_ref().map(|angle| Text::label(turns(angle.turns())))));
+        row.push(or_wanted(mass.position.as_ref().map(length)));
+        row
+    };
+    for mass in &study.rotor.masses {
+        table.push(row(mass));
+    }
+    table
+}
