@@ -129,10 +129,41 @@ impl Table {
         Table { header: header.into_iter().map(Into::into).collect(), rows: Vec::new() }
     }
 
+    /// A table with a row for each of these, to be filled a column at a time.
+    pub fn of<R>(rows: impl IntoIterator<Item = R>) -> Columns<R> {
+        let of: Vec<R> = rows.into_iter().collect();
+        Columns { table: Table { header: Vec::new(), rows: vec![Vec::new(); of.len()] }, of }
+    }
+
     /// With one more row.
     pub fn push(&mut self, row: Vec<Text>) {
         assert_eq!(row.len(), self.header.len(), "a row of another width");
         self.rows.push(row);
+    }
+}
+
+/// A table that is filled a column at a time, and what its rows are about.
+pub struct Columns<R> {
+    of: Vec<R>,
+    table: Table,
+}
+
+impl<R> Columns<R> {
+    /// With one more column: its heading, and its cell in each row.
+    pub fn column<T: Into<Text>>(mut self, heading: impl Into<Text>, cell: impl Fn(&R) -> T) -> Self {
+        self.table.header.push(heading.into());
+        self.table.rows.iter_mut().zip(&self.of).for_each(|(row, of)| row.push(cell(of).into()));
+        self
+    }
+
+    /// The same where the table has this column.
+    pub fn column_if<T: Into<Text>>(self, has: bool, heading: impl Into<Text>, cell: impl Fn(&R) -> T) -> Self {
+        if has { self.column(heading, cell) } else { self }
+    }
+
+    /// The table.
+    pub fn done(self) -> Table {
+        self.table
     }
 }
 

@@ -21,7 +21,7 @@ mod unit;
 mod write;
 
 pub use crate::table::Unit;
-pub use block::{Block, Document, Fold, Live, Moving, Picture, Table};
+pub use block::{Block, Columns, Document, Fold, Live, Moving, Picture, Table};
 pub use language::Language;
 pub use number::Number;
 pub use svg::svg;

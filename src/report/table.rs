@@ -10,7 +10,7 @@ use super::typeset;
 use crate::engine::{Cylinder, Engine, LengthUnit, Rotation};
 use crate::exact::{Turn, fraction};
 use crate::order::{self, Factor, Source, TurningMass};
-use crate::page::{Number, Piece, Table, Text, Unit, phrase};
+use crate::page::{Columns, Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::{Planar, Sense};
 use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict, WholeOrder};
 
@@ -23,42 +23,52 @@ pub(super) fn summary(
     weighed: Option<&Weighed>,
     with_firmness: Firmness,
 ) -> Table {
-    let mut columns = of_orders(orders, weighed);
-    if with_firmness == Firmness::Shown {
-        let firm = |order: &OrderVerdict| match order.parts.as_slice() {
-            [only] if only.class.is_none() => firmness::summary(engine, only),
-            _ => "–".into(),
-        };
-        columns.push(("How firm".into(), orders.iter().map(firm).collect()));
-    }
-    in_columns(columns, &small(orders, weighed))
+    let firm = |order: &&OrderVerdict| match order.parts.as_slice() {
+        [only] if only.class.is_none() => firmness::summary(engine, only),
+        _ => "–".into(),
+    };
+    let table = of_orders(orders, weighed).column_if(with_firmness == Firmness::Shown, "How firm", firm);
+    with_shared_rows(table.done(), &small(orders, weighed))
 }
 
 /// The exact sums of orders that are made of several: what stands before one number each.
 pub(super) fn sums(orders: &[OrderVerdict]) -> Option<Table> {
-    let mut table = Table::new(["Order", "Force", "Moment"]);
-    for part in orders.iter().filter(|order| order.parts.len() > 1).flat_map(|order| &order.parts) {
-        table.push(vec![residual::order_name(part).into(), residual::force(part), residual::moment(part)]);
-    }
+    let parts = orders.iter().filter(|order| order.parts.len() > 1).flat_map(|order| &order.parts);
+    let table = Table::of(parts)
+        .column("Order", |part| residual::order_name(part))
+        .column("Force", |part| residual::force(part))
+        .column("Moment", |part| residual::moment(part))
+        .done();
     (!table.rows.is_empty()).then_some(table)
 }
 
-/// A heading with its cells.
-type Cells = (Text, Vec<Text>);
+/// Order, and force and moment: how large, where that is known, and exactly.
+fn of_orders<'a>(orders: &'a [OrderVerdict], weighed: Option<&Weighed>) -> Columns<&'a OrderVerdict> {
+    let mut table = Table::of(orders).column("Order", |order| order.order);
+    let named = [(Planar::Force, "Force", "Force in {}"), (Planar::Moment, "Moment", "Moment in {}")];
+    for (place, (quantity, bare, in_unit)) in named.into_iter().enumerate() {
+        if let Some((unit, cell)) = weighed.map(|weighed| weighed.column(quantity)) {
+            table = table.column(phrase!(in_unit, unit.label()), |order| cell(order));
+        }
+        let exactly = if weighed.is_some() { "exactly" } else { bare };
+        table = table.column(exactly, |order| residual::whole(order)[place].clone());
+    }
+    table
+}
 
-/// The columns as a table; neighbouring orders that are small share a row, with what they have in common once.
-fn in_columns(columns: Vec<Cells>, small: &[bool]) -> Table {
-    let mut table = Table::new(columns.iter().map(|(heading, _)| heading.clone()));
-    let rows: Vec<usize> = (0..small.len()).collect();
-    for shared in rows.chunk_by(|one, next| small[*one] && small[*next]) {
-        let cell = |(_, cells): &Cells| {
-            let (first, of_each) = (&cells[shared[0]], shared.iter().map(|row| cells[*row].clone()));
+/// The same table; neighbouring orders that are small share a row, with what they have in common once.
+fn with_shared_rows(table: Table, small: &[bool]) -> Table {
+    let rows: Vec<(&Vec<Text>, &bool)> = table.rows.iter().zip(small).collect();
+    let share = |shared: &[(&Vec<Text>, &bool)]| {
+        let cell = |column: usize| {
+            let (first, of_each) = (&shared[0].0[column], shared.iter().map(|(row, _)| row[column].clone()));
             let is_one = of_each.clone().all(|cell| cell.plain() == first.plain());
             if is_one { first.clone() } else { Text::joined(of_each, "; ") }
         };
-        table.push(columns.iter().map(cell).collect());
-    }
-    table
+        (0..table.header.len()).map(cell).collect()
+    };
+    let rows = rows.chunk_by(|(_, one), (_, next)| **one && **next).map(share).collect();
+    Table { header: table.header, rows }
 }
 
 /// Whether each order is told together with others: something of it is left, and little.
@@ -75,34 +85,14 @@ fn small(orders: &[OrderVerdict], weighed: Option<&Weighed>) -> Vec<bool> {
     orders.iter().map(is_small).collect()
 }
 
-/// Order, and force and moment: how large, where that is known, and exactly.
-fn of_orders(orders: &[OrderVerdict], weighed: Option<&Weighed>) -> Vec<Cells> {
-    let exact = |place: usize| orders.iter().map(|order| residual::whole(order)[place].clone()).collect();
-    let mut columns = vec![("Order".into(), orders.iter().map(|order| order.order.into()).collect())];
-    let named = [(Planar::Force, "Force", "Force in {}"), (Planar::Moment, "Moment", "Moment in {}")];
-    for (place, (quantity, bare, in_unit)) in named.into_iter().enumerate() {
-        let sizes = weighed.map(|weighed| weighed.column(quantity));
-        let sizes = sizes.map(|(unit, cell)| (phrase!(in_unit, unit.label()), orders.iter().map(cell).collect()));
-        let exactly = if sizes.is_some() { "exactly" } else { bare };
-        columns.extend(sizes);
-        columns.push((exactly.into(), exact(place)));
-    }
-    columns
-}
-
 /// Orders × (force, moment, torque, roll moment): what is left, exactly.
 pub(super) fn verdicts(orders: &[OrderVerdict], weighed: Option<&Weighed>) -> Table {
-    let mut columns = of_orders(orders, weighed);
     let with_torque = orders.iter().any(|order| order.torque.is_some());
     let with_roll = orders.iter().any(|order| order.roll.is_some());
-    let cells = |cell: &dyn Fn(&OrderVerdict) -> Option<Text>| {
-        orders.iter().map(|order| cell(order).unwrap_or_default()).collect::<Vec<Text>>()
-    };
-    let torque = || cells(&|order| order.torque.as_ref().map(residual::torque));
-    let roll = || cells(&|order| order.roll.as_ref().map(residual::roll));
-    columns.extend(with_torque.then(|| ("Torque".into(), torque())));
-    columns.extend(with_roll.then(|| ("Roll".into(), roll())));
-    in_columns(columns, &small(orders, weighed))
+    let table = of_orders(orders, weighed)
+        .column_if(with_torque, "Torque", |order| order.torque.as_ref().map(residual::torque).unwrap_or_default())
+        .column_if(with_roll, "Roll", |order| order.roll.as_ref().map(residual::roll).unwrap_or_default());
+    with_shared_rows(table.done(), &small(orders, weighed))
 }
 
 /// Whether a summary says how firm the zeros are.
@@ -119,28 +109,16 @@ pub(super) enum Firmness {
 pub(super) fn cylinders(engine: &Engine) -> Table {
     let convention = engine.convention();
     let counts_otherwise = convention.rotation == Rotation::Clockwise;
-    let mut header = vec!["Cylinder".into(), "Throw β".into(), "Bank α".into(), position_heading(engine)];
-    header.extend((!engine.has_unit_masses()).then(|| "Reciprocating mass".into()));
-    if counts_otherwise {
-        header.extend(["Throw as drawn".into(), "Bank as drawn".into()]);
-    }
-    let mut table = Table::new(header);
-    for cylinder in engine.cylinders() {
-        let mut cells: Vec<Text> = vec![
-            cylinder.name.clone().into(),
-            typeset::angle(&cylinder.throw).into(),
-            typeset::degrees(&typeset::signed_degrees(&cylinder.bank)).into(),
-            position(engine, &cylinder.position),
-        ];
-        cells.extend((!engine.has_unit_masses()).then(|| Number::exact(&cylinder.reciprocating_mass).into()));
-        if counts_otherwise {
-            let bank = convention.as_written(&cylinder.bank);
-            cells.push(typeset::angle(&convention.as_written(&cylinder.throw)).into());
-            cells.push(typeset::degrees(&typeset::signed_degrees(&bank)).into());
-        }
-        table.push(cells);
-    }
-    table
+    let bank = |angle: &Turn| typeset::degrees(&typeset::signed_degrees(angle));
+    Table::of(engine.cylinders())
+        .column("Cylinder", |cylinder| cylinder.name.clone())
+        .column("Throw β", |cylinder| typeset::angle(&cylinder.throw))
+        .column("Bank α", |cylinder| bank(&cylinder.bank))
+        .column(position_heading(engine), |cylinder| position(engine, &cylinder.position))
+        .column_if(!engine.has_unit_masses(), "Reciprocating mass", |one| Number::exact(&one.reciprocating_mass))
+        .column_if(counts_otherwise, "Throw as drawn", |one| typeset::angle(&convention.as_written(&one.throw)))
+        .column_if(counts_otherwise, "Bank as drawn", |cylinder| bank(&convention.as_written(&cylinder.bank)))
+        .done()
 }
 
 /// A position along the crankshaft: in millimetres, or in multiples of the spacing.

@@ -109,17 +109,15 @@ impl Further {
             FurtherLoad::Torque => phrase!("Largest torque in {}", self.unit),
             FurtherLoad::BearingWithGas => phrase!("Largest load in {}", self.unit),
         };
-        let more = [far.then_some("Anywhere"), sure.then_some("Guaranteed"), timed.then_some("Time")];
-        let columns = ["Method".into(), value, Text::from("Error")].into_iter();
-        let mut table = Table::new(columns.chain(more.into_iter().flatten().map(Text::from)));
         let part = |part: Option<f64>| part.map_or_else(Text::default, |part| methods::power(part).into());
-        for row in &self.rows {
-            let cells = [self.name(row.method), methods::to_digits(row.value * self.factor, self.unit), error(row)];
-            let time = || row.time.map_or_else(Text::default, |time| methods::time(time).into());
-            let more = [far.then(|| part(row.farthest)), sure.then(|| part(row.bound)), timed.then(time)];
-            table.push(cells.into_iter().chain(more.into_iter().flatten()).collect());
-        }
-        table
+        Table::of(&self.rows)
+            .column("Method", |row| self.name(row.method))
+            .column(value, |row| methods::to_digits(row.value * self.factor, self.unit))
+            .column("Error", |row| error(row))
+            .column_if(far, "Anywhere", |row| part(row.farthest))
+            .column_if(sure, "Guaranteed", |row| part(row.bound))
+            .column_if(timed, "Time", |row| row.time.map_or_else(Text::default, |time| methods::time(time).into()))
+            .done()
     }
 
     /// The first order with which the largest value is within 0.1 %: guaranteed where there are guarantees; else it is, and so it is

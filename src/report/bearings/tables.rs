@@ -8,7 +8,7 @@ use super::super::calculation::Unit;
 use super::super::{residual, table};
 use super::amounts;
 use crate::engine::{Engine, Rod};
-use crate::loads::{BearingLoad, BearingLoads, PinLoads};
+use crate::loads::{BearingLoads, PinLoads};
 use crate::motion::Enclosure;
 use crate::order::{self, Factor, OrderSum};
 use crate::page::{Number, Table, Text, phrase};
@@ -16,31 +16,19 @@ use crate::page::{Number, Table, Text, phrase};
 /// The peaks of every bearing, those of the determinate approximation beside them; the worst bearing is marked.
 pub(in crate::report) fn peaks(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Table {
     let unit = amounts::unit_of(continuous);
-    let mut rows = Table::new([
-        "Bearing".into(),
-        table::position_heading(engine),
-        phrase!("Peak of R in {}", unit.label()),
-        "at θ".into(),
-        phrase!("Peak of y in {}", unit.label()),
-        phrase!("Peak of x in {}", unit.label()),
-        phrase!("Determinate R in {}", unit.label()),
-    ]);
     let marked = |loads: &BearingLoads, index: usize| {
         let size = amounts::size(&loads.bearings[index].peak, unit);
         if loads.worst.contains(&index) { phrase!("{}, worst", size) } else { size }
     };
-    for (index, bearing) in continuous.bearings.iter().enumerate() {
-        rows.push(vec![
-            (index + 1).into(),
-            table::position(engine, &bearing.position),
-            marked(continuous, index),
-            amounts::angle(&bearing.peak),
-            amounts::size(&bearing.along, unit),
-            amounts::size(&bearing.across, unit),
-            marked(determinate, index),
-        ]);
-    }
-    rows
+    Table::of(continuous.bearings.iter().enumerate())
+        .column("Bearing", |(index, _)| index + 1)
+        .column(table::position_heading(engine), |(_, bearing)| table::position(engine, &bearing.position))
+        .column(phrase!("Peak of R in {}", unit.label()), |(index, _)| marked(continuous, *index))
+        .column("at θ", |(_, bearing)| amounts::angle(&bearing.peak))
+        .column(phrase!("Peak of y in {}", unit.label()), |(_, bearing)| amounts::size(&bearing.along, unit))
+        .column(phrase!("Peak of x in {}", unit.label()), |(_, bearing)| amounts::size(&bearing.across, unit))
+        .column(phrase!("Determinate R in {}", unit.label()), |(index, _)| marked(determinate, *index))
+        .done()
 }
 
 /// The largest value of each order of each reaction: a row per bearing, a column per order.
@@ -59,30 +47,17 @@ pub(in crate::report) fn orders(loads: &BearingLoads) -> Table {
 /// The two vectors of each order of each reaction: exact, in multiples of m r times c_k or n_k, and in newtons.
 pub(super) fn vectors(loads: &BearingLoads) -> Table {
     let unit = amounts::unit_of(loads);
-    let mut table = Table::new([
-        "Order".into(),
-        "Bearing".into(),
-        "Direct, exact".into(),
-        phrase!("Direct in {}", unit.label()),
-        "Reverse, exact".into(),
-        phrase!("Reverse in {}", unit.label()),
-    ]);
     let count = loads.bearings.first().map_or(0, |bearing| bearing.orders.len());
-    let row = |place: usize, (index, bearing): (usize, &BearingLoad)| {
-        let order = &bearing.orders[place];
-        let [direct, reverse] = &order.sums;
-        vec![
-            order.order.into(),
-            (index + 1).into(),
-            exact(direct, order.order),
-            amounts::vector(&order.swing.direct, unit),
-            exact(reverse, order.order),
-            amounts::vector(&order.swing.reverse, unit),
-        ]
-    };
-    table.rows =
-        (0..count).flat_map(|place| loads.bearings.iter().enumerate().map(move |pair| row(place, pair))).collect();
-    table
+    let of_order =
+        |place: usize| loads.bearings.iter().enumerate().map(move |(index, one)| (index, &one.orders[place]));
+    Table::of((0..count).flat_map(of_order))
+        .column("Order", |(_, order)| order.order)
+        .column("Bearing", |(index, _)| index + 1)
+        .column("Direct, exact", |(_, order)| exact(&order.sums[0], order.order))
+        .column(phrase!("Direct in {}", unit.label()), |(_, order)| amounts::vector(&order.swing.direct, unit))
+        .column("Reverse, exact", |(_, order)| exact(&order.sums[1], order.order))
+        .column(phrase!("Reverse in {}", unit.label()), |(_, order)| amounts::vector(&order.swing.reverse, unit))
+        .done()
 }
 
 /// The length of each sum with what it stands before, where all pistons move alike.
@@ -153,23 +128,13 @@ pub(super) fn numbers(engine: &Engine, loads: &BearingLoads) -> Option<Table> {
 /// The largest load of every crankpin, by cylinder.
 pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Table {
     let unit = Unit::of_force(pins.scale.as_ref());
-    let mut rows = Table::new([
-        "Cylinder".into(),
-        phrase!("Largest load in {}", unit.label()),
-        "at θ".into(),
-        phrase!("Along the throw in {}", unit.label()),
-        phrase!("Across it in {}", unit.label()),
-    ]);
-    for (cylinder, pin) in engine.cylinders().iter().zip(&pins.pins) {
-        rows.push(vec![
-            cylinder.name.clone().into(),
-            amounts::size(&pin.peak, unit),
-            amounts::angle(&pin.peak),
-            amounts::size(&pin.along, unit),
-            amounts::size(&pin.across, unit),
-        ]);
-    }
-    rows
+    Table::of(engine.cylinders().iter().zip(&pins.pins))
+        .column("Cylinder", |(cylinder, _)| cylinder.name.clone())
+        .column(phrase!("Largest load in {}", unit.label()), |(_, pin)| amounts::size(&pin.peak, unit))
+        .column("at θ", |(_, pin)| amounts::angle(&pin.peak))
+        .column(phrase!("Along the throw in {}", unit.label()), |(_, pin)| amounts::size(&pin.along, unit))
+        .column(phrase!("Across it in {}", unit.label()), |(_, pin)| amounts::size(&pin.across, unit))
+        .done()
 }
 
 /// The part of a unit load that each bearing carries: a row a position of a load.

@@ -63,22 +63,17 @@ fn value(given: &Given) -> Text {
 
 /// The table of inputs: quantity, symbol, value in the units of the reader, as written, cylinder.
 pub(super) fn table(engine: &Engine) -> Table {
-    let mut table = Table::new(["Quantity", "Symbol", "Value", "As written", "Cylinder"]);
-    for given in &engine.dimensions().given {
-        let (name, symbol, _) = words(given.quantity);
-        table.push(vec![
-            name.into(),
-            Text::formula(symbol),
-            value(given),
-            (&given.written).into(),
-            match given.cylinder {
-                Some(index) => engine.cylinders()[index].name.clone().into(),
-                None if given.quantity.is_of_links() => "all links".into(),
-                None => "all".into(),
-            },
-        ]);
-    }
-    table
+    Table::of(&engine.dimensions().given)
+        .column("Quantity", |given| words(given.quantity).0)
+        .column("Symbol", |given| Text::formula(words(given.quantity).1))
+        .column("Value", |given| value(given))
+        .column("As written", |given| &given.written)
+        .column("Cylinder", |given| match given.cylinder {
+            Some(index) => engine.cylinders()[index].name.clone().into(),
+            None if given.quantity.is_of_links() => Text::from("all links"),
+            None => "all".into(),
+        })
+        .done()
 }
 
 /// The masses on the crankshaft and the balancer shafts: what, mass, radius, angle at θ = 0, position, speed.

@@ -41,17 +41,13 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
 /// The two rotating vectors of each order.
 pub(super) fn vectors(engine: &Engine, loads: &Loads) -> Table {
     let (force, moment) = (Unit::of(engine, loads, Planar::Force), Unit::of(engine, loads, Planar::Moment));
-    let mut table = Table::new(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
-    for order in &loads.orders {
-        table.push(vec![
-            order.order.into(),
-            amounts::vector(&order.force.direct, force),
-            amounts::vector(&order.force.reverse, force),
-            amounts::vector(&order.moment.direct, moment),
-            amounts::vector(&order.moment.reverse, moment),
-        ]);
-    }
-    table
+    Table::of(&loads.orders)
+        .column("Order", |order| order.order)
+        .column("Force, direct", |order| amounts::vector(&order.force.direct, force))
+        .column("Force, reverse", |order| amounts::vector(&order.force.reverse, force))
+        .column("Moment, direct", |order| amounts::vector(&order.moment.direct, moment))
+        .column("Moment, reverse", |order| amounts::vector(&order.moment.reverse, moment))
+        .done()
 }
 
 /// The ellipse that force and moment of each order run through.
@@ -134,22 +130,17 @@ pub(super) fn roll(engine: &Engine, loads: &Loads, roll: &Torque) -> Table {
 
 /// Orders of a torque or a roll moment: amplitude, phase, and the multiple that both are of.
 fn about_the_crank(orders: &[TorqueOrder], unit: Unit, amplitude: impl Fn(&TorqueOrder) -> Text) -> Table {
-    let mut table = Table::new([
-        "Order".into(),
-        phrase!("Amplitude in {}", unit.label()),
-        "Phase at θ = 0".into(),
-        Text::from("In m r² ω²"),
-    ]);
-    for order in orders {
-        let (angle, multiple) = match order.vector.outcome {
-            Outcome::Zero => ("–".into(), Text::zero()),
-            Outcome::Undecided { .. } => ("–".into(), "not decided".into()),
-            Outcome::NotZero => (
-                phrase!("≈ {}°", number::decimal(numbers::degrees(order.vector.value))),
-                Number::Decimal(order.vector.value.norm()).into(),
-            ),
-        };
-        table.push(vec![order.order.into(), amplitude(order), angle, multiple]);
-    }
-    table
+    Table::of(orders)
+        .column("Order", |order| order.order)
+        .column(phrase!("Amplitude in {}", unit.label()), |order| amplitude(order))
+        .column("Phase at θ = 0", |order| match order.vector.outcome {
+            Outcome::Zero | Outcome::Undecided { .. } => "–".into(),
+            Outcome::NotZero => phrase!("≈ {}°", number::decimal(numbers::degrees(order.vector.value))),
+        })
+        .column("In m r² ω²", |order| match order.vector.outcome {
+            Outcome::Zero => Text::zero(),
+            Outcome::Undecided { .. } => "not decided".into(),
+            Outcome::NotZero => Number::Decimal(order.vector.value.norm()).into(),
+        })
+        .done()
 }

@@ -66,23 +66,20 @@ const NOT_JUDGED: &str = "Each rod is two masses, which is exact for forces and 
 /// The links, with what they hang on.
 fn links(engine: &Engine) -> Table {
     let with_mass = engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero());
-    let with_correction = engine.has_corrected_links();
-    let mut header: Vec<Text> = vec!["Cylinder".into(), "Master".into(), "Δ".into()];
-    header.extend(with_correction.then(|| "ε".into()));
-    header.extend(["κ = a/l", "λ = r/l", "r/L"].map(Text::from));
-    header.extend(with_mass.then(|| "Knuckle mass / m".into()));
-    let mut table = Table::new(header);
-    for (cylinder, link) in engine.cylinders().iter().filter_map(|cylinder| Some((cylinder, cylinder.link()?))) {
-        let number = |number: &BigRational| Text::from(Number::exact(number));
-        let master = master_of(engine, cylinder, link).map(|master| master.name.clone()).unwrap_or_default();
-        let angle = |angle: &Turn| Text::from(typeset::degrees(&typeset::signed_degrees(angle)));
-        let mut row: Vec<Text> = vec![cylinder.name.clone().into(), master.into(), angle(&link.angle)];
-        row.extend(with_correction.then(|| angle(&link.correction)));
-        row.extend([&link.knuckle, &link.master, &link.ratio].map(number));
-        row.extend(with_mass.then(|| number(&cylinder.knuckle_mass)));
-        table.push(row);
-    }
-    table
+    let angle = |angle: &Turn| typeset::degrees(&typeset::signed_degrees(angle));
+    let links = engine.cylinders().iter().filter_map(|cylinder| Some((cylinder, cylinder.link()?)));
+    Table::of(links)
+        .column("Cylinder", |(cylinder, _)| cylinder.name.clone())
+        .column("Master", |(cylinder, link)| {
+            master_of(engine, cylinder, link).map(|master| master.name.clone()).unwrap_or_default()
+        })
+        .column("Δ", |(_, link)| angle(&link.angle))
+        .column_if(engine.has_corrected_links(), "ε", |(_, link)| angle(&link.correction))
+        .column("κ = a/l", |(_, link)| Number::exact(&link.knuckle))
+        .column("λ = r/l", |(_, link)| Number::exact(&link.master))
+        .column("r/L", |(_, link)| Number::exact(&link.ratio))
+        .column_if(with_mass, "Knuckle mass / m", |(cylinder, _)| Number::exact(&cylinder.knuckle_mass))
+        .done()
 }
 
 /// The cylinder whose rod a link hangs on.

@@ -19,35 +19,22 @@ pub(super) fn summary(orders: &[OpenOrder]) -> Table {
 
 /// One row per cylinder.
 pub(super) fn cylinders(family: &Family) -> Table {
-    let mut table = Table::new(["Cylinder", "Throw β", "Bank α", "Position z"]);
-    for cylinder in family.cylinders() {
-        table.push(vec![
-            cylinder.name.clone().into(),
-            words::open_angle(&cylinder.throw).into(),
-            words::open_angle(&cylinder.bank).into(),
-            words::open_length(&cylinder.position).into(),
-        ]);
-    }
-    table
+    Table::of(family.cylinders())
+        .column("Cylinder", |cylinder| cylinder.name.clone())
+        .column("Throw β", |cylinder| words::open_angle(&cylinder.throw))
+        .column("Bank α", |cylinder| words::open_angle(&cylinder.bank))
+        .column("Position z", |cylinder| words::open_length(&cylinder.position))
+        .done()
 }
 
 /// The vector-star table of order k, the unknowns visible.
 pub(super) fn phases(family: &Family, order: u32) -> Table {
-    let k = i64::from(order);
-    let mut table = Table::new([
-        "Cylinder".into(),
-        "Arm z".into(),
-        phrase!("Direct phase {}", phase_formula(k, Sense::Direct, true)),
-        phrase!("Reverse phase {}", phase_formula(k, Sense::Reverse, true)),
-    ]);
-    for cylinder in family.cylinders() {
-        let phase = |sense| words::open_angle(&family::phase(cylinder, order, sense)).into();
-        table.push(vec![
-            cylinder.name.clone().into(),
-            words::open_length(&family.arm(cylinder)).into(),
-            phase(Sense::Direct),
-            phase(Sense::Reverse),
-        ]);
-    }
-    table
+    let heading = |sense| phase_formula(i64::from(order), sense, true);
+    let phase = |cylinder, sense| words::open_angle(&family::phase(cylinder, order, sense));
+    Table::of(family.cylinders())
+        .column("Cylinder", |cylinder| cylinder.name.clone())
+        .column("Arm z", |cylinder| words::open_length(&family.arm(cylinder)))
+        .column(phrase!("Direct phase {}", heading(Sense::Direct)), |cylinder| phase(cylinder, Sense::Direct))
+        .column(phrase!("Reverse phase {}", heading(Sense::Reverse)), |cylinder| phase(cylinder, Sense::Reverse))
+        .done()
 }

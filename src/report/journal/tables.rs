@@ -14,31 +14,19 @@ fn size(value: f64) -> Text {
 
 /// The largest load of every bearing, with and without gas; the worst is marked.
 pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearings; 2]) -> Table {
-    let mut rows = Table::new([
-        "Bearing".into(),
-        table::position_heading(engine),
-        phrase!("Largest load in {}", Unit::NEWTON),
-        "at θ".into(),
-        phrase!("Gas in it in {}", Unit::NEWTON),
-        phrase!("Without gas in {}", Unit::NEWTON),
-        phrase!("Determinate in {}", Unit::NEWTON),
-    ]);
     let marked = |bearings: &CycleBearings, index: usize| {
         let size = size(bearings.bearings[index].peak.value);
         if bearings.worst == index { phrase!("{}, worst", size) } else { size }
     };
-    for (index, bearing) in continuous.bearings.iter().enumerate() {
-        rows.push(vec![
-            (index + 1).into(),
-            table::position(engine, &bearing.position),
-            marked(continuous, index),
-            angle(bearing.peak.angle),
-            size(bearing.peak.gas_along()),
-            size(bearing.inertia.value),
-            marked(determinate, index),
-        ]);
-    }
-    rows
+    Table::of(continuous.bearings.iter().enumerate())
+        .column("Bearing", |(index, _)| index + 1)
+        .column(table::position_heading(engine), |(_, bearing)| table::position(engine, &bearing.position))
+        .column(phrase!("Largest load in {}", Unit::NEWTON), |(index, _)| marked(continuous, *index))
+        .column("at θ", |(_, bearing)| angle(bearing.peak.angle))
+        .column(phrase!("Gas in it in {}", Unit::NEWTON), |(_, bearing)| size(bearing.peak.gas_along()))
+        .column(phrase!("Without gas in {}", Unit::NEWTON), |(_, bearing)| size(bearing.inertia.value))
+        .column(phrase!("Determinate in {}", Unit::NEWTON), |(index, _)| marked(determinate, *index))
+        .done()
 }
 
 fn name(engine: &Engine, index: usize) -> Text {
@@ -47,81 +35,51 @@ fn name(engine: &Engine, index: usize) -> Text {
 
 /// The largest load of every crankpin, with and without gas.
 pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
-    let header: [Text; 5] = [
-        "Cylinder".into(),
-        phrase!("Load of the crankpin in {}", Unit::NEWTON),
-        "at θ".into(),
-        phrase!("Gas in it in {}", Unit::NEWTON),
-        phrase!("Without gas in {}", Unit::NEWTON),
-    ];
-    let mut rows = Table::new(header);
-    for (index, cylinder) in loads.cylinders.iter().enumerate() {
-        let peaks = &cylinder.peaks;
-        rows.push(vec![
-            name(engine, index),
-            size(peaks.pin.value),
-            angle(peaks.pin.angle),
-            size(peaks.pin.gas_along()),
-            size(peaks.pin_of_inertia.value),
-        ]);
-    }
-    rows
+    Table::of(loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
+        .column("Cylinder", |(index, _)| name(engine, *index))
+        .column(phrase!("Load of the crankpin in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin.value))
+        .column("at θ", |(_, peaks)| angle(peaks.pin.angle))
+        .column(phrase!("Gas in it in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin.gas_along()))
+        .column(phrase!("Without gas in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin_of_inertia.value))
+        .done()
 }
 
 /// The load of every crankpin that rods share, and that of the rod that loads it the most.
 pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
-    let mut rows = Table::new([
-        Text::from("Crankpin"),
-        Text::from("Rods of cylinders"),
-        phrase!("All rods together in {}", Unit::NEWTON),
-        Text::from("at θ"),
-        phrase!("Gas in it in {}", Unit::NEWTON),
-        phrase!("Without gas in {}", Unit::NEWTON),
-        phrase!("One rod alone in {}", Unit::NEWTON),
-    ]);
-    for pin in &loads.shared_pins {
-        let of_one = pin.largest_of_a_rod(loads);
-        let one = of_one.map(|(index, peak)| phrase!("{} (cylinder {})", size(peak.value), name(engine, index)));
-        rows.push(vec![
-            (pin.throw + 1).into(),
-            names(engine, &pin.cylinders),
-            size(pin.peak.value),
-            angle(pin.peak.angle),
-            size(pin.peak.gas_along()),
-            size(pin.inertia.value),
-            one.unwrap_or_default(),
-        ]);
-    }
-    rows
+    Table::of(&loads.shared_pins)
+        .column("Crankpin", |pin| pin.throw + 1)
+        .column("Rods of cylinders", |pin| names(engine, &pin.cylinders))
+        .column(phrase!("All rods together in {}", Unit::NEWTON), |pin| size(pin.peak.value))
+        .column("at θ", |pin| angle(pin.peak.angle))
+        .column(phrase!("Gas in it in {}", Unit::NEWTON), |pin| size(pin.peak.gas_along()))
+        .column(phrase!("Without gas in {}", Unit::NEWTON), |pin| size(pin.inertia.value))
+        .column(phrase!("One rod alone in {}", Unit::NEWTON), |pin| {
+            let of_one = pin.largest_of_a_rod(loads);
+            of_one.map_or_else(Text::default, |(index, peak)| {
+                phrase!("{} (cylinder {})", size(peak.value), name(engine, index))
+            })
+        })
+        .done()
 }
 
 /// How far every rod is pressed and pulled, what its bolts bear, and the side force of its piston.
 pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
-    let mut rows = Table::new([
-        Text::from("Cylinder"),
-        phrase!("Rod pressed with {}", Unit::NEWTON),
-        "at θ".into(),
-        phrase!("pulled with {}", Unit::NEWTON),
-        "at θ".into(),
-        phrase!("Big end pulls with {}", Unit::NEWTON),
-        phrase!("Side force in {}", Unit::NEWTON),
-    ]);
     // What never is says nothing of an angle.
-    let pair = |one: Extreme| match one.value > 0.0 {
-        true => [size(one.value), angle(one.angle)],
-        false => [Text::zero(), "–".into()],
-    };
-    for (index, cylinder) in loads.cylinders.iter().enumerate() {
-        let peaks = &cylinder.peaks;
-        let [pressed, stretched] = peaks.rod;
-        let pulled = Extreme { value: -stretched.value, ..stretched };
-        let [left, right] = peaks.side;
-        let side = size(left.value.max(-right.value));
-        let [big_end, _] = pair(peaks.pull);
-        let cells = [pair(pressed), pair(pulled)].into_iter().flatten().chain([big_end, side]);
-        rows.push([name(engine, index)].into_iter().chain(cells).collect());
-    }
-    rows
+    let force = |one: Extreme| if one.value > 0.0 { size(one.value) } else { Text::zero() };
+    let at = |one: Extreme| if one.value > 0.0 { angle(one.angle) } else { "–".into() };
+    let pulled = |[_, stretched]: [Extreme; 2]| Extreme { value: -stretched.value, ..stretched };
+    Table::of(loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
+        .column("Cylinder", |(index, _)| name(engine, *index))
+        .column(phrase!("Rod pressed with {}", Unit::NEWTON), |(_, peaks)| force(peaks.rod[0]))
+        .column("at θ", |(_, peaks)| at(peaks.rod[0]))
+        .column(phrase!("pulled with {}", Unit::NEWTON), |(_, peaks)| force(pulled(peaks.rod)))
+        .column("at θ", |(_, peaks)| at(pulled(peaks.rod)))
+        .column(phrase!("Big end pulls with {}", Unit::NEWTON), |(_, peaks)| force(peaks.pull))
+        .column(phrase!("Side force in {}", Unit::NEWTON), |(_, peaks)| {
+            let [left, right] = peaks.side;
+            size(left.value.max(-right.value))
+        })
+        .done()
 }
 
 /// The largest value of each order of each bearing: a row an order, a column a bearing.

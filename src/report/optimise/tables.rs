@@ -4,66 +4,46 @@ use num_rational::BigRational;
 
 use super::amounts::{self, Units};
 use crate::engine::{Engine, LengthUnit};
-use crate::optimise::{Front, Place};
+use crate::optimise::{Front, Place, Uniform};
 use crate::page::number::{given, given_with};
 use crate::page::{Table, Text, Unit, phrase};
 
 /// The front: a row a point.
 pub(super) fn points(layout: &Engine, front: &Front) -> Table {
     let units = Units::of(layout, front);
-    let mut table = Table::new([
-        "Point",
-        "Crankshaft mass",
-        "Largest bearing load",
-        "Bearing",
-        "Above the least possible",
-        "Order 1 force",
-        "Order 1 couple",
-    ]);
-    for (index, point) in front.points.iter().enumerate() {
-        table.push(vec![
-            (index + 1).into(),
-            amounts::kilograms(&point.design.mass),
-            amounts::load(&point.design, units),
-            amounts::worst(&point.design),
-            amounts::within(point),
-            amounts::left(point.design.force, units.force),
-            amounts::left(point.design.couple, units.couple),
-        ]);
-    }
-    table
+    Table::of(front.points.iter().enumerate())
+        .column("Point", |(index, _)| index + 1)
+        .column("Crankshaft mass", |(_, point)| amounts::kilograms(&point.design.mass))
+        .column("Largest bearing load", |(_, point)| amounts::load(&point.design, units))
+        .column("Bearing", |(_, point)| amounts::worst(&point.design))
+        .column("Above the least possible", |(_, point)| amounts::within(point))
+        .column("Order 1 force", |(_, point)| amounts::left(point.design.force, units.force))
+        .column("Order 1 couple", |(_, point)| amounts::left(point.design.couple, units.couple))
+        .done()
 }
 
 /// Uniform balance factors with the best crankshaft of the same mass beside each; none where a throw has no counterweights.
 pub(super) fn compared(layout: &Engine, front: &Front) -> Option<Table> {
     let units = Units::of(layout, front);
-    let mut table = Table::new([
-        "One balance factor",
-        "Crankshaft mass",
-        "Largest bearing load",
-        "Order 1 couple",
-        "Best at that mass",
-        "Lightest with that load",
-    ]);
-    for uniform in &front.uniform {
-        table.push(vec![
-            given(&uniform.factor),
-            amounts::kilograms(&uniform.design.mass),
-            amounts::load(&uniform.design, units),
-            amounts::left(uniform.design.couple, units.couple),
-            uniform.best.as_ref().map_or_else(
-                || "none so light".into(),
-                |best| {
-                    let load = amounts::load(&best.design, units);
-                    match amounts::less(&best.design, &uniform.design) {
-                        Some(less) => phrase!("{}, {} less", load, less),
-                        None => load,
-                    }
-                },
-            ),
-            uniform.lightest.as_ref().map_or_else(|| "none".into(), |point| amounts::kilograms(&point.design.mass)),
-        ]);
-    }
+    let best = |uniform: &Uniform| {
+        let Some(best) = &uniform.best else { return "none so light".into() };
+        let load = amounts::load(&best.design, units);
+        match amounts::less(&best.design, &uniform.design) {
+            Some(less) => phrase!("{}, {} less", load, less),
+            None => load,
+        }
+    };
+    let table = Table::of(&front.uniform)
+        .column("One balance factor", |uniform| given(&uniform.factor))
+        .column("Crankshaft mass", |uniform| amounts::kilograms(&uniform.design.mass))
+        .column("Largest bearing load", |uniform| amounts::load(&uniform.design, units))
+        .column("Order 1 couple", |uniform| amounts::left(uniform.design.couple, units.couple))
+        .column("Best at that mass", |uniform| best(uniform))
+        .column("Lightest with that load", |uniform| match &uniform.lightest {
+            Some(point) => amounts::kilograms(&point.design.mass),
+            None => "none".into(),
+        })
+        .done();
     (!table.rows.is_empty()).then_some(table)
 }
 

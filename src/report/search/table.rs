@@ -8,26 +8,26 @@ use crate::search::{FoundStar, Front, Moment};
 
 /// A row a star, the best of the first order first.
 pub(super) fn stars(front: &Front) -> Table {
-    let moments = front.stars.first().map_or(&[][..], |star| &star.moments);
-    let with_neighbours = front.problem.neighbours;
-    let header = [Text::from("Star"), "Firing order".into(), "Throws in °".into()];
-    let header = header.into_iter().chain(moments.iter().map(heading));
-    let minor = front.stars.first().map_or(&[][..], |star| &star.minor);
-    let header = header.chain(minor.iter().map(|(order, _)| phrase!("Order {}", order.to_string())));
-    let header = header.chain(with_neighbours.then(|| "Neighbours".into())).chain(["Equal stars".into()]);
-    let mut table = Table::new(header);
-    for (index, star) in front.stars.iter().enumerate() {
-        let cells = [(index + 1).into(), firing_order(star).unwrap_or_else(|| "uneven".into()), throws(star)];
-        let cells = cells.into_iter().chain(star.moments.iter().map(amount));
-        let cells = cells.chain(star.minor.iter().map(|(_, sum)| match sum.vanishes() {
-            true => Text::zero(),
-            false => residual::modulus_of(sum).into(),
-        }));
-        let neighbours = || star.neighbours.map_or_else(Text::default, Text::from);
-        let cells = cells.chain(with_neighbours.then(neighbours)).chain([equal_stars(star)]);
-        table.push(cells.collect());
+    let first = front.stars.first();
+    let mut table = Table::of(front.stars.iter().enumerate())
+        .column("Star", |(index, _)| index + 1)
+        .column("Firing order", |(_, star)| firing_order(star).unwrap_or_else(|| "uneven".into()))
+        .column("Throws in °", |(_, star)| throws(star));
+    for (place, moment) in first.iter().flat_map(|star| star.moments.iter().enumerate()) {
+        table = table.column(heading(moment), |(_, star)| amount(&star.moments[place]));
+    }
+    for (place, (order, _)) in first.iter().flat_map(|star| star.minor.iter().enumerate()) {
+        table = table.column(phrase!("Order {}", order.to_string()), |(_, star)| match &star.minor[place].1 {
+            sum if sum.vanishes() => Text::zero(),
+            sum => residual::modulus_of(sum).into(),
+        });
     }
     table
+        .column_if(front.problem.neighbours, "Neighbours", |(_, star)| {
+            star.neighbours.map_or_else(Text::default, Text::from)
+        })
+        .column("Equal stars", |(_, star)| equal_stars(star))
+        .done()
 }
 
 fn heading(moment: &Moment) -> Text {

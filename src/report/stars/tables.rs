@@ -25,25 +25,19 @@ pub(super) fn every(throws: u32) -> Vec<u32> {
 
 /// What each number of cylinders can lose.
 pub(super) fn fates(counts: &[(u32, Option<Count>)]) -> Table {
-    let mut table = Table::new([
-        "Cylinders",
-        "",
-        "Order 1",
-        "Orders 1, 2",
-        "Orders 1, 2, 4",
-        "Every order",
-        "Stars without order 1",
-    ]);
-    for (throws, count) in counts {
-        let throws = *throws;
-        let stars =
-            count.as_ref().map_or_else(|| "not known".into(), |count| Text::from(grouped(&count.stars.to_string())));
-        let mut row = vec![throws.into(), powers(throws)];
-        row.extend([&[1][..], &[1, 2], &[1, 2, 4], &every(throws)].map(|orders| cell(throws, orders)));
-        row.push(stars);
-        table.push(row);
-    }
-    table
+    Table::of(counts)
+        .column("Cylinders", |(throws, _)| *throws)
+        .column("", |(throws, _)| powers(*throws))
+        .column("Order 1", |(throws, _)| cell(*throws, &[1]))
+        .column("Orders 1, 2", |(throws, _)| cell(*throws, &[1, 2]))
+        .column("Orders 1, 2, 4", |(throws, _)| cell(*throws, &[1, 2, 4]))
+        .column("Every order", |(throws, _)| cell(*throws, &every(*throws)))
+        .column("Stars without order 1", |(_, count)| how_many(count.as_ref()))
+        .done()
+}
+
+fn how_many(count: Option<&Count>) -> Text {
+    count.map_or_else(|| "not known".into(), |count| grouped(&count.stars.to_string()).into())
 }
 
 /// `2²·3`.
@@ -64,13 +58,14 @@ pub(super) fn first(orders: impl Fn(u32) -> Vec<u32>) -> Text {
 
 /// The best star of each number.
 pub(super) fn best(best: &[BestStar]) -> Table {
-    let mut table =
-        Table::new(["Cylinders", "Least moment of order 1", "Stars that have it", "Least of order 2 beside it"]);
-    for BestStar { cylinders, moments, stars } in best {
-        let stars = stars.as_ref().map_or_else(|| "not known".into(), |stars| Text::from(grouped(stars)));
-        table.push(vec![(*cylinders).into(), length(&moments[0]), stars, length(&moments[1])]);
-    }
-    table
+    Table::of(best)
+        .column("Cylinders", |best| best.cylinders)
+        .column("Least moment of order 1", |best| length(&best.moments[0]))
+        .column("Stars that have it", |best| {
+            best.stars.as_ref().map_or_else(|| "not known".into(), |stars| Text::from(grouped(stars)))
+        })
+        .column("Least of order 2 beside it", |best| length(&best.moments[1]))
+        .done()
 }
 
 fn length(sum: &PhasorSum) -> Text {
@@ -79,33 +74,31 @@ fn length(sum: &PhasorSum) -> Text {
 
 /// Four-stroke engines with an even number of cylinders: stars without a moment of any order, odd ones too.
 pub(super) fn four_stroke() -> Table {
-    let mut table = Table::new(["Cylinders, four-stroke", "Directions", "Stars that are their own mirror image"]);
-    for cylinders in (4..=16).step_by(2) {
-        let pins = Pins::inline(cylinders, true);
-        let orders: Vec<u32> = (1..=pins.directions).collect();
-        let count = stars::count(pins, &orders);
-        let stars = count.map_or_else(|| "not known".into(), |count| Text::from(grouped(&count.stars.to_string())));
-        table.push(vec![cylinders.into(), pins.directions.into(), stars]);
-    }
-    table
+    Table::of((4..=16).step_by(2).map(|cylinders| (cylinders, Pins::inline(cylinders, true))))
+        .column("Cylinders, four-stroke", |(cylinders, _)| *cylinders)
+        .column("Directions", |(_, pins)| pins.directions)
+        .column("Stars that are their own mirror image", |(_, pins)| {
+            let orders: Vec<u32> = (1..=pins.directions).collect();
+            how_many(stars::count(*pins, &orders).as_ref())
+        })
+        .done()
 }
 
 /// What stays of a V on shared pins, at every bank angle.
 pub(super) fn vees(best: &[BestStar]) -> Table {
-    let mut table = Table::new(["V on shared pins", "Pins", "Least couple of order 1 that turns with the crank"]);
-    for BestStar { cylinders: pins, moments, .. } in best.iter().filter(|best| best.cylinders <= 8) {
-        let twice = moments[0].scaled(&BigRational::from_integer(2.into()));
-        table.push(vec![format!("V{}", 2 * pins).into(), (*pins).into(), length(&twice)]);
-    }
-    table
+    let twice = |sum: &PhasorSum| sum.scaled(&BigRational::from_integer(2.into()));
+    Table::of(best.iter().filter(|best| best.cylinders <= 8))
+        .column("V on shared pins", |best| format!("V{}", 2 * best.cylinders))
+        .column("Pins", |best| best.cylinders)
+        .column("Least couple of order 1 that turns with the crank", |best| length(&twice(&best.moments[0])))
+        .done()
 }
 
 /// Six cylinders with another gap in the middle.
 pub(super) fn spaced() -> Table {
-    let mut table = Table::new(["Gap in the middle, in spacings", "Stars of six without order 1"]);
-    for [numer, denom] in [[1, 1], [3, 2], [2, 1], [5, 2], [3, 1]] {
-        let middle = BigRational::new(numer.into(), denom.into());
-        table.push(vec![Number::exact(&middle).into(), of_six(&middle).into()]);
-    }
-    table
+    let gaps: [(i64, i64); 5] = [(1, 1), (3, 2), (2, 1), (5, 2), (3, 1)];
+    Table::of(gaps.map(|(numer, denom)| BigRational::new(numer.into(), denom.into())))
+        .column("Gap in the middle, in spacings", Number::exact)
+        .column("Stars of six without order 1", of_six)
+        .done()
 }

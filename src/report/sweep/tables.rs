@@ -39,19 +39,14 @@ fn zero_cell(parameter: &Parameter, set: &ZeroSet) -> Text {
 
 /// The least and the greatest value of each order, and where they are.
 pub(super) fn extremes(sweep: &Sweep, findings: &[Finding]) -> Table {
-    let mut table = Table::new(["Order", "Largest in a revolution", "Greatest", "at", "Least", "at"]);
-    for finding in findings {
-        let Finding { quantity, order, greatest, least, .. } = finding;
-        table.push(vec![
-            (*order).into(),
-            in_unit(sweep, *quantity),
-            size(sweep, *quantity, greatest.amplitude),
-            greatest.places(sweep),
-            size(sweep, *quantity, least.amplitude),
-            least.places(sweep),
-        ]);
-    }
-    table
+    Table::of(findings)
+        .column("Order", |finding| finding.order)
+        .column("Largest in a revolution", |finding| in_unit(sweep, finding.quantity))
+        .column("Greatest", |finding| size(sweep, finding.quantity, finding.greatest.amplitude))
+        .column("at", |finding| finding.greatest.places(sweep))
+        .column("Least", |finding| size(sweep, finding.quantity, finding.least.amplitude))
+        .column("at", |finding| finding.least.places(sweep))
+        .done()
 }
 
 fn in_unit(sweep: &Sweep, quantity: Planar) -> Text {

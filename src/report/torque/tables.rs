@@ -6,8 +6,9 @@ use super::super::residual;
 use super::words::{angle, cylinders, quantity};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
+use crate::gas::CylinderGas;
 use crate::page::{Number, Table, Text, Unit, number, phrase};
-use crate::torque::{EngineTorque, Evenness, GuideMoments};
+use crate::torque::{EngineTorque, Evenness, GuideMoments, TorqueOrder};
 
 /// Orders up to this one are shown even where they are zero.
 const ALWAYS_SHOWN: u32 = 6;
@@ -17,34 +18,26 @@ const BAR: f64 = 1e5;
 
 /// What the gas of each class does in a cycle.
 pub(super) fn classes(engine: &Engine, torque: &EngineTorque) -> Table {
-    let mut table = Table::new([
-        Text::from("Cylinders"),
-        phrase!("Peak pressure in {}", Unit::BAR),
-        "at ψ".into(),
-        phrase!("Mean pressure in {}", Unit::BAR),
-        phrase!("Work of a cycle in {}", Unit::JOULE),
-        phrase!("Heat of a cycle in {}", Unit::JOULE),
-        phrase!("Mean torque of each in {}", Unit::NEWTON_METRE),
-    ]);
-    for (index, class) in torque.classes.iter().enumerate() {
-        let (peak, at) = class.gas.peak_pressure();
-        let half = class.gas.period() / 2.0;
-        let at = (at + half).rem_euclid(class.gas.period()) - half;
-        table.push(vec![
-            cylinders(engine, torque, index),
-            Text::measured(peak / BAR, Unit::BAR),
-            angle(at.to_degrees()),
-            Text::measured(class.gas.mean_pressure() / BAR, Unit::BAR),
-            Text::measured(class.gas.work(), Unit::JOULE),
-            class
-                .gas
-                .heat()
-                .filter(|heat| *heat > 0.0)
-                .map_or_else(|| "–".into(), |heat| Text::measured(heat, Unit::JOULE)),
-            Text::measured(class.harmonics.torque[0].re, Unit::NEWTON_METRE),
-        ]);
-    }
-    table
+    let peak_angle = |gas: &CylinderGas| {
+        let half = gas.period() / 2.0;
+        (gas.peak_pressure().1 + half).rem_euclid(gas.period()) - half
+    };
+    let heat = |gas: &CylinderGas| match gas.heat().filter(|heat| *heat > 0.0) {
+        Some(heat) => Text::measured(heat, Unit::JOULE),
+        None => "–".into(),
+    };
+    let bar = |pascals: f64| Text::measured(pascals / BAR, Unit::BAR);
+    Table::of(torque.classes.iter().enumerate())
+        .column("Cylinders", |(index, _)| cylinders(engine, torque, *index))
+        .column(phrase!("Peak pressure in {}", Unit::BAR), |(_, class)| bar(class.gas.peak_pressure().0))
+        .column("at ψ", |(_, class)| angle(peak_angle(&class.gas).to_degrees()))
+        .column(phrase!("Mean pressure in {}", Unit::BAR), |(_, class)| bar(class.gas.mean_pressure()))
+        .column(phrase!("Work of a cycle in {}", Unit::JOULE), |(_, one)| Text::measured(one.gas.work(), Unit::JOULE))
+        .column(phrase!("Heat of a cycle in {}", Unit::JOULE), |(_, class)| heat(&class.gas))
+        .column(phrase!("Mean torque of each in {}", Unit::NEWTON_METRE), |(_, class)| {
+            Text::measured(class.harmonics.torque[0].re, Unit::NEWTON_METRE)
+        })
+        .done()
 }
 
 /// A vector that rotates: 0 where that is proved, else how long it is.
@@ -61,31 +54,21 @@ fn star(star: &PhasorSum) -> Text {
 pub(super) fn orders(torque: &EngineTorque) -> Table {
     let one_class = torque.classes.len() == 1;
     let with_inertia = torque.has_inertia();
-    let mut header: Vec<Text> = vec!["Order κ".into()];
-    header.extend(one_class.then(|| "Firing star".into()));
-    header.push(phrase!("Gas in {}", Unit::NEWTON_METRE));
-    if with_inertia {
-        header.extend([phrase!("Inertia in {}", Unit::NEWTON_METRE), phrase!("Together in {}", Unit::NEWTON_METRE)]);
-    }
-    header.push("Angle at θ = 0".into());
-    let mut table = Table::new(header);
-    for order in torque.orders.iter().filter(|order| order.order.halves() <= 2 * ALWAYS_SHOWN || !order.vanishes()) {
-        let mut row: Vec<Text> = vec![Text::label(order.order.to_string())];
-        if one_class {
-            row.extend(order.stars.first().map(star));
-        }
-        row.push(amplitude(order.gas_vanishes, order.gas));
-        if let Some(inertia) = order.inertia.filter(|_| with_inertia) {
-            row.push(amplitude(order.inertia_vanishes, inertia));
-            row.push(amplitude(order.vanishes(), order.total()));
-        }
-        row.push(match order.vanishes() {
+    let inertia = |order: &TorqueOrder| amplitude(order.inertia_vanishes, order.inertia.unwrap_or_default());
+    let shown = |order: &&TorqueOrder| order.order.halves() <= 2 * ALWAYS_SHOWN || !order.vanishes();
+    Table::of(torque.orders.iter().filter(shown))
+        .column("Order κ", |order| Text::label(order.order.to_string()))
+        .column_if(one_class, "Firing star", |order| order.stars.first().map(star).unwrap_or_default())
+        .column(phrase!("Gas in {}", Unit::NEWTON_METRE), |order| amplitude(order.gas_vanishes, order.gas))
+        .column_if(with_inertia, phrase!("Inertia in {}", Unit::NEWTON_METRE), |order| inertia(order))
+        .column_if(with_inertia, phrase!("Together in {}", Unit::NEWTON_METRE), |order| {
+            amplitude(order.vanishes(), order.total())
+        })
+        .column("Angle at θ = 0", |order| match order.vanishes() {
             true => "–".into(),
             false => angle(order.total().arg().to_degrees()),
-        });
-        table.push(row);
-    }
-    table
+        })
+        .done()
 }
 
 /// What the flywheel does, and how well that is known.
@@ -116,17 +99,12 @@ pub(super) fn flywheel(evenness: &Evenness) -> Table {
 
 /// The guide-force moments of the orders that have any.
 pub(super) fn guides(moments: &[GuideMoments]) -> Table {
-    let mut table = Table::new([
-        Text::from("Order κ"),
-        phrase!("H, rocking, in {}", Unit::NEWTON_METRE),
-        phrase!("X, twisting, in {}", Unit::NEWTON_METRE),
-    ]);
-    let size =
-        |moment: Option<f64>| moment.map_or_else(Text::zero, |moment| Text::measured(moment, Unit::NEWTON_METRE));
-    for moment in moments.iter().filter(|moment| moment.rocking.is_some() || moment.twisting.is_some()) {
-        table.push(vec![Text::label(moment.order.to_string()), size(moment.rocking), size(moment.twisting)]);
-    }
-    table
+    let size = |moment: Option<f64>| moment.map_or_else(Text::zero, |size| Text::measured(size, Unit::NEWTON_METRE));
+    Table::of(moments.iter().filter(|moment| moment.rocking.is_some() || moment.twisting.is_some()))
+        .column("Order κ", |moment| Text::label(moment.order.to_string()))
+        .column(phrase!("H, rocking, in {}", Unit::NEWTON_METRE), |moment| size(moment.rocking))
+        .column(phrase!("X, twisting, in {}", Unit::NEWTON_METRE), |moment| size(moment.twisting))
+        .done()
 }
 
 /// What the orders that were left out can add, and how well the others are known.
