@@ -9,7 +9,7 @@ use super::statement::{Orders, Predicate, Statement, Subject};
 use crate::engine::Engine;
 use crate::order::Masses;
 use crate::proof::{Planar, Quantity, Sense, Shape};
-use crate::verdict::{self, OrderVerdict, WholeOrder};
+use crate::verdict::{self, OrderVerdict, Outcome, WholeOrder, both_vanish};
 
 /// Answers whether orders vanish and which shape is left; sizes and directions are compared where an order is one sum.
 pub(super) fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
@@ -93,15 +93,11 @@ fn listed(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Answer {
 }
 
 fn vanish(whole: &WholeOrder, sense: Option<Sense>) -> Option<bool> {
-    let [direct, reverse] = [0, 1].map(|sense| whole.outcomes[sense].vanishes());
+    let [direct, reverse] = whole.outcomes.each_ref().map(Outcome::vanishes);
     match sense {
         Some(Sense::Direct) => direct,
         Some(Sense::Reverse) => reverse,
-        None => match [direct, reverse] {
-            [Some(false), _] | [_, Some(false)] => Some(false),
-            [Some(true), Some(true)] => Some(true),
-            [None, _] | [_, None] => None,
-        },
+        None => both_vanish(direct, reverse),
     }
 }
 

@@ -6,7 +6,7 @@ use super::statement::{Shafts, Statement};
 use crate::engine::Engine;
 use crate::proof::Quantity;
 use crate::remedy::{Request, remedy};
-use crate::verdict::{Judgement, OrderVerdict};
+use crate::verdict::{Judgement, OrderVerdict, both_vanish};
 
 /// What may be claimed, in words.
 const NEEDS: [(&str, Shafts); 9] = [
@@ -80,12 +80,8 @@ fn left(order: &OrderVerdict) -> Option<[bool; 2]> {
         return Some([false, false]);
     }
     let of_sense = |sense: usize| {
-        let vanish = [&order.force, &order.moment].map(|whole| whole.outcomes[sense].vanishes());
-        match vanish {
-            [Some(false), _] | [_, Some(false)] => Some(true),
-            [Some(true), Some(true)] => Some(false),
-            [None, _] | [_, None] => None,
-        }
+        let [force, moment] = [&order.force, &order.moment].map(|whole| whole.outcomes[sense].vanishes());
+        both_vanish(force, moment).map(|vanish| !vanish)
     };
     Some([of_sense(0)?, of_sense(1)?])
 }

@@ -101,16 +101,7 @@ pub(super) fn with_constant(engine: &Engine, orders: &[u32]) -> Vec<u32> {
 
 /// Whether the rod of a cylinder hands on the force of this source.
 fn is_of(source: Source, cylinder: usize) -> bool {
-    match source {
-        Source::Piston(index) | Source::BigEnd(index) => index == cylinder,
-        Source::Knuckle(_)
-        | Source::KnuckleAtPin(_)
-        | Source::KnuckleOffPin(_)
-        | Source::Pin(_)
-        | Source::Webs(_)
-        | Source::Counterweight(_)
-        | Source::Balancer(_) => false,
-    }
+    matches!(source, Source::Piston(index) | Source::BigEnd(index) if index == cylinder)
 }
 
 impl Waveform {

@@ -113,16 +113,18 @@ impl Factor {
     pub fn own(&self, order: u32) -> (&Factor, u32) {
         match self {
             Factor::Geared(speed, factor) => (factor, order / (*speed).max(1)),
-            Factor::One
-            | Factor::Motion(_)
-            | Factor::Quadrature(_)
-            | Factor::Torque(_)
-            | Factor::Side(_)
-            | Factor::Linkage(_)
-            | Factor::Corrected(..)
-            | Factor::Open
-            | Factor::OpenTorque => (self, order),
+            own => (own, order),
         }
+    }
+
+    /// Whether it is that of a crank which turns faster than the reference.
+    pub fn is_geared(&self) -> bool {
+        matches!(self, Factor::Geared(..))
+    }
+
+    /// Whether it is a number of a link on a master rod.
+    pub fn is_of_link(&self) -> bool {
+        matches!(self, Factor::Linkage(_) | Factor::Corrected(..))
     }
 
     /// Whether it is not zero in an order: whether the order exists. One that [may be zero](Factor::may_be_zero) exists where nothing says

@@ -32,17 +32,7 @@ pub enum Source {
 impl Source {
     /// The cylinder whose reciprocating mass it is; none of a mass that turns, or of a knuckle's.
     pub fn piston(self) -> Option<usize> {
-        match self {
-            Source::Piston(index) => Some(index),
-            Source::BigEnd(_)
-            | Source::Knuckle(_)
-            | Source::KnuckleAtPin(_)
-            | Source::KnuckleOffPin(_)
-            | Source::Pin(_)
-            | Source::Webs(_)
-            | Source::Counterweight(_)
-            | Source::Balancer(_) => None,
-        }
+        if let Source::Piston(index) = self { Some(index) } else { None }
     }
 
     /// The group that it belongs to.

@@ -127,6 +127,17 @@ impl ArcClaim {
 }
 
 impl CircleClaim {
+    /// The rational turns at which something stands.
+    pub(super) fn rational(&self) -> Vec<&BigRational> {
+        let turns = self.arcs.iter().filter_map(|arc| match arc {
+            ArcClaim::Rational { at, .. } => Some(at),
+            ArcClaim::Free { .. } | ArcClaim::Monotone { .. } | ArcClaim::Crossing { .. } | ArcClaim::Open { .. } => {
+                None
+            }
+        });
+        turns.collect()
+    }
+
     /// Whether no arc is open.
     pub(super) fn is_complete(&self) -> bool {
         self.arcs.iter().all(|arc| match arc {

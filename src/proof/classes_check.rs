@@ -11,11 +11,11 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::audit::{Audit, Reason, steps_of};
 use super::check::certify;
-use super::circle::{ArcClaim, CircleClaim};
+use super::circle::CircleClaim;
 use super::circle_check::check_undivided;
 use super::collected::{Collected, collect};
 use super::plane::{ClassesClaim, MeetingClaim};
-use super::unknown::{HIGHEST_EXPONENT, Unknown, product};
+use super::unknown::{HIGHEST_EXPONENT, Unknown, product, turned};
 use super::when::Part;
 
 /// Checks that the parts make these classes, and where both are equally long.
@@ -102,13 +102,7 @@ impl<'a> Classes<'a> {
 
     /// A class at a turn of u.
     fn at(&self, class: usize, turn: &BigRational, audit: &Audit) -> Result<Vec<(BigRational, BigRational)>, Reason> {
-        let mut terms = Vec::new();
-        for (times, sum) in &self.0[class] {
-            let turned = turn * BigRational::from_integer((*times).into());
-            audit.spend((sum.len() as u64).saturating_mul(steps_of(&turned)))?;
-            terms.extend(sum.iter().map(|(angle, weight)| (angle + &turned, weight.clone())));
-        }
-        Ok(terms)
+        turned(self.0[class].iter().copied(), turn, audit)
     }
 }
 
@@ -143,11 +137,7 @@ fn check_meetings(
     classes: &Classes<'_>,
     audit: &Audit,
 ) -> Result<(), Reason> {
-    let rational = circle.arcs.iter().filter_map(|arc| match arc {
-        ArcClaim::Rational { at, .. } => Some(at),
-        ArcClaim::Free { .. } | ArcClaim::Monotone { .. } | ArcClaim::Crossing { .. } | ArcClaim::Open { .. } => None,
-    });
-    let rational: Vec<&BigRational> = rational.collect();
+    let rational = circle.rational();
     if rational.len() != claim.meetings.len() {
         return Err(format!("{} meetings for {} rational turns", claim.meetings.len(), rational.len()).into());
     }

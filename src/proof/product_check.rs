@@ -3,12 +3,11 @@
 //! With `S_{gj} S_{00} = S_{g0} S_{0j}` and each group turned within itself as the first, `S_{00} Σ_g Σ_j S_{gj} e^{i(y_g + x_j)}` is
 //! `(Σ_g S_{g0} e^{iy_g}) (Σ_j S_{0j} e^{ix_j})`, and `S_{00}` is not zero.
 
-use num_rational::BigRational;
-
-use super::audit::{Audit, Reason, steps_of};
+use super::audit::{Audit, Reason};
 use super::check::certify;
-use super::collected::{Collected, collect};
+use super::collected::collect;
 use super::plane::ProductClaim;
+use super::unknown::times;
 use super::when::{Part, check_when};
 
 /// Checks the groups, and when both factors vanish.
@@ -38,23 +37,13 @@ pub(super) fn check_product(claim: &ProductClaim, left: &[Part<'_>], audit: &Aud
         if part.turned_against(base) != other.turned_against(start) {
             return Err("a group is not turned within itself as the first".into());
         }
-        let mut terms = product(part.sum(), start.sum(), audit)?;
-        terms.extend(product(base.sum(), other.sum(), audit)?.into_iter().map(|(angle, weight)| (angle, -weight)));
+        let mut terms = times(part.sum(), start.sum(), |s, t| s + t, audit)?;
+        terms.extend(
+            times(base.sum(), other.sum(), |s, t| s + t, audit)?.into_iter().map(|(angle, weight)| (angle, -weight)),
+        );
         certify(&collect(terms, audit)?, true, certificate, audit)?;
     }
     let parts = |places: &mut dyn Iterator<Item = usize>| places.map(|at| left[at].clone()).collect::<Vec<_>>();
     check_when(&claim.group, &parts(&mut first.iter().copied()), audit)?;
     check_when(&claim.firsts, &parts(&mut claim.groups.iter().map(|group| group[0])), audit)
-}
-
-/// `A·B`, not collected.
-fn product(a: &Collected, b: &Collected, audit: &Audit) -> Result<Vec<(BigRational, BigRational)>, Reason> {
-    let mut terms = Vec::new();
-    for (s, v) in a {
-        for (t, w) in b {
-            audit.spend(steps_of(s).max(steps_of(v)).max(steps_of(t)).max(steps_of(w)))?;
-            terms.push((s + t, v * w));
-        }
-    }
-    Ok(terms)
 }

@@ -14,7 +14,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::audit::{Audit, Reason, steps_of};
 use super::certificate::Certificate;
 use super::check::certify;
-use super::circle::{ArcClaim, CircleClaim};
+use super::circle::CircleClaim;
 use super::circle_check::check_whole;
 use super::classes_check::{check_circle, of_powers};
 use super::collected::{Collected, collect, difference_of_squares};
@@ -22,7 +22,7 @@ use super::plane::TriangleShape;
 use super::quadratic::{QuadraticClaim, RootClaim, RootsClaim};
 use super::triangle_check::check_sign;
 use super::twist_check::check_signs;
-use super::unknown::product;
+use super::unknown::{product, turned};
 use super::when::Part;
 
 /// u may enter so many times in one class.
@@ -185,11 +185,7 @@ fn check_roots(
     classes: &[Laurent; 3],
     audit: &Audit,
 ) -> Result<(), Reason> {
-    let rational = circle.arcs.iter().filter_map(|arc| match arc {
-        ArcClaim::Rational { at, .. } => Some(at),
-        ArcClaim::Free { .. } | ArcClaim::Monotone { .. } | ArcClaim::Crossing { .. } | ArcClaim::Open { .. } => None,
-    });
-    let rational: Vec<&BigRational> = rational.collect();
+    let rational = circle.rational();
     if rational.len() != claim.roots.len() {
         return Err(format!("{} entries in `roots` for {} rational turns", claim.roots.len(), rational.len()).into());
     }
@@ -233,13 +229,7 @@ fn check_each(
 
 /// A class at a turn of u.
 pub(super) fn value(class: &Laurent, turn: &BigRational, audit: &Audit) -> Result<Collected, Reason> {
-    let mut terms = Vec::new();
-    for (times, sum) in class {
-        let turned = turn * BigRational::from_integer((*times).into());
-        audit.spend((sum.len() as u64).saturating_mul(steps_of(&turned)))?;
-        terms.extend(sum.iter().map(|(angle, weight)| (angle + &turned, weight.clone())));
-    }
-    Ok(collect(terms, audit)?)
+    Ok(collect(turned(class.iter().map(|(times, sum)| (*times, sum)), turn, audit)?, audit)?)
 }
 
 /// At each turn of x the sum vanishes, and there are no more than there can be.

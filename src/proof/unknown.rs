@@ -105,12 +105,37 @@ pub(super) fn is_prime(number: u64) -> bool {
 
 /// `conj(A)·B`, not collected.
 pub(super) fn product(a: &Collected, b: &Collected, audit: &Audit) -> Result<Vec<(BigRational, BigRational)>, Reason> {
+    times(a, b, |s, t| t - s, audit)
+}
+
+/// Each term of a sum times each of another, their angles taken together so.
+pub(super) fn times(
+    a: &Collected,
+    b: &Collected,
+    together: impl Fn(&BigRational, &BigRational) -> BigRational,
+    audit: &Audit,
+) -> Result<Vec<(BigRational, BigRational)>, Reason> {
     let mut terms = Vec::new();
     for (s, v) in a {
         for (t, w) in b {
             audit.spend(steps_of(s).max(steps_of(v)).max(steps_of(t)).max(steps_of(w)))?;
-            terms.push((t - s, v * w));
+            terms.push((together(s, t), v * w));
         }
+    }
+    Ok(terms)
+}
+
+/// The terms of a class at a turn of its unknown, not collected.
+pub(super) fn turned<'a>(
+    class: impl Iterator<Item = (i64, &'a Collected)>,
+    turn: &BigRational,
+    audit: &Audit,
+) -> Result<Vec<(BigRational, BigRational)>, Reason> {
+    let mut terms = Vec::new();
+    for (times, sum) in class {
+        let turned = turn * BigRational::from_integer(times.into());
+        audit.spend((sum.len() as u64).saturating_mul(steps_of(&turned)))?;
+        terms.extend(sum.iter().map(|(angle, weight)| (angle + &turned, weight.clone())));
     }
     Ok(terms)
 }

@@ -13,7 +13,7 @@ use crate::page::Text;
 use crate::page::number::Amount;
 use crate::proof::{Axial, Planar, Quantity, Shape};
 use crate::report;
-use crate::verdict::{OrderBalance, OrderVerdict, TorqueVerdict, WholeOrder};
+use crate::verdict::{OrderBalance, OrderVerdict, Outcome, TorqueVerdict, WholeOrder, both_vanish};
 
 /// What is left of one quantity of one order: of all sums together, or, in `parts`, of one of several.
 #[pyclass(frozen, get_all, module = "crankstar")]
@@ -177,12 +177,8 @@ fn part(order: &OrderBalance, quantity: Planar, text: &Text) -> Verdict {
 
 /// Zero where both vectors are, not zero where one is not.
 fn is_zero(whole: &WholeOrder) -> Option<bool> {
-    let both = whole.outcomes.each_ref().map(|outcome| outcome.vanishes());
-    match both {
-        [Some(true), Some(true)] => Some(true),
-        [Some(false), _] | [_, Some(false)] => Some(false),
-        [None, _] | [_, None] => None,
-    }
+    let [direct, reverse] = whole.outcomes.each_ref().map(Outcome::vanishes);
+    both_vanish(direct, reverse)
 }
 
 /// The inertia torque, or the roll moment.

@@ -76,7 +76,7 @@ pub fn corrected_file(remedy: &Remedy, name: &str, beside: FileResolver<'_>) -> 
     if of_links.iter().any(|weight| rounded(&remedy.subject, weight).is_none()) {
         return Err(FileError::OfLinks);
     }
-    if built.iter().any(|plane| plane.becomes.vector.parts().keys().any(is_of_faster_crank)) {
+    if built.iter().any(|plane| plane.becomes.vector.parts().keys().any(Factor::is_geared)) {
         return Err(FileError::OfFasterCrank);
     }
     let text = with_tables(remedy, source);
@@ -85,21 +85,6 @@ pub fn corrected_file(remedy: &Remedy, name: &str, beside: FileResolver<'_>) -> 
         (true, true) => Ok(CorrectedFile { text, is_rounded: !of_links.is_empty() }),
         (true, false) => Err(FileError::OfLinks),
         (false, _) => Err(FileError::AnotherEngine),
-    }
-}
-
-fn is_of_faster_crank(factor: &Factor) -> bool {
-    match factor {
-        Factor::Geared(..) => true,
-        Factor::One
-        | Factor::Motion(_)
-        | Factor::Quadrature(_)
-        | Factor::Torque(_)
-        | Factor::Side(_)
-        | Factor::Open
-        | Factor::OpenTorque
-        | Factor::Linkage(_)
-        | Factor::Corrected(..) => false,
     }
 }
 

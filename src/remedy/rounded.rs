@@ -21,17 +21,7 @@ const DIGITS: usize = 11;
 
 /// Whether a weight stands before a number of a link, which no key of a layout file names.
 pub(super) fn is_of_link(weight: &Weight) -> bool {
-    weight.vector.parts().keys().any(|factor| match factor {
-        Factor::Linkage(_) | Factor::Corrected(..) => true,
-        Factor::One
-        | Factor::Motion(_)
-        | Factor::Quadrature(_)
-        | Factor::Torque(_)
-        | Factor::Side(_)
-        | Factor::Open
-        | Factor::OpenTorque
-        | Factor::Geared(..) => false,
-    })
+    weight.vector.parts().keys().any(Factor::is_of_link)
 }
 
 /// The mass-radius of a weight, in kilogram-metres or else in multiples of m r, and its direction at θ = 0, both rounded to decimals;

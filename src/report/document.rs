@@ -89,17 +89,8 @@ pub(super) fn shaft_radius(engine: &Engine, mass: &order::TurningMass) -> num_ra
 }
 
 fn balancer<'a>(engine: &'a Engine, mass: &order::TurningMass) -> Option<&'a engine::Balancer> {
-    match mass.source {
-        Source::Balancer(index) => engine.crankshaft().balancers.get(index),
-        Source::Piston(_)
-        | Source::BigEnd(_)
-        | Source::Knuckle(_)
-        | Source::KnuckleAtPin(_)
-        | Source::KnuckleOffPin(_)
-        | Source::Pin(_)
-        | Source::Webs(_)
-        | Source::Counterweight(_) => None,
-    }
+    let Source::Balancer(index) = mass.source else { return None };
+    engine.crankshaft().balancers.get(index)
 }
 
 fn cylinder(engine: &Engine, cylinder: &engine::Cylinder, with_roll: bool) -> Cylinder {

@@ -318,11 +318,7 @@ fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swin
         quantity,
         order: order.order,
         exists: order.exists(engine),
-        vanishes: match (direct.vanishes, reverse.vanishes) {
-            (Some(true), Some(true)) => Some(true),
-            (Some(false), _) | (_, Some(false)) => Some(false),
-            _ => None,
-        },
+        vanishes: verdict::both_vanish(direct.vanishes, reverse.vanishes),
         largest: size(swing.largest(), factor, is_zero),
         direct,
         reverse,

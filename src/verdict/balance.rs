@@ -129,18 +129,8 @@ impl Class {
     /// That of a group of an order among so many; none of the only one, but where it is of a crankshaft that turns faster than the
     /// reference: there it tells before which number the sum stands.
     pub(super) fn of(sources: &Sources, group: &Group, groups: usize, order: u32) -> Option<Self> {
-        let is_of_faster = match &group.factor {
-            Factor::Geared(..) => true,
-            Factor::One => order > 1 && sources.engine().faster_crank().is_some() && !group.sources.is_empty(),
-            Factor::Motion(_)
-            | Factor::Quadrature(_)
-            | Factor::Torque(_)
-            | Factor::Side(_)
-            | Factor::Linkage(_)
-            | Factor::Corrected(..)
-            | Factor::Open
-            | Factor::OpenTorque => false,
-        };
+        let is_one_of_faster = || group.factor == Factor::One && order > 1 && sources.engine().faster_crank().is_some();
+        let is_of_faster = group.factor.is_geared() || (is_one_of_faster() && !group.sources.is_empty());
         (groups > 1 || is_of_faster).then(|| Class::new(sources, group))
     }
 

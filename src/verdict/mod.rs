@@ -19,7 +19,7 @@ pub use recurrence::{
     NextLeft, Ray, Recurrence, Recurrences, Stars, every_order,
 };
 pub use theorem::{EveryOrder, LONGEST_PERIOD, NoTheorem, Theorem, period, survivors};
-pub use whole::{Outcome, WholeOrder};
+pub use whole::{Outcome, WholeOrder, both_vanish};
 
 use crate::engine::{Engine, NotAnOrder, are_orders};
 use crate::order::{Coefficients, Group, Masses, Sources};

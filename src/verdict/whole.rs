@@ -53,6 +53,15 @@ impl Outcome {
     }
 }
 
+/// Whether two are zero together: not where one is not, undecided where that is left open.
+pub fn both_vanish(one: Option<bool>, other: Option<bool>) -> Option<bool> {
+    match [one, other] {
+        [Some(false), _] | [_, Some(false)] => Some(false),
+        [Some(true), Some(true)] => Some(true),
+        [None, _] | [_, None] => None,
+    }
+}
+
 /// A sum with what it stands before, and whether that is other than zero.
 #[derive(Clone, Copy)]
 pub(super) struct Part<'a> {

@@ -32,17 +32,7 @@ impl CompressorStage {
             Setting::Clearance => &self.clearance,
             Setting::CompressionExponent => &self.compression_exponent,
             Setting::ExpansionExponent => &self.expansion_exponent,
-            Setting::Bore
-            | Setting::Crankcase
-            | Setting::CompressionRatio
-            | Setting::ExhaustPressure
-            | Setting::Heat
-            | Setting::WiebeExponent
-            | Setting::IntakeCloses
-            | Setting::CombustionStarts
-            | Setting::CombustionLasts
-            | Setting::ExhaustOpens
-            | Setting::Blowdown => return None,
+            _ => return None,
         })
     }
 

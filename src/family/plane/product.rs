@@ -29,20 +29,7 @@ pub(super) fn when(parts: &[&Part]) -> Option<When> {
     let of_places = |places: Vec<usize>| solve::when(&places.into_iter().map(|at| parts[at]).collect::<Vec<_>>());
     let group = of_places(groups.first()?.clone());
     let firsts = of_places(groups.iter().filter_map(|group| group.first().copied()).collect());
-    let is_never = |when: &When| match when {
-        When::Never(_) => true,
-        When::Always
-        | When::Where(_)
-        | When::Cosine(_)
-        | When::Circle(_)
-        | When::Irrational { .. }
-        | When::Triangle(_)
-        | When::Classes(_)
-        | When::Quadratic(_)
-        | When::Product(_)
-        | When::Boxes(_)
-        | When::NotSolved(_) => false,
-    };
+    let is_never = |when: &When| matches!(when, When::Never(_));
     let never = is_never(&group) && is_never(&firsts);
     let product = Box::new(Product { groups, certificates, group, firsts });
     Some(if never { When::Never(Never::Product(product)) } else { When::Product(product) })

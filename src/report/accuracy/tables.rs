@@ -13,25 +13,14 @@ use crate::proof::Quantity;
 pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
     let (unit, factor) = methods::unit(engine, study.quantity);
     let front = methods::front(study);
-    let mut table = Table::new([
-        "Method".into(),
-        phrase!("Peak in {}", unit),
-        "Error".into(),
-        "Guaranteed".into(),
-        "Time".into(),
-        "Unbeaten".into(),
-    ]);
-    for (place, row) in study.rows.iter().enumerate() {
-        table.push(vec![
-            methods::name_and_spans(row),
-            methods::to_nine_digits(row.value * factor, unit),
-            methods::measured(study, row),
-            row.bound.map_or_else(Text::default, |bound| methods::power(bound).into()),
-            row.time.map_or_else(Text::default, |time| methods::time(time).into()),
-            if front.contains(&place) { "yes".into() } else { Text::default() },
-        ]);
-    }
-    table
+    Table::of(study.rows.iter().enumerate())
+        .column("Method", |(_, row)| methods::name_and_spans(row))
+        .column(phrase!("Peak in {}", unit), |(_, row)| methods::to_nine_digits(row.value * factor, unit))
+        .column("Error", |(_, row)| methods::measured(study, row))
+        .column("Guaranteed", |(_, row)| row.bound.map_or_else(Text::default, |bound| methods::power(bound).into()))
+        .column("Time", |(_, row)| row.time.map_or_else(Text::default, |time| methods::time(time).into()))
+        .column("Unbeaten", |(place, _)| if front.contains(place) { "yes".into() } else { Text::default() })
+        .done()
 }
 
 /// What stands below those tables.

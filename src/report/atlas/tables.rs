@@ -6,7 +6,7 @@ use super::REMEDIED;
 use super::entry::{EngineRow, Order, Origin, Remaining, Ties};
 use crate::engine::Cycle;
 use crate::numbers::Form;
-use crate::page::{Number, Table, Text, phrase};
+use crate::page::{Columns, Number, Table, Text, phrase};
 use crate::proof::{Planar, Shape};
 
 /// Longer closed forms do not stand in the tables.
@@ -14,36 +14,29 @@ const LONGEST_IN_TABLE: usize = 24;
 
 /// What each engine of the catalogue is, leaves first, and needs.
 pub(super) fn known(engines: &[&EngineRow]) -> Table {
-    let mut table = Table::new(["Name", "Engine", "Firing", "First force left", "First moment left", "Remedy"]);
-    for engine in engines {
-        let [force, moment] = engine.first_left.clone();
-        table.push(vec![
-            name(engine),
-            (&engine.title).into(),
-            engine.firing.clone(),
-            force,
-            moment,
-            engine.remedy.clone(),
-        ]);
-    }
+    let table = Table::of(engines.iter().copied())
+        .column("Name", |engine| name(engine))
+        .column("Engine", |engine| &engine.title)
+        .column("Firing", |engine| engine.firing.clone());
+    with_needs(table)
+}
+
+/// What an engine leaves first, and needs.
+fn with_needs(table: Columns<&EngineRow>) -> Table {
     table
+        .column("First force left", |engine| engine.first_left[0].clone())
+        .column("First moment left", |engine| engine.first_left[1].clone())
+        .column("Remedy", |engine| engine.remedy.clone())
+        .done()
 }
 
 /// The same of the stars that were found, with how many are as good.
 pub(super) fn found(engines: &[&EngineRow]) -> Table {
-    let mut table = Table::new(["Star", "Throws", "As good", "First force left", "First moment left", "Remedy"]);
-    for engine in engines {
-        let [force, moment] = engine.first_left.clone();
-        table.push(vec![
-            name(engine),
-            (&engine.title).into(),
-            engine.ties.as_ref().map(ties).unwrap_or_default(),
-            force,
-            moment,
-            engine.remedy.clone(),
-        ]);
-    }
-    table
+    let table = Table::of(engines.iter().copied())
+        .column("Star", |engine| name(engine))
+        .column("Throws", |engine| &engine.title)
+        .column("As good", |engine| engine.ties.as_ref().map(ties).unwrap_or_default());
+    with_needs(table)
 }
 
 /// The largest force or moment of each engine at these orders.
@@ -52,15 +45,14 @@ pub(super) fn by_order(engines: &[&EngineRow], quantity: Planar, orders: &[u32])
         Some(Origin::Found(_)) => "Star",
         Some(Origin::Catalogue) | None => "Name",
     };
-    let headings = orders.iter().map(|order| phrase!("Order {}", *order));
-    let mut table = Table::new([Text::from(first)].into_iter().chain(headings));
-    for engine in engines {
-        let of = |order: &u32| engine.orders.iter().find(|judged| judged.order == *order);
-        let cells =
-            orders.iter().map(|order| of(order).map(|judged| cell(engine, judged, quantity)).unwrap_or_default());
-        table.push([name(engine)].into_iter().chain(cells).collect());
-    }
-    table
+    let table = Table::of(engines.iter().copied()).column(first, |engine| name(engine));
+    let with_orders = orders.iter().fold(table, |table, order| {
+        table.column(phrase!("Order {}", *order), |engine| {
+            let judged = engine.orders.iter().find(|judged| judged.order == *order);
+            judged.map(|judged| cell(engine, judged, quantity)).unwrap_or_default()
+        })
+    });
+    with_orders.done()
 }
 
 fn name(engine: &EngineRow) -> Text {

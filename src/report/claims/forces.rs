@@ -8,24 +8,10 @@ use crate::page::{Text, Unit, phrase};
 /// How far a formula is off.
 pub(super) fn agreement(found: &Agreement) -> Text {
     let largest = measure(found.what, found.largest.value);
-    let constant = match found.what {
-        Measured::ReciprocatingMass | Measured::RotatingMass | Measured::RodLength | Measured::CentrifugalForce => true,
-        Measured::RodSine
-        | Measured::Displacement
-        | Measured::Velocity
-        | Measured::Acceleration
-        | Measured::GasForce
-        | Measured::InertiaForce
-        | Measured::PistonEffort
-        | Measured::SideForce
-        | Measured::RodForce
-        | Measured::RadialForce
-        | Measured::CrankEffort
-        | Measured::FrameAlong
-        | Measured::FrameAcross
-        | Measured::Torque
-        | Measured::ReactionTorque => false,
-    };
+    let constant = matches!(
+        found.what,
+        Measured::ReciprocatingMass | Measured::RotatingMass | Measured::RodLength | Measured::CentrifugalForce
+    );
     let percent = || Text::from(number::decimal(100.0 * found.part()));
     match (found.equal, constant) {
         (true, true) => phrase!("It is that: {}.", largest),

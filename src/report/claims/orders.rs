@@ -61,18 +61,7 @@ impl Asked<'_> {
 fn what_is_left(order: &OrderBalance, statement: &Statement) -> Text {
     let with_moment = match statement {
         Statement::Vanish { quantities, .. } => quantities.contains(&Quantity::MOMENT),
-        Statement::NoFreeMoment => true,
-        Statement::Order { .. }
-        | Statement::Shafts { .. }
-        | Statement::CanBalance(_)
-        | Statement::CrankshaftMass(_)
-        | Statement::BearingLoad(_)
-        | Statement::WorstBearings(_)
-        | Statement::LargestLoad(..)
-        | Statement::ShakingForce(_)
-        | Statement::Formula(_)
-        | Statement::GasTorque { .. }
-        | Statement::FiresEvenly { .. } => false,
+        other => matches!(other, Statement::NoFreeMoment),
     };
     let force = (!order.force.is_balanced()).then(|| phrase!("force {}", residual::force(order)));
     let moment = (with_moment && !order.moment.is_balanced()).then(|| residual::moment(order));

@@ -80,22 +80,17 @@ fn named(convention: &Convention) -> Text {
 }
 
 fn entries(pupil: &Pupil, sheet: &MarkedSheet, order: u32, entries: &[Marked], scheme: &Scheme) -> Block {
-    let mut table = Table::new(["Entry", "Written", "Answer", "Right", "Points"]);
-    for entry in entries {
-        let written = entry.written.as_ref().map_or_else(|| "–".into(), Text::from);
-        let points = points(
-            &(scheme.points(entry) * if sheet.undeclared.is_empty() { one() } else { scheme.undeclared.clone() }),
-        );
-        let is_right = entry.judged == Judged::Right;
-        table.push(vec![
-            place(pupil, entry.place),
-            written,
-            answer(entry.judged),
-            if is_right { Text::default() } else { right(pupil, sheet, order, entry) },
-            points,
-        ]);
-    }
-    table.into()
+    let part = if sheet.undeclared.is_empty() { one() } else { scheme.undeclared.clone() };
+    let table = Table::of(entries)
+        .column("Entry", |entry| place(pupil, entry.place))
+        .column("Written", |entry| entry.written.as_ref().map_or_else(|| "–".into(), Text::from))
+        .column("Answer", |entry| answer(entry.judged))
+        .column("Right", |entry| match entry.judged {
+            Judged::Right => Text::default(),
+            _ => right(pupil, sheet, order, entry),
+        })
+        .column("Points", |entry| points(&(scheme.points(entry) * &part)));
+    table.done().into()
 }
 
 fn one() -> BigRational {

@@ -13,27 +13,31 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
     if cranks.is_empty() {
         return Vec::new();
     }
-    let mut table = Table::new(["Crankshaft", "It turns", "Its axis, in crank radii", "Cylinders", "Pins at θ = 0"]);
-    for (index, crank) in cranks.iter().enumerate() {
-        let own: Vec<_> = engine.cylinders().iter().filter(|cylinder| cylinder.crank == index).collect();
-        let names: Vec<&str> = own.iter().map(|cylinder| cylinder.name.as_str()).collect();
-        let mut pins: Vec<String> = own.iter().map(|cylinder| typeset::angle(&engine.pin_angle(cylinder))).collect();
-        pins.dedup();
-        let axis = crank.axis.iter().map(|term| {
+    let own = |index: usize| engine.cylinders().iter().filter(move |cylinder| cylinder.crank == index);
+    let axis = |crank: &GearedCrank| {
+        let terms = crank.axis.iter().map(|term| {
             phrase!("{} at {}", typeset::short(&term.weight), typeset::degrees(&typeset::signed_degrees(&term.angle)))
         });
-        table.push(vec![
-            crank.name.clone().into(),
-            turns(crank),
-            match (&crank.left_out, crank.axis.is_empty()) {
-                (Some(_), _) => "not given".into(),
-                (None, true) => "in the middle".into(),
-                (None, false) => Text::joined(axis, " + "),
-            },
-            typeset::names(&names).into(),
-            pins.join(", ").into(),
-        ]);
-    }
+        match (&crank.left_out, crank.axis.is_empty()) {
+            (Some(_), _) => "not given".into(),
+            (None, true) => "in the middle".into(),
+            (None, false) => Text::joined(terms, " + "),
+        }
+    };
+    let table = Table::of(cranks.iter().enumerate())
+        .column("Crankshaft", |(_, crank)| crank.name.clone())
+        .column("It turns", |(_, crank)| turns(crank))
+        .column("Its axis, in crank radii", |(_, crank)| axis(crank))
+        .column("Cylinders", |(index, _)| {
+            typeset::names(&own(*index).map(|cylinder| cylinder.name.as_str()).collect::<Vec<_>>())
+        })
+        .column("Pins at θ = 0", |(index, _)| {
+            let mut pins: Vec<String> =
+                own(*index).map(|cylinder| typeset::angle(&engine.pin_angle(cylinder))).collect();
+            pins.dedup();
+            pins.join(", ")
+        })
+        .done();
     let mut blocks = vec![table.into()];
     if cranks.iter().any(|crank| crank.sense == Sense::Reverse) {
         blocks.push(Block::Paragraph(

@@ -110,19 +110,19 @@ fn found(studies: &[(Entry, FiringStudy)]) -> Vec<Text> {
 
 /// Engines × (intervals, orders left, strongest minor order).
 fn table(studies: &[(Entry, FiringStudy)]) -> Table {
-    let mut table =
-        Table::new(["Engine", "Firing intervals", "Orders left of the gas torque", "Strongest minor order"]);
-    for (entry, study) in studies {
-        let (statement, strongest) = match study.pattern() {
-            Ok(pattern) => {
-                (words::left_in_short(pattern), words::strongest_in_short(pattern).unwrap_or_else(|| "none".into()))
-            }
-            Err(why) => (words::no_pattern(why), "–".into()),
-        };
-        let name = Text::link(entry.name.to_owned(), format!("../{}/report.md", entry.name));
-        table.push(vec![name, intervals(&study.engine), statement, strongest]);
-    }
-    table
+    let name = |entry: &Entry| Text::link(entry.name.to_owned(), format!("../{}/report.md", entry.name));
+    Table::of(studies)
+        .column("Engine", |(entry, _)| name(entry))
+        .column("Firing intervals", |(_, study)| intervals(&study.engine))
+        .column("Orders left of the gas torque", |(_, study)| match study.pattern() {
+            Ok(pattern) => words::left_in_short(pattern),
+            Err(why) => words::no_pattern(why),
+        })
+        .column("Strongest minor order", |(_, study)| match study.pattern() {
+            Ok(pattern) => words::strongest_in_short(pattern).unwrap_or_else(|| "none".into()),
+            Err(_) => "–".into(),
+        })
+        .done()
 }
 
 /// `18 × 40°`, or each of them.

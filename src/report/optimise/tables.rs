@@ -6,7 +6,7 @@ use super::amounts::{self, Units};
 use crate::engine::{Engine, LengthUnit};
 use crate::optimise::{Front, Place, Uniform};
 use crate::page::number::{given, given_with};
-use crate::page::{Table, Text, Unit, phrase};
+use crate::page::{Table, Unit, phrase};
 
 /// The front: a row a point.
 pub(super) fn points(layout: &Engine, front: &Front) -> Table {
@@ -62,10 +62,9 @@ pub(super) fn weights(layout: &Engine, front: &Front) -> Table {
             (LengthUnit::Spacing, None) => phrase!("z = {}", given(&place.position)),
         }
     };
-    let mut table = Table::new([Text::from("Point")].into_iter().chain(front.places.iter().map(place)));
-    for (index, point) in front.points.iter().enumerate() {
-        let cells = point.design.weights.iter().map(amounts::weight);
-        table.push([Text::from(index + 1)].into_iter().chain(cells).collect());
-    }
-    table
+    let table = Table::of(front.points.iter().enumerate()).column("Point", |(index, _)| index + 1);
+    let with_places = front.places.iter().enumerate().fold(table, |table, (at, heading)| {
+        table.column(place(heading), |(_, point)| point.design.weights.get(at).map(amounts::weight).unwrap_or_default())
+    });
+    with_places.done()
 }

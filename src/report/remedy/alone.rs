@@ -60,18 +60,15 @@ fn least(ellipse: &Ellipse) -> Amount {
 }
 
 fn table(partial: &Partial, scale: Option<&Scale>) -> Table {
-    let multiples = ["Balanced part f", "Largest, in m r ω²", "Smallest, in m r ω²"].into_iter();
-    let newtons = scale.map(|_| ["Largest force", "Smallest force"]).into_iter().flatten();
-    let mut table = Table::new(multiples.chain(newtons));
-    for percent in PARTS {
-        let part = BigRational::new(percent.into(), 100.into());
-        let ellipse = partial.ellipse(&part);
-        let part = given(&part);
-        let multiples = [part, peak(&ellipse).into(), least(&ellipse).into()];
-        let newtons = scale.map(|_| [peak(&ellipse), least(&ellipse)].map(|amount| force(amount, scale)));
-        table.push(multiples.into_iter().chain(newtons.into_iter().flatten()).collect());
-    }
-    table
+    let parts = PARTS.into_iter().map(|percent| BigRational::new(percent.into(), 100.into()));
+    let rows = parts.map(|part| (given(&part), partial.ellipse(&part)));
+    Table::of(rows)
+        .column("Balanced part f", |(part, _)| part.clone())
+        .column("Largest, in m r ω²", |(_, ellipse)| peak(ellipse))
+        .column("Smallest, in m r ω²", |(_, ellipse)| least(ellipse))
+        .column_if(scale.is_some(), "Largest force", |(_, ellipse)| force(peak(ellipse), scale))
+        .column_if(scale.is_some(), "Smallest force", |(_, ellipse)| force(least(ellipse), scale))
+        .done()
 }
 
 /// The largest and the smallest first-order force in a revolution over the balanced part.
