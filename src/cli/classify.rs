@@ -49,6 +49,9 @@ pub struct Classify {
     language: LanguageArgs,
 }
 
+const UNKNOWNS_IN_COQ: &str =
+    "a file of Coq states numbers, and this engine has unknowns; give them values below [values]";
+
 impl Classify {
     /// Prints the verdicts.
     pub fn run(&self) -> Result<(), Failure> {
@@ -56,10 +59,8 @@ impl Classify {
         if self.all_orders && !self.is_json() && !self.data.is_coq() {
             return Err(Failure::misuse("--all-orders adds to the JSON document; add --json, or --format coq"));
         }
-        if self.firing && self.data.is_coq() {
-            return Err(Failure::misuse(
-                "theorems are about forces, moments and torque of inertia; leave out --firing or --format coq",
-            ));
+        if self.firing && self.all_orders && self.data.is_coq() {
+            return Err(Failure::misuse("theorems on firing stars are about single orders; leave out --all-orders"));
         }
         if self.firing {
             return self.run_firing(wanted.is_some());
@@ -74,9 +75,7 @@ impl Classify {
                 return Err(Failure::new("tables need an engine without unknowns; give them values below [values]"));
             }
             Layout::Open(_) if self.data.is_coq() => {
-                return Err(Failure::new(
-                    "a file of Coq states numbers, and this engine has unknowns; give them values below [values]",
-                ));
+                return Err(Failure::new(UNKNOWNS_IN_COQ));
             }
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
@@ -122,10 +121,14 @@ impl Classify {
             Layout::Open(family) => return self.run_open_firing(&family),
         };
         let study = firing::study(&engine, &self.about.orders, &self.mode)?;
-        match self.is_json() {
-            true => self.data.show_json("classify", proved(&report::firing_document(&study, self.all_orders))?),
-            false => self.show(&report::firing_answer(&study)),
+        if !self.is_json() && !self.data.is_coq() {
+            return self.show(&report::firing_answer(&study));
         }
+        let document = report::firing_document(&study, self.all_orders);
+        if self.data.is_coq() {
+            return self.data.show_coq("classify", &report::coq_file_of_firing(&document).map_err(Failure::new)?);
+        }
+        self.data.show_json("classify", proved(&document)?)
     }
 
     fn run_open_firing(&self, family: &Family) -> Result<(), Failure> {
@@ -133,6 +136,9 @@ impl Classify {
             return Err(Failure::new(
                 "--json of firing stars needs an engine without unknowns; give them values below [values], or leave --json out",
             ));
+        }
+        if self.data.is_coq() {
+            return Err(Failure::new(UNKNOWNS_IN_COQ));
         }
         let study = firing::open_study(family, &self.about.orders, &self.mode)?;
         self.show(&report::open_firing_answer(&study))

@@ -73,7 +73,7 @@ pub use catalogue::{
 pub use claims::{claim_evidence, claim_finding, claim_needs, claim_status, claims_answer, claims_page, table_finding};
 pub use classroom::{exercise_sheet, exercise_solutions, marked_page, marks_answer, marks_page};
 pub use compare::{CompareDocument, CompareStudy, Compared, compare_answer, compare_document, compare_page};
-pub use coq::{NotStated, coq_file};
+pub use coq::{NotStated, coq_file, coq_file_of_firing};
 pub use document::document;
 pub use engine_cells::firing as firing_cell;
 pub use engine_page::{

@@ -214,6 +214,24 @@ fn every_order_of_rods_with_an_offset_is_left_where_the_recurrences_say_so() {
 }
 
 #[test]
+fn a_firing_star_is_the_torque_of_cylinders_that_turn_once_in_a_cycle() {
+    let file = answered(&["classify", "I4", "--firing", "--orders", "1/2,2", "--format", "coq"]);
+    assert!(
+        file.contains("Cylinder (-3 # 4) (0 # 1) (0 # 1) (1 # 1) (1 # 1); (* 2 *)"),
+        "it fires at 540 of 720: {file}"
+    );
+    assert_eq!(
+        stated(&file, "real_torque_order_1").as_deref(),
+        Some("forall (c : R * R) (theta : R), torque c the_engine 1 theta = 0.")
+    );
+    assert_eq!(
+        stated(&file, "real_torque_order_4").as_deref(),
+        Some("forall c : R * R, c <> (0, 0) -> exists theta : R, torque c the_engine 4 theta <> 0.")
+    );
+    assert!(file.contains("cycle of two revolutions") && file.contains("order k is order k/2 of the crank"), "{file}");
+}
+
+#[test]
 fn paths_of_classes_are_stated_too() {
     let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/formal/engines/large-denominator.toml");
     let file = answered(&["classify", layout, "--orders", "1", "--format", "coq"]);
@@ -248,7 +266,8 @@ fn what_the_file_cannot_state_is_refused_with_the_reason() {
         (vec!["radial-9-master"], "is a link on a master rod"),
         (vec![open.as_str()], "has unknowns; give them values"),
         (vec![long.as_str(), "--all-orders"], "leave out --all-orders"),
-        (vec!["I4", "--firing"], "leave out --firing"),
+        (vec!["I4", "--firing", "--all-orders"], "leave out --all-orders"),
+        (vec![open.as_str(), "--firing"], "has unknowns; give them values"),
         (vec!["I4", "--output", "x.json"], "is named as a file of json"),
     ];
     for (arguments, reason) in cases {

@@ -3,6 +3,7 @@
 mod engine;
 mod every_order;
 mod evidence;
+mod firing;
 mod not_stated;
 mod parts;
 mod real;
@@ -14,6 +15,7 @@ use self::theorem::Theorem;
 use crate::proof::Document;
 use crate::text::coq_comment;
 
+pub use firing::coq_file_of_firing;
 pub use not_stated::NotStated;
 
 /// A file that Coq compiles beside those of `formal/`: the engine in rational numbers, a theorem for each verdict, and for each shape
@@ -22,13 +24,18 @@ pub use not_stated::NotStated;
 /// # Errors
 /// What the engine has that the file cannot state.
 pub fn coq_file(document: &Document) -> Result<String, NotStated> {
+    file(&head(document), document)
+}
+
+/// The file below a comment that is open.
+fn file(head: &str, document: &Document) -> Result<String, NotStated> {
     not_stated::check(document)?;
     let parts = Parts::of(document);
     let every = Pattern::all(document, &parts)?;
     let vectors = theorem::theorems(document, &parts, &every)?;
     let real = real::theorems(document, &parts, &every);
     let engine = engine::definition(document) + &parts.definitions(document);
-    let mut text = format!("{}\n{engine}\n{SECTION}\n{}", head(document), texts(&vectors));
+    let mut text = format!("{head}{WRITTEN}\n{engine}\n{SECTION}\n{}", texts(&vectors));
     text.push_str(&format!(
         "End Verdicts.\n\n(* All of them; none may rest on an axiom. *)\n{}",
         all("verdicts", &vectors)
@@ -59,18 +66,22 @@ Variables (F : numClosedFieldType) (e : circle F).
 
 const AXIOMS: &str = "(* They rest on the four axioms of the real numbers that formal/README.md names. *)\n";
 
-fn head(document: &Document) -> String {
-    format!(
-        "(* {}: verdicts on {}, each a theorem.
+const WRITTEN: &str = "
 
    Written by crankstar classify --format coq. Compile with formal/ of crankstar: coqc -Q formal Crankstar THIS.v
-   First the sums of the vectors of an order, without the number c_k of the motion that all their cylinders share (1 in order 1 and 0 in odd
-   orders above 1, of rods without offset), then the force itself, with that number. formal/Engine.v says what the words mean. *)
+   First the sums of vectors, then what they make of the real numbers. formal/Engine.v says what the words mean. *)
 From Coq Require Import ZArith QArith.
 From mathcomp Require Import all_ssreflect all_algebra ssrZ.
 From Crankstar Require Import Sums Splitting Engine Checker.
 Local Open Scope Z_scope.
-",
+";
+
+fn head(document: &Document) -> String {
+    format!(
+        "(* {}: verdicts on {}, each a theorem.
+
+   The sums of the vectors of an order are without the number c_k of the motion that all their cylinders share (1 in order 1 and 0 in odd
+   orders above 1, of rods without offset); the force has that number.",
         coq_comment(&document.title),
         document.masses.name()
     )
