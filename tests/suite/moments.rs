@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use crankstar::engine::{CycleOrder, Engine};
 use crankstar::file;
 use crankstar::report::{Amplitude, MomentsRow, MomentsStudy, NoMoments, Question};
+use crankstar::table::Value;
 use crankstar::text::Untrusted;
 use crankstar::torque::torque;
 
@@ -182,6 +183,19 @@ fn what_cannot_be_had_in_newton_metres_is_refused_and_a_layout_without_gas_has_n
 }
 
 #[test]
+fn a_value_of_one_engine_is_named_without_it() {
+    let engine = engine(&two_stroke("1-5-3-4-2-6"));
+    let names = ["moments.moments.as-built.moment_2_v", "moments.guides.6.h"].map(|name| name.parse().expect("a name"));
+    let values = crankstar::report::values_of(&engine, &names);
+    let [second, rocking] = [0, 1].map(|place: usize| match values[place].as_ref().expect("a value").value() {
+        Some(Value::Decimal(value)) => value,
+        other => panic!("{other:?}"),
+    });
+    assert_near(second, 813.382463, 5e-6);
+    assert_near(rocking, 381.74, 5e-3);
+}
+
+#[test]
 fn the_command_makes_a_row_of_each_firing_order() {
     let layout = scratch("moments").join("base.toml");
     std::fs::write(&layout, two_stroke("1-4-3-2-5")).expect("a file");
@@ -190,7 +204,12 @@ fn the_command_makes_a_row_of_each_firing_order() {
     let out = call(&["moments", layout, "--firing-order", &orders, "--format", "csv"]);
     let csv = String::from_utf8_lossy(&out.stdout).into_owned();
     assert_eq!(csv.lines().count(), 6, "{csv}{}", String::from_utf8_lossy(&out.stderr));
-    assert!(csv.lines().nth(5).is_some_and(|line| line.contains("as-built,12,1-8-12-4-2-9-10-5-3-7-11-6")), "{csv}");
+    assert!(
+        csv.lines()
+            .nth(5)
+            .is_some_and(|line| line.contains("as-built,1-8-12-4-2-9-10-5-3-7-11-6,12,1-8-12-4-2-9-10-5-3-7-11-6,")),
+        "{csv}"
+    );
     let wrong = call(&["moments", layout, "--firing-order", "1-1-2"]);
     assert!(!wrong.status.success() && String::from_utf8_lossy(&wrong.stderr).contains("with the firing order 1-1-2"));
 }

@@ -17,11 +17,15 @@ pub fn moments(study: &MomentsStudy, name: &str) -> Option<Table> {
     }
 }
 
+/// A single engine needs no name.
+fn keys(study: &MomentsStudy) -> usize {
+    if study.rows.iter().filter(|row| !row.is_bare).count() == 1 { 1 } else { 2 }
+}
+
 fn external(study: &MomentsStudy) -> Table {
-    let keys = if study.rows.len() == 1 { 0 } else { 2 };
-    let mut table = Filling::new("moments.moments", &study.rows).keyed(keys);
-    table.person("engine", |row| Some(row.name.clone()));
+    let mut table = Filling::new("moments.moments", &study.rows).keyed(keys(study));
     table.words("state", |row| Some(if row.is_bare { "bare" } else { "as-built" }.to_owned()));
+    table.person("engine", |row| Some(row.name.clone()));
     table.whole("cylinders", |row| row.engine.cylinders().len());
     table.words("firing_order", |row| {
         let names = row.engine.firing()?.shots.iter().map(|shot| row.engine.cylinders()[shot.cylinder].name.clone());
@@ -73,9 +77,9 @@ fn guides(study: &MomentsStudy) -> Option<Table> {
     if rows.is_empty() {
         return None;
     }
-    let mut table = Filling::new("moments.guides", &rows).keyed(2);
-    table.person("engine", |row| Some(row.0.clone()));
+    let mut table = Filling::new("moments.guides", &rows).keyed(keys(study));
     table.decimal("order", Unit::NONE, |row| row.1.order.exact().to_f64());
+    table.person("engine", |row| Some(row.0.clone()));
     let unit = Unit::KILONEWTON_METRE;
     table.decimal("h_{unit}", unit, |row| Some(row.1.rocking.unwrap_or(0.0) / 1e3));
     table.truth("h_vanishes", |row| Some(row.1.rocking.is_none()));
