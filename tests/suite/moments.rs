@@ -185,7 +185,7 @@ fn what_cannot_be_had_in_newton_metres_is_refused_and_a_layout_without_gas_has_n
 #[test]
 fn a_value_of_one_engine_is_named_without_it() {
     let engine = engine(&two_stroke("1-5-3-4-2-6"));
-    let names = ["moments.moments.as-built.moment_2_v", "moments.guides.6.h"].map(|name| name.parse().expect("a name"));
+    let names = ["moments.moments.built.moment_2_v", "moments.guides.6.h"].map(|name| name.parse().expect("a name"));
     let values = crankstar::report::values_of(&engine, &names);
     let [second, rocking] = [0, 1].map(|place: usize| match values[place].as_ref().expect("a value").value() {
         Some(Value::Decimal(value)) => value,
@@ -207,7 +207,7 @@ fn the_command_makes_a_row_of_each_firing_order() {
     assert!(
         csv.lines()
             .nth(5)
-            .is_some_and(|line| line.contains("as-built,1-8-12-4-2-9-10-5-3-7-11-6,12,1-8-12-4-2-9-10-5-3-7-11-6,")),
+            .is_some_and(|line| line.contains("built,1-8-12-4-2-9-10-5-3-7-11-6,12,1-8-12-4-2-9-10-5-3-7-11-6,")),
         "{csv}"
     );
     let wrong = call(&["moments", layout, "--firing-order", "1-1-2"]);

@@ -24,7 +24,7 @@ fn keys(study: &MomentsStudy) -> usize {
 
 fn external(study: &MomentsStudy) -> Table {
     let mut table = Filling::new("moments.moments", &study.rows).keyed(keys(study));
-    table.words("state", |row| Some(if row.is_bare { "bare" } else { "as-built" }.to_owned()));
+    table.words("state", |row| Some(if row.is_bare { "bare" } else { "built" }.to_owned()));
     table.person("engine", |row| Some(row.name.clone()));
     table.whole("cylinders", |row| row.engine.cylinders().len());
     table.words("firing_order", |row| {
