@@ -29,6 +29,8 @@ pub struct Axis {
     pub ticks: Option<Vec<f64>>,
     /// Whether the range of a linear axis reaches zero where it follows the data: amplitudes are seen from there.
     pub from_zero: bool,
+    /// Values that it reaches whatever the data are: those of other plots that it is compared with.
+    pub covers: Vec<f64>,
 }
 
 /// A value that is marked on an axis.
@@ -66,7 +68,15 @@ const MANY_DECADES: i32 = 3;
 impl Axis {
     /// A linear axis that covers the data.
     pub fn linear(label: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: None, scale: Scale::Linear, range: None, ticks: None, from_zero: false }
+        Axis {
+            label: label.into(),
+            unit: None,
+            scale: Scale::Linear,
+            range: None,
+            ticks: None,
+            from_zero: false,
+            covers: Vec::new(),
+        }
     }
 
     /// A linear axis that covers zero and the data.
@@ -112,12 +122,18 @@ impl Axis {
         let factor = size.recip().to_f64()?;
         let range = self.range.map(|(low, high)| (low * factor, high * factor));
         let ticks = self.ticks.as_ref().map(|ticks| ticks.iter().map(|tick| tick * factor).collect());
-        Some((factor, Axis { unit: Some(inch), range, ticks, ..self.clone() }))
+        let covers = self.covers.iter().map(|value| value * factor).collect();
+        Some((factor, Axis { unit: Some(inch), range, ticks, covers, ..self.clone() }))
     }
 
     /// The same axis from one value to another.
     pub fn within(self, low: f64, high: f64) -> Self {
         Axis { range: Some((low, high)), ..self }
+    }
+
+    /// The same axis, reaching these values too.
+    pub fn covering(self, values: &[f64]) -> Self {
+        Axis { covers: values.into(), ..self }
     }
 
     /// The axis over these values, with about so many steps between ticks. Values that have no place are passed over.
@@ -126,14 +142,14 @@ impl Axis {
             Scale::Linear => *value == 0.0 || (FARTHEST.recip()..FARTHEST).contains(&value.abs()),
             Scale::Log => (FARTHEST.recip()..FARTHEST).contains(value),
         };
+        let values = values.into_iter().chain(self.covers.iter().copied());
         let mut own: Vec<f64> = self.ticks.iter().flatten().copied().filter(usable).collect();
         own.sort_by(f64::total_cmp);
         own.dedup();
         let zero = (self.from_zero && self.scale == Scale::Linear).then_some(0.0);
         let given = self.range.map(|(a, b)| (a.min(b), a.max(b)));
         let given = given.filter(|(low, high)| usable(low) && usable(high) && !same(*low, *high));
-        let range = given
-            .unwrap_or_else(|| self.cover(values.into_iter().filter(usable).chain(own.iter().copied()).chain(zero)));
+        let range = given.unwrap_or_else(|| self.cover(values.filter(usable).chain(own.iter().copied()).chain(zero)));
         let (ticks, small) = match self.scale {
             _ if !own.is_empty() => (own, Vec::new()),
             Scale::Linear => (linear_ticks(range, steps), Vec::new()),

@@ -21,6 +21,8 @@ pub struct Polar {
     pub curves: Vec<Curve>,
     /// Marked tips.
     pub marks: Vec<PointMark>,
+    /// A length that the outer circle reaches whatever the curves are: that of other drawings that it is compared with.
+    pub reach: f64,
     /// Marked directions: degrees anticlockwise from upwards, and their names.
     pub directions: Vec<(f64, String)>,
 }
@@ -42,6 +44,7 @@ impl Polar {
             unit: None,
             curves,
             marks: Vec::new(),
+            reach: 0.0,
             directions: directions.into(),
         }
     }
@@ -68,7 +71,7 @@ impl Polar {
     pub fn figure(&self) -> Figure {
         let axis = Axis { unit: self.unit, ..Axis::linear(self.label.clone()) };
         let in_inches = axis.in_inches().map(|(factor, axis)| {
-            let mut polar = Polar { unit: axis.unit, ..self.clone() };
+            let mut polar = Polar { unit: axis.unit, reach: self.reach * factor, ..self.clone() };
             let scale = |at: &mut (f64, f64)| *at = (at.0 * factor, at.1 * factor);
             polar.curves.iter_mut().flat_map(|curve| &mut curve.points).for_each(scale);
             polar.marks.iter_mut().for_each(|mark| scale(&mut mark.at));
@@ -90,7 +93,7 @@ impl Polar {
         head.draw(&mut figure);
         let centre = snapped(Point::new(WIDTH / 2.0, below + RADIUS));
         let tips = self.curves.iter().flat_map(|curve| &curve.points).chain(self.marks.iter().map(|mark| &mark.at));
-        let lengths = tips.map(|(right, up)| right.hypot(*up)).chain([0.0]);
+        let lengths = tips.map(|(right, up)| right.hypot(*up)).chain([0.0, self.reach]);
         let ruler = Axis::linear("").ruler(lengths.filter(|length| length.is_finite()), CIRCLES);
         // A range that lies about zero, where every vector vanishes, begins at zero here.
         let full = ruler.high;

@@ -15,24 +15,36 @@ const STEPS: usize = 720;
 pub(in crate::report) fn drawings(convention: Convention, loads: &BearingLoads) -> Vec<[Picture; 2]> {
     let unit = unit_of(loads);
     let circle = Circle::new(STEPS);
-    let draw = |(index, bearing): (usize, &BearingLoad)| {
+    let tips = |bearing: &BearingLoad| {
         // Seen from the free end: y upwards in direction 0, x to the right.
         let tips =
             bearing.waveform.sample(&circle).into_iter().map(|force| (-force.im * unit.factor, force.re * unit.factor));
         let mut tips: Vec<(f64, f64)> = tips.collect();
         tips.extend(tips.first().copied());
-        [over_crank_angle(index + 1, &tips, unit), polar(convention, index + 1, bearing, tips, unit)]
+        tips
     };
-    loads.bearings.iter().enumerate().map(draw).collect()
+    let all: Vec<Vec<(f64, f64)>> = loads.bearings.iter().map(tips).collect();
+    let largest = farthest(all.iter().flatten());
+    let draw = |(index, (bearing, tips)): (usize, (&BearingLoad, Vec<(f64, f64)>))| {
+        let over_angle = over_crank_angle(index + 1, &tips, largest, unit);
+        [over_angle, polar(convention, index + 1, bearing, tips, largest, unit)]
+    };
+    loads.bearings.iter().zip(all).enumerate().map(draw).collect()
 }
 
-fn over_crank_angle(number: usize, tips: &[(f64, f64)], unit: Unit) -> Picture {
+/// The largest of the forces of all bearings, which are drawn to one scale.
+pub(in crate::report) fn farthest<'a>(tips: impl Iterator<Item = &'a (f64, f64)>) -> f64 {
+    tips.map(|(right, up)| right.hypot(*up)).fold(0.0, f64::max)
+}
+
+fn over_crank_angle(number: usize, tips: &[(f64, f64)], largest: f64, unit: Unit) -> Picture {
     let caption = phrase!(
         "Bearing {}: components of the force through a revolution, y upwards in direction 0 (solid), x to the right (dashed)",
         number
     );
     let x = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
-    let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear("Force in {}").counted_in(unit.unit));
+    let y = Axis::linear("Force in {}").counted_in(unit.unit).covering(&[-largest, largest]);
+    let mut plot = Plot::new(format!("Main bearing {number}"), x, y);
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
         let point = |(step, tip): (usize, &(f64, f64))| (step as f64 * 360.0 / STEPS as f64, value(tip));
         Curve::new(place, name, tips.iter().enumerate().map(point).collect())
@@ -48,11 +60,19 @@ const PATH: [&str; 2] = [
      mark crank angles, the dot the largest force.",
 ];
 
-fn polar(convention: Convention, number: usize, bearing: &BearingLoad, tips: Vec<(f64, f64)>, unit: Unit) -> Picture {
+fn polar(
+    convention: Convention,
+    number: usize,
+    bearing: &BearingLoad,
+    tips: Vec<(f64, f64)>,
+    largest: f64,
+    unit: Unit,
+) -> Picture {
     let caption = phrase!(said(convention, PATH), number);
     let label = "Force in {}; 0° is the reference direction";
     let mut polar = Polar::new(format!("Main bearing {number}"), label, vec![Curve::new(0, "", tips.clone())])
         .counted_in(unit.unit);
+    polar.reach = largest;
     polar.mark_quarters(&tips, STEPS);
     let tip = bearing.peak.vector * unit.factor;
     if let Some(angle) = bearing.peak.angle {

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
+use super::super::bearings::farthest;
 use super::super::convention::said;
 use super::super::torque::names;
 use crate::engine::{Convention, Engine};
@@ -35,20 +36,26 @@ fn tip(force: Complex<f64>) -> (f64, f64) {
 pub(super) fn bearings(convention: Convention, loads: &CycleLoads, bearings: &CycleBearings) -> Vec<[Picture; 2]> {
     let course = &loads.course;
     let angles = angles(course);
-    let draw = |(index, bearing): (usize, &CycleBearing)| {
+    let forces = |bearing: &CycleBearing| {
         let parts = |theta: &f64| course.carried_parts(&bearing.carried, *theta);
         let known: Vec<[Complex<f64>; 2]> = angles.iter().map(parts).collect();
-        let all: Vec<(f64, f64)> = known.iter().map(|[inertia, gas]| tip(inertia + gas)).collect();
-        let inertia: Vec<(f64, f64)> = known.iter().map(|[inertia, _]| tip(*inertia)).collect();
-        [over_crank_angle(index + 1, &angles, &all), polar(convention, index + 1, bearing, all, inertia)]
+        let all = known.iter().map(|[inertia, gas]| tip(inertia + gas)).collect();
+        [all, known.iter().map(|[inertia, _]| tip(*inertia)).collect()]
     };
-    bearings.bearings.iter().enumerate().map(draw).collect()
+    let known: Vec<[Vec<(f64, f64)>; 2]> = bearings.bearings.iter().map(forces).collect();
+    let largest = farthest(known.iter().flatten().flatten());
+    let draw = |(index, (bearing, [all, inertia])): (usize, (&CycleBearing, [Vec<(f64, f64)>; 2]))| {
+        let over_angle = over_crank_angle(index + 1, &angles, &all, largest);
+        [over_angle, polar(convention, index + 1, bearing, [all, inertia], largest)]
+    };
+    bearings.bearings.iter().zip(known).enumerate().map(draw).collect()
 }
 
-fn over_crank_angle(number: usize, angles: &[f64], tips: &[(f64, f64)]) -> Picture {
+fn over_crank_angle(number: usize, angles: &[f64], tips: &[(f64, f64)], largest: f64) -> Picture {
     let last = angles.last().map_or(360.0, |theta| theta.to_degrees().round());
     let x = Axis::angle("Crank angle θ in °", 0.0, last, 90);
-    let mut plot = Plot::new(format!("Main bearing {number}"), x, Axis::linear("Force in {}").counted_in(Unit::NEWTON));
+    let y = Axis::linear("Force in {}").counted_in(Unit::NEWTON).covering(&[-largest, largest]);
+    let mut plot = Plot::new(format!("Main bearing {number}"), x, y);
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
         Curve::new(place, name, angles.iter().zip(tips).map(|(theta, tip)| (theta.to_degrees(), value(tip))).collect())
     };
@@ -64,20 +71,21 @@ fn over_crank_angle(number: usize, angles: &[f64], tips: &[(f64, f64)]) -> Pictu
 }
 
 const PATH: [&str; 2] = [
-    "Bearing {}: path of the tip of the force through the cycle, seen from the free end, direction 0 upwards: with gas (solid) and of the masses alone (dashed). The dot is the largest force.",
-    "Bearing {}: path of the tip of the force through the cycle, seen from the flywheel, direction 0 upwards: with gas (solid) and of the masses alone (dashed). The dot is the largest force.",
+    "Bearing {}: path of the tip of the force through the cycle, seen from the free end, direction 0 upwards: with gas (solid) and of the masses alone (dash-dotted). The dot is the largest force.",
+    "Bearing {}: path of the tip of the force through the cycle, seen from the flywheel, direction 0 upwards: with gas (solid) and of the masses alone (dash-dotted). The dot is the largest force.",
 ];
 
 fn polar(
     convention: Convention,
     number: usize,
     bearing: &CycleBearing,
-    all: Vec<(f64, f64)>,
-    inertia: Vec<(f64, f64)>,
+    [all, inertia]: [Vec<(f64, f64)>; 2],
+    largest: f64,
 ) -> Picture {
     let label = "Force in {}; 0° is the reference direction";
-    let curves = vec![Curve::new(0, "with gas", all), Curve::new(1, "without gas", inertia)];
+    let curves = vec![Curve::new(0, "with gas", all), Curve::new(2, "without gas", inertia)];
     let mut polar = Polar::new(format!("Main bearing {number}"), label, curves).counted_in(Unit::NEWTON);
+    polar.reach = largest;
     polar.marks.push(PointMark::dot(tip(bearing.peak.vector), format!("largest, θ ≈ {:.0}°", bearing.peak.angle)));
     Picture {
         name: format!("bearing-{number}-cycle-polar"),
