@@ -10,6 +10,7 @@ use super::super::number::{self, Number};
 use super::super::text::{Piece, Text};
 use super::super::{Unit, Units, block::in_si_units};
 use super::columns::{Cells, Letters};
+use super::decimals::lacking;
 use super::filled::{Drawn, Folded, Heading, PageContext, fence, id};
 use super::labels::{Caption, Labels, short};
 use super::notation::plain;
@@ -32,6 +33,10 @@ pub(super) struct Composer<'a> {
     styles: Vec<&'static str>,
     scripts: Vec<&'static str>,
 }
+
+/// What the letters of a multiple mean.
+const MULTIPLES: &str =
+    "m: reciprocating mass of a cylinder; r: crank radius; ω: speed in radians per second; a: unit of the positions";
 
 impl<'a> Composer<'a> {
     pub fn new(writer: &'a dyn Writer, options: &'a Options) -> Self {
@@ -160,9 +165,11 @@ impl<'a> Composer<'a> {
 
     fn table(&self, table: &Table, caption: Option<Caption>) -> String {
         let set = |cells: &[Text]| cells.iter().map(|cell| self.text(cell)).collect::<Vec<_>>();
+        let mut rows: Vec<Vec<String>> = table.rows.iter().map(|row| set(row)).collect();
+        self.align(table, &mut rows);
         let cells = Cells {
             header: set(&table.header),
-            rows: table.rows.iter().map(|row| set(row)).collect(),
+            rows,
             caption,
             zeros: table.rows.iter().map(|row| row.iter().map(Text::is_zero).collect()).collect(),
             letters: [&table.header]
@@ -174,6 +181,20 @@ impl<'a> Composer<'a> {
         match self.writer.table(&cells) {
             Some(set) => set,
             None => self.fill("table", &cells),
+        }
+    }
+
+    /// Pushes decimals so that their points stand below each other, where the format has a space as wide as a digit.
+    fn align(&self, table: &Table, rows: &mut [Vec<String>]) {
+        let Some(space) = self.writer.digit_space() else { return };
+        for column in 0..table.header.len() {
+            let plain: Vec<String> =
+                table.rows.iter().map(|row| row.get(column).map(|cell| self.plain(cell)).unwrap_or_default()).collect();
+            for (row, digits) in rows.iter_mut().zip(lacking(&plain)) {
+                if let Some(cell) = row.get_mut(column) {
+                    cell.insert_str(0, &space.repeat(digits));
+                }
+            }
         }
     }
 
@@ -266,7 +287,11 @@ impl<'a> Composer<'a> {
             Piece::Measured(value, unit, set) => self.numbers(&set(self.options.units.of(*value, *unit).0)),
             Piece::Exactly(value, unit) => self.numbers(&self.converted(value, *unit, number::number)),
             Piece::Shortly(value, unit) => self.numbers(&self.converted(value, *unit, number::short)),
-            Piece::Unit(unit) => self.words(&language.label(self.options.units.of(0.0, *unit).1.name)),
+            Piece::Unit(unit) => {
+                let unit = self.options.units.of(0.0, *unit).1;
+                let name = self.words(&language.label(unit.name));
+                if unit.suffix.starts_with("mr") { writer.explained(name, language.fixed(MULTIPLES)) } else { name }
+            }
             Piece::Formula(tex) => self.formula(tex),
             Piece::Code(text) => writer.code(text),
             Piece::Link(text, target) => writer.link(&self.text(text), target),

@@ -12,6 +12,10 @@ use crate::text::{self, Format, Untrusted};
 pub(super) struct Html;
 
 impl Writer for Html {
+    fn digit_space(&self) -> Option<&'static str> {
+        Some("&#8199;")
+    }
+
     fn ending(&self) -> &'static str {
         "html"
     }
@@ -49,6 +53,10 @@ impl Writer for Html {
 
     fn code(&self, text: &str) -> String {
         format!("<code>{}</code>", text::xml(text))
+    }
+
+    fn explained(&self, words: String, meaning: &str) -> String {
+        format!("<abbr title=\"{}\">{words}</abbr>", text::xml(meaning))
     }
 
     fn link(&self, inside: &str, target: &str) -> String {

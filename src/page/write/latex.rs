@@ -11,6 +11,10 @@ use crate::text::{self, Format, Untrusted};
 pub(super) struct Latex;
 
 impl Writer for Latex {
+    fn digit_space(&self) -> Option<&'static str> {
+        Some("\\phantom{0}")
+    }
+
     fn ending(&self) -> &'static str {
         "tex"
     }

@@ -3,6 +3,7 @@
 mod alone;
 mod columns;
 mod compose;
+mod decimals;
 mod filled;
 mod html;
 mod labels;
@@ -168,6 +169,14 @@ trait Writer {
     /// A table whole, where templates cannot set it.
     fn table(&self, _table: &columns::Cells) -> Option<String> {
         None
+    }
+    /// What is as wide as a digit, where decimals of a table can be pushed by it.
+    fn digit_space(&self) -> Option<&'static str> {
+        None
+    }
+    /// Words that tell what they mean to who points at them, where the format can.
+    fn explained(&self, words: String, _meaning: &str) -> String {
+        words
     }
     /// A quantity as a package of the format sets it, where there is one.
     fn quantity(&self, _value: f64, _unit: Unit) -> Option<String> {

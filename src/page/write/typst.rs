@@ -11,6 +11,10 @@ use crate::text::{Format, Untrusted};
 pub(super) struct Typst;
 
 impl Writer for Typst {
+    fn digit_space(&self) -> Option<&'static str> {
+        Some("#hide[0]")
+    }
+
     fn ending(&self) -> &'static str {
         "typ"
     }
