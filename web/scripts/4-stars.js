@@ -20,15 +20,16 @@ const stars = (() => {
     return state;
   };
   const change = (control, kind) => control.dispatchEvent(new Event(kind, { bubbles: true }));
-  const choose = (figure, state) => {
+  const choose = (figure, state, isOther) => {
     const order = part(figure, "order");
-    const found = [...order.options].findIndex((option) => option.textContent === state.order);
-    if (found > 0) {
+    // Another engine opens on what it leaves first.
+    const found = isOther ? -1 : [...order.options].findIndex((option) => option.textContent === state.order);
+    if (found >= 0) {
       order.selectedIndex = found;
       change(order, "change");
     }
     const radio = [...figure.querySelectorAll("input[type=radio]")].find((one) => one.value === state.quantity);
-    if (radio && !radio.checked) {
+    if (radio && !radio.checked && !isOther) {
       radio.checked = true;
       change(radio, "change");
     }
@@ -63,14 +64,14 @@ const stars = (() => {
       $("moving-style").textContent = moving.style;
       script = moving.script;
     },
-    /** Scenes, and the star of each of their sums in the size of a stamp. */
-    put: (scenes, small) => {
+    /** Scenes, and the star of each of their orders in the size of a stamp. */
+    put: (scenes, small, isOther) => {
       const before = [...home.querySelectorAll("[data-moving]")].map(chosen);
-      home.innerHTML = scenes.join("") || "<p class=\"note\">Engines of several crankshafts stand still: their stars are among the proofs.</p>";
+      home.innerHTML = scenes.join("");
       const run = make("script", { textContent: script });
       document.body.append(run);
       run.remove();
-      [...home.querySelectorAll("[data-moving]")].forEach((figure, at) => before[at] && choose(figure, before[at]));
+      [...home.querySelectorAll("[data-moving]")].forEach((figure, at) => before[at] && choose(figure, before[at], isOther));
       const first = home.querySelector("[data-moving]");
       const stamps = first ? small.map((star, at) => stamp(first, star, at)) : [];
       $("glance").replaceChildren(...stamps);

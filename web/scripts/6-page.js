@@ -5,7 +5,7 @@ const OWN = "layout.toml"; // what messages call a layout that no name has
 
 const page = async () => {
   const { ask, current, giveUp } = await asker();
-  const state = { name: OWN, turn: 0, looking: false, next: null, settling: 0, speaking: 0, said: "", link: "", isFaulty: false, values: new Map() };
+  const state = { name: OWN, turn: 0, looking: false, next: null, settling: 0, speaking: 0, said: "", link: "", isOther: false, isStep: false, isFaulty: false, values: new Map() };
   const banner = (words) => {
     $("banner").hidden = !words;
     $("banner").textContent = words;
@@ -37,7 +37,8 @@ const page = async () => {
     $("verdicts").innerHTML = verdicts;
     $("summary").innerHTML = summary;
     $("state").textContent = `Judged in ${took < 10 ? took.toFixed(1) : Math.round(took)} ms.`;
-    stars.put(scenes, small);
+    stars.put(scenes, small, state.isOther);
+    state.isOther = false;
     speak(`${$("title").textContent}. ${spoken}`);
   };
 
@@ -121,6 +122,9 @@ const page = async () => {
     document.body.dataset.report = `${Math.round(performance.now() - from)}`;
     $("paper").srcdoc = made[0].text;
   };
+  // On a phone the report waits until it is asked for.
+  $("folded").open = !matchMedia("(max-width: 46em)").matches;
+  $("folded").addEventListener("toggle", () => fit());
   const fit = () => {
     const inside = $("paper").contentDocument?.documentElement;
     if (inside) $("paper").style.height = `${inside.scrollHeight + 4}px`;
@@ -152,23 +156,37 @@ const page = async () => {
   const link = async (isOld) => {
     const fragment = `#l=${await save.packed(editor.area.value)}`;
     if (isOld()) return;
+    // Each engine that is picked is a step of its own for the browser's Back; what is typed changes the step it stands at.
+    if (location.hash !== fragment) history[state.isStep && state.link ? "pushState" : "replaceState"](null, "", fragment);
+    state.isStep = false;
     state.link = fragment;
-    if (location.hash !== fragment) location.replace(fragment);
   };
-  /** The layout that the address carries, if it does. */
+  /** Shows the layout that the address carries or names, if it does; says so where a link is broken. */
   const carried = async () => {
-    const letters = location.hash.match(/^#l=([\w-]+)$/)?.[1];
-    if (!letters || location.hash === state.link) return false;
+    const hash = location.hash.slice(1);
+    if (!hash || location.hash === state.link || $(hash)) return false;
+    const letters = hash.match(/^l=(.*)$/)?.[1];
     try {
-      const text = await save.unpacked(letters);
-      state.name = OWN;
-      $("pick").value = "";
+      const text = letters === undefined ? named(decodeURIComponent(hash)) : await save.unpacked(letters);
+      state.name = [...texts.keys()].find((name) => texts.get(name) === text) ?? OWN;
+      $("pick").value = texts.has(state.name) ? state.name : "";
+      [state.isOther, state.link] = [true, location.hash];
+      banner("");
+      afresh();
       editor.put(text);
       return true;
     } catch {
-      banner("The link carries no layout that can be read: a part of it may be missing.");
+      banner(letters === undefined
+        ? "The link names no engine of the catalogue."
+        : "The link carries no layout that can be read: a part of it may be missing.");
       return false;
     }
+  };
+  /** The text of an engine of the catalogue; throws where there is none of that name. */
+  const named = (name) => {
+    const known = [...texts.keys()].find((one) => one.toLowerCase() === name.toLowerCase());
+    if (!known) throw new Error(name);
+    return texts.get(known);
   };
 
   // What can be picked.
@@ -193,6 +211,7 @@ const page = async () => {
   const pick = (name) => {
     state.name = name;
     $("pick").value = name;
+    [state.isOther, state.isStep] = [true, true];
     afresh();
     editor.put(texts.get(name));
     return look();

@@ -189,6 +189,22 @@ try {
   const broken = await open({}, fragment.slice(0, 20));
   assert.match(await text(broken, "banner"), /^The link carries no layout/);
   await broken.context().close();
+  const nowhere = await open({}, "#no-such-engine");
+  assert.match(await text(nowhere, "banner"), /^The link names no engine/);
+  await nowhere.context().close();
+
+  // A link may name an engine; Back goes to the engine before; on a phone the report waits until it is asked for.
+  const phone = await open({ viewport: { width: 390, height: 844 }, isMobile: true }, "#boxer-4");
+  assert.equal(await text(phone, "title"), "Boxer four");
+  assert.equal(await phone.locator("#scenes input[value=moment]").isChecked(), true, "it opens on what is left first");
+  await after(phone, () => phone.getByRole("combobox", { name: "Engine", exact: true }).selectOption("I4"));
+  assert.equal(await text(phone, "title"), "In-line four, flat crankshaft");
+  await after(phone, () => phone.goBack());
+  assert.equal(await text(phone, "title"), "Boxer four");
+  assert.equal(await phone.locator("#paper").isVisible(), false);
+  await phone.getByText("The report on this engine").click();
+  assert.equal(await phone.locator("#paper").isVisible(), true);
+  await phone.context().close();
 
   // A trap of the module is told, and the next question is answered by a new one.
   const worker = page.workers()[0];
