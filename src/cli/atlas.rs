@@ -14,7 +14,7 @@ use super::{folder, layouts, progress, write};
 #[derive(clap::Args)]
 #[command(mut_arg("output", |folder| folder.required(true)))]
 pub struct Atlas {
-    /// Write the poster alone: the catalogue on one sheet of A3, poster.svg and poster.tex
+    /// Write the poster alone: the catalogue on one sheet of A2, poster.svg and poster.tex
     #[arg(long, conflicts_with_all = ["format", "math", "fragment", "siunitx", "stamp", "symbols"])]
     poster: bool,
     /// What the page is written in [default: README.md, atlas.tex and atlas.html]

@@ -278,6 +278,11 @@ pub(crate) fn approximate(value: f64) -> String {
     format!("≈\u{a0}{}", decimal(value))
 }
 
+/// A number as an index: `₂`.
+pub(crate) fn lowered(number: u32) -> String {
+    number.to_string().chars().filter_map(|digit| char::from_u32(0x2080 + digit.to_digit(10)?)).collect()
+}
+
 /// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`, `0.0715`.
 pub fn sensible(value: f64) -> String {
     let size = value.abs();

@@ -1,4 +1,4 @@
-//! How does the whole catalogue look on one sheet? A stamp per engine on A3, for a wall.
+//! How does the whole catalogue look on one sheet? A stamp per engine on A2, to be read from two metres.
 
 use super::catalogue::{CatalogueFamily, Stamp, catalogue_families};
 use super::figure::{Anchor, Figure, Ink, Point, Stroke};
@@ -7,14 +7,20 @@ use crate::file::Entry;
 use crate::page::{self, Document, File, Format, Language, Options, Picture, Text, phrase};
 use crate::page::{svg, tikz};
 
-/// A3 upright, in millimetres.
-const SHEET: (f64, f64) = (297.0, 420.0);
-const MARGIN: f64 = 14.0;
+/// A2 upright, in millimetres.
+const SHEET: (f64, f64) = (420.0, 594.0);
+const MARGIN: f64 = 12.0;
+/// Size of the letters of the title, of the name of a family, of what explains.
+const TITLE: f64 = 18.0;
+const FAMILY: f64 = 9.0;
+const WORDS: f64 = 5.0;
+/// Height of a line of what explains.
+const LINE: f64 = 7.0;
 /// Height of the head with the title, and of the foot with what is to be read.
-const HEAD: f64 = 28.0;
-const FOOT: f64 = 18.0;
+const HEAD: f64 = 38.0;
+const FOOT: f64 = 16.0;
 /// Height of the name of a family.
-const HEADING: f64 = 8.0;
+const HEADING: f64 = 13.0;
 /// The most columns that are tried.
 const MOST_COLUMNS: usize = 16;
 
@@ -35,34 +41,34 @@ fn title(engines: usize) -> Text {
 }
 
 const SUBTITLE: [&str; 2] = [
-    "Each engine from its free end, cranks inside and cylinders outside; beside it the vector star of the lowest order",
-    "that it leaves, of the force or else of the moment; below it the lowest order left of each. Exact, and proved for every order.",
+    "Each engine from its free end, and what shakes it: the free force F and moment M, once (1) and twice (2) in a revolution.",
+    "The red line is the path: a line swings, a circle turns with the crank or against it, an ellipse does both. 0 is exact and proved.",
 ];
 
-const FOOTER: [&str; 4] = [
-    "Black arrows: the vectors of the cylinders at that order, in the sense of the crank, or against it where the former sum to zero; of a moment they are as long as their arms.",
-    "Red arrow: their sum, which is what is left. Each star has a scale of its own. Moments are taken about the middle of the engine. Orders are multiples of crank speed: 1, 2, 4, 6, …",
-    "Rotating: what is left turns with the crank; of order 1, counterweights on the crankshaft remove it. Planar: it swings along a line, and a pair of shafts removes it.",
-    "Elliptical: neither; of order 1, counterweights remove the part that turns with the crank, and a shaft against the crank removes the rest.",
+const FOOTER: [&str; 2] = [
+    "Largest values, rounded: F in m r ω², M in m r ω² a about the middle of the engine; rods 3.5 crank radii long where none are given.",
+    "m: reciprocating mass of a cylinder; r: crank radius; ω: speed in radians per second; a: spacing of the cylinders.",
 ];
 
 /// The sheet itself.
 pub fn poster_sheet(engines: &[(Entry, Engine)]) -> Figure {
     let families = catalogue_families(engines);
     let (width, height) = SHEET;
-    let mut figure = Figure::new(width, height);
-    figure.title(Point::new(width / 2.0, height - MARGIN - 7.0), title(engines.len()).plain(), 13.0, Anchor::Middle);
+    let mut figure = Figure::new(width, height).lettered(WORDS);
+    let top = height - MARGIN - TITLE / 2.0;
+    figure.title(Point::new(width / 2.0, top), title(engines.len()).plain(), TITLE, Anchor::Middle);
     for (index, line) in SUBTITLE.iter().enumerate() {
-        figure.text(Point::new(width / 2.0, height - MARGIN - 17.0 - 4.4 * index as f64), *line, Anchor::Middle);
+        let y = height - MARGIN - TITLE - LINE * (index as f64 + 0.8);
+        figure.text(Point::new(width / 2.0, y), *line, Anchor::Middle);
     }
     let columns = columns(&families);
     let cell = (width - 2.0 * MARGIN) / columns as f64;
     let row = row_height(&families, columns);
     let mut y = height - MARGIN - HEAD;
     for family in &families {
-        figure.title(Point::new(MARGIN, y - 3.6), family.heading, 5.0, Anchor::Start);
-        let rule = Stroke::solid(Ink::Grey, 0.3);
-        figure.line(Point::new(MARGIN, y - 6.6), Point::new(width - MARGIN, y - 6.6), rule);
+        figure.title(Point::new(MARGIN, y - 0.55 * HEADING), family.heading, FAMILY, Anchor::Start);
+        let rule = Stroke::solid(Ink::Grey, 0.4);
+        figure.line(Point::new(MARGIN, y - HEADING + 1.0), Point::new(width - MARGIN, y - HEADING + 1.0), rule);
         y -= HEADING;
         for engines in family.engines.chunks(columns) {
             for (column, known) in engines.iter().enumerate() {
@@ -73,7 +79,7 @@ pub fn poster_sheet(engines: &[(Entry, Engine)]) -> Figure {
         }
     }
     for (index, line) in FOOTER.iter().rev().enumerate() {
-        figure.text(Point::new(MARGIN, MARGIN + 2.0 + 4.4 * index as f64), *line, Anchor::Start);
+        figure.text(Point::new(MARGIN, MARGIN + LINE * (index as f64 + 0.3)), *line, Anchor::Start);
     }
     figure
 }
@@ -91,11 +97,11 @@ fn row_height(families: &[CatalogueFamily], columns: usize) -> f64 {
     room / rows.max(1) as f64
 }
 
-const BEGIN: &str = "\\documentclass[a3paper]{article}
+const BEGIN: &str = "\\documentclass{article}
 \\usepackage[T1]{fontenc}
 \\usepackage[utf8]{inputenc}
 \\usepackage{textcomp,lmodern,amsmath,amssymb,tikz}
-\\usepackage[margin=0mm]{geometry}
+\\usepackage[a2paper,margin=0mm]{geometry}
 \\usetikzlibrary{arrows.meta}
 \\pagestyle{empty}
 \\setlength{\\parindent}{0pt}

@@ -1,16 +1,22 @@
 //! Which tables does the report of an engine hold?
 
+use std::collections::BTreeMap;
+
+use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::engine_page::Weighed;
 use super::firmness;
 use super::residual;
+use super::star::WholeStars;
 use super::typeset;
 use crate::engine::{Cylinder, Engine, LengthUnit, Rotation};
 use crate::exact::{Turn, fraction};
+use crate::loads;
+use crate::numbers;
 use crate::order::{self, Factor, Source, TurningMass};
-use crate::page::{Columns, Number, Piece, Table, Text, Unit, phrase};
+use crate::page::{Columns, Number, Piece, Table, Text, Unit, number, phrase};
 use crate::proof::{Planar, Sense};
 use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict, WholeOrder};
 
@@ -257,6 +263,34 @@ fn term_by_term(engine: &Engine, order: &OrderBalance) -> Table {
             let angle = if verdict.vanishes() { Text::default() } else { angle_cell(verdict) };
             table.push(vec![name.into(), Text::default(), sense.into(), residual::modulus(verdict).into(), angle]);
         }
+    }
+    table
+}
+
+/// What each source adds to a whole order at θ = 0, with its coefficient: half of each vector and its angle, and what they sum to.
+pub(super) fn whole_star(engine: &Engine, stars: &WholeStars, order: u32) -> Table {
+    let mut table = Table::new(["Source".into(), arm_heading(engine), "½ direct".into(), "½ reverse".into()]);
+    let vector = |vector: Complex<f64>| {
+        let [length, angle] = [vector.norm(), numbers::degrees(vector)].map(number::sensible);
+        phrase!("{} at {}", Text::label(length), Text::label(format!("{angle}°")))
+    };
+    let mut sources: BTreeMap<Source, [Text; 2]> = BTreeMap::new();
+    for (place, sense) in [Sense::Direct, Sense::Reverse].into_iter().enumerate() {
+        for (source, value) in stars.vectors(Planar::Force, order, sense) {
+            sources.entry(source).or_insert_with(|| [Text::label("–"), Text::label("–")])[place] = vector(value);
+        }
+    }
+    for (source, [direct, reverse]) in sources {
+        let arm = source.position(engine).map(|at| position(engine, &(at - engine.reference_plane())));
+        table.push(vec![source.label(engine).into(), arm.unwrap_or_default(), direct, reverse]);
+    }
+    for (name, quantity) in [("**Σ force**", Planar::Force), ("**Σ moment**", Planar::Moment)] {
+        let sum = |sense| match stars.resultant(quantity, order, sense) {
+            (_, loads::Outcome::Zero) => Text::zero(),
+            (value, loads::Outcome::NotZero) => vector(value),
+            (_, loads::Outcome::Undecided { .. }) => "not decided".into(),
+        };
+        table.push(vec![name.into(), Text::default(), sum(Sense::Direct), sum(Sense::Reverse)]);
     }
     table
 }

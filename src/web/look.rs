@@ -5,10 +5,12 @@ use serde_json::{Value, json};
 use super::mistake::Mistake;
 use super::slider::Set;
 use super::{Judged, Written};
+use crate::engine::Engine;
+use crate::page::figure::Figure;
 use crate::page::{self, Block, Document, Format, Language, Options, Table, text_in};
 use crate::report::{self, moving};
 use crate::text;
-use crate::verdict::{Judgement, OrderBalance};
+use crate::verdict::Judgement;
 
 /// The verdicts and the scenes; with the text of the layout where a value was set in it.
 pub(super) fn look(layout: Written, set: Option<&Set>) -> Result<Value, Mistake> {
@@ -20,14 +22,12 @@ pub(super) fn look(layout: Written, set: Option<&Set>) -> Result<Value, Mistake>
     let (title, summary, answer, scenes) = match &judged {
         Judged::Known { engine, judged, family } => {
             let family = family.as_ref().map(|(family, orders)| (family.as_ref(), orders.as_slice()));
-            // The moving part knows one crankshaft.
-            let moves = engine.geared_cranks().is_empty();
-            let scenes = moves.then(|| moving::scene(engine, judged, family));
+            let scene = moving::scene(engine, judged, family, report::Weighing::usual());
             let summary = report::engine_summary(engine, judged);
             let mut answer = report::engine_answer(engine, judged);
             // The page has the box by itself.
             answer.blocks.retain(|block| !matches!(block, Block::Answer(_)));
-            (engine.title(), summary, answer, scenes.into_iter().collect())
+            (engine.title(), summary, answer, vec![scene])
         }
         Judged::Open { family, orders } => {
             let numbers: Vec<u32> = orders.iter().map(|order| order.order).collect();
@@ -37,7 +37,7 @@ pub(super) fn look(layout: Written, set: Option<&Set>) -> Result<Value, Mistake>
         }
     };
     let glance = match &judged {
-        Judged::Known { judged, .. } => stars(judged),
+        Judged::Known { engine, judged, .. } => stars(engine, judged),
         Judged::Open { .. } => Vec::new(),
     };
     let fragment = |(index, scene): (usize, &moving::Scene)| {
@@ -55,14 +55,13 @@ pub(super) fn look(layout: Written, set: Option<&Set>) -> Result<Value, Mistake>
     }))
 }
 
-/// The star of each sum in the size of a stamp, in the order in which a scene has them.
-fn stars(judged: &Judgement) -> Vec<Value> {
-    let parts = judged.orders.iter().flat_map(|order| &order.parts);
-    let star = |part: &OrderBalance| {
-        let name = format!("Order {}", report::order_name(part));
-        json!({ "svg": page::svg(&report::small_star(part, None), &name), "name": name })
+/// The star of each order in the size of a stamp, in the order in which a scene has them.
+fn stars(engine: &Engine, judged: &Judgement) -> Vec<Value> {
+    let star = |(order, figure): (u32, Figure)| {
+        let name = format!("Order {order}");
+        json!({ "svg": page::svg(&figure, &name), "name": name })
     };
-    parts.map(star).collect()
+    report::small_stars(engine, judged).into_iter().map(star).collect()
 }
 
 /// Blocks as parts of the page.

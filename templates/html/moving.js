@@ -2,7 +2,8 @@
 (() => {
   "use strict";
   const RADIANS = Math.PI / 180;
-  const RADIUS = 78; // of a star, in its units
+  const RADIUS = 66; // of a star, in its units
+  const LETTERS = 11.5; // of names, in pixels of the screen
   const SPEED = 0.06; // degrees per ms
 
   const short = (number) => String(Math.round(number * 1000) / 1000);
@@ -43,9 +44,10 @@
   const start = (figure) => {
     const parts = (name) => figure.querySelectorAll(`[data-part="${name}"]`);
     const part = (name) => parts(name)[0];
-    const { bodies, orders, angle, words } = JSON.parse(part("scene").textContent);
-    let order = orders[0];
-    let quantity = "force";
+    const { bodies, orders, start: [first, left], units, angle, words } = JSON.parse(part("scene").textContent);
+    if (!orders.length) return;
+    let order = orders[first];
+    let quantity = left;
     let theta = 0;
     const home = angle ? angle.start.at : 0; // what finished words are about
     let value = home;
@@ -61,9 +63,10 @@
     const moved = () => (angle ? (value - home) / angle.unit : 0); // in degrees
 
     // The engine from its free end, pistons side by side. A rod stands on the crankpin, a link on a pin of the master rod.
-    const place = ({ bank, bank_turns, throw: at, throw_turns, radius, aside, rod, knuckle }) => {
+    const place = (body, turned = theta) => {
+      const { bank, bank_turns, throw: at, throw_turns, radius, aside, rod, knuckle, speed } = body;
       const axis = bank + bank_turns * moved();
-      const crank = at + throw_turns * moved() + theta;
+      const crank = at + throw_turns * moved() + speed * turned;
       const pin = polar(radius, crank);
       let foot = pin;
       if (knuckle) {
@@ -73,42 +76,84 @@
       }
       const across = dot(foot, polar(1, axis + 90)) - aside;
       const height = dot(foot, polar(1, axis)) + Math.sqrt(Math.max(0, rod ** 2 - across ** 2));
-      const shift = polar(aside, axis + 90);
-      return { axis, height, shift, pin, foot, wrist: plus(polar(height, axis), shift) };
+      const centre = [body.axis[0], -body.axis[1]];
+      const shift = plus(centre, polar(aside, axis + 90));
+      const [at_pin, at_foot] = [pin, foot].map((point) => plus(centre, point));
+      const beyond = plus(centre, polar(radius + 0.42 * unit, crank));
+      return { axis, height, centre, shift, pin: at_pin, foot: at_foot, beyond, wrist: plus(polar(height, axis), shift) };
     };
     const middle = ({ rod, knuckle }) => rod + (knuckle ? knuckle.radius : 0);
     const engine = part("engine");
-    const layers = ["barrel", "crank", "rod", "piston", "pin"].map(() => draw(engine, "g", {}));
+    const layers = ["barrel", "crank", "rod", "piston", "pin", "names"].map(() => draw(engine, "g", {}));
     const unit = Math.max(...bodies.map(({ radius }) => radius));
     const half = (bodies.length > 12 ? 0.36 : 0.46) * unit;
     const drawn = bodies.filter((body) => body.label !== null).map((body) => {
-      const colour = `c${body.crank % 4}`;
+      const colour = `c${body.colour % 4}`;
       const piston = draw(layers[3], "g", {});
       const shape = { class: `piston ${colour}`, x: -half, y: -0.75 * half, width: 2 * half, height: 1.5 * half };
       const crown = draw(piston, "rect", shape);
-      draw(piston, "text", { "font-size": half * Math.min(0.8, 3 / body.label.length) }, body.label);
       const [barrel, crank, rod] = ["barrel", "crank", "rod"].map((name, layer) =>
         path(layers[layer], `${name} ${layer ? colour : ""}`, ""));
       const pin = draw(layers[4], "circle", { class: `pin ${colour}`, r: 0.13 * unit });
       return { body, piston, crown, barrel, crank, rod, pin };
     });
-    draw(layers[4], "circle", { class: "hub", r: 0.16 * unit });
+    for (const [x, y] of new Set(bodies.map(({ axis }) => axis))) {
+      draw(layers[4], "circle", { class: "hub", r: 0.16 * unit, cx: x, cy: -y });
+    }
+
+    // Names: of a piston that has its cylinder for itself beyond that, of the others beside their pin; none on another at any angle.
+    const shares = (one, other) => one !== other && size(plus(barrelEnd(one), times(barrelEnd(other), -1))) < half;
+    const barrelEnd = (body) => {
+      const { axis, shift } = place(body, 0);
+      return plus(shift, polar(middle(body) + body.radius + 1.9 * half, axis));
+    };
+    /** Those of these names that stay free of each other, each at one of its places after another; so high are letters. */
+    const apart = (names, letters, widest = Infinity) => {
+      const kept = [];
+      for (const name of names) {
+        const [w, h] = [0.62 * letters * (name.text.length + 1), 1.15 * letters];
+        const meets = (other) => name.places.some(([x, y], at) =>
+          Math.abs(x - other.places[at][0]) < (w + other.w) / 2 && Math.abs(y - other.places[at][1]) < (h + other.h) / 2);
+        if (name.text && w < widest && !kept.some(meets)) kept.push({ ...name, w, h });
+      }
+      return kept;
+    };
+    let names = [];
+    const nameEngine = () => {
+      const box = engine.getBoundingClientRect();
+      const [, , width, height] = engine.getAttribute("viewBox").split(" ").map(Number);
+      const letters = LETTERS / (Math.min(box.width / width, box.height / height) || LETTERS);
+      const bare = (body) => !drawn.some((other) => shares(body, other.body));
+      const ends = drawn.filter(({ body }) => bare(body)).map(({ body }) => ({ text: body.label, at: () => barrelEnd(body) }));
+      const shared = new Set(drawn.filter(({ body }) => !bare(body)).map(({ body }) => body.crank));
+      const pins = bodies.filter(({ pin, crank }) => pin !== null && shared.has(crank));
+      const all = [...ends, ...pins.map((body) => ({ text: body.pin, at: (turned) => place(body, turned).beyond }))];
+      const turns = Array.from({ length: 36 }, (_, step) => 10 * step);
+      layers[5].replaceChildren();
+      names = apart(all.map((name) => ({ ...name, places: turns.map(name.at) })), letters);
+      for (const name of names) name.mark = draw(layers[5], "text", { class: "name", "font-size": letters }, name.text);
+    };
     const heights = part("strip").querySelectorAll("rect");
     const drawEngine = () => {
       for (const { body, piston, crank, rod, pin } of drawn) {
         const at = place(body);
         set(piston, { transform: `translate(${at.wrist.map(short)})` });
-        set(crank, { d: line(CENTRE, at.pin) });
+        set(crank, { d: line(at.centre, at.pin) });
         set(rod, { d: line(at.pin, at.foot, at.wrist) });
         set(pin, { cx: at.pin[0], cy: at.pin[1] });
+      }
+      for (const { at, mark } of names) {
+        const [x, y] = at(theta);
+        set(mark, { x, y });
       }
       bodies.forEach((body, at) => set(heights[at], { y: 9.5 - (7.5 * (place(body).height - middle(body))) / unit }));
     };
     /** Barrels, and a window on all of them: only the open angle moves them. */
     const drawBarrels = () => {
-      const corners = [[-1.3 * unit, -1.3 * unit], [1.3 * unit, 1.3 * unit]];
+      const corners = [];
       for (const { body, crown, barrel } of drawn) {
-        const { axis, shift } = place(body);
+        const { axis, shift, centre } = place(body);
+        corners.push(plus(centre, [-1.5 * unit, -1.5 * unit]), plus(centre, [1.5 * unit, 1.5 * unit]), barrelEnd(body));
         set(crown, { transform: `rotate(${short(-axis)})` });
         const ends = [-1, 1].map((end) => plus(shift, polar(middle(body) + end * (body.radius + half), axis)));
         const walls = [90, -90].map((side) => ends.map((end) => plus(end, polar(1.08 * half, axis + side))));
@@ -118,6 +163,7 @@
       const [xs, ys] = [0, 1].map((axis) => corners.map((corner) => corner[axis]));
       const [x, y] = [Math.min(...xs), Math.min(...ys)];
       set(engine, { viewBox: [x, y, Math.max(...xs) - x, Math.max(...ys) - y].map(short).join(" ") });
+      nameEngine();
     };
 
     // The stars, and the path of their sums, to one scale.
@@ -135,40 +181,82 @@
       draw(panel, "circle", { class: "axis", r: RADIUS });
       path(panel, "axis", `M0 ${-RADIUS}V${RADIUS}M${-RADIUS} 0H${RADIUS}`);
     };
+    /** The resultants of an order, halved, end to end, each multiplied by the order's coefficient where that is asked for. */
+    const ends = (of, turned, [length, degrees] = [1, 0]) => {
+      const by = of.order * turned + degrees;
+      const [direct, reverse] = of[quantity].senses.map((sense, index) => times(sumOf(sense, index ? -by : by), length / 2));
+      return [direct, plus(direct, reverse)];
+    };
+    const felt = orders.filter(({ exists, coefficient }) => exists && coefficient);
+    const total = (turned) => felt.map((of) => ends(of, turned, of.coefficient)[1]).reduce(plus, CENTRE);
+    const ROUND = Array.from({ length: 181 }, (_, step) => step * 2);
+    const counted = (value, [length] = [1]) => {
+      const unit = units && units[quantity === "force" ? 0 : 1];
+      return unit ? `${decimal(value * length * unit.factor)} ${unit.name}` : decimal(value);
+    };
+    let traced = { largest: 0, points: [] };
+    const trace = () => {
+      const points = ROUND.map(total);
+      traced = { points, largest: Math.max(...points.map(size)) };
+    };
+    /** The names of the vectors of a star that stay free of each other. */
+    const labels = (sense, scale, letters) => {
+      const beyond = (ray) => Math.max((ray.length * scale) / 2, 2 * sense.rays.length) + 0.9 * letters;
+      const at = (ray, by) => {
+        const [x, y] = polar(beyond(ray), ray.degrees + ray.turns * moved() + by);
+        return [x * (1 + (0.27 * letters * ray.label.length) / (size([x, y]) || 1)), y];
+      };
+      const turns = Array.from({ length: 24 }, (_, step) => 15 * step);
+      const all = sense.rays.map((ray) => ({ text: ray.label, at: (by) => at(ray, by), places: turns.map((by) => at(ray, by)) }));
+      return apart(all, letters, 1.4 * RADIUS);
+    };
+    const starScale = ({ reach }) => (reach > 0 ? (2 * RADIUS) / reach : 1); // vectors count half
+    let starNames = [[], []];
+    let starLetters = LETTERS;
+    const nameStars = () => {
+      starLetters = (LETTERS * 220) / (panels[0].getBoundingClientRect().width || 220);
+      starNames = order[quantity].senses.map((sense) => labels(sense, starScale(sense), starLetters));
+    };
     const drawStars = () => {
-      const { senses, reach } = order[quantity];
-      const scale = reach > 0 ? RADIUS / reach : 1;
+      const { senses } = order[quantity];
       const phases = [order.order * theta, -order.order * theta];
       senses.forEach((sense, index) => {
-        const panel = panels[index];
+        const [panel, scale] = [panels[index], starScale(sense)];
         axes(panel);
-        path(panel, "sum", arrow(CENTRE, times(sumOf(sense, phases[index]), scale), 12));
+        path(panel, "sum", arrow(CENTRE, times(sumOf(sense, phases[index]), scale / 2), 12));
         for (const ray of sense.rays) {
           const towards = ray.degrees + ray.turns * moved() + phases[index];
           let from = 0;
           for (const length of ray.lengths) {
-            const to = from + length * scale;
+            const to = from + (length * scale) / 2;
             path(panel, "vector", arrow(polar(from, towards), polar(to, towards), 7));
             from = to;
           }
-          const [x, y] = polar(Math.max(from, 3 * sense.rays.length) + 10, towards);
-          draw(panel, "text", { x: x * (1 + (2 * ray.label.length) / size([x, y])), y }, ray.label);
+        }
+        for (const { text, at } of starNames[index]) {
+          const [x, y] = at(phases[index]);
+          draw(panel, "text", { class: "name", x, y, "font-size": starLetters }, text);
         }
       });
-      const ends = (by) => {
-        const direct = times(sumOf(senses[0], by), scale / 2);
-        return [direct, plus(direct, times(sumOf(senses[1], -by), scale / 2))];
-      };
-      const [direct, whole] = ends(phases[0]);
       axes(panels[2]);
+      const [direct, whole] = ends(order, theta);
+      const wide = RADIUS / (order[quantity].senses.map((sense) => size(sumOf(sense)) / 2).reduce((a, b) => a + b) || 1);
       const isLeft = order.exists && senses.some((sense) => outcome(sense) !== "zero");
       if (isLeft) {
-        const round = Array.from({ length: 97 }, (_, step) => ends(step * 3.75)[1]);
-        path(panels[2], "path", line(...round));
-        path(panels[2], "half", arrow(CENTRE, direct, 7) + arrow(direct, whole, 7));
-        path(panels[2], "sum", arrow(CENTRE, whole, 12));
+        path(panels[2], "path", line(...ROUND.map((turned) => times(ends(order, turned)[1], wide))));
+        const [middle, end] = [direct, whole].map((point) => times(point, wide));
+        path(panels[2], "half", arrow(CENTRE, middle, 7) + arrow(middle, end, 7));
+        path(panels[2], "sum", arrow(CENTRE, end, 12));
       } else draw(panels[2], "text", { "font-size": 40 }, "0");
-      captions[2].textContent = isLeft ? `${decimal(size(whole) / scale)} at θ = ${theta}°` : words.zero;
+      captions[2].textContent = isLeft ? `${counted(size(whole), order.coefficient || [1])} ${words.at} θ = ${theta}°` : words.zero;
+      if (!panels[3]) return;
+      axes(panels[3]);
+      if (traced.largest > 0) {
+        const by = RADIUS / traced.largest;
+        path(panels[3], "path", line(...traced.points.map((point) => times(point, by))));
+        path(panels[3], "sum", arrow(CENTRE, times(total(theta), by), 12));
+      } else draw(panels[3], "text", { "font-size": 40 }, "0");
+      captions[3].textContent = `${counted(size(total(theta)))}, ${words.largest} ${counted(traced.largest)}`;
     };
 
     // What is said: finished words, or those of the list.
@@ -177,15 +265,15 @@
       return mark ? mark.text : `${value / angle.unit}°`.replace("-", "−").replace(".", POINT);
     };
     const say = () => {
-      const { senses, whole, words: known } = order[quantity];
+      const { senses, most, words: known } = order[quantity];
       const told = senses.map((sense, index) => `${words.senses[index]} ${words[outcome(sense)]}`).join("; ");
       const at = angle ? `, ${angle.symbol} = ${angleText()}` : "";
       const said = atHome() || !order.exists ? known : told;
-      const together = whole ? ` ${words.together} ${whole}.` : "";
-      part("verdict").textContent = `${words.order} ${order.name}, ${words[quantity]}${at}: ${said}.${together}`;
+      const amount = most && atHome() ? ` ${most[0].toUpperCase()}${most.slice(1)}.` : "";
+      part("verdict").textContent = `${words.order} ${order.order}, ${words[quantity]}${at}: ${said}.${amount}`;
       senses.forEach((sense, index) => {
         const result = outcome(sense);
-        const now = atHome() ? sense.words : `${decimal(size(sumOf(sense)))}, ${words[result]}`;
+        const now = atHome() ? sense.words : `${decimal(size(sumOf(sense)) / 2)}, ${words[result]}`;
         captions[index].textContent = result === "zero" ? words.zero : now;
       });
     };
@@ -211,6 +299,8 @@
       }
       drawBarrels();
       say();
+      nameStars();
+      if (panels[3]) trace();
       turn(theta);
     };
     /** Ticks and buttons for the exact zeros of what is shown. */
@@ -267,8 +357,12 @@
     on(matchMedia("(prefers-reduced-motion: reduce)"), "change", stop);
 
     figure.hidden = false;
+    // On paper a picture says nothing where nothing is left.
+    const balanced = ({ exists, force, moment }) => !exists || [force, moment].every(({ senses }) => senses.every(({ zero }) => zero));
+    figure.classList.toggle("moving-balanced", orders.every(balanced));
     stop();
     choose();
+    new ResizeObserver(() => move(value)).observe(figure);
   };
 
   document.querySelectorAll("[data-moving]").forEach(start);

@@ -42,7 +42,8 @@ async function crankTurns(page, figure, name) {
 async function rodsFit(figure, scene, name) {
   const seen = scene.bodies.filter((body) => body.label !== null);
   const paths = await figure.locator("svg .rod").evaluateAll((all) => all.map((rod) => rod.getAttribute("d")));
-  const joints = paths.map((d) => d.slice(1).split("L").map((point) => point.split(" ").map(Number)));
+  const about = ([x, y]) => (point) => { const [a, b] = point.split(" ").map(Number); return [a - x, b + y]; };
+  const joints = paths.map((d, index) => d.slice(1).split("L").map(about(seen[index].axis)));
   const from = ([a, b], [c, d]) => [c - a, b - d]; // y upwards
   const near = (one, other, what) => assert.ok(Math.abs(one - other) < 4e-3, `${name}: ${what} ${one}, not ${other}`);
   const ahead = (one, other) => ((Math.atan2(other[1], other[0]) - Math.atan2(one[1], one[0])) * 180) / Math.PI;
@@ -70,11 +71,11 @@ async function wordsAreThoseOfTheVerdicts(figure, scene, name) {
     for (const quantity of ["force", "moment"]) {
       await figure.locator(`input[value="${quantity}"]`).check();
       const said = await read(figure, "verdict");
-      assert.ok(said.startsWith(`Order ${order.name}, ${quantity}`), `${name}: ${said}`);
+      assert.ok(said.startsWith(`Order ${order.order}, ${quantity}`), `${name}: ${said}`);
       assert.ok(said.includes(`: ${order[quantity].words}.`), `${name}: ${said}`);
       const sums = await figure.locator(".moving-stars .sum").evaluateAll((all) => all.map((sum) => sum.getAttribute("d")));
       order[quantity].senses.forEach((sense, at) => {
-        assert.equal(sums[at] === "", sense.zero, `${name}: order ${order.name}, ${quantity}: a sum is drawn where it is 0`);
+        assert.equal(sums[at] === "", sense.zero, `${name}: order ${order.order}, ${quantity}: a sum is drawn where it is 0`);
       });
     }
   }
@@ -118,6 +119,27 @@ async function zerosAreExact(page, figure, scene, name) {
   return jumps;
 }
 
+/** No name lies on another, none is smaller than 11 pixels, at any crank angle that is looked at. */
+async function namesAreApart(page, figure, name) {
+  for (const width of [1200, 390]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(100);
+    for (const theta of ["0", "20", "50", "130"]) {
+      await figure.locator('[data-part="theta"]').fill(theta);
+      const seen = await figure.locator("svg .name").evaluateAll((all) => all.map((text) => {
+        const { left, right, top, bottom } = text.getBoundingClientRect();
+        return { text: text.textContent, of: text.ownerSVGElement.getAttribute("aria-label"), left, right, top, bottom,
+          size: parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a };
+      }));
+      for (const one of seen) assert.ok(one.size > 10.99, `${name}: ${one.text} has ${one.size} pixels at ${width}`);
+      const meet = (a, b) => a.of === b.of && a.left < b.right && b.left < a.right && a.top + 2 < b.bottom - 2 && b.top + 2 < a.bottom - 2;
+      seen.forEach((one, at) => seen.slice(at + 1).forEach((other) =>
+        assert.ok(!meet(one, other), `${name}: ${one.text} lies on ${other.text} at ${width}, θ = ${theta}`)));
+    }
+  }
+  await page.setViewportSize({ width: 1200, height: 900 });
+}
+
 async function playsOrStandsStill(page, figure, name) {
   const play = figure.locator('[data-part="play"]');
   await play.click();
@@ -151,6 +173,11 @@ async function playsOrStandsStill(page, figure, name) {
     for (const figure of await page.locator("[data-moving]").all()) {
       const scene = await sceneOf(figure);
       assert.ok((await figure.locator(".moving-title").textContent()).startsWith(scene.title), name);
+      const [place, quantity] = scene.start;
+      const opening = await read(figure, "verdict");
+      assert.ok(opening.startsWith(`Order ${scene.orders[place].order}, ${quantity}`), `${name} opens on ${opening}`);
+      await namesAreApart(page, figure, name);
+      await figure.locator('[data-part="theta"]').fill("0");
       await crankTurns(page, figure, name);
       links += await rodsFit(figure, scene, name);
       await wordsAreThoseOfTheVerdicts(figure, scene, name);

@@ -8,9 +8,12 @@ use crankstar::family;
 use crankstar::file::{self, Layout};
 use crankstar::page::Language;
 use crankstar::proof::Quantity;
+use crankstar::report::Weighing;
 use crankstar::report::moving::{MOVING_SCRIPT, MOVING_STYLE, Scene, moving_fragment, open_scenes, scene};
 use crankstar::verdict::Judgement;
 
+const V20: &str = include_str!("v20.toml");
+const DELTA: &str = include_str!("delta.toml");
 const UNEQUAL_RODS: &str = "title = 'Four, two kinds of rod, one axis offset'\n[inline]\nthrows = [0, 180, 180, 0]\n[mechanism]\n\
                             rod_ratio = [0.25, 0.3, 0.3, 0.25]\noffset_ratio = [0.1, 0.1, 0.1, 0.1]\n";
 const CORRECTED: &str = "title = 'Five, corrected knuckle pins'\n[radial]\ncylinders = 5\n[mechanism]\nrod_ratio = 0.25\n[articulated]\nmaster = 2\n\
@@ -25,10 +28,10 @@ fn judged(engine: &Engine) -> Judgement {
 fn scenes(name: &str, text: &str) -> Vec<Scene> {
     match file::parse_layout(name, text).expect("it reads") {
         Layout::Open(family) => open_scenes(&family, family.orders()),
-        Layout::Known(engine, None) => vec![scene(&engine, &judged(&engine), None)],
+        Layout::Known(engine, None) => vec![scene(&engine, &judged(&engine), None, Weighing::usual())],
         Layout::Known(engine, Some(family)) => {
             let open = family::classify(&family, engine.orders()).expect("orders");
-            vec![scene(&engine, &judged(&engine), Some((&family, &open)))]
+            vec![scene(&engine, &judged(&engine), Some((&family, &open)), Weighing::usual())]
         }
     }
 }
@@ -36,14 +39,21 @@ fn scenes(name: &str, text: &str) -> Vec<Scene> {
 fn all() -> Vec<(String, Vec<Scene>)> {
     let catalogue = ["I4", "I6", "V8-crossplane", "radial-9", "radial-9-master", "radial-18", "boxer-6"].map(|name| {
         let engine = file::find(name).expect("an engine").engine().expect("it reads");
-        (name.to_owned(), vec![scene(&engine, &judged(&engine), None)])
+        (name.to_owned(), vec![scene(&engine, &judged(&engine), None, Weighing::usual())])
     });
     let stored = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/families");
     let families = ["v-twin", "v6-shared-pins", "v6-split-pins", "w-three-banks", "i3-spacing"].map(|name| {
         let text = fs::read_to_string(stored.join(name).join("layout.toml")).expect("a layout file");
         (name.to_owned(), scenes(name, &text))
     });
-    let written = [("unequal-rods", UNEQUAL_RODS), ("corrected", CORRECTED), ("hostile", HOSTILE), ("member", MEMBER)];
+    let written = [
+        ("v20", V20),
+        ("delta", DELTA),
+        ("unequal-rods", UNEQUAL_RODS),
+        ("corrected", CORRECTED),
+        ("hostile", HOSTILE),
+        ("member", MEMBER),
+    ];
     let written = written.map(|(name, text)| (name.to_owned(), scenes(name, text)));
     catalogue.into_iter().chain(families).chain(written).collect()
 }

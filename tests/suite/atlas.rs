@@ -63,9 +63,9 @@ fn every_engine_of_the_catalogue_stands_on_the_poster_and_no_text_lies_on_anothe
         assert!(files[0].text.contains(&format!(">{}</text>", entry.name)), "{}", entry.name);
         assert!(files[1].text.contains(&format!("{{{}}};", entry.name)), "{}", entry.name);
     }
-    assert!(files[1].text.starts_with("\\documentclass[a3paper]{article}"));
+    assert!(files[1].text.contains("[a2paper,margin=0mm]{geometry}"));
     let sheet = report::poster_sheet(&engines);
-    assert_eq!((sheet.width, sheet.height), (297.0, 420.0));
+    assert_eq!((sheet.width, sheet.height), (420.0, 594.0));
     assert!(sheet.overlaps().is_empty() && sheet.leaving().is_empty(), "{:?} {:?}", sheet.overlaps(), sheet.leaving());
 }
 
@@ -119,7 +119,7 @@ fn the_poster_speaks_german_and_no_text_lies_on_another_or_leaves_the_sheet() {
     assert!(files[0].text.contains("Massenausgleich von") && files[1].text.contains("Reihenmotoren"));
     let sheet = Picture { name: String::new(), caption: "".into(), figure: report::poster_sheet(&engines) };
     let sheet = Language::De.picture(&sheet).figure;
-    assert_eq!((sheet.width, sheet.height), (297.0, 420.0));
+    assert_eq!((sheet.width, sheet.height), (420.0, 594.0));
     assert!(sheet.overlaps().is_empty() && sheet.leaving().is_empty(), "{:?} {:?}", sheet.overlaps(), sheet.leaving());
 }
 

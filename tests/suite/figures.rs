@@ -158,12 +158,12 @@ fn resultants(figure: &Figure) -> Vec<f64> {
 }
 
 #[test]
-fn resultants_of_one_quantity_are_drawn_to_one_scale() {
-    // At order 1 the direct vectors of a V are alike, the reverse ones 2φ apart.
+fn each_star_fills_its_panel_and_a_bar_tells_its_scale() {
+    // At order 1 the direct vectors of a V are alike, the reverse ones 2φ apart: half as long together.
     let v = engine("vee = { bank_angle = 60, throws = [0] }");
     let judged = judgement(&v);
     let drawn = resultants(&report::star_figure(&v, &judged.orders[0].parts[0]));
-    assert!(drawn.len() == 2 && (drawn[0] - 2.0 * drawn[1]).abs() < 1e-6, "{drawn:?}");
+    assert!(drawn.len() == 2 && (drawn[0] - drawn[1]).abs() < 1e-6, "{drawn:?}");
     let bars = |name: &str| {
         let layout = file::find(name).expect("in the catalogue").engine().expect("it reads");
         let orders = judgement(&layout).orders;
@@ -171,7 +171,64 @@ fn resultants_of_one_quantity_are_drawn_to_one_scale() {
         let texts: Vec<String> = figure.text_boxes().into_iter().map(|(text, _)| text.to_owned()).collect();
         texts.into_iter().filter(|text| text.contains(" m r")).collect::<Vec<_>>()
     };
-    assert_eq!(bars("V8-crossplane"), ["1 m r", "5 m r a"]);
+    assert_eq!(bars("V8-crossplane"), ["0.5 m r", "2 m r a", "1 m r a"]);
+}
+
+/// The decimals that follow these words in the texts of a figure.
+fn decimals(figure: &Figure, words: &str) -> Vec<f64> {
+    let number = |text: &str| {
+        let rest = text.strip_prefix(words)?.trim_start_matches([' ', '=', '≈', '\u{a0}']);
+        let rest = rest.split(" (").next()?;
+        let rest = rest.rsplit_once('≈').map_or(rest, |(_, decimal)| decimal).trim_start_matches('\u{a0}');
+        let digit = |sign: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == sign).map(|digit| digit.to_string());
+        let plain = |sign: char| digit(sign).unwrap_or(sign.to_string());
+        let rest = rest.split([' ', '\u{202f}', '\u{a0}', '(']).next()?.replace("·10", "e").replace(['⁻', '−'], "-");
+        rest.chars().map(plain).collect::<String>().parse().ok()
+    };
+    figure.text_boxes().into_iter().filter_map(|(text, _)| number(text)).collect()
+}
+
+/// What an engine of one rod, of several, with offsets, with links does at each order, against the loads by classes.
+#[test]
+fn a_star_says_the_number_of_the_box_and_its_resultants_add_up_to_it() {
+    const ENGINES: [&str; 5] = [
+        "inline.throws = [0, 90, 270, 180]\nmechanism.rod_ratio = '2/7'",
+        "inline.throws = [0, 144, 216, 288, 72]\nmechanism.rod_ratio = ['1/4', '1/4', '1/3', '1/3', '1/4']",
+        "vr = { bank_angle = 15, throws = [0, 240, 120, 120, 240, 0], pin_splay = 22, pin_offset = '12.5 mm' }\n\
+         mechanism = { stroke = '90.3 mm', rod_length = '164 mm' }",
+        "radial.cylinders = 9\nmechanism.rod_ratio = '5/19'\n[articulated]\nmaster = 1\nknuckle_ratio = '1/4'",
+        "orders = [1, 2, 4]\nvee = { bank_angle = 75, throws = [0, 120, 240] }\nmechanism.rod_ratio = '1/4'",
+    ];
+    let (mut compared, mut several) = (0, 0);
+    for text in ENGINES {
+        let Ok(engine) = file::parse("engine.toml", text) else { panic!("{text}") };
+        let judged = judgement(&engine);
+        let orders: Vec<u32> = judged.orders.iter().map(|order| order.order).collect();
+        let loads = crankstar::loads::loads(&engine, &orders).expect("loads");
+        let document = pages::document(&engine);
+        for (order, of_order) in judged.orders.iter().zip(&loads.orders) {
+            let name = format!("order-{}", order.order);
+            let picture = document.pictures().into_iter().find(|picture| picture.name == name).expect("a star");
+            let said = decimals(&picture.figure, "together at most");
+            let left: Vec<f64> = [&of_order.force, &of_order.moment]
+                .into_iter()
+                .filter(|swing| !swing.vanishes())
+                .map(|swing| swing.largest())
+                .collect();
+            assert_eq!(said.len(), left.len(), "{text}, order {}", order.order);
+            for (said, largest) in said.iter().zip(&left) {
+                assert!((said / largest - 1.0).abs() < 0.006, "{text}, order {}: {said}, not {largest}", order.order);
+                compared += 1;
+            }
+            if order.parts.len() > 1 {
+                let drawn: f64 = decimals(&picture.figure, "resultant").iter().sum();
+                let whole: f64 = left.iter().sum();
+                assert!((drawn - whole).abs() < 0.006 * whole, "{text}, order {}: {drawn}, not {whole}", order.order);
+                several += 1;
+            }
+        }
+    }
+    assert!(compared > 12 && several > 6, "{compared} compared, {several} of several coefficients");
 }
 
 #[test]

@@ -12,10 +12,11 @@ use crankstar::file::{self, Layout, parse_layout};
 use crankstar::order;
 use crankstar::page::Language;
 use crankstar::proof::{Quantity, Sense};
+use crankstar::report::Weighing;
 use crankstar::report::moving::{
     MOVING_SCRIPT, MOVING_STYLE, MovingQuantity, MovingSense, Scene, moving_fragment, open_scenes, scene,
 };
-use crankstar::verdict::{Balance, Judgement};
+use crankstar::verdict::{Balance, Judgement, WholeOrder};
 use num_complex::Complex;
 use num_rational::BigRational;
 
@@ -53,25 +54,77 @@ fn says_what_is_proved(said: &MovingQuantity, balance: &Balance, exists: bool, t
     }
 }
 
+/// The vectors with their coefficients sum to what the loads of the engine are, which are computed class by class.
+fn says_of_the_whole(said: &MovingQuantity, whole: &WholeOrder, exists: bool, text: &str) {
+    assert_eq!(said.words == "0, proved", exists && whole.is_balanced(), "{text}: {}", said.words);
+    for (sense, outcome) in said.senses.iter().zip(&whole.outcomes) {
+        assert_eq!(sense.zero, outcome.vanishes() == Some(true), "{text}");
+        let sum = Complex::from_polar(sense.length, sense.degrees.to_radians());
+        let most = sense.rays.iter().map(|ray| ray.length).sum::<f64>();
+        assert!((drawn(sense, 0.0) - sum).norm() < 1e-9 * (1.0 + most), "{text}: {sum} is not what is drawn");
+    }
+}
+
+fn opens_on_the_first_order_left(made: &Scene, judged: &Judgement, text: &str) {
+    let is_left = |whole: &WholeOrder| whole.outcomes.iter().any(|outcome| outcome.vanishes() != Some(true));
+    let mut left = judged.orders.iter().filter(|order| made.orders.iter().any(|said| said.order == order.order));
+    let first = left.find(|order| order.exists() && (is_left(&order.force) || is_left(&order.moment)));
+    let expected = first.map(|order| (order.order, if is_left(&order.force) { "force" } else { "moment" }));
+    let (place, quantity) = made.start;
+    if let Some(expected) = expected {
+        assert_eq!((made.orders[place].order, quantity), expected, "{text}");
+    }
+}
+
+/// Every crankshaft turns, each its own way about its own axis: its pins stand at θ = 0 where the engine says.
+#[test]
+fn several_crankshafts_move_each_about_its_own_axis() {
+    let text = "[delta]\nrows = [0, 120, 240]\ncircumradius = 6";
+    let engine = file::parse("delta", text).expect("it reads");
+    let made = scene(&engine, &judged(&engine), None, Weighing::usual());
+    let mut axes: Vec<[i64; 2]> = Vec::new();
+    for body in &made.bodies {
+        let cylinder = engine.cylinders().iter().find(|cylinder| cylinder.name == body.name).expect("the cylinder");
+        let sign = if engine.sense_of(cylinder) == Sense::Direct { 1.0 } else { -1.0 };
+        assert_eq!(body.speed, sign);
+        let pin = crankstar::numbers::direction(&engine.pin_angle(cylinder));
+        assert!(near(Complex::from_polar(1.0, body.throw.to_radians()), pin), "{}", body.name);
+        axes.push(body.axis.map(|place| (place * 1e6).round() as i64));
+    }
+    axes.sort_unstable();
+    axes.dedup();
+    assert_eq!(axes.len(), 3);
+    assert!(made.bodies.iter().any(|body| body.speed < 0.0) && made.bodies.iter().any(|body| body.speed > 0.0));
+}
+
 #[test]
 fn words_say_0_exactly_where_it_is_proved_for_random_engines() {
     let mut dice = Dice::new(12);
-    let mut zeros = 0;
+    let (mut zeros, mut wholes) = (0, 0);
     for form in engines::FORMS.iter().cycle().take(160) {
         let text = engines::file(&mut dice, form);
         let Ok(Layout::Known(engine, _)) = parse_layout("random", &text) else { continue };
         let judged = judged(&engine);
-        let made = scene(&engine, &judged, None);
-        let parts: Vec<_> = judged.orders.iter().flat_map(|order| &order.parts).collect();
-        assert_eq!(made.orders.len(), parts.len(), "{text}");
-        for (said, part) in made.orders.iter().zip(parts) {
-            says_what_is_proved(&said.force, &part.force, part.exists, &text);
-            says_what_is_proved(&said.moment, &part.moment, part.exists, &text);
+        let made = scene(&engine, &judged, None, Weighing::usual());
+        for said in &made.orders {
+            let order = judged.orders.iter().find(|order| order.order == said.order).expect("a judged order");
+            match order.parts.as_slice() {
+                [part] if part.class.is_none() => {
+                    says_what_is_proved(&said.force, &part.force, part.exists, &text);
+                    says_what_is_proved(&said.moment, &part.moment, part.exists, &text);
+                }
+                _ => {
+                    says_of_the_whole(&said.force, &order.force, order.exists(), &text);
+                    says_of_the_whole(&said.moment, &order.moment, order.exists(), &text);
+                    wholes += 1;
+                }
+            }
             zeros += usize::from(said.force.words == "0, proved");
         }
+        opens_on_the_first_order_left(&made, &judged, &text);
         assert_eq!(made.bodies.len(), engine.cylinders().len());
     }
-    assert!(zeros > 100, "only {zeros} zeros");
+    assert!(zeros > 100 && wholes > 50, "only {zeros} zeros, {wholes} orders of several coefficients");
 }
 
 /// The engine at a value of the unknown that moves, the others as they are held.
@@ -179,7 +232,7 @@ fn a_member_of_a_family_starts_at_the_value_of_its_file() {
     let Ok(Layout::Known(engine, Some(family))) = parse_layout("member", text) else { panic!("a member of a family") };
     let judged = judged(&engine);
     let orders = family::classify(&family, &ORDERS).expect("orders");
-    let made = scene(&engine, &judged, Some((&family, &orders)));
+    let made = scene(&engine, &judged, Some((&family, &orders)), Weighing::usual());
     let angle = made.angle.expect("φ is open");
     assert_eq!((angle.start.text.as_str(), angle.start.at * 7), ("(180/7)°", 180 * angle.unit));
     for quantity in made.orders.iter().flat_map(|order| [&order.force, &order.moment]) {
@@ -195,9 +248,8 @@ fn no_text_of_a_person_ends_the_script_or_begins_markup() {
     let harm = "</script><script>alert(1)</script><!-- \u{2028}\u{2029} ]]> & \\\"q\\\" ' \\u001b[31m";
     let text = format!("title = \"{harm}\"\n[[cylinder]]\nname = \"1\"\nthrow = 0\nbank = 0\nposition = 0\n");
     let engine = file::parse("hostile", &text).expect("it reads");
-    let mut made: Scene = scene(&engine, &judged(&engine), None);
+    let mut made: Scene = scene(&engine, &judged(&engine), None, Weighing::usual());
     made.bodies[0].name = harm.to_owned();
-    made.orders[0].name = harm.to_owned();
     let page = moving_fragment(&made, "m\" onclick=\"alert(1)", Language::En);
     assert_eq!(page.matches("<script").count(), 1, "{page}");
     assert_eq!(page.matches("</script").count(), 1, "{page}");
@@ -210,7 +262,7 @@ fn no_text_of_a_person_ends_the_script_or_begins_markup() {
 
 #[test]
 fn the_script_is_small_asks_nothing_of_a_network_and_makes_no_markup_of_data() {
-    assert!(MOVING_SCRIPT.len() < 13 * 1024, "{} bytes", MOVING_SCRIPT.len());
+    assert!(MOVING_SCRIPT.len() < 19 * 1024, "{} bytes", MOVING_SCRIPT.len());
     for word in [
         "innerHTML",
         "eval(",

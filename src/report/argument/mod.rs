@@ -2,6 +2,7 @@
 
 mod certificate;
 mod left;
+mod star;
 mod sums;
 mod zero;
 
@@ -10,10 +11,11 @@ use num_traits::Zero;
 use crate::engine::Engine;
 use crate::order::Source;
 use crate::page::Text;
-use crate::proof::{Polygon, Quantity};
-use crate::verdict::{JudgedStar, Reason, drawn_polygons, reason};
+use crate::proof::Quantity;
+use crate::verdict::{JudgedStar, Reason, reason};
 pub use certificate::certificate;
 pub(super) use certificate::certificate_of;
+pub(super) use star::{ExactRay, ExactStar};
 pub(super) use sums::listed;
 
 /// The sentences that prove a verdict: about the polygons that are drawn, or without primes where there is such a way.
@@ -38,11 +40,6 @@ pub fn argument<'a>(engine: &Engine, star: impl Into<JudgedStar<'a>>) -> Text {
         Reason::Component(component) => left::component(&component),
         Reason::Certificate => "No set of regular polygons makes up this star; the certificate shows it.".into(),
     }
-}
-
-/// The polygons that a drawing of the star shows: those that the argument is about.
-pub(super) fn polygons_shown(star: JudgedStar<'_>) -> Vec<Polygon> {
-    drawn_polygons(star)
 }
 
 /// Whether it is the arms that leave nothing of a moment of pistons.

@@ -3,7 +3,8 @@
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use super::super::star::{Ray, Star};
+use super::super::star::source_names;
+use super::star::{ExactRay, ExactStar};
 use super::sums::{angle, listed};
 use crate::engine::Engine;
 use crate::exact::Turn;
@@ -66,9 +67,8 @@ pub(super) fn cancelling(engine: &Engine, star: JudgedStar<'_>) -> Text {
     directions.sort_by_key(|(angle, _)| *angle);
     directions.retain(|(_, members)| members.iter().any(|(_, weight)| !weight.is_zero()));
     let one = |(direction, members): &(&Turn, Vec<(Source, &BigRational)>)| {
-        let ray =
-            Ray { angle: (*direction).clone(), members: members.iter().map(|(s, w)| (*s, (*w).clone())).collect() };
-        phrase!("at {} ({}) {} = {}", angle(direction), ray.names(engine), added(members), Text::zero())
+        let names = source_names(engine, members.iter().map(|(source, _)| *source));
+        phrase!("at {} ({}) {} = {}", angle(direction), names, added(members), Text::zero())
     };
     phrase!("Like directions cancel: {}.", Text::joined(directions.iter().map(one), "; "))
 }
@@ -106,7 +106,7 @@ pub(super) fn polygons(engine: &Engine, star: JudgedStar<'_>) -> Text {
 
 /// What is done with vectors of negative weight, where there are some.
 fn negative_turned(star: JudgedStar<'_>) -> Option<Text> {
-    Star::new(star).has_turned.then(|| match star.quantity {
+    ExactStar::new(star).has_turned.then(|| match star.quantity {
         Quantity::MOMENT => "Take the vectors of negative arms turned by 180°, as they are drawn.".into(),
         Quantity::FORCE | Quantity::Axial(_) => {
             "Take the vectors of negative weight turned by 180°, as they are drawn.".into()
@@ -116,7 +116,7 @@ fn negative_turned(star: JudgedStar<'_>) -> Option<Text> {
 
 /// A sentence on all polygons of so many sides; or, where some are taken away, on the polygons that make up the star.
 fn sentences(engine: &Engine, star: JudgedStar<'_>) -> Vec<Text> {
-    let star = Star::new(star);
+    let star = ExactStar::new(star);
     if star.polygons.iter().any(|polygon| !is_part(&star, polygon)) {
         return vec![phrase!(
             "The star is put together from regular polygons, each of which sums to zero: {}. Where their corners meet, the lengths \
@@ -138,20 +138,24 @@ fn sentences(engine: &Engine, star: JudgedStar<'_>) -> Vec<Text> {
 }
 
 /// Whether vectors of the star, or parts of them, are the corners.
-fn is_part(star: &Star, polygon: &Polygon) -> bool {
+fn is_part(star: &ExactStar, polygon: &Polygon) -> bool {
     polygon.weight.is_positive()
         && rays(star, polygon).len() as u64 == polygon.sides
         && rays(star, polygon).iter().all(|ray| ray.total() >= polygon.weight)
 }
 
 /// The rays that point to the corners.
-fn rays<'a>(star: &'a Star, polygon: &Polygon) -> Vec<&'a Ray> {
+fn rays<'a>(star: &'a ExactStar, polygon: &Polygon) -> Vec<&'a ExactRay> {
     let corners = corners(polygon);
     corners.terms().iter().filter_map(|corner| star.rays.iter().find(|ray| ray.angle == corner.angle)).collect()
 }
 
+fn names(engine: &Engine, ray: &ExactRay) -> String {
+    source_names(engine, ray.members.iter().map(|(source, _)| *source))
+}
+
 /// A sentence on polygons with the same number of sides.
-fn sentence(engine: &Engine, star: &Star, sides: u64, polygons: &[&Polygon]) -> Text {
+fn sentence(engine: &Engine, star: &ExactStar, sides: u64, polygons: &[&Polygon]) -> Text {
     match (sides, polygons) {
         (2, [only]) => phrase!("The vectors {} are equally long and opposite, and cancel.", member(engine, star, only)),
         (2, several) => phrase!(
@@ -170,14 +174,14 @@ fn sentence(engine: &Engine, star: &Star, sides: u64, polygons: &[&Polygon]) -> 
 }
 
 /// The corners of one polygon: by the names of their vectors, or by their directions where a vector is a part or several.
-fn member(engine: &Engine, star: &Star, polygon: &Polygon) -> Text {
+fn member(engine: &Engine, star: &ExactStar, polygon: &Polygon) -> Text {
     let mut corners = rays(star, polygon);
     let is_whole = corners.iter().all(|ray| ray.total() == polygon.weight);
     if is_whole && corners.iter().all(|ray| ray.members.len() == 1) {
         corners.sort_by_key(|ray| ray.members[0].0);
-        return listed(corners.into_iter().map(|ray| ray.names(engine).into()).collect());
+        return listed(corners.into_iter().map(|ray| names(engine, ray).into()).collect());
     }
-    let places = corners.into_iter().map(|ray| phrase!("{} ({})", angle(&ray.angle), ray.names(engine)));
+    let places = corners.into_iter().map(|ray| phrase!("{} ({})", angle(&ray.angle), names(engine, ray)));
     let places = listed(places.collect());
     match is_whole {
         true => phrase!("at {}, {} long each,", places, Number::exact(&polygon.weight)),

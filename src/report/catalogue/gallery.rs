@@ -12,8 +12,8 @@ const MOST_ENGINES: usize = 8;
 const GAP: f64 = 4.0;
 
 /// What the pictures of a family show.
-const CAPTION: &str = "Each engine from its free end, cranks inside and cylinders outside, beside the vector star of the lowest order that it leaves: \
-    black arrows are the vectors of the cylinders, the red arrow is their sum.";
+const CAPTION: &str = "Each engine from its free end, cranks inside and cylinders outside, beside its free force F and moment M of orders 1 and 2: the path \
+    that they trace (red), and the largest value, rounded, in m r ω² and m r ω² a (rods 3.5 crank radii long where none are given). 0 is exact and proved.";
 
 /// The pictures of a family.
 pub fn pictures(family: &CatalogueFamily) -> Block {

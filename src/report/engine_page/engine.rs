@@ -13,7 +13,7 @@ use crate::page::{Block, Picture, Text, phrase};
 pub(super) fn first_pictures(engine: &Engine, stars: &[StarOf]) -> Vec<Picture> {
     let end = Picture { name: "end-view".to_owned(), caption: end_view_caption(engine), figure: end_view(engine) };
     let left = stars.iter().find(|star| star.is_left()).or(stars.first());
-    [end].into_iter().chain(left.map(|star| star.picture(engine))).collect()
+    [end].into_iter().chain(left.and_then(|star| star.picture(engine))).collect()
 }
 
 /// The crankshaft from the side, the cylinders one by one, and how they fire.

@@ -13,9 +13,8 @@ mod weighing;
 
 pub use answer::{engine_answer, engine_answer_weighed};
 pub(super) use conventions::{ASSUMED, CENTRES, FIRES, reference_plane};
-use weighing::WeighedParts;
 pub use weighing::Weighing;
-pub(super) use weighing::{Rest, Weighed, circumstances};
+pub(super) use weighing::{Rest, Weighed, WeighedParts, circumstances};
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};
@@ -77,7 +76,8 @@ fn theorem_of(engine: &Engine, judged: &Judgement) -> Result<EveryOrderTheorem, 
 
 /// The engine with its first star, and the short answer: what a notebook shows of it.
 pub fn engine_at_a_glance(engine: &Engine, judged: &Judgement) -> Document {
-    let pictures = Block::Pictures(engine::first_pictures(engine, &orders::stars(judged)));
+    let weighed = WeighedParts::new(engine, judged, Weighing::usual());
+    let pictures = Block::Pictures(engine::first_pictures(engine, &orders::stars(judged, &weighed)));
     let answer = engine_answer(engine, judged);
     Document {
         blocks: [pictures].into_iter().chain(answer.blocks).collect(),
@@ -91,15 +91,14 @@ pub fn engine_page(subject: Contents) -> Document {
     let numbers = subject.numbers();
     let known = numbers.as_ref().and_then(|numbers| numbers.as_ref().ok());
     let theorem = theorem_of(engine, judged);
-    let stars = orders::stars(judged);
+    let weighed = WeighedParts::new(engine, judged, weighing);
+    let stars = orders::stars(judged, &weighed);
     let mut page = Document { has_contents: true, ..Document::new("report", engine.title()) };
     page.blocks.extend(title_block(engine));
-    let weighed = WeighedParts::new(engine, judged, weighing);
     page.push(Block::Answer(answer::lines(engine, judged, theorem.as_ref().ok(), &weighed)));
     page.push(Block::Pictures(engine::first_pictures(engine, &stars)));
-    // The moving part knows one crankshaft.
-    if in_motion && engine.geared_cranks().is_empty() {
-        page.blocks.extend(moving::live(&[moving::scene(engine, judged, family)]));
+    if in_motion {
+        page.blocks.extend(moving::live(&[moving::scene(engine, judged, family, weighing)]));
     }
     page.blocks.extend(results(engine, judged, &weighed));
     page.blocks.extend(engine::section(engine));
@@ -153,7 +152,7 @@ pub fn engine_proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
 
 /// Each order with its star, its table and its proofs.
 pub(super) fn proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
-    orders::section(engine, &orders::stars(judged))
+    orders::section(engine, &orders::stars(judged, &WeighedParts::new(engine, judged, Weighing::usual())))
 }
 
 /// Number, revision, author and what else the file says of itself, with the objective.

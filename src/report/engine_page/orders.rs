@@ -1,66 +1,73 @@
 //! How is each order proved? Its star, what is left, and the argument for each vector.
 
-use super::super::star::{star_figure, star_legend};
+use super::super::star::{WholeStars, sized_star_figure, star_figure, star_legend, whole_legend, whole_star_figure};
 use super::super::{argument, example, residual, table};
+use super::weighing::{Weighed, WeighedParts};
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::exact::Turn;
 use crate::page::{Block, Fold, Picture, Text, phrase};
 use crate::proof::{Quantity, Sense};
 use crate::verdict::{Balance, Judgement, OrderBalance, OrderVerdict, Verdict};
 
-/// A sum of an order as a report shows it: with its star and its proofs.
+/// An order as a report shows it: with its stars and its proofs.
 pub(super) struct StarOf<'a> {
-    balance: &'a OrderBalance,
+    order: &'a OrderVerdict,
     /// Whether it is of the pistons, where the engine as it is built is shown too.
     pistons_alone: bool,
-    /// The name of its drawing.
-    file: String,
-    /// Of the last sum of an order that has several: the order as a whole.
-    whole: Option<&'a OrderVerdict>,
+    /// The sizes of these masses, where they are known.
+    weighed: Option<&'a Weighed<'a>>,
 }
 
-/// The sums that a report shows: of each order, then of the pistons alone where those differ.
-pub(super) fn stars(judged: &Judgement) -> Vec<StarOf<'_>> {
+/// The orders that a report shows: each, then that of the pistons alone where those differ.
+pub(super) fn stars<'a>(judged: &'a Judgement, weighed: &'a WeighedParts<'a>) -> Vec<StarOf<'a>> {
     let mut all = Vec::new();
     for order in &judged.orders {
-        all.extend(of_order(order, false));
+        all.push(StarOf { order, pistons_alone: false, weighed: weighed.as_judged.as_ref() });
         let pistons = judged.differing().filter(|pistons| pistons.order == order.order);
-        all.extend(pistons.flat_map(|pistons| of_order(pistons, true)));
+        let pistons = pistons.map(|order| StarOf { order, pistons_alone: true, weighed: weighed.pistons.as_ref() });
+        all.extend(pistons);
     }
     all
 }
 
-fn of_order(order: &OrderVerdict, pistons_alone: bool) -> Vec<StarOf<'_>> {
-    let several = order.parts.len() > 1;
-    let name = if pistons_alone { "-pistons" } else { "" };
-    let star = |(index, balance)| StarOf {
-        balance,
-        pistons_alone,
-        file: match several {
-            true => format!("order-{}{name}-class-{}", order.order, index + 1),
-            false => format!("order-{}{name}", order.order),
-        },
-        whole: (several && index + 1 == order.parts.len()).then_some(order),
-    };
-    order.parts.iter().enumerate().map(star).collect()
-}
-
-impl StarOf<'_> {
-    /// Whether some vector of it is left.
+impl<'a> StarOf<'a> {
+    /// Whether some vector of it is left, or may be.
     pub fn is_left(&self) -> bool {
-        self.balance.exists && !(self.balance.force.is_balanced() && self.balance.moment.is_balanced())
+        self.order.exists() && !(self.order.force.is_balanced() && self.order.moment.is_balanced())
     }
 
-    /// `2`, `2 (cylinders 1–3, λ = 0.25)`, `1, the pistons alone`.
+    /// The one exact star of the order; none where its parts have coefficients of their own.
+    fn only(&self) -> Option<&'a OrderBalance> {
+        match self.order.parts.as_slice() {
+            [only] if only.class.is_none() => Some(only),
+            _ => None,
+        }
+    }
+
+    /// `Order 2`, `Order 1, the pistons alone`.
     fn title(&self) -> Text {
-        let name = residual::order_name(self.balance);
-        if self.pistons_alone { phrase!("Order {}, the pistons alone", name) } else { phrase!("Order {}", name) }
+        let words = if self.pistons_alone { "Order {}, the pistons alone" } else { "Order {}" };
+        phrase!(words, self.order.order)
     }
 
-    /// Its drawing.
-    pub fn picture(&self, engine: &Engine) -> Picture {
-        let caption = phrase!("{}: vector stars. {}", self.title(), star_legend(engine, self.balance));
-        Picture { name: self.file.clone(), caption, figure: star_figure(engine, self.balance) }
+    /// Its drawing; none where the coefficients of its parts are not known.
+    pub fn picture(&self, engine: &Engine) -> Option<Picture> {
+        let number = self.order.order;
+        let (figure, legend) = match (self.only(), self.weighed) {
+            (Some(only), Some(weighed)) => {
+                let size = |quantity, units| weighed.together(number, quantity, units);
+                (sized_star_figure(engine, only, size), star_legend(engine, only))
+            }
+            (Some(only), None) => (star_figure(engine, only), star_legend(engine, only)),
+            (None, Some(weighed)) => {
+                let stars = WholeStars::new(weighed);
+                (whole_star_figure(&stars, number), whole_legend(&stars, number))
+            }
+            (None, None) => return None,
+        };
+        let caption = phrase!("{}: vector stars. {}", self.title(), legend);
+        let name = if self.pistons_alone { format!("order-{number}-pistons") } else { format!("order-{number}") };
+        Some(Picture { name, caption, figure })
     }
 }
 
@@ -78,7 +85,9 @@ pub(super) fn section(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
     let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != Turn::zero());
     let paragraph = |words: &'static str| Block::Paragraph(words.into());
     let mut blocks = vec![Block::Heading(1, "Proofs, order by order".into())];
-    blocks.extend(stars.iter().take(1).flat_map(|star| example::worked(engine, star.balance)));
+    blocks.extend(
+        stars.iter().take(1).flat_map(|star| &star.order.parts).take(1).flat_map(|part| example::worked(engine, part)),
+    );
     blocks.extend([
         paragraph("The force of order k is a vector that turns with the crank and one that turns against it:"),
         Block::Formula(FORCE.to_owned(), Some(1)),
@@ -94,22 +103,42 @@ pub(super) fn section(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
 }
 
 fn proof(engine: &Engine, star: &StarOf) -> Vec<Block> {
-    let order = star.balance;
-    let mut blocks = vec![Block::Heading(2, star.title()), star.picture(engine).into()];
-    blocks.push(table::vector_star(engine, order).into());
+    let mut blocks = vec![Block::Heading(2, star.title())];
+    blocks.extend(star.picture(engine).map(Block::from));
+    if let Some(only) = star.only() {
+        blocks.extend(sum_proved(engine, only));
+        let summary = phrase!("{}: the certificates", star.title());
+        blocks.push(Block::Folded(Fold { summary, blocks: vec![certificates(only)] }));
+        return blocks;
+    }
+    let order = star.order;
+    blocks.extend(super::answer::why_several(engine).map(Block::Paragraph));
+    blocks.extend(star.weighed.map(|weighed| table::whole_star(engine, &WholeStars::new(weighed), order.order).into()));
+    let both = [("Force", &order.force), ("Moment", &order.moment)];
+    blocks.extend(both.map(|(name, of)| Block::Paragraph(residual::whole_sentence(name, order.order, of))));
+    let mut evidence = Vec::new();
+    for part in &order.parts {
+        evidence.push(Block::Heading(2, phrase!("Order {}", residual::order_name(part))));
+        evidence.extend(sum_proved(engine, part));
+        evidence.push(certificates(part));
+    }
+    let summary = phrase!("{}: the exact sums that it is made of, with their proofs", star.title());
+    blocks.push(Block::Folded(Fold { summary, blocks: evidence }));
+    blocks
+}
+
+/// The terms of one exact sum, and why it is zero or not.
+fn sum_proved(engine: &Engine, order: &OrderBalance) -> Vec<Block> {
+    let mut blocks = vec![table::vector_star(engine, order).into()];
     for (balance, left) in [(&order.force, force_left(order)), (&order.moment, moment_left(engine, order))] {
         blocks.push(Block::Paragraph(left));
         blocks.push(Block::List(balance.verdicts().map(|verdict| argued(engine, verdict)).into()));
     }
-    if let Some(whole) = star.whole {
-        let both = [("Force", &whole.force), ("Moment", &whole.moment)];
-        let sentence = both.map(|(name, of)| residual::whole_sentence(name, whole.order, of));
-        blocks.extend(sentence.map(Block::Paragraph));
-    }
-    let certificates = [&order.force, &order.moment].into_iter().flat_map(Balance::verdicts).map(certified).collect();
-    let summary = phrase!("{}: the certificates", star.title());
-    blocks.push(Block::Folded(Fold { summary, blocks: vec![Block::List(certificates)] }));
     blocks
+}
+
+fn certificates(order: &OrderBalance) -> Block {
+    Block::List([&order.force, &order.moment].into_iter().flat_map(Balance::verdicts).map(certified).collect())
 }
 
 fn force_left(order: &OrderBalance) -> Text {

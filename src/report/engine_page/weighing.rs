@@ -7,6 +7,7 @@ use super::super::calculation::Unit;
 use super::super::residual;
 use crate::engine::{Crankshaft, DOES_NOT_EXIST, Effects, Engine, LengthUnit, Mechanism, Rod};
 use crate::loads::{self, Bound, LeftOut, Loads, Swing};
+use crate::numbers;
 use crate::order::{self, Masses};
 use crate::page::{self, Piece, Text, number, phrase};
 use crate::proof::{Axial, Planar, Quantity, Shape};
@@ -80,7 +81,8 @@ impl<'a> Weighed<'a> {
         self.weighing.above
     }
 
-    fn swing(&self, order: u32, quantity: Planar) -> Option<&Swing> {
+    /// What an order traces, in multiples of m r ω².
+    pub fn swing(&self, order: u32, quantity: Planar) -> Option<&Swing> {
         Some(self.loads.orders.iter().find(|of| of.order == order)?.swing(quantity))
     }
 
@@ -156,7 +158,7 @@ impl<'a> Weighed<'a> {
     }
 
     /// The unit of a quantity.
-    fn unit(&self, quantity: Quantity) -> Unit {
+    pub fn unit(&self, quantity: Quantity) -> Unit {
         let mut unit = Unit::of(&self.engine, &self.loads, quantity);
         if self.loads.scale.is_none()
             && quantity == Quantity::MOMENT
@@ -192,6 +194,35 @@ impl<'a> Weighed<'a> {
         let quantity = quantity.into();
         let unit = self.unit(quantity);
         (unit.factor != 0.0).then(|| Piece::Quantity(value * unit.factor, unit.unit).into())
+    }
+
+    /// What all vectors of an order are multiplied by to be those of m r ω²: its length, and its direction in degrees for those that turn with
+    /// the crank. None where no common one was called for.
+    pub fn coefficient(&self, order: u32) -> Option<[f64; 2]> {
+        let of_order = self.loads.orders.iter().find(|of| of.order == order)?;
+        let value = of_order.coefficient.as_ref()?.to_complex();
+        Some([numbers::length(value), numbers::degrees(value)])
+    }
+
+    /// What the two stars of an order make together at most, below them: the number of the box, plain and as prose. Nothing where that is zero or not decided.
+    pub fn together(&self, order: u32, quantity: Planar, units: page::Units) -> Option<[String; 2]> {
+        let swing = self.swing(order, quantity)?;
+        let vectors = [&swing.direct, &swing.reverse].map(|vector| &vector.outcome);
+        if swing.vanishes() || vectors.iter().any(|outcome| outcome.vanishes().is_none()) {
+            return None;
+        }
+        let unit = self.unit(quantity.into());
+        let (value, unit) = units.of(swing.largest() * unit.factor, unit.unit);
+        let (value, unit) = unit.at_sight(value);
+        let amount = format!("≈ {}{}", number::sensible(value), number::behind(unit));
+        let words = format!("together at most {amount}");
+        Some(match self.coefficient(order) {
+            Some([length, _]) if length != 1.0 => {
+                let named = |name: String| format!("{words} ({name} ≈ {})", number::sensible(length));
+                [format!("c{}", number::lowered(order)), format!("$c_{{{order}}}$")].map(named)
+            }
+            _ => [words.clone(), words],
+        })
     }
 
     /// The orders that are not told, of those that are looked at, and what they and all others add up to at most: a part of the largest
@@ -243,7 +274,7 @@ fn largest(swing: &Swing) -> f64 {
 }
 
 /// The masses that are judged, and the pistons alone where these are judged too.
-pub(super) struct WeighedParts<'a> {
+pub(in crate::report) struct WeighedParts<'a> {
     pub as_judged: Option<Weighed<'a>>,
     pub pistons: Option<Weighed<'a>>,
 }

@@ -4,9 +4,11 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::super::typeset;
+use super::super::views::axes;
 use super::open_angle::OpenAngle;
 use super::scene::{Body, Knuckle};
 use crate::engine::{Cylinder, Engine, Link, Mechanism};
+use crate::proof::Sense;
 
 /// Rod ratio that rods are drawn with where none is given: 2/7.
 const USUAL_RATIO: (i64, i64) = (2, 7);
@@ -27,24 +29,30 @@ pub(super) fn bodies(engine: &Engine, open: Option<&OpenAngle>) -> Vec<Body> {
     let mut order: Vec<usize> = (0..engine.cylinders().len()).collect();
     let position = |index: usize| &engine.cylinders()[index].position;
     order.sort_by(|one, other| position(*other).cmp(position(*one)));
-    let mut cranks: Vec<[f64; 2]> = Vec::new();
+    let mut cranks: Vec<(usize, [f64; 2])> = Vec::new();
+    let several = engine.geared_cranks().len() > 1;
     let mut bodies: Vec<Body> = Vec::new();
     for index in order {
-        let mut body = body(&engine.cylinders()[index], index, open);
-        let crank = [body.throw, body.throw_turns];
+        let mut body = body(engine, index, open);
+        let crankshaft = engine.cylinders()[index].crank;
+        let crank = (crankshaft, [body.throw, body.throw_turns]);
         body.crank = cranks.iter().position(|other| *other == crank).unwrap_or(cranks.len());
         if body.crank == cranks.len() {
             cranks.push(crank);
         }
+        body.colour = if several { crankshaft } else { body.crank };
+        body.pin = (!bodies.iter().any(|other| other.crank == body.crank)).then(String::new);
         body.label = (!bodies.iter().any(|other| alike(other, &body))).then(String::new);
         bodies.push(body);
     }
     for first in 0..bodies.len() {
-        if bodies[first].label.is_some() {
-            let names: Vec<&str> =
-                bodies.iter().filter(|body| alike(body, &bodies[first])).map(|body| body.name.as_str()).collect();
-            bodies[first].label = Some(typeset::names(&names));
-        }
+        let named = |of: &dyn Fn(&Body) -> bool| {
+            let names = bodies.iter().filter(|body| of(body)).map(|body| body.name.as_str());
+            typeset::names(&names.collect::<Vec<_>>())
+        };
+        let label = bodies[first].label.as_ref().map(|_| named(&|body| alike(body, &bodies[first])));
+        let pin = bodies[first].pin.as_ref().map(|_| named(&|body| body.crank == bodies[first].crank));
+        (bodies[first].label, bodies[first].pin) = (label, pin);
     }
     bodies
 }
@@ -53,11 +61,18 @@ pub(super) fn bodies(engine: &Engine, open: Option<&OpenAngle>) -> Vec<Body> {
 fn alike(one: &Body, other: &Body) -> bool {
     let motion =
         |body: &Body| [body.throw, body.throw_turns, body.bank, body.bank_turns, body.radius, body.rod, body.aside];
-    motion(one) == motion(other) && one.knuckle == other.knuckle
+    motion(one) == motion(other) && one.knuckle == other.knuckle && one.axis == other.axis
 }
 
-fn body(cylinder: &Cylinder, index: usize, open: Option<&OpenAngle>) -> Body {
+fn body(engine: &Engine, index: usize, open: Option<&OpenAngle>) -> Body {
+    let cylinder = &engine.cylinders()[index];
     let [throw_turns, bank_turns] = open.map_or([0.0; 2], |open| open.enters_cylinder(index));
+    let axis = axes(engine).get(cylinder.crank).copied().unwrap_or_default();
+    // On a crank that turns the other way stands the mirror image of the pin of the equivalent crank, and of its offset.
+    let (side, throw_turns) = match engine.sense_of(cylinder) {
+        Sense::Direct => (1.0, throw_turns),
+        Sense::Reverse => (-1.0, 2.0 * bank_turns - throw_turns),
+    };
     let radius = &cylinder.crank_radius;
     let (rod, aside, knuckle) = match &cylinder.mechanism {
         Some(Mechanism::SliderCrank(rod)) => {
@@ -75,12 +90,16 @@ fn body(cylinder: &Cylinder, index: usize, open: Option<&OpenAngle>) -> Body {
         name: cylinder.name.clone(),
         label: None,
         crank: 0,
-        throw: decimal(&cylinder.throw.degrees()),
+        pin: None,
+        colour: 0,
+        axis: [axis.re, axis.im],
+        speed: side * f64::from(engine.speed_of(cylinder)),
+        throw: decimal(&engine.pin_angle(cylinder).degrees()),
         throw_turns,
         bank: decimal(&cylinder.bank.degrees()),
         bank_turns,
         radius: decimal(radius),
-        aside: decimal(&aside),
+        aside: side * decimal(&aside),
         rod: decimal(&rod),
         knuckle,
     }

@@ -32,10 +32,12 @@ struct Fragment<'a> {
     id: String,
     title: String,
     seen: &'static str,
-    orders: Vec<String>,
+    orders: Vec<u32>,
+    start: usize,
+    quantity: &'static str,
+    has_total: bool,
     notes: Vec<String>,
     angle: Option<&'a MovingAngle>,
-    strip: usize,
     columns: Vec<Column>,
     json: String,
     language: &'static str,
@@ -45,21 +47,14 @@ struct Fragment<'a> {
 #[derive(Serialize)]
 struct Column {
     name: String,
-    x: usize,
     colour: usize,
-    letters: usize,
 }
 
-/// Width of a column, in the units of the drawing.
-const COLUMN: usize = 10;
-/// A row of fewer columns is as wide as one of so many.
-const FEWEST: usize = 6;
 /// Colours that the style has for cranks.
 const COLOURS: usize = 4;
 
-fn column((index, body): (usize, &Body), inset: usize) -> Column {
-    let letters = 13_usize.checked_div(body.name.chars().count()).unwrap_or(5).clamp(1, 5);
-    Column { name: text::xml(&body.name), x: inset + index * COLUMN + 1, colour: body.crank % COLOURS, letters }
+fn column(body: &Body) -> Column {
+    Column { name: text::xml(&body.name), colour: body.colour % COLOURS }
 }
 
 /// The HTML of a scene; `id` is its own on the page, of letters, digits and hyphens.
@@ -68,17 +63,17 @@ fn column((index, body): (usize, &Body), inset: usize) -> Column {
 pub fn moving_fragment(scene: &Scene, id: &str, language: Language) -> String {
     let scene = scene.spoken(language);
     let json = serde_json::to_string(&scene).unwrap_or_default();
-    let strip = scene.bodies.len().max(FEWEST) * COLUMN;
-    let inset = (strip - scene.bodies.len() * COLUMN) / 2;
     let fragment = Fragment {
         id: text::xml(id),
         title: text::xml(&scene.title),
         seen: scene.seen,
-        orders: scene.orders.iter().map(|order| text::xml(&order.name)).collect(),
+        orders: scene.orders.iter().map(|order| order.order).collect(),
+        start: scene.start.0,
+        quantity: scene.start.1,
+        has_total: scene.units.is_some(),
         notes: scene.notes.iter().map(|note| text::xml(note)).collect(),
         angle: scene.angle.as_ref(),
-        strip,
-        columns: scene.bodies.iter().enumerate().map(|body| column(body, inset)).collect(),
+        columns: scene.bodies.iter().map(column).collect(),
         json: text::json_in_script(&json),
         language: language.code(),
     };

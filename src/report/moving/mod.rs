@@ -17,13 +17,17 @@ use std::sync::Arc;
 
 pub use fragment::{MOVING_SCRIPT, MOVING_STYLE, moving_fragment};
 pub use open_scenes::open_scenes;
-pub use scene::{Body, Knuckle, Mark, MovingAngle, MovingOrder, MovingQuantity, MovingSense, Ray, Scene, Words, Zeros};
+pub use scene::{
+    Body, Knuckle, Mark, MovingAngle, MovingOrder, MovingQuantity, MovingSense, MovingUnit, Ray, Scene, Words, Zeros,
+};
 
 use super::convention::{differs, said};
+use super::engine_page::{Weighed, WeighedParts, Weighing};
 use super::residual;
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::page::{self, Language, Live};
+use crate::proof::Planar;
 use crate::text::Format;
 use crate::verdict::Judgement;
 use open_angle::OpenAngle;
@@ -32,15 +36,24 @@ use open_angle::OpenAngle;
 ///
 /// With the family that the engine is a member of, judged at the same orders, its open angle can be moved too: where one angle
 /// is open and the verdicts are about the pistons alone, as those on a family are.
-pub fn scene(engine: &Engine, judged: &Judgement, family: Option<(&Family, &[OpenOrder])>) -> Scene {
+pub fn scene(
+    engine: &Engine,
+    judged: &Judgement,
+    family: Option<(&Family, &[OpenOrder])>,
+    weighing: &Weighing,
+) -> Scene {
+    let weighed = WeighedParts::new(engine, judged, weighing).as_judged;
     let open = family.and_then(|(family, orders)| OpenAngle::new(engine, judged, family, orders));
+    let orders = stars::orders(engine, judged, weighed.as_ref(), open.as_ref());
     let drawn = differs(engine.convention()).map(|words| words.plain());
     let whose = residual::whose_masses(engine, judged).map(|words| words.plain());
     Scene {
         title: engine.title().escaped(Format::Plain),
         seen: said(engine.convention(), SEEN),
         bodies: bodies::bodies(engine, open.as_ref()),
-        orders: stars::orders(engine, judged, open.as_ref()),
+        start: start(&orders),
+        orders,
+        units: weighed.map(|weighed| Planar::BOTH.map(|quantity| unit(&weighed, quantity))),
         notes: whose
             .into_iter()
             .chain(drawn)
@@ -50,6 +63,26 @@ pub fn scene(engine: &Engine, judged: &Judgement, family: Option<(&Family, &[Ope
         angle: open.map(|open| open.into_angle()),
         words: Words::default(),
     }
+}
+
+/// The first order of which something is left, and whether that is the force or the moment; else the first.
+fn start(orders: &[MovingOrder]) -> (usize, &'static str) {
+    let is_left = |quantity: &MovingQuantity| quantity.senses.iter().any(|sense| !sense.zero);
+    let left = |(place, order): (usize, &MovingOrder)| match (is_left(&order.force), is_left(&order.moment)) {
+        (true, _) if order.exists => Some((place, FORCE)),
+        (false, true) if order.exists => Some((place, MOMENT)),
+        _ => None,
+    };
+    orders.iter().enumerate().find_map(left).unwrap_or((0, FORCE))
+}
+
+const FORCE: &str = "force";
+const MOMENT: &str = "moment";
+
+/// What the values of a quantity are counted in.
+fn unit(weighed: &Weighed, quantity: Planar) -> MovingUnit {
+    let unit = weighed.unit(quantity.into());
+    MovingUnit { factor: unit.factor, name: unit.unit.name }
 }
 
 const SEEN: [&str; 2] = [

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
+use super::super::engine_page::Weighing;
 use super::super::typeset;
 use super::scene;
 use super::scene::Scene;
@@ -39,7 +40,8 @@ fn one(family: &Family, orders: &[u32], moving: &str) -> Option<Scene> {
         Ok(()) => family::classify(&along, orders).ok(),
         Err(_) => None,
     };
-    let mut made = scene(&engine, &judged, open.as_ref().map(|open| (&along, open.as_slice())));
+    let open = open.as_ref().map(|open| (&along, open.as_slice()));
+    let mut made = scene(&engine, &judged, open, Weighing::usual());
     made.notes.splice(0..0, held(&fixed).into_iter().chain(lengths_drawn(&lengths)));
     Some(made)
 }

@@ -15,8 +15,12 @@ pub struct Scene {
     pub seen: &'static str,
     /// The cylinders from the free end on.
     pub bodies: Vec<Body>,
-    /// The orders that are judged, one entry per sum.
+    /// The orders that are judged.
     pub orders: Vec<MovingOrder>,
+    /// The order that the page opens on, by its place, and its force or moment: the first that is left.
+    pub start: (usize, &'static str),
+    /// What force and moment are counted in once they have their coefficients; none where their sizes are not known.
+    pub units: Option<[MovingUnit; 2]>,
     /// The angle that is open, where there is one.
     pub angle: Option<MovingAngle>,
     /// What is to be known of the drawing.
@@ -34,6 +38,14 @@ pub struct Body {
     pub label: Option<String>,
     /// A number that cylinders on one throw have in common, from 0.
     pub crank: usize,
+    /// Who works on this throw, told once for each.
+    pub pin: Option<String>,
+    /// Which colour it has: that of its throw, or of its crankshaft where there are several.
+    pub colour: usize,
+    /// Where its crankshaft stands, to the right and up, in crank radii.
+    pub axis: [f64; 2],
+    /// How many times its crankshaft turns while the reference turns once; below 0 against it.
+    pub speed: f64,
     /// Throw β.
     pub throw: f64,
     /// How many times the open angle enters β.
@@ -65,13 +77,23 @@ pub struct Knuckle {
     pub master: f64,
 }
 
-/// One order, or one of the sums that it is made of.
+/// Decimals of multiples of m r ω², as a reader counts them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MovingUnit {
+    /// So many are a multiple.
+    pub factor: f64,
+    /// What they are called.
+    pub name: &'static str,
+}
+
+/// One order.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MovingOrder {
     /// The order k.
     pub order: u32,
-    /// Its number, and whom it is about where not all cylinders are meant.
-    pub name: String,
+    /// What its vectors are multiplied by to be those of m r ω²: a length and a direction in degrees, of the direct ones; none where that
+    /// is not known.
+    pub coefficient: Option<[f64; 2]>,
     /// Whether the engine has it.
     pub exists: bool,
     /// The shaking force.
@@ -85,12 +107,10 @@ pub struct MovingOrder {
 pub struct MovingQuantity {
     /// What is left, in exact words.
     pub words: String,
-    /// The same of all sums of the order together, where it has several.
-    pub whole: Option<String>,
+    /// How much that is at most, where the sizes are known.
+    pub most: Option<String>,
     /// The direct vectors, then the reverse ones.
     pub senses: [MovingSense; 2],
-    /// Length of the longest arrow, whatever the open angle is.
-    pub reach: f64,
     /// The values at which one of the sums vanishes, or both, if an angle is open.
     pub marks: Vec<Mark>,
 }
@@ -102,6 +122,8 @@ pub struct MovingSense {
     pub words: String,
     /// Whether that is proved to be 0.
     pub zero: bool,
+    /// Length of the longest arrow, whatever the open angle is.
+    pub reach: f64,
     /// The vectors, those of one direction together.
     pub rays: Vec<Ray>,
     /// Length of the sum, approximately.
@@ -196,8 +218,10 @@ pub struct Words {
     pub not_zero: &'static str,
     /// A sum of which the list does not tell.
     pub undecided: &'static str,
-    /// All sums of an order together.
-    pub together: &'static str,
+    /// What stands before the angle of what is drawn.
+    pub at: &'static str,
+    /// What stands before the largest value of all orders.
+    pub largest: &'static str,
     /// Starts the motion.
     pub play: &'static str,
     /// Stops it.
@@ -215,7 +239,8 @@ impl Default for Words {
             near: "0 at an irrational angle, here rounded",
             not_zero: "not 0",
             undecided: "not decided here",
-            together: "All sums of the order together:",
+            at: "at",
+            largest: "largest",
             play: "Play",
             pause: "Pause",
         }

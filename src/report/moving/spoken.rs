@@ -26,7 +26,6 @@ fn label(text: &mut String, language: Language) {
 
 impl MovingOrder {
     fn speak(&mut self, language: Language) {
-        label(&mut self.name, language);
         self.force.speak(language);
         self.moment.speak(language);
     }
@@ -35,7 +34,7 @@ impl MovingOrder {
 impl MovingQuantity {
     fn speak(&mut self, language: Language) {
         label(&mut self.words, language);
-        self.whole.iter_mut().for_each(|whole| label(whole, language));
+        self.most.iter_mut().for_each(|most| label(most, language));
         self.senses.iter_mut().for_each(|sense| sense.speak(language));
         self.marks.iter_mut().for_each(|mark| mark.speak(language));
     }
@@ -65,9 +64,10 @@ impl Mark {
 
 impl Words {
     fn speak(&mut self, language: Language) {
-        let Words { senses, force, moment, order, zero, near, not_zero, undecided, together, play, pause } = self;
+        let Words { senses, force, moment, order, zero, near, not_zero, undecided, at, largest, play, pause } = self;
         let [direct, reverse] = senses;
-        for words in [direct, reverse, force, moment, order, zero, near, not_zero, undecided, together, play, pause] {
+        for words in [direct, reverse, force, moment, order, zero, near, not_zero, undecided, at, largest, play, pause]
+        {
             *words = language.fixed(words);
         }
     }

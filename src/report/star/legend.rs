@@ -13,29 +13,41 @@ use crate::verdict::{JudgedStar, OrderBalance, Verdict};
 
 /// What stands below the stars of an order.
 pub(in crate::report) fn star_legend(engine: &Engine, order: &OrderBalance) -> Text {
-    let rows = order_rows(order).into_iter().map(|row| row.map(JudgedStar::from).to_vec());
-    legend(engine, &rows.collect::<Vec<_>>())
+    let verdicts = order_rows(order).into_iter().flatten();
+    let drawn = verdicts.map(|verdict| {
+        let star = Star::of(engine, verdict);
+        let scale = Scale::of([&star], verdict.quantity, engine);
+        (verdict.quantity, star, scale)
+    });
+    legend(&drawn.collect::<Vec<_>>())
 }
 
 /// What stands below the stars of the inertia torque.
 pub(in crate::report) fn torque_legend(engine: &Engine, verdicts: &[&Verdict]) -> Text {
-    legend(engine, &[verdicts.iter().map(|verdict| JudgedStar::from(*verdict)).collect()])
+    of_one_scale(engine, &verdicts.iter().map(|verdict| JudgedStar::from(*verdict)).collect::<Vec<_>>())
 }
 
 /// What stands below firing stars.
 pub(in crate::report) fn firing_legend(engine: &Engine, stars: &[JudgedStar<'_>]) -> Text {
-    legend(engine, &[stars.to_vec()])
+    of_one_scale(engine, stars)
 }
 
-/// The words for stars whose rows have a scale each.
-fn legend(engine: &Engine, rows: &[Vec<JudgedStar<'_>>]) -> Text {
+fn of_one_scale(engine: &Engine, judged: &[JudgedStar<'_>]) -> Text {
+    let stars: Vec<Star> = judged.iter().map(|judged| Star::new(*judged)).collect();
+    let Some(first) = judged.first() else { return Text::default() };
+    let scale = Scale::of(&stars, first.quantity, engine);
+    legend(&judged.iter().zip(stars).map(|(judged, star)| (judged.quantity, star, scale)).collect::<Vec<_>>())
+}
+
+/// The words for what is in stars of these quantities.
+pub(super) fn legend(drawn: &[(Quantity, Star, Scale)]) -> Text {
     let mut words: Vec<Text> = vec!["The dashed line is direction 0.".into()];
-    let drawn: Vec<(JudgedStar<'_>, Star, Scale)> = rows.iter().flat_map(|row| of_row(engine, row)).collect();
-    let any =
-        |holds: &dyn Fn(&JudgedStar<'_>, &Star) -> bool| drawn.iter().any(|(judged, star, _)| holds(judged, star));
+    let any = |holds: &dyn Fn(Quantity, &Star) -> bool| drawn.iter().any(|(quantity, star, _)| holds(*quantity, star));
     let sides = |least: u64, most: u64| {
         any(&|_, star| star.polygons.iter().any(|polygon| (least..=most).contains(&polygon.sides)))
     };
+    words.extend(any(&|quantity, _| matches!(quantity, Quantity::Planar(_))).then(|| HALVED.into()));
+    words.extend(any(&|_, star| star.by_crank).then(|| "Each arrow is the resultant of one crankshaft.".into()));
     words.extend(match (sides(2, 2), sides(3, u64::MAX)) {
         (false, false) => None,
         (true, false) => Some("Each coloured bar joins two opposite vectors that cancel.".into()),
@@ -44,15 +56,8 @@ fn legend(engine: &Engine, rows: &[Vec<JudgedStar<'_>>]) -> Text {
             "The vectors at the corners of a coloured polygon, or at the ends of a coloured bar, sum to zero.".into(),
         ),
     });
-    if any(&|judged, star| star.resultant.is_some() && judged.quantity != Quantity::TORQUE) {
-        words.push(
-            "The red arrow in outline is the resultant; half the direct and half the reverse one make what is left."
-                .into(),
-        );
-    } else if any(&|_, star| star.resultant.is_some()) {
-        words.push("The red arrow in outline is the resultant.".into());
-    }
-    if any(&|judged, star| star.has_turned && judged.quantity == Quantity::MOMENT) {
+    words.extend(any(&|_, star| star.resultant.is_some()).then(|| "The red arrow in outline is the resultant.".into()));
+    if any(&|quantity, star| star.has_turned && quantity == Quantity::MOMENT) {
         words.push("A vector with a negative arm is drawn turned by 180°.".into());
     } else if any(&|_, star| star.has_turned) {
         words.push("A vector with a negative weight is drawn turned by 180°.".into());
@@ -68,12 +73,8 @@ fn legend(engine: &Engine, rows: &[Vec<JudgedStar<'_>>]) -> Text {
     Text::joined(words, " ")
 }
 
-fn of_row<'a>(engine: &Engine, row: &[JudgedStar<'a>]) -> Vec<(JudgedStar<'a>, Star, Scale)> {
-    let stars: Vec<Star> = row.iter().map(|judged| Star::new(*judged)).collect();
-    let Some(first) = row.first() else { return Vec::new() };
-    let scale = Scale::of(&stars, first.quantity, engine);
-    row.iter().zip(stars).map(|(judged, star)| (*judged, star, scale)).collect()
-}
+/// Why the vectors of a star are half as long as those of the table.
+const HALVED: &str = "Vectors are drawn halved, as they count in force and moment.";
 
 /// The rays that have their names beside them.
 fn labelled(star: &Star) -> &[Ray] {

@@ -32,11 +32,6 @@ fn listed(
 }
 
 impl Ray {
-    /// What the sources are called.
-    pub fn names(&self, engine: &Engine) -> String {
-        source_names(engine, self.members.iter().map(|(source, _)| *source))
-    }
-
     /// Whether its masses that turn are counted, for there are too many to be named.
     pub fn counts_turning(&self) -> bool {
         self.turning().count() > MOST_LABELLED
@@ -49,9 +44,11 @@ impl Ray {
 
     /// The same in little room, broken into lines in several ways, the widest first: `1, 5, rod 1`, `1, 5, +6 (8 ×)`.
     pub fn labels(&self, engine: &Engine, counts: &[usize], letters: f64) -> Vec<Vec<String>> {
-        let names = listed(engine, self.members.iter().map(|(source, _)| *source), |others| match others.len() {
-            0..=MOST_LABELLED => others.iter().map(|source| source.label(engine)).collect(),
-            many => vec![format!("+{many}")],
+        let names = self.name.clone().unwrap_or_else(|| {
+            listed(engine, self.members.iter().map(|(source, _)| *source), |others| match others.len() {
+                0..=MOST_LABELLED => others.iter().map(|source| source.label(engine)).collect(),
+                many => vec![format!("+{many}")],
+            })
         });
         let counts: Vec<String> = counts.iter().filter(|count| **count > 1).map(|count| format!("{count} ×")).collect();
         let counted = (!counts.is_empty()).then(|| format!("({})", counts.join(" + ")));

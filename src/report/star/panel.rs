@@ -1,10 +1,8 @@
 //! How is one star drawn? About its centre: ring, polygons, vectors, and the resultant above them.
 
-use num_rational::BigRational;
-
 use super::labels::Labels;
 use super::sheet::{LETTERS, Scale, WIDTH};
-use super::{Ray, Star, corners, decimal, towards, upright};
+use super::{Ray, Star, corners, part_felt, upright};
 use crate::engine::Engine;
 use crate::page::Number;
 use crate::page::figure::{Anchor, Dash, Extent, Figure, Ink, Point, Stroke, text_width};
@@ -26,6 +24,8 @@ const FINE: f64 = 12.0;
 const MOST_ROOM: f64 = 14.0;
 /// Width of the outline of a resultant in millimetres.
 const OUTLINE: f64 = 0.5;
+/// Lengths and directions that differ by less are drawn as one: totals are sums of decimals.
+pub(super) const SAME: f64 = 1e-9;
 /// A shorter resultant than this, in millimetres, is filled: its outline would close.
 const SHORT_RESULTANT: f64 = 2.5;
 
@@ -44,17 +44,18 @@ pub(in crate::report) struct Panel {
 impl Panel {
     /// The star of a verdict.
     pub fn new(engine: &Engine, verdict: &Verdict, star: &Star, scale: Scale) -> Self {
-        Panel::headed(heading(verdict), engine, verdict.into(), star, scale)
+        let heading = heading(verdict.quantity, verdict.order, verdict.sense);
+        Panel::headed(heading, engine, sum(verdict.into()), star, scale)
     }
 
-    /// Any star, under this heading.
-    pub fn headed(heading: String, engine: &Engine, judged: JudgedStar<'_>, star: &Star, scale: Scale) -> Self {
+    /// Any star, under this heading, above what its vectors sum to.
+    pub fn headed(heading: String, engine: &Engine, sum: (String, String), star: &Star, scale: Scale) -> Self {
         let mut drawing = Figure::new(0.0, 0.0).lettered(LETTERS);
         match star.rays.is_empty() {
-            true => drawing.text(Point::default(), "no vectors", Anchor::Middle),
+            true => drawing.text(Point::default(), star.nothing(), Anchor::Middle),
             false => draw(&mut drawing, engine, star, scale.millimetres),
         }
-        Panel { heading, sum: sum(judged), drawing, scale }
+        Panel { heading, sum, drawing, scale }
     }
 
     /// What the star covers, its centre included.
@@ -64,9 +65,8 @@ impl Panel {
     }
 }
 
-fn heading(verdict: &Verdict) -> String {
-    let order = verdict.order;
-    match (verdict.quantity, verdict.sense) {
+pub(super) fn heading(quantity: Quantity, order: u32, sense: Option<Sense>) -> String {
+    match (quantity, sense) {
         (Quantity::FORCE, Some(Sense::Direct)) => format!("Force, direct, order {order}"),
         (Quantity::FORCE, Some(Sense::Reverse)) => format!("Force, reverse, order {order}"),
         (Quantity::FORCE, None) => format!("Force, order {order}"),
@@ -77,18 +77,25 @@ fn heading(verdict: &Verdict) -> String {
     }
 }
 
-/// `sum = 0`, `length = √10 ≈ 3.162`; in decimals alone where the exact form has no room.
-fn sum(judged: JudgedStar<'_>) -> (String, String) {
-    let modulus = residual::modulus(judged);
-    let named = |value: String| if judged.vanishes() { format!("sum {value}") } else { format!("length {value}") };
-    let in_decimals = named(typeset::approximate(modulus.decimal));
-    let plain = named(format!("= {}", modulus.plain()));
-    match modulus.number() {
-        Number::Zero | Number::Exact(_) | Number::Closed(..) if text_width(&plain, LETTERS) <= WIDTH - 2.0 => {
-            (plain, named(format!("= {}", modulus.prose())))
-        }
-        Number::Zero | Number::Exact(_) | Number::Closed(..) | Number::Decimal(_) => (in_decimals.clone(), in_decimals),
+/// `sum = 0`, `resultant = √10 ≈ 3.162`; in decimals alone where the exact form has no room.
+pub(super) fn sum(judged: JudgedStar<'_>) -> (String, String) {
+    if judged.vanishes() {
+        return ("sum = 0".to_owned(), "sum = 0".to_owned());
     }
+    let resultant = residual::modulus_of(&judged.sum.scaled(&part_felt(judged.quantity)));
+    let (plain, in_decimals) = (format!("resultant = {}", resultant.plain()), rounded_sum(resultant.decimal));
+    match resultant.number() {
+        Number::Zero | Number::Exact(_) | Number::Closed(..) if text_width(&plain, LETTERS) <= WIDTH - 2.0 => {
+            (plain, format!("resultant = {}", resultant.prose()))
+        }
+        Number::Zero | Number::Exact(_) | Number::Closed(..) | Number::Decimal(_) => in_decimals,
+    }
+}
+
+/// The same in decimals.
+pub(super) fn rounded_sum(length: f64) -> (String, String) {
+    let words = format!("resultant {}", typeset::approximate(length));
+    (words.clone(), words)
 }
 
 fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
@@ -109,7 +116,7 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
         labels.avoid_guide(&corners);
     }
     for ray in &star.rays {
-        let along = towards(&ray.angle);
+        let along = ray.along();
         let mut start = centre;
         for (length, _) in ray.arrows(scale) {
             let end = start + along * length;
@@ -131,7 +138,7 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
             .map(|lines| (Labels::width(lines, LETTERS) + LETTERS) / 2.0);
         let least = (room.sum::<f64>() / std::f64::consts::TAU).min(MOST_ROOM);
         for (ray, ways) in &named {
-            let (along, long) = (towards(&ray.angle), ray.length() * scale);
+            let (along, long) = (ray.along(), ray.length() * scale);
             labels.write(figure, (along * long, along * long.max(least)), along, ways);
         }
     }
@@ -139,9 +146,14 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
 
 /// Whether some of the star points up and some down; the ring of another would be half empty.
 fn has_both_halves(star: &Star) -> bool {
-    let tips = star.rays.iter().map(|ray| towards(&ray.angle) * ray.length()).chain(star.resultant.map(upright));
+    let tips = star.rays.iter().map(|ray| ray.along() * ray.length()).chain(star.resultant.map(upright));
     let heights: Vec<f64> = tips.map(|tip| tip.im / star.reach()).collect();
     heights.iter().any(|height| *height > 0.2) && heights.iter().any(|height| *height < -0.2)
+}
+
+/// Whether a drawing tells two lengths apart.
+fn alike(one: f64, other: f64) -> bool {
+    (one - other).abs() <= SAME * one.max(other)
 }
 
 /// The label of a ray, broken into lines in several ways.
@@ -153,15 +165,15 @@ fn label_of(engine: &Engine, ray: &Ray, scale: f64) -> Vec<Vec<String>> {
 impl Ray {
     /// The arrows it is drawn in, in millimetres, each with the number of vectors that it stands for.
     pub(super) fn arrows(&self, scale: f64) -> Vec<(f64, usize)> {
-        let mut groups: Vec<(&BigRational, usize)> = Vec::new();
+        let mut groups: Vec<(f64, usize)> = Vec::new();
         for (_, length) in &self.members {
-            match groups.iter_mut().find(|(of_group, _)| *of_group == length) {
+            match groups.iter_mut().find(|(of_group, _)| alike(*of_group, *length)) {
                 Some((_, count)) => *count += 1,
-                None => groups.push((length, 1)),
+                None => groups.push((*length, 1)),
             }
         }
-        let arrows = |(length, count): (&BigRational, usize)| {
-            let one = decimal(length) * scale;
+        let arrows = |(length, count): (f64, usize)| {
+            let one = length * scale;
             if one < SHORTEST_PAIR || count > 2 && one < SHORTEST {
                 vec![(one * count as f64, count)]
             } else {

@@ -1,11 +1,13 @@
-//! How do stars stand on a drawing? In rows, each no taller than it needs, with one scale for each quantity.
+//! How do stars stand on a drawing? In rows, each no taller than it needs, with bars that tell their scales.
 
 use num_traits::Zero;
 
+use super::panel::{SAME, sum};
 use super::{Panel, Star};
 use crate::engine::{Engine, LengthUnit};
+use crate::page::Units;
 use crate::page::figure::{Anchor, Figure, Ink, Mark, Point, Stroke, text_width};
-use crate::proof::Quantity;
+use crate::proof::{Planar, Quantity};
 use crate::text::SUPERSCRIPTS;
 use crate::verdict::{Balance, JudgedStar, OrderBalance, Verdict};
 
@@ -22,7 +24,7 @@ const ROWS_APART: f64 = 5.0;
 const LONGEST_BAR: f64 = 14.0;
 
 /// What the lengths of a star mean.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(in crate::report) struct Scale {
     /// Millimetres a unit.
     pub millimetres: f64,
@@ -31,6 +33,16 @@ pub(in crate::report) struct Scale {
 }
 
 impl Scale {
+    /// The scale at which a star with these vectors of m r ω², or of that times the unit of the positions, fills a panel.
+    pub(super) fn of_whole(star: &Star, quantity: Planar, engine: &Engine) -> Self {
+        let unit = match (quantity, engine.length_unit()) {
+            (Planar::Force, _) => ("{} m r ω²", "{} $m r \\omega^2$"),
+            (Planar::Moment, LengthUnit::Spacing) => ("{} m r ω² a", "{} $m r \\omega^2 a$"),
+            (Planar::Moment, LengthUnit::Metre) => ("{} m r ω² · metre", "{} $m r \\omega^2$ · metre"),
+        };
+        Scale::filling([star], unit)
+    }
+
     /// The scale at which the longest of these stars fills a panel.
     pub fn of<'a>(stars: impl IntoIterator<Item = &'a Star>, quantity: impl Into<Quantity>, engine: &Engine) -> Self {
         let unit = match (quantity.into(), engine.length_unit()) {
@@ -51,6 +63,11 @@ impl Scale {
         let reach = stars.into_iter().map(Star::reach).fold(0.0, f64::max);
         let millimetres = if reach > 0.0 { RADIUS / reach } else { 0.0 };
         Scale { millimetres, unit }
+    }
+
+    /// Whether a drawing tells the two apart.
+    fn is_alike(&self, other: &Scale) -> bool {
+        self.unit == other.unit && (self.millimetres - other.millimetres).abs() <= SAME * self.millimetres
     }
 
     /// The length of the bar in units: 1, 2 or 5 times a power of ten; none where there is nothing to measure.
@@ -127,7 +144,7 @@ impl Sheet {
             self.foot -= GAP;
             let y = self.line();
             match scales.as_slice() {
-                [first, others @ ..] if others.iter().all(|other| other == first) => {
+                [first, others @ ..] if others.iter().all(|other| other.is_alike(first)) => {
                     self.bar(Point::new(self.columns as f64 * WIDTH / 2.0, y), *first);
                 }
                 each => each.iter().enumerate().for_each(|(column, scale)| {
@@ -135,6 +152,14 @@ impl Sheet {
                 }),
             }
         }
+        self.foot -= ROWS_APART;
+    }
+
+    /// A line of words below a row.
+    pub fn words(&mut self, [plain, prose]: [String; 2]) {
+        self.foot += ROWS_APART - GAP;
+        let y = self.line();
+        self.figure.formula(Point::new(self.columns as f64 * WIDTH / 2.0, y), plain, prose);
         self.foot -= ROWS_APART;
     }
 
@@ -174,14 +199,42 @@ pub(super) fn order_rows(order: &OrderBalance) -> Vec<[&Verdict; 2]> {
     [Some(&order.force), moment].into_iter().flatten().map(Balance::verdicts).collect()
 }
 
-/// The stars of one order, direct beside reverse, to one scale for the forces and one for the moments.
+/// The stars of one order, direct beside reverse, each to a scale of its own.
 pub fn star_figure(engine: &Engine, order: &OrderBalance) -> Figure {
+    drawn(engine, order, |_| None)
+}
+
+/// The same, with what direct and reverse make together below each row: how much that is, in the units of the reader.
+pub(in crate::report) fn sized_star_figure(
+    engine: &Engine,
+    order: &OrderBalance,
+    size: impl Fn(Planar, Units) -> Option<[String; 2]>,
+) -> Figure {
+    in_both_units(|units| drawn(engine, order, |quantity| size(quantity, units)), &size)
+}
+
+/// A drawing in units of the SI, with the one in inches where these words differ.
+pub(super) fn in_both_units<T: PartialEq>(
+    draw: impl Fn(Units) -> Figure,
+    words: impl Fn(Planar, Units) -> T,
+) -> Figure {
+    let differ = Planar::BOTH.into_iter().any(|quantity| words(quantity, Units::Si) != words(quantity, Units::Inch));
+    Figure { in_inches: differ.then(|| Box::new(draw(Units::Inch))), ..draw(Units::Si) }
+}
+
+fn drawn(engine: &Engine, order: &OrderBalance, size: impl Fn(Planar) -> Option<[String; 2]>) -> Figure {
     let mut sheet = Sheet::new(2);
     for row in order_rows(order) {
-        let stars = row.map(Star::new);
-        let scale = Scale::of(&stars, row[0].quantity, engine);
-        let panels = row.iter().zip(&stars).map(|(verdict, star)| Panel::new(engine, verdict, star, scale));
-        sheet.row(panels.collect(), true);
+        let panel = |verdict: &Verdict| {
+            let star = Star::of(engine, verdict);
+            Panel::new(engine, verdict, &star, Scale::of([&star], verdict.quantity, engine))
+        };
+        sheet.row(row.map(panel).into(), true);
+        if let Quantity::Planar(quantity) = row[0].quantity
+            && let Some(words) = size(quantity)
+        {
+            sheet.words(words);
+        }
     }
     sheet.finish()
 }
@@ -198,7 +251,7 @@ pub fn torque_figure(engine: &Engine, verdicts: &[&Verdict]) -> Figure {
 pub fn firing_figure(engine: &Engine, headed: Vec<(String, JudgedStar<'_>)>) -> Figure {
     let stars: Vec<Star> = headed.iter().map(|(_, judged)| Star::new(*judged)).collect();
     let scale = Scale::of_crank_radii(&stars);
-    let panel = |((heading, judged), star)| Panel::headed(heading, engine, judged, star, scale);
+    let panel = |((heading, judged), star)| Panel::headed(heading, engine, sum(judged), star, scale);
     in_rows(headed.into_iter().zip(&stars).map(panel).collect(), 3)
 }
 

@@ -1,9 +1,11 @@
 //! How does an order look in the size of a stamp? One star without words.
 
 use super::panel::draw_resultant;
-use super::{Star, corners, towards, upright};
+use super::{Star, WholeStars, corners, upright};
+use crate::engine::Engine;
 use crate::page::figure::{Figure, Ink, Point, Stroke};
-use crate::verdict::{OrderBalance, Verdict};
+use crate::report::engine_page::{WeighedParts, Weighing};
+use crate::verdict::{Judgement, OrderBalance, OrderVerdict, Verdict};
 
 /// Width and height in millimetres.
 const SIZE: f64 = 30.0;
@@ -21,9 +23,23 @@ pub fn told(order: &OrderBalance) -> &Verdict {
     sums.into_iter().find(|verdict| !verdict.vanishes()).unwrap_or(&order.force.direct)
 }
 
+/// Every order that a moving part shows, in its order, as a star of that size.
+pub fn small_stars(engine: &Engine, judged: &Judgement) -> Vec<(u32, Figure)> {
+    let weighed = WeighedParts::new(engine, judged, Weighing::usual()).as_judged;
+    let whole = weighed.as_ref().map(WholeStars::new);
+    let star = |order: &OrderVerdict| match order.parts.as_slice() {
+        [only] if only.class.is_none() => Some(Star::of(engine, told(only))),
+        _ => Some(whole.as_ref()?.told(order.order)),
+    };
+    judged.orders.iter().filter_map(|order| Some((order.order, drawn(&star(order)?, None)))).collect()
+}
+
 /// That sum as a star of 30 mm, read at 80 pixels, with a label below it where one is given.
 pub fn small_star(order: &OrderBalance, label: Option<&str>) -> Figure {
-    let star = Star::new(told(order));
+    drawn(&Star::new(told(order)), label)
+}
+
+fn drawn(star: &Star, label: Option<&str>) -> Figure {
     let below = if label.is_some() { LABEL } else { 0.0 };
     let mut figure = Figure::new(SIZE, SIZE + below).lettered(LETTERS);
     let centre = Point::new(SIZE / 2.0, SIZE / 2.0 + below);
@@ -37,7 +53,7 @@ pub fn small_star(order: &OrderBalance, label: Option<&str>) -> Figure {
         drawing.polygon(corners(polygon, scale), Stroke::solid(ink, width), None);
     }
     for ray in &star.rays {
-        drawing.arrow(Point::default(), towards(&ray.angle) * ray.length() * scale, Stroke::solid(Ink::Black, 0.7));
+        drawing.arrow(Point::default(), ray.along() * ray.length() * scale, Stroke::solid(Ink::Black, 0.7));
     }
     if let Some(resultant) = star.resultant {
         draw_resultant(&mut drawing, upright(resultant) * scale, OUTLINE);

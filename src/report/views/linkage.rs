@@ -197,14 +197,19 @@ pub(super) fn linkages(engine: &Engine, units: Units) -> Linkages<'_> {
             crank,
         }
     });
+    Linkages { all: placed.collect(), axes: axes(engine).into_iter().map(|axis| axis * scale).collect() }
+}
+
+/// Where the axes of the crankshafts are drawn, in crank radii: one in the middle where there is one.
+pub(in crate::report) fn axes(engine: &Engine) -> Vec<Point> {
     let axis = |crank: &GearedCrank| match &crank.left_out {
         Some(AxisLeftOut::Distance(term)) => towards(&term.angle) * length(&term.weight) * USUAL_DISTANCE,
         Some(AxisLeftOut::Place) | None => {
             crank.axis.iter().map(|term| towards(&term.angle) * length(&term.weight)).sum()
         }
     };
-    let axes: Vec<Point> = engine.geared_cranks().iter().map(axis).map(|axis: Point| axis * scale).collect();
-    Linkages { all: placed.collect(), axes: if axes.is_empty() { vec![Point::default()] } else { axes } }
+    let axes: Vec<Point> = engine.geared_cranks().iter().map(axis).collect();
+    if axes.is_empty() { vec![Point::default()] } else { axes }
 }
 
 fn length(value: &BigRational) -> f64 {

@@ -13,6 +13,7 @@ mod side_view;
 
 pub(super) use caption::{end_view_caption, side_view_caption};
 pub use end_view::end_view;
+pub(super) use linkage::axes;
 pub use side_view::side_view;
 
 use num_traits::Signed;

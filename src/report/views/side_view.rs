@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
-use super::super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
+use super::super::figure::{Anchor, Dash, Figure, Ink, LETTERS, Point, Stroke};
 use super::super::plot::labels::LINE;
 use super::super::plot::number::text_width;
 use super::super::typeset;
@@ -40,7 +40,7 @@ pub fn side_view(engine: &Engine) -> Figure {
     let (mut whole, mut top) = (Figure::new(width + 2.0 * BESIDE, height), height);
     for (name, view) in views {
         top -= LINE;
-        whole.heading(Point::new(BESIDE, top), name);
+        whole.title(Point::new(BESIDE, top), name, LETTERS, Anchor::Start);
         top -= view.height;
         whole.place(view, Point::new(BESIDE, top));
         top -= APART;
