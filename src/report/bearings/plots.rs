@@ -8,6 +8,9 @@ use crate::engine::Convention;
 use crate::loads::{BearingLoad, BearingLoads, Circle};
 use crate::page::{Picture, phrase};
 
+/// The tips of a force through a revolution, to the right and up.
+type Tips = Vec<(f64, f64)>;
+
 /// Steps of a revolution: half a degree each.
 const STEPS: usize = 720;
 
@@ -23,9 +26,9 @@ pub(in crate::report) fn drawings(convention: Convention, loads: &BearingLoads) 
         tips.extend(tips.first().copied());
         tips
     };
-    let all: Vec<Vec<(f64, f64)>> = loads.bearings.iter().map(tips).collect();
+    let all: Vec<Tips> = loads.bearings.iter().map(tips).collect();
     let largest = farthest(all.iter().flatten());
-    let draw = |(index, (bearing, tips)): (usize, (&BearingLoad, Vec<(f64, f64)>))| {
+    let draw = |(index, (bearing, tips)): (usize, (&BearingLoad, Tips))| {
         let over_angle = over_crank_angle(index + 1, &tips, largest, unit);
         [over_angle, polar(convention, index + 1, bearing, tips, largest, unit)]
     };

@@ -12,6 +12,9 @@ use crate::journal::{CycleBearing, CycleBearings, CycleLoads, ForceHistory, Shar
 use crate::page::plot::{Axis, Curve, Plot, PointMark, Polar};
 use crate::page::{Picture, Unit, phrase};
 
+/// The tips of a force through the cycle, to the right and up.
+type Tips = Vec<(f64, f64)>;
+
 /// Steps of a revolution: a degree each.
 const STEPS: usize = 360;
 /// Pins of more cylinders than this are not drawn.
@@ -42,9 +45,9 @@ pub(super) fn bearings(convention: Convention, loads: &CycleLoads, bearings: &Cy
         let all = known.iter().map(|[inertia, gas]| tip(inertia + gas)).collect();
         [all, known.iter().map(|[inertia, _]| tip(*inertia)).collect()]
     };
-    let known: Vec<[Vec<(f64, f64)>; 2]> = bearings.bearings.iter().map(forces).collect();
+    let known: Vec<[Tips; 2]> = bearings.bearings.iter().map(forces).collect();
     let largest = farthest(known.iter().flatten().flatten());
-    let draw = |(index, (bearing, [all, inertia])): (usize, (&CycleBearing, [Vec<(f64, f64)>; 2]))| {
+    let draw = |(index, (bearing, [all, inertia])): (usize, (&CycleBearing, [Tips; 2]))| {
         let over_angle = over_crank_angle(index + 1, &angles, &all, largest);
         [over_angle, polar(convention, index + 1, bearing, [all, inertia], largest)]
     };
