@@ -16,7 +16,7 @@ use crate::rotor::{Answer, Found, Locomotive, Real, Reason};
 const FOUND: &str = "With $U = m r e^{i\\beta}$ the shaft is balanced where $\\sum U = 0$ and $\\sum z U = 0$: four real equations. Whether they hold, and whether a solution exists, is decided by exact sums; \
     what stands after = is exact, after ≈ a decimal.";
 
-const LOCOMOTIVE: &str = "The share of the reciprocating masses that is balanced in the wheels goes up and down with them: hammer blow. The rest varies the tractive force, and about the middle between the wheels \
+const LOCOMOTIVE: &str = "The shaft is balanced with this share of the reciprocating masses counted as if it turned. The share goes up and down with the wheels: hammer blow. The rest varies the tractive force, and about the middle between the wheels \
     it is the swaying couple. These are of the first order alone, for a long rod; the secondary forces are left out.";
 
 /// The short answer.
