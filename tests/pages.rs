@@ -278,7 +278,7 @@ fn typeset(name: &str, folder: &Path) {
             rest.split('.').next().and_then(|points| points.parse().ok()).expect("a number")
         };
         let fits = TEXT.contains(&place("xMin")) && TEXT.contains(&place("xMax"));
-        assert!(fits, "{name}: {line} stands in the margin of {}/report.pdf", folder.display());
+        assert!(fits, "{name}: {line} is in the margin of {}/report.pdf", folder.display());
     }
 }
 

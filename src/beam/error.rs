@@ -30,7 +30,7 @@ impl fmt::Display for BeamError {
             }
             BeamError::CoincidingSupports { first, second, at } => {
                 let (first, second) = (first + 1, second + 1);
-                write!(f, "supports {first} and {second} both stand at {at}: each needs a position of its own")
+                write!(f, "supports {first} and {second} are both at {at}: each needs a position of its own")
             }
         }
     }

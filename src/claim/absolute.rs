@@ -113,7 +113,7 @@ pub(super) fn answer(
         // A whole number of newtons is a rounded one.
         Tolerance::Exact { rounding: None } if is_whole(value) => 0.5,
         Tolerance::Exact { rounding: None } => {
-            return Answer::nothing("newtons are known in decimals: give decimals, or say within what");
+            return Answer::nothing("newtons are known in decimals: give decimals, or give a tolerance");
         }
     };
     // Whether nothing is left is decided by the exact sums; only sizes are compared in decimals.

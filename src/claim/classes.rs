@@ -31,8 +31,8 @@ pub(super) fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Nu
         | Statement::Formula(_)
         | Statement::GasTorque { .. }
         | Statement::FiresEvenly { .. } => Answer::nothing(match engine.faster_crank() {
-            Some(_) => "a crankshaft turns faster than the reference, so that no order is a single sum",
-            None => "the rods of the engine differ, so that no order is a single sum",
+            Some(_) => "a crankshaft turns faster than the reference, so no order is a single sum",
+            None => "the rods of the engine differ, so no order is a single sum",
         }),
     }
 }

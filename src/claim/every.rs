@@ -11,7 +11,7 @@ use crate::proof::{Planar, Quantity};
 use crate::verdict::{self, Balance, OrderBalance};
 
 /// Of many orders of it nothing is said.
-pub(super) const TORQUE: &str = "the inertia torque is judged order by order: claim one order of it at a time";
+pub(super) const TORQUE: &str = "the inertia torque is decided order by order: claim one order of it at a time";
 /// Longer periods than this are not gone through.
 const LONGEST_PERIOD: u32 = 2000;
 
@@ -20,8 +20,8 @@ pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) 
     let Some(quantities) = planar(quantities) else { return Answer::nothing(TORQUE) };
     if !engine.is_centric() && !matches!(orders, Orders::Listed(_)) {
         return Answer::nothing(match engine.has_offset() {
-            true => "with a pin offset every order exists: name the orders",
-            false => "with corrected knuckle angles every order may exist: name the orders",
+            true => "with a pin offset every order exists: give the orders",
+            false => "with corrected knuckle angles every order may exist: give the orders",
         });
     }
     let (judged, period) = match (orders, period(engine)) {

@@ -220,7 +220,7 @@ impl ParsedClaim {
             (_, true) => Orders::Higher,
             (true, false) => Orders::Every,
             (false, false) if self.orders.is_empty() => {
-                let question = "of which order is it said? such as \"second-order force vanishes\" or \"every order of the force vanishes\"";
+                let question = "which order is meant? such as \"second-order force vanishes\" or \"every order of the force vanishes\"";
                 return Err(asked(words, question));
             }
             (false, false) => Orders::Listed(std::mem::take(&mut self.orders)),
@@ -244,9 +244,11 @@ impl ParsedClaim {
                 Ok(Statement::Vanish { orders, quantities: self.quantities })
             }
             (_, _, []) => {
-                Err(asked(words, "does none of them vanish, or not all? say it of one order and one quantity"))
+                Err(asked(words, "does none of them vanish, or not all? claim it of one order and one quantity"))
             }
-            (_, _, _) => Err(asked(words, "say it of the direct or the reverse vector of one order and one quantity")),
+            (_, _, _) => {
+                Err(asked(words, "claim it of the direct or the reverse vector of one order and one quantity"))
+            }
         }
     }
 
@@ -257,7 +259,7 @@ impl ParsedClaim {
         let unclear = || {
             asked(
                 words,
-                "say it without a second negation, such as \"second-order force vanishes\" or \"… does not vanish\"",
+                "write it without a second negation, such as \"second-order force vanishes\" or \"… does not vanish\"",
             )
         };
         match (self.no, self.not, first) {

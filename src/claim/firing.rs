@@ -14,12 +14,12 @@ pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
             (status, Some(firing.intervals()))
         }
         None if engine.faster_crank().is_some() => {
-            return Answer::nothing("when the cylinders of crankshafts of different speeds fire is not judged");
+            return Answer::nothing("when the cylinders of crankshafts of different speeds fire is not decided");
         }
         None => match (can_fire_evenly(engine), claimed) {
             (true, true) => (Status::TrueOnlyIf { conditions: vec![Condition::FiringOrder], met: true }, None),
             (true, false) => {
-                return Answer::nothing("the layout names no firing order, and its throws allow an even one");
+                return Answer::nothing("the layout gives no firing order, and its throws allow an even one");
             }
             (false, claimed) => (if claimed { Status::False } else { Status::True }, None),
         },

@@ -76,7 +76,7 @@ fn load(rest: &str) -> Result<Value, ClaimError> {
     let (about, written) = match (rest.strip_prefix('='), rest.strip_prefix('≈')) {
         (Some(written), _) => (false, written),
         (_, Some(written)) => (true, written),
-        (None, None) => return Err(ClaimError::new(format!("`{rest}` says nothing that is understood"), right)),
+        (None, None) => return Err(ClaimError::new(format!("`{rest}` is not understood"), right)),
     };
     let value = value(written.trim(), about, Quantity::FORCE)?;
     match value.unit {
@@ -86,8 +86,7 @@ fn load(rest: &str) -> Result<Value, ClaimError> {
 }
 
 fn of_cylinder(rest: &str, what: Measured) -> Result<OfCylinder, ClaimError> {
-    let right = "such as \"side force = F tan β\" or \"cylinder torque ≈ F r (sin θ + λ/2 sin 2θ) ± 3 %\"; its letters stand in the \
-                 README of the room";
+    let right = "such as \"side force = F tan β\" or \"cylinder torque ≈ F r (sin θ + λ/2 sin 2θ) ± 3 %\"; its letters are in the README of the room";
     let formula = |text: &str| Formula::read(text).map_err(|mistake| ClaimError::new(mistake, right));
     if let Some(text) = rest.strip_prefix('=') {
         return Ok(OfCylinder { what, formula: formula(text)?, within: None });
@@ -95,7 +94,7 @@ fn of_cylinder(rest: &str, what: Measured) -> Result<OfCylinder, ClaimError> {
     let about = rest.strip_prefix('≈').and_then(|rest| rest.split_once('±').or_else(|| rest.split_once("+/-")));
     let Some((text, part)) = about else {
         return Err(ClaimError::new(
-            format!("`{rest}` is no formula that can be judged"),
+            format!("`{rest}` is not a formula that can be checked"),
             "= FORMULA, or ≈ FORMULA ± PART of the largest value in percent, such as ± 3 %",
         ));
     };
@@ -153,7 +152,7 @@ pub(super) fn largest(engine: &Engine, of: Loaded, value: &Value) -> Answer {
         let cylinders = loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate();
         let mut known: Vec<LargestOf> = match of {
             Loaded::MainBearing => {
-                let [continuous, _] = loads.bearings.as_ref().ok_or("the layout names no main bearings")?;
+                let [continuous, _] = loads.bearings.as_ref().ok_or("the layout gives no main bearings")?;
                 let bearing = |(index, bearing): (usize, &crate::journal::CycleBearing)| LargestOf {
                     of,
                     which: (index + 1).to_string(),

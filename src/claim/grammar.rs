@@ -76,7 +76,7 @@ pub(super) fn strict(words: &str) -> Result<Statement, ClaimError> {
             return match sign {
                 "=" | "≈" => Ok(Statement::BearingLoad(value(written, sign == "≈", Quantity::FORCE)?)),
                 _ => Err(ClaimError::new(
-                    format!("`{words}` says nothing that is understood"),
+                    format!("`{words}` is not understood"),
                     "largest main-bearing load = 18733 N ± 1 %",
                 )),
             };
@@ -93,7 +93,7 @@ pub(super) fn strict(words: &str) -> Result<Statement, ClaimError> {
 fn many(text: &str) -> Result<Statement, ClaimError> {
     let right = "such as \"every order of the force vanishes\", \"every higher order vanishes\" or \"orders 1 and 2 of the \
                  moment vanish\"";
-    let no_claim = || ClaimError::new(format!("`{text}` is no claim about many orders"), right);
+    let no_claim = || ClaimError::new(format!("`{text}` is not a claim about many orders"), right);
     let rest = text.strip_suffix(" vanishes").or_else(|| text.strip_suffix(" vanish")).ok_or_else(no_claim)?;
     let (rest, quantities) = match rest.split_once(" of the ") {
         None => (rest, vec![Quantity::FORCE, Quantity::MOMENT]),
@@ -115,7 +115,7 @@ fn mass(text: &str) -> Result<Statement, ClaimError> {
     let (sign, written) = next(text.trim_start_matches("crankshaft mass "));
     match sign {
         "=" | "≈" => Ok(Statement::CrankshaftMass(kilograms(written, sign == "≈")?)),
-        _ => Err(ClaimError::new(format!("`{text}` says nothing that is understood"), "crankshaft mass = 4.08375 kg")),
+        _ => Err(ClaimError::new(format!("`{text}` is not understood"), "crankshaft mass = 4.08375 kg")),
     }
 }
 
@@ -158,7 +158,7 @@ fn subject(words: &str) -> Result<(Subject, &str), ClaimError> {
     };
     let (word, rest) = next(rest);
     let quantity = quantity(&word.to_lowercase()).ok_or_else(|| {
-        ClaimError::new(format!("`{word}` is nothing that a claim is about"), "force, moment, couple or torque")
+        ClaimError::new(format!("`{word}` is not a subject of claims"), "force, moment, couple or torque")
     })?;
     let named = MASSES.iter().find_map(|(words, masses)| Some((rest.strip_prefix(words)?.trim_start(), *masses)));
     let (rest, masses) = named.unwrap_or((rest, Masses::Reciprocating));
@@ -182,11 +182,11 @@ fn predicate(text: &str, subject: Subject) -> Result<Predicate, ClaimError> {
             Some((_, Shape::Balanced)) => Ok(Predicate::Vanishes(true)),
             Some((_, shape)) if !is_plain => Ok(Predicate::Is(*shape)),
             Some((name, _)) => Err(ClaimError::new(
-                format!("`{name}` is said of both vectors together"),
-                "leave out the word direct or reverse, and say it of a force or a moment",
+                format!("`{name}` applies to both vectors together"),
+                "leave out the word direct or reverse, or claim it of a force or a moment",
             )),
             None => Err(ClaimError::new(
-                format!("`{shape}` is no shape"),
+                format!("`{shape}` is not a shape"),
                 "balanced, rotating, counter-rotating, planar or elliptical",
             )),
         },
@@ -198,7 +198,7 @@ fn predicate(text: &str, subject: Subject) -> Result<Predicate, ClaimError> {
             };
             Ok(Predicate::Equals(value(number, word == "≈", subject.quantity)?, direction))
         }
-        _ => Err(ClaimError::new(format!("`{text}` says nothing that is understood"), right)),
+        _ => Err(ClaimError::new(format!("`{text}` is not understood"), right)),
     }
 }
 
@@ -228,7 +228,7 @@ pub(super) fn order_number(word: &str) -> Result<u32, ClaimError> {
     match word.parse() {
         Ok(order) if (1..=HIGHEST_ORDER).contains(&order) => Ok(order),
         _ => Err(ClaimError::new(
-            format!("`{word}` is no order"),
+            format!("`{word}` is not an order"),
             format!("an order is a whole number, 1 to {HIGHEST_ORDER}"),
         )),
     }
@@ -237,5 +237,5 @@ pub(super) fn order_number(word: &str) -> Result<u32, ClaimError> {
 fn no_order(word: &str) -> ClaimError {
     let right = "a claim begins with an order, such as first-order, 4th-order or order 4; or it is \"fires evenly\", \"no \
                  free moment\", \"every order of the force vanishes\"";
-    ClaimError::new(format!("`{word}` is no order"), right)
+    ClaimError::new(format!("`{word}` is not an order"), right)
 }

@@ -110,7 +110,7 @@ pub(super) fn decimal(value: &Value, peak: f64) -> Result<Status, String> {
         // Whole newtons are rounded ones.
         Tolerance::Exact { rounding: None } if value.unit.is_some() && is_whole(value) => 0.5,
         Tolerance::Exact { rounding: None } => {
-            return Err("the largest load is known in decimals: give decimals, or say within what".to_owned());
+            return Err("the largest load is known in decimals: give decimals, or give a tolerance".to_owned());
         }
     };
     Ok(if (claimed - peak).abs() <= within { Status::True } else { Status::False })

@@ -40,7 +40,7 @@ struct WithGas {
 /// The cylinder that formulas are said of: the first one of the layout.
 const CYLINDER: usize = 0;
 
-const NO_CRANK: &str = "a formula is said of a slider crank of known size; give crank_radius and the rods, rod_ratio or rod_length, below [mechanism]";
+const NO_CRANK: &str = "a formula needs a slider crank of known size; give crank_radius and the rods, rod_ratio or rod_length, below [mechanism]";
 
 impl Parts {
     /// The first cylinder of an engine.

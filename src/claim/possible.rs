@@ -37,16 +37,16 @@ pub(super) const BEGINNING: &str = "counterweights at ";
 pub(super) fn parse(text: &str) -> Result<Statement, ClaimError> {
     let right = "such as \"counterweights at 0.2 m and -0.2 m can balance the direct first-order force and moment with a \
                  crankshaft lighter than 11.6 kg\", or \"… the direct first-order moment\"";
-    let no_claim = || ClaimError::new(format!("`{text}` is no claim about what counterweights can do"), right);
+    let no_claim = || ClaimError::new(format!("`{text}` is not a claim about what counterweights can do"), right);
     let rest = text.strip_prefix(BEGINNING).ok_or_else(no_claim)?;
     let (planes, rest) = rest.split_once(" can balance the direct first-order ").ok_or_else(no_claim)?;
     let plane = |text: &str| units::length(&text.trim().replace('−', "-")).map(|length| length.value);
     let planes: Result<Vec<BigRational>, String> = planes.split(" and ").map(plane).collect();
-    let planes = planes.map_err(|right| ClaimError::new("cannot read where the counterweights stand", right))?;
+    let planes = planes.map_err(|right| ClaimError::new("cannot read the positions of the counterweights", right))?;
     match planes.as_slice() {
         [_] => {}
         [first, second] if first != second => {}
-        _ => return Err(ClaimError::new("counterweights stand in one plane or two", right)),
+        _ => return Err(ClaimError::new("counterweights are in one plane or two", right)),
     }
     let (what, mass) = match rest.split_once(" with a crankshaft lighter than ") {
         Some((what, mass)) => (what, Some(mass)),
@@ -74,7 +74,7 @@ pub(super) fn answer(engine: &Engine, claimed: &Possible) -> Answer {
     let plane = engine.reference_plane();
     let [force, moment] = Planar::BOTH.map(|quantity| order::all_masses(engine, quantity, 1, Sense::Direct));
     let [Some(force), Some(moment)] = [&force, &moment].map(plain) else {
-        return Answer::nothing("with a pin offset a coefficient stands before the first order");
+        return Answer::nothing("with a pin offset the first order has a coefficient");
     };
     let arms: Vec<BigRational> = claimed.planes.iter().map(|position| position - plane).collect();
     let vectors = match (arms.as_slice(), claimed.balanced) {
@@ -86,7 +86,7 @@ pub(super) fn answer(engine: &Engine, claimed: &Possible) -> Answer {
         }
         (planes, Balanced::ForceAndMoment) => match <&[BigRational; 2]>::try_from(planes) {
             Ok(planes) => in_two_planes(&force, &moment, planes),
-            Err(_) => return Answer::nothing("counterweights stand in one plane or two"),
+            Err(_) => return Answer::nothing("counterweights are in one plane or two"),
         },
         (_, Balanced::Moment) => return Answer::nothing("a couple needs counterweights in two planes"),
     };

@@ -88,7 +88,7 @@ impl<'a> Keys<'a> {
             (Some((kind, "folklore" | "own")), ..) => {
                 wrong(kind, "only what is quoted has a place and words", "leave them out, or write kind = \"quoted\"")
             }
-            (Some((kind, _)), ..) => wrong(kind, "this is no kind of claim", "quoted, folklore or own"),
+            (Some((kind, _)), ..) => wrong(kind, "this is not a kind of claim", "quoted, folklore or own"),
         }
     }
 }

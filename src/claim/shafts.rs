@@ -36,7 +36,7 @@ pub(super) fn parse(text: &str) -> Option<Result<Statement, ClaimError>> {
         )),
         Some((_, shafts)) => Ok(Statement::Shafts { order, shafts: *shafts }),
         None => Err(ClaimError::new(
-            format!("`{needs}` is nothing that an order needs"),
+            format!("`{needs}` is not something that an order needs"),
             "nothing, no balancer shaft, counterweights alone, one balancer shaft with (or against) the crank, a balancer \
              shaft with (or against) the crank and perhaps others, two balancer shafts, or a Lanchester pair",
         )),
@@ -49,9 +49,9 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
         Ok(judged) => judged,
         Err(number) => return Answer::nothing(&number.to_string()),
     };
-    let Some(verdict) = judged.orders.first() else { return Answer::nothing("no order was judged") };
+    let Some(verdict) = judged.orders.first() else { return Answer::nothing("no order was decided") };
     let Some([direct, reverse]) = left(verdict) else {
-        return Answer::nothing("whether what is left of the order vanishes is not decided");
+        return Answer::nothing("whether the residual of the order vanishes is not decided");
     };
     let remedy = match remedy(engine, &Request { orders: vec![order], ..Request::default() }) {
         Ok(remedy) => remedy,

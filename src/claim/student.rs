@@ -100,7 +100,7 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
         ));
     }
     if layout.has_links() {
-        let right = "an engine whose rods all stand on the crankpin: a link has several vectors";
+        let right = "an engine whose rods all are on the crankpin: a link has several vectors";
         return Err(LayoutError::new("a vector-star table has a row per cylinder", right, place(&table.layout)));
     }
     let order = order(&table.order)?;

@@ -95,7 +95,7 @@ pub(super) fn part_of_the_largest(text: &str) -> Result<BigRational, ClaimError>
     match tolerance(text, &BigRational::one())? {
         Tolerance::Part(part) => Ok(part),
         Tolerance::Within(_) | Tolerance::Exact { .. } => {
-            Err(ClaimError::new(format!("`{text}` is no part of the largest value"), "percent, such as ± 3 %"))
+            Err(ClaimError::new(format!("`{text}` is not a part of the largest value"), "percent, such as ± 3 %"))
         }
     }
 }

@@ -111,12 +111,12 @@ fn exercise(file: File) -> Result<Exercise, LayoutError> {
     for table in file.student.iter().flatten().map(|table| &table.get_ref().0) {
         let file = table.file.get_ref().0.clone();
         if !is_file_name(&file) {
-            let message = format!("`{file}` is no name of a student's files");
+            let message = format!("`{file}` is not a name of a student's files");
             return Err(LayoutError::new(message, FILE_NAMES, place(&table.file)));
         }
         if pupils.iter().any(|pupil| pupil.file == file) {
             let right = "each student has files of another name";
-            return Err(LayoutError::new(format!("the file `{file}` stands before"), right, place(&table.file)));
+            return Err(LayoutError::new(format!("the file `{file}` comes before"), right, place(&table.file)));
         }
         let engine =
             parse("the layout", &table.layout.get_ref().0).and_then(|engine| match super::can_be_set(&engine) {

@@ -8,13 +8,8 @@ use crate::claim::SUMS;
 use crate::file::comment;
 use crate::text::{Format, field};
 
-const HOW: &str = "Write between the quotes, and hand this file in.
-An angle is in degrees, \"240\", \"-30\", \"51.43\", or \"1/7 turn\"; a length is a number, \"3.16\", \"sqrt(10)\", \"2 sin 36 deg\".
-Decimals are right where they are the true ones, rounded; a number without a point is taken as exact. What is 0 is 0.
-How many digits a rounded number needs stands on the sheet.";
-const OTHERWISE: &str =
-    "Only if your convention is another than that of the sheet: sense = \"clockwise\", throws = \"reversed\",
-vectors = \"swapped\" (direct and reverse), plane = the position that your moments are about.";
+const HOW: &str = "Write between the quotes, and hand this file in.\nAn angle is in degrees, \"240\", \"-30\", \"51.43\", or \"1/7 turn\"; a length is a number, \"3.16\", \"sqrt(10)\", \"2 sin 36 deg\".\nDecimals are right if they are the true value, rounded; a number without a decimal point is taken as exact.\nHow many digits a rounded number needs is on the sheet.";
+const OTHERWISE: &str = "Only if your convention is not that of the sheet: sense = \"clockwise\", throws = \"reversed\",\nvectors = \"swapped\" (direct and reverse), plane = the position that your moments are about.";
 
 /// The table of a student, empty, in TOML.
 pub fn toml_to_fill_in(pupil: &Pupil, orders: &[u32]) -> String {

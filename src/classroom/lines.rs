@@ -96,7 +96,7 @@ pub(super) fn answers(records: &[Record], engine: &Engine) -> Result<Answers, St
         let quantity = SUMS.into_iter().find(|quantity| sum_name(*quantity) == row);
         if quantity.is_none() && index.is_none() {
             let right = "cylinder and its name, sum of forces, or sum of moments";
-            answers.not_read.push(wrong(format!("`{row}` is no row of the table"), right));
+            answers.not_read.push(wrong(format!("`{row}` is not a row of the table"), right));
             continue;
         }
         let place = answers.tables.iter().position(|(there, _)| *there == number);
@@ -111,7 +111,7 @@ pub(super) fn answers(records: &[Record], engine: &Engine) -> Result<Answers, St
             (None, None) => false,
         };
         if is_there {
-            return Err(wrong(format!("`{row}` of order {number} has a line before"), "one line per row"));
+            return Err(wrong(format!("`{row}` of order {number} is repeated"), "one line per row"));
         }
         for (sense, words) in SENSES.into_iter().zip(values).filter(|(_, words)| !words.is_empty()) {
             match (quantity, index) {

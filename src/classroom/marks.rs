@@ -25,7 +25,7 @@ pub fn marks_table(results: &[StudentResult]) -> Table {
         Column::new(pattern, Unit::NONE, about, Values::Integer(results.iter().map(value).collect()))
     };
     let hundred = || BigRational::from_integer(100.into());
-    Table::new("marks", "a student; then sheets that belong to nobody, and files that are no tables", results.len())
+    Table::new("marks", "a student; then unassigned sheets, and files without a table", results.len())
         .with(person("student", "the name", &|result| Some(result.pupil?.name.clone())))
         .with(words("sheet", "the name of the sheet's files", &|result| Some(result.pupil?.file.clone())))
         .with(words("outcome", "what became of the sheet", &|result| Some(outcome(&result.outcome).to_owned())))

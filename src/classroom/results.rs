@@ -136,11 +136,11 @@ fn pupil_of(exercise: &Exercise, whose: &Owner, file: &str) -> Result<usize, Str
             match named.as_slice() {
                 [] => Err(format!("the exercise has no student `{name}`")),
                 [only] => Ok(*only),
-                _ => Err(format!("several students are called `{name}`; the name of the sheet tells them apart")),
+                _ => Err(format!("several students are called `{name}`; the name of the sheet distinguishes them")),
             }
         }
         (None, None) => {
-            named(exercise, file).ok_or_else(|| "the table says neither its sheet nor its student".to_owned())
+            named(exercise, file).ok_or_else(|| "the table names neither its sheet nor its student".to_owned())
         }
     }
 }

@@ -59,7 +59,7 @@ pub fn students(list: &str) -> Result<Vec<Student>, String> {
         students.push(Student { name: Untrusted::new(name), file, is_namesake });
     }
     match students.is_empty() {
-        true => Err("the list names nobody; one name a line is expected".to_owned()),
+        true => Err("the list is empty; one name a line is expected".to_owned()),
         false => Ok(students),
     }
 }

@@ -59,7 +59,7 @@ impl ValueEnum for DataFormat {
             DataFormat::Table(table::Format::Csv) => ("csv", "Tables of comma-separated values"),
             DataFormat::Table(table::Format::Xlsx) => ("xlsx", "A workbook for spreadsheets, a sheet a table"),
             DataFormat::Table(table::Format::Parquet) => ("parquet", "Tables for notebooks and databases"),
-            DataFormat::Json => ("json", "What --json prints, or for a sweep the points and the exact zeros"),
+            DataFormat::Json => ("json", "The output of --json, or for a sweep the points and the exact zeros"),
         };
         Some(PossibleValue::new(name).help(help))
     }

@@ -31,10 +31,10 @@ pub struct Classify {
     /// Prove what vanishes at every order: adds the statements with one period of verdicts to JSON and Coq
     #[arg(long)]
     all_orders: bool,
-    /// Judge the inertia torque too
+    /// Decide the inertia torque too
     #[arg(long)]
     torque: bool,
-    /// Judge the firing stars, the orders of the gas torque, instead: half orders too in a four-stroke engine
+    /// Decide the firing stars, the orders of the gas torque, instead; in a four-stroke engine half orders too
     #[arg(long, conflicts_with_all = ["torque", "masses"])]
     firing: bool,
     #[command(flatten)]

@@ -53,7 +53,7 @@ impl Compare {
             1 => {
                 let only = layouts::shown(&self.layouts[0]);
                 return Err(Failure::new(format!(
-                    "one engine has nothing to be compared with; name two or more, or ask `crankstar classify {only}`"
+                    "a comparison needs two or more engines; for one ask `crankstar classify {only}`"
                 )));
             }
             count if count > MOST_ENGINES => {

@@ -108,7 +108,7 @@ impl Exercise {
     fn vary(&self) -> Result<Vary, Failure> {
         let has = |what: What| self.vary.contains(&what);
         match has(What::Nothing) {
-            true if self.vary.len() > 1 => Err(Failure::misuse("--vary nothing stands alone")),
+            true if self.vary.len() > 1 => Err(Failure::misuse("--vary nothing is given alone")),
             true => Ok(Vary::NOTHING),
             false => Ok(Vary {
                 throws: has(What::Throws),
@@ -169,7 +169,7 @@ impl Exercise {
 /// Two students of one name have the same numbers.
 fn namesake(student: &Student) -> String {
     format!(
-        "note: `{}` stands in the list before; both have the same numbers, and files of other names: here `{}`",
+        "note: `{}` is in the list before; both have the same numbers, and files of other names: here `{}`",
         student.name.escaped(crankstar::text::Format::Plain),
         student.file
     )

@@ -95,7 +95,7 @@ impl Figure {
     fn alone(&self) -> Result<Alone, Failure> {
         let ends_in_tex = self.output.as_ref().is_some_and(|path| path.extension().is_some_and(|it| it == "tex"));
         match (self.format, self.standalone) {
-            (Some(Format::Svg), true) => Err(Failure::new("--standalone is of TikZ: an SVG file stands by itself")),
+            (Some(Format::Svg), true) => Err(Failure::new("--standalone is of TikZ: an SVG file is a file of its own")),
             (Some(Format::Svg), false) => Ok(Alone::Svg),
             (Some(Format::Tikz), false) => Ok(Alone::Tikz),
             (None, false) => Ok(if ends_in_tex { Alone::Tikz } else { Alone::Svg }),

@@ -30,7 +30,7 @@ pub fn write_file(path: &Path, content: &[u8], example: &str) -> Result<(), Fail
     let name = path.file_name().filter(|_| !path.is_dir());
     let Some(name) = name.and_then(|name| name.to_str()) else {
         let path = shown(path);
-        return Err(Failure::new(format!("`{path}` is no name of a file; --output names one, such as {example}")));
+        return Err(Failure::new(format!("`{path}` is not a name of a file; --output names one, such as {example}")));
     };
     let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     write_contents(parent, &[(name, content)])
@@ -42,7 +42,7 @@ pub fn grow_file(path: &Path, example: &str, fill: impl FnOnce(Handle) -> Result
     let name = path.file_name().filter(|_| !path.is_dir()).and_then(|name| name.to_str());
     let Some(name) = name else {
         let path = shown(path);
-        return Err(Failure::new(format!("`{path}` is no name of a file; --output names one, such as {example}")));
+        return Err(Failure::new(format!("`{path}` is not a name of a file; --output names one, such as {example}")));
     };
     let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     fs::create_dir_all(parent).map_err(fail)?;
@@ -165,12 +165,12 @@ fn are_free(folder: &Path, files: &[Content]) -> io::Result<()> {
     for (name, _) in files {
         let place = folder.join(name);
         if fs::symlink_metadata(&place).is_ok_and(|there| there.is_dir()) {
-            let what = format!("`{}` is a folder, where a file is to stand; remove it", shown(&place));
+            let what = format!("`{}` is a folder, where a file is needed; remove it", shown(&place));
             return told(ErrorKind::IsADirectory, &what);
         }
         let mut inside = place.ancestors().skip(1).take_while(|inside| *inside != folder);
         if let Some(file) = inside.find(|inside| inside.exists() && !inside.is_dir()) {
-            let what = format!("`{}` is a file, where a folder is to stand; remove it", shown(file));
+            let what = format!("`{}` is a file, where a folder is needed; remove it", shown(file));
             return told(ErrorKind::NotADirectory, &what);
         }
     }

@@ -46,7 +46,7 @@ fn warn(name: &str, text: &str, layout: &Layout) {
 /// The text of a file that a layout file names beside itself; what is wrong with it in one line.
 pub fn beside(layout: &Path, path: &str) -> Result<String, String> {
     if named(layout).is_some() {
-        return Err("nothing stands beside an engine of the catalogue".to_owned());
+        return Err("nothing is beside an engine of the catalogue".to_owned());
     }
     let path = layout.parent().unwrap_or(Path::new("")).join(path);
     // Tables come from instruments and spreadsheets, in encodings of their own.
@@ -100,7 +100,7 @@ fn standard_input() -> Result<Vec<u8>, Failure> {
         let mut bytes = Vec::new();
         match std::io::stdin().lock().take(LARGEST_FILE + 1).read_to_end(&mut bytes) {
             Ok(_) if bytes.len() as u64 > LARGEST_FILE => {
-                Err("standard input is larger than 4 MiB, which no such file is".to_owned())
+                Err("standard input is larger than 4 MiB, the limit for such files".to_owned())
             }
             Ok(_) => Ok(bytes),
             Err(error) => Err(format!("cannot read standard input: {error}")),
@@ -118,7 +118,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
         return Err(Failure::new(format!("`{file}` is not a file{expected}")));
     }
     if metadata.len() > LARGEST_FILE {
-        return Err(Failure::new(format!("`{file}` is larger than 4 MiB, which no such file is")));
+        return Err(Failure::new(format!("`{file}` is larger than 4 MiB, the limit for such files")));
     }
     std::fs::read(path).map_err(|error| Failure::new(format!("cannot read `{file}`: {error}")))
 }

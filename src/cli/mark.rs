@@ -25,7 +25,7 @@ pub struct Mark {
     /// What `exercise` wrote for the lecturer [default: exercise.toml in the folder, or beside the file]
     #[arg(long, value_name = "FILE")]
     exercise: Option<PathBuf>,
-    /// The points of each entry, a TOML file; the marks tell the scheme that is used
+    /// The points of each entry, a TOML file; the marks show the scheme used
     #[arg(long, value_name = "FILE")]
     scheme: Option<PathBuf>,
     /// What is printed, or written into the folder [default: the table of marks; into the folder markdown]
@@ -184,12 +184,12 @@ fn files(
             (true, ..) => Some("links are not followed"),
             (false, ..) if path.canonicalize().is_ok_and(|path| ours.contains(&path)) => continue,
             (false, true, _) => Some("hidden files are not read"),
-            (false, false, true) if deepest == 0 => Some("folders inside so many others are not read"),
+            (false, false, true) if deepest == 0 => Some("folders nested this deeply are not read"),
             (false, false, true) => {
                 files(&path, deepest - 1, ours, found)?;
                 continue;
             }
-            (false, false, false) => (!kind.is_file()).then_some("it is no file"),
+            (false, false, false) => (!kind.is_file()).then_some("it is not a file"),
         };
         found.push((path, left_out));
     }

@@ -60,7 +60,7 @@ use failure::Failure;
 #[derive(Parser)]
 #[command(version, after_help = EXAMPLES, max_term_width = 80)]
 struct Arguments {
-    /// Tell neither warnings nor progress, only why there is no answer
+    /// Print neither warnings nor progress, only errors
     #[arg(long, global = true)]
     quiet: bool,
     #[command(subcommand)]
@@ -88,15 +88,15 @@ a certificate fails or a claim does not hold; 2 wrong usage.";
 
 #[derive(Subcommand)]
 enum Command {
-    /// List the engines known by name, and the first order each leaves
+    /// List the engines known by name, with their lowest residual order
     List(list::List),
-    /// Judge force and moment, order by order
+    /// Decide force and moment, order by order
     Classify(classify::Classify),
     /// Compute forces, moments and torque in newtons
     Loads(loads::Loads),
-    /// Judge the orders of the gas torque by their firing stars
+    /// Decide the orders of the gas torque by their firing stars
     Firing(firing::Firing),
-    /// Compute what the main bearings feel
+    /// Compute the loads of the main bearings
     Bearings(bearings::Bearings),
     /// Compute the torque of gas and inertia, and the flywheel
     Torque(torque::Torque),
@@ -104,17 +104,17 @@ enum Command {
     Angle(angle::Angle),
     /// List external and guide-force moments, as a project guide does
     Moments(moments::Moments),
-    /// Find the speeds at which the crankshaft twists
+    /// Find natural frequencies and critical speeds of torsion
     Torsion(torsion::Torsion),
     /// Tabulate any values of engines, by their names
     Values(values::Values),
     /// Compare methods for the peak loads: error, guarantee and time
     Accuracy(accuracy::Accuracy),
-    /// Find counterweights and balancer shafts that cancel what is left
+    /// Find counterweights and balancer shafts that cancel the residual
     Remedy(remedy::Remedy),
     /// Find the masses that balance a shaft, a rotor or a locomotive
     Rotor(rotor::Rotor),
-    /// Find the counterweights with the least bearing loads
+    /// Find the counterweights with the smallest bearing loads
     Optimise(optimise::Optimise),
     /// Write the report, with pictures and proofs
     Report(report::Report),
@@ -130,9 +130,9 @@ enum Command {
     Mark(mark::Mark),
     /// Find the crank stars that balance best
     Search(search::Search),
-    /// Tell what crank stars can lose and what never, with proofs
+    /// Show which moments crank stars can balance and which they cannot, with proofs
     Stars(stars::Stars),
-    /// Put engines side by side
+    /// Compare engines: sizes and cures, exact verdicts
     Compare(compare::Compare),
     /// Write the catalogue and the best in-line stars, or a poster
     Atlas(atlas::Atlas),
@@ -154,7 +154,7 @@ enum Command {
 struct EngineAndOrders {
     /// A name of the catalogue, or the path of a layout file
     layout: PathBuf,
-    /// The orders to judge [default: those of the layout file, else 1,2,4,6 and what exists and matters besides]
+    /// The orders to decide [default: those of the layout file, else 1,2,4,6 and other large ones]
     #[arg(long, value_delimiter = ',')]
     orders: Vec<CycleOrder>,
 }
@@ -198,7 +198,7 @@ fn whole(order: CycleOrder) -> Result<u32, Failure> {
     match order.is_whole() {
         true => Ok(order.halves() / 2),
         false => Err(Failure::misuse(format!(
-            "order {order} is one of the gas torque, which `classify --firing` and `firing` judge; forces and moments have whole orders"
+            "order {order} is one of the gas torque, which `classify --firing` and `firing` decide; forces and moments have whole orders"
         ))),
     }
 }

@@ -9,7 +9,7 @@ use super::failure::Failure;
 pub struct Optimise {
     #[command(flatten)]
     about: EngineAndOrders,
-    /// What may be left of the first-order couple that turns with the crank: zero, or a bound in N·m
+    /// Largest residual first-order couple that turns with the crank: zero, or a bound in N·m
     #[arg(long, value_name = "zero|N·m", default_value = "zero")]
     couple: String,
     /// How many points from the lightest crankshaft to that with the least load

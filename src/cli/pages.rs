@@ -29,7 +29,7 @@ pub struct PageArgs {
     /// Folder for the page and its pictures
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Write LaTeX, Typst or HTML without what stands around it, as a piece of a document that is there; LaTeX with captions and labels
+    /// Write LaTeX, Typst or HTML without preamble, to be included in a document; LaTeX with captions and labels
     #[arg(long)]
     fragment: bool,
     /// What the labels of the fragment begin with [default: the title]

@@ -143,7 +143,7 @@ fn add<W: std::io::Write + Send>(file: &mut table::Stream<W>, made: Made) -> Res
 }
 
 fn text(bytes: Vec<u8>) -> Result<String, Failure> {
-    String::from_utf8(bytes).map_err(|_| Failure::new("a piece is no text"))
+    String::from_utf8(bytes).map_err(|_| Failure::new("a piece is not a text"))
 }
 
 fn of_rows(like: &Table, rows: &str) -> Result<Table, Failure> {

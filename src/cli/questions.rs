@@ -22,8 +22,7 @@ pub fn by_question(program: Command) -> Command {
     let commands = commands(&program);
     let header = program.get_styles().get_header();
     let page = format!(
-        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{commands}{header}Options:{header:#}\n{{options}}\n\n\
-         crankstar COMMAND --help tells the options of a command.{{after-help}}"
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{commands}{header}Options:{header:#}\n{{options}}\n\ncrankstar COMMAND --help shows the options of a command.{{after-help}}"
     );
     program.help_template(page)
 }

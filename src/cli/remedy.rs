@@ -108,7 +108,7 @@ impl Remedy {
             [] => None,
             [first, second] => Some([plane(engine, first)?, plane(engine, second)?]),
             more => {
-                let message = format!("--planes: {} positions; two are needed, such as 0.12,-0.12", more.len());
+                let message = format!("--planes: {} positions; give two, such as 0.12,-0.12", more.len());
                 return Err(Failure::new(message));
             }
         };
@@ -136,7 +136,7 @@ fn plane(engine: &Engine, text: &str) -> Result<BigRational, Failure> {
     let refused = |right: &str| Failure::new(format!("--planes: cannot read `{text}`: {right}"));
     let (value, unit) = parse_length(text).map_err(|right| refused(&right))?;
     if unit == LengthUnit::Metre && !engine.positions_given() {
-        return Err(refused("the cylinders stand one spacing apart, and positions count in spacings"));
+        return Err(refused("the cylinders are one spacing apart, and positions count in spacings"));
     }
     Ok(value)
 }

@@ -33,10 +33,10 @@ pub struct Search {
     /// A V of this many degrees, instead of an in-line engine: on shared pins, unless --pin-split parts them
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
     bank_angle: Option<String>,
-    /// For a V: the pin of bank 2 stands this many degrees ahead of that of bank 1
+    /// For a V: the pin of bank 2 is this many degrees ahead of that of bank 1
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, requires = "bank_angle")]
     pin_split: Option<String>,
-    /// For a V: bank 1 stands so many spacings towards the free end of bank 2
+    /// For a V: bank 1 is this many spacings towards the free end of bank 2
     #[arg(long, value_name = "SPACINGS", allow_hyphen_values = true, requires = "bank_angle")]
     bank_offset: Option<String>,
     /// For a V: the number of different directions of its pins [default: one per pin]
@@ -60,10 +60,10 @@ pub struct Search {
     /// Keep every finished piece in this file, and go on from it; interrupt at will
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
-    /// Judge the i-th of N equal parts of the stars, and keep its pieces in the file of --output; called again, go on
+    /// Search the i-th of N equal parts of the stars, and keep its pieces in the file of --output; called again, go on
     #[arg(long, value_name = "i/N", conflicts_with_all = ["merge", "resume", "json", "torsion"])]
     shard: Option<String>,
-    /// Judge nothing: put the files of all shards together, into the answer that one search would give, or into one file NAME.shard
+    /// Search nothing: merge the files of all shards, into the answer that one search would give, or into one file NAME.shard
     #[arg(long, value_name = "FILES", num_args = 1.., conflicts_with = "resume")]
     merge: Vec<PathBuf>,
     /// Number of threads [default: one per core]

@@ -17,7 +17,7 @@ pub struct Stars {
 impl Stars {
     /// Writes the page with its layout files into the folder, and the tables to the terminal.
     pub fn run(&self) -> Result<(), Failure> {
-        progress::doing("going through the stars of up to 12 cylinders");
+        progress::doing("searching the stars of up to 12 cylinders");
         let study = StarsStudy::new(&Options::default()).map_err(Failure::new)?;
         let written = self.pages.write(|| stars_page(&study), || stars_layouts(&study))?;
         write::to_stdout(&(self.pages.shown(&stars_answer(&study))? + &written))

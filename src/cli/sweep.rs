@@ -21,10 +21,10 @@ pub struct Sweep {
     layout: PathBuf,
     #[command(flatten)]
     ranges: Ranges,
-    /// The orders to judge [default: those of the layout file, else 1,2,4,6]
+    /// The orders to decide [default: those of the layout file, else 1,2,4,6]
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
     orders: Vec<u32>,
-    /// Judge the firing stars, the orders of the gas torque, too: 1/2,1,3/2
+    /// Decide the firing stars, the orders of the gas torque, too: 1/2,1,3/2
     #[arg(long, value_delimiter = ',', value_name = "ORDERS")]
     firing_orders: Vec<CycleOrder>,
     /// A value of any question by its name, beside each point of the tables: bearings.worst.force, torsion.modes.1.frequency
@@ -42,7 +42,7 @@ pub struct Ranges {
     /// The angle between the banks of a V: 0..180:10
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     bank_angle: Option<String>,
-    /// How far the pin of bank 2 stands ahead, in degrees
+    /// How far the pin of bank 2 is ahead, in degrees
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     pin_split: Option<String>,
     /// The distance between neighbouring pins: "80..120:5 mm"

@@ -30,9 +30,9 @@ impl Torsion {
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("torsion", self.json, || match layouts::read(&self.layout)? {
             Layout::Known(engine, _) => TorsionStudy::new(&engine, &self.orders).map_err(Failure::new),
-            Layout::Open(_) => Err(Failure::new(
-                "a shaft that twists needs an engine without unknowns; give them values below [values]",
-            )),
+            Layout::Open(_) => {
+                Err(Failure::new("a torsional model needs an engine without unknowns; give them values below [values]"))
+            }
         })
     }
 }

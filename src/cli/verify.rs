@@ -57,9 +57,9 @@ impl Verify {
 
 fn unreadable(name: &str, error: &Unreadable) -> Failure {
     match error {
-        Unreadable::TooLarge(_) => Failure::new(format!("{name} is larger than 4 MiB, which is not read")),
+        Unreadable::TooLarge(_) => Failure::new(format!("{name} is larger than 4 MiB, the limit")),
         error => Failure::new(format!(
-            "{name} is no output of `classify --json`, `remedy --json`, `loads --json`, `compare --json` or `classify --firing --json`: {error}"
+            "{name} is not an output of `classify --json`, `remedy --json`, `loads --json`, `compare --json` or `classify --firing --json`: {error}"
         )),
     }
 }
@@ -180,7 +180,7 @@ pub fn checked(question: &impl Question) -> Result<String, Failure> {
 fn accepted(json: &str) -> Result<Result<(), String>, Failure> {
     let fault = |why: &dyn std::fmt::Display| {
         Failure::new(format!(
-            "this is a fault of crankstar, so nothing is printed: its checker refuses the proof: {why}"
+            "this is a fault of crankstar, so nothing is printed: its checker rejects the proof: {why}"
         ))
     };
     let read = match read_document(json.as_bytes()) {

@@ -29,8 +29,6 @@ fn percent(text: &str) -> Result<f64, String> {
 impl Weigh {
     /// What is told of an engine whose orders were asked for, or were not.
     pub fn read(&self, asked: bool) -> Weighing {
-        let usual = Weighing::usual();
-        let above = self.above.unwrap_or(usual.above);
-        Weighing { above, all: self.all, asked, rod_ratio: self.rod_ratio.clone() }
+        Weighing { above: self.above, all: self.all, asked, rod_ratio: self.rod_ratio.clone() }
     }
 }

@@ -117,10 +117,10 @@ impl fmt::Display for BuildError {
             }
             BuildError::NoSuchThrow(index) => write!(f, "a counterweight on throw {}, which is not there", index + 1),
             BuildError::NoMaster { cylinder } => {
-                write!(f, "the link of cylinder {cylinder} hangs on no rod that stands on its crankpin")
+                write!(f, "the link of cylinder {cylinder} is on no rod of its crankpin")
             }
             BuildError::ArticulatedRods(what) => {
-                write!(f, "with articulated rods {what} cannot be reckoned; leave it out, or the master rod")
+                write!(f, "with articulated rods {what} cannot be computed; leave it out, or the master rod")
             }
             BuildError::NoSuchCylinder(index) => {
                 write!(f, "a balancer shaft takes the coefficient of cylinder {}, which is not there", index + 1)
@@ -129,7 +129,7 @@ impl fmt::Display for BuildError {
                 write!(f, "cylinder {cylinder} is on a crankshaft that is not there")
             }
             BuildError::OneCrankshaftAlone(what) => {
-                write!(f, "{what} in an engine with several crankshafts: known of one crankshaft alone, as yet")
+                write!(f, "{what} in an engine with several crankshafts: known of one crankshaft alone so far")
             }
             BuildError::FirstCrank => {
                 f.write_str("the first of several crankshafts turns with the reference, once while it turns once")
@@ -140,7 +140,7 @@ impl fmt::Display for BuildError {
             ),
             BuildError::FasterCrank(what) => write!(
                 f,
-                "{what} in an engine with a crankshaft that turns faster than the reference: known where all turn equally fast, as yet"
+                "{what} in an engine with a crankshaft that turns faster than the reference: known where all turn equally fast so far"
             ),
             BuildError::Torsion(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
@@ -196,7 +196,7 @@ impl<A, L: Length> Draft<A, L> {
             let lacking = [
                 ("gas", self.gas.is_some()),
                 ("main bearings", !self.bearings.is_empty()),
-                ("a shaft that twists", self.torsion.is_some()),
+                ("a torsional model", self.torsion.is_some()),
             ];
             if let Some((what, _)) = lacking.into_iter().find(|(_, given)| *given) {
                 return Err(BuildError::OneCrankshaftAlone(what));

@@ -89,7 +89,10 @@ pub struct NotACycleOrder(String);
 impl fmt::Display for NotACycleOrder {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text = crate::text::harmless(&self.0);
-        write!(f, "`{text}` is no order; an order is a multiple of 1/2 up to {HIGHEST_ORDER}, such as 2, 1/2 or 1.5")
+        write!(
+            f,
+            "`{text}` is not an order; an order is a multiple of 1/2 up to {HIGHEST_ORDER}, such as 2, 1/2 or 1.5"
+        )
     }
 }
 

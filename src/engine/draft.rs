@@ -59,6 +59,8 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub firing: Option<Firing>,
     /// What a family says of its firing, whose angles hold unknowns; none in an engine.
     pub open_firing: Option<OpenFiring>,
+    /// The part of the largest order from which on an order is listed separately, where it is given.
+    pub above: Option<BigRational>,
     /// What presses on the pistons; none where nothing is known of it.
     pub gas: Option<Gas>,
     /// What is known, or wanted, of the flywheel.
@@ -104,6 +106,7 @@ impl<A, L> Draft<A, L> {
             length_unit: LengthUnit::default(),
             positions_given: true,
             orders: Vec::new(),
+            above: None,
             cycle: None,
             firing: None,
             open_firing: None,
@@ -136,6 +139,7 @@ impl<A, L> Draft<A, L> {
             length_unit: self.length_unit,
             positions_given: self.positions_given,
             orders: self.orders.clone(),
+            above: self.above.clone(),
             cycle: self.cycle,
             firing: self.firing.clone(),
             open_firing: self.open_firing.clone(),

@@ -106,6 +106,11 @@ impl<A, L> Engine<A, L> {
         !self.draft.orders.is_empty()
     }
 
+    /// The part of the largest order from which on an order is listed separately, where it is given.
+    pub fn above(&self) -> Option<&BigRational> {
+        self.draft.above.as_ref()
+    }
+
     /// Two-stroke or four-stroke, where that is known.
     pub fn cycle(&self) -> Option<Cycle> {
         self.draft.cycle

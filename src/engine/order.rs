@@ -25,7 +25,7 @@ pub struct NotAnOrder(pub u32);
 
 impl fmt::Display for NotAnOrder {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} is no order; an order is a whole number from 1 to {HIGHEST_ORDER}", self.0)
+        write!(f, "{} is not an order; an order is a whole number from 1 to {HIGHEST_ORDER}", self.0)
     }
 }
 

@@ -54,7 +54,7 @@ pub enum NoShaft {
 impl fmt::Display for NoShaft {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            NoShaft::Discs(count) => write!(f, "{count} moments of inertia; a shaft that twists has 2 to {MOST_DISCS}"),
+            NoShaft::Discs(count) => write!(f, "{count} moments of inertia; a torsional model has 2 to {MOST_DISCS}"),
             NoShaft::Stiffnesses { discs, stiffnesses } => {
                 write!(
                     f,
@@ -67,7 +67,7 @@ impl fmt::Display for NoShaft {
                 write!(f, "{given} discs are named for {pins} crankpins; name one for each")
             }
             NoShaft::NoSuchDisc { pin, disc, discs } => {
-                write!(f, "crankpin {pin} stands on disc {disc}; there are {discs}, numbered from 1")
+                write!(f, "crankpin {pin} is on disc {disc}; there are {discs}, numbered from 1")
             }
         }
     }

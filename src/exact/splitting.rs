@@ -23,7 +23,7 @@ pub(super) fn find<E: Exponent, W: Weight>(conductor: &E, terms: &[(E, W)]) -> V
     while terms.len() > 1 {
         let (primes, product) = primes_up_to(terms.len(), &conductor);
         let (step, next_conductor, next_terms) = if product == conductor {
-            let Some(&prime) = primes.last() else { unreachable!("over conductor 1 one direction is left") };
+            let Some(&prime) = primes.last() else { unreachable!("over conductor 1 one direction remains") };
             compare(&terms, &conductor, prime)
         } else {
             keep_class(&terms, &conductor, product)

@@ -41,13 +41,13 @@ pub(super) fn read(table: &Articulated, engine: Engine) -> Result<Engine, Layout
         .filter_map(|(index, cylinder)| Some((index, on_pin(cylinder.pin)?)))
         .collect();
     if links.is_empty() {
-        let right = "a master shares its crankpin with other cylinders, whose links hang on its rod";
+        let right = "a master shares its crankpin with other cylinders, whose links are on its rod";
         return Err(LayoutError::new("no cylinder has a link", right, place(&keys.master)));
     }
     let lone = masters.iter().find(|master| !links.iter().any(|(_, own)| own == *master));
     if let Some(master) = lone {
         let name = &engine.cylinders()[*master].name;
-        let message = format!("no link hangs on the rod of cylinder {name}: no other cylinder is on its crankpin");
+        let message = format!("no link is on the rod of cylinder {name}: no other cylinder is on its crankpin");
         return Err(LayoutError::new(message, "leave it out", place(&keys.master)));
     }
     let mut changed = engine.cylinders().to_vec();
@@ -163,7 +163,8 @@ impl Rows<'_> {
             Some(Measured::Length(radius, text)) => radius / self.rod_length(master, &rod.ratio, &text)?,
             Some(Measured::Ratio(ratio)) => ratio,
             None => {
-                let right = "how far the knuckle pins stand from the crankpin: knuckle_radius, or knuckle_ratio = a/l";
+                let right =
+                    "the distance of the knuckle pins from the crankpin: knuckle_radius, or knuckle_ratio = a/l";
                 return Err(fault("no knuckle radius".to_owned(), right));
             }
         };
@@ -172,7 +173,7 @@ impl Rows<'_> {
             Some(Measured::Ratio(ratio)) => ratio,
             None if knuckle < one => &rod.ratio / (&one - &knuckle),
             None => {
-                let message = "the knuckle pins stand farther out than the master rod is long".to_owned();
+                let message = "the knuckle pins are farther out than the master rod is long".to_owned();
                 return Err(fault(message, "give the link_length, which is l − a where it is left out"));
             }
         };
@@ -206,10 +207,7 @@ impl Rows<'_> {
             return differ("throw or position", "a link works on the crankpin of its master, in the same plane");
         }
         if cylinder.crank_radius != master.crank_radius || cylinder.mechanism != master.mechanism {
-            return differ(
-                "crank or rod",
-                "below [mechanism] stands the master rod; links have link_length or link_ratio",
-            );
+            return differ("crank or rod", "below [mechanism] is the master rod; links have link_length or link_ratio");
         }
         match cylinder.rotating_mass.is_zero() {
             true => Ok(()),

@@ -3,9 +3,11 @@
 use std::collections::BTreeMap;
 
 use num_rational::BigRational;
+use num_traits::Signed;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
+use super::number::parse_number;
 use super::quantities;
 use super::written::{Text, place};
 use crate::engine::{Cycle, DELTA, Effects, Family, LengthUnit, ORDERS, PHI};
@@ -67,6 +69,17 @@ pub(super) fn cycle(text: &Text) -> Result<Cycle, LayoutError> {
         "four-stroke" => Ok(Cycle::FourStroke),
         "two-stroke" => Ok(Cycle::TwoStroke),
         other => Err(quantities::misread("cycle", other, "\"four-stroke\" or \"two-stroke\"".to_owned(), text)),
+    }
+}
+
+/// The part of the largest order from which on an order is listed separately, of its percentage.
+pub(super) fn threshold(text: &Text) -> Result<BigRational, LayoutError> {
+    let misread = |right: String| quantities::misread("above", &text.get_ref().0, right, text);
+    let percent = parse_number(&text.get_ref().0).map_err(|error| misread(error.to_string()))?;
+    let hundred = BigRational::from_integer(100.into());
+    match !percent.is_negative() && percent <= hundred {
+        true => Ok(percent / hundred),
+        false => Err(misread("a percentage from 0 to 100, such as 1".to_owned())),
     }
 }
 

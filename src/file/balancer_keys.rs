@@ -57,7 +57,7 @@ pub(super) fn read(
         }
     };
     let Some(position) = &keys.position else {
-        let right = "[[balancer]] needs position: where its weight stands along the crankshaft, such as position = 0";
+        let right = "[[balancer]] needs position: where its weight is along the crankshaft, such as position = 0";
         return Err(LayoutError::new("a balancer shaft without a position", right, place(table)));
     };
     let zero = |text: &Option<Text>| text.as_ref().map_or(Ok(BigRational::zero()), metres);

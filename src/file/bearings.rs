@@ -28,7 +28,7 @@ pub(super) fn read(list: &List, unit: &mut LengthUnit, positions_given: bool) ->
     for (index, text) in texts.iter().enumerate() {
         let position = position(text, unit, positions_given)?;
         if let Some(first) = places.insert(position.clone(), index) {
-            let message = format!("main bearings {} and {} both stand at {position}", first + 1, index + 1);
+            let message = format!("main bearings {} and {} are both at {position}", first + 1, index + 1);
             return Err(LayoutError::new(message, "each needs a position of its own", place(text)));
         }
         positions.push(position);
@@ -41,11 +41,11 @@ fn position(text: &Text, unit: &mut LengthUnit, positions_given: bool) -> Result
     let length = quantities::length(text, &mut own)?;
     let written = &text.get_ref().0;
     let Some(known) = length.as_known() else {
-        return Err(misread("position", written, "a bearing stands at a known length".to_owned(), text));
+        return Err(misread("position", written, "a bearing is at a known length".to_owned(), text));
     };
     if own == LengthUnit::Metre {
         if !positions_given {
-            let message = "a main bearing in metres, but the cylinders stand in multiples of their spacing";
+            let message = "a main bearing in metres, but the cylinders are in multiples of their spacing";
             return Err(LayoutError::new(message, "add the spacing or the positions of the cylinders", place(text)));
         }
         *unit = own;
@@ -68,7 +68,7 @@ pub(super) fn check_ends(list: Option<&List>, layout: &Engine) -> Result<(), Lay
 /// Bearings of a layout that leaves an angle or a position open.
 pub(super) fn of_open_layout<T>(list: &Spanned<T>) -> LayoutError {
     LayoutError::new(
-        "the loads of main bearings cannot be told while an angle or position is open",
+        "the loads of main bearings cannot be computed while an angle or position is open",
         "give the unknowns values, or leave the bearings out",
         place(list),
     )

@@ -55,7 +55,7 @@ impl<'a> Made<'a> {
                 Err(LayoutError::new("the counterweights are sized twice", right, place(both)))
             }
             (_, _, None) => {
-                let right = "{ rotating = 1, reciprocating = 0.6 } holds all that turns and 60 % of the reciprocating masses in balance; 0 for none";
+                let right = "{ rotating = 1, reciprocating = 0.6 } balances all rotating masses and 60 % of the reciprocating ones; 0 for none";
                 Err(LayoutError::new("counterweights whose part of some masses is missing", right, place(shares)))
             }
         }

@@ -21,9 +21,7 @@ impl<'a> FileResolver<'a> {
         let is_below = parts.clone().all(|part| !part.is_empty() && part != "..") && !path.contains(':');
         match is_below {
             true => (self.0)(path),
-            false => {
-                Err("it stands beside the layout file, or in a folder below: such as \"indicator.csv\"".to_owned())
-            }
+            false => Err("it is beside the layout file, or in a folder below: such as \"indicator.csv\"".to_owned()),
         }
     }
 }

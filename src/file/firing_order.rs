@@ -68,7 +68,7 @@ impl FiringOrder {
         for name in &self.0 {
             let index = names.iter().position(|known| known == name);
             let index =
-                index.ok_or_else(|| mistake(format!("the firing order names `{name}`, which is no cylinder")))?;
+                index.ok_or_else(|| mistake(format!("the firing order names `{name}`, which is not a cylinder")))?;
             if order.contains(&index) {
                 return Err(mistake(format!("cylinder {name} fires twice in the firing order")));
             }
@@ -140,7 +140,7 @@ pub(super) fn without_pistons_of_their_own(
         None => Ok(()),
         Some(span) => Err(LayoutError::new(
             "when the cylinders fire, in an engine with two pistons in each",
-            "leave it out: forces and moments do not need it, and the gas of opposed pistons is not judged",
+            "leave it out: forces and moments do not need it, and the gas of opposed pistons is not decided",
             Some(span),
         )),
     }

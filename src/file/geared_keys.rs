@@ -169,7 +169,7 @@ pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRa
             }
             _ => {
                 let right = "height and offset, or distance and angle: one of the two pairs";
-                return Err(LayoutError::new("the axis of a crankshaft is not told in one way", right, place(table)));
+                return Err(LayoutError::new("the axis of a crankshaft is not given in one way", right, place(table)));
             }
         };
         let phase = keys.phase.as_ref().map_or(Ok(number(0)), quantities::known_angle)?;

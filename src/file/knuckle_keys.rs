@@ -45,9 +45,9 @@ impl Keys<'_> {
         if off.abs() < BigRational::from_integer(90.into()) {
             return Ok(correction);
         }
-        let message = format!("the knuckle pin of cylinder {name} stands {off}° ahead of its cylinder");
+        let message = format!("the knuckle pin of cylinder {name} is {off}° ahead of its cylinder");
         let right = format!(
-            "a correction is less than 90° either way; a knuckle angle counts from the master rod on, in the sense of rotation, where this cylinder stands at {at}°"
+            "a correction is less than 90° either way; a knuckle angle counts from the master rod on, in the sense of rotation, where this cylinder is at {at}°"
         );
         Err(LayoutError::new(message, &right, place(&text)))
     }

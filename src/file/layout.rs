@@ -8,7 +8,7 @@ use serde_spanned::Spanned;
 use toml::de::DeTable;
 
 use super::articulated_keys;
-use super::asked::{check_values, cycle, effects, orders, values};
+use super::asked::{check_values, cycle, effects, orders, threshold, values};
 use super::balancer_keys;
 use super::bearings;
 use super::convention_keys;
@@ -41,6 +41,7 @@ struct File {
     title: Option<Text>,
     source: Option<Text>,
     orders: Option<Spanned<Vec<Text>>>,
+    above: Option<Text>,
     reference_plane: Option<Text>,
     rotation: Option<Text>,
     seen_from: Option<Text>,
@@ -154,17 +155,17 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
         let given = [
             ("gas", file.gas.as_ref().and_then(place)),
             ("main bearings", file.bearings.as_ref().and_then(place)),
-            ("a shaft that twists", file.torsion.as_ref().and_then(place)),
+            ("a torsional model", file.torsion.as_ref().and_then(place)),
         ];
         if let Some((what, span)) = given.into_iter().find(|(_, span)| span.is_some()) {
             let message = format!("{what} in an engine with several crankshafts");
-            return Err(LayoutError::new(message, "leave it out: it is known of one crankshaft alone, as yet", span));
+            return Err(LayoutError::new(message, "leave it out: it is known of one crankshaft alone so far", span));
         }
     }
     let faster = geared_keys::faster(geared_keys::several(file.crankshaft.as_ref()));
     if let Some(span) = faster.and(above.order.and_then(place).or_else(|| above.angles.and_then(place))) {
         let message = "when cylinders fire, in an engine with a crankshaft that turns faster than the first";
-        let right = "leave it out: it is known where all crankshafts turn equally fast, as yet";
+        let right = "leave it out: it is known where all crankshafts turn equally fast so far";
         return Err(LayoutError::new(message, right, Some(span)));
     }
     if expanded.form.has_two_pistons_in_a_cylinder() {
@@ -196,6 +197,7 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
         length_unit,
         positions_given: expanded.positions_given,
         orders: file.orders.as_ref().map_or_else(|| Ok(Vec::new()), orders)?,
+        above: file.above.as_ref().map(threshold).transpose()?,
         cycle,
         firing: None,
         open_firing: None,
@@ -237,7 +239,7 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
             return Err(articulated_keys::of_open_layout(table));
         }
         if let Some(table) = &file.torsion {
-            let message = "a shaft that twists in an engine whose angles or positions are open";
+            let message = "a torsional model in an engine whose angles or positions are open";
             return Err(LayoutError::new(message, "give the unknowns values below [values]", place(table)));
         }
         let open = valued.unwrap_or(family);

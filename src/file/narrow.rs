@@ -182,12 +182,11 @@ fn splay(narrow: &Narrow<'_>, angle: &Linear, above: &SharedKeys<'_>) -> Result<
     }
     match (narrow.splay, narrow.pin_offset, above.angles) {
         (Some(text), _, Some(_)) => {
-            let right = "leave it out: with firing angles each pin stands where its angle says";
+            let right = "leave it out: with firing angles each pin follows from its angle";
             Err(LayoutError::new("pin_splay beside firing_angles", right, place(text)))
         }
         (None, Some(text), None) => {
-            let right = "add pin_splay, rounded as it is built: even firing asks for the angle between the banks + 2 arcsin(e/(r + l)), which is no \
-                         fraction of a turn";
+            let right = "add pin_splay, rounded as it is built: even firing asks for the angle between the banks + 2 arcsin(e/(r + l)), which is not a fraction of a turn";
             Err(LayoutError::new("throws that follow, with an offset and no pin_splay", right, place(text)))
         }
         (Some(text), None, None) => {

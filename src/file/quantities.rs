@@ -161,5 +161,5 @@ pub(super) fn not_negative(value: BigRational, what: &str, text: &Text) -> Resul
 /// What is said of a length with a unit, where the cylinders stand one spacing apart and nobody says how far that is.
 pub(super) fn among_spacings(place: Option<std::ops::Range<usize>>) -> LayoutError {
     let right = "give the engine its spacing or positions, or count in spacings here too";
-    LayoutError::new("a length in an engine whose cylinders stand one spacing apart", right, place)
+    LayoutError::new("a length in an engine whose cylinders are one spacing apart", right, place)
 }

@@ -41,7 +41,7 @@ pub fn with_value(
 }
 
 fn misplaced(key: &str) -> LayoutError {
-    let right = format!("write `{key}` into the file by hand; then it is changed where it stands");
+    let right = format!("write `{key}` into the file by hand; then it is changed in place");
     LayoutError::new(format!("no place for `{key}` was found in the file"), right, None)
 }
 

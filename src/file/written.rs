@@ -187,12 +187,12 @@ fn toml_error(error: toml::de::Error) -> LayoutError {
         (Some(("missing", key)), _) => (format!("the key {key} is missing"), "this table needs it".to_owned()),
         (Some(("unknown", key)), expected) => (format!("unknown key {key}"), format!("expected {expected}")),
         (Some(("invalid type", "map")), "a sequence") => {
-            ("a table stands where a list belongs".to_owned(), "a list of tables has [[two brackets]]".to_owned())
+            ("a table in place of a list".to_owned(), "a list of tables has [[two brackets]]".to_owned())
         }
         (Some(("invalid type", found)), expected) => {
-            (format!("{} stands in the wrong place", value(found)), format!("expected {}", value(expected)))
+            (format!("{} is in the wrong place", value(found)), format!("expected {}", value(expected)))
         }
-        _ if what == "duplicate key" => (what.to_owned(), "this key stands in the file before".to_owned()),
+        _ if what == "duplicate key" => (what.to_owned(), "this key is in the file before".to_owned()),
         _ if what.contains("recurs") => ("lists or tables nest too deeply".to_owned(), "no key needs that".to_owned()),
         (_, "" | "nothing") => (what.to_owned(), "this is not TOML".to_owned()),
         (_, expected) => (what.to_owned(), format!("expected {expected}")),

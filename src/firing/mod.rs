@@ -86,7 +86,7 @@ impl fmt::Display for NoStar {
                  their firing, or firing_angles in degrees, one per cylinder; of a two-stroke engine cycle = \"two-stroke\" is enough",
             ),
             NoStar::FasterCrank => f.write_str(
-                "when the cylinders of crankshafts of different speeds fire is not judged; firing stars are those of crankshafts that turn equally fast",
+                "when the cylinders of crankshafts of different speeds fire is not decided; firing stars are those of crankshafts that turn equally fast",
             ),
             NoStar::HalfOrder(order) => {
                 write!(f, "order {order} does not exist in a two-stroke engine: its cycle is one revolution; ask for whole orders")

@@ -38,7 +38,7 @@ impl fmt::Display for NoPattern {
         match self {
             NoPattern::NoStar(why) => why.fmt(f),
             NoPattern::PeriodTooLong(period) => {
-                write!(f, "the pattern repeats only after {period} orders; at most {LONGEST_PATTERN} are judged")
+                write!(f, "the pattern repeats only after {period} orders; at most {LONGEST_PATTERN} are decided")
             }
         }
     }

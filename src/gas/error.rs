@@ -28,7 +28,7 @@ impl fmt::Display for NoGas {
                 "the layout says nothing of the gas; add [gas] with a bore, and a process or a table of pressures",
             ),
             NoGas::Rods => f.write_str(
-                "the layout says nothing of its rods; below [mechanism], give rod_length or rod_ratio",
+                "the layout gives no rods; below [mechanism], give rod_length or rod_ratio",
             ),
             NoGas::Radius => f.write_str(
                 "the layout gives no crank radius; below [mechanism], give stroke or crank_radius",

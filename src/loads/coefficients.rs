@@ -41,7 +41,7 @@ impl Motion {
     pub fn coefficient(&self, factor: &Factor, order: u32) -> Coefficient {
         match self.coefficients.of(factor, order) {
             Some(coefficient) => coefficient,
-            None => unreachable!("loads are those of an engine that names its rods"),
+            None => unreachable!("loads need an engine with given rods"),
         }
     }
 
@@ -53,7 +53,7 @@ impl Motion {
     pub fn vector(&self, sum: &OrderSum, order: u32, sense: Sense) -> Vector {
         Vector::new(sum, |factor| match self.coefficients.in_sense(factor, order, Some(sense)) {
             Some(coefficient) => coefficient,
-            None => unreachable!("loads are those of an engine that names its rods"),
+            None => unreachable!("loads need an engine with given rods"),
         })
     }
 

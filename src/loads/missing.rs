@@ -46,7 +46,7 @@ impl fmt::Display for Missing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Missing::Rods => f.write_str(
-                "the layout says nothing of its rods; below [mechanism], give rod_ratio, or rod_length with stroke or crank_radius",
+                "the layout gives no rods; below [mechanism], give rod_ratio, or rod_length with stroke or crank_radius",
             ),
             Missing::NotComparable(what) => what.fmt(f),
             Missing::TooLarge => {
@@ -59,16 +59,16 @@ impl fmt::Display for Missing {
             Missing::Order(number) => number.fmt(f),
             Missing::ArticulatedRods(what) => write!(
                 f,
-                "{what} cannot be had of an engine with articulated rods: of links on a master rod the forces and moments that shake the engine are reckoned, and nothing else"
+                "{what} are not available for an engine with articulated rods: with links on a master rod only the shaking forces and moments are computed"
             ),
             Missing::SeveralCrankshafts => {
                 f.write_str("the loads of pins and bearings are known of one crankshaft alone; this engine has several")
             }
             Missing::FasterCrank(what) => {
-                write!(f, "{what} cannot be had of an engine with a crankshaft that turns faster than the reference")
+                write!(f, "{what} are not available for an engine with a crankshaft that turns faster than the reference")
             }
             Missing::Bearings => f.write_str(
-                "the layout says nothing of its main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
+                "the layout gives no main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
             ),
             Missing::Beam(mistake) => mistake.fmt(f),
             Missing::Gas(lack) => lack.fmt(f),

@@ -99,9 +99,7 @@ impl<'a> Search<'a> {
     }
 }
 
-const PARTS: &str =
-    "Tables at one position are one counterweight, written in parts along directions in which its mass-radius is exact:
-their masses add up to its own, and their common centre of gravity stands within the radius that it had to keep.";
+const PARTS: &str = "Tables at one position are one counterweight, written in parts along directions in which its mass-radius is exact:\ntheir masses add up to its own, and their common centre of gravity lies within the radius that it had to keep.";
 
 /// Whether force and couple are what was asked for, proved.
 fn keeps(design: &Design, couple: &Couple) -> bool {

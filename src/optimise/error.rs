@@ -47,7 +47,7 @@ impl fmt::Display for OptimiseError {
             ),
             OptimiseError::OnePlane(position) => write!(
                 f,
-                "all counterweights stand at {position}: in one plane they make no couple; give web_offset below [crankshaft], or [[counterweight]] tables in two planes or more"
+                "all counterweights are at {position}: in one plane they make no couple; give web_offset below [crankshaft], or [[counterweight]] tables in two planes or more"
             ),
             OptimiseError::NoMasses => f.write_str(
                 "the mass of the crankshaft is not known; below [mechanism], give reciprocating_mass or piston_mass, and stroke or crank_radius",
@@ -63,7 +63,7 @@ impl fmt::Display for OptimiseError {
             }
             OptimiseError::Points(points) => write!(f, "a front of {points} points; ask for 1 to {MOST_POINTS}"),
             OptimiseError::Couple(text) => {
-                write!(f, "`{}` is no bound of a couple; write zero, or newton-metres such as 50", harmless(text))
+                write!(f, "`{}` is not a bound of a couple; write zero, or newton-metres such as 50", harmless(text))
             }
             OptimiseError::Gas(lack) => write!(
                 f,

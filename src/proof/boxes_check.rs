@@ -132,7 +132,7 @@ impl<'a> Torus<'a> {
         }
         match waiting.is_empty() {
             true => Ok(()),
-            false => Err("`tree` ends before all boxes are told".into()),
+            false => Err("`tree` ends before all boxes are listed".into()),
         }
     }
 
@@ -236,7 +236,7 @@ impl Place {
     fn halves(mut self, axis: usize) -> Result<[Place; 2], Reason> {
         self.level[axis] += 1;
         if self.level[axis] > FINEST {
-            return Err("a box is narrower than any that is told".into());
+            return Err("a box is narrower than any that is listed".into());
         }
         let mut second = self.clone();
         second.low[axis] += BigRational::new(BigInt::one(), BigInt::one() << self.level[axis]);

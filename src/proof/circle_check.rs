@@ -238,7 +238,7 @@ impl<'a> Evaluator<'a> {
         let across = low?.conjugate().times(&high?, 0).re;
         match across.excludes_zero() {
             true => Ok(across.middle.is_positive()),
-            false => Err("on which side of 0 its ends are is left open by so many bits".into()),
+            false => Err("on which side of 0 its ends are this many bits leave open".into()),
         }
     }
 

@@ -79,7 +79,7 @@ pub(super) fn check_decimals(
             (Answer::Unclear, _) | (_, Answer::Unclear) => bits *= 2,
         }
     }
-    Err(format!("{MOST_BITS} bits do not tell whether `modulus` and `angle_deg` fit the terms").into())
+    Err(format!("{MOST_BITS} bits do not show whether `modulus` and `angle_deg` fit the terms").into())
 }
 
 /// The least whole number that makes all weights of these sums whole.

@@ -53,7 +53,7 @@ fn check_head(document: &Document) -> Result<(), Fault> {
         Quantity::Axial(_) => false,
     };
     if document.has_links() && !document.quantities.iter().all(is_judged) {
-        return Err(Fault::new("quantities", "torque and roll moment of links on a master rod are not judged"));
+        return Err(Fault::new("quantities", "torque and roll moment of links on a master rod are not decided"));
     }
     for cylinder in &document.cylinders {
         let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);
@@ -65,7 +65,7 @@ fn check_head(document: &Document) -> Result<(), Fault> {
 
 /// Where axes stand and which way cranks turn counts for the roll moment alone: elsewhere nothing is said of it.
 fn check_axes(document: &Document) -> Result<(), Fault> {
-    let why = "it stands in documents with the roll moment alone, which nothing else could check";
+    let why = "it is in documents with the roll moment alone, which nothing else could check";
     if document.quantities.contains(&Quantity::ROLL) {
         let endless = document.cylinders.iter().position(|cylinder| match &cylinder.rod {
             RodStatement::Known(rod) => rod.ratio.is_zero() && !rod.offset.is_zero(),
@@ -92,7 +92,7 @@ fn check_turning_masses(document: &Document) -> Result<(), Fault> {
     if document.masses == Masses::Reciprocating && !document.turning_masses.is_empty() {
         return Err(Fault::new(
             "turning_masses",
-            "the verdicts are about the reciprocating masses, so none stands here",
+            "the verdicts are about the reciprocating masses, so there is none here",
         ));
     }
     let of_shafts = document.turning_masses.iter().filter_map(|mass| mass.coefficient_of.as_ref());
@@ -142,7 +142,7 @@ fn check_verdicts(document: &Document, audit: &Audit) -> Result<Vec<Judged>, Fau
                     let place = format!("verdicts[{index}] {}", subject.place());
                     if verdict.subject() != subject {
                         let found = verdict.subject().place();
-                        return Err(Fault::new(place, format!("here stands a verdict on {found}")));
+                        return Err(Fault::new(place, format!("found a verdict on {found}")));
                     }
                     let sum = verdict.said().check(&terms, audit).map_err(|reason| Fault { place, reason })?;
                     of_group.push((sum, verdict.vanishes));
@@ -156,7 +156,7 @@ fn check_verdicts(document: &Document, audit: &Audit) -> Result<Vec<Judged>, Fau
         None => Ok(judged),
         Some((index, more)) => {
             let place = format!("verdicts[{index}] {}", more.subject().place());
-            Err(Fault::new(place, "this verdict was not asked for, or stands here again"))
+            Err(Fault::new(place, "this verdict was not asked for, or is here twice"))
         }
     }
 }
@@ -177,7 +177,7 @@ fn check_wholes(document: &Document, judged: &mut [Judged], motion: &Motion<'_>)
             };
             let at = format!("wholes[{index}] {about}");
             if (claim.quantity, claim.order, claim.sense) != (one.quantity, one.order, sense) {
-                return Err(Fault::new(at, "another statement stands here"));
+                return Err(Fault::new(at, "the statement is wrong"));
             }
             let vanishes = check_whole(claim, one, place, motion).map_err(|reason| Fault { place: at, reason })?;
             one.wholes.push(vanishes);
@@ -197,7 +197,7 @@ fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> 
         let place = format!("shapes[{index}] {}", about.place());
         let Some(claim) = claims.next() else { return Err(Fault::new(place, "this shape is missing")) };
         if (claim.quantity, claim.order) != (one.quantity, one.order) {
-            return Err(Fault::new(place, "another shape stands here"));
+            return Err(Fault::new(place, "the shape is wrong"));
         }
         check_shape(claim, one, motion).map_err(|reason| Fault { place, reason })?;
     }
@@ -226,7 +226,7 @@ fn check_theorems(document: &Document, audit: &Audit, motion: &Motion<'_>) -> Re
         ),
         false => {
             if !document.theorems.is_empty() {
-                return Err(Fault::new("theorems", "what is said class by class stands in `recurrences` alone"));
+                return Err(Fault::new("theorems", "what is said class by class is in `recurrences` alone"));
             }
             let subject = |claim: &RecurrenceClaim| (claim.quantity, claim.sense);
             check_each("recurrence", &document.recurrences, &asked, subject, |claim| {
@@ -248,7 +248,7 @@ fn check_each<T>(
         let place = format!("{name}s[{index}] ({}, {})", quantity.name(), sense.name());
         let Some(claim) = claims.next() else { return Err(Fault::new(place, format!("this {name} is missing"))) };
         if subject(claim) != (*quantity, *sense) {
-            return Err(Fault::new(place, format!("another {name} stands here")));
+            return Err(Fault::new(place, format!("the {name} is wrong")));
         }
         check(claim).map_err(|reason| Fault { place, reason })?;
     }

@@ -364,7 +364,7 @@ pub(super) fn check_asked(orders: &[u32], quantities: &[Quantity]) -> Result<(),
     }
     match quantities.windows(2).all(|pair| pair[0] < pair[1]) {
         true => Ok(()),
-        false => Err(Fault::new("quantities", "they stand in the order force, moment, torque, roll, each once")),
+        false => Err(Fault::new("quantities", "they are in the order force, moment, torque, roll, each once")),
     }
 }
 

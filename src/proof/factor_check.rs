@@ -100,7 +100,7 @@ fn check_orders(factor: &FactorClaim, parity: Parity, period: u64, audit: &Audit
         match found.next() {
             None => return Err(format!("order {order} is missing").into()),
             Some(verdict) if u64::from(verdict.order) != order => {
-                return Err(format!("order {} stands in the place of order {order}", verdict.order).into());
+                return Err(format!("order {} is in the place of order {order}", verdict.order).into());
             }
             Some(_) => (),
         }
@@ -183,6 +183,6 @@ fn check_zeros(factor: &FactorClaim, parity: Parity, period: u64) -> Result<(), 
     let zeros = factor.judged.iter().filter(|verdict| verdict.vanishes).count() as u64;
     match zeros == residues.len() as u64 * (period / modulus) {
         true => Ok(()),
-        false => Err("the statement has zeros among the orders that are left".into()),
+        false => Err("the statement has zeros among the residual orders".into()),
     }
 }

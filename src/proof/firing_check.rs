@@ -80,7 +80,10 @@ fn check_orders(document: &FiringDocument) -> Result<(), Fault> {
         return Err(Fault::new("orders", "the list is empty, there is nothing to check"));
     }
     if let Some(order) = document.orders.iter().find(|order| !order.is_positive() || !(*order / &lowest).is_integer()) {
-        return Err(Fault::new("orders", format!("{order} is no order of the cycle: they are multiples of {lowest}")));
+        return Err(Fault::new(
+            "orders",
+            format!("{order} is not an order of the cycle: they are multiples of {lowest}"),
+        ));
     }
     match document.orders.windows(2).all(|pair| pair[0] < pair[1]) {
         true => Ok(()),
@@ -135,7 +138,7 @@ fn check_verdicts(document: &FiringDocument, classes: &[Vec<&FiringCylinder>], a
             };
             let place = format!("verdicts[{index}] (order {order})");
             if verdict.order != *order || verdict.of != of {
-                return Err(Fault::new(place, "another verdict stands here"));
+                return Err(Fault::new(place, "the verdict is wrong"));
             }
             verdict.said().check(&vectors(class, order), audit).map_err(|reason| Fault { place, reason })?;
         }
@@ -172,7 +175,7 @@ fn check_pattern(
                 return Err(Fault::new(place(pattern.verdicts.len()), "this verdict is missing"));
             };
             if verdict.order != order {
-                return Err(Fault::new(place(index), "another verdict stands here"));
+                return Err(Fault::new(place(index), "the verdict is wrong"));
             }
             let terms = vectors(class, &order).into_iter().map(|(_, vector)| (vector.angle, vector.weight));
             let holds =

@@ -40,10 +40,7 @@ pub(super) fn check_left_out(document: &RemedyDocument, left: &[LeftOut], audit:
     let named: BTreeSet<(u32, Sense)> = document.left_out.iter().map(|one| (one.order, one.sense)).collect();
     let found: BTreeSet<(u32, Sense)> = left.iter().map(|one| (one.order, one.sense)).collect();
     if named.len() < document.left_out.len() || named != found {
-        return Err(Fault::new(
-            "left_out",
-            "it names orders and senses in which nothing is left, or one of them twice",
-        ));
+        return Err(Fault::new("left_out", "it names orders and senses without a residual, or one of them twice"));
     }
     let load: BigRational = document.cylinders.iter().map(|cylinder| cylinder.weight.abs()).sum();
     let orders: BTreeSet<u32> = named.into_iter().map(|(order, _)| order).collect();
@@ -57,7 +54,7 @@ pub(super) fn check_left_out(document: &RemedyDocument, left: &[LeftOut], audit:
             }
             let most = end_to_end(&of_order, order, audit).map_err(|reason| Fault { place: place(), reason })?;
             if most >= unit * BigRational::new((2 * SLIGHT.0).into(), SLIGHT.1.into()) {
-                return Err(Fault::new(place(), "what is left is no less than a millionth of the load"));
+                return Err(Fault::new(place(), "the residual is not below a millionth of the load"));
             }
         }
     }

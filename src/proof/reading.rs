@@ -262,7 +262,7 @@ impl<'de> Visitor<'de> for Builder {
         Ok(value.into())
     }
 
-    #[expect(clippy::disallowed_types, reason = "the decimals of a document are read, and reckoned with exactly")]
+    #[expect(clippy::disallowed_types, reason = "the decimals of a document are read, and computed with exactly")]
     fn visit_f64<E: Error>(self, value: f64) -> Result<Value, E> {
         Ok(value.into())
     }
@@ -283,7 +283,7 @@ impl<'de> Visitor<'de> for Builder {
         let mut values = Map::new();
         while let Some((key, Tree(value))) = map.next_entry::<String, Tree>()? {
             if values.contains_key(&key) {
-                return Err(A::Error::custom(format!("the key `{key}` stands twice")));
+                return Err(A::Error::custom(format!("the key `{key}` is given twice")));
             }
             values.insert(key, value);
         }

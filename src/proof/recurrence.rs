@@ -165,7 +165,7 @@ pub(super) fn check_recurrence(
         return Err("a statement class by class needs rods on the crankpins, no links".into());
     }
     if document.turning_masses.iter().any(|mass| mass.order > 1) {
-        return Err("a statement on every order needs masses that turn with the crank or not at all".into());
+        return Err("a statement on every order needs masses that turn with the crank, or none".into());
     }
     if document.cylinders.iter().any(|cylinder| cylinder.speed != 1) {
         return Err("a statement on every order needs crankshafts that turn equally fast".into());
@@ -176,7 +176,7 @@ pub(super) fn check_recurrence(
         let groups: Vec<&Group> = groups.iter().filter(|group| !group.is_zero && !group.sources.is_empty()).collect();
         if groups.len() != classes.len() {
             let (found, right) = (classes.len(), groups.len());
-            return Err(format!("{} orders: {found} classes stand here, the engine has {right}", parity.name()).into());
+            return Err(format!("{} orders: {found} classes here, the engine has {right}", parity.name()).into());
         }
         for (index, (group, class)) in groups.into_iter().zip(classes).enumerate() {
             let place = format!("{} orders, class {index}", parity.name());
@@ -198,7 +198,7 @@ fn check_first(document: &Document, claim: &RecurrenceClaim, motion: &Motion<'_>
     let (quantity, audit) = (claim.quantity, motion.audit());
     let groups = document.groups(quantity, 1);
     if groups.len() != claim.first.sums.len() {
-        return Err(format!("{} sums stand here, the engine has {}", claim.first.sums.len(), groups.len()).into());
+        return Err(format!("{} sums here, the engine has {}", claim.first.sums.len(), groups.len()).into());
     }
     let place = Sense::BOTH.iter().position(|sense| *sense == claim.sense).unwrap_or_default();
     let mut judged = Judged { quantity, order: 1, groups: Vec::new(), wholes: Vec::new() };

@@ -189,7 +189,7 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
                     if (claim.quantity, claim.order, claim.sense) != (quantity, order, sense)
                         || claim.coefficient != coefficient
                     {
-                        return Err(Fault::new(place, "another sum stands here"));
+                        return Err(Fault::new(place, "the sum is wrong"));
                     }
                     let may_stay = document.left_out.contains(&LeftOutClaim { order, sense });
                     check_sum(claim, &sum, may_stay, &audit)
@@ -198,7 +198,7 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
                         if !is_own {
                             return Err(Fault::new(
                                 place,
-                                "what is left is multiplied by a number that the engine does not have",
+                                "the residual is multiplied by a number that the engine does not have",
                             ));
                         }
                         left.push(LeftOut { quantity, order, sense, coefficient, sum });

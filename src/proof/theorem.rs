@@ -73,7 +73,7 @@ pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &A
         return Err("a statement on every order needs rods that are equal and centric".into());
     }
     if document.turning_masses.iter().any(|mass| mass.order > 1) {
-        return Err("a statement on every order needs masses that turn with the crank or not at all".into());
+        return Err("a statement on every order needs masses that turn with the crank, or none".into());
     }
     if document.cylinders.iter().any(|cylinder| cylinder.speed != 1) {
         return Err("a statement on every order needs crankshafts that turn equally fast".into());
@@ -123,7 +123,7 @@ fn check_orders(claim: &TheoremClaim) -> Result<(), Reason> {
         match found.next() {
             None => return Err(format!("order {order} is missing").into()),
             Some(verdict) if verdict.order != order => {
-                return Err(format!("order {} stands in the place of order {order}", verdict.order).into());
+                return Err(format!("order {} is in the place of order {order}", verdict.order).into());
             }
             Some(_) => (),
         }

@@ -80,6 +80,6 @@ pub(super) fn check_sign(number: &Collected, is_positive: bool, bits: u32, audit
     let enclosed = enclose(number, &scale, &audit.circle(bits), audit)?.re;
     match enclosed.excludes_zero() && enclosed.middle.is_positive() == is_positive {
         true => Ok(()),
-        false => Err("the number does not have this sign, or so many bits leave it open".into()),
+        false => Err("the number does not have this sign, or this many bits leave it open".into()),
     }
 }

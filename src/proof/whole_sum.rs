@@ -72,16 +72,16 @@ pub(super) fn check_whole(
     let is_open = left.len() > 1 && left.iter().any(|group| group.coefficient.is_open());
     match (claim.outcome, left.len()) {
         (WholeOutcome::Zero, 0) => Ok(Some(true)),
-        (_, 0) => Err("it is `zero`: no sum is left before a coefficient that is not".into()),
+        (_, 0) => Err("it is `zero`: no sum remains before a coefficient that is not".into()),
         (WholeOutcome::NotZero, _) if is_certain => Ok(Some(false)),
-        _ if is_certain => Err("it is `not-zero`: one sum is left, before a coefficient that is not zero".into()),
+        _ if is_certain => Err("it is `not-zero`: one sum remains, before a coefficient that is not zero".into()),
         (WholeOutcome::Open, _) if is_open => Ok(None),
         _ if is_open => Err("it is `open`: the rods are not known".into()),
         (WholeOutcome::Zero | WholeOutcome::NotZero | WholeOutcome::Open, 1) => {
-            Err("a sum is left before a coefficient that may be zero, which takes an enclosure".into())
+            Err("a sum remains before a coefficient that may be zero, which takes an enclosure".into())
         }
         (WholeOutcome::Zero | WholeOutcome::NotZero | WholeOutcome::Open, count) => {
-            Err(format!("{count} sums are left before known coefficients, which takes an enclosure").into())
+            Err(format!("{count} sums remain before known coefficients, which takes an enclosure").into())
         }
         (WholeOutcome::NotZeroByEnclosure { bits }, _) => {
             let whole = Enclosure::of_bits(judged, &[sense], bits, motion)?;

@@ -20,7 +20,7 @@ pub(super) fn orders(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<u3
     let Some(value) = value else { return Ok(None) };
     let read = |text: &String| {
         let order = text.parse().ok().filter(|order| ORDERS.contains(order));
-        order.ok_or_else(|| told(format!("order `{text}`; whole numbers from 1 to {} are judged", ORDERS.end())))
+        order.ok_or_else(|| told(format!("order `{text}`; allowed are whole numbers from 1 to {}", ORDERS.end())))
     };
     keys::numbers(value)?.iter().map(read).collect::<PyResult<_>>().map(Some)
 }
@@ -63,7 +63,7 @@ pub(super) fn masses(name: &str) -> PyResult<Masses> {
         "rotating" => Ok(Masses::Rotating),
         "counterweights" => Ok(Masses::Counterweights),
         "all" => Ok(Masses::All),
-        other => Err(told(format!("masses `{other}`; reciprocating, rotating, counterweights or all are judged"))),
+        other => Err(told(format!("masses `{other}`; allowed are reciprocating, rotating, counterweights or all"))),
     }
 }
 
@@ -80,7 +80,7 @@ pub(super) fn cycle(name: &str) -> PyResult<Cycle> {
 pub(super) fn planes(value: &Bound<'_, PyAny>) -> PyResult<[String; 2]> {
     let planes: Vec<String> = keys::numbers(value)?;
     let count = planes.len();
-    planes.try_into().map_err(|_| told(format!("planes: {count} positions; two are needed, such as (0.12, -0.12)")))
+    planes.try_into().map_err(|_| told(format!("planes: {count} positions; give two, such as (0.12, -0.12)")))
 }
 
 /// Balance factors: none, one for all, or one per throw.

@@ -14,7 +14,7 @@ create_exception!(
     crankstar,
     CrankstarError,
     PyValueError,
-    "What was asked for cannot be answered; the message says what would be right."
+    "The request cannot be answered; the message says what would be right."
 );
 create_exception!(
     crankstar,
@@ -30,9 +30,7 @@ create_exception!(
     crankstar,
     ProofError,
     CrankstarError,
-    "A document that the checker does not accept.
-
-Attribute `place`: where in the document, such as `verdicts[3].certificate`; None where it cannot be read at all."
+    "A document that the checker rejects.\n\nAttribute `place`: where in the document, such as `verdicts[3].certificate`; None where it cannot be read at all."
 );
 
 /// A mistake that is told in one line, in the words of Python; what it repeats of the input does nothing to a terminal.

@@ -44,7 +44,7 @@ pub(super) fn figure(page: &Document, name: &str) -> PyResult<String> {
         Some(figure) => Ok(Alone::Svg.write(&figure.picture, &Options::default())),
         None => {
             let names: Vec<&str> = figures.iter().map(|figure| figure.name.as_str()).collect();
-            Err(told(format!("there is no figure `{name}`; there are {}", names.join(", "))))
+            Err(told(format!("there is no figure `{name}`; available are {}", names.join(", "))))
         }
     }
 }

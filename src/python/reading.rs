@@ -33,7 +33,7 @@ impl Source {
         let Some(entry) = file::find(name) else {
             let catalogue = file::catalogue().map_err(|error| error::layout(&error))?;
             let names: Vec<&str> = catalogue.iter().map(|(entry, _)| entry.name).collect();
-            return Err(told(format!("`{name}` is no engine of the catalogue, which has {}", names.join(", "))));
+            return Err(told(format!("`{name}` is not an engine of the catalogue, which has {}", names.join(", "))));
         };
         Ok(Source { name: entry.name.to_owned(), text: entry.text.to_owned(), folder: None, files: BTreeMap::new() })
     }
@@ -91,7 +91,7 @@ impl Source {
             Some(folder) => std::fs::read(folder.join(path))
                 .map(|bytes| decoded(&bytes).0)
                 .map_err(|error| format!("cannot read `{}`: {error}", folder.join(path).display())),
-            None => Err("nothing stands beside a layout that is no file; read it with Engine.read(path)".to_owned()),
+            None => Err("nothing is beside a layout that is not a file; read it with Engine.read(path)".to_owned()),
         }
     }
 }

@@ -35,7 +35,7 @@ impl fmt::Display for RemedyError {
             RemedyError::Missing(missing) => missing.fmt(f),
             RemedyError::PlanesCoincide(position) => write!(
                 f,
-                "both planes stand at {position}: weights in one plane make no couple; give planes at two positions"
+                "both planes are at {position}: weights in one plane make no couple; give planes at two positions"
             ),
             RemedyError::BeyondTheShaft(position, ends) => {
                 write!(

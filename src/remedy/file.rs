@@ -40,7 +40,7 @@ impl fmt::Display for FileError {
                 "shafts against what links on a master rod leave have no exact size, and no decimals leave less than 10^-6 of the load",
             ),
             FileError::OfFasterCrank => f.write_str(
-                "shafts against what pistons of a crankshaft leave that turns faster than the reference are sums before numbers of its own orders, which a layout file has no key for",
+                "shafts against what pistons of a crankshaft leave that turns faster than the reference are sums with coefficients of its own orders, which a layout file has no key for",
             ),
             FileError::Layout(error) => {
                 write!(f, "the layout file does not take the weights of the remedy; {RIGHT}: {error}")

@@ -67,9 +67,8 @@ pub(super) fn with_tables(remedy: &Remedy, source: &str) -> String {
         text.extend(kept.balancers.iter().map(|shaft| balancer_table(engine, shaft, unit(remedy).as_ref())));
     }
     let orders = remedy.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
-    let head = format!(
-        "What takes away force and moment of these orders: {orders}. Tables at one position are parts of one weight."
-    );
+    let head =
+        format!("Cancels force and moment of these orders: {orders}. Tables at one position are parts of one weight.");
     let built = remedy.built();
     if !built.is_empty() {
         text += &format!("\n{}", comment(&head));

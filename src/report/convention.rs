@@ -35,8 +35,7 @@ const SEEN: [&str; 2] = [
     "Seen from the flywheel end of the crankshaft (+z away from the reader, towards the free end), angles grow anticlockwise from the \
      reference direction, drawn upwards; for a V it is the bisector of the banks. The crank turns anticlockwise by θ.",
 ];
-const FROM_THE_FLYWHEEL: &str = "The layout file, and this page with it, looks at the engine from the flywheel; angles grow in the sense of rotation.";
-const CLOCKWISE_FROM_THE_FREE_END: &str = "The layout file draws the engine from the free end, where the crank turns clockwise. This page looks from the flywheel, where it turns \
-     anticlockwise: angles grow in the sense of rotation, and an angle of the file has the opposite sign here.";
-const CLOCKWISE_FROM_THE_FLYWHEEL: &str = "The layout file draws the engine from the flywheel, where the crank turns clockwise. This page looks from the free end, where it turns \
-     anticlockwise: angles grow in the sense of rotation, and an angle of the file has the opposite sign here.";
+const FROM_THE_FLYWHEEL: &str =
+    "The layout file and this page view the engine from the flywheel; angles grow in the sense of rotation.";
+const CLOCKWISE_FROM_THE_FREE_END: &str = "The layout file draws the engine from the free end, where the crank turns clockwise. This page views it from the flywheel, where it turns anticlockwise: angles grow in the sense of rotation, and an angle of the file has the opposite sign here.";
+const CLOCKWISE_FROM_THE_FLYWHEEL: &str = "The layout file draws the engine from the flywheel, where the crank turns clockwise. This page views it from the free end, where it turns anticlockwise: angles grow in the sense of rotation, and an angle of the file has the opposite sign here.";

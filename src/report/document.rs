@@ -142,7 +142,7 @@ pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
         Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => match mechanism {
             Mechanism::SliderCrank(rod) => Coefficient::Rod(rod_claim(rod)),
             Mechanism::Link(_) => {
-                unreachable!("the sums of a link stand before the number of its master and of its linkage")
+                unreachable!("the sums of a link are multiplied by the coefficient of its master and of its linkage")
             }
         },
         Factor::Quadrature(rod) => Coefficient::Quadrature(rod_claim(rod)),

@@ -117,5 +117,4 @@ fn kind(shaft: &Shaft) -> &'static str {
 }
 
 /// How remedies are read.
-pub(super) const REMEDIES: &str = "A remedy takes away every vector of its orders exactly: counterweights on the crankshaft, balancer shafts at so many times \
-    crank speed, + with the crank and − against it; a shaft for a couple has two opposite weights; a Lanchester pair is two shafts with one weight each.";
+pub(super) const REMEDIES: &str = "A remedy takes away every vector of its orders exactly: counterweights on the crankshaft, balancer shafts at a multiple of crank speed, + with the crank and − against it; a shaft for a couple has two opposite weights; a Lanchester pair is two shafts with one weight each.";

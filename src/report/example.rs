@@ -33,8 +33,7 @@ pub fn worked(engine: &Engine, balance: &OrderBalance) -> Vec<Block> {
 
 const OFFSET: &str = "The offset of this cylinder adds a part to $c_1$ that belongs to the sine: it lengthens both vectors and turns the direct one by a fixed angle \
                       and the reverse one by as much the other way. The picture leaves it out.";
-const ALL_CYLINDERS: &str = "Every cylinder has two such vectors. Equation (2) adds up the direct ones of all cylinders, and the reverse \
-                             ones, as they stand at $\\theta = 0$; equation (1) turns both sums and takes half of what they make together.";
+const ALL_CYLINDERS: &str = "Every cylinder has two such vectors. Equation (2) adds up the direct ones of all cylinders, and the reverse ones, as they are at $\\theta = 0$; equation (1) turns both sums and takes half of their resultant.";
 
 /// A cylinder of the sums that has a mass: one whose throw and axis are both turned where there is one.
 fn chosen<'a>(engine: &'a Engine, balance: &'a OrderBalance) -> Option<(&'a Cylinder, &'a BigRational)> {
@@ -73,8 +72,7 @@ fn numbers_of(cylinder: &Cylinder, weight: &BigRational, balance: &OrderBalance)
     let order = balance.order;
     let formula = |sense| table::phase_formula(i64::from(order), sense, true);
     phrase!(
-        "Take cylinder {}: its throw stands at β = {}, its axis at α = {}, and its mass counts {}. At θ = 0 its direct vector stands at \
-         {}, here {}, and its reverse vector at {}, here {}; both are {} long.",
+        "Take cylinder {}: its throw is at β = {}, its axis at α = {}, and its mass counts {}. At θ = 0 its direct vector is at {}, here {}, and its reverse vector at {}, here {}; both are {} long.",
         cylinder.name.clone(),
         typeset::angle(&cylinder.throw),
         typeset::degrees(&typeset::signed_degrees(&cylinder.bank)),
@@ -103,15 +101,11 @@ fn picture(cylinder: &Cylinder, order: u32) -> Picture {
     let name = cylinder.name.clone();
     let caption = match order {
         1 => phrase!(
-            "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the \
-             force (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by θ from where it \
-             stands at θ = 0, the reverse vector by −θ.",
+            "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the force (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by θ from where it is at θ = 0, the reverse vector by −θ.",
             name
         ),
         _ => phrase!(
-            "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the \
-             force (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by {}θ from where it \
-             stands at θ = 0, the reverse vector by −{}θ.",
+            "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the force (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by {}θ from where it is at θ = 0, the reverse vector by −{}θ.",
             name,
             order,
             order

@@ -11,20 +11,18 @@ fn words(disturbance: Disturbance) -> (&'static str, &'static str) {
     match disturbance {
         Disturbance::SymmetricSpacing => (
             "Symmetric spacing",
-            "the cylinders take any distances from the reference plane, those at equal distances equal ones again.",
+            "the cylinders may be at any distances from the reference plane; equal distances stay equal.",
         ),
         Disturbance::AnySpacing => (
             "Any spacing",
-            "the cylinders take any positions, those at one position together; the reference plane stays where it is.",
+            "the cylinders may be at any positions, those at one position together; the reference plane stays in place.",
         ),
-        Disturbance::BankOffset => (
-            "Bank offset",
-            "every bank moves along the crankshaft as a whole; the middle of the banks stays where it is.",
-        ),
+        Disturbance::BankOffset => {
+            ("Bank offset", "every bank moves along the crankshaft as a whole; the middle of the banks stays in place.")
+        }
         Disturbance::BankMasses => (
             "Masses by bank",
-            "the masses of a bank are multiplied by a factor of its own; where every bank is a single cylinder, see the \
-             next column.",
+            "the masses of each bank are multiplied by a factor; for banks of a single cylinder see the next column.",
         ),
         Disturbance::CylinderMasses => {
             ("Masses by cylinder", "each cylinder has its own mass; only vectors of length zero survive that.")

@@ -27,8 +27,8 @@ fn order_one(whole: &WholeOrder) -> Text {
     match whole.shape {
         Shape::Balanced | Shape::DoesNotExist => "Order 1 vanishes.".into(),
         Shape::NotDecided if !whole.is_left() => "Order 1 is not decided.".into(),
-        Shape::NotDecided => "Order 1 is left.".into(),
-        shape => phrase!("Order 1 is left, {}.", shape_name(shape)),
+        Shape::NotDecided => "Order 1 remains.".into(),
+        shape => phrase!("Order 1 remains, {}.", shape_name(shape)),
     }
 }
 
@@ -111,9 +111,7 @@ pub(super) fn why(all: &Recurrences) -> Vec<Text> {
     let factors = || classes().flat_map(|class| class.stars.factors());
     let verdicts: usize = factors().map(|factor| factor.judged.len()).sum();
     let mut paragraphs = vec![phrase!(
-        "From order 2 on the cylinders whose rods have one λ and one |δ| stand before one number, which is not zero where the order exists; an \
-         offset below 0 turns their vectors round in odd orders. The order $k$ only multiplies angles, so that whether their sum is zero depends on \
-         $k$ modulo a period alone, of even and of odd orders apart: {} verdicts prove it, and `classify --json --all-orders` writes them.",
+        "From order 2 on the cylinders whose rods have one λ and one |δ| have one coefficient in common, which is not zero where the order exists; an offset below 0 turns their vectors round in odd orders. The order $k$ only multiplies angles, so that whether their sum is zero depends on $k$ modulo a period alone, of even and of odd orders apart: {} verdicts prove it, and `classify --json --all-orders` writes them.",
         verdicts
     )];
     let has_banks = |class: &ClassPattern| match class.stars {
@@ -128,15 +126,13 @@ pub(super) fn why(all: &Recurrences) -> Vec<Text> {
     }
     if let Some(longest) = factors().filter(|factor| factor.others_left).map(|factor| factor.period).max() {
         paragraphs.push(phrase!(
-            "Of a period of {} orders only those are judged that may be zero. All others are left: in a sum of n vectors that vanishes, each has a \
-             partner that stands off by a multiple of 1/R of a turn, R the product of the primes up to n.",
+            "Of a period of {} orders only those are decided that may be zero. All others are not zero: in a sum of n vectors that vanishes, each has a partner at a multiple of 1/R of a turn, R the product of the primes up to n.",
             longest
         ));
     }
     if all.force.iter().any(|one| one.even.len() > 1 || one.odd.len() > 1) {
         paragraphs.push(
-            "Where all classes vanish an order is zero, where one is left it is left, whatever λ and δ are. Where several are left they could \
-             cancel for some λ and δ: such an order is judged by itself."
+            "Where all classes vanish an order is zero, where one remains it is left, whatever λ and δ are. If several remain they could cancel for some λ and δ: such an order is decided by itself."
                 .into(),
         );
     }

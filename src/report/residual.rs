@@ -61,8 +61,7 @@ pub fn order_name(order: &OrderBalance) -> String {
 }
 
 /// What crankshafts of several speeds have in which order, and what their sums are counted in.
-pub(super) const SPEED_LEGEND: &str = "A crankshaft that turns ν times while the reference turns once has part in the orders that ν divides: order k of the engine is order k/ν \
-                                       of its own, and its sums stand before $c_{k/\\nu}$, of its first order before 1, each with ν² in it.";
+pub(super) const SPEED_LEGEND: &str = "A crankshaft that turns ν times while the reference turns once takes part in the orders that ν divides: order k of the engine is order k/ν of its own, and its sums are multiplied by $c_{k/\\nu}$, those of its first order by 1, each also by ν².";
 
 /// `= 0.25`, `≈ 0.2748`.
 fn equals(value: &BigRational) -> String {
@@ -120,7 +119,7 @@ pub fn class_sources(class: &Class) -> String {
     let turning = match class.turning.as_slice() {
         [] => None,
         named if named.len() <= MOST_NAMED => Some(named.join(", ")),
-        many => Some(format!("{} masses that turn", many.len())),
+        many => Some(format!("{} rotating masses", many.len())),
     };
     cylinders.into_iter().chain(turning).collect::<Vec<_>>().join(", ")
 }
@@ -222,13 +221,10 @@ pub fn moment_summary(order: &OrderBalance) -> String {
 }
 
 /// What the summaries are counted in.
-pub(super) const LEGEND: &str = "0 is proved; any other number is the largest value ½(|P⁺| + |P⁻|), exact unless it stands after ≈: forces in \
-                          m r ω² c_k, moments in that times the unit of the positions.";
+pub(super) const LEGEND: &str = "0 is proved; any other number is the largest value ½(|P⁺| + |P⁻|), exact unless marked ≈: forces in m r ω² c_k, moments in that times the unit of the positions.";
 
 /// What the torque and the roll moment are counted in, where crankshafts are geared together.
-pub(super) const ROLL_LEGEND: &str = "Torque: that of all crankshafts at the reference one, in m r² ω² $t_k$. Roll: what the frame feels about the middle of the engine, \
-                               of the forces by their arms in crank radii, in m r² ω² $c_k$, and of the torques, in m r² ω² $t_k$; one alone \
-                               is the amplitude.";
+pub(super) const ROLL_LEGEND: &str = "Torque: of all crankshafts, referred to the reference crankshaft, in m r² ω² $t_k$. Roll: the moment on the frame about the middle of the engine, of the forces by their arms in crank radii, in m r² ω² $c_k$, and of the torques, in m r² ω² $t_k$; a single number is the amplitude.";
 
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
 pub(super) fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<Text> {
@@ -286,7 +282,7 @@ pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
     let mut classes = judged.orders.iter().flat_map(|order| &order.parts).filter_map(|part| part.class.as_ref());
     // Links with a corrected knuckle angle, and crankshafts of several speeds, have a part of pistons there, and their own words for it.
     let is_apart = |class: &&Class| class.factor == Factor::One && !class.turning.is_empty();
-    classes.find(is_apart).map(|_| "A sum of masses that turn is in $m r \\omega^2$, without $c_k$.")
+    classes.find(is_apart).map(|_| "A sum of rotating masses is in $m r \\omega^2$, without $c_k$.")
 }
 
 /// In words with places for size and shape; without them in both alone.

@@ -12,7 +12,7 @@ use crate::verdict::{Balance, Outcome, WholeOrder};
 /// A sentence on what the two vectors together trace.
 pub(super) fn sentence(balance: &Balance) -> Text {
     match balance.shape {
-        Shape::Balanced => "Nothing is left: both vectors vanish.".into(),
+        Shape::Balanced => "Balanced: both vectors vanish.".into(),
         Shape::Rotating => rotating(balance),
         Shape::CounterRotating => counter_rotating(balance),
         Shape::Planar => planar(balance),
@@ -40,14 +40,12 @@ fn rotating(balance: &Balance) -> Text {
     let (length, size) = (half_length(balance, "+"), largest(balance));
     match balance.direct.order {
         1 => phrase!(
-            "What is left is **rotating**: a vector of constant length {}, here {}, that turns with the crank. Counterweights on the \
-             crankshaft remove it.",
+            "The residual is **rotating**: a vector of constant length {}, here {}, that turns with the crank. Counterweights on the crankshaft remove it.",
             length,
             size
         ),
         k => phrase!(
-            "What is left is **rotating**: a vector of constant length {}, here {}, that turns the same way as the crank at {} times \
-             its speed. A balancer shaft that turns so removes it.",
+            "The residual is **rotating**: a vector of constant length {}, here {}, that turns the same way as the crank at {} times its speed. A balancer shaft that turns so removes it.",
             length,
             size,
             k
@@ -59,14 +57,12 @@ fn counter_rotating(balance: &Balance) -> Text {
     let (length, size) = (half_length(balance, "-"), largest(balance));
     match balance.direct.order {
         1 => phrase!(
-            "What is left is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at crank \
-             speed. One balancer shaft that turns so removes it.",
+            "The residual is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at crank speed. One balancer shaft that turns so removes it.",
             length,
             size
         ),
         k => phrase!(
-            "What is left is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at {} times \
-             its speed. One balancer shaft that turns so removes it.",
+            "The residual is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at {} times its speed. One balancer shaft that turns so removes it.",
             length,
             size,
             k
@@ -85,15 +81,13 @@ fn planar(balance: &Balance) -> Text {
     let (difference, line, size) = (difference(balance, "="), line_bearing(balance), largest(balance));
     match balance.quantity {
         Planar::Force => phrase!(
-            "What is left is **planar**: both vectors are equally long ({}, proved), so the force swings along the line at {}; its \
-             largest value is {}.",
+            "The residual is **planar**: both vectors are equally long ({}, proved), so the force swings along the line at {}; its largest value is {}.",
             difference,
             line,
             size
         ),
         Planar::Moment => phrase!(
-            "What is left is **planar**: both vectors are equally long ({}, proved), so the moment swings along the line at {}; its \
-             largest value is {}.",
+            "The residual is **planar**: both vectors are equally long ({}, proved), so the moment swings along the line at {}; its largest value is {}.",
             difference,
             line,
             size
@@ -105,15 +99,13 @@ fn elliptical(balance: &Balance) -> Text {
     let (difference, line, size) = (difference(balance, "\\ne"), line_bearing(balance), largest(balance));
     match balance.quantity {
         Planar::Force => phrase!(
-            "What is left is **elliptical**: the vectors differ in length ({}, proved), so the tip of the force runs round an ellipse; \
-             its largest value is {}, along the line at {}.",
+            "The residual is **elliptical**: the vectors differ in length ({}, proved), so the tip of the force runs round an ellipse; its largest value is {}, along the line at {}.",
             difference,
             size,
             line
         ),
         Planar::Moment => phrase!(
-            "What is left is **elliptical**: the vectors differ in length ({}, proved), so the tip of the moment runs round an ellipse; \
-             its largest value is {}, along the line at {}.",
+            "The residual is **elliptical**: the vectors differ in length ({}, proved), so the tip of the moment runs round an ellipse; its largest value is {}, along the line at {}.",
             difference,
             size,
             line
@@ -136,7 +128,7 @@ fn both_vectors(outcome: &Outcome) -> Text {
     match outcome {
         Outcome::Zero => "Both vectors vanish: each of their sums is zero.".into(),
         Outcome::NotZero => {
-            "Neither vector vanishes: one of its sums alone is left, and what that stands before is not zero.".into()
+            "Neither vector vanishes: only one of its sums remains, and its coefficient is not zero.".into()
         }
         Outcome::NotZeroByEnclosure { .. } => {
             "Neither vector vanishes: an enclosure of the whole, each sum times its coefficient, excludes zero.".into()
@@ -153,7 +145,7 @@ fn direct_vector(outcome: &Outcome) -> Text {
     match outcome {
         Outcome::Zero => "The direct vector vanishes: each of its sums is zero.".into(),
         Outcome::NotZero => {
-            "The direct vector does not vanish: one of its sums alone is left, and what that stands before is not zero.".into()
+            "The direct vector does not vanish: only one of its sums remains, and its coefficient is not zero.".into()
         }
         Outcome::NotZeroByEnclosure { .. } => {
             "The direct vector does not vanish: an enclosure of the whole, each sum times its coefficient, excludes zero.".into()
@@ -170,7 +162,7 @@ fn reverse_vector(outcome: &Outcome) -> Text {
     match outcome {
         Outcome::Zero => "The reverse vector vanishes: each of its sums is zero.".into(),
         Outcome::NotZero => {
-            "The reverse vector does not vanish: one of its sums alone is left, and what that stands before is not zero.".into()
+            "The reverse vector does not vanish: only one of its sums remains, and its coefficient is not zero.".into()
         }
         Outcome::NotZeroByEnclosure { .. } => {
             "The reverse vector does not vanish: an enclosure of the whole, each sum times its coefficient, excludes zero.".into()
@@ -190,17 +182,16 @@ fn what_is_left(whole: &WholeOrder) -> Option<Text> {
         shape => shape_name(shape),
     };
     Some(match &whole.evidence {
-        None => phrase!("What is left is **{}**.", shape),
+        None => phrase!("The residual is **{}**.", shape),
         Some(ShapeEvidence::Certificate(_)) => {
-            phrase!("What is left is **{}**: the squares of both lengths are compared exactly.", shape)
+            phrase!("The residual is **{}**: the squares of both lengths are compared exactly.", shape)
         }
         Some(ShapeEvidence::Pairs(_)) => phrase!(
-            "What is left is **{}**: both vectors are equally long whatever the coefficients are, for in the difference of the squares of \
-             their lengths what stands before each product of two of them is exactly zero.",
+            "The residual is **{}**: both vectors are equally long for any coefficients: in the difference of the squares of their lengths each product of two of them has the exact coefficient zero.",
             shape
         ),
         Some(ShapeEvidence::Bits(_)) => {
-            phrase!("What is left is **{}**: an enclosure shows that the lengths differ.", shape)
+            phrase!("The residual is **{}**: an enclosure shows that the lengths differ.", shape)
         }
     })
 }

@@ -12,17 +12,16 @@ pub(super) fn roll_asked(engine: &Engine, missing: MissingArm) -> Text {
         MissingArm::Crankshaft(index) => {
             let name = engine.geared_cranks().get(index).map_or_else(String::new, |crank| crank.name.clone());
             phrase!(
-                "The roll moment is not given: it hangs on where the crankshaft {} stands. Give height and offset, or distance and angle, in its table [[crankshaft]].",
+                "The roll moment is not given: it depends on the position of crankshaft {}. Give height and offset, or distance and angle, in its table [[crankshaft]].",
                 name
             )
         }
         MissingArm::Balancer(index) => phrase!(
-            "The roll moment is not given: it hangs on where balancer shaft {} stands. Give height and offset in its table [[balancer]].",
+            "The roll moment is not given: it depends on the position of balancer shaft {}. Give height and offset in its table [[balancer]].",
             index + 1
         ),
     }
 }
 
-const ENDLESS: &str = "The roll moment is not given: the offset of an endless rod is no length. Give a rod_ratio above 0 below [mechanism].";
-const DISTANCE: &str = "The roll moment is not given: it hangs on how far apart the crankshafts stand, by the masses that turn with them. Give \
-                        distance below [opposed_piston].";
+const ENDLESS: &str = "The roll moment is not given: the offset of an endless rod is not a length. Give a rod_ratio above 0 below [mechanism].";
+const DISTANCE: &str = "The roll moment is not given: it depends on the distance between the crankshafts through the rotating masses. Give distance below [opposed_piston].";

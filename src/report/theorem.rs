@@ -41,8 +41,8 @@ pub(super) fn section(
 fn next(judged: &[OrderVerdict], theorem: &EveryOrderTheorem) -> Option<Block> {
     let told: Vec<u32> = judged.iter().map(|order| order.order).collect();
     match theorem.next_left(&told) {
-        NextLeft::None => Some(Block::Paragraph("No other order is left, of all there are.".into())),
-        NextLeft::Order(next) => Some(Block::Paragraph(phrase!("The next order that is left is {}.", next))),
+        NextLeft::None => Some(Block::Paragraph("No other order remains.".into())),
+        NextLeft::Order(next) => Some(Block::Paragraph(phrase!("The next order that remains is {}.", next))),
         NextLeft::NotKnown => None,
     }
 }

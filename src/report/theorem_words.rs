@@ -38,26 +38,23 @@ pub(super) fn no_theorem(reason: &NoTheorem) -> Text {
     match reason {
         NoTheorem::PeriodTooLong(period) => match period.to_string() {
             digits if digits.len() <= MOST_DIGITS => phrase!(
-                "No statement is made on every order at once: the pattern repeats only after {} orders, and at most {} are gone \
-                 through.",
+                "No statement is made on every order at once: the pattern repeats only after {} orders, and at most {} are examined.",
                 digits,
                 LONGEST_SIEVED
             ),
             digits => phrase!(
-                "No statement is made on every order at once: the pattern repeats only after a number of orders that has {} digits, \
-                 and at most {} are gone through.",
+                "No statement is made on every order at once: the pattern repeats only after a number of orders that has {} digits, and at most {} are examined.",
                 digits.len(),
                 LONGEST_SIEVED
             ),
         },
         NoTheorem::TooManyCandidates(period) => phrase!(
-            "No statement is made on every order at once: the pattern repeats only after {} orders, of which more than {} may be zero, and so many \
-             are not judged. The verdicts are on the orders that were asked for, and on no other.",
+            "No statement is made on every order at once: the pattern repeats only after {} orders, of which more than {} may be zero, too many to decide. The verdicts cover only the orders asked for.",
             *period,
             MOST_CANDIDATES
         ),
         NoTheorem::RodsDiffer => {
-            "No statement is made on every order at once: the rods differ, so that no order is a single sum.".into()
+            "No statement is made on every order at once: the rods differ, so no order is a single sum.".into()
         }
         NoTheorem::FasterCrank(speed) => phrase!(
             "No statement is made on every order at once: a crankshaft turns {} times while the reference turns once, so that its pistons have \
@@ -65,8 +62,7 @@ pub(super) fn no_theorem(reason: &NoTheorem) -> Text {
             *speed
         ),
         NoTheorem::Shaft(order) => phrase!(
-            "No statement is made on every order at once: a balancer shaft turns at order {}, which the pattern of the cylinders \
-             does not know; judge the reciprocating masses alone.",
+            "No statement is made on every order at once: a balancer shaft turns at order {}, which is not in the pattern of the cylinders; use the reciprocating masses only (`--masses reciprocating`).",
             *order
         ),
     }
@@ -104,7 +100,7 @@ fn statement(every: &EveryOrder) -> Text {
     let senses @ [direct, reverse] = &[&every.direct, &every.reverse].map(|verdicts| verdict::survivors(verdicts));
     match named(&both, senses) {
         _ if every.first.is_none() => sentence(&both),
-        Some(list) => phrase!("Nothing is left but {}.", list),
+        Some(list) => phrase!("Nothing remains but {}.", list),
         None if direct == reverse => phrase!("{} Direct and reverse vector alike.", sentence(&both)),
         None => phrase!(
             "{} The direct vector: {} The reverse vector: {}",

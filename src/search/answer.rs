@@ -73,7 +73,7 @@ impl Front {
         let space = Space::of_any_size(&self.problem)?;
         match space.holds(throws) {
             true => Ok(judged::judge(&space, &Tables::new(&space), throws)),
-            false => Err(ProblemError::new("these throws are no star of the question")),
+            false => Err(ProblemError::new("these throws are not a star of this problem")),
         }
     }
 }

@@ -106,7 +106,7 @@ impl<'a> Pieces<'a> {
         let mut sum = Sum::default();
         let all: Vec<usize> = (0..self.plan.len()).collect();
         self.each(&all, 0, options, &mut |_, done| {
-            sum.add(done, &self.space).ok_or_else(|| unreachable!("so many stars exist"))
+            sum.add(done, &self.space).ok_or_else(|| unreachable!("this many stars exist"))
         })?;
         Ok(self.answer(sum))
     }

@@ -194,7 +194,7 @@ impl Problem {
         }
         let Some(grid) = self.grid else { return Ok(()) };
         if grid == 0 || grid > FINEST_GRID {
-            return Err(ProblemError::new(format!("a grid has 1 to {FINEST_GRID} directions, and not {grid}")));
+            return Err(ProblemError::new(format!("a grid has 1 to {FINEST_GRID} directions, not {grid}")));
         }
         if u128::from(grid).pow(throws - 1) > MOST_GRID_STARS {
             return Err(ProblemError::new(format!(
@@ -208,7 +208,7 @@ impl Problem {
     fn check_orders(&self) -> Result<(), ProblemError> {
         if self.orders.is_empty() || self.orders.len() > MOST_ORDERS {
             return Err(ProblemError::new(format!(
-                "1 to {MOST_ORDERS} orders are compared, and not {}",
+                "1 to {MOST_ORDERS} orders are compared, not {}",
                 self.orders.len()
             )));
         }

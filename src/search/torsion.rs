@@ -71,7 +71,7 @@ pub fn mode_shape(problem: &Problem, shape: Option<Vec<BigRational>>) -> Result<
     let instants = if problem.cycle == Cycle::FourStroke { problem.cylinders / 2 } else { 1 };
     if instants > MOST_CHOICES {
         return Err(ProblemError::new(format!(
-            "a star of {} cylinders has 2^{} firing orders, too many to be listed; leave out --torsion",
+            "a star of {} cylinders has 2^{} firing orders, too many to list; leave out --torsion",
             problem.cylinders,
             instants - 1
         )));

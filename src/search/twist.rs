@@ -59,14 +59,13 @@ impl Twist {
         let firing_orders = firing_orders(problem);
         if firing_orders > MOST_FIRING_ORDERS {
             return Err(ProblemError::new(format!(
-                "{} cylinders have too many firing orders: by minor orders up to {MOST_FIRING_ORDERS} are compared",
+                "{} cylinders have too many firing orders: with minor orders up to {MOST_FIRING_ORDERS} are compared",
                 problem.cylinders
             )));
         }
         if problem.minor_orders.len() > FEW_MINOR_ORDERS && firing_orders > MOST_BY_MANY {
             return Err(ProblemError::new(format!(
-                "{} cylinders have {firing_orders} firing orders, too many for {} minor orders, by which nearly each of them is best in something: \
-                 by more than {FEW_MINOR_ORDERS} up to {MOST_BY_MANY} are compared; give {FEW_MINOR_ORDERS} or fewer",
+                "{} cylinders have {firing_orders} firing orders, too many for {} minor orders, since nearly all of them are best in some order: with more than {FEW_MINOR_ORDERS} up to {MOST_BY_MANY} are compared; give {FEW_MINOR_ORDERS} or fewer",
                 problem.cylinders,
                 problem.minor_orders.len()
             )));
@@ -145,11 +144,11 @@ impl Problem {
         let lowest = self.cycle.lowest_order().halves();
         for order in &self.minor_orders {
             if !order.exists_in(self.cycle) {
-                return Err(ProblemError::new(format!("a two-stroke engine has whole orders, and not {order}")));
+                return Err(ProblemError::new(format!("a two-stroke engine has whole orders, not {order}")));
             }
             if (order.halves() / lowest).is_multiple_of(self.cylinders) {
                 return Err(ProblemError::new(format!(
-                    "order {order} is a major one: all deflections add up whatever the firing order is"
+                    "order {order} is a major one: all deflections add up for any firing order"
                 )));
             }
         }
@@ -158,7 +157,7 @@ impl Problem {
         }
         if self.minor_orders.len() > super::problem::MOST_ORDERS {
             return Err(ProblemError::new(format!(
-                "up to {} minor orders are compared, and not {}",
+                "up to {} minor orders are compared, not {}",
                 super::problem::MOST_ORDERS,
                 self.minor_orders.len()
             )));

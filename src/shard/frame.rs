@@ -107,7 +107,7 @@ pub(super) fn read(path: &Path, file: &mut impl BufRead, question: &Question) ->
             Some(version) => {
                 ShardError::of(path, format_args!("is of format {version}, and this program reads 1; compute it again"))
             }
-            None => ShardError::of(path, "is no file of pieces; --shard and --resume make them"),
+            None => ShardError::of(path, "is not a file of pieces; --shard and --resume make them"),
         });
     }
     let (json, _) = reader.line()?;

@@ -38,7 +38,7 @@ impl Merged {
                 let known = merged.found.entry(frame.piece).or_insert((merged.paths.len(), frame));
                 if (known.1.digest, known.1.length) != (frame.digest, frame.length) {
                     let other = merged.paths.get(known.0).map_or("itself".into(), |other| other.to_string_lossy());
-                    let what = format_args!("and `{other}` tell piece {} differently; compute both again", frame.piece);
+                    let what = format_args!("and `{other}` differ in piece {}; compute both again", frame.piece);
                     return Err(ShardError::of(path, what));
                 }
             }

@@ -62,7 +62,7 @@ impl Shard {
             Some((number, of)) if 1 <= number && number <= of => Ok(Shard { number, of }),
             Some(_) | None => {
                 let shown = harmless(text);
-                Err(ShardError(format!("`{shown}` is no shard; write i/N, from 1/N to N/N, such as 2/8")))
+                Err(ShardError(format!("`{shown}` is not a shard; write i/N, from 1/N to N/N, such as 2/8")))
             }
         }
     }

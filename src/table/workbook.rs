@@ -34,7 +34,7 @@ mod read {
     /// # Errors
     /// Why it cannot be read.
     pub fn rows(bytes: &[u8]) -> Result<Vec<Row>, String> {
-        let fail = |error: calamine::XlsxError| format!("this is no workbook that can be read: {error}");
+        let fail = |error: calamine::XlsxError| format!("this is not a workbook that can be read: {error}");
         let mut workbook: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(fail)?;
         let first = workbook.sheet_names().into_iter().next().ok_or("the workbook has no sheet")?;
         let mut cells = workbook.worksheet_cells_reader(&first).map_err(fail)?;

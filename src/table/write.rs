@@ -91,7 +91,7 @@ impl Format {
             (Format::Parquet, [only]) => parquet(only),
             (Format::Xlsx, several) => xlsx(several),
             (Format::Csv | Format::Parquet, several) => {
-                Err(Unwritable::Failed(format!("{} tables do not stand in one file", several.len())))
+                Err(Unwritable::Failed(format!("{} tables are not in one file", several.len())))
             }
         }
     }

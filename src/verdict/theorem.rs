@@ -61,20 +61,20 @@ impl fmt::Display for NoTheorem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NoTheorem::PeriodTooLong(period) => {
-                write!(f, "the pattern repeats only after {period} orders; at most {LONGEST_SIEVED} are gone through")
+                write!(f, "the pattern repeats only after {period} orders; at most {LONGEST_SIEVED} are examined")
             }
             NoTheorem::TooManyCandidates(period) => write!(
                 f,
-                "the pattern repeats only after {period} orders, of which more than {MOST_CANDIDATES} may be zero: so many are not judged"
+                "the pattern repeats only after {period} orders, of which more than {MOST_CANDIDATES} may be zero, too many to decide"
             ),
-            NoTheorem::RodsDiffer => f.write_str("the rods differ, so that no order is a single sum"),
+            NoTheorem::RodsDiffer => f.write_str("the rods differ, so no order is a single sum"),
             NoTheorem::FasterCrank(speed) => write!(
                 f,
                 "a crankshaft turns {speed} times while the reference turns once, so that its pistons have other orders than those of the reference"
             ),
             NoTheorem::Shaft(order) => write!(
                 f,
-                "a balancer shaft turns at order {order}, which the pattern of the cylinders does not know; judge the reciprocating masses alone"
+                "a balancer shaft turns at order {order}, which is not in the pattern of the cylinders; use the reciprocating masses only (`--masses reciprocating`)"
             ),
         }
     }

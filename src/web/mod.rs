@@ -131,7 +131,7 @@ impl Judged {
 pub fn answer(question: &str) -> String {
     let found = match serde_json::from_str::<Question>(question) {
         Ok(question) => answered(question),
-        Err(error) => Err(Mistake::plain("the page asked for what this module does not know", &error.to_string())),
+        Err(error) => Err(Mistake::plain("the page made a request that this module does not know", &error.to_string())),
     };
     let answer = match found {
         Ok(answer) => json!({ "ok": answer }),

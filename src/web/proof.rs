@@ -35,7 +35,7 @@ fn printed(document: &impl Serialize) -> Result<String, Mistake> {
 
 /// What the checker says of it, which knows nothing of how the verdicts were found: that it holds, and by which evidence.
 fn checked(json: &str) -> Result<[String; 2], Mistake> {
-    let fault = |why: String| Mistake::plain("the checker does not accept the proof, so it is not shown", &why);
+    let fault = |why: String| Mistake::plain("the checker rejects the proof, so it is not shown", &why);
     let document = read_document(json.as_bytes()).map_err(|error| fault(error.to_string()))?;
     let checked = document.check().map_err(|error| fault(error.to_string()))?;
     let Counts { polygons, residues, splittings, .. } = checked.counts;

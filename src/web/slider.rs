@@ -133,8 +133,7 @@ fn of_angle(template: &Template, engine: &Engine, angle: &Angle) -> Option<Slide
     let shown = |value: &BigRational| number::degrees(value);
     let slider = slider(angle.key, angle.label, [&ends[0], &ends[1], &BigRational::one()], &now, zeros, &shown);
     // Where another value is a symbol of the file, its zeros are not solved for this one.
-    let note =
-        if found.is_some() { slider.note } else { "Where something vanishes on its way is not known here.".to_owned() };
+    let note = if found.is_some() { slider.note } else { "Zeros along the range are not known here.".to_owned() };
     let note = match held && by_firing {
         true => format!("{note} Beyond the ends the firing that the file names is not possible."),
         false => note,
@@ -224,10 +223,8 @@ fn slider(
         (judged_sets().all(|set| set.complete), judged_sets().all(|set| set.irrational.is_empty()));
     let note = match (zeros.is_empty(), complete, all_rational) {
         (true, ..) => "It changes how large things are; no exact zero depends on it.",
-        (false, true, true) => "The marks are exact, and all there are between the ends.",
-        (false, true, false) => {
-            "The marks are all there are between the ends: exact, or ≈ where the angle is irrational."
-        }
+        (false, true, true) => "The marks are exact and are all the zeros in the range.",
+        (false, true, false) => "The marks are all the zeros in the range: exact, or ≈ where the angle is irrational.",
         (false, false, _) => "The marks are exact; there may be others.",
     };
     // A stop of the grid, or the value of the file, is what it is, whatever vanishes beside it.

@@ -184,7 +184,7 @@ fn argued(engine: &Engine, quantity: Quantity, order: u32, sense: usize) -> Stri
 fn opposite_directions_are_collected_before_it_is_argued() {
     assert_eq!(
         argued(&named("radial-18"), Quantity::MOMENT, 1, 0),
-        "With like and opposite directions collected one vector is left, 9 at 0°: it is not zero."
+        "With like and opposite directions collected one vector remains, 9 at 0°: it is not zero."
     );
 }
 
@@ -204,11 +204,11 @@ fn each_way_without_primes_has_its_sentences() {
             assert!(texts.iter().any(|text| text.contains(line)), "{form}: no {line:?} in {texts:?}");
         }
     };
-    says("[inline]\nthrows = [0, 90]", 1, &["two vectors are left: 1 at 0° and 1 at 90°. They do not lie on one line"]);
+    says("[inline]\nthrows = [0, 90]", 1, &["two vectors remain: 1 at 0° and 1 at 90°. They do not lie on one line"]);
     says(
         "[inline]\nthrows = [0, 0, 0, 120, 240]",
         1,
-        &["three vectors are left: 3 at 0°, 1 at 120° and 1 at 240°. The first"],
+        &["three vectors remain: 3 at 0°, 1 at 120° and 1 at 240°. The first"],
     );
     says("[inline]\nthrows = [0, 100, 200]", 1, &["cancel only where they are 120° apart, and these are not."]);
     says("[inline]\nthrows = [0, 10, 20, 30]", 1, &["All of them point to within 15° of 15°"]);
@@ -246,7 +246,7 @@ fn the_worked_example_puts_a_cylinder_of_the_engine_into_the_phases() {
                 _ => None,
             })
             .collect();
-        assert!(words[1].contains("its direct vector stands at") && words[1].contains('≡') || order == 1, "{words:?}");
+        assert!(words[1].contains("its direct vector is at") && words[1].contains('≡') || order == 1, "{words:?}");
         assert_eq!(blocks.iter().filter(|block| matches!(block, Block::Pictures(_))).count(), 1);
     }
 }

@@ -250,7 +250,7 @@ fn supports_and_loads_that_make_no_beam_are_told_with_what_would_be_right() {
     assert_eq!(message(vec![]), "no support holds the beam: it needs two or more");
     assert_eq!(message(vec![whole(3)]), "1 support does not hold the beam: it needs two or more");
     let coinciding = vec![fraction(5, 2), whole(1), whole(0), fraction(10, 4)];
-    assert_eq!(message(coinciding.clone()), "supports 1 and 4 both stand at 5/2: each needs a position of its own");
+    assert_eq!(message(coinciding.clone()), "supports 1 and 4 are both at 5/2: each needs a position of its own");
     let mistake = BeamError::CoincidingSupports { first: 0, second: 3, at: fraction(5, 2) };
     assert_eq!(Beam::new(coinciding).expect_err("no beam"), mistake);
 }

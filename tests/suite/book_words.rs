@@ -366,7 +366,7 @@ fn mistakes_in_the_words_of_books_are_told_with_their_place() {
         2,
         &["one of them is enough"],
     );
-    assert_refused(&format!("{head}firing_order = '1-2-3'\n{table}{table}"), 2, &["`3`, which is no cylinder"]);
+    assert_refused(&format!("{head}firing_order = '1-2-3'\n{table}{table}"), 2, &["`3`, which is not a cylinder"]);
 }
 
 #[test]

@@ -75,11 +75,17 @@ fn small_orders_are_told_together_and_large_ones_by_their_names() {
         "{usual}"
     );
     // The threshold moves order 4 to the others.
-    let coarse = box_of("I4", &Weighing { above: 0.05, ..Weighing::usual().clone() });
+    let coarse = box_of("I4", &Weighing { above: Some(0.05), ..Weighing::usual().clone() });
     assert!(
         !coarse.contains("(order 4)") && coarse.contains("Orders 4, 6 and all others. Together at most 2.2 %"),
         "{coarse}"
     );
+    let written =
+        file::parse("i4.toml", "title = 'Four'\nabove = 5\n[inline]\nthrows = [0, 180, 180, 0]").expect("it reads");
+    let told = |weighing: &Weighing| lines(&written, weighing).join("\n");
+    assert!(told(Weighing::usual()).contains("Orders 4, 6 and all others. Together at most 2.2 %"));
+    let finer = Weighing { above: Some(0.01), ..Weighing::usual().clone() };
+    assert!(told(&finer).contains("(order 4)"), "what is asked for goes first");
     // All are told, and cured, where that is asked for.
     let all = box_of("I4", &Weighing { all: true, ..Weighing::usual().clone() });
     assert!(all.contains("(order 6)") && all.contains("Order 6: two shafts at six times crank speed"), "{all}");

@@ -52,7 +52,7 @@ const CHEATS: [Cheat<BoxesClaim>; 24] = [
         claim.tree.push('?');
         true
     }),
-    ("no letter", |claim| {
+    ("not a letter", |claim| {
         claim.tree.clear();
         true
     }),
@@ -71,7 +71,7 @@ const CHEATS: [Cheat<BoxesClaim>; 24] = [
     ("a box that is too wide", |claim| claim.zeros.first_mut().map(|zero| zero.reach = half() * half()).is_some()),
     ("a box around the torus", |claim| claim.zeros.first_mut().map(|zero| zero.reach = half()).is_some()),
     ("a box without width", |claim| claim.zeros.first_mut().map(|zero| zero.reach -= zero.reach.clone()).is_some()),
-    ("a middle that is no zero as one", |claim| {
+    ("a middle that is not a zero as one", |claim| {
         let zero = claim.zeros.iter_mut().find(|zero| zero.certificate.is_none());
         zero.map(|zero| zero.certificate = Some(Certificate::Polygons { polygons: Vec::new() })).is_some()
     }),

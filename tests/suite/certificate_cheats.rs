@@ -453,7 +453,7 @@ fn a_verdict_that_is_listed_twice_is_refused() {
         document.verdicts.push(again);
     });
     let last = "verdicts[20] (force, order 1, direct)";
-    assert_eq!(twice, [last, "this verdict was not asked for, or stands here again"]);
+    assert_eq!(twice, [last, "this verdict was not asked for, or is here twice"]);
     let at_once = fault(|document| document.verdicts.insert(1, document.verdicts[FORCE_DIRECT].clone()));
     let place = "verdicts[1] (force, order 1, reverse)";
     assert_eq!(at_once, [place, "here stands a verdict on (force, order 1, direct)"]);
@@ -556,7 +556,7 @@ fn orders_and_quantities_that_were_not_asked_for_or_are_not_judged_are_refused()
     let more = fault(|document| document.orders.push(8));
     assert_eq!(more, ["verdicts[20] (force, order 8, direct)", missing]);
     let fewer = fault(|document| document.orders.truncate(3));
-    assert_eq!(fewer[1], "this verdict was not asked for, or stands here again");
+    assert_eq!(fewer[1], "this verdict was not asked for, or is here twice");
     for wrong in [vec![], vec![0, 1, 2, 3, 4], vec![1, 2, 2, 3, 4], vec![2, 1, 3, 4]] {
         assert_eq!(fault(|document| document.orders = wrong)[0], "orders");
     }
@@ -638,7 +638,7 @@ fn a_verdict_that_is_not_there_is_missed() {
     assert_eq!(one, [place, "here stands a verdict on (moment, order 1, direct)"]);
     assert_eq!(fault(|document| document.verdicts.clear()), [FIRST, "this verdict is missing"]);
     let torque = fault(|document| document.shapes[0].quantity = Quantity::TORQUE);
-    assert_eq!(torque, ["shapes[0] (force, order 1)", "another shape stands here"]);
+    assert_eq!(torque, ["shapes[0] (force, order 1)", "the shape is wrong"]);
 }
 
 #[test]

@@ -159,7 +159,7 @@ fn every_answer_to_a_published_claim_is_decided_and_its_certificates_hold() {
         let is_own = claim.provenance == Provenance::Own;
         assert!(
             !is_own || answer.status.holds(),
-            "reckoned here, and false: {}: {}",
+            "computed here, and false: {}: {}",
             claim.engine.written(),
             claim.says.written()
         );
@@ -224,7 +224,7 @@ fn a_page_counts_what_is_quoted_what_is_folklore_and_what_is_its_own_apart() {
     let page = text(&report::claims_page(&claims(&file.concat()).expect("it reads")), Format::GITHUB);
     for words in [
         "Claims quoted from their sources: 1 of 2 hold.",
-        "Claims often made, for which no source was found: 0 of 1 hold.",
+        "Common claims without a source: 0 of 1 hold.",
         "Our own cross-checks: 1 of 1 hold.",
         "**a book, page 7:** “fires as it should”",
     ] {

@@ -568,7 +568,7 @@ fn the_command_writes_nothing_outside_of_its_folder_and_refuses_what_makes_no_ta
     let done =
         run(&["exercise", "I4", "--students", "class.txt", "--output", "out", "--table", "csv", "--vary", "throws"]);
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-    assert!(String::from_utf8_lossy(&done.stderr).contains("`Ada` stands in the list before"));
+    assert!(String::from_utf8_lossy(&done.stderr).contains("`Ada` is in the list before"));
     let names = |folder: &Path| -> BTreeSet<String> {
         let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").file_name());
         entries.map(|name| name.to_string_lossy().into_owned()).collect()

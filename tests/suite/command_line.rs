@@ -100,7 +100,7 @@ fn remedy_writes_its_page_into_a_folder() {
 #[test]
 fn what_remedy_cannot_take_is_told() {
     let refused = |arguments: &[&str]| fails(&[&["remedy", "I3"], arguments].concat(), 1);
-    assert!(refused(&["--planes", "1,1"]).contains("both planes stand at 1"));
+    assert!(refused(&["--planes", "1,1"]).contains("both planes are at 1"));
     assert!(refused(&["--planes", "1"]).contains("two are needed"));
     assert!(refused(&["--planes", "1,x"]).contains("cannot read `x`"));
     assert!(refused(&["--planes", "1 mm,2 mm"]).contains("count in spacings"));
@@ -158,7 +158,7 @@ fn verify_refuses_what_is_no_json_output() {
     ] {
         let file = folder.join(name);
         fs::write(&file, bytes).expect("a file");
-        assert!(fails(&["verify", text(&file)], 1).contains("is no output of `classify --json`"), "{name}");
+        assert!(fails(&["verify", text(&file)], 1).contains("is not an output of `classify --json`"), "{name}");
     }
     assert!(fails(&["verify", text(&folder.join("missing"))], 1).contains("cannot read"));
 }

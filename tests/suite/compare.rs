@@ -76,7 +76,7 @@ fn engines_stand_side_by_side_with_remedy_and_first_order_left() {
     assert_eq!(line(&text, "Firing"), "Firing | even, 180° | even, 90° | even, 180°");
     assert_eq!(line(&text, "Force 2"), "Force 2 | 4, planar | 0 | 0");
     assert_eq!(line(&text, "Moment 1"), "Moment 1 | 0 | couple √10 ≈ 3.162, rotating | 0");
-    assert_eq!(line(&text, "First force left"), "First force left | 2, planar | 4, planar | none");
+    assert_eq!(line(&text, "Force from order"), "Force from order | 2, planar | 4, planar | none");
     assert_eq!(line(&text, "Force, order 2"), "Force, order 2 | 1.17 m r ω², planar | 0 | 0");
     assert_eq!(
         line(&text, "Cures"),
@@ -85,7 +85,7 @@ fn engines_stand_side_by_side_with_remedy_and_first_order_left() {
     let all = line(&text, "All cures");
     assert!(all.contains("| Lanchester pair ±2; Lanchester pair ±4;"), "{text}");
     assert!(all.contains(" | 2 counterweights (couple); Lanchester pair ±4 | shafts ±2 (couple each);"), "{text}");
-    assert!(text.contains("Balanced furthest: I4, boxer-4, with nothing left below order 2."));
+    assert!(text.contains("Balanced furthest: I4, boxer-4, with neither force nor moment below order 2."));
     assert!(text.lines().all(|line| line.chars().count() <= 81), "{text}");
     assert!(text.contains("Positions have no unit"));
     assert!(!text.contains("in N ") && !text.contains("Worst main bearing"));
@@ -136,7 +136,7 @@ fn where_the_gas_is_asked_for_the_worst_bearing_is_that_of_the_complete_loads() 
     let text = succeeds(&[&gas, &without]);
     let worst = format!("bearing {} with ≈ {:.0}", bearings.worst + 1, bearings.bearings[bearings.worst].peak.value);
     assert!(words(&text).contains(&worst), "{worst} in {text}");
-    assert!(words(&text).contains("gas not asked for"), "{text}");
+    assert!(words(&text).contains("no gas loads"), "{text}");
     let document: Value = serde_json::from_str(&succeeds(&[&gas, &without, "--json"])).expect("JSON");
     let told = &document["engines"][0]["worst_bearing_with_gas"];
     assert_eq!(told["peak"].as_f64(), Some(bearings.bearings[bearings.worst].peak.value));
@@ -144,7 +144,7 @@ fn where_the_gas_is_asked_for_the_worst_bearing_is_that_of_the_complete_loads() 
     assert!(document["engines"][1].get("worst_bearing_with_gas").is_none());
     // What lacks is told, and nothing of the gas stands where nobody asks for it.
     let lacks = layout("lacks", &with.replace("firing_order = '1-3-4-2'\n", ""));
-    assert!(words(&succeeds(&[&lacks, &without])).contains("the gas is asked for, and left out here"));
+    assert!(words(&succeeds(&[&lacks, &without])).contains("gas loads were asked for, but are missing"));
     assert!(!words(&succeeds(&[&without, "I4"])).contains("main bearing with"));
 }
 
@@ -157,7 +157,7 @@ fn different_units_and_missing_numbers_are_said() {
     ));
     let force = line(&text, "Force, order 2");
     assert!(force.contains(" kN, planar | ") && force.ends_with(" m r ω², planar"), "{text}");
-    assert!(line(&text, "Worst main bearing").ends_with("none named"));
+    assert!(line(&text, "Worst main bearing").ends_with("none given"));
 }
 
 #[test]
@@ -167,8 +167,8 @@ fn unequal_rods_are_judged_by_class_and_orders_without_coefficient_leave_nothing
     assert!(line(&text, "Force 2").contains("not 0, planar (cylinders 1, 2, 5, 6: 2, planar;"));
     assert_eq!(line(&text, "Moment 2"), "Moment 2 | 0 | couple √3 ≈ 1.732, planar");
     assert_eq!(line(&text, "Force 3"), "Force 3 | does not exist | does not exist");
-    assert_eq!(line(&text, "First force left"), "First force left | 2, planar | 6, planar");
-    assert!(words(&text).contains("only equal rods have c_k in common"));
+    assert_eq!(line(&text, "Force from order"), "Force from order | 2, planar | 6, planar");
+    assert!(words(&text).contains("only equal rods have the same c_k"));
     let offset = succeeds(&["reports/examples/i6-offset/layout.toml", "I6", "--orders", "3"]);
     assert!(line(&offset, "Force 3").starts_with("Force 3 | 6, planar | does not exist"));
 }
@@ -199,7 +199,7 @@ fn the_page_has_small_multiples_of_the_stars_of_each_order() {
 
 #[test]
 fn what_cannot_be_compared_is_answered_with_words() {
-    assert!(fails(&["I4"]).contains("nothing to be compared with"));
+    assert!(fails(&["I4"]).contains("needs two or more engines"));
     assert!(fails(&["I4", "reports/families/v-twin/layout.toml"]).contains("has unknowns: phi"));
     assert!(fails(&["I4", "nothing"]).contains("neither an engine of the catalogue nor a file"));
     assert!(fails(&["I4"; 25]).contains("up to 24"));

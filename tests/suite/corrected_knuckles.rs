@@ -255,8 +255,8 @@ fn mistakes_in_knuckle_angles_are_told() {
         ("knuckle_angle = 72\nknuckle_correction = 1", "both knuckle_angle and knuckle_correction"),
         ("knuckle_angle = [75, 144]", "2 values for 4 links"),
         ("knuckle_correction = 'wide'", "cannot read the angle"),
-        ("knuckle_correction = 90", "stands 90° ahead of its cylinder"),
-        ("knuckle_angle = [-72, 144, 216, 288]", "where this cylinder stands at 72°"),
+        ("knuckle_correction = 90", "is 90° ahead of its cylinder"),
+        ("knuckle_angle = [-72, 144, 216, 288]", "where this cylinder is at 72°"),
         ("knuckle_correction = 60\nlink_ratio = 0.7", "or within a hundredth of that"),
     ] {
         let error = row(keys);

@@ -42,7 +42,7 @@ fn a_key_that_stands_twice_is_refused_wherever_it_stands() {
     for key in ["title", "name", "order", "kind", "angle", "sides"] {
         let place = text.find(&format!("\"{key}\":")).expect("the key");
         let doubled = format!("{}\"{key}\":null,{}", &text[..place], &text[place..]);
-        assert!(error(&doubled).contains(&format!("the key `{key}` stands twice")), "{}", error(&doubled));
+        assert!(error(&doubled).contains(&format!("the key `{key}` is given twice")), "{}", error(&doubled));
     }
     let family = r#"{"format":"crankstar family 2","reference_plane":{"1":"0","a":"1","a":"2"}}"#;
     assert!(error(family).contains("the key `a` stands twice"));

@@ -86,7 +86,7 @@ fn every_document_on_all_masses_verifies_and_is_that_of_another_producer() {
         several += checked.wholes;
         turning += usize::from(!document.turning_masses.is_empty());
     }
-    assert!(several > count() / 2 && turning > count() / 8, "{several} wholes, {turning} with masses that turn");
+    assert!(several > count() / 2 && turning > count() / 8, "{several} wholes, {turning} with rotating masses");
 }
 
 /// Newtons carry the verdicts that their zeros are.

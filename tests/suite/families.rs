@@ -267,7 +267,7 @@ fn mistakes_about_unknowns_are_told() {
     assert!(message("vee = { bank_angle = 'psi', throws = [0] }").contains("cannot read the angle `psi`"));
     assert!(
         message(&format!("cycle = 'four-stroke'\nfiring_order = '1-3'\n{V_TWIN}"))
-            .contains("names `3`, which is no cylinder")
+            .contains("names `3`, which is not a cylinder")
     );
     assert!(message(&format!("firing_order = '1-2'\n{V_TWIN}")).contains("depends on the cycle, which is missing"));
 }

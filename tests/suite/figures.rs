@@ -141,7 +141,7 @@ fn every_ray_of_a_star_has_its_name_where_there_are_not_too_many() {
         let names = written.join(" ").replace(',', "");
         for cylinder in 1..=20 {
             let times = names.split(' ').filter(|name| *name == cylinder.to_string()).count();
-            assert!(times >= 4, "order {}: cylinder {cylinder} stands {times} times in {names}", part.order);
+            assert!(times >= 4, "order {}: cylinder {cylinder} is {times} times in {names}", part.order);
         }
     }
 }

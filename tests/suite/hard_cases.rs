@@ -98,7 +98,7 @@ fn computed(engine_text: &str, ask: Ask) -> f64 {
 
 /// Distance from the reference in units in the last place of the float nearest it; of a zero, any distance is infinite.
 fn error_in_ulps(value: f64, reference: &BigRational) -> f64 {
-    let exact = BigRational::from_float(value).unwrap_or_else(|| panic!("{value} is no number"));
+    let exact = BigRational::from_float(value).unwrap_or_else(|| panic!("{value} is not a number"));
     if exact == *reference {
         return 0.0;
     }

@@ -177,7 +177,7 @@ proptest! {
         }
         let lines = pages::text(&report::loads_answer(&layout, &numbers, Some(&needed)), Format::PLAIN);
         prop_assert!(!lines.contains("inf") && !lines.contains("NaN"), "{lines}");
-        prop_assert_eq!(lines.contains("It is reached."), needed.reached);
+        prop_assert_eq!(lines.contains("The accuracy is reached."), needed.reached);
     }
 }
 
@@ -284,7 +284,7 @@ fn nothing_is_judged_of_order_0_and_no_cell_is_blank() {
     let rows = loads_table(&layout, &[1]);
     assert!(rows.iter().flatten().all(|cell| !cell.is_empty()), "{rows:?}");
     assert!(
-        rows.iter().any(|row| row[1] == "not judged") && rows.iter().any(|row| row[1] == "does not exist"),
+        rows.iter().any(|row| row[1] == "not decided") && rows.iter().any(|row| row[1] == "does not exist"),
         "{rows:?}"
     );
 }

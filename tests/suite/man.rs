@@ -40,7 +40,7 @@ fn the_manual_has_a_page_for_each_command_that_names_every_option() {
     let help = String::from_utf8(call(&["--help"]).stdout).expect("a text");
     let mut found = 0;
     for command in &commands {
-        assert!(help.contains(&format!("  {command} ")), "{command} is no command");
+        assert!(help.contains(&format!("  {command} ")), "{command} is not a command");
         assert!(program.contains(&format!("crankstar-{command}(1)")), "{command} is not on the page of the program");
         let text = page(&folder, &format!("crankstar-{command}.1"));
         assert!(text.contains(".TH ") && text.contains(".SH SYNOPSIS"), "{text}");

@@ -71,7 +71,7 @@ fn an_exercise_among_the_sheets_writes_nowhere_else() {
         let told = exercise.to_toml().replace("file = \"ada\"", &format!("file = {}", toml_string(name)));
         assert_ne!(told, exercise.to_toml());
         let error = parse_exercise("exercise.toml", &told).expect_err(name).to_string();
-        assert!(error.contains("no name of a student's files") && error.contains("hyphens"), "{name}: {error}");
+        assert!(error.contains("not a name of a student's files") && error.contains("hyphens"), "{name}: {error}");
     }
     fs::create_dir_all(folder.join("in/deep")).expect("a folder");
     let told = exercise.to_toml().replace("file = \"ada\"", "file = \"../../evil\"");

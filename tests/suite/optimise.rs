@@ -412,14 +412,14 @@ fn a_bounded_couple_is_kept_and_makes_a_lighter_crankshaft() {
     let bounded = solved(&i3, Couple::AtMost(whole(200)), 2);
     for point in &bounded.points {
         assert_eq!(point.design.force, Residual::Zero);
-        let Residual::Between(low, high) = point.design.couple else { panic!("a couple is left") };
+        let Residual::Between(low, high) = point.design.couple else { panic!("a couple remains") };
         assert!(0.0 < low && low <= high && high <= 200.0, "{low} {high}");
         assert!(high - low < 1e-8, "{low} {high}");
         let left = loads(&point.engine, &[1]).expect("loads");
         let newton_metres = left.orders[0].moment.direct.value.norm() / 2.0 * left.scale.expect("a scale").force();
         assert!((low..=high).contains(&newton_metres), "{newton_metres}");
     }
-    let Residual::Between(_, high) = bounded.points[0].design.couple else { panic!("a couple is left") };
+    let Residual::Between(_, high) = bounded.points[0].design.couple else { panic!("a couple remains") };
     assert!(high > 199.0, "the lightest uses its bound: {high}");
     assert!(float(&bounded.points[0].design.mass) < float(&zero.points[0].design.mass) - 0.01);
     assert!(newtons(&bounded.points[1]) < newtons(&zero.points[1]) * (1.0 + 1e-4));
@@ -550,7 +550,7 @@ fn what_is_missing_is_named() {
     assert!(refused(&no_bearings, Couple::Zero, 1).contains("main bearings"));
     assert_eq!(refused(&engine("[0, 120, 240]", beam, ""), Couple::Zero, 1), OptimiseError::NoPlaces.to_string());
     let one = "[[counterweight]]\nthrow = 2\nmass = 1\nradius = 0.05";
-    assert!(refused(&engine("[0, 120, 240]", beam, one), Couple::Zero, 1).contains("all counterweights stand at 0"));
+    assert!(refused(&engine("[0, 120, 240]", beam, one), Couple::Zero, 1).contains("all counterweights are at 0"));
     let no_speed = parse("no-speed.toml", &i3.file().written().replace("speed = 6000\n", "")).expect("it reads");
     assert_eq!(refused(&no_speed, Couple::AtMost(whole(5)), 1), OptimiseError::NoSpeed.to_string());
     assert_eq!(refused(&no_speed, Couple::Zero, 1), "");
@@ -609,7 +609,7 @@ fn the_command_writes_page_and_points_that_read_and_json_that_holds_them() {
 
 #[test]
 fn the_command_refuses_what_is_no_bound() {
-    for (couple, reason) in [("much", "no bound of a couple"), ("-1", "no bound of a couple")] {
+    for (couple, reason) in [("much", "not a bound of a couple"), ("-1", "not a bound of a couple")] {
         let run = crankstar(&["optimise", "I3", &format!("--couple={couple}")]);
         assert_eq!(run.status.code(), Some(1), "{couple}");
         assert!(String::from_utf8_lossy(&run.stderr).contains(reason));

@@ -206,7 +206,7 @@ fn what_stands_in_the_place_of_a_file_is_told_before_any_file_is_replaced() {
         let output = call(&["report".as_ref(), "V8-crossplane".as_ref(), "--output".as_ref(), folder.as_os_str()]);
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(1), "{message}");
-        assert!(message.contains(&format!("{taken}` is a folder, where a file is to stand")), "{message}");
+        assert!(message.contains(&format!("{taken}` is a folder, where a file is needed")), "{message}");
         assert!(files(&folder) == before, "{taken}: a file was replaced");
     }
     // A sheet stands in a folder inside the folder.
@@ -215,7 +215,7 @@ fn what_stands_in_the_place_of_a_file_is_told_before_any_file_is_replaced() {
     fs::write(class.join("sheets"), "mine").expect("a file");
     let output = call(&["exercise".as_ref(), "I4".as_ref(), "--output".as_ref(), class.as_os_str()]);
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(message.contains("sheets` is a file, where a folder is to stand"), "{message}");
+    assert!(message.contains("sheets` is a file, where a folder is needed"), "{message}");
     assert_eq!(files(&class).len(), 1, "{:?}", files(&class).keys());
 }
 

@@ -187,7 +187,7 @@ const PRODUCTS: [Cheat<ProductClaim>; 8] = [
         claim.groups[0].extend(moved);
         true
     }),
-    ("groups turned round", |claim| {
+    ("groups reversed", |claim| {
         claim.groups[1].reverse();
         true
     }),

@@ -130,7 +130,7 @@ fn every_line_of_every_report_recomputes_as_printed() {
     for folder in fs::read_dir(examples).expect("the examples").map(|entry| entry.expect("an entry").path()) {
         let layout = fs::read_to_string(folder.join("layout.toml")).expect("a layout file");
         let Ok(Layout::Known(engine, open)) = file::parse_layout("layout.toml", &layout) else {
-            panic!("{} is no engine", folder.display())
+            panic!("{} is not an engine", folder.display())
         };
         let page = pages::document_of(&engine, open.as_deref());
         for format in [Format::GITHUB, Format::Latex] {

@@ -235,8 +235,7 @@ fn too_many_orders_that_may_be_zero_are_said_to_be_too_many() {
     let engine = written("title = 'pairs'\ninline.throws = [0, 180, '1/5001 turn', '5003/10002 turn']\n");
     assert_eq!(theorem(&engine).expect_err("too many"), NoTheorem::TooManyCandidates(10_002));
     let text = pages::text(&pages::document(&engine), pages::DOLLARS);
-    let line =
-        "the pattern repeats only after 10002 orders, of which more than 1000 may be zero, and so many are not judged.";
+    let line = "the pattern repeats only after 10002 orders, of which more than 1000 may be zero, too many to decide.";
     assert!(text.contains(line), "{text}");
 }
 
@@ -252,8 +251,8 @@ fn an_offset_to_the_other_side_turns_the_odd_orders_round() {
     assert!(same.contains(line), "{same}");
     let opposite = text(OPPOSITE);
     let line = "Even orders: none vanishes, in both vectors. Odd orders from 3 on: none vanishes, in both vectors.";
-    assert!(opposite.contains("- **Force.** Order 1 is left, ") && opposite.contains(line), "{opposite}");
-    assert!(same.contains("The next order that is left is"), "{same}");
+    assert!(opposite.contains("- **Force.** Order 1 remains, ") && opposite.contains(line), "{opposite}");
+    assert!(same.contains("The next order that remains is"), "{same}");
 }
 
 #[test]
@@ -347,7 +346,7 @@ fn a_period_an_order_or_zeros_that_are_not_so_are_refused() {
     let left_out = change(&|factor| drop(factor.judged.pop()));
     assert_eq!(left_out, format!("{factor}: order 2 is missing"));
     let other = change(&|factor| factor.judged[0].order = 4);
-    assert_eq!(other, format!("{factor}: order 4 stands in the place of order 2"));
+    assert_eq!(other, format!("{factor}: order 4 is in the place of order 2"));
     let flipped = change(&|factor| factor.judged[0].vanishes = true);
     assert!(flipped.starts_with(&format!("{factor}: order 2: ")), "{flipped}");
     let zeros = |modulus: u32, residues: &[u32]| {
@@ -382,11 +381,11 @@ fn an_order_that_may_be_zero_cannot_be_left_out_of_a_long_pattern() {
         let more = OrderClaim { order: 4, ..factor.judged[0].clone() };
         factor.judged.insert(0, more);
     });
-    assert!(added.contains("order 4 stands in the place of order 10"), "{added}");
+    assert!(added.contains("order 4 is in the place of order 10"), "{added}");
     let more = refused(&|factor| {
         factor.zeros = Zeros { modulus: 7660, residues: vec![2, 766, 2298, 3830, 5362, 6894] };
     });
-    assert!(more.contains("the statement has zeros among the orders that are left"), "{more}");
+    assert!(more.contains("the statement has zeros among the residual orders"), "{more}");
     let long = refused(&|factor| factor.period = 7_660_000.into());
     assert!(long.contains("a period of 7660000 orders is too long, at most 1000000"), "{long}");
 }

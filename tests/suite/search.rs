@@ -162,7 +162,7 @@ fn the_bound_loses_nothing_of_the_fronts_of_eight_cylinders() {
         for neighbours in [false, true] {
             let problem = Problem { neighbours, ..Problem::inline(8, cycle, &[1, 2]) };
             let (front, every) = (found(&problem), every_value(&problem).expect("a question"));
-            assert!(front.judged * 3 < every.judged, "{} of {} are judged", front.judged, every.judged);
+            assert!(front.judged * 3 < every.judged, "{} of {} are decided", front.judged, every.judged);
             assert_eq!(every.cut, 0);
             for star in &front.stars {
                 let same = every.stars.iter().find(|other| is_same(star, other)).expect("a value there is");
@@ -199,7 +199,7 @@ fn two_stroke_throws(order: &[usize]) -> Vec<u16> {
 fn the_published_order_of_twelve_cylinders_leaves_no_moment_of_orders_1_and_2() {
     let front = found(&Problem::inline(12, Cycle::TwoStroke, &[1, 2]));
     assert_eq!(front.stars.iter().map(summary).collect::<Vec<_>>(), [(vec!["0".into(), "0".into()], 15)]);
-    assert!(front.judged < 30_000, "{} of {} stars are judged", front.judged, front.all);
+    assert!(front.judged < 30_000, "{} of {} stars are decided", front.judged, front.all);
     let published = two_stroke_throws(&[1, 8, 12, 4, 2, 9, 10, 5, 3, 7, 11, 6]);
     assert_eq!(front.standing(&published), Ok(Standing::On));
     assert!(front.standing(&[0; 12]).is_err(), "no star");

@@ -174,13 +174,13 @@ fn counts_and_stars_that_cannot_have_come_of_their_piece_are_refused_though_thei
     let of_star =
         |key: &'static str, to: u64| -> Damage { Box::new(move |values| values[with]["stars"][0][key] = to.into()) };
     let damages: Vec<(&str, Damage)> = vec![
-        ("no star was judged", set("judged", 0)),
-        ("more were judged than there are", set("judged", 721)),
+        ("no star was decided", set("judged", 0)),
+        ("more were decided than there are", set("judged", 721)),
         ("a sum that would wrap", set("judged", u64::MAX)),
         ("more starts than there are", set("cut", u64::MAX)),
         ("an unknown key", set("more", 1)),
         ("no class", of_star("classes", 0)),
-        ("more classes than were judged", of_star("classes", 700)),
+        ("more classes than were decided", of_star("classes", 700)),
         ("more classes than can be counted", of_star("classes", u64::MAX)),
         ("no star", of_star("stars", 0)),
         ("more stars than its classes hold", of_star("stars", 1_000_000)),
@@ -246,7 +246,7 @@ fn the_program_searches_in_shards_and_tells_what_does_not_go_together() {
     assert_eq!(call(&["--merge", &both]), call(&[]));
     for (more, word) in [
         (&["--shard", "1/2"][..], "--output NAME.shard"),
-        (&["--shard", "0/2", "--output", &one], "is no shard"),
+        (&["--shard", "0/2", "--output", &one], "is not a shard"),
         (&["--shard", "1/2", "--output", &other], "holds shard 2/2"),
         (&["--shard", "1/2", "--output", &one, "--merge", &other], "cannot be used"),
         (&["--resume", &both, "--merge", &other], "cannot be used"),

@@ -157,7 +157,7 @@ fn what_is_missing_foreign_or_of_another_format_is_told_in_one_line() {
     fs::write(&files[1], newer).expect("a newer file");
     assert!(refusal(&files, &asked).contains("format 2"));
     fs::write(&files[1], "theta,force\n0,1\n").expect("a table");
-    assert!(refusal(&files, &asked).contains("no file of pieces"));
+    assert!(refusal(&files, &asked).contains("not a file of pieces"));
     assert!(refusal(&[folder.join("none.shard")], &asked).contains("cannot read"));
     // The same file under the number of another shard.
     let other = Shard::parse("1/3").expect("a shard");
@@ -291,7 +291,7 @@ fn options_that_do_not_go_together_are_told() {
     let ask = ["sweep", "V8-crossplane", "--bank-angle", "0..90:30"];
     for (more, word) in [
         (&["--shard", "1/2"][..], "--output NAME.shard"),
-        (&["--shard", "3/2", "--output", file], "`3/2` is no shard"),
+        (&["--shard", "3/2", "--output", file], "`3/2` is not a shard"),
         (&["--shard", "1/2", "--output", file, "--format", "csv"], "in no format yet"),
         (&["--resume", file], "--format csv or parquet"),
         (&["--merge", file], "--format csv or parquet"),

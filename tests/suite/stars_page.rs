@@ -69,7 +69,7 @@ fn table(begins: &str) -> Vec<Vec<String>> {
 }
 
 fn whole(cell: &str) -> u64 {
-    cell.replace(',', "").parse().unwrap_or_else(|_| panic!("{cell} is no number"))
+    cell.replace(',', "").parse().unwrap_or_else(|_| panic!("{cell} is not a number"))
 }
 
 /// What stands behind ≈ or is exact, as a decimal with the room of its last digit.
@@ -86,7 +86,7 @@ fn decimal(cell: &str) -> (f64, f64) {
     };
     let places = mantissa.split_once('.').map_or(0, |(_, places)| places.len());
     let scale = 10_f64.powi(power);
-    let value: f64 = mantissa.parse().unwrap_or_else(|_| panic!("{cell} is no decimal"));
+    let value: f64 = mantissa.parse().unwrap_or_else(|_| panic!("{cell} is not a decimal"));
     (value * scale, scale * 0.6 * 10_f64.powi(-(places as i32)))
 }
 

@@ -68,7 +68,7 @@ fn the_in_line_six_keeps_the_orders_that_six_divides() {
     says(
         &six,
         &[
-            "The next order that is left is 12.",
+            "The next order that remains is 12.",
             "- **Force.** Zero exactly at the orders $k$ that 6 does not divide ($6 \\nmid k$). Direct and reverse vector alike.",
             "- **Moment.** Zero at every order.",
             "| 2, 8, … | **0** | **0** | **0** | **0** |",
@@ -86,7 +86,7 @@ fn the_radial_nine_keeps_order_1_and_two_classes() {
     says(
         &nine,
         &[
-            "The next order that is left is 26.",
+            "The next order that remains is 26.",
             "- **Force.** Nothing is left but order 1 (direct), orders 8, 26, … = $18j - 10$ (reverse) and orders 10, \
              28, … = $18j - 8$ (direct).",
         ],
@@ -99,7 +99,7 @@ fn the_flat_twelve_on_shared_pins_keeps_nothing() {
     let theorem = proved(&twelve);
     assert_eq!((theorem.force.survivors(), theorem.moment.survivors()), (NO_ORDER, NO_ORDER));
     assert!(theorem.force.first.is_none() && theorem.moment.first.is_none());
-    says(&twelve, &["No other order is left, of all there are."]);
+    says(&twelve, &["No other order remains."]);
     let offset = proved(&written("[flat]\nthrows = [0, 240, 120, 120, 240, 0]\nbank_offset = 0.2"));
     assert_eq!((offset.force.survivors(), offset.moment.survivors()), (NO_ORDER, survivors(false, 6, &[0])));
 }
@@ -209,18 +209,16 @@ fn a_period_too_long_is_named() {
     assert_eq!((proved(&longest).period, LONGEST_PERIOD), (720, 720));
     let huge = written("[inline]\nthrows = [0, '360/1000003', 90]");
     let reason = theorem(&huge).expect_err("a long period");
-    assert_eq!(reason.to_string(), "the pattern repeats only after 4000012 orders; at most 1000000 are gone through");
-    let line = "No statement is made on every order at once: the pattern repeats only after 4000012 orders, and at most 1000000 \
-                are gone through.";
+    assert_eq!(reason.to_string(), "the pattern repeats only after 4000012 orders; at most 1000000 are examined");
+    let line = "No statement is made on every order at once: the pattern repeats only after 4000012 orders, and at most 1000000 are examined.";
     says(&huge, &[line]);
-    assert!(!text(&huge, Format::Latex).contains("The next order that is left"));
+    assert!(!text(&huge, Format::Latex).contains("The next order that remains"));
     let huge = written(&format!("[inline]\nthrows = [0, '360/1{}7']", "0".repeat(40)));
     let NoTheorem::PeriodTooLong(period) = theorem(&huge).expect_err("a long period") else {
         panic!("another reason");
     };
     assert_eq!(period.to_string().len(), 42);
-    let digits = "No statement is made on every order at once: the pattern repeats only after a number of orders that has 42 \
-                  digits, and at most 1000000 are gone through.";
+    let digits = "No statement is made on every order at once: the pattern repeats only after a number of orders that has 42 digits, and at most 1000000 are examined.";
     says(&huge, &[digits]);
 }
 
@@ -301,7 +299,7 @@ fn an_order_of_the_period_left_out_or_listed_twice_is_refused() {
     let left_out = fault(|document| drop(document.theorems[0].verdicts.pop()));
     assert_eq!(left_out, [PLACE, "order 12 is missing"]);
     let without_one = fault(|document| drop(document.theorems[0].verdicts.remove(0)));
-    assert_eq!(without_one, [PLACE, "order 2 stands in the place of order 1"]);
+    assert_eq!(without_one, [PLACE, "order 2 is in the place of order 1"]);
     for (index, again) in [(1, 2), (1, 14), (0, 1)] {
         let twice = fault(|document| {
             let mut copy = document.theorems[0].verdicts[index].clone();
@@ -312,7 +310,7 @@ fn an_order_of_the_period_left_out_or_listed_twice_is_refused() {
     }
     for order in [0, 3, 26] {
         let other = fault(|document| document.theorems[0].verdicts[1].order = order);
-        assert_eq!(other, [PLACE, &format!("order {order} stands in the place of order 2")]);
+        assert_eq!(other, [PLACE, &format!("order {order} is in the place of order 2")]);
     }
 }
 

@@ -147,7 +147,7 @@ fn what_is_no_shaft_is_refused_at_its_place() {
         ("inertias = [1, 0]\nstiffnesses = [1]\n", "moment of inertia 2 is not above 0"),
         ("inertias = [1, 1, 1]\nstiffnesses = [1, -1]\n", "stiffness 2 is not above 0"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1]\n", "1 discs are named for 2 crankpins"),
-        ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1, 3]\n", "crankpin 2 stands on disc 3"),
+        ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1, 3]\n", "crankpin 2 is on disc 3"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [0, 1]\n", "number of the disc"),
         ("inertias = [\"1 kg\", 1]\nstiffnesses = [1]\n", "none of kg m²"),
         ("inertias = [1, 1]\nstiffnesses = [\"1 N m\"]\n", "none of MN m/rad"),

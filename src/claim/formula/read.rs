@@ -140,7 +140,7 @@ impl Rest<'_> {
         }
         let letter = self.sign(&Letter::NAMES).map(Formula::Letter);
         letter.ok_or_else(|| match next.split_whitespace().next() {
-            Some(word) => format!("`{word}` is no letter of a formula"),
+            Some(word) => format!("`{word}` is not a letter of a formula"),
             None => "the formula ends too early".to_owned(),
         })
     }

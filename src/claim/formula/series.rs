@@ -39,7 +39,7 @@ impl Series {
     pub fn of(formula: &Formula) -> Result<Self, String> {
         Ok(match formula {
             Formula::Number(number) => Series::constant(Form::rational(number.clone()), [0; 4]),
-            Formula::Pi => return Err("π stands in a series only within a sine or cosine".to_owned()),
+            Formula::Pi => return Err("π is in a series only within a sine or cosine".to_owned()),
             Formula::Letter(letter) => Series::constant(Form::rational(BigRational::one()), powers(*letter)?),
             Formula::Negative(one) => Series::of(one)?.scaled(&-BigRational::one()),
             Formula::Both(operation, pair) => {
@@ -151,7 +151,7 @@ fn powers(letter: Letter) -> Result<Powers, String> {
         Letter::Omega => Ok([0, 0, 1, 0]),
         Letter::Lambda => Ok([0, 0, 0, 1]),
         Letter::Rod => Ok([0, 1, 0, -1]),
-        Letter::Theta => Err("θ stands in a series only within a sine or cosine".to_owned()),
+        Letter::Theta => Err("θ is in a series only within a sine or cosine".to_owned()),
         Letter::Beta
         | Letter::Delta
         | Letter::Height

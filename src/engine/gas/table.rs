@@ -38,7 +38,7 @@ impl PressureTable {
             if (end - start).abs() * BigRational::from_integer(100.into()) > *highest {
                 let message =
                     format!("the last row repeats the first, a cycle later, with {end} Pa in place of {start} Pa");
-                let right = "a pressure that is periodic: leave the last row out, or mend the measurement";
+                let right = "a pressure that is periodic: leave the last row out, or correct the measurement";
                 return Err(GasMistake::new(message, right, At::Row(rows.len() - 1)));
             }
             rows.pop();

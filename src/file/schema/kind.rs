@@ -64,6 +64,6 @@ fn named(kind: &str) -> Value {
             "items": { "type": "array", "items": { "type": ["number", "string"] }, "minItems": 2, "maxItems": 2 },
         }),
         "values by names" => json!({ "type": "object", "additionalProperties": { "type": ["number", "string"] } }),
-        _ => unreachable!("keys.txt: `{kind}` is no kind"),
+        _ => unreachable!("keys.txt: `{kind}` is not a kind"),
     }
 }

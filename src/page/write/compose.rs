@@ -336,7 +336,7 @@ impl<'a> Composer<'a> {
 }
 
 /// What is said where formulas have numbers in them that are not converted.
-const IN_SI: &str = "Formulas with numbers put in are reckoned, and stay, in SI units.";
+const IN_SI: &str = "Formulas with numbers put in are computed in SI units.";
 /// Between values in English.
 const COMMA: &str = ", ";
 

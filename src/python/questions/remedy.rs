@@ -87,7 +87,7 @@ fn plane(engine: &Engine, text: &str) -> PyResult<BigRational> {
     let refused = |right: &str| told(format!("planes: cannot read `{text}`: {right}"));
     let (value, unit) = parse_length(text).map_err(|right| refused(&right))?;
     if unit == LengthUnit::Metre && !engine.positions_given() {
-        return Err(refused("the cylinders stand one spacing apart, and positions count in spacings"));
+        return Err(refused("the cylinders are one spacing apart, and positions count in spacings"));
     }
     Ok(value)
 }

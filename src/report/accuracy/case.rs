@@ -57,7 +57,7 @@ impl AccuracyCase {
     /// `λ = 0.3`.
     pub(super) fn label(&self) -> Text {
         match self.ratio.as_ref().map(Number::exact) {
-            None => "each its own λ".into(),
+            None => "different λ".into(),
             Some(Number::Decimal(decimal)) => phrase!("λ {}", Number::Decimal(decimal)),
             Some(Number::Zero) => "λ = 0".into(),
             Some(number @ (Number::Exact(_) | Number::Closed(..))) => phrase!("λ = {}", number),

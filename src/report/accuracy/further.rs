@@ -159,9 +159,9 @@ impl Further {
                 phrase!("{}: {}. The orders of the gas compared here do not have it within 0.1 %.", heading, peak)
             }
             Some(order) => {
-                phrase!("{}: {}. Orders up to {} have it within 0.1 %, guaranteed.", heading, peak, order.halves() / 2)
+                phrase!("{}: {}. Orders up to {} give it within 0.1 %, guaranteed.", heading, peak, order.halves() / 2)
             }
-            None => phrase!("{}: {}. The orders compared here do not have it within 0.1 %.", heading, peak),
+            None => phrase!("{}: {}. The orders compared here do not give it within 0.1 %.", heading, peak),
         }
     }
 }

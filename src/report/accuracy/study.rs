@@ -35,7 +35,7 @@ impl AccuracyStudy {
         step: &dyn Fn(u64),
     ) -> Result<Self, Unanswered> {
         if engine.mechanisms().is_empty() && ratios.is_empty() {
-            return Err("the layout says nothing of its rods; name some with --rod-ratio 0.3".into());
+            return Err("the layout gives no rods; name some with --rod-ratio 0.3".into());
         }
         let engines = match ratios {
             [] => vec![engine.clone()],

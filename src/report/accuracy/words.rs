@@ -11,14 +11,14 @@ use crate::proof::Quantity;
 
 /// How the methods work, and what the columns mean.
 pub(super) const METHODS: [&str; 5] = [
-    "Each method looks for the same peak; errors are parts of it.",
-    "**Orders** are summed in doubles; an order that adds nothing is left out. What the higher orders can add is bounded by their exact sums and, above order 60, by the sum of all coefficients; roundings are left out of that bound.",
+    "Each method computes the same peak; errors are parts of it.",
+    "**Orders** are summed in doubles; an order that adds nothing is skipped. What the higher orders can add is bounded by their exact sums and, above order 60, by the sum of all coefficients; that bound excludes roundings.",
     "The **closed form** is the acceleration of each piston without any series, at equal steps of the crank angle, in floats of 64 bits.",
-    "**Intervals** enclose load and slope over spans of the crank angle and cut the highest span in two, until the digits asked for are sure; they are stopped at 4000 spans; where they miss their aim their bound says by how much, and more digits are not tried.",
+    "**Intervals** enclose load and slope over spans of the crank angle and cut the highest span in two, until the digits asked for are certain; they stop at 4000 spans, and their bound then shows the accuracy reached.",
     "**Intervals of fractions** carry some fifty digits, fewer where the load is nearly constant. Narrowed by whatever else is guaranteed, they are the reference of the others; an error that is smaller than their own is said to be below it.",
 ];
 
-pub(super) const TIMES: &str = "A time is the median of seven evaluations of the peak on the machine that wrote this page, with all numbers of the engine at hand; what takes longer than 20 ms is timed once.";
+pub(super) const TIMES: &str = "A time is the median of seven evaluations of the peak on the machine that wrote this page, with all data of the engine precomputed; methods slower than 20 ms are timed once.";
 
 /// The heading of a load.
 pub(super) fn heading(case: &AccuracyCase, study: &Study) -> Text {
@@ -63,13 +63,13 @@ pub(super) fn vanishing(study: &Study) -> Option<Text> {
     }
     let words = match study.quantity {
         Quantity::FORCE => {
-            "The force vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
+            "The force vanishes at every order examined, and the others add less than {} {}: there is no peak to compare."
         }
         Quantity::MOMENT => {
-            "The moment vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
+            "The moment vanishes at every order examined, and the others add less than {} {}: there is no peak to compare."
         }
         Quantity::Axial(_) => {
-            "The inertia torque vanishes at every order looked at, and the others add less than {} {}: there is no peak to compare."
+            "The inertia torque vanishes at every order examined, and the others add less than {} {}: there is no peak to compare."
         }
     };
     let bound = study.peak.high.to_f64().unwrap_or(f64::INFINITY);
@@ -79,7 +79,7 @@ pub(super) fn vanishing(study: &Study) -> Option<Text> {
 /// The digits of a peak that are sure.
 pub(super) fn sure_digits(study: &Study) -> Option<Text> {
     let digits = methods::sure_digits(study).filter(|_| !study.rows.is_empty())?;
-    Some(phrase!("Sure digits in multiples of {}: {}…", multiple(study.quantity), digits))
+    Some(phrase!("Certain digits in multiples of {}: {}…", multiple(study.quantity), digits))
 }
 
 /// What a designer wants to know of a load: its peak, the orders that are enough, the fastest method.
@@ -91,8 +91,8 @@ pub(super) fn answer(engine: &Engine, case: &AccuracyCase, study: &Study) -> Tex
     let peak = Piece::Quantity(study.peak.to_float() * factor, unit);
     let peak = phrase!("{}: {}.", heading(case, study), peak);
     let orders = match methods::orders_for_a_thousandth(study) {
-        Some(order) => phrase!("Orders up to {} have it within 0.1 %, guaranteed.", order),
-        None => "The orders compared here do not have it within 0.1 %.".into(),
+        Some(order) => phrase!("Orders up to {} give it within 0.1 %, guaranteed.", order),
+        None => "The orders compared here do not give it within 0.1 %.".into(),
     };
     let fastest = methods::fastest_within_a_thousandth(study).map(|(row, time)| {
         phrase!("The fastest method within 0.1 % takes {}: {}.", methods::time(time), methods::name(row.method))

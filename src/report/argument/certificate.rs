@@ -120,7 +120,7 @@ fn of_splitting(collected: &[Term], steps: &[Step]) -> Text {
         ),
     };
     phrase!(
-        "{} If it were zero, then {}; but one vector is left, and it is not zero.",
+        "{} If it were zero, then {}; but one vector remains, and it is not zero.",
         the_sum(collected),
         Text::joined(steps.iter().map(step), "; of these, ")
     )

@@ -11,7 +11,7 @@ use crate::verdict::{Component, Size};
 /// One vector is left.
 pub(super) fn one(vector: &Term) -> Text {
     phrase!(
-        "With like and opposite directions collected one vector is left, {} at {}: it is not zero.",
+        "With like and opposite directions collected one vector remains, {} at {}: it is not zero.",
         Number::exact(&vector.weight),
         angle(&vector.angle)
     )
@@ -20,7 +20,7 @@ pub(super) fn one(vector: &Term) -> Text {
 /// Two vectors are left that do not lie on one line.
 pub(super) fn two(left: &[Term; 2]) -> Text {
     phrase!(
-        "With like and opposite directions collected two vectors are left: {}. They do not lie on one line, so they cannot cancel.",
+        "With like and opposite directions collected two vectors remain: {}. They do not lie on one line, so they cannot cancel.",
         vectors(left)
     )
 }
@@ -28,8 +28,7 @@ pub(super) fn two(left: &[Term; 2]) -> Text {
 /// Three vectors are left, the first too long.
 pub(super) fn one_too_long(left: &[Term; 3]) -> Text {
     phrase!(
-        "With like and opposite directions collected three vectors are left: {}. The first is no shorter than the other two \
-         together, which do not both point against it: they cannot cancel it.",
+        "With like and opposite directions collected three vectors remain: {}. The first is no shorter than the other two together, which do not both point against it: they cannot cancel it.",
         vectors(left)
     )
 }
@@ -37,8 +36,7 @@ pub(super) fn one_too_long(left: &[Term; 3]) -> Text {
 /// Three vectors are left that are equally long.
 pub(super) fn three_alike(left: &[Term; 3]) -> Text {
     phrase!(
-        "With like and opposite directions collected three vectors are left: {}. Three equally long vectors cancel only where \
-         they are 120° apart, and these are not.",
+        "With like and opposite directions collected three vectors remain: {}. Three equally long vectors cancel only where they are 120° apart, and these are not.",
         vectors(left)
     )
 }
@@ -71,8 +69,8 @@ pub(super) fn component(found: &Component) -> Text {
 /// Which vectors are left.
 fn remaining(left: &[Term]) -> Text {
     match left.len() <= MOST_IN_LIST {
-        true => phrase!("With like and opposite directions collected these vectors are left: {}.", vectors(left)),
-        false => phrase!("With like and opposite directions collected {} vectors are left.", left.len()),
+        true => phrase!("With like and opposite directions collected these vectors remain: {}.", vectors(left)),
+        false => phrase!("With like and opposite directions collected {} vectors remain.", left.len()),
     }
 }
 

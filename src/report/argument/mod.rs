@@ -22,9 +22,9 @@ pub(super) use sums::listed;
 pub fn argument<'a>(engine: &Engine, star: impl Into<JudgedStar<'a>>) -> Text {
     let star = star.into();
     match reason(engine, star) {
-        Reason::NoWeight if star.sources.is_empty() => "No mass has a part in it.".into(),
+        Reason::NoWeight if star.sources.is_empty() => "No mass contributes.".into(),
         Reason::NoWeight if star.quantity == Quantity::MOMENT && stand_in_the_plane(engine, star) => {
-            "Every cylinder stands in the reference plane: all arms are zero.".into()
+            "Every cylinder is in the reference plane: all arms are zero.".into()
         }
         Reason::NoWeight => "All masses are zero.".into(),
         Reason::Mirror => zero::mirror(engine),

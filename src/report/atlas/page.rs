@@ -16,7 +16,7 @@ pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow], beside: Besid
     let families = catalogue_families(engines);
     let of = |origin: Origin| all.iter().filter(|row| row.origin == origin).collect::<Vec<_>>();
     let mut lines = vec![phrase!(
-        "The {} engines of the catalogue and the {} best in-line stars of 2 to 12 cylinders: what each leaves at orders 1 to 8, exactly, and which order of all is the first left.",
+        "The {} engines of the catalogue and the {} best in-line stars of 2 to 12 cylinders: what each leaves at orders 1 to 8, exactly, and which is the lowest residual order.",
         engines.len(),
         all.len() - engines.len()
     )];
@@ -44,7 +44,7 @@ pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow], beside: Besid
     page.push(Block::Heading(1, "Longer closed forms".into()));
     page.push(Block::Paragraph(LONGER.into()));
     page.push(Block::List(tables::longer_forms(all)));
-    page.push(Block::Heading(1, "How it is read".into()));
+    page.push(Block::Heading(1, "How to read it".into()));
     page.push(Block::List(NOTES.map(Text::from).into()));
     page.push(Block::Paragraph(beside()));
     page
@@ -99,8 +99,7 @@ fn by_order(page: &mut Document, rows: &[&EngineRow]) {
 const NOTES: [&str; 6] = [
     "**0** is exact and proved; the other numbers are the largest value through a revolution, $\\tfrac{1}{2}(\\lvert P^{+} \\rvert + \\lvert P^{-} \\rvert)$, \
      exact, but for the decimals after ≈: forces in $m r \\omega^2 c_k$, moments in that times the spacing (the unit of the positions), about the middle of the engine.",
-    "Orders 3, 5 and 7 exist only where the cylinder axes miss the crankshaft (pin offset): with centric cranks their $c_k$ is 0. **First left** is the \
-     lowest order that is left of all that exist with centric cranks: 1 and the even ones.",
+    "Orders 3, 5 and 7 exist only where the cylinder axes miss the crankshaft (pin offset): with centric cranks their $c_k$ is 0. **Lowest order** is the lowest order that remains of all that exist with centric cranks: 1 and the even ones.",
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
     engine_cells::REMEDIES,
     "Remedies are those of orders 1 and 2, for the reciprocating masses.",
@@ -110,8 +109,6 @@ const NOTES: [&str; 6] = [
 const LONGER: &str =
     "Of orders 1 and 2; the four-stroke stars of an odd number of cylinders are those of the two-stroke engines.";
 
-const TWO_STROKE: &str = "All crank stars of 2 to 12 cylinders that fire evenly, one spacing apart, judged exactly: those that no other \
-    equals in the moments of orders 1 and 2 and beats in one. An engine is named by its number of cylinders and its firing order; as good are the stars (with cylinder 1 at 0°) that have \
-    the same moments of orders 1 and 2. All cylinder axes are parallel, so that every force and moment is planar.";
+const TWO_STROKE: &str = "All crank stars of 2 to 12 cylinders that fire evenly, one spacing apart, decided exactly: those that no other equals in the moments of orders 1 and 2 and beats in one. An engine is named by its number of cylinders and its firing order; as good are the stars (with cylinder 1 at 0°) that have the same moments of orders 1 and 2. All cylinder axes are parallel, so that every force and moment is planar.";
 
 const FOUR_STROKE: &str = "The same for four-stroke engines. With an odd number of cylinders the stars are those of the two-stroke engine, in another firing order.";

@@ -24,8 +24,8 @@ pub(super) fn known(engines: &[&EngineRow]) -> Table {
 /// What an engine leaves first, and needs.
 fn with_needs(table: Columns<&EngineRow>) -> Table {
     table
-        .column("First force left", |engine| engine.first_left[0].clone())
-        .column("First moment left", |engine| engine.first_left[1].clone())
+        .column("Force from order", |engine| engine.first_left[0].clone())
+        .column("Moment from order", |engine| engine.first_left[1].clone())
         .column("Remedy", |engine| engine.remedy.clone())
         .done()
 }

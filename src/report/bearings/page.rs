@@ -24,7 +24,7 @@ pub(in crate::report) fn answer(continuous: &BearingLoads, determinate: &Bearing
         (Some(continuous), Some(determinate)) => {
             phrase!("Largest force: {}; by the determinate approximation {}.", continuous, determinate)
         }
-        _ => "No bearing feels a force: 0 exactly.".into(),
+        _ => "No bearing carries a force: 0 exactly.".into(),
     };
     [
         largest,
@@ -33,8 +33,7 @@ pub(in crate::report) fn answer(continuous: &BearingLoads, determinate: &Bearing
     ]
 }
 
-const SIGNS: &str = "R is the force that the bearing feels, y its component in the reference direction, x that across it; zero to peak, all \
-                     orders shown together; 0 is exact and proved, ≈ decimal.";
+const SIGNS: &str = "R is the force on the bearing, y its component in the reference direction, x that across it; zero to peak, all orders shown together; 0 is exact and proved, ≈ decimal.";
 
 /// The peaks of all bearings in one sentence.
 pub(in crate::report) fn peaks_in_words(loads: &BearingLoads) -> Text {
@@ -50,24 +49,17 @@ pub(in crate::report) fn peaks_in_words(loads: &BearingLoads) -> Text {
 }
 
 pub(in crate::report) const ASSUMPTIONS: [&str; 4] = [
-    "The shaft is one straight beam of constant stiffness EI on rigid bearings in line that have no clearance and do not clamp it; masses of the shaft \
-     itself that the layout does not name are left out.",
-    "The loads are the inertia forces: those of the reciprocating masses, with the side force between piston and cylinder that they make, and those of the masses that turn. No gas force, no weight.",
-    "A rod, two masses at its ends, pushes its crankpin along its own direction, so that the bearings feel the side force of the piston, and the walls of the cylinders the opposite. Bearings and walls together feel the force of the engine; the bearings alone do not.",
+    "The shaft is one straight beam of constant stiffness EI on rigid bearings in line that have no clearance and do not clamp it; masses of the shaft that the layout does not give are neglected.",
+    "The loads are the inertia forces: those of the reciprocating masses, with the side force between piston and cylinder that they cause, and those of the rotating masses. Gas force and weight are neglected.",
+    "A rod, two masses at its ends, pushes its crankpin along its own direction, so that the bearings take the side force of the piston, and the walls of the cylinders the opposite. Bearings and walls together take the force of the engine; the bearings alone do not.",
     "In the determinate approximation each span is a beam of its own: the two bearings beside a load share it by the law of the lever.",
 ];
 
-const METHOD: &str = "A unit load at a position is carried by the bearings in fixed parts, found without rounding by the equation of three moments \
-    (Clapeyron 1857); the parts of a row sum to 1 and their moments to that of the load. Each order of each reaction is the sum of the \
-    order's vectors, each times the part of its position: the closed forms below are exact.";
+const METHOD: &str = "A unit load at a position is carried by the bearings in fixed parts, found without rounding by the equation of three moments (Clapeyron 1857); the parts of a row sum to 1 and their moments to that of the load. Each order of each reaction is the sum of the order's vectors, each multiplied by the part of its position: the closed forms below are exact.";
 
-const VECTORS: &str = "The two vectors of each order. Exact: the length of each sum in multiples of m r, with the number of the motion that it stands \
-    before, $c_k$ of the force along the axis and $n_k$ of the side force. In decimals: half of the sums times their numbers and ω², with the angle at \
-    θ = 0. Order 0 is a constant force, the mean side force of pistons with an offset; $u_k$ is the part of $n_k$ \
-    that $c_k$ does not have; reverse vectors have the conjugates.";
+const VECTORS: &str = "The two vectors of each order. Exact: the length of each sum in multiples of m r, with the coefficient of the motion that multiplies it, $c_k$ of the force along the axis and $n_k$ of the side force. In decimals: half of the sums times their numbers and ω², with the angle at θ = 0. Order 0 is a constant force, the mean side force of pistons with an offset; $u_k$ is the part of $n_k$ that $c_k$ does not have; reverse vectors have the conjugates.";
 
-const PINS: &str = "What the rod of each cylinder loads its crankpin with in a revolution: the inertia of the piston, with its side force, and the rotating part of the \
-    rod; all orders shown together.";
+const PINS: &str = "Load of each crankpin by the rod of each cylinder in a revolution: the inertia of the piston, with its side force, and the rotating part of the rod; all orders shown together.";
 
 /// The orders that are shown, but for the constant force.
 pub(in crate::report) fn orders_of(loads: &BearingLoads) -> Vec<u32> {
@@ -133,7 +125,7 @@ pub(in crate::report) fn by_orders(engine: &Engine, loads: &BearingLoads) -> Vec
     blocks.extend(left_out(engine, loads).map(Block::Paragraph));
     blocks.extend([Block::Paragraph(VECTORS.into()), tables::vectors(loads).into()]);
     if let Some(numbers) = tables::numbers(engine, loads) {
-        blocks.extend([Block::Paragraph("The numbers of the motion:".into()), numbers.into()]);
+        blocks.extend([Block::Paragraph("The coefficients of the motion:".into()), numbers.into()]);
     }
     blocks
 }

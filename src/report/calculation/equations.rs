@@ -10,7 +10,7 @@ pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(&'static str, St
     let root = if offset { "(\\lambda\\sin\\psi - \\delta)^2" } else { "\\lambda^2\\,{\\sin}^2\\psi" };
     let mut equations = vec![
         (
-            "A piston stands, along its axis from the centre of the crankshaft, at",
+            "The position of a piston along its axis, from the centre of the crankshaft, is",
             format!("s(\\psi) = r\\cos\\psi + l\\sqrt{{1 - {root}}}, \\qquad \\psi = \\theta + \\beta - \\alpha"),
         ),
         (
@@ -59,7 +59,7 @@ pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(&'static str, St
     }
     if engine.faster_crank().is_some() {
         equations.push((
-            "A crankshaft that turns ν times while the reference turns once adds to the orders that ν divides alone, with ν² before its vectors and ν³ before its torque at the reference crankshaft,",
+            "A crankshaft that turns ν times while the reference turns once adds only to the orders that ν divides, with the factor ν² for its vectors and ν³ for its torque at the reference crankshaft,",
             "\\psi = \\nu\\theta + \\beta - \\alpha, \\qquad V_{\\nu j}^{\\pm} \\mathrel{+}= \\nu^2\\, V_j^{\\pm}, \\qquad t_{\\nu j}\\, Q_{\\nu j} \\mathrel{+}= \\nu^3\\, t_j\\, Q_j".to_owned(),
         ));
     }

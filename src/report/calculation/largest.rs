@@ -100,8 +100,7 @@ pub(super) fn shown_line(engine: &Engine, Numbers { loads, largest, .. }: &Numbe
             .then(|| phrase!(words, summary::peak(&peak, unit)))
     });
     let differ: Vec<Text> = differ.collect();
-    (!differ.is_empty())
-        .then(|| phrase!("The orders listed come to less or more by themselves: {}.", Text::joined(differ, ", ")))
+    (!differ.is_empty()).then(|| phrase!("The listed orders alone give: {}.", Text::joined(differ, ", ")))
 }
 
 /// A difference of this part is shown.
@@ -129,7 +128,7 @@ pub(super) fn chosen_lines(
         lines.extend(loads.torque.as_ref().map(|_| {
             phrase!("Of the torque: {}; left out: {}.", list(&needed.torque_kept), list(&needed.torque_dropped))
         }));
-        lines.push(if needed.reached { "It is reached." } else { "It is not reached." }.into());
+        lines.push(if needed.reached { "The accuracy is reached." } else { "The accuracy is not reached." }.into());
     }
     let bound = |[of_peak, alone]: [&'static str; 2], bound: &Option<Bound>, quantity: Quantity| {
         let bound = bound.as_ref()?;
@@ -150,7 +149,7 @@ pub(super) fn chosen_lines(
     ];
     let bounds: Vec<Text> = bounds.into_iter().flatten().collect();
     if !bounds.is_empty() {
-        lines.push(phrase!("What is not listed adds at most {}.", Text::joined(bounds, ", ")));
+        lines.push(phrase!("Orders not listed add at most {}.", Text::joined(bounds, ", ")));
     }
     lines
 }

@@ -60,7 +60,7 @@ pub(super) fn outcome(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
     blocks.push(Block::Note(tables::units(engine, loads)));
     let pictures = plots::figures(engine, loads);
     blocks.extend(pictures.chunks(2).map(|pair| Block::Pictures(pair.to_vec())));
-    blocks.extend([heading(2, "What is in the scene"), tables::effects(engine, loads).into()]);
+    blocks.extend([heading(2, "Effects included"), tables::effects(engine, loads).into()]);
     blocks.push(Block::Note(SHARES.into()));
     if let Some(torque) = &loads.torque {
         blocks.extend([heading(2, "Inertia torque"), tables::torque(engine, loads, torque).into()]);
@@ -70,8 +70,7 @@ pub(super) fn outcome(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
     blocks
 }
 
-const SHARES: &str = "The share is what the effect adds, along the direction of the peak, where the peak stands; the shares of a column sum to \
-                      the peak.";
+const SHARES: &str = "The share is the component of the effect along the peak, at the crank angle of the peak; the shares of a column sum to the peak.";
 
 fn main_bearings(engine: &Engine, loads: &Loads) -> Vec<Block> {
     let Some([continuous, determinate]) = &loads.bearings else { return Vec::new() };
@@ -118,7 +117,7 @@ fn equations(engine: &Engine, loads: &Loads) -> Vec<Block> {
     blocks
 }
 
-const LINES: &str = "Symbol = formula ≈ figures ≈ result; each result is worked out from the figures as they stand.";
+const LINES: &str = "Symbol = formula ≈ figures ≈ result; each result is computed from the figures shown.";
 
 fn lines(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
     let loads = &numbers.loads;
@@ -136,8 +135,8 @@ fn lines(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
         let lines = group.lines.iter().map(formula);
         Some([Block::Paragraph(phrase!(words, listed))].into_iter().chain(lines).collect::<Vec<_>>())
     };
-    let force = peak(Planar::Force, &loads.force, "The force of the orders listed comes to {}:");
-    let moment = peak(Planar::Moment, &loads.moment, "The moment of the orders listed comes to {}:");
+    let force = peak(Planar::Force, &loads.force, "The force of the listed orders is {}:");
+    let moment = peak(Planar::Moment, &loads.moment, "The moment of the listed orders is {}:");
     blocks.extend(force.into_iter().chain(moment).flatten());
     if let Some(group) = results::torque(engine, loads) {
         blocks.push(Block::Heading(2, group.heading));

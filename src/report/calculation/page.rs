@@ -24,7 +24,7 @@ pub fn loads_page(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -
     let pictures = plots::figures(engine, loads);
     page.blocks.extend(pictures.chunks(2).map(|pair| Block::Pictures(pair.to_vec())));
     page.blocks.extend(order_by_order(engine, numbers, needed));
-    page.blocks.extend([heading(1, "What is in the scene"), tables::effects(engine, loads).into()]);
+    page.blocks.extend([heading(1, "Effects included"), tables::effects(engine, loads).into()]);
     page.push(Block::Note(SHARES.into()));
     page.blocks.extend([heading(1, "Assumptions"), Block::List(words::assumptions(engine, loads))]);
     page.blocks.extend([heading(1, "Limits of validity"), Block::List(words::limits(engine, loads))]);
@@ -63,15 +63,11 @@ fn scale(engine: &Engine, loads: &Loads) -> Text {
     }
 }
 
-const FORCE: [&str; 2] = [
-    "The force of the orders listed comes to {} and points to ≈ {}° there.",
-    "The force of the orders listed comes to {}.",
-];
-const MOMENT: [&str; 2] = [
-    "The moment of the orders listed comes to {} and points to ≈ {}° there.",
-    "The moment of the orders listed comes to {}.",
-];
-const TORQUE: &str = "The inertia torque of the orders listed comes to {}.";
+const FORCE: [&str; 2] =
+    ["The force of the listed orders is {} and points to ≈ {}° there.", "The force of the listed orders is {}."];
+const MOMENT: [&str; 2] =
+    ["The moment of the listed orders is {} and points to ≈ {}° there.", "The moment of the listed orders is {}."];
+const TORQUE: &str = "The inertia torque of the listed orders is {}.";
 
 /// A vector that is less well known than this part of its length has no direction to name.
 const WELL_KNOWN: f64 = 1e-9;

@@ -8,10 +8,8 @@ use crate::loads::{Loads, Outcome};
 use crate::page::{Block, Text, phrase};
 use crate::proof::Quantity;
 
-const OF_ONE: &str = "The roll moment is that on the frame about the middle of the engine: the inertia torque turned round, and the forces \
-                      whose lines pass beside the middle, with their arms.";
-const OF_SEVERAL: &str = "The roll moment is that on the frame about the middle of the engine: the torque on each crankshaft turned round, and the \
-                          forces of its pistons with the arms of their axes. Assumed: each crankshaft keeps its speed by a flywheel of its own.";
+const OF_ONE: &str = "The roll moment is that on the frame about the middle of the engine: the inertia torque reversed, and the forces whose lines pass beside the middle, with their arms.";
+const OF_SEVERAL: &str = "The roll moment is that on the frame about the middle of the engine: the torque on each crankshaft reversed, and the forces of its pistons with the arms of their axes. Assumed: each crankshaft has its own flywheel and constant speed.";
 
 /// What is said of the roll moment: its largest value, and what it is, or what it lacks; nothing where the frame feels no more than the torque
 /// turned round.
@@ -23,12 +21,9 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads) -> Vec<Text> {
     let words = if engine.geared_cranks().is_empty() { OF_ONE } else { OF_SEVERAL };
     let all_vanish = roll.orders.iter().all(|order| order.vector.outcome == Outcome::Zero);
     let largest = match all_vanish {
-        true => phrase!("The roll moment of the orders listed is {}.", Text::zero()),
+        true => phrase!("The roll moment of the listed orders is {}.", Text::zero()),
         false => {
-            phrase!(
-                "The roll moment of the orders listed comes to {}.",
-                summary::peak(&roll.waveform.real_peak(), unit)
-            )
+            phrase!("The roll moment of the listed orders is {}.", summary::peak(&roll.waveform.real_peak(), unit))
         }
     };
     vec![largest, words.into()]

@@ -64,7 +64,7 @@ pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
 }
 
 /// What stands where nothing was judged.
-const NOT_JUDGED: &str = "not judged";
+const NOT_JUDGED: &str = "not decided";
 
 /// The amplitude of an order of the torque, or that there is none.
 pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Text {
@@ -100,7 +100,7 @@ fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Tex
     lines.extend(shown_line(engine, numbers));
     lines.extend(chosen_lines(engine, numbers, needed));
     let names = loads.groups.iter().map(|group| residual::group_words(group.group).into());
-    lines.push(phrase!("In the scene: {}.", Text::joined(names, ", ")));
+    lines.push(phrase!("Included: {}.", Text::joined(names, ", ")));
     lines
 }
 

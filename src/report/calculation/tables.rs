@@ -110,9 +110,7 @@ pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
         ),
     };
     first.and(" ").and(
-        "All amplitudes are zero-to-peak. 0 is exact and proved, ≈ stands before decimals. Along: the component in the reference direction, the \
-         bisector of the banks of a V; across: at right angles to it. The moment of the forces along it is the pitching moment, that of the forces \
-         across it the yawing moment. Angles of the vectors are those at θ = 0.",
+        "All amplitudes are zero-to-peak. 0 is exact and proved, ≈ marks decimals. Along: the component in the reference direction, the bisector of the banks of a V; across: at right angles to it. The moment of the forces along it is the pitching moment, that of the forces across it the yawing moment. Angles of the vectors are those at θ = 0.",
     )
 }
 

@@ -11,20 +11,20 @@ use crate::page::{Table, Text, phrase};
 pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
     let mut lines = vec![
         "The crankshaft is rigid and turns at constant speed; rods, pistons and crankcase are rigid.".into(),
-        "All clearances are zero, and gravity and friction are left out.".into(),
+        "All clearances are zero, and gravity and friction are neglected.".into(),
     ];
     let given = |measure: Measure| engine.dimensions().given.iter().any(|given| given.quantity == measure);
     if given(Measure::RodMass) {
         lines.push(
-            "The rod is two masses, at its big and its small end, with its mass and its centre of gravity; its own moment of inertia is not met exactly by them.".into(),
+            "The rod is two masses, at its big and its small end, with its mass and its centre of gravity; they do not have exactly its moment of inertia.".into(),
         );
     } else {
         lines.push(
-            "The masses are given as reciprocating and rotating ones; how the rod is split is the giver's.".into(),
+            "The masses are given as reciprocating and rotating ones; how the rod is split is up to whoever gives them.".into(),
         );
     }
     if loads.groups.len() == 1 {
-        lines.push("No rotating masses are given: they are taken as balanced on the crankshaft, or as nothing.".into());
+        lines.push("No rotating masses are given: they are taken as balanced on the crankshaft, or as zero.".into());
     }
     if !engine.has_offset() {
         lines.push("The cylinder axes meet the axis of the crankshaft: no pin offset.".into());
@@ -34,10 +34,7 @@ pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
         lines.push("All rods of a row work on the crankpin itself: no articulated rods.".into());
     }
     if Arm::of(engine) == Arm::Spacing {
-        lines.push(
-            "The file does not say how far apart the cylinders stand: moments are in newtons times that spacing a."
-                .into(),
-        );
+        lines.push("The file gives no cylinder spacing: moments are in newtons times that spacing a.".into());
     }
     lines
 }
@@ -163,7 +160,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
 pub(super) fn limits(engine: &Engine, loads: &Loads) -> Vec<Text> {
     let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
     let mut lines = vec![
-        phrase!("Tables and curves of force and moment hold the orders {} and no others; the largest values hold all.", orders.join(", ")),
+        phrase!("Tables and curves of force and moment contain only the orders {}; the largest values contain all orders.", orders.join(", ")),
         "They are those of masses alone: gas forces act inside the engine and leave no force on its mounts; their torque on the mounts is that of the section on torque, where the gas is asked for.".into(),
         "Amplitudes are zero-to-peak; a peak-to-peak value of a single order is twice as large.".into(),
         "Torsion and bending of the crankshaft, and speed that varies within a revolution, are not in the numbers.".into(),

@@ -151,10 +151,10 @@ pub fn catalogue_summary(families: &[CatalogueFamily]) -> Vec<Text> {
     let late = names(&|known| known.lowest().is_some_and(|order| order > 2));
     let mut lines = Vec::new();
     if !never.is_empty() {
-        lines.push(phrase!("Neither force nor moment is left at any order: **{}**.", never));
+        lines.push(phrase!("Force and moment vanish at any order: **{}**.", never));
     }
     if !late.is_empty() {
-        lines.push(phrase!("Neither force nor moment is left at orders 1 and 2: **{}**.", late));
+        lines.push(phrase!("Force and moment vanish at orders 1 and 2: **{}**.", late));
     }
     let rotating = names(&|known| known.drawn().is_some_and(|order| order.order == 1 && turns_with_crank(&order)));
     if !rotating.is_empty() {

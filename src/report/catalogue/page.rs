@@ -25,8 +25,7 @@ pub fn catalogue_answer(engines: &[(Entry, Engine)]) -> Document {
     page
 }
 
-const LIST: &str = "Force, Moment: the lowest order that is left of it, of all that exist; none: no order is. \
-    `crankstar classify NAME` tells how much.";
+const LIST: &str = "Force, Moment: the lowest order at which it is not zero; none: it is zero at every order. `crankstar classify NAME` gives its size.";
 
 /// How it fires, in a word.
 fn firing(firing: Option<&Firing>) -> Text {

@@ -11,7 +11,7 @@ pub(super) fn found(found: &Witness) -> Text {
     let each = found.weights.iter().enumerate().map(|(index, weight)| one(weight, mass(index)));
     let told = match found.weights.is_empty() {
         true => "No counterweight is needed.".into(),
-        false => phrase!("Counterweights that do it: {}.", Text::joined(each, "; ")),
+        false => phrase!("Suitable counterweights: {}.", Text::joined(each, "; ")),
     };
     match found.crankshaft_mass {
         Some(mass) => phrase!("{} The crankshaft's mass is then {}.", told, kilograms(mass)),

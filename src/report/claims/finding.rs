@@ -37,7 +37,7 @@ fn condition(condition: &Condition) -> Text {
         Condition::NotAboutPlane(plane) => {
             phrase!("moments are not taken about the plane z = {}", typeset::number(plane))
         }
-        Condition::NoBankOffset => "the cylinders of a crankpin stand in one plane".into(),
+        Condition::NoBankOffset => "the cylinders of a crankpin are in one plane".into(),
         Condition::FiringOrder => "the firing order is one of the even ones".into(),
     }
 }
@@ -56,7 +56,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
             Asked { surviving, judged: *judged, period: *period, first: first.as_deref() }.finding(statement)
         }
         (Finding::FiringStars(orders), _) => gas_torque::found(orders, statement),
-        (Finding::Firing(None), _) => "The layout names no firing order.".into(),
+        (Finding::Firing(None), _) => "The layout gives no firing order.".into(),
         (Finding::Firing(Some(intervals)), _) => {
             let degrees = intervals.iter().map(|interval| typeset::turns(interval).into());
             phrase!("The intervals are {}.", Text::joined(degrees, ", "))

@@ -14,7 +14,7 @@ pub(super) fn agreement(found: &Agreement) -> Text {
     );
     let percent = || Text::from(number::decimal(100.0 * found.part()));
     match (found.equal, constant) {
-        (true, true) => phrase!("It is that: {}.", largest),
+        (true, true) => phrase!("It agrees: {}.", largest),
         (false, true) => phrase!("It is {}; the formula is {} % off.", largest, percent()),
         (true, false) => phrase!(
             "At each of {} crank angles of the cycle both are the same to 10⁻⁹ of the largest value, {} at θ {}.",
@@ -59,10 +59,10 @@ pub(super) fn largest(found: &LargestOf) -> Text {
     let (size, at) = (quantity(found.peak.value, Unit::NEWTON), angle(found.peak.angle));
     let which = Text::label(found.which.clone());
     let words = match found.of {
-        Loaded::MainBearing => "Bearing {} feels the most, {} at the crank angle {}.",
-        Loaded::Crankpin => "The rod of cylinder {} loads its crankpin the most, with {} at the crank angle {}.",
-        Loaded::Rod => "The rod of cylinder {} is pressed the most, with {} at the crank angle {}.",
-        Loaded::Cylinder => "Cylinder {} feels the largest side force, {} at the crank angle {}.",
+        Loaded::MainBearing => "Bearing {} carries the largest load, {} at crank angle {}.",
+        Loaded::Crankpin => "The rod of cylinder {} loads its crankpin most, with {} at crank angle {}.",
+        Loaded::Rod => "The rod of cylinder {} is compressed most, with {} at crank angle {}.",
+        Loaded::Cylinder => "Cylinder {} has the largest side force, {} at crank angle {}.",
     };
     let told = phrase!(words, which, size, at);
     match found.without_gas {

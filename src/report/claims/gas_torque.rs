@@ -59,6 +59,6 @@ fn strongest(orders: &[StarOrder]) -> Text {
     let names: Vec<CycleOrder> = orders.iter().map(|order| order.order).collect();
     match orders.first().and_then(StarOrder::only) {
         Some(star) => firing::strongest_in_words(&names, residual::modulus(star)),
-        None => "No minor order is left.".into(),
+        None => "No minor order remains.".into(),
     }
 }

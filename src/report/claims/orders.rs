@@ -27,14 +27,14 @@ impl Asked<'_> {
         let what = what_is_left(first, statement);
         match self.period {
             Some(period) => phrase!(
-                "Of all orders that exist (1 and the even ones, repeating after {}) these are left: {}; the first is order {}: {}.",
+                "Of all orders that exist (1 and the even ones, repeating after {}) these remain: {}; the first is order {}: {}.",
                 period,
                 named,
                 first.order,
                 what
             ),
             None => phrase!(
-                "Of the {} orders these are left: {}; the first is order {}: {}.",
+                "Of the {} orders these remain: {}; the first is order {}: {}.",
                 self.judged,
                 named,
                 first.order,
@@ -47,10 +47,10 @@ impl Asked<'_> {
         let of_free_moment = statement.topic() == Topic::FreeMoment;
         match self.period {
             Some(period) if of_free_moment => phrase!(
-                "No order leaves one: its moment vanishes, or is that of its force in one plane; one period of {} orders shows it.",
+                "No order has a free moment: its moment vanishes or is that of its force in one plane; one period of {} orders proves it.",
                 period
             ),
-            Some(period) => phrase!("All of them vanish: one period of {} orders shows it.", period),
+            Some(period) => phrase!("All of them vanish: one period of {} orders proves it.", period),
             None if self.judged == 2 => "Both of them vanish.".into(),
             None => phrase!("All {} of them vanish.", self.judged),
         }

@@ -65,9 +65,7 @@ fn exceptions(claims: &Claims) -> Vec<Block> {
         .collect()
 }
 
-const HOW: &str = "Each answer is decided exactly and proved by the certificates below it, but for values in newtons and the bearings that \
-    feel the most, which are compared in decimals. A statement and its conclusion are in the words of the author of the file, who draws the \
-    conclusion from the answers above it; a source's own words stand in quotation marks.";
+const HOW: &str = "Each answer is decided exactly and proved by the certificates below it, except values in newtons and most heavily loaded bearings, which are compared in decimals. A statement and its conclusion are in the words of the author of the file, who draws the conclusion from the answers above it; a source's own words are in quotation marks.";
 
 /// How claims about forces of gas and masses are answered, where there are some.
 fn of_forces(claims: &Claims) -> Option<Block> {
@@ -76,9 +74,7 @@ fn of_forces(claims: &Claims) -> Option<Block> {
     all.any(|claim| is_of_forces(&claim.statement)).then(|| Block::Paragraph(FORMULAS.into()))
 }
 
-const FORMULAS: &str = "A formula is about the first cylinder of its layout, at its own crank angle θ from the dead centre on the cylinder's axis. What the program finds by its own way is \
-    set beside the value of the formula, half a degree apart through the cycle: **true** is a formula that differs nowhere by more than 10⁻⁹ of the largest value, after ≈ by no more than \
-    the part of it that is said. Forces are positive towards the crank, on the frame outward; across, in the sense of rotation.";
+const FORMULAS: &str = "A formula is about the first cylinder of its layout, at its own crank angle θ from the dead centre on the cylinder's axis. The program compares its own result with the formula at every half degree of the cycle: **true** is a formula that differs nowhere by more than 10⁻⁹ of the largest value, after ≈ by no more than the stated part of it. Forces are positive towards the crank, on the frame outward; across, in the sense of rotation.";
 
 fn answered<'a>(claims: impl Iterator<Item = &'a Claim>) -> Vec<Answered<'a>> {
     claims.map(|claim| (claim, claim.answer())).collect()
@@ -100,7 +96,7 @@ fn counts(claims: &Claims) -> Vec<Text> {
     let tables = [tables.len(), tables.iter().filter(|verdict| verdict.holds()).count()];
     let kinds = [
         (quoted, "Claims quoted from their sources: {} of {} hold."),
-        (folklore, "Claims often made, for which no source was found: {} of {} hold."),
+        (folklore, "Common claims without a source: {} of {} hold."),
         (own, "Our own cross-checks: {} of {} hold."),
         (tables, "Vector-star tables: {} of {} are right."),
     ];
@@ -138,13 +134,13 @@ fn said(provenance: &Provenance, above: Option<&Untrusted>) -> Text {
             phrase!("**{}:** “{}”", place, words)
         }
         Provenance::Quoted(Quote { source, place, words }) => phrase!("**{}, {}:** “{}”", source, place, words),
-        Provenance::Folklore => "Often said; no source was found:".into(),
+        Provenance::Folklore => "A common claim; no source was found:".into(),
         Provenance::Own => Text::default(),
     }
 }
 
 fn table<'a>(claims: impl IntoIterator<Item = &'a Answered<'a>>) -> Table {
-    let mut table = Table::new(["Engine", "Claim", "Answer", "What is the case"]);
+    let mut table = Table::new(["Engine", "Claim", "Answer", "Finding"]);
     for (claim, answer) in claims {
         table.push(vec![
             (&claim.engine).into(),
@@ -189,7 +185,7 @@ fn tables(claims: &Claims) -> impl Iterator<Item = Block> {
         let answer = if verdict.holds() { "**true**" } else { "**false**" };
         vec![(&table.engine).into(), table.order.into(), answer.into(), student::table_finding(table, &verdict)]
     });
-    let mut table = Table::new(["Engine", "Vector-star table of order", "Answer", "What is the case"]);
+    let mut table = Table::new(["Engine", "Vector-star table of order", "Answer", "Finding"]);
     table.rows = rows.collect();
     (!table.rows.is_empty()).then_some(Block::Table(table)).into_iter()
 }

@@ -11,7 +11,7 @@ use crate::page::{Text, phrase};
 /// Each term with what is said of it.
 pub(super) fn found(terms: &[Term]) -> Text {
     match terms.is_empty() {
-        true => "No force of the pistons is left at these orders.".into(),
+        true => "The pistons make no force at these orders.".into(),
         false => Text::joined(terms.iter().map(sentence), " "),
     }
 }
@@ -26,7 +26,7 @@ fn sentence(term: &Term) -> Text {
             phrase!("{}: **wrong**, {} is claimed; {} belongs there.", wave, said(&term.said), right(term))
         }
         TermVerdict::WrongUnit => phrase!(
-            "{}: **wrong**, {} is claimed, which does not count in m r ω²; {} belongs there.",
+            "{}: **wrong**, {} is claimed, which is not in m r ω²; {} belongs there.",
             wave,
             said(&term.said),
             right(term)

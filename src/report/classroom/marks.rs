@@ -93,7 +93,7 @@ fn distribution(points: &Distribution) -> Vec<Block> {
 fn summary(results: &[StudentResult]) -> Text {
     let count = |is: fn(&Outcome) -> bool| results.iter().filter(|result| is(&result.outcome)).count();
     phrase!(
-        "Marked: {}. Not readable: {}. Not handed in: {}. Handed in more than once: {}. Files that are no tables: {}.",
+        "Marked: {}. Not readable: {}. Not handed in: {}. Handed in more than once: {}. Files that are not tables: {}.",
         marked(results).count(),
         count(|outcome| match outcome {
             Outcome::Unreadable(_) => true,

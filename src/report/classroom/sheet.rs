@@ -75,7 +75,7 @@ fn to_find(pupil: &Pupil, orders: &[u32]) -> Vec<Block> {
         blocks.extend([Block::Heading(2, phrase!("Order {}", *order)), empty.into()]);
     }
     blocks.push(Block::Paragraph(
-        "Which sums vanish, and why? What does each order that is left feel like to the engine mounts?".into(),
+        "Which sums vanish, and why? What does each order that remains feel like to the engine mounts?".into(),
     ));
     blocks
 }

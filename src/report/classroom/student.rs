@@ -25,8 +25,7 @@ pub fn marked_page(pupil: &Pupil, sheet: &MarkedSheet, scheme: &Scheme) -> Docum
     page
 }
 
-const FOLLOWS: &str = "**follows** is a sum that is wrong, but right for the phases that stand above it. Phases count modulo 360°; decimals are right where they are \
-                       those of the true value, rounded.";
+const FOLLOWS: &str = "**follows** is a sum that is wrong, but right for the phases that are above it. Phases count modulo 360°; decimals are right where they are those of the true value, rounded.";
 
 /// Points in decimals that end, else a fraction.
 pub(super) fn points(value: &BigRational) -> Text {

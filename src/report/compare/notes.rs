@@ -24,9 +24,9 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
 
 const SIZES: &str = "Sizes are the largest values through a revolution, rounded; 0 is proved. An order has a row where it is above 1 % of the largest in one of the engines; the others add up to at most what is stated, – is less than a millionth of the largest, or not known. Cures are those of orders 1 and 2, or of all orders where neither is compared.";
 
-const FIRST_LEFT: &str = "First left: the lowest of all orders that exist. All is about the engines as they are built, with all masses that a layout names; where masses that turn have a part in an order, the pistons alone stand below it.";
+const FIRST_LEFT: &str = "Force from order, moment from order: the lowest of all orders at which it is not zero. All values are for the engines as built, with all masses of their layouts; where rotating masses contribute to an order, the pistons alone are below it.";
 
-const SEVERAL_SUMS: &str = "Where rods differ, or a shaft turns at an order of the pistons, the whole of it is judged, and each of its sums by itself: only equal rods have c_k in common.";
+const SEVERAL_SUMS: &str = "Where rods differ, or a shaft turns at an order of the pistons, both the whole order and each of its sums are decided: only equal rods have the same c_k.";
 
 /// The names of those that this is true of.
 pub(super) fn names(engines: &[Compared], of: impl Fn(&Compared) -> bool) -> Text {
@@ -54,5 +54,5 @@ fn positions(engines: &[Compared]) -> Text {
 /// Why the loads of gas and masses of an engine that asks for the gas are not there.
 fn without_gas(engine: &Compared) -> Option<Text> {
     let lack = engine.with_gas.as_ref()?.as_ref().err()?;
-    Some(phrase!("**{}**: the gas is asked for, and left out here: {}.", &engine.name, lack.to_string()))
+    Some(phrase!("**{}**: gas loads were asked for, but are missing: {}.", &engine.name, lack.to_string()))
 }

@@ -81,7 +81,9 @@ fn furthest(engines: &[Compared]) -> Option<Text> {
     match (best.len(), highest) {
         (several, _) if several == engines.len() => None,
         (_, u32::MAX) => Some(phrase!("Balanced at every order: {}.", names)),
-        (_, order) => Some(phrase!("Balanced furthest: {}, with nothing left below order {}.", names, order)),
+        (_, order) => {
+            Some(phrase!("Balanced furthest: {}, with neither force nor moment below order {}.", names, order))
+        }
     }
 }
 
@@ -107,7 +109,7 @@ fn first_left(engine: &Compared) -> Option<[Option<(u32, &'static str)>; 2]> {
 fn left(engine: &Compared) -> Text {
     let name = &engine.name;
     let Some([force, moment]) = first_left(engine) else {
-        return phrase!("**{}**: nothing is stated on every order; the table has the orders that are compared.", name);
+        return phrase!("**{}**: no statement on every order; the table shows the orders compared.", name);
     };
     match (force, moment) {
         (None, None) => phrase!("**{}** leaves neither force nor moment, at any order.", name),
@@ -137,7 +139,7 @@ fn stars(engines: &[Compared], order: u32) -> impl Iterator<Item = Picture> {
             later => format!("stars-order-{order}-{}", later + 1),
         },
         caption: phrase!(
-            "Vector stars of order {}: force above moment, each to one scale where units are the same. Blue, orange and green polygons sum to zero; a red arrow is what is left.",
+            "Vector stars of order {}: force above moment, each to one scale where units are the same. Blue, orange and green polygons sum to zero; a red arrow is the resultant.",
             order
         ),
         figure,

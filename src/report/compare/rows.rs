@@ -122,8 +122,8 @@ pub(super) fn verdicts(all: &[Sized], shown: &[Sized]) -> Table {
         }
     }
     let first = |engine: &Compared| engine_cells::first_left(&engine.engine, &engine.theorem);
-    add("First force left".into(), &|engine| first(engine)[0].clone());
-    add("First moment left".into(), &|engine| first(engine)[1].clone());
+    add("Force from order".into(), &|engine| first(engine)[0].clone());
+    add("Moment from order".into(), &|engine| first(engine)[1].clone());
     add("All cures".into(), &|engine| engine_cells::remedy(&engine.remedy));
     table
 }
@@ -131,7 +131,7 @@ pub(super) fn verdicts(all: &[Sized], shown: &[Sized]) -> Table {
 fn worst_bearing(engine: &Compared) -> Text {
     match &engine.bearings {
         Ok(loads) => bearings::worst(loads).unwrap_or_else(|| "0 in all".into()),
-        Err(Missing::Bearings) => "none named".into(),
+        Err(Missing::Bearings) => "none given".into(),
         Err(Missing::Rods) => "not computed: no rods".into(),
         Err(_) => "not computed".into(),
     }
@@ -139,10 +139,10 @@ fn worst_bearing(engine: &Compared) -> Text {
 
 fn worst_with_gas(engine: &Compared) -> Text {
     match (&engine.with_gas, engine.worst_with_gas()) {
-        (None, _) => "gas not asked for".into(),
-        (Some(Err(Missing::Bearings)), _) => "none named".into(),
+        (None, _) => "no gas loads".into(),
+        (Some(Err(Missing::Bearings)), _) => "none given".into(),
         (Some(Err(_)), _) => "not computed".into(),
-        (Some(Ok(_)), None) => "none named".into(),
+        (Some(Ok(_)), None) => "none given".into(),
         (Some(Ok(_)), Some((index, peak))) => {
             phrase!(
                 "bearing {} with {} {}",

@@ -183,7 +183,7 @@ fn counterweights(sweep: &Sweep, table: &mut Table) -> Vec<Column> {
         Amplitude { value, .. } => Some(value * point.kilograms?),
     };
     let values = decimals(sweep.points.iter().map(kilograms));
-    let about = "its mass where it stands at the crank radius";
+    let about = "its mass where it is at the crank radius";
     table.push(Column::new("counterweight_{unit}_at_crank_radius", Unit::KILOGRAM, about, values));
     let values = truths(sweep.points.iter().map(|point| point.counterweight.map(|part| part.vanishes)));
     vec![Column::new("counterweight_vanishes", Unit::NONE, VANISHES, values)]

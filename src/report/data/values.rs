@@ -26,6 +26,6 @@ pub(super) fn columns(name: &str, like: Option<&Single>, all: &[&Result<Single, 
         }
     };
     let why = all.iter().map(|one| one.as_ref().err().cloned()).collect();
-    let about = "why there is no such value; empty where there is one";
+    let about = "why the value is missing; empty where there is one";
     [values, Column::named("{value}_missing", &[name], Unit::NONE, about, Values::Words(why))]
 }

@@ -48,11 +48,11 @@ fn shaking(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Text {
     let what = match left.is_empty() {
         false => Text::joined(left, " "),
         true if orders.iter().all(|order| order.force.is_balanced() && order.moment.is_balanced()) => {
-            "Nothing at the orders judged.".into()
+            "Nothing at these orders.".into()
         }
         true => match weighed {
             Some(weighed) => phrase!("Nothing above {} % of one piston's force.", percent(weighed.above())),
-            None => "Nothing is known to be left at the orders judged.".into(),
+            None => "Nothing is known to remain at the orders examined.".into(),
         },
     };
     match circumstances(weighed) {
@@ -248,9 +248,9 @@ fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&
     let bounds = || Text::joined(bounds.clone(), ", ");
     let listed = |small: &[String]| Text::label(small.join(", "));
     Some(match (small.as_slice(), next) {
-        ([], NextLeft::None) => "**All other orders.** Nothing is left.".into(),
+        ([], NextLeft::None) => "**All other orders.** Zero.".into(),
         _ if bounds().is_empty() => match next {
-            NextLeft::Order(next) => phrase!("**All other orders.** The next that is left is {}.", next),
+            NextLeft::Order(next) => phrase!("**All other orders.** The next that remains is {}.", next),
             NextLeft::None | NextLeft::NotKnown => return None,
         },
         ([], NextLeft::Order(next)) => {
@@ -284,16 +284,16 @@ pub(super) fn why_several(engine: &Engine) -> Option<Text> {
     let links = engine.cylinders().iter().filter(|cylinder| cylinder.link().is_some()).count();
     Some(match (links, engine.has_offset(), engine.faster_crank().is_some()) {
         (1.., ..) => phrase!(
-            "The {} link pistons do not all move alike, nor as a master does: each kind of link has a coefficient of its own.",
+            "The {} link pistons do not move alike, nor like a master piston: each kind of link has its own coefficient.",
             links
         ),
         (0, true, _) => {
-            "The cylinder axes miss the crankshaft: cylinders with other rods or offsets have other coefficients."
+            "The cylinder axes miss the crankshaft: cylinders with different rods or offsets have different coefficients."
                 .into()
         }
-        (0, false, true) => "The crankshafts turn at different speeds: each has coefficients of its own.".into(),
+        (0, false, true) => "The crankshafts turn at different speeds: each has its own coefficients.".into(),
         (0, false, false) if engine.mechanisms().len() > 1 => {
-            "The rods differ: cylinders with other rods have other coefficients.".into()
+            "The rods differ: cylinders with different rods have different coefficients.".into()
         }
         (0, false, false) => "The pistons have the coefficient $c_k$ of their rods; rotating masses have none.".into(),
     })

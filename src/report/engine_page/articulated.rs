@@ -37,8 +37,7 @@ pub(super) fn section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     let lines = in_line(engine, judged);
     if !lines.is_empty() {
         blocks.push(Block::Paragraph(phrase!(
-            "**Direction, proved.** The vectors of {}, direct and reverse, lie on the line of the master's own: every sum, of force and moment, before \
-             whichever number, is its own mirror image in it. So the force swings most along that line or across it, by symmetry and not by measurement.",
+            "**Direction, proved.** The vectors of {}, direct and reverse, lie on the line of the master's own: every sum of force and moment, with any coefficient, is its own mirror image in it. So the force is largest along that line or across it, by symmetry.",
             residual::orders_in_words(&lines)
         )));
     }
@@ -49,19 +48,15 @@ pub(super) fn section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     blocks
 }
 
-const MOTION: &str = "The cylinders of the table have no rod on the crankpin: a link hangs on a knuckle pin of the master rod. The pin stands at the radius a \
-                      and, seen from the crankpin, at the angle of its cylinder. With $\\kappa = a/l$, $\\Delta = \\alpha - \\alpha_0$ and \
-                      $z = 1 - \\kappa e^{i\\Delta}$, the shaking force of such a piston has $c_1 = 1$, no other odd order, and for even k";
+const MOTION: &str = "The cylinders of the table have no rod on the crankpin: their links are on knuckle pins of the master rod. The pin is at the radius a and, seen from the crankpin, at the angle of its cylinder. With $\\kappa = a/l$, $\\Delta = \\alpha - \\alpha_0$ and $z = 1 - \\kappa e^{i\\Delta}$, the shaking force of such a piston has $c_1 = 1$, no other odd order, and for even k";
 const HARMONIC: &str = "\\kappa\\, e^{ik\\Delta} c_k(\\lambda) + z^k g_k, \\qquad z^k = \\sum_{u=0}^{k} \\binom{k}{u} (-\\kappa)^u e^{iu\\Delta}";
 const THEOREM: &str = "Order 1 is therefore exactly that of rods on the crankpin itself. $c_k(\\lambda)$ is that of the master rod; $g_k = |z|^{1-k} c_k(r|z|/L)$ is a real \
                        number that is not zero, for it is a series whose terms have one sign, and it has the sign of $c_k$. It is the same for $\\Delta$ and \
                        $-\\Delta$.";
-const TERMS: &str = "So each order is made of exact sums, one before $c_k$ and one before each $g_k$: they are judged apart. Where all are zero the order is, proved; \
-                     where some are left, numbers enclosed from below and above decide. Rows that name $\\Delta$ count in $g_k$ where others count in $c_k$.";
+const TERMS: &str = "So each order is made of exact sums, one multiplied by $c_k$ and one by each $g_k$: they are decided separately. Where all are zero the order is, proved; where some remain, numbers enclosed from below and above decide. Rows that name $\\Delta$ count in $g_k$ where others count in $c_k$.";
 const KNUCKLES: &str = "A knuckle pin moves as $(1-\\zeta)$ times the crankpin and $\\zeta$ times the piston pin of the master, $\\zeta = \\kappa e^{i\\Delta}$. So its mass, with the \
                         big end of the link, is exactly a mass on each of them: terms of the sums of the master and of what turns with the crank.";
-const NOT_JUDGED: &str = "Each rod is two masses, which is exact for forces and moments. The inertia torque, the loads of pins and bearings, and the gas are not judged of \
-                          an engine with articulated rods.";
+const NOT_JUDGED: &str = "Each rod is two masses, which is exact for forces and moments. The inertia torque, the loads of pins and bearings, and the gas are not decided of an engine with articulated rods.";
 
 /// The links, with what they hang on.
 fn links(engine: &Engine) -> Table {

@@ -47,14 +47,13 @@ pub(super) fn rows(engine: &Engine) -> Vec<&'static str> {
 
 const LARGEST: &str =
     "the number is the largest value through a revolution, $\\tfrac12(\\lvert P^{+}\\rvert + \\lvert P^{-}\\rvert)$;";
-const SIGNS: &str = "**0** is exact and proved; what stands after ≈ is a decimal, all else is exact. A couple is the same about every plane; a moment is \
-                     taken about the reference plane.";
+const SIGNS: &str = "**0** is exact and proved; a number after ≈ is a decimal, all others are exact. A couple is the same about every plane; a moment is taken about the reference plane.";
 
 const LINKS: &str = "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
 
 const CORRECTED: &str = "Rows that name ε are about links with a corrected knuckle angle: they count in the real part (Re) or the imaginary part (Im) of h_k where others count in c_k, and rows of order 1 without it in m r ω².";
 
-const OFFSETS: &str = "Of rods that differ order 1 stands before 1 and, with a pin offset, before the imaginary part of $c_1$, whose real part is 1 for every rod: rows of order 1 that name it (Im) count in m r ω² Im $c_1$, the others in m r ω².";
+const OFFSETS: &str = "With unequal rods order 1 is multiplied by 1 and, with a pin offset, by the imaginary part of $c_1$, whose real part is 1 for every rod: rows of order 1 that name it (Im) count in m r ω² Im $c_1$, the others in m r ω².";
 
 /// What the verdicts rest on.
 fn assumed(engine: &Engine) -> Text {
@@ -79,9 +78,9 @@ fn assumed(engine: &Engine) -> Text {
     }
 }
 
-const RIGID: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; a radial's rods all on the crankpin itself.";
+const RIGID: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; in a radial all rods on the crankpin itself.";
 const ARTICULATED: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder, each rod as two masses, links on the master rod as the layout file says.";
-const RODS_DIFFER: &str = " The rods differ: cylinders with equal ones are judged together, for only they have a coefficient $c_k$ in common.";
+const RODS_DIFFER: &str = " The rods differ: cylinders with equal rods are decided together, since only they have the same coefficient $c_k$.";
 const EVERY_ORDER: &str = "The cylinder axes miss the crankshaft, so that every order exists.";
 const EVERY_OWN_ORDER: &str =
     "The cylinder axes miss the crankshaft, so that every order of each crankshaft exists, multiplied by its speed.";
@@ -91,9 +90,6 @@ const ORDERS_OF_CORRECTED: &str = "Knuckle angles are corrected, so that every o
 const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";
 
 pub(in crate::report) const CENTRES: &str =
-    "Crankpin j stands at θ + β, the axis of cylinder j points to α; its piston is at top dead centre where θ + β = α.";
-pub(in crate::report) const FIRES: &str = "A cylinder that fires later has its throw behind: β − α falls by the firing angle. (Books that let it \
-                                grow draw the mirror image: the same verdicts and lengths, directions of the opposite sign.) The pin of \
-                                the second bank of a V stands at the throw plus the pin split.";
-pub(in crate::report) const ASSUMED: &str = "Assumed: a rigid crankshaft at constant speed, equal rods and no pin offset, rods in the plane of their \
-                                  cylinder; a radial's rods all on the crankpin itself. Orders of a centric engine are 1 and the even ones.";
+    "Crankpin j is at θ + β, the axis of cylinder j points to α; its piston is at top dead centre where θ + β = α.";
+pub(in crate::report) const FIRES: &str = "A cylinder that fires later has its throw behind: β − α decreases by the firing angle. (Books where it increases draw the mirror image: verdicts and lengths are the same, directions have the opposite sign.) The pin of the second bank of a V is at the throw plus the pin split.";
+pub(in crate::report) const ASSUMED: &str = "Assumed: a rigid crankshaft at constant speed, equal rods and no pin offset, rods in the plane of their cylinder; in a radial all rods on the crankpin itself. Orders of a centric engine are 1 and the even ones.";

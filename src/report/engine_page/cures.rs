@@ -154,7 +154,7 @@ impl Cure<'_> {
         match (is_left, self.weighed.is_some()) {
             (false, _) => "nothing".into(),
             (true, true) => phrase!("{} %", percent(self.decimal_left(vectors))),
-            (true, false) => "what turns the other way".into(),
+            (true, false) => "the part that turns the other way".into(),
         }
     }
 

@@ -41,16 +41,13 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
     let mut blocks = vec![table.into()];
     if cranks.iter().any(|crank| crank.sense == Sense::Reverse) {
         blocks.push(Block::Paragraph(
-            "A piston moves alike on a crank that turns against the reference and on the mirror image of that crank in the \
-             cylinder's axis, which turns with the reference: throw 2α − β in place of β. The throws of the table of cylinders are \
-             those of these equivalent cranks, so that force, moment and torque are judged as of one crankshaft."
+            "A piston moves the same on a crank that turns against the reference and on the mirror image of that crank in the cylinder's axis, which turns with the reference: throw 2α − β in place of β. The throws of the table of cylinders are those of these equivalent cranks, so that force, moment and torque are decided as of one crankshaft."
                 .into(),
         ));
     }
     if engine.faster_crank().is_some() {
         blocks.push(Block::Paragraph(
-            "A crankshaft that turns ν times while the reference turns once has part in the orders that ν divides alone: its own order j is \
-             order νj of the engine, with ν² times the force. Its masses that turn have order ν."
+            "A crankshaft that turns ν times while the reference turns once takes part only in the orders that ν divides: its own order j is order νj of the engine, with ν² times the force. Its rotating masses have order ν."
                 .into(),
         ));
     }
@@ -66,15 +63,8 @@ pub(super) fn roll_asked_of(engine: &Engine) -> Option<Text> {
     Some(roll_asked(engine, missing))
 }
 
-const TORQUE_AND_ROLL: &str = "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is \
-         what the frame feels about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank \
-         turned round. Assumed: each crankshaft keeps its speed by a flywheel of its own, so that the gears between them hand on no \
-         torque that changes; with one flywheel at the reference crankshaft the frame feels the torque turned round in place of the sum of \
-         those on the cranks.";
-const AT_SEVERAL_SPEEDS: &str = "The torque is that of all crankshafts together at the reference one, where that on a faster one counts as often as it turns. The roll moment is \
-         what the frame feels about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank \
-         turned round. Assumed: each crankshaft keeps its speed by a flywheel of its own, so that the gears between them hand on no \
-         torque that changes.";
+const TORQUE_AND_ROLL: &str = "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is the moment on the frame about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank reversed. Assumed: each crankshaft has its own flywheel and constant speed, so that the gears transmit no alternating torque; with one flywheel at the reference crankshaft the frame takes the reversed torque instead of the sum of those on the cranks.";
+const AT_SEVERAL_SPEEDS: &str = "The torque is that of all crankshafts together at the reference one, where that on a faster one counts as often as it turns. The roll moment is the moment on the frame about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank reversed. Assumed: each crankshaft has its own flywheel and constant speed, so that the gears transmit no alternating torque.";
 
 fn turns(crank: &GearedCrank) -> Text {
     match (crank.sense, crank.speed) {

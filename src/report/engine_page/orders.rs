@@ -77,8 +77,7 @@ const PHASES: &str = "P_k^{+} = \\sum_j m_j\\, e^{i(k\\beta_j - (k-1)\\alpha_j)}
 const BANKS: &str = "Between two banks an angle φ apart the direct phases of order k differ by (k − 1)φ and the reverse \
                      ones by (k + 1)φ: by 0 and 2φ at order 1, φ and 3φ at order 2, 3φ and 5φ at order 4, 5φ and 7φ at order 6.";
 
-const SPEEDS: &str = "A crankshaft that turns ν times while the reference turns once has its own order k/ν at order k of the engine: in its terms k/ν stands for k, with \
-                      ν² before them. What turns on it has order ν, with ν² times the weight.";
+const SPEEDS: &str = "A crankshaft that turns ν times while the reference turns once has its own order k/ν at order k of the engine: its terms have k/ν in place of k and are multiplied by ν². What turns on it has order ν, and its weight is multiplied by ν².";
 
 /// The proofs, order by order.
 pub(super) fn section(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
@@ -150,7 +149,7 @@ fn force_left(order: &OrderBalance) -> Text {
 
 /// Of a star without an order.
 fn missing(order: &OrderBalance) -> Text {
-    phrase!("Whatever the sums are, order {} {}. {}", order.order, DOES_NOT_EXIST, WHY_NOT)
+    phrase!("For any sums, order {} {}. {}", order.order, DOES_NOT_EXIST, WHY_NOT)
 }
 
 fn moment_left(engine: &Engine, order: &OrderBalance) -> Text {

@@ -12,9 +12,9 @@ use crate::verdict::{self, Judgement, TorquePart};
 const ROLL: &str = "R_k = \\sum_j \\left( c_k\\, m_j r_j\\, a_j \\mp t_k\\, m_j r_j^2 \\right) e^{ik(\\beta_j - \\alpha_j)}, \\qquad a_j = \\sum d \\sin(\\alpha_j - \\eta) - e_j";
 const TORQUE: &str = "Q_k = \\sum_j m_j\\, r_j^2\\, e^{ik(\\beta_j - \\alpha_j)}";
 
-const TORQUE_SPEEDS: &str = "with k/ν for k and ν³ before the terms of a crankshaft that turns ν times while the reference turns once: ν² for the forces, ν for the gear.";
+const TORQUE_SPEEDS: &str = "with k/ν for k and the factor ν³ for the terms of a crankshaft that turns ν times while the reference turns once: ν² for the forces, ν for the gear.";
 const ROLL_SPEEDS: &str =
-    "A crankshaft that turns ν times while the reference turns once has k/ν for k, and ν² before its terms.";
+    "A crankshaft that turns ν times while the reference turns once has k/ν for k and the factor ν² for its terms.";
 
 /// The verdicts: at the orders that it has numbers of, else at the first and those of force and moment; one per mechanism where
 /// they differ.
@@ -27,7 +27,7 @@ fn verdicts(engine: &Engine, judged: &Judgement, numbers: Option<&Numbers>) -> V
         None => verdict::torque_orders(&judged.orders.iter().map(|order| order.order).collect::<Vec<_>>()),
     };
     let judged = verdict::torque(engine, &orders);
-    let judged = judged.unwrap_or_else(|number| unreachable!("these orders were judged: {number}"));
+    let judged = judged.unwrap_or_else(|number| unreachable!("these orders were examined: {number}"));
     judged.into_iter().flat_map(|torque| torque.parts).collect()
 }
 

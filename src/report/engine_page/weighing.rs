@@ -16,8 +16,9 @@ use crate::verdict::{Judgement, OrderVerdict};
 /// What is told one by one of an engine, and what together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weighing {
-    /// An order below this part of the largest one, or of one piston's force, is told with the others that are.
-    pub above: f64,
+    /// An order below this part of the largest one, or of one piston's force, is told with the others that are; that of the layout, else a
+    /// hundredth, if left out.
+    pub above: Option<f64>,
     /// All orders are told one by one.
     pub all: bool,
     /// The orders were asked for: each is told.
@@ -26,7 +27,7 @@ pub struct Weighing {
     pub rod_ratio: Option<BigRational>,
 }
 
-static USUAL: Weighing = Weighing { above: 0.01, all: false, asked: false, rod_ratio: None };
+static USUAL: Weighing = Weighing { above: None, all: false, asked: false, rod_ratio: None };
 
 impl Weighing {
     /// What is told where nothing else is asked for: what is above a hundredth.
@@ -78,7 +79,8 @@ impl<'a> Weighed<'a> {
 
     /// The part of the largest from which on an order is told by itself.
     pub fn above(&self) -> f64 {
-        self.weighing.above
+        let given = || self.engine.above().and_then(ToPrimitive::to_f64);
+        self.weighing.above.or_else(given).unwrap_or(0.01)
     }
 
     /// What an order traces, in multiples of m r ω².
@@ -142,7 +144,7 @@ impl<'a> Weighed<'a> {
             }
         });
         let of_one = of_one.max().and_then(|largest| largest.to_f64()).unwrap_or(0.0);
-        self.weighing.above * self.most(quantity).max(of_one)
+        self.above() * self.most(quantity).max(of_one)
     }
 
     /// Whether what is left of an order is told by itself.

@@ -60,8 +60,7 @@ fn open(found: &Boxes) -> impl Iterator<Item = Text> + '_ {
 pub(super) fn why(found: &Boxes) -> Text {
     let [s, t] = names(found);
     let lead = phrase!(
-        "No reduction to one unknown is known for these parts. The torus of {} and {} is cut into {} boxes, and of each it is proved that the \
-         sum keeps away from 0 on it, or that it is within one of {} boxes with one zero each (Krawczyk's test; theory, section 17).",
+        "These parts cannot be reduced to one unknown. The torus of {} and {} is divided into {} boxes, and each is proved to exclude 0, or lies within one of {} boxes with exactly one zero each (Krawczyk's test; theory, section 17).",
         s,
         t,
         found.count(),
@@ -71,11 +70,11 @@ pub(super) fn why(found: &Boxes) -> Text {
         (Some(zeros), true) => phrase!("So the sum vanishes exactly where {}.", zeros),
         (None, true) => "So it vanishes for no angles.".into(),
         (Some(zeros), false) => {
-            phrase!("So, but for the boxes that are left open, it vanishes exactly where {}.", zeros)
+            phrase!("So, except in the boxes left open, it vanishes exactly where {}.", zeros)
         }
-        (None, false) => "So it vanishes nowhere but perhaps in the boxes that are left open.".into(),
+        (None, false) => "So it vanishes nowhere, except perhaps in the boxes left open.".into(),
     };
-    let open = open(found).map(|open| phrase!("What is left open is {}: the count of steps ended.", open));
+    let open = open(found).map(|open| phrase!("Left open: {}: the step limit was reached.", open));
     Text::joined([lead, so].into_iter().chain(open), " ")
 }
 

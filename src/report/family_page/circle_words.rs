@@ -94,18 +94,20 @@ pub(super) fn why(circle: &Circle) -> Text {
     };
     let arcs = match (zeros(circle), circle.is_complete()) {
         (Some(zeros), true) => phrase!(
-            "The circle is cut into {} arcs, on each of which it is proved how often it vanishes: exactly where {}.",
+            "The circle is divided into {} arcs, with the proved number of zeros on each: exactly where {}.",
             count,
             zeros
         ),
-        (None, true) => phrase!("The circle is cut into {} arcs, and it is proved that it vanishes on none.", count),
+        (None, true) => {
+            phrase!("The circle is divided into {} arcs, and it is proved that it vanishes on none.", count)
+        }
         (Some(zeros), false) => phrase!(
-            "The circle is cut into {} arcs; but for those that are left open it vanishes exactly where {} (proved).",
+            "The circle is divided into {} arcs; except on those left open it vanishes exactly where {} (proved).",
             count,
             zeros
         ),
         (None, false) => phrase!(
-            "The circle is cut into {} arcs; but for those that are left open it vanishes on none (proved).",
+            "The circle is divided into {} arcs; except on those left open it vanishes on none (proved).",
             count
         ),
     };
@@ -115,7 +117,7 @@ pub(super) fn why(circle: &Circle) -> Text {
     });
     let open = circle.open().map(|ends| {
         let [from, to] = ends.map(|end| typeset::degrees(&rounded(end, 4, end == ends[1])));
-        phrase!("From {} to {} it is left open: the count of steps ended.", from, to)
+        phrase!("From {} to {} it is left open: the step limit was reached.", from, to)
     });
     Text::joined([sum, arcs].into_iter().chain(only).chain(open), " ")
 }

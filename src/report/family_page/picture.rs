@@ -81,7 +81,7 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
         words.extend((!unsolved.is_empty()).then(|| phrase!(said.unsolved, numbers(&unsolved))));
         if unit(family, quantity).is_none() {
             // A force has no arms.
-            words.push("The moment is not drawn: its arms hold several open lengths.".into());
+            words.push("The moment is not drawn: its arms contain several open lengths.".into());
         } else if curves < left.len() {
             words.push(phrase!(said.not_drawn, numbers(&left[curves..])));
         }
@@ -92,7 +92,7 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
 const MARKS: &str = "Rings are its exact zeros in (0°, 360°); at a dot just one of the direct and the reverse vector is exactly zero, and the \
                      other turns at constant length (marked for orders with no more than {} of them).";
 
-const IRRATIONAL: &str = "Marks that the legend calls irrational stand at angles that are no rational turn, proved to be zeros and drawn rounded.";
+const IRRATIONAL: &str = "Marks that the legend calls irrational are at angles that are not rational turns, proved to be zeros and drawn rounded.";
 
 /// What is said of orders that have no curve, or may have zeros without a ring.
 struct Said {

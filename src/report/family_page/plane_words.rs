@@ -71,8 +71,7 @@ pub(super) fn why(classes: &Classes) -> Text {
     );
     let equal = match (&classes.circle, classes.is_curve()) {
         (_, true) => phrase!(
-            "They are equally long for every {} (proved), so that each has one {} at which the sum vanishes, which turns by −A/B, A and B being \
-             what the classes come to, or all, where both vanish.",
+            "They are equally long for every {} (proved), so that each has one {} at which the sum vanishes, which turns by −A/B, A and B being the sums of the classes, or all, where both vanish.",
             u,
             v
         ),
@@ -81,8 +80,7 @@ pub(super) fn why(classes: &Classes) -> Text {
         }
         (Some(circle), false) => {
             let difference = phrase!(
-                "The difference of the squares of their lengths is a real polynomial of degree {} in the turn by {}; the circle is cut into {} \
-                 arcs, and each shows how often it vanishes there (proved).",
+                "The difference of the squares of their lengths is a real polynomial of degree {} in the turn by {}; the circle is divided into {} arcs, and each shows how often it vanishes there (proved).",
                 (circle.polynomial.degree() / 2).to_string(),
                 u.clone(),
                 circle.arcs.len()
@@ -99,20 +97,20 @@ pub(super) fn so(circle: &Circle, zeros: Option<Text>, u: &str) -> Text {
         (Some(zeros), true) => phrase!("So the sum vanishes exactly where {}.", zeros),
         (None, true) => "So it vanishes for no angles.".into(),
         (Some(zeros), false) => {
-            phrase!("So, but for the arcs that are left open, the sum vanishes exactly where {}.", zeros)
+            phrase!("So, except on the arcs left open, the sum vanishes exactly where {}.", zeros)
         }
-        (None, false) => "So it vanishes nowhere but perhaps on the arcs that are left open.".into(),
+        (None, false) => "So it vanishes nowhere, except perhaps on the arcs left open.".into(),
     };
     let only = circle.irrational().map(|near| {
         let [from, to] = circle_words::between(circle, near);
-        phrase!("Between {} and {} there is one such {}, which is no rational turn.", from, to, u.to_owned())
+        phrase!("Between {} and {} there is one such {}, which is not a rational turn.", from, to, u.to_owned())
     });
     Text::joined([told].into_iter().chain(only).chain(circle_words::open(circle).map(ended)), " ")
 }
 
 /// As a sentence of its own.
 fn ended(open: Text) -> Text {
-    phrase!("What is left open is {}: the count of steps ended.", open)
+    phrase!("Left open: {}: the step limit was reached.", open)
 }
 
 /// `0 where φ ≡ 90° and δ ≡ 45°, or φ ≈ 30° and δ ≈ 75.52°`.
@@ -143,19 +141,18 @@ fn corners(triangle: &Triangle) -> Option<Text> {
 pub(super) fn triangle_why(triangle: &Triangle) -> Text {
     match (corners(triangle), triangle.corners.len()) {
         (None, 1..) => {
-            "Three parts are left, which can be the sides of a triangle (proved), but no angles in (0°, 360°) turn them so.".into()
+            "Three parts remain, which can be the sides of a triangle (proved), but no angles in (0°, 360°) turn them so.".into()
         }
         (None, 0) => {
-            "Three parts are left, and one is longer than the others together (proved), so they cancel for no angles."
+            "Three parts remain, and one is longer than the others together (proved), so they cancel for no angles."
                 .into()
         }
         (Some(corners), 1) => phrase!(
-            "Three parts are left, and one is as long as the others together (proved), so they cancel in one way: where {} (modulo 360°).",
+            "Three parts remain, and one is as long as the others together (proved), so they cancel in one way: where {} (modulo 360°).",
             corners
         ),
         (Some(corners), _) => phrase!(
-            "Three parts are left, which can be the sides of a triangle (proved), and of its mirror image, so they cancel in two ways: where \
-             {} (modulo 360°).",
+            "Three parts remain, which can be the sides of a triangle (proved), and of its mirror image, so they cancel in two ways: where {} (modulo 360°).",
             corners
         ),
     }

@@ -97,10 +97,7 @@ pub(super) fn why(found: &Quadratic) -> Text {
     };
     if found.twist.is_some() {
         let twist = phrase!(
-            "Call them A, B and C, and E the product of B with the conjugate of A, less that of C with the conjugate of B. A and C are equally long \
-             for every {} (proved), so that they cancel only where E vanishes; the circle is cut into {} arcs, and each shows how often it does \
-             there (proved; theory, section 17). At each such angle there are two {}, one or none, as 4|A|² − |B|² is positive, zero or negative \
-             (proved), and where A = C = 0 all or none, as B = 0 or not.",
+            "Call them A, B and C, and E the product of B with the conjugate of A, less that of C with the conjugate of B. A and C are equally long for every {} (proved), so that they cancel only where E vanishes; the circle is divided into {} arcs, and each shows how often it does there (proved; theory, section 17). At each such angle there are two {}, one or none, as 4|A|² − |B|² is positive, zero or negative (proved), and where A = C = 0 all or none, as B = 0 or not.",
             u.clone(),
             circle.arcs.len(),
             v
@@ -108,9 +105,7 @@ pub(super) fn why(found: &Quadratic) -> Text {
         return Text::joined([lead, twist, so(circle, zeros(found), &u)], " ");
     }
     let arcs = phrase!(
-        "Where they cancel, a real polynomial of degree {} in the turn by {} vanishes (theory, section 17); the circle is cut into {} arcs, and \
-         each shows how often it does there (proved). For each such angle there is one {} if first and third class differ in length, and none, \
-         one or two if they do not.",
+        "Where they cancel, a real polynomial of degree {} in the turn by {} vanishes (theory, section 17); the circle is divided into {} arcs, and each shows how often it does there (proved). For each such angle there is one {} if first and third class differ in length, and none, one or two if they do not.",
         (circle.polynomial.degree() / 2).to_string(),
         u.clone(),
         circle.arcs.len(),

@@ -37,7 +37,7 @@ pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
 /// At which bank angles it can fire evenly.
 pub(super) fn even_firing_words(angles: &BTreeSet<Turn>) -> Text {
     match angles.is_empty() {
-        true => "No bank angle lets it fire evenly.".into(),
+        true => "It cannot fire evenly at any bank angle.".into(),
         false => phrase!("It can fire evenly exactly at φ = {}.", list(angles)),
     }
 }
@@ -45,7 +45,7 @@ pub(super) fn even_firing_words(angles: &BTreeSet<Turn>) -> Text {
 /// For which bank angles and pin splits together it can.
 pub(super) fn even_firing_lines_words(even: &EvenFiring) -> Text {
     match even.turns.is_empty() {
-        true => "No bank angle and pin split let it fire evenly.".into(),
+        true => "It cannot fire evenly at any bank angle and pin split.".into(),
         false => {
             phrase!("It can fire evenly exactly where {} ≡ {}.", unknowns(&even.phi, &even.delta), list(&even.turns))
         }
@@ -184,7 +184,7 @@ pub(in crate::report) fn argument(sum: &OpenSum) -> Text {
     let sentences = sum.parts.iter().map(one).chain(has_open_angles.then(|| why(&sum.when)));
     let sentences = Text::joined(sentences, " ");
     match &sum.symbol {
-        Some(symbol) => phrase!("What {} multiplies: {}", symbol.clone(), sentences),
+        Some(symbol) => phrase!("Factor of {}: {}", symbol.clone(), sentences),
         None => sentences,
     }
 }
@@ -192,9 +192,9 @@ pub(in crate::report) fn argument(sum: &OpenSum) -> Text {
 pub(super) fn why(when: &When) -> Text {
     match when {
         When::Always => "Every part vanishes, so the sum does for all angles.".into(),
-        When::Never(Never::OnePart) => "One part is left, so the sum vanishes for no angle.".into(),
+        When::Never(Never::OnePart) => "One part remains, so the sum vanishes for no angle.".into(),
         When::Never(Never::UnequalLengths(_)) => {
-            "Two parts are left and their lengths differ (proved), so they cancel for no angle.".into()
+            "Two parts remain and their lengths differ (proved), so they cancel for no angle.".into()
         }
         When::Never(Never::Coprime(found)) => circle_words::coprime(found),
         When::Never(Never::Circle(circle)) | When::Circle(circle) => circle_words::why(circle),
@@ -205,11 +205,11 @@ pub(super) fn why(when: &When) -> Text {
         When::Never(Never::Boxes(found)) | When::Boxes(found) => boxes_words::why(found),
         When::Where(angles) => {
             let Some(conditions) = conditions(angles) else {
-                return "The parts that are left are equally long (proved), but no angles in (0°, 360°) make them cancel.".into();
+                return "The remaining parts are equally long (proved), but no angles in (0°, 360°) make them cancel.".into();
             };
             let words = match angles.alternatives.len() {
-                1 => "The parts that are left are equally long (proved), so they cancel exactly where they are opposite: {} (modulo 360°).",
-                _ => "The parts that are left are equally long (proved), so they cancel exactly where they are 120° apart: {} (modulo 360°).",
+                1 => "The remaining parts are equally long (proved), so they cancel exactly where they are opposite: {} (modulo 360°).",
+                _ => "The remaining parts are equally long (proved), so they cancel exactly where they are 120° apart: {} (modulo 360°).",
             };
             phrase!(words, conditions)
         }
@@ -225,7 +225,7 @@ pub(super) fn why(when: &When) -> Text {
             )
         }
         When::NotSolved(count) => {
-            phrase!("{} parts are left; for which angles they cancel is not solved here.", *count)
+            phrase!("{} parts remain; for which angles they cancel is not solved here.", *count)
         }
     }
 }
@@ -253,5 +253,5 @@ fn factored(factor: &Form, lengths: &Linear) -> Text {
 pub(super) fn left_sentence(verdict: &OpenVerdict) -> Option<Text> {
     let Remaining::Factored { factor, lengths, direction, degrees } = family::remaining(verdict) else { return None };
     let bearing = Bearing { exact: direction, decimal: degrees };
-    Some(phrase!("What is left: length {}, angle {}.", factored(&factor, &lengths), bearing))
+    Some(phrase!("Residual: length {}, angle {}.", factored(&factor, &lengths), bearing))
 }

@@ -10,10 +10,8 @@ use crate::firing::{NoStar, Weights};
 use crate::page::{Block, Document, Fold, Table, Text, phrase};
 
 /// What the page is about.
-const FOUR_STROKE: &str = "Which orders of the gas torque vanish for every pressure law that all cylinders share, on a rigid crankshaft? Half orders \
-                           depend on the firing order, whole ones on the crankshaft alone.";
-const TWO_STROKE: &str = "Which orders of the gas torque vanish for every pressure law that all cylinders share, on a rigid crankshaft, where every engine of the \
-                          catalogue is run as a two-stroke? It then fires at each top dead centre, and there are whole orders alone.";
+const FOUR_STROKE: &str = "Which orders of the gas torque vanish for every pressure law common to all cylinders, on a rigid crankshaft? Half orders depend on the firing order, whole orders only on the crankshaft.";
+const TWO_STROKE: &str = "Which orders of the gas torque vanish for every pressure law common to all cylinders, on a rigid crankshaft, where every engine of the catalogue is run as a two-stroke? It then fires at each top dead centre and has whole orders only.";
 
 /// The engine as it runs in this cycle: any as a two-stroke, one that says when it fires as a four-stroke.
 ///
@@ -63,7 +61,7 @@ impl Runs {
         let silent: Vec<&str> = silent.collect();
         if !silent.is_empty() {
             page.push(Block::Note(phrase!(
-                "The layouts of these engines do not say when they fire: {}.",
+                "The layouts of these engines give no firing order: {}.",
                 silent.join(", ")
             )));
         }
@@ -114,7 +112,7 @@ fn table(studies: &[(Entry, FiringStudy)]) -> Table {
     Table::of(studies)
         .column("Engine", |(entry, _)| name(entry))
         .column("Firing intervals", |(_, study)| intervals(&study.engine))
-        .column("Orders left of the gas torque", |(_, study)| match study.pattern() {
+        .column("Residual orders of the gas torque", |(_, study)| match study.pattern() {
             Ok(pattern) => words::left_in_short(pattern),
             Err(why) => words::no_pattern(why),
         })

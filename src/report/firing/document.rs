@@ -24,7 +24,7 @@ pub fn firing_engine(engine: &Engine, own: &FiringDocument) -> Result<FiringDocu
 /// The stars as data: what `verify` reads. The stars of one period stand in it where they are asked for and can be had.
 pub fn firing_document(study: &FiringStudy, with_pattern: bool) -> FiringDocument {
     let engine = &study.engine;
-    let firing = engine.firing().unwrap_or_else(|| unreachable!("a study is of an engine that fires"));
+    let firing = engine.firing().unwrap_or_else(|| unreachable!("a study needs an engine that fires"));
     let cylinder = |Shot { cylinder: index, angle }: &Shot| {
         let cylinder = &engine.cylinders()[*index];
         let claim = FiringCylinder {

@@ -21,10 +21,9 @@ pub(super) const MEANING: &str = "A cylinder that fires at the crank angle $\\va
 pub(super) const MEANING_OF_A_MODE: &str = "A cylinder that fires at the crank angle $\\varphi_j$ does work in order $\\kappa$ on a mode of torsional vibration in proportion to \
                        the deflection $\\Delta_j$ of its throw. Where all cylinders have the same pressure and bore, that of all is $t_\\kappa$ times the sum of phase vectors";
 const ASSUMED: [&str; 3] = [
-    "Every cylinder fires once per cycle at the angle of the table, with the same pressure law and the same bore; a verdict holds whatever that law is. \
-     A single law may leave out further orders.",
+    "Every cylinder fires once per cycle at the angle of the table, with the same pressure law and the same bore; a verdict holds for any such law. A particular law may have further zero orders.",
     "Lengths are counted in crank radii; r is that of the layout, 1 where all are alike.",
-    "At whole orders the inertia of the pistons adds to the torque; at half orders the gas is alone.",
+    "At whole orders the inertia of the pistons adds to the torque; half orders are of the gas only.",
 ];
 const ASSUMED_RIGID: &str =
     "The crankshaft is taken to be rigid: a minor order that vanishes here may still twist the shaft.";
@@ -35,12 +34,12 @@ fn answer(study: &FiringStudy) -> Vec<Text> {
     match study.pattern() {
         Ok(pattern) => {
             let whose = match (study.weights.is_mode_shape(), study.is_of_one_class()) {
-                (true, _) => "**Work of the gas on this mode, for every pressure law that all cylinders share.** {}",
+                (true, _) => "**Work of the gas on this mode, for every pressure law common to all cylinders.** {}",
                 (false, true) => {
-                    "**Gas torque of a rigid crankshaft, for every pressure law that all cylinders share.** {}"
+                    "**Gas torque of a rigid crankshaft, for every pressure law common to all cylinders.** {}"
                 }
                 (false, false) => {
-                    "**Gas torque of a rigid crankshaft, for every pressure law that all cylinders share; the rods differ.** {}"
+                    "**Gas torque of a rigid crankshaft, for every pressure law common to all cylinders; the rods differ.** {}"
                 }
             };
             lines.push(phrase!(whose, words::statement(pattern)));

@@ -37,9 +37,9 @@ pub(super) fn statement(pattern: &FiringPattern) -> Text {
     match (left.as_slice(), zeros.as_slice()) {
         (_, []) => "No order vanishes.".into(),
         ([], _) => "Every order vanishes.".into(),
-        (left, _) if left.len() <= MOST_NAMED => phrase!("Every order vanishes but these: {}.", classes(left, repeats)),
+        (left, _) if left.len() <= MOST_NAMED => phrase!("All orders vanish except {}.", classes(left, repeats)),
         (_, zeros) if zeros.len() <= MOST_NAMED => {
-            phrase!("These orders vanish, and no other: {}.", classes(zeros, repeats))
+            phrase!("Exactly these orders vanish: {}.", classes(zeros, repeats))
         }
         (left, zeros) if left.len() <= zeros.len() => phrase!(
             "Every order vanishes but {}, and those that differ from one of these by a multiple of {}.",
@@ -171,8 +171,7 @@ pub(super) fn why(pattern: &FiringPattern) -> Text {
         );
     }
     phrase!(
-        "Each firing angle times {} is a whole number of turns, so the star of order $\\kappa$ is that of order $\\kappa$ + {}: the \
-         {} orders up to {} tell of all. Order {} − $\\kappa$ has the mirror image of the star of order $\\kappa$.",
+        "Each firing angle times {} is a whole number of turns, so the star of order $\\kappa$ is that of order $\\kappa$ + {}: the {} orders up to {} decide all. Order {} − $\\kappa$ has the mirror image of the star of order $\\kappa$.",
         repeats.to_string(),
         repeats.to_string(),
         pattern.orders.len(),

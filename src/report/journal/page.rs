@@ -8,23 +8,17 @@ use crate::journal::{CycleBearings, CycleLoads};
 use crate::loads::{BearingLoads, Missing};
 use crate::page::{Block, Document, Text, phrase};
 
-const RODS: &str = "A rod is pressed where gas presses the piston, and pulled where the piston's inertia does. What the big end pulls its crankpin with, towards the piston, has the rotating part of \
-                    the rod in it: the bolts of its cap bear that, less what the cap itself makes. The side force is that of piston and wall on each other.";
+const RODS: &str = "The gas puts a rod in compression, the inertia of the piston puts it in tension. The pull of the big end on its crankpin, towards the piston, includes the rotating part of the rod: the cap bolts carry it, less the inertia of the cap itself. The side force acts between piston and wall.";
 
-const PINS: &str = "What the rod of each cylinder loads its crankpin with through the cycle: gas and inertia of the piston, with the side force, and the rotating part of the rod.";
+const PINS: &str = "Load of each crankpin by the rod of each cylinder through the cycle: gas and inertia of the piston, with the side force, and the rotating part of the rod.";
 
-const SHARED: &str = "What all rods of a crankpin load it with together, at each crank angle the sum of their forces: those of two rods pull and push at different times, so that the pin feels less than \
-                      both their largest loads, and the bearing of each rod its own. The mass of the pin itself loads nothing on it.";
+const SHARED: &str = "Load of a crankpin by all its rods, at each crank angle the sum of their forces. The rods peak at different times, so that the pin carries less than the sum of their largest loads; the bearing of each rod carries its own. The mass of the pin itself adds nothing.";
 
-const ORDERS: &str = "The largest value of each order of the load, gas and masses together, zero to peak. Order κ of the gas is a harmonic of one cylinder times the stars \
-                      $\\sum_j \\rho_j e^{i(\\alpha_j \\mp \\kappa\\varphi_j)}$, $\\rho_j$ the part that the bearing carries, $\\alpha_j$ the axis and $\\varphi_j$ the crank angle at which cylinder j fires: where both are 0, \
-                      exactly, and the masses leave nothing, the order is **0** for every pressure that the cylinders share. At whole orders gas and masses add as vectors; halves are the gas alone.";
+const ORDERS: &str = "The largest value of each order of the load, gas and masses together, zero to peak. Order κ of the gas is a harmonic of one cylinder times the stars $\\sum_j \\rho_j e^{i(\\alpha_j \\mp \\kappa\\varphi_j)}$, $\\rho_j$ the part that the bearing carries, $\\alpha_j$ the axis and $\\varphi_j$ the crank angle at which cylinder j fires: where both are 0, exactly, and the masses leave nothing, the order is **0** for every pressure common to all cylinders. At whole orders gas and masses add as vectors; half orders are of the gas only.";
 
-const FOUND: &str = "The piston pushes its rod with $F = F_g - F_{in}$ towards the crank, $F_g = (p - p_c)\\,A$ the gas and $F_{in} = -m\\ddot s$ the inertia; the rod stands askew by β and pushes its \
-                     crankpin with $-F\\,(1 - i\\tan\\beta)\\,e^{i\\alpha}$, the piston the wall with $F\\tan\\beta$. Each bearing carries its parts of the pins, and of what turns with the shaft. \
-                     Head, walls and bearings together feel the shaking force of the masses alone: the gas makes none.";
+const FOUND: &str = "The piston pushes its rod with $F = F_g - F_{in}$ towards the crank, $F_g = (p - p_c)\\,A$ the gas and $F_{in} = -m\\ddot s$ the inertia; the rod is askew by β and pushes its crankpin with $-F\\,(1 - i\\tan\\beta)\\,e^{i\\alpha}$, the piston the wall with $F\\tan\\beta$. Each bearing carries its parts of the pins, and of what turns with the shaft. Head, walls and bearings together take the shaking force of the masses alone: the gas makes none.";
 
-const ALONE: &str = "What follows is of the masses alone, by orders, exactly: the largest of their sum in one revolution is “without gas” above.";
+const ALONE: &str = "The following is about the masses alone, order by order, exactly: the largest of their sum in one revolution is “without gas” above.";
 
 /// The short answer: the largest load of every bearing and rod.
 pub fn complete_bearings_answer(engine: &Engine, loads: &CycleLoads) -> Document {
@@ -39,7 +33,7 @@ pub fn complete_bearings_answer(engine: &Engine, loads: &CycleLoads) -> Document
 
 /// A document on the masses alone that says why the gas, which the layout asks for, is not in it.
 pub fn without_gas(mut document: Document, lack: &Missing) -> Document {
-    let told = Block::Note(phrase!("The gas is asked for, and left out here: {}.", lack.to_string()));
+    let told = Block::Note(phrase!("Gas loads were asked for, but are missing: {}.", lack.to_string()));
     document.blocks.insert(1.min(document.blocks.len()), told);
     document
 }
@@ -90,7 +84,7 @@ pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &Bear
     page.blocks.extend(by_orders(engine, masses));
     section(&mut page, "Parts of a load");
     page.blocks.extend(parts_of_a_load(engine, masses));
-    section(&mut page, "How it was found");
+    section(&mut page, "Method");
     page.push(Block::Paragraph(FOUND.into()));
     section(&mut page, "Assumptions");
     page.push(Block::List(words::assumptions(engine)));

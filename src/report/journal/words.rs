@@ -20,8 +20,7 @@ pub(super) fn answer(engine: &Engine, loads: &CycleLoads, [continuous, determina
     lines
 }
 
-const SIGNS: &str = "Largest values are those of the forces themselves, through the whole cycle and with all orders; the load is the force that bearing or pin feels, and what the \
-                     gas has in it is counted along it.";
+const SIGNS: &str = "Largest values are those of the forces themselves, through the whole cycle and with all orders; the load is the force on bearing or pin, and the part of the gas is its component along the load.";
 
 fn largest(bearings: &CycleBearings) -> Text {
     let peak = &bearings.bearings[bearings.worst].peak;
@@ -29,7 +28,7 @@ fn largest(bearings: &CycleBearings) -> Text {
     let gas = peak.gas_along();
     if gas < 0.0 {
         phrase!(
-            "**Largest load.** Bearing {} feels {} at the crank angle {}, of the masses; the gas has taken {} off.",
+            "**Largest load.** Bearing {} carries {} at crank angle {}, by the masses; the gas reduces it by {}.",
             number,
             size,
             at,
@@ -37,7 +36,7 @@ fn largest(bearings: &CycleBearings) -> Text {
         )
     } else if gas > peak.value {
         phrase!(
-            "**Largest load.** Bearing {} feels {} at the crank angle {}: {} of the gas, less {} that the masses take off.",
+            "**Largest load.** Bearing {} carries {} at crank angle {}: {} by the gas, less {} by the masses.",
             number,
             size,
             at,
@@ -46,7 +45,7 @@ fn largest(bearings: &CycleBearings) -> Text {
         )
     } else {
         phrase!(
-            "**Largest load.** Bearing {} feels {} at the crank angle {}: {} of the gas and {} of the masses.",
+            "**Largest load.** Bearing {} carries {} at crank angle {}: {} by the gas and {} by the masses.",
             number,
             size,
             at,
@@ -63,7 +62,7 @@ fn others(continuous: &CycleBearings, determinate: &CycleBearings) -> Text {
     let alone = sizes.iter().position(|size| *size == largest).unwrap_or(0);
     let other = &determinate.bearings[determinate.worst].peak;
     phrase!(
-        "**Without gas** the largest is {} on bearing {}. By the determinate approximation bearing {} feels the most, {}.",
+        "**Without gas** the largest is {} on bearing {}. By the determinate approximation the most loaded is bearing {}, with {}.",
         newtons(largest),
         alone + 1,
         determinate.worst + 1,
@@ -81,7 +80,7 @@ fn pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     let index = first(loads, |index| loads.cylinders[index].peaks.pin.value)?;
     let peak: &CyclePeak = &loads.cylinders[index].peaks.pin;
     Some(phrase!(
-        "**Crankpins.** The rod of cylinder {} loads its crankpin the most, with {} at the crank angle {}.",
+        "**Crankpins.** The rod of cylinder {} loads its crankpin most, with {} at crank angle {}.",
         Text::label(engine.cylinders()[index].name.clone()),
         newtons(peak.value),
         angle(peak.angle)
@@ -92,7 +91,7 @@ fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     let most = loads.shared_pins.iter().map(|pin| pin.peak.value).fold(f64::NEG_INFINITY, f64::max);
     let pin = loads.shared_pins.iter().find(|pin| pin.peak.value >= most - 1e-9 * most.abs())?;
     Some(phrase!(
-        "**All rods of a crankpin** together load crankpin {} the most, that of cylinders {}: with {} at the crank angle {}.",
+        "**All rods of a crankpin** together load crankpin {} of cylinders {} most, with {} at crank angle {}.",
         pin.throw + 1,
         names(engine, &pin.cylinders),
         newtons(pin.peak.value),
@@ -107,20 +106,20 @@ fn rods(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     let [most, least] = [loads.cylinders[pressed].peaks.rod[0].value, loads.cylinders[pulled].peaks.rod[1].value];
     Some(match least < 0.0 {
         true if pressed == pulled => phrase!(
-            "**Rods.** The rod of cylinder {} is pressed with up to {} and pulled with up to {}.",
+            "**Rods.** The rod of cylinder {} is in compression up to {} and in tension up to {}.",
             name(pressed),
             newtons(most),
             newtons(-least)
         ),
         true => phrase!(
-            "**Rods.** The rod of cylinder {} is pressed with up to {}, that of cylinder {} pulled with up to {}.",
+            "**Rods.** The rod of cylinder {} is in compression up to {}, that of cylinder {} in tension up to {}.",
             name(pressed),
             newtons(most),
             name(pulled),
             newtons(-least)
         ),
         false => phrase!(
-            "**Rods.** The rod of cylinder {} is pressed with up to {}; none is pulled.",
+            "**Rods.** The rod of cylinder {} is in compression up to {}; none is in tension.",
             name(pressed),
             newtons(most)
         ),
@@ -130,7 +129,7 @@ fn rods(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
 /// How well the orders tell the loads.
 pub(super) fn missed(loads: &CycleLoads, bearings: &CycleBearings) -> Text {
     phrase!(
-        "The orders up to {} miss at most {} of the load of any bearing; the largest loads above are not theirs, but those of the forces themselves.",
+        "The orders up to {} miss at most {} of the load of any bearing; the largest loads above are those of the forces themselves, not of the orders.",
         crate::torque::HIGHEST,
         newtons(loads.missed(bearings))
     )
@@ -144,5 +143,4 @@ pub(super) fn assumptions(engine: &Engine) -> Vec<Text> {
     list
 }
 
-const LOADS: &str = "The loads are those of gas and masses: the pressure on the pistons, the reciprocating masses, the side force between piston and cylinder that both \
-                     make, and the masses that turn. No weight, no friction.";
+const LOADS: &str = "The loads are those of gas and masses: the pressure on the pistons, the reciprocating masses, the side force between piston and cylinder that both cause, and the rotating masses. Weight and friction are neglected.";

@@ -123,7 +123,7 @@ fn link_on_its_knuckle(link: &Link, radius: &BigRational) -> (BigRational, Knuck
 }
 
 /// With an offset the numbers c_k of odd orders are not real.
-const OFFSET: &str = "With an offset the coefficient c_k of an odd order turns its vectors by an angle of its own, which is left out here.";
+const OFFSET: &str = "With an offset the coefficient c_k of an odd order turns its vectors by an additional angle, which is not shown here.";
 
 /// What is not drawn as the file has it.
 pub(super) fn notes(engine: &Engine) -> Vec<String> {
@@ -133,7 +133,7 @@ pub(super) fn notes(engine: &Engine) -> Vec<String> {
     let named = |of: (i64, i64)| typeset::number(&ratio(of));
     let (usual, least) = (named(USUAL_RATIO), named(LEAST_RATIO));
     let unknown = unknown
-        .then(|| format!("Rods of which the file says nothing are drawn with λ = {usual}; no verdict depends on it."));
+        .then(|| format!("Rods that the file does not give are drawn with λ = {usual}; no verdict depends on it."));
     let short = short
         .then(|| format!("Rods longer than eight crank radii are drawn with λ = {least}; no verdict depends on it."));
     let offset = engine.has_offset().then(|| OFFSET.to_owned());

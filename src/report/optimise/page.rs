@@ -7,17 +7,11 @@ use crate::optimise::{Couple, Front};
 use crate::page::{Block, Document, Text, Unit, number, phrase};
 
 const METHOD: [&str; 5] = [
-    "Chosen is the mass × radius of each counterweight, in its plane: its size, which is the balance factor that the weight adds to its throw, and its \
-     direction, told as the skew from opposite to its throw, positive ahead of it. A larger radius makes the same mass × radius of less mass, so that the \
-     largest radius is always the best one.",
+    "The variables are the mass × radius of each counterweight, in its plane: its size, which is the balance factor that the weight adds to its throw, and its direction, given as the skew from opposite to its throw, positive ahead of it. A larger radius makes the same mass × radius of less mass, so that the largest radius is always the best one.",
     OBJECTIVE,
-    "For a given mass this is a convex problem (a second-order cone program): every bearing load is affine in the counterweights. Crank angles are sampled, and \
-     those at which a solution peaks higher are added until peak and samples agree. The multipliers of the solution prove, by weak duality, how low any \
-     crankshaft of that mass could come: the column “above the least possible”, reckoned in floats.",
-    "The solution is then rounded to whole steps of mass × radius, and two of the weights (one where a couple may be left) are solved anew, exactly, so that \
-     force and couple vanish: a zero is decided on the exact sums of the layout file of the point. A weight that no direction of the throws \
-     meets is written as parts along two of them.",
-    "Figures that are not exact have four digits at most. They are measured on the layout files of the points, not taken from the solver.",
+    "For a given mass this is a convex problem (a second-order cone program): every bearing load is affine in the counterweights. Crank angles are sampled, and those at which a solution peaks higher are added until peak and samples agree. The multipliers of the solution prove, by weak duality, the least load possible at that mass: the column “above the least possible”, computed in floats.",
+    "The solution is then rounded to whole steps of mass × radius, and two of the weights (one where a couple may be left) are solved anew, exactly, so that force and couple vanish: a zero is decided on the exact sums of the layout file of the point. A weight that points along no throw is written as components along two of them.",
+    "Figures that are not exact have four digits at most. They are computed from the layout files of the points, not taken from the solver.",
 ];
 
 const OBJECTIVE: &str = "The mass is that of the source of the balance factors: the masses of the throws brought to their crank radii, half the reciprocating ones among them, and \
@@ -39,12 +33,12 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
     match front.points.as_slice() {
         [] => {}
         [only] => lines.push(phrase!(
-            "The best crankshaft weighs {} and loads its worst bearing with {}.",
+            "The best crankshaft has a mass of {}; its largest bearing load is {}.",
             amounts::kilograms(&only.design.mass),
             amounts::load(&only.design, units)
         )),
         [first, .., last] => lines.push(phrase!(
-            "The lightest crankshaft that keeps the balance weighs {} and loads its worst bearing with {}; the one with the least load weighs {} and loads it with {}.",
+            "The lightest crankshaft that keeps the balance has a mass of {} and a largest bearing load of {}; the one with the least load has {} and {}.",
             amounts::kilograms(&first.design.mass),
             amounts::load(&first.design, units),
             amounts::kilograms(&last.design.mass),
@@ -57,7 +51,7 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
     });
     lines.extend(compared.map(|(uniform, best, less)| {
         phrase!(
-            "With a balance factor of {} on all throws the crankshaft weighs {} and loads its worst bearing with {}; the best counterweights of the same mass load it with {}, {} less.",
+            "With a balance factor of {} on all throws the crankshaft has a mass of {} and a largest bearing load of {}; with the best counterweights of the same mass it is {}, {} less.",
             number::given(&uniform.factor),
             amounts::kilograms(&uniform.design.mass),
             amounts::load(&uniform.design, units),
@@ -67,14 +61,14 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
     }));
     if layout.effects().gas {
         lines.push(phrase!(
-            "The loads are those of gas and masses together, made least together: {} finds the same of each layout file.",
+            "The loads of gas and masses together are minimised: {} gives the same for each layout file.",
             Text::code("crankstar bearings")
         ));
     }
     lines.push(match couple {
-        Couple::Zero => "Nothing is left of the first-order force and couple that turn with the crank: a bare 0 is exact and proved.".into(),
+        Couple::Zero => "There is no residual of the first-order force and couple that turn with the crank: 0 is exact and proved.".into(),
         Couple::AtMost(most) => phrase!(
-            "Nothing is left of the first-order force that turns with the crank, and of its couple at most {}: a bare 0 is exact and proved.",
+            "There is no residual of the first-order force that turns with the crank, and of its couple at most {}: 0 is exact and proved.",
             number::given_with(most, Unit::NEWTON_METRE)
         ),
     });
@@ -107,7 +101,7 @@ pub fn optimise_page(layout: &Engine, front: &Front, couple: &Couple) -> Documen
     page.push(tables::points(layout, front));
     page.push(Block::Heading(1, "The counterweights".into()));
     page.push(Block::Paragraph(
-        "The balance factor that each weight adds to its throw, in percent, and how far it stands ahead of opposite to it:".into(),
+        "The balance factor that each weight adds to its throw, in percent, and its angle ahead of the direction opposite to the throw:".into(),
     ));
     page.push(tables::weights(layout, front));
     let files = optimise_layouts(front).into_iter().map(|file| Text::link(Text::code(file.name.clone()), file.name));
@@ -119,7 +113,7 @@ pub fn optimise_page(layout: &Engine, front: &Front, couple: &Couple) -> Documen
         Text::code("report"),
         Text::joined(files, ", ")
     )));
-    page.push(Block::Heading(1, "How they are found".into()));
+    page.push(Block::Heading(1, "Method".into()));
     page.push(Block::List(method(layout)));
     page
 }

@@ -10,7 +10,7 @@ use crate::optimise::{Design, Front, Uniform};
 use crate::page::{Picture, Unit};
 use crate::text::Format;
 
-const CAPTION: &str = "The largest bearing load over the mass of the crankshaft. Each dot on the curve is the best crankshaft of its mass: none so heavy loads its worst bearing less and keeps the balance asked for. Rings: one balance factor for all throws.";
+const CAPTION: &str = "The largest bearing load over the mass of the crankshaft. Each dot on the curve is the best crankshaft of its mass: no other of that mass keeps the balance asked for with a smaller load. Rings: one balance factor for all throws.";
 
 /// The front.
 pub(super) fn picture(layout: &Engine, front: &Front) -> Picture {

@@ -29,12 +29,12 @@ fn words(partial: &Partial, scale: Option<&Scale>) -> Text {
     let (bare, half) = (at(&BigRational::zero()), at(&BigRational::new(1.into(), 2.into())));
     match partial.reverse.vanishes() {
         true => phrase!(
-            "Let counterweights balance the part f of the reciprocating masses. The first-order force peaks at $\\tfrac{1}{2}\\lvert 1 - 2f\\rvert\\,\\lvert P^+\\rvert$ times $m\\,r\\,\\omega^2$: {} at f = 0, and {} at f = ½, where nothing is left.",
+            "Let counterweights balance the part f of the reciprocating masses. The first-order force peaks at $\\tfrac{1}{2}\\lvert 1 - 2f\\rvert\\,\\lvert P^+\\rvert$ times $m\\,r\\,\\omega^2$: {} at f = 0, and {} at f = ½, where the force vanishes.",
             bare,
             half
         ),
         false => phrase!(
-            "Let counterweights balance the part f of the reciprocating masses. The first-order force peaks at $\\tfrac{1}{2}(\\lvert 1 - 2f\\rvert\\,\\lvert P^+\\rvert + \\lvert P^-\\rvert)$ times $m\\,r\\,\\omega^2$: {} at f = 0 and, the least that they can do, {} at f = ½; f and 1 − f do alike.",
+            "Let counterweights balance the part f of the reciprocating masses. The first-order force peaks at $\\tfrac{1}{2}(\\lvert 1 - 2f\\rvert\\,\\lvert P^+\\rvert + \\lvert P^-\\rvert)$ times $m\\,r\\,\\omega^2$: {} at f = 0 and, at its smallest, {} at f = ½; f and 1 − f give the same.",
             bare,
             half
         ),

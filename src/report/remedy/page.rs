@@ -6,8 +6,8 @@ use crate::page::{Block, Document, Text, phrase};
 use crate::remedy::Remedy;
 
 const METHOD: [&str; 2] = [
-    "A mass at a radius, $U = m_U r_U$, that turns at $n$ times the crank speed and stands at the angle $\\gamma$ at θ = 0 adds $2 n^2 U e^{i\\gamma}$ to the direct vector of order $n$ where it turns with the crank, and to the reverse one where it turns against it.",
-    "Each weight is an exact sum of the same kind as those of the engine. The sums of the corrected engine, with the weights among their terms, are formed anew and judged: that they vanish is proved, not reckoned.",
+    "A mass at a radius, $U = m_U r_U$, that turns at $n$ times the crank speed and is at the angle $\\gamma$ at θ = 0 adds $2 n^2 U e^{i\\gamma}$ to the direct vector of order $n$ where it turns with the crank, and to the reverse one where it turns against it.",
+    "Each weight is an exact sum of the same kind as those of the engine. The sums of the corrected engine, with the weights among their terms, are formed again and decided: that they vanish is proved, not computed.",
 ];
 const UNITS: [&str; 2] = [
     "m and r are the reciprocating mass per cylinder and the crank radius of the layout, and $c_k$ is the coefficient of order k of the piston motion. Angles grow in the sense in which the crank turns, seen from the free end.",
@@ -35,7 +35,7 @@ pub fn remedy_page(remedy: &Remedy) -> Document {
     let mut page = Document::new("remedy", phrase!("{}: remedies", remedy.subject.engine().title()));
     page.push(Block::Answer(words::remedy_cures(remedy)));
     page.blocks.extend(results(remedy, 1));
-    page.push(Block::Heading(1, "How the weights are found".into()));
+    page.push(Block::Heading(1, "Method".into()));
     page.push(Block::List(method(remedy)));
     page
 }
@@ -44,7 +44,7 @@ pub fn remedy_page(remedy: &Remedy) -> Document {
 pub fn remedy_section(remedy: &Remedy) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "Remedies".into()), Block::List(words::remedy_cures(remedy))];
     blocks.extend(results(remedy, 2));
-    blocks.push(Block::Heading(2, "How the weights are found".into()));
+    blocks.push(Block::Heading(2, "Method".into()));
     blocks.push(Block::List(method(remedy)));
     blocks
 }

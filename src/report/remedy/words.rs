@@ -44,22 +44,19 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
     match on_a_crankshaft(remedy) {
         Some((crank, others)) => {
             lines.push(phrase!(
-                "What has to turn at 1× against the crank may stand on crankshaft {}, which turns against the reference, at the same position and \
-                 angle, and needs no shaft of its own: force and moment are the same wherever across the engine its axis stands, the \
-                 roll moment is not.",
+                "What has to turn at 1× against the crank may be on crankshaft {}, which turns against the reference, at the same position and angle, and needs no shaft of its own: its axis may be anywhere across the engine for force and moment, but not for the roll moment.",
                 crank
             ));
             if others > 0 {
                 lines.push(
-                    "No crankshaft can do what the other shafts do: its counterweights reach only order 1, in the sense in which it turns."
+                    "Counterweights cannot replace the other shafts: they act only on order 1, in the sense in which their crankshaft turns."
                         .into(),
                 );
             }
         }
         None if remedy.shafts.is_empty() => {}
         None => lines.push(
-            "No crankshaft can do what these shafts do: its counterweights reach only what turns with the crank at order 1."
-                .into(),
+            "Counterweights cannot replace these shafts: they act only on what turns with the crank at order 1.".into(),
         ),
     }
     lines
@@ -84,20 +81,18 @@ fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
         };
         let words = match shaft.sense {
             Sense::Direct => {
-                "What has to turn at {}× with the crank may stand on crankshaft {}, which turns so, at the same position and angle, and needs no shaft \
-                 of its own: force and moment are the same wherever across the engine its axis stands, the roll moment is not."
+                "What has to turn at {}× with the crank may be on crankshaft {}, which turns so, at the same position and angle, and needs no shaft of its own: its axis may be anywhere across the engine for force and moment, but not for the roll moment."
             }
             Sense::Reverse => {
-                "What has to turn at {}× against the crank may stand on crankshaft {}, which turns so, at the same position and angle, and needs no shaft \
-                 of its own: force and moment are the same wherever across the engine its axis stands, the roll moment is not."
+                "What has to turn at {}× against the crank may be on crankshaft {}, which turns so, at the same position and angle, and needs no shaft of its own: its axis may be anywhere across the engine for force and moment, but not for the roll moment."
             }
         };
         lines.push(phrase!(words, shaft.order, crank.name.clone()));
     }
     if others > 0 {
         lines.push(match lines.is_empty() {
-            true => "No crankshaft can do what these shafts do: its counterweights reach only its own first order, in the sense in which it turns.".into(),
-            false => "No crankshaft can do what the other shafts do: its counterweights reach only its own first order, in the sense in which it turns.".into(),
+            true => "Counterweights cannot replace these shafts: they act only on the first order of their own crankshaft, in the sense in which it turns.".into(),
+            false => "Counterweights cannot replace the other shafts: they act only on the first order of their own crankshaft, in the sense in which it turns.".into(),
         });
     }
     lines
@@ -114,10 +109,10 @@ fn on_a_crankshaft(remedy: &Remedy) -> Option<(Text, usize)> {
 fn left_out(shaft: &Shaft) -> Text {
     let words = match shaft.sense {
         Sense::Direct => {
-            "Nothing is proposed for what turns with the crank at order {}: what this order leaves is below 10⁻⁶ of the load, which is the force of the pistons at order 1, end to end."
+            "Nothing is proposed for what turns with the crank at order {}: its residual is below 10⁻⁶ of the load, which is the force of the pistons at order 1, added end to end."
         }
         Sense::Reverse => {
-            "Nothing is proposed for what turns against the crank at order {}: what this order leaves is below 10⁻⁶ of the load, which is the force of the pistons at order 1, end to end."
+            "Nothing is proposed for what turns against the crank at order {}: its residual is below 10⁻⁶ of the load, which is the force of the pistons at order 1, added end to end."
         }
     };
     phrase!(words, shaft.order)
@@ -216,10 +211,10 @@ fn proof(remedy: &Remedy) -> Text {
     }
     match (remedy.weights().is_empty(), remedy.orders.len() == 1) {
         (true, true) => {
-            phrase!("Nothing is left of force and moment at order {}: no weight is needed.", orders(remedy))
+            phrase!("Force and moment vanish at order {}: no weight is needed.", orders(remedy))
         }
         (true, false) => {
-            phrase!("Nothing is left of force and moment at the orders {}: no weight is needed.", orders(remedy))
+            phrase!("Force and moment vanish at orders {}: no weight is needed.", orders(remedy))
         }
         (false, true) => phrase!(
             "With these weights force and moment vanish at order {}: {} sums of the corrected engine, each proved zero.",
@@ -240,8 +235,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let fewest = match on_a_crankshaft.unwrap_or(remedy.shafts.len()) {
         0 => None,
         count if on_a_crankshaft.is_some() => Some(phrase!(
-            "With what turns at 1× on that crankshaft, balancer shafts are needed still: {}. Fewer are not possible: each changes only \
-             what turns at its own speed and in its own sense.",
+            "With what turns at 1× on that crankshaft, these balancer shafts are still needed: {}. Fewer are not possible: each changes only what turns at its own speed and in its own sense.",
             count
         )),
         1 => Some(
@@ -259,7 +253,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
 }
 
 const HALF_SPEED: &str =
-    "A shaft at half the crank speed is never among them, for no inertia force of the cranks has order 1/2.";
+    "A shaft at half the crank speed is never among them, because no inertia force of the cranks has order 1/2.";
 
 fn height(height: &PairHeight) -> Text {
     let radii = Number::Decimal(height.in_crank_radii.abs());
@@ -297,7 +291,7 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
             None => "none".into(),
         });
         lines.push(phrase!(
-            "Balance factors of the throws, of rotating and half the reciprocating masses, by the counterweights in the layout file: {}.",
+            "Balance factors of the throws, of rotating and half the reciprocating masses, of the counterweights in the layout file: {}.",
             Text::joined(factors, ", ")
         ));
         let parts = engine.reciprocating_factors();
@@ -306,7 +300,7 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
             None => "none".into(),
         });
         lines.push(phrase!(
-            "By the other convention the same counterweights hold all that rotates in balance, and these parts of the reciprocating masses of each throw: {}.",
+            "By the other convention the same counterweights balance all rotating masses and these parts of the reciprocating masses of each throw: {}.",
             Text::joined(parts, ", ")
         ));
     }
@@ -315,11 +309,11 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
         let bare = kilograms(bare.to_f64().unwrap_or(f64::NAN));
         lines.push(match remedy.bays.is_empty() && remedy.crankshaft.is_none() {
             true => phrase!(
-                "Mass of the crankshaft as it enters the balance (throws with rotating and half the reciprocating masses, counterweights): {}.",
+                "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}.",
                 bare
             ),
             false => phrase!(
-                "Mass of the crankshaft as it enters the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at the crank radius: {}.",
+                "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at the crank radius: {}.",
                 bare,
                 kilograms(with)
             ),

@@ -25,7 +25,7 @@ const NEIGHBOURS: &str =
 const MINOR: &str = "Minor orders: the length of the sum of phase vectors, the firing star of this firing order weighed by the deflections of the throws in a mode of \
     torsional vibration. Each firing order of a star is compared by itself.";
 const THROWS: &str = "Throws: the angles of the crankpins, from the free end.";
-const MASSES: &str = "Masses and rods are equal, and the throws stand at equal distances.";
+const MASSES: &str = "Masses and rods are equal, and the throws are at equal distances.";
 
 /// The short answer: the stars.
 pub fn search_answer(front: &Front) -> Document {
@@ -65,7 +65,7 @@ pub fn search_page(front: &Front) -> Document {
         page.push(Block::Heading(1, "What theorems say".into()));
         page.blocks.extend(theorems);
     }
-    page.push(Block::Heading(1, "How they were found".into()));
+    page.push(Block::Heading(1, "Method".into()));
     page.push(Block::Paragraph(judged(front)));
     page
 }
@@ -90,39 +90,39 @@ fn best(front: &Front) -> Vec<Text> {
     let how_many = match front.stars.len() {
         0 => phrase!("None of the {} crank stars has balanced first-order force.", all),
         1 if front.stars.iter().all(|star| star.classes.is_none()) => {
-            phrase!("**None of the {} crank stars is better** than this one in anything that is compared.", all)
+            phrase!("**None of the {} crank stars is better** than this one in any value compared.", all)
         }
-        1 => phrase!("**One of the {} crank stars is the best** in all that is compared.", all),
+        1 => phrase!("**One of the {} crank stars is the best** in all values compared.", all),
         several => phrase!(
-            "**{} of the {} crank stars are the best:** no other is as good as one of them in all that is compared and better in something.",
+            "**{} of the {} crank stars are the best:** no other is as good as one of them in all values compared and better in one.",
             several,
             all
         ),
     };
     let first = front.stars.first().map(|star| match (firing_order(star), left(star)) {
         (Some(order), Some(left)) => {
-            phrase!("**The first:** firing order {}, throws at {}°; moments left: {}.", order, throws(star), left)
+            phrase!("**The first:** firing order {}, throws at {}°; residual moments: {}.", order, throws(star), left)
         }
         (Some(order), None) => {
             phrase!(
-                "**The first:** firing order {}, throws at {}°; no moment of these orders is left.",
+                "**The first:** firing order {}, throws at {}°; no moment of these orders remains.",
                 order,
                 throws(star)
             )
         }
         (None, Some(left)) => {
-            phrase!("**The first:** throws at {}°; it does not fire evenly; moments left: {}.", throws(star), left)
+            phrase!("**The first:** throws at {}°; it does not fire evenly; residual moments: {}.", throws(star), left)
         }
         (None, None) => {
             phrase!(
-                "**The first:** throws at {}°; it does not fire evenly; no moment of these orders is left.",
+                "**The first:** throws at {}°; it does not fire evenly; no moment of these orders remains.",
                 throws(star)
             )
         }
     });
     let minor: Vec<String> = front.problem.minor_orders.iter().map(ToString::to_string).collect();
     let minor = (!minor.is_empty())
-        .then(|| phrase!("Compared besides: these minor orders of torsional vibration: {}.", minor.join(", ")));
+        .then(|| phrase!("Also compared: these minor orders of torsional vibration: {}.", minor.join(", ")));
     [how_many].into_iter().chain(first).chain([orders]).chain(minor).collect()
 }
 
@@ -141,14 +141,14 @@ fn banks(front: &Front) -> Vec<Text> {
     let problem = &front.problem;
     let split = problem.pin_split.as_ref().map(|split| {
         phrase!(
-            "Each throw has two pins: that of bank 2 stands {} ahead. The throws are those of bank 1.",
+            "Each throw has two pins: that of bank 2 is {} ahead. The throws are those of bank 1.",
             number::degrees(&number::signed_degrees(split))
         )
     });
     let offset = problem
         .bank_offset
         .as_ref()
-        .map(|offset| phrase!("Bank 1 stands {} spacings towards the free end of bank 2.", Number::exact(offset)));
+        .map(|offset| phrase!("Bank 1 is {} spacings towards the free end of bank 2.", Number::exact(offset)));
     split.into_iter().chain(offset).collect()
 }
 
@@ -165,11 +165,10 @@ fn told(problem: &Problem) -> Vec<Block> {
 
 fn judged(front: &Front) -> Text {
     if front.described.is_some() {
-        return "Nothing was searched: no moment that is compared is left, and nothing is better.".into();
+        return "No search was needed: all compared moments vanish.".into();
     }
     phrase!(
-        "Stars judged one by one, of those that differ by rotation, mirror or reversal one each: {}. Beginnings left out with all that could follow, \
-         since none of it can be among the best: {}.",
+        "Stars evaluated one by one, of those that differ by rotation, mirror or reversal one each: {}. Partial stars pruned, since none of their completions can be among the best: {}.",
         front.judged.to_string(),
         front.cut.to_string()
     )

@@ -9,15 +9,14 @@ const MOST_LISTED: usize = 12;
 
 const HOW: &str = "Each number is the length of the sum of phase vectors, the firing star weighed by the deflections. Listed are the firing orders to which no \
                    other is as good in every minor order and better in one, compared exactly; first that whose strongest minor order is weakest.";
-const ONE_EACH: &str = "Only the star that is named is judged, and not those that equal it in their moments.";
+const ONE_EACH: &str = "Only the star that is named is evaluated, not those that equal it in their moments.";
 
 /// The firing orders of the first stars of a front.
 pub fn search_torsion(front: &Front, torsion: &Torsion) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "Firing orders by torsional vibration".into())];
     let shape: Vec<Text> = torsion.shape.iter().map(|deflection| Number::exact(deflection).into()).collect();
     blocks.push(Block::Paragraph(phrase!(
-        "The deflections of the throws in the mode, from the free end: {}. The sums repeat after order {}, at which all deflections add up \
-         whatever the firing order is.",
+        "The deflections of the throws in the mode, from the free end: {}. The sums repeat after order {}, at which all deflections add up for any firing order.",
         Text::joined(shape, ", "),
         torsion.repeats_after.to_string()
     )));
@@ -28,7 +27,7 @@ pub fn search_torsion(front: &Front, torsion: &Torsion) -> Vec<Block> {
     let left_out = front.stars.len().saturating_sub(MOST_TORSION_STARS);
     let ends = (left_out > 0).then(|| {
         phrase!(
-            "The firing orders of the first {} stars are judged; {} more are left out.",
+            "The firing orders of the first {} stars are evaluated; {} more are left out.",
             MOST_TORSION_STARS,
             left_out
         )
@@ -40,7 +39,7 @@ pub fn search_torsion(front: &Front, torsion: &Torsion) -> Vec<Block> {
 fn of_star(number: usize, star: &StarTorsion, torsion: &Torsion) -> Vec<Block> {
     let Some(first) = star.best.first() else {
         return vec![Block::Paragraph(phrase!(
-            "Star {} does not fire evenly, and its firing orders are not judged.",
+            "Star {} does not fire evenly, and its firing orders are not evaluated.",
             number
         ))];
     };

@@ -11,20 +11,18 @@ use crate::text::Untrusted;
 use crate::verdict::{self, EveryOrderTheorem};
 
 const TITLE: &str = "Crank stars: what they can lose, and what never";
-const READING: &str = "Engines in line, two-stroke (four-stroke with an odd number of cylinders too), evenly firing, one spacing apart, equal masses and rods. Yes: some star loses the moments of all these orders. No, with a prime q: \
-    throws 1/q of a turn apart would stand at one place. Stars are counted with cylinder 1 at 0°.";
-const LEAST: &str = "Lengths are exact, in $m r \\omega^2 c_k a$, $a$ the spacing. Up to 12 cylinders the program goes through all stars when it writes this page; 14 and 15 are the theorems'. Of 13 and 16 the moments are those of a star that `crankstar search` found, \
-    exactly; that none has less is the answer of that search.";
+const READING: &str = "Engines in line, two-stroke (four-stroke with an odd number of cylinders too), evenly firing, one spacing apart, equal masses and rods. Yes: some star loses the moments of all these orders. No, with a prime q: throws 1/q of a turn apart would coincide. Stars are counted with cylinder 1 at 0°.";
+const LEAST: &str = "Lengths are exact, in $m r \\omega^2 c_k a$, $a$ the spacing. Up to 12 cylinders the program examines all stars when it writes this page; 14 and 15 follow from the theorems. Of 13 and 16 the moments are those of a star that `crankstar search` found, exactly; that none has less is the answer of that search.";
 const SOURCES: [&str; 4] = [
     "**Known.** That a moment of order 1 is zero says that an equiangular polygon has the sides 1, 2, …, n in some order. R. Dawson, Arithmetic polygons, American Mathematical Monthly 119 (2012) 695–698, has when there is one; that coprime factors suffice is a competition problem.",
     "**Known.** Which sums of roots of unity vanish: L. Rédei, N. G. de Bruijn, I. J. Schoenberg; T. Y. Lam and K. H. Leung, On vanishing sums of roots of unity, Journal of Algebra 224 (2000) 91–109. That 0, …, pq − 1 is a sum of two sets in two ways alone is de Bruijn's.",
-    "**Ours**, as far as a short search shows: the theorem for sets of orders, so 12, 15 and 30; what is left beside a lost order; the counts; the least moments; and what follows for engines.",
+    "**Ours**, as far as a short search shows: the theorem for sets of orders, so 12, 15 and 30; the residual beside a vanished order; the counts; the least moments; and what follows for engines.",
     "**Open.** How many stars of thirty lose order 1, and how fast the least moment falls with a prime number of cylinders.",
 ];
 
 fn answer_box() -> Vec<Text> {
     vec![
-        "**Five cylinders cannot be without a first-order couple, and six can.** The moment of order 1 can be zero where the number of cylinders is no power of a prime, and only there.".into(),
+        "**Five cylinders cannot be without a first-order couple, and six can.** The moment of order 1 can be zero where the number of cylinders is not a power of a prime, and only there.".into(),
         phrase!(
             "**{} cylinders are the first that can lose orders 1 and 2, {} the first that can lose 1, 2 and 4.**",
             first(|_| vec![1, 2]),
@@ -69,7 +67,7 @@ pub fn stars_page(study: &StarsStudy) -> Document {
     for shown in &study.engines {
         page.blocks.extend(engine(shown));
     }
-    page.push(Block::Heading(1, "Whose this is".into()));
+    page.push(Block::Heading(1, "Sources".into()));
     page.push(Block::List(SOURCES.map(Text::from).into()));
     page
 }

@@ -5,27 +5,23 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     [
         "Why five cylinders keep a first-order couple",
         "**Theorem.** No star of five cylinders, or of any number that is a power of a prime, loses the moment of order 1. Nor does one with gaps of other rational lengths.",
-        "Number the throws along the shaft 0, 1, 2, 3, 4: these places are whole numbers $w$, one for each of the five directions, and up to a constant that adds nothing the moment is the sum of the directions, each $w$ times. With \
-         whole weights five equally spread directions add up to 0 only if all weights are equal, because $1 + x + x^2 + x^3 + x^4$ is irreducible (with a prime power $q^b$: only if weights $1/q$ of a turn apart are). But no two throws stand at one place.",
+        "Number the throws along the shaft 0, 1, 2, 3, 4: these places are whole numbers $w$, one for each of the five directions, and up to a constant that adds nothing the moment is the sum of the directions, each $w$ times. With whole weights five equally spread directions add up to 0 only if all weights are equal, because $1 + x + x^2 + x^3 + x^4$ is irreducible (with a prime power $q^b$: only if weights $1/q$ of a turn apart are). But no two throws coincide.",
     ],
     [
         "Why six can be without it",
-        "**Theorem.** Every number of cylinders that is no power of a prime has a star without the moment of order 1.",
+        "**Theorem.** Every number of cylinders that is not a power of a prime has a star without the moment of order 1.",
         "Give the throw at $x$ sixths of a turn the place $w = x_2 + 2\\,x_3$, where $x_q$ is what remains of $x$ divided by $q$: this counts 0 to 5, each once. The part $x_2$ is the same for three directions a third of a turn apart, \
          which add up to 0; the part $x_3$ is the same for two opposite directions, which do too. So does the whole. With more prime powers there are more parts, and each is the same for some regular polygon.",
     ],
     [
         "Why twelve lose orders 1 and 2, and fifteen 1, 2 and 4",
         "**Theorem.** Orders 1, 2, 4, … $2^j$ can vanish together exactly where the number of cylinders, divided by what it has in common with $2^j$, is neither 1 nor a power of a prime.",
-        "At order $k$ the $n$ directions become $n$ divided by the greatest common divisor of $n$ and $k$, each taken equally often. If that number is no power of a prime, the star of remainders loses the order as above. If for one prime it is a power of it at the last \
-         of these orders, all orders that would distinguish throws $1/q$ of a turn apart are among those to be lost: the places, put together from the orders that are left, would repeat themselves after $1/q$ of a turn, and no two throws stand at one place. \
-         An order and its multiples by numbers without a common factor with $n$ are lost together: so fifteen cylinders without order 1 are without 2, 4 and 8, and keep 6 and 10.",
+        "At order $k$ the $n$ directions become $n$ divided by the greatest common divisor of $n$ and $k$, each taken equally often. If that number is not a power of a prime, the star of remainders loses the order as above. If for one prime it is a power of it at the last of these orders, all orders that would distinguish throws $1/q$ of a turn apart are among those to be lost: the places, put together from the orders that remain, would repeat themselves after $1/q$ of a turn, and no two throws coincide. An order and its multiples by numbers without a common factor with $n$ are lost together: so fifteen cylinders without order 1 are without 2, 4 and 8, and keep 6 and 10.",
     ],
     [
         "Why thirty lose every moment",
         "**Theorem.** A two-stroke engine in line that fires evenly can be without any moment of any order exactly where its number of cylinders is even and has two different odd prime factors.",
-        "Let throws half a turn apart stand mirrored about the middle of the shaft: their arms are opposite, and at every even order they point one way, so that all even orders are lost. Order 1 is left. Thirty is $2 \\cdot 15$, and fifteen has the star of remainders: put it on every other \
-         direction, with the places of the second half of the shaft, and its mirror image on the opposite ones; then each of the two halves loses order 1 by itself. With one odd prime only, the theorem before forbids it; an odd number of cylinders has no opposite throws, and there even orders reach every divisor.",
+        "Let throws half a turn apart are mirrored about the middle of the shaft: their arms are opposite, and at every even order they point one way, so that all even orders are lost. Order 1 remains. Thirty is $2 \\cdot 15$, and fifteen has the star of remainders: put it on every other direction, with the places of the second half of the shaft, and its mirror image on the opposite ones; then each of the two halves loses order 1 by itself. With one odd prime only, the theorem before forbids it; an odd number of cylinders has no opposite throws, and there even orders reach every divisor.",
     ],
     [
         "How many stars lose order 1",
@@ -34,7 +30,7 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
          factors, with values $p$, $q$ and 1 at $x = 1$, and $A$ has the value $p$ there: so $A$ is $0, 1, \\dots, p-1$ or that times $q$. Each set can be put on its remainders in any order, and $pq$ rotations are one star.",
     ],
     [
-        "What is left of order 2",
+        "The residual of order 2",
         "**Theorem.** $2p$ cylinders without order 1 keep at least twice the least moment of order 1 of $p$ cylinders at order 2, and some keep no more.",
         "At order 2 the two terms of $a_i + b_j$ separate: $a_i$ adds 0, and $b_j$ is a star of $p$ throws, each taken twice, with places one apart or two apart.",
     ],
@@ -51,6 +47,6 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     [
         "No bank angle helps",
         "**Theorem.** Two equal banks on shared pins, an angle γ apart, leave $2\\,\\lvert\\cos\\tfrac{(k \\mp 1)\\gamma}{2}\\rvert$ times the moment of the pins at order $k$, with the crank and against it. At order 1 the vector that turns with the crank is exactly twice that of the pins.",
-        "The vectors of the two cylinders of a pin are $(k \\mp 1)\\gamma$ apart, whatever the pin. For $k = 1$ that is 0 with the crank. So a V8 on four pins or a V10 on five keeps a couple that turns with the crank, for counterweights to take, and a V12 on six pins need not.",
+        "The vectors of the two cylinders of a pin are $(k \\mp 1)\\gamma$ apart, for every pin. For $k = 1$ that is 0 with the crank. So a V8 on four pins or a V10 on five keeps a couple that turns with the crank, for counterweights to take, and a V12 on six pins need not.",
     ],
 ];

@@ -14,7 +14,7 @@ fn cell(throws: u32, orders: &[u32]) -> Text {
     match stars::fate(Pins::once(throws), orders) {
         Fate::Lost(_) => "yes".into(),
         Fate::Never(why) => phrase!("no: {}", why.prime),
-        Fate::Open => "not told".into(),
+        Fate::Open => "not given".into(),
     }
 }
 

@@ -25,15 +25,14 @@ pub(in crate::report) fn never(obstruction: &Obstruction) -> Text {
     let listed = orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
     match power == throws {
         true => phrase!(
-            "**Impossible.** No star of {} throws loses a moment of these orders: {}. The number of throws is a power of the prime {}: were the moment 0, throws 1/{} of a turn apart \
-             would stand at one place. No rational spacing changes that.",
+            "**Impossible.** No star of {} throws loses a moment of these orders: {}. The number of throws is a power of the prime {}: were the moment 0, throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
             *throws,
             listed,
             *prime,
             *prime
         ),
         false => phrase!(
-            "**Impossible.** No star of {} throws loses its moments of these orders together: {}. Throws 1/{} of a turn apart would stand at one place. No rational spacing changes that.",
+            "**Impossible.** No star of {} throws loses its moments of these orders together: {}. Throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
             *throws,
             listed,
             *prime
@@ -45,7 +44,7 @@ pub(in crate::report) fn never(obstruction: &Obstruction) -> Text {
 pub(in crate::report) fn how(by: &By, throws: u32) -> Text {
     match by {
         By::MixedRadix(powers) => phrase!(
-            "**Possible, by a star that a theorem describes.** The throw at $x$ steps of 1/{} turn has the place {}, where $x_q$ is what remains of $x$ divided by $q$. Each term repeats itself after fewer steps than a turn has, so that what it adds to the moments asked for is 0.",
+            "**Possible, by a star that a theorem describes.** The throw at $x$ steps of 1/{} turn has the place {}, where $x_q$ is what remains of $x$ divided by $q$. Each term repeats after fewer steps than a turn has, so that it adds 0 to the moments asked for.",
             throws,
             place(powers)
         ),
@@ -122,14 +121,14 @@ fn least(Least { order, factor, of }: &Least) -> Text {
         found.and_then(Result::ok).and_then(|front| Some(front.stars.first()?.moments.first()?.sum.scaled(&scale)));
     match sum {
         Some(sum) => phrase!(
-            "**What is left then.** Where the moment of order 1 is 0, that of order {} is at least {} times the least first-order moment of {} throws: {}.",
+            "**The residual then.** Where the moment of order 1 is 0, that of order {} is at least {} times the least first-order moment of {} throws: {}.",
             *order,
             *factor,
             *of,
             residual::modulus_of(&sum)
         ),
         None => phrase!(
-            "**What is left then.** Where the moment of order 1 is 0, that of order {} is at least {} times the least first-order moment of {} throws.",
+            "**The residual then.** Where the moment of order 1 is 0, that of order {} is at least {} times the least first-order moment of {} throws.",
             *order,
             *factor,
             *of

@@ -21,9 +21,7 @@ const MOST_MARKS: usize = 60;
 /// Decimals that differ by less than this part are shown alike.
 const ALIKE: f64 = 1e-9;
 
-const MEANING: &str = "The firing star of order $\\kappa$, $\\sum_j r_j e^{-i\\kappa\\varphi_j}$, is what the gas torque of that order goes with where all cylinders share \
-                       one pressure law: where it is 0 the order vanishes for every such law. Its length is in crank radii. Half orders are told where the cylinders can fire \
-                       as the layout says.";
+const MEANING: &str = "The firing star of order $\\kappa$, $\\sum_j r_j e^{-i\\kappa\\varphi_j}$, is proportional to the gas torque of that order where all cylinders share one pressure law: where it is 0 the order vanishes for every such law. Its length is in crank radii. Half orders are given where the cylinders can fire as the layout says.";
 
 /// A sentence per order, and the table of zeros.
 pub(super) fn answer(sweep: &Sweep) -> Vec<Block> {

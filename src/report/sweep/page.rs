@@ -26,12 +26,11 @@ const SIZES: &str =
     "All amplitudes are from zero to peak. Largest and smallest: the greatest and the least length in a revolution.";
 const EXACT: &str = "Zeros are decided exactly; amplitudes are decimals.";
 const MULTIPLES: &str = "$m$ is the reciprocating mass of a cylinder, $r$ the crank radius, $\\omega$ the speed of the crank in radians a second.";
-const COEFFICIENT: &str = "$c_k$ is the coefficient of order k, which the rod decides; the layout names no rod.";
+const COEFFICIENT: &str = "$c_k$ is the coefficient of order k, which the rod decides; the layout gives no rod.";
 const SPACING: &str = "$a$ is the spacing of neighbouring cylinders, which the layout does not give as a length.";
-const COUNTERWEIGHTS: &str = "The counterweights are two, in the planes of the outermost throws, and take away what of order 1 turns with the crank; the \
-    larger one is told.";
+const COUNTERWEIGHTS: &str = "The counterweights are two, in the planes of the outermost throws, and take away what of order 1 turns with the crank; the larger one is shown.";
 const FIRING: &str =
-    "Where the layout names no firing order, the intervals are those of the most even order that the throws allow.";
+    "Where the layout gives no firing order, the intervals are those of the most even order that the throws allow.";
 
 /// The short answer: what is zero, what is greatest, and where.
 pub fn sweep_answer(sweep: &Sweep) -> Document {

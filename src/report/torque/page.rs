@@ -5,20 +5,14 @@ use crate::engine::Engine;
 use crate::page::{Block, Document, Fold, phrase};
 use crate::torque::{EngineTorque, guide_moments};
 
-const ORDERS: &str = "Order κ of the torque is the harmonic of one cylinder times the firing star $S_\\kappa = \\sum_j e^{-i\\kappa\\varphi_j}$, \
-    $\\varphi_j$ the crank angle at which cylinder j fires: where the star is 0, exactly, the order vanishes for every pressure that the cylinders share. \
-    At whole orders gas and inertia add as vectors; halves are the gas alone. Zero to peak.";
+const ORDERS: &str = "Order κ of the torque is the harmonic of one cylinder times the firing star $S_\\kappa = \\sum_j e^{-i\\kappa\\varphi_j}$, $\\varphi_j$ the crank angle at which cylinder j fires: where the star is 0, exactly, the order vanishes for every pressure common to all cylinders. At whole orders gas and inertia add as vectors; half orders are of the gas only. Zero to peak.";
 
 const GUIDES: &str = "The couple of a cylinder's guide and crank forces is its torque: H is the order of the torque, which rocks the frame about the shaft; X is \
     the sum of the couples, each times its distance from the middle, over the rod length, and twists it.";
 
-const FLYWHEEL: &str = "At a constant load $J = \\Delta W / (\\delta\\,\\omega^2)$, δ the largest less the smallest speed over their mean: exact, with the \
-    inertia torque at the mean speed. The energy of what goes back and forth adds the mean of $\\sum m\\,s'^2$ to J, nearly; the balance of energy \
-    $\\tfrac12 (J + \\sum m\\,s'^2)\\,\\omega^2 = E_0 + \\int (T_g - \\bar T)\\,d\\theta$ has it whole.";
+const FLYWHEEL: &str = "At a constant load $J = \\Delta W / (\\delta\\,\\omega^2)$, δ the largest less the smallest speed over their mean: exact, with the inertia torque at the mean speed. The energy of the reciprocating masses adds the mean of $\\sum m\\,s'^2$ to J, nearly; the balance of energy $\\tfrac12 (J + \\sum m\\,s'^2)\\,\\omega^2 = E_0 + \\int (T_g - \\bar T)\\,d\\theta$ has it whole.";
 
-const FOUND: &str = "The gas presses with $F_g = (p - p_c)\\,A$ on the piston and turns the crank with $T = -F_g\\,s'$, s the piston's way outward, the prime \
-    $d/d\\psi$; the mass m adds $-m\\,s'\\,s''\\,\\omega^2$. Mean and orders are integrals over the smooth pieces of the pressure, each by itself; largest, smallest and \
-    the work of the flywheel are found in the torque itself, not in its series. A harmonic is at most $2\\,\\mathrm{Var}(T')/(\\Psi\\kappa^2)$, Ψ the cycle.";
+const FOUND: &str = "The gas acts with $F_g = (p - p_c)\\,A$ on the piston and turns the crank with $T = -F_g\\,s'$, s the piston's displacement outward, the prime $d/d\\psi$; the mass m adds $-m\\,s'\\,s''\\,\\omega^2$. Mean and orders are integrals over the smooth pieces of the pressure, each by itself; largest, smallest and the work of the flywheel are taken from the torque itself, not from its series. A harmonic is at most $2\\,\\mathrm{Var}(T')/(\\Psi\\kappa^2)$, Ψ the cycle.";
 
 /// The short answer.
 pub fn torque_answer(engine: &Engine, torque: &EngineTorque) -> Document {
@@ -82,7 +76,7 @@ pub fn torque_page(engine: &Engine, torque: &EngineTorque) -> Document {
             blocks: vec![Block::Paragraph(GUIDES.into()), tables::guides(&moments).into()],
         }));
     }
-    section(&mut page, "How it was found");
+    section(&mut page, "Method");
     page.push(Block::Paragraph(FOUND.into()));
     page.push(Block::Paragraph(tables::accuracy(torque)));
     section(&mut page, "Assumptions");

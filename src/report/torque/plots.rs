@@ -34,7 +34,7 @@ pub(super) fn torque(torque: &EngineTorque) -> Picture {
     Picture {
         name: "gas-torque".to_owned(),
         caption: phrase!(
-            "The torque on the crank through a cycle: that of the gas, that of the inertia of what goes back and forth, and both together. The dashed line is the mean."
+            "The torque on the crank through a cycle: that of the gas, that of the inertia of the reciprocating masses, and their sum. The dashed line is the mean."
         ),
         figure: plot.figure(),
     }

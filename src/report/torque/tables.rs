@@ -76,19 +76,26 @@ pub(super) fn flywheel(evenness: &Evenness) -> Table {
     let inertia = |value: f64| quantity(value, Unit::KILOGRAM_SQUARE_METRE);
     let mut table = Table::new(["", "Value"]);
     let mut row = |name: &'static str, value: Text| table.push(vec![name.into(), value]);
-    row("largest less smallest work above the mean torque, ΔW", quantity(evenness.energy, Unit::JOULE));
+    row("energy fluctuation ΔW", quantity(evenness.energy, Unit::JOULE));
     row("the crank is fastest at θ", angle(evenness.fastest.angle));
     row("and slowest at θ", angle(evenness.slowest.angle));
-    row("mean of Σ m s'², the inertia of what goes back and forth", inertia(evenness.reciprocating));
+    row("mean of Σ m s'², the inertia of the reciprocating masses", inertia(evenness.reciprocating));
     let needed = evenness.needed;
     let wanted = || -> Text { Number::Decimal(needed.irregularity).into() };
-    row(if needed.is_example { "irregularity δ, as an example" } else { "wanted irregularity δ" }, wanted());
+    row(
+        if needed.is_example {
+            "coefficient of fluctuation of speed δ, as an example"
+        } else {
+            "required coefficient of fluctuation of speed δ"
+        },
+        wanted(),
+    );
     row("inertia for it, J = ΔW/(δ ω²)", inertia(needed.inertia));
-    row("less what goes back and forth", inertia(needed.refined));
+    row("less that of the reciprocating masses", inertia(needed.refined));
     if let Some(given) = evenness.given {
         row("given inertia J", inertia(given.inertia));
-        row("irregularity with it, δ = ΔW/(J ω²)", Number::Decimal(given.irregularity).into());
-        row("with what goes back and forth", Number::Decimal(given.refined).into());
+        row("coefficient of fluctuation with it, δ = ΔW/(J ω²)", Number::Decimal(given.irregularity).into());
+        row("with that of the reciprocating masses", Number::Decimal(given.refined).into());
         row(
             "by the balance of energy",
             given.by_energy.map_or_else(|| "it stops within a cycle".into(), |value| Number::Decimal(value).into()),

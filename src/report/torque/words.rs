@@ -26,14 +26,12 @@ pub(super) fn answer(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
         newton_metres(torque.lowest.value),
         angle(torque.lowest.angle)
     )];
-    lines.extend(
-        torque
-            .unevenness()
-            .map(|part| phrase!("**Unevenness.** It swings through {} times its mean.", Number::Decimal(part))),
-    );
+    lines.extend(torque.unevenness().map(|part| {
+        phrase!("**Unevenness.** The largest less the smallest is {} times the mean.", Number::Decimal(part))
+    }));
     if let (Some(power), Some(speed)) = (torque.power, &engine.dimensions().speed) {
         let kilowatts = quantity(power / 1e3, Unit::KILOWATT);
-        lines.push(phrase!("**Power.** At {} rpm the gas gives {} to the crank.", number::given(speed), kilowatts));
+        lines.push(phrase!("**Power.** At {} rpm the gas delivers {} to the crank.", number::given(speed), kilowatts));
     }
     lines.extend(torque.evenness.as_ref().map(|evenness| flywheel(engine, evenness)));
     lines.extend(left_out(engine, torque));
@@ -48,13 +46,13 @@ fn flywheel(engine: &Engine, evenness: &Evenness) -> Text {
     let needed = evenness.needed;
     match (evenness.given, &asked.irregularity) {
         (Some(given), None) => phrase!(
-            "**Flywheel.** It takes up and gives back {}: with an inertia of {} the irregularity is {}.",
+            "**Flywheel.** Energy fluctuation: {}. With an inertia of {} the coefficient of fluctuation of speed is {}.",
             energy,
             inertia(given.inertia),
             Number::Decimal(given.irregularity)
         ),
         (Some(given), Some(wanted)) => phrase!(
-            "**Flywheel.** It takes up and gives back {}: with an inertia of {} the irregularity is {}; for {} it has to be {}.",
+            "**Flywheel.** Energy fluctuation: {}. With an inertia of {} the coefficient of fluctuation of speed is {}; for {} it has to be {}.",
             energy,
             inertia(given.inertia),
             Number::Decimal(given.irregularity),
@@ -62,13 +60,13 @@ fn flywheel(engine: &Engine, evenness: &Evenness) -> Text {
             inertia(needed.inertia)
         ),
         (None, Some(wanted)) => phrase!(
-            "**Flywheel.** It takes up and gives back {}: for an irregularity of {} all that turns with the crank needs the inertia {}.",
+            "**Flywheel.** Energy fluctuation: {}. For a coefficient of fluctuation of {} all that turns with the crank needs the inertia {}.",
             energy,
             number::given(wanted),
             inertia(needed.inertia)
         ),
         (None, None) => phrase!(
-            "**Flywheel.** It takes up and gives back {}: for an irregularity of 0.01, as an example, all that turns with the crank needs the inertia {}.",
+            "**Flywheel.** Energy fluctuation: {}. For a coefficient of fluctuation of 0.01, as an example, all that turns with the crank needs the inertia {}.",
             energy,
             inertia(needed.inertia)
         ),
@@ -78,7 +76,7 @@ fn flywheel(engine: &Engine, evenness: &Evenness) -> Text {
 /// What is missing in the numbers, for the layout does not say enough.
 fn left_out(engine: &Engine, torque: &EngineTorque) -> Option<Text> {
     if engine.dimensions().speed.is_none() {
-        return Some("The layout gives no speed: power, inertia torque and flywheel are left out.".into());
+        return Some("The layout gives no speed: power, inertia torque and flywheel are omitted.".into());
     }
     (!torque.has_inertia())
         .then(|| "The layout gives no reciprocating masses: this is the torque of the gas alone.".into())
@@ -89,12 +87,12 @@ pub(super) fn roll(engine: &Engine, torque: &EngineTorque) -> Text {
     let [highest, lowest] = torque.roll.map(|extreme| quantity(extreme.value, Unit::NEWTON_METRE));
     match engine.has_offset() {
         false => phrase!(
-            "The frame feels the opposite of the torque as a roll moment, from {} to {}. The gas makes no shaking force, for it presses on the head as much as on the piston.",
+            "The frame takes the opposite of the torque as a roll moment, from {} to {}. The gas makes no shaking force: it acts on the cylinder head as much as on the piston.",
             lowest,
             highest
         ),
         true => phrase!(
-            "The frame feels the opposite of the torque as a roll moment, and the shaking forces at the offset of their axes: together from {} to {}. The gas makes no shaking force, for it presses on the head as much as on the piston.",
+            "The frame takes the opposite of the torque as a roll moment, and the shaking forces at the offset of their axes: together from {} to {}. The gas makes no shaking force: it acts on the cylinder head as much as on the piston.",
             lowest,
             highest
         ),
@@ -119,17 +117,17 @@ pub(in crate::report) fn warning(engine: &Engine, cylinders: &[usize], warning: 
             quantity(400.0, Unit::BAR)
         ),
         Warning::PeakAngle(degrees) => phrase!(
-            "Cylinders {}: the largest pressure stands at {} of the firing dead centre. Usual is −5° to 40°: does the table count from another dead centre, or backwards?",
+            "Cylinders {}: the largest pressure is at {} of the firing dead centre. Usual is −5° to 40°: does the table count from another dead centre, or backwards?",
             of,
             angle(*degrees)
         ),
         Warning::TakesWork(mean) => phrase!(
-            "Cylinders {}: the gas takes a mean torque of {} in place of giving one: is the dead centre a revolution off, or does the table count backwards?",
+            "Cylinders {}: the mean torque of the gas is negative, {}: is the dead centre a revolution off, or does the table count backwards?",
             of,
             quantity(-mean, Unit::NEWTON_METRE)
         ),
         Warning::Coarse(degrees) => phrase!(
-            "Cylinders {}: rows of the table stand {} apart; the straight lines between them decide the higher orders.",
+            "Cylinders {}: rows of the table are {} apart; the straight lines between them decide the higher orders.",
             of,
             angle(*degrees)
         ),
@@ -150,9 +148,9 @@ pub(in crate::report) fn names(engine: &Engine, cylinders: &[usize]) -> Text {
 /// What the numbers rest on.
 pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
     let mut list: Vec<Text> = vec![
-        "The crank turns at constant speed while the torque is found; the shaft is rigid; friction, the valve gear and the pumps take nothing.".into(),
-        "Every cylinder of a class has the same pressure in each cycle.".into(),
-        "A connecting rod is two masses, at its eyes; the torque of its own inertia beyond them is left out.".into(),
+        "The torque is computed at constant speed; the shaft is rigid; friction, the valve gear and the pumps take no power.".into(),
+        "All cylinders of a class have the same pressure in each cycle.".into(),
+        "A connecting rod is two masses, at its eyes; the torque of its remaining moment of inertia is neglected.".into(),
         "Crank angles θ are those of the other reports; a cylinder's own angle ψ is 0 where its crank points along its axis and it fires.".into(),
     ];
     let laws = engine.gas().map_or(&[][..], |gas| &gas.laws);
@@ -160,7 +158,7 @@ pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
         list.push("The ideal cycle: polytropic compression; heat by the Wiebe function, a = ln 1000, at a constant exponent and without loss to the walls; half a cosine where the pressure falls to that of the exhaust and, in 20°, to that of the intake.".into());
     }
     if laws.iter().any(finds_heat) {
-        list.push("The heat was not given, but found from the pressure that was.".into());
+        list.push("The heat is computed from the given pressure.".into());
     }
     list
 }

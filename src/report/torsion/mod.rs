@@ -47,8 +47,7 @@ impl std::fmt::Display for NoTorsion {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             NoTorsion::NoShaft => f.write_str(
-                "the layout does not say how the shaft twists; add a table [torsion] with inertias = [\"0.03 kg m^2\", …], one per disc from the free \
-                 end on, and stiffnesses = [\"1 MN m/rad\", …], one between each two",
+                "the layout does not give the torsional data of the shaft; add a table [torsion] with inertias = [\"0.03 kg m^2\", …], one per disc from the free end on, and stiffnesses = [\"1 MN m/rad\", …], one between each two",
             ),
             NoTorsion::NoStar(why) => why.fmt(f),
         }
@@ -84,7 +83,7 @@ impl TorsionStudy {
 
     /// Its shaft.
     pub fn torsion(&self) -> &Torsion {
-        self.engine.torsion().unwrap_or_else(|| unreachable!("there is no study of an engine without a shaft"))
+        self.engine.torsion().unwrap_or_else(|| unreachable!("a torsional study needs a [torsion] table"))
     }
 
     /// How far the orders twist the shaft at the speed of the layout; none where it lacks what the torque needs.

@@ -69,13 +69,14 @@ pub fn torsion_page(study: &TorsionStudy) -> Document {
     page.push(tables::modes(study));
     section(&mut page, "Critical speeds");
     page.push(Block::Paragraph(
-        "Where each order meets the first modes, and its star as a part of the longest that the mode can have:".into(),
+        "Critical speeds of each order in the first modes, and its star as a part of the longest possible in the mode:"
+            .into(),
     ));
     page.push(tables::critical(study));
     page.blocks.extend(forced_twist(study));
     section(&mut page, "The shaft");
     page.push(tables::discs(study));
-    section(&mut page, "How it is found");
+    section(&mut page, "Method");
     page.push(Block::Paragraph(words::FOUND.into()));
     section(&mut page, "Assumptions");
     page.push(Block::List(words::ASSUMED.map(Text::from).into()));

@@ -56,7 +56,7 @@ pub(super) fn campbell(study: &TorsionStudy) -> Option<Picture> {
         }
     }
     let caption = phrase!(
-        "Campbell diagram: the modes are level lines, the orders with the longest stars on the first mode rise with the speed. A dot is a critical speed."
+        "Campbell diagram: the modes are level lines, the orders with the longest stars in the first mode rise with the speed. A dot is a critical speed."
     );
     Some(Picture { name: "campbell".to_owned(), caption, figure: plot.figure() })
 }

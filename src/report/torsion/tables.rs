@@ -53,7 +53,7 @@ pub(super) fn forced(orders: &[ForcedTwist]) -> Table {
     Table::of(orders)
         .column("Order κ", |twist| twist.order.to_string())
         .column("Frequency (Hz)", |twist| Number::Decimal(twist.hertz))
-        .column("Swing of the free end (°)", |twist| match twist.near {
+        .column("Amplitude at the free end (°)", |twist| match twist.near {
             Some(mode) => phrase!("near mode {}", mode),
             None => Number::Decimal(twist.free_end).into(),
         })

@@ -5,12 +5,10 @@ use crate::page::{Piece, Text, Unit, phrase};
 use crate::torsion::CriticalSpeeds;
 
 pub(super) const ASSUMED: [&str; 5] = [
-    "The shaft is a row of rigid discs on massless springs, free at both ends. The inertias are those of the layout file: what of the pistons and rods counts \
-     with them is the file's choice, usually the rotating mass and half of the reciprocating one.",
-    "There is no damping: what a critical speed comes to is not said, and no amplitude is given at one.",
+    "The shaft is a row of rigid discs on massless springs, free at both ends. The inertias are those of the layout file: the file decides which part of pistons and rods they contain, usually the rotating mass and half of the reciprocating one.",
+    "Damping is neglected: no amplitude is given at a critical speed.",
     "Frequencies and modes are decimals, by Holzer's residuals and a bisection down to neighbouring numbers; the stars of the modes are decimals too.",
-    "The firing stars are those of the gas torque for one pressure law that all cylinders share. How strong an order is depends on its star and on the harmonic of the \
-     torque, which falls with the order; the stars alone are compared here.",
+    "The firing stars are those of the gas torque for one pressure law common to all cylinders. How strong an order is depends on its star and on the harmonic of the torque, which falls with the order; the stars alone are compared here.",
     "At whole orders the inertia of the pistons adds to the torque.",
 ];
 
@@ -21,8 +19,7 @@ pub(super) const FOUND: &str = "In a mode the deflections $\\Theta_i$ of the dis
 /// What the table of forced twists says.
 pub(super) fn forced(speed: f64) -> Text {
     phrase!(
-        "At {} the torque of gas and inertia twists the shaft so far, order by order, zero to peak, without damping; nothing is said of an order that is \
-         within 5 % of a natural frequency:",
+        "Forced twist at {} by the torque of gas and inertia, order by order, zero to peak, without damping; orders within 5 % of a natural frequency are left blank:",
         rpm(speed)
     )
 }
@@ -46,24 +43,23 @@ pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
     let mut lines = Vec::new();
     let Some(first) = study.modes.first() else { return lines };
     lines.push(match study.modes.get(1) {
-        None => phrase!("The shaft twists by itself at {}, with one node.", hertz(first)),
+        None => phrase!("First natural frequency: {}, with one node.", hertz(first)),
         Some(second) => {
-            phrase!("The shaft twists by itself at {}, with one node, and at {} with two.", hertz(first), hertz(second))
+            phrase!("Natural frequencies: {} with one node, {} with two.", hertz(first), hertz(second))
         }
     });
     lines.push(match (study.strongest(first).first(), study.speed) {
-        (None, Some(speed)) => phrase!("No order that is shown meets the first of them up to the speed of {}.", rpm(speed)),
-        (None, None) => "No order that is shown works on the first of them.".into(),
+        (None, Some(speed)) => phrase!("No order shown excites the first of them up to {}.", rpm(speed)),
+        (None, None) => "No order shown excites the first of them.".into(),
         (Some(critical), Some(speed)) => phrase!(
-            "Up to the speed of {} the order with the longest star on the first mode is {}: it meets it at {}, with {} of the length that a star \
-             of this mode can have.",
+            "Up to {} the order with the longest star in the first mode is {}: its critical speed is {}, its star {} of the longest possible.",
             rpm(speed),
             critical.order.to_string(),
             rpm(critical.rpm),
             part(critical.star.norm() / first.longest)
         ),
         (Some(critical), None) => phrase!(
-            "The order with the longest star on the first mode is {}: it meets it at {}, with {} of the length that a star of this mode can have.",
+            "The order with the longest star in the first mode is {}: its critical speed is {}, its star {} of the longest possible.",
             critical.order.to_string(),
             rpm(critical.rpm),
             part(critical.star.norm() / first.longest)

@@ -51,12 +51,11 @@ const FROM_THE_END: [&str; 2] = [
     "Seen from the free end at θ = 0, angle 0 upwards, angles anticlockwise, the crank turning with the arrow.",
     "Seen from the flywheel at θ = 0, angle 0 upwards, angles anticlockwise, the crank turning with the arrow.",
 ];
-const NUMBERS: &str = "Throws, crankpins and rods are coloured, pistons grey, each at its height; the numbers at a pin and beside a cylinder \
-                       name the cylinders that it belongs to.";
+const NUMBERS: &str = "Throws, crankpins and rods are coloured, pistons grey, each at its height; the numbers at a pin and beside a cylinder are those of its cylinders.";
 const ROWS: [&str; 3] =
     ["row {} blue with solid rods", "row {} orange with dashed rods", "row {} green with dash-dotted rods"];
 const APART: &str = "The layout gives no distance between the crankshafts: they are drawn 11 crank radii apart.";
-const NOWHERE: &str = "The layout does not say where some crankshaft stands: it is drawn in the middle.";
+const NOWHERE: &str = "The layout gives no position of some crankshaft: it is drawn in the middle.";
 const OFFSET: &str = "The dash-dotted cylinder axes miss the shaft by the offset e, drawn in red: a positive one lies on the side to which the pin \
                       goes after dead centre.";
 
@@ -79,8 +78,6 @@ pub(in crate::report) fn side_view_caption(engine: &Engine) -> Text {
 const FROM_THE_SIDE: &str =
     "From the side, the free end at the left, angle 0 upwards, positions to scale; below each pin its throw angle.";
 const PINS: [&str; 2] = [
-    "A filled pin stands towards the reader (angles between 180° and 360°), a hollow dashed one away, a grey one in the plane of \
-     the page.",
-    "A filled pin stands towards the reader (angles between 0° and 180°), a hollow dashed one away, a grey one in the plane of \
-     the page.",
+    "A filled pin points towards the reader (angles between 180° and 360°), a hollow dashed one away, a grey one in the plane of the page.",
+    "A filled pin points towards the reader (angles between 0° and 180°), a hollow dashed one away, a grey one in the plane of the page.",
 ];

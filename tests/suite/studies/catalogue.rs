@@ -18,7 +18,7 @@ pub fn page(engines: &[(Entry, Engine)]) -> Document {
         page.push(table(family));
         page.push(report::catalogue_pictures(family));
     }
-    page.push(Block::Heading(1, "How it is read".into()));
+    page.push(Block::Heading(1, "How to read it".into()));
     page.push(Block::List(READ.map(Text::from).into()));
     page.push(Block::Heading(1, "Beside the catalogue".into()));
     let beside = BESIDE.map(|(target, name, words)| Text::phrase(words, vec![Text::link(name, target)]));
@@ -28,7 +28,7 @@ pub fn page(engines: &[(Entry, Engine)]) -> Document {
 
 /// The engines of a family, with what each leaves first.
 fn table(family: &CatalogueFamily) -> Table {
-    let mut table = Table::new(["Name", "Engine", "Firing", "First force left", "First moment left"]);
+    let mut table = Table::new(["Name", "Engine", "Firing", "Force from order", "Moment from order"]);
     for known in &family.engines {
         let [force, moment] = match known.first() {
             Some(first) => first.map(|first| first.map_or_else(|| "none".into(), left)),
@@ -55,7 +55,7 @@ fn left(first: FirstOrderLeft) -> Text {
 }
 
 const READ: [&str; 3] = [
-    "First left is the lowest order that is left of all that exist with centric cranks: 1 and the even ones. None: no order is left, proved for all of them.",
+    "First left is the lowest order that remains of all that exist with centric cranks: 1 and the even ones. None: no order remains, proved for all of them.",
     "Behind the order stands the largest value through a revolution: forces in $m r \\omega^2 c_k$, moments in that times the spacing of the \
      cylinders, about the middle of the engine. A number after ≈ is a decimal, any other is exact.",
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",

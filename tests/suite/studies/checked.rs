@@ -50,7 +50,7 @@ pub(super) fn checked(
                 let key = &families[index].sweep.parameters[0].key;
                 known(&template, &[(key, &at.0)])
             }
-            (Some(_), None) => Err(format!("`{engine}` is no family, so it has no `at`")),
+            (Some(_), None) => Err(format!("`{engine}` is not a family, so it has no `at`")),
             (None, _) => known(&template, &[]),
         }
     };

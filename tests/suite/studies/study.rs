@@ -175,7 +175,7 @@ pub fn study(
     read_file: &dyn Fn(&str) -> Result<String, String>,
 ) -> Result<Study, String> {
     let file: File = toml::from_str(source_text).map_err(|error| error.to_string())?;
-    let number = |text: &Word| text.0.parse::<u32>().map_err(|_| format!("`{}` is no order", text.0));
+    let number = |text: &Word| text.0.parse::<u32>().map_err(|_| format!("`{}` is not an order", text.0));
     let orders = file.orders.iter().map(number).collect::<Result<Vec<_>, _>>()?;
     let mut families = Vec::new();
     let mut texts = Vec::new();

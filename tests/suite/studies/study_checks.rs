@@ -29,13 +29,13 @@ fn said(provenance: &Provenance, above: &Untrusted) -> Text {
             phrase!("Said in {}: “{}”", place, words)
         }
         Provenance::Quoted(Quote { source, place, words }) => phrase!("Said in {}, {}: “{}”", source, place, words),
-        Provenance::Folklore => "Often said; no source was found:".into(),
+        Provenance::Folklore => "A common claim; no source was found:".into(),
         Provenance::Own => "Our own cross-check:".into(),
     }
 }
 
 fn table(checks: &[&Checked]) -> Table {
-    let mut table = Table::new(["Engine", "Claim", "Answer", "What is the case"]);
+    let mut table = Table::new(["Engine", "Claim", "Answer", "Finding"]);
     for check in checks {
         table.push(vec![(&check.engine).into(), (&check.claim).into(), answer(check), found(&check.found)]);
     }

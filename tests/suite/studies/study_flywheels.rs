@@ -13,8 +13,7 @@ use super::phrase;
 use super::study::Studied;
 use super::study_plots::axis;
 
-const STARS: &str = "Firing stars by order of the torque: the exact length of $S_\\kappa = \\sum_j e^{-i\\kappa\\varphi_j}$, $\\varphi_j$ the crank angle at which cylinder j \
-    fires. Where it is **0**, proved, the order vanishes for every pressure that the cylinders share.";
+const STARS: &str = "Firing stars by order of the torque: the exact length of $S_\\kappa = \\sum_j e^{-i\\kappa\\varphi_j}$, $\\varphi_j$ the crank angle at which cylinder j fires. Where it is **0**, proved, the order vanishes for every pressure common to all cylinders.";
 const MASSES: &str = "ΔW is the largest less the smallest work of the torque, gas and inertia, above its mean; the flywheel has the inertia $J = \\Delta W/(\\delta\\,\\omega^2)$ \
     in a ring of the radius ρ and weighs $J/\\rho^2$. The counterweights are two, in the planes of the outermost throws, for all masses of the first order that turn with the crank.";
 const CAPTION: &str = "What the flywheel and the two counterweights weigh, each and together; dots are the engine in line itself. The main part of the engine is not in it.";

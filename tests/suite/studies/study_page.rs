@@ -16,12 +16,10 @@ const DIGITS: usize = 10;
 const ZEROS: &str = "Where each vector vanishes in the range of the V; the lists are exact and complete:";
 const PARTS: &str = "Along is vertical, across horizontal; largest and smallest are the greatest and the least length of the resultant in a revolution; \
     direct and reverse are the vectors that turn with the crank and against it.";
-const WORDS: &str = "The statements are in the words of this page; a source's own words stand in quotation marks. What stands in bold below a statement is a \
-    conclusion from the answers in its tables.";
+const WORDS: &str = "The statements are in the words of this page; a source's own words are in quotation marks. What is in bold below a statement is a conclusion from the answers in its tables.";
 const ASSUMED: [&str; 6] = [
     "Amplitudes are zero to peak; those of order k are multiples of $m r \\omega^2 c_k$, and moments of that times the spacing $a$.",
-    "The counterweights are two, in the planes of the outermost throws, and take away what of order 1 turns with the crank; the \
-     larger one is told, as its mass-radius in multiples of $m r$. The masses of the rods at the crankpin are not in it.",
+    "The counterweights are two, in the planes of the outermost throws, and take away what of order 1 turns with the crank; the larger one is shown, as its mass-radius in multiples of $m r$. The masses of the rods at the crankpin are not in it.",
     "The firing intervals are those of the most even order that the throws allow, in line those of the firing order.",
     "The volume is the area of the end view, banks and crankcase together, times the length.",
     "The paper's mass adds flywheel and counterweights to a main part that follows the size by a formula that it does not give: the plots show the volume, and the \
@@ -67,12 +65,7 @@ fn answer(study: &Study) -> Vec<Text> {
     ];
     let failing = checks().filter(|check| !check.holds && check.provenance.is_claimed());
     let told = |check: &Checked| {
-        phrase!(
-            "**Does not hold:** {}: {}. What is the case: {}",
-            &check.engine,
-            &check.claim,
-            checks::found(&check.found)
-        )
+        phrase!("**Does not hold:** {}: {}. Finding: {}", &check.engine, &check.claim, checks::found(&check.found))
     };
     counted.into_iter().chain(failing.map(told)).collect()
 }

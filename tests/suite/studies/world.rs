@@ -108,13 +108,13 @@ pub fn engines_page(engines: &[BuiltEngine]) -> Document {
     for engine in engines {
         page.blocks.extend(section(engine));
     }
-    page.push(Block::Heading(1, "How it is read".into()));
+    page.push(Block::Heading(1, "How to read it".into()));
     page.push(Block::List(READ.map(Text::from).into()));
     page
 }
 
 const READ: [&str; 4] = [
-    "What is known stands in facts.toml beside each layout file, each sentence with its source in brackets; what was not found in a source says so there.",
+    "What is known is in facts.toml beside each layout file, each sentence with its source in brackets; what was not found in a source says so there.",
     "What is found is what `classify` and `remedy` say of the layout file: 0 is proved; any other number is the largest value through a revolution, forces in $m r \\omega^2 c_k$, moments in that times the spacing of the cylinders.",
     "They agree where every statement that follows from what is known is answered true. A shaft that the engine has is needed; a shaft that is needed and that the engine does not have is left out by its makers, who live with what it would take away.",
     "A builder balances as much as is felt, so that one order may be answered and another left; needs are told for each order apart.",
@@ -195,7 +195,7 @@ fn why(engine: &BuiltEngine) -> Text {
 
 /// Each statement with its answer.
 fn answers(engine: &BuiltEngine) -> Table {
-    let mut table = Table::new(["Statement", "Answer", "What is the case"]);
+    let mut table = Table::new(["Statement", "Answer", "Finding"]);
     for Checked { claim, answer } in engine.facts.statements.iter().flat_map(BuiltEngine::checked) {
         let finding = claim_finding(&claim.statement, &answer);
         table.push(vec![(&claim.says).into(), phrase!("**{}**", claim_status(&answer)), finding]);

@@ -8,7 +8,7 @@ pub fn refused(schema: &Value, value: &Value) -> Option<String> {
 }
 
 fn refused_by(root: &Value, schema: &Value, value: &Value, at: &str) -> Option<String> {
-    let words = schema.as_object().unwrap_or_else(|| panic!("{schema} is no schema"));
+    let words = schema.as_object().unwrap_or_else(|| panic!("{schema} is not a schema"));
     words.iter().find_map(|(word, said)| {
         let child = |schema: &Value, value: &Value, step: &str| refused_by(root, schema, value, &format!("{at}{step}"));
         let list = || said.as_array().expect("a list");

@@ -8,11 +8,11 @@ use crate::engine::{Cycle, FiringSpan, OpenFiring};
 use crate::family::{OpenStar, SpanStar};
 use crate::page::{Block, Document, Table, Text, phrase};
 
-const LEGEND: &str = "**0** vanishes for all values of the unknowns at which the cylinders fire, proved, and for every pressure law that all cylinders \
-                      share. Angles are those in (0°, 360°), exact and complete; ≡ is modulo 360°.";
+const LEGEND: &str = "**0** vanishes for all values of the unknowns at which the cylinders fire, proved, and for every pressure law common to all cylinders. Angles are those in (0°, 360°), exact and complete; ≡ is modulo 360°.";
 const HALF_ORDERS: &str = "Half orders need to know in which revolution each cylinder fires: add cycle = \"four-stroke\" with firing_order, or with \
                            firing_angles such as [0, \"360 + phi\"]. Whole orders depend on the crankshaft alone.";
-const WHOLE_ORDERS: &str = "At whole orders a crank angle counts modulo 360°, so that the top dead centres are enough, whatever the firing order is.";
+const WHOLE_ORDERS: &str =
+    "At whole orders a crank angle counts modulo 360°, so that the top dead centres are enough, for any firing order.";
 
 /// The short answer.
 pub fn open_firing_answer(study: &OpenFiringStudy<'_>) -> Document {
@@ -57,7 +57,7 @@ fn answer(study: &OpenFiringStudy<'_>) -> Vec<Text> {
     let (always, never) = (named(&OpenStar::always), named(&|star| star.never() || no_value(star)));
     if !always.is_empty() {
         let orders = residual::orders_in_words(&always);
-        lines.push(phrase!("Whatever they are, the gas torque of {} vanishes for every pressure law.", orders));
+        lines.push(phrase!("The gas torque of {} vanishes in the whole family, for every pressure law.", orders));
     }
     if !never.is_empty() {
         let orders = residual::orders_in_words(&never);

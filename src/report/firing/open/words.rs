@@ -162,14 +162,13 @@ pub(super) fn can_fire(study: &OpenFiringStudy<'_>) -> Option<Text> {
         Ok(spans) => spans,
         Err(NoSpans::TwoAngles) => {
             return Some(phrase!(
-                "Two angles are open, and for which of them the cylinders can fire in the order {} is not solved: half orders are not judged. \
-                 Give firing_angles, or one of the angles a value below [values].",
+                "Two angles are open, and for which of them the cylinders can fire in the order {} is not solved: half orders are not decided. Give firing_angles, or one of the angles a value below [values].",
                 order
             ));
         }
         Err(NoSpans::TooWide) => {
             return Some(phrase!(
-                "The open angle enters too many times for the order {}: half orders are not judged. Give firing_angles.",
+                "The open angle enters too many times for the order {}: half orders are not decided. Give firing_angles.",
                 order
             ));
         }
@@ -180,8 +179,7 @@ pub(super) fn can_fire(study: &OpenFiringStudy<'_>) -> Option<Text> {
         |span: &FiringSpan| span.within.as_ref().is_none_or(|[low, high]| low.at == none && high.at == turn);
     Some(match spans.as_slice() {
         [] => phrase!(
-            "These throws cannot fire in the order {} at any value of the open angle with intervals of up to a revolution; firing_angles \
-             say it otherwise.",
+            "These throws cannot fire in the order {} at any value of the open angle with intervals of up to a revolution; give firing_angles.",
             order
         ),
         [_] if study.unknown().is_none() => phrase!("The cylinders fire in the order {}.", order),
@@ -189,7 +187,7 @@ pub(super) fn can_fire(study: &OpenFiringStudy<'_>) -> Option<Text> {
             phrase!("The cylinders fire in the order {} at every value of the open angle.", order)
         }
         _ => phrase!(
-            "The cylinders can fire in the order {} where {}, and at no other value in (0°, 360°): half orders are judged there alone.",
+            "The cylinders can fire in the order {} where {}, and at no other value in (0°, 360°): half orders are decided there alone.",
             order,
             Text::joined(labels.into_iter().map(Text::label), " or ")
         ),
