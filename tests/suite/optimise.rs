@@ -585,7 +585,7 @@ fn the_command_writes_page_and_points_that_read_and_json_that_holds_them() {
     assert_eq!(names, expected);
     let text = String::from_utf8(run.stdout).expect("UTF-8");
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(words.contains("N; the one with the least load weighs"), "{text}");
+    assert!(words.contains("N; the one with the least load has"), "{text}");
     assert!(words.contains("0 is exact and proved"), "{text}");
     for command in ["classify", "loads", "bearings"] {
         let run = crankstar(&[command, out.join("point-2.toml").to_str().expect("UTF-8")]);

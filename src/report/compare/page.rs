@@ -54,10 +54,10 @@ fn tables(engines: &[Compared], beside: usize) -> Vec<Block> {
     blocks
 }
 
-/// What stands first: which engines are balanced furthest; else a line per engine.
+/// What stands first: which engines are balanced furthest, or at orders 1 and 2; else a line per engine.
 fn answer(engines: &[Compared]) -> Vec<Text> {
-    let lines: Vec<Text> = furthest(engines).into_iter().chain(balanced(engines)).collect();
-    if lines.is_empty() { engines.iter().map(left).collect() } else { lines }
+    let line = furthest(engines).or_else(|| balanced(engines));
+    line.map_or_else(|| engines.iter().map(left).collect(), |line| vec![line])
 }
 
 /// The engines that have neither force nor moment at orders 1 and 2, where both are compared.
