@@ -142,7 +142,7 @@ fn check_verdicts(document: &Document, audit: &Audit) -> Result<Vec<Judged>, Fau
                     let place = format!("verdicts[{index}] {}", subject.place());
                     if verdict.subject() != subject {
                         let found = verdict.subject().place();
-                        return Err(Fault::new(place, format!("found a verdict on {found}")));
+                        return Err(Fault::new(place, format!("here stands a verdict on {found}")));
                     }
                     let sum = verdict.said().check(&terms, audit).map_err(|reason| Fault { place, reason })?;
                     of_group.push((sum, verdict.vanishes));
@@ -177,7 +177,7 @@ fn check_wholes(document: &Document, judged: &mut [Judged], motion: &Motion<'_>)
             };
             let at = format!("wholes[{index}] {about}");
             if (claim.quantity, claim.order, claim.sense) != (one.quantity, one.order, sense) {
-                return Err(Fault::new(at, "the statement is wrong"));
+                return Err(Fault::new(at, "another statement stands here"));
             }
             let vanishes = check_whole(claim, one, place, motion).map_err(|reason| Fault { place: at, reason })?;
             one.wholes.push(vanishes);
@@ -197,7 +197,7 @@ fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> 
         let place = format!("shapes[{index}] {}", about.place());
         let Some(claim) = claims.next() else { return Err(Fault::new(place, "this shape is missing")) };
         if (claim.quantity, claim.order) != (one.quantity, one.order) {
-            return Err(Fault::new(place, "the shape is wrong"));
+            return Err(Fault::new(place, "another shape stands here"));
         }
         check_shape(claim, one, motion).map_err(|reason| Fault { place, reason })?;
     }
@@ -248,7 +248,7 @@ fn check_each<T>(
         let place = format!("{name}s[{index}] ({}, {})", quantity.name(), sense.name());
         let Some(claim) = claims.next() else { return Err(Fault::new(place, format!("this {name} is missing"))) };
         if subject(claim) != (*quantity, *sense) {
-            return Err(Fault::new(place, format!("the {name} is wrong")));
+            return Err(Fault::new(place, format!("another {name} stands here")));
         }
         check(claim).map_err(|reason| Fault { place, reason })?;
     }

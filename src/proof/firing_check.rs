@@ -138,7 +138,7 @@ fn check_verdicts(document: &FiringDocument, classes: &[Vec<&FiringCylinder>], a
             };
             let place = format!("verdicts[{index}] (order {order})");
             if verdict.order != *order || verdict.of != of {
-                return Err(Fault::new(place, "the verdict is wrong"));
+                return Err(Fault::new(place, "another verdict stands here"));
             }
             verdict.said().check(&vectors(class, order), audit).map_err(|reason| Fault { place, reason })?;
         }
@@ -175,7 +175,7 @@ fn check_pattern(
                 return Err(Fault::new(place(pattern.verdicts.len()), "this verdict is missing"));
             };
             if verdict.order != order {
-                return Err(Fault::new(place(index), "the verdict is wrong"));
+                return Err(Fault::new(place(index), "another verdict stands here"));
             }
             let terms = vectors(class, &order).into_iter().map(|(_, vector)| (vector.angle, vector.weight));
             let holds =

@@ -35,7 +35,7 @@ pub fn check_open_document(document: &OpenDocument) -> Result<Checked, Fault> {
         let place = format!("open_verdicts[{index}] ({}, order {order}, {})", quantity.name(), sense.name());
         let Some(verdict) = found.next() else { return Err(Fault::new(place, "this verdict is missing")) };
         if (verdict.order, verdict.quantity, verdict.sense) != (order, quantity, sense) {
-            return Err(Fault::new(place, "the verdict is wrong"));
+            return Err(Fault::new(place, "another verdict stands here"));
         }
         check_verdict(document, verdict, &audit).map_err(|reason| Fault { place, reason })?;
     }

@@ -189,7 +189,7 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
                     if (claim.quantity, claim.order, claim.sense) != (quantity, order, sense)
                         || claim.coefficient != coefficient
                     {
-                        return Err(Fault::new(place, "the sum is wrong"));
+                        return Err(Fault::new(place, "another sum stands here"));
                     }
                     let may_stay = document.left_out.contains(&LeftOutClaim { order, sense });
                     check_sum(claim, &sum, may_stay, &audit)

@@ -276,7 +276,7 @@ fn pages_look_from_the_end_from_which_the_crank_turns_anticlockwise() {
         let page = pages::text(&pages::document(&engine), pages::DOLLARS);
         assert!(page.contains(words), "{keys}\n{page}");
         assert_eq!(
-            page.matches("The layout file draws").count() + page.matches("The layout file, and this").count(),
+            page.matches("The layout file draws").count() + page.matches("The layout file and this").count(),
             2 * notes,
             "{page}"
         );

@@ -113,7 +113,7 @@ fn what_is_no_formula_is_told_and_nothing_panics() {
         ("side force", "not a formula that can be checked"),
         ("largest side force with gas = 3", "in N"),
         ("largest side force with gas = 3 N·m", "another quantity"),
-        ("largest rod force with gas is 3 N", "nothing that is understood"),
+        ("largest rod force with gas is 3 N", "not understood"),
     ] {
         let mistake = parse_statement(says).expect_err(says);
         assert!(mistake.message.contains(word), "{says}: {}", mistake.message);

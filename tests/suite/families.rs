@@ -162,7 +162,7 @@ fn even_firing_in_two_angles_is_found_wherever_a_grid_finds_it() {
         let family = open(&text);
         let even = family::even_firing_lines(&family).expect("the cycle is given");
         let page = pages::text(&report::family_answer(&family, &[]), Format::PLAIN);
-        let says = if even.turns.is_empty() { "No bank angle and pin split let it fire evenly" } else { shown };
+        let says = if even.turns.is_empty() { "It cannot fire evenly at any bank angle and pin split" } else { shown };
         assert!(page.contains(says), "{page}");
         for (i, j) in (0..24).flat_map(|i| (0..24).map(move |j| (i, j))) {
             let [phi, delta] = [fraction(i, 24), fraction(j, 24)];

@@ -124,9 +124,9 @@ fn every_cylinder_fires_later_is_another_engine() {
 
 #[test]
 fn changed_orders_and_verdicts_are_refused() {
-    assert_refused(|d| d.orders[0] = fraction(1, 3), "no order of the cycle");
-    assert_refused(|d| d.orders[0] = fraction(-1, 2), "no order of the cycle");
-    assert_refused(|d| d.orders[0] = fraction(0, 1), "no order of the cycle");
+    assert_refused(|d| d.orders[0] = fraction(1, 3), "not an order of the cycle");
+    assert_refused(|d| d.orders[0] = fraction(-1, 2), "not an order of the cycle");
+    assert_refused(|d| d.orders[0] = fraction(0, 1), "not an order of the cycle");
     assert_refused(|d| d.orders.swap(0, 1), "rise");
     assert_refused(|d| drop(d.orders.pop()), "not asked for");
     assert_refused(|d| drop(d.verdicts.pop()), "missing");

@@ -524,7 +524,7 @@ fn the_command_shows_the_gas_only_where_it_is_asked_for() {
     // A layout that lacks something keeps the loads of its masses, and is told.
     let slow = run(&with.replace("speed = 3000\n", ""), &[]);
     assert!(
-        slow.contains("The gas is asked for, and left out here") && slow.contains("Largest force: bearing"),
+        slow.contains("Gas loads were asked for, but are missing") && slow.contains("Largest force: bearing"),
         "{slow}"
     );
     let page = folder.join("page");
@@ -536,5 +536,8 @@ fn the_command_shows_the_gas_only_where_it_is_asked_for() {
         assert!(markdown.contains(picture) && page.join(picture).is_file(), "{picture}");
     }
     // What is said of the masses alone is not said of all.
-    assert!(!markdown.contains("No gas force") && markdown.contains("The loads are those of gas and masses"));
+    assert!(
+        !markdown.contains("Gas force and weight are neglected")
+            && markdown.contains("The loads are those of gas and masses")
+    );
 }

@@ -46,7 +46,7 @@ fn an_order_that_is_left_as_it_is_is_no_remedy() {
     ];
     for (name, cheat) in &cheats {
         let fault = check_remedy_document(cheat).expect_err(name);
-        assert!(fault.to_string().contains("no less than a millionth of the load"), "{name}: {fault}");
+        assert!(fault.to_string().contains("a millionth of the load"), "{name}: {fault}");
     }
     second::refuses(&cheats);
 }

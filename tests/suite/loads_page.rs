@@ -200,7 +200,7 @@ fn the_direction_of_the_largest_force_is_where_the_vector_points() {
         let text = pages::text(&page, Format::PLAIN).split_whitespace().collect::<Vec<_>>().join(" ");
         let loads = numbers(&engine, &usual_orders(&engine)).loads;
         for (waveform, words) in
-            [(&loads.force, "The force of the orders"), (&loads.moment, "The moment of the orders")]
+            [(&loads.force, "The force of the listed orders"), (&loads.moment, "The moment of the listed orders")]
         {
             let Some(sentence) = text.split(words).nth(1) else { continue };
             let sentence = sentence.split(" there.").next().expect("a sentence");
@@ -241,7 +241,7 @@ fn what_is_not_decided_is_not_drawn_and_points_nowhere() {
     let page = report::loads_page(&engine, &numbers, None);
     assert!(page.pictures().iter().all(|picture| !picture.name.starts_with("force")));
     let text = pages::text(&page, Format::PLAIN).split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(text.contains("not decided, below") && !text.contains("The force of the orders listed"), "{text}");
+    assert!(text.contains("not decided, below") && !text.contains("The force of the listed orders"), "{text}");
 }
 
 /// Two crankshafts: the page shows the roll moment that the document has, order by order, in the units of the reader.

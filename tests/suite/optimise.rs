@@ -515,7 +515,7 @@ fn with_gas_the_least_load_is_that_of_gas_and_masses_and_no_other_crankshaft_com
     }
     let page = report::optimise_page(&four, &with_gas, &Couple::Zero);
     let written = page::write(&page, Format::GITHUB, &page::Options::default()).remove(0).text;
-    assert!(written.contains("those of gas and masses together") && !written.contains("in a revolution, all orders"));
+    assert!(written.contains("of gas and masses together") && !written.contains("in a revolution, all orders"));
     let missing: Vec<&str> =
         phrases(&page).into_iter().filter(|words| words.contains("gas") && !page::Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "{missing:?}");

@@ -190,7 +190,7 @@ fn a_pressure_that_stays_gives_no_mean_torque_and_is_no_multiple_of_it() {
     let layout = folder.join("constant.toml");
     std::fs::write(&layout, measured("[0, 7.3], [720, 7.3]")).expect("a file");
     let page = printed(&["torque", layout.to_str().expect("a path")]);
-    assert!(!page.contains("times its mean") && !page.contains("dead centre"), "{page}");
+    assert!(!page.contains("times the mean") && !page.contains("dead centre"), "{page}");
 }
 
 #[test]
