@@ -130,7 +130,7 @@ enum Command {
     Mark(mark::Mark),
     /// Find the crank stars that balance best
     Search(search::Search),
-    /// Show which moments crank stars can balance and which they cannot, with proofs
+    /// Show which moments crank stars can balance, with proofs
     Stars(stars::Stars),
     /// Compare engines: sizes and cures, exact verdicts
     Compare(compare::Compare),

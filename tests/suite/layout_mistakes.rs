@@ -134,7 +134,7 @@ const VALUES: &[(&str, usize, &str)] = &[
     ("bearings = [1, 0,\n 1.0]\n[inline]\nthrows = [0]",          2, "main bearings 1 and 3 are both at 1"),
     ("bearings = ['5 cm', '50 mm']\n[inline]\nthrows = [0]\nspacing = 1", 1, "main bearings 1 and 2 are both at 1/20"),
     ("above = 101\n[inline]\nthrows = [0]",                      1, "above `101`"),
-    ("above = -1\n[inline]\nthrows = [0]",                       1, "a percentage from 0 to 100"),
+    ("above = -1\n[inline]\nthrows = [0]",                       1, "above `-1`"),
     ("above = '1 %'\n[inline]\nthrows = [0]",                    1, "above `1 %`"),
     ("bearings = [1, 'x']\n[inline]\nthrows = [0]",               1, "a bearing is at a known length"),
     ("bearings = [1, 'one']\n[inline]\nthrows = [0]",             1, "cannot read the length `one`"),
