@@ -4,7 +4,7 @@ use super::collected::IntegerSum;
 use super::decide::{Exponent, Weight, collect, vanishes};
 use super::sum::PhasorSum;
 use super::words::Words;
-use super::{polygons, residue, splitting};
+use super::{fewest, polygons, residue, splitting};
 use crate::proof::Certificate;
 
 impl PhasorSum {
@@ -26,6 +26,14 @@ impl PhasorSum {
                 prove(&sum.conductor, &sum.scale, &sum.terms)
             }
         }
+    }
+
+    /// The least number of regular polygons that make up the sum, each with any weight, proved to be the least; none where the sum is not zero, and where that was not
+    /// proved: of up to twelve vectors it is.
+    pub fn fewest_polygons(&self) -> Option<usize> {
+        let sum = IntegerSum::collect(self.terms());
+        let fewest = fewest::find(&sum.conductor, &sum.terms).filter(|fewest| fewest.is_proved)?;
+        Some(fewest.polygons.len())
     }
 }
 

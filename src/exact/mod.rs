@@ -7,7 +7,9 @@ mod collected;
 mod decide;
 mod dense;
 mod evidence;
+mod fewest;
 pub mod fraction;
+mod minimal;
 mod polygons;
 mod residue;
 mod splitting;
@@ -17,5 +19,6 @@ mod words;
 
 pub use collected::IntegerSum;
 pub use decide::vanishes;
+pub use minimal::{MOST_VECTORS, MinimalStar, StarClass, StarPart, minimal_stars, taken_apart};
 pub use sum::{PhasorSum, Term};
 pub use turn::Turn;

@@ -1,7 +1,7 @@
 //! Which regular polygons make up a sum that is zero?
 //!
 //! Every vanishing sum with whole weights is a whole combination of rotated regular p-gons, p prime (Rédei 1950,
-//! de Bruijn 1953, Schoenberg 1964). Several ways to find one are tried and the plainest result is kept.
+//! de Bruijn 1953, Schoenberg 1964). Several ways to find one are tried; of few vectors the fewest polygons are searched for ([`super::fewest`]).
 
 use std::collections::BTreeMap;
 
@@ -9,12 +9,13 @@ use num_bigint::BigUint;
 use num_rational::BigRational;
 
 use super::decide::{Exponent, Terms, Weight, collect, corner_in_class, primes_up_to};
+use super::fewest;
 use crate::proof::Polygon;
 
 /// Weights of polygons by (sides, exponent of the first corner).
 type Found<E, W> = BTreeMap<(u32, E), W>;
 
-/// Polygons that add up to a vanishing sum: the fewest negative ones, then the fewest, then the least sides first.
+/// Polygons that add up to a vanishing sum: of few vectors the fewest, and then the fewest negative ones; of many, the fewest negative ones found.
 pub(super) fn find<E: Exponent, W: Weight>(conductor: &E, scale: &W, terms: &[(E, W)]) -> Vec<Polygon> {
     let has_negative = terms.iter().any(|(_, weight)| weight.is_negative());
     let rising = strip_then_split(terms, conductor, true);
@@ -38,7 +39,22 @@ pub(super) fn find<E: Exponent, W: Weight>(conductor: &E, scale: &W, terms: &[(E
     attempts.push((conductor, split(terms, conductor)));
     let cost = |found: &Found<E, W>| (found.values().filter(|weight| weight.is_negative()).count(), found.len());
     let best = attempts.into_iter().min_by_key(|(_, found)| cost(found));
-    best.map(|(conductor, found)| to_polygons(found, conductor, scale)).unwrap_or_default()
+    let Some((conductor_of_best, best)) = best else { return Vec::new() };
+    // Two are the fewest: a sum that is one polygon was taken off whole.
+    match (best.len() > 2).then(|| fewest::find(conductor, terms)).flatten() {
+        Some(fewest) if fewest.polygons.len() < best.len() => {
+            to_polygons(by_corner(fewest, conductor), conductor, scale)
+        }
+        _ => to_polygons(best, conductor_of_best, scale),
+    }
+}
+
+fn by_corner<E: Exponent, W: Weight>(fewest: fewest::Fewest<E, W>, conductor: &E) -> Found<E, W> {
+    let mut found = Found::new();
+    for (sides, corner, weight) in fewest.polygons {
+        add(&mut found, sides, corner, weight, conductor);
+    }
+    found
 }
 
 /// Takes whole polygons off, primes rising or falling, and splits what is left.
@@ -148,7 +164,7 @@ fn split_squarefree<E: Exponent, W: Weight>(terms: &[(E, W)], primes: &[u32], co
 }
 
 /// The terms by the remainder of their exponent.
-fn classes<E: Exponent, W: Weight>(terms: &[(E, W)], modulus: &E) -> BTreeMap<E, Terms<E, W>> {
+pub(super) fn classes<E: Exponent, W: Weight>(terms: &[(E, W)], modulus: &E) -> BTreeMap<E, Terms<E, W>> {
     let mut classes: BTreeMap<E, Terms<E, W>> = BTreeMap::new();
     for (exponent, weight) in terms {
         classes.entry(exponent.clone() % modulus.clone()).or_default().push((exponent.clone(), weight.clone()));

@@ -108,7 +108,9 @@ pub use rotor::RotorStudy;
 pub use schema::{schema, schema_names};
 pub use search::{SearchStudy, search_answer, search_layouts, search_page, search_theorems, search_torsion};
 pub use star::{small_star, small_stars, star_figure, told, torque_figure};
-pub use stars::{StarsStudy, stars_answer, stars_layouts, stars_page};
+pub use stars::{
+    StarAtlas, StarredEngine, StarsStudy, star_atlas_answer, star_atlas_page, stars_answer, stars_layouts, stars_page,
+};
 pub use sweep::{sweep_answer, sweep_csv, sweep_page};
 pub use torque::{TorqueStudy, torque_answer, torque_page};
 pub use torsion::{ForcedTwist, NoTorsion, TorsionStudy, torsion_answer, torsion_page};

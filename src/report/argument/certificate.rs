@@ -28,8 +28,7 @@ pub(in crate::report) fn certificate_of(sum: &PhasorSum, certificate: &Certifica
 }
 
 fn of_polygons(polygons: &[Polygon]) -> Text {
-    let one = |p: &Polygon| format!("({}; {}; {})", p.sides, fraction(&p.rotation), fraction(&p.weight));
-    let list = polygons.iter().map(one).collect::<Vec<_>>().join(", ");
+    let list = listed_polygons(polygons);
     match polygons.iter().any(|polygon| polygon.weight.is_negative()) {
         false => phrase!("Polygons as (sides; turn of a corner; weight): {}.", list),
         true => phrase!(
@@ -38,6 +37,12 @@ fn of_polygons(polygons: &[Polygon]) -> Text {
             list
         ),
     }
+}
+
+/// `(3; 0; 1), (2; 1/4; 1)`: sides, turn of a corner, weight.
+pub(in crate::report) fn listed_polygons(polygons: &[Polygon]) -> String {
+    let one = |p: &Polygon| format!("({}; {}; {})", p.sides, fraction(&p.rotation), fraction(&p.weight));
+    polygons.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
 fn fraction(value: &BigRational) -> String {

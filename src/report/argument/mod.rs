@@ -14,7 +14,7 @@ use crate::page::Text;
 use crate::proof::Quantity;
 use crate::verdict::{JudgedStar, Reason, reason};
 pub use certificate::certificate;
-pub(super) use certificate::certificate_of;
+pub(super) use certificate::{certificate_of, listed_polygons};
 pub(super) use star::{ExactRay, ExactStar};
 pub(super) use sums::listed;
 

@@ -1,5 +1,7 @@
 //! How is it told that a sum is zero? By a symmetry, or by the regular polygons that are drawn.
 
+use std::sync::LazyLock;
+
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -7,7 +9,7 @@ use super::super::star::source_names;
 use super::star::{ExactRay, ExactStar};
 use super::sums::{angle, listed};
 use crate::engine::Engine;
-use crate::exact::Turn;
+use crate::exact::{MOST_VECTORS, MinimalStar, StarClass, Turn, minimal_stars, taken_apart};
 use crate::order::Source;
 use crate::page::{Number, Text, phrase};
 use crate::proof::{Polygon, Quantity};
@@ -101,7 +103,25 @@ pub(super) fn rotation(engine: &Engine, star: JudgedStar<'_>, fold: u32) -> Text
 
 /// The polygons that the star is made of.
 pub(super) fn polygons(engine: &Engine, star: JudgedStar<'_>) -> Text {
-    Text::joined(negative_turned(star).into_iter().chain(sentences(engine, star)), " ")
+    let sentences = negative_turned(star).into_iter().chain(sentences(engine, star));
+    Text::joined(sentences.chain(class(star)), " ")
+}
+
+/// The classes of minimal stars in it that are no regular polygons.
+fn class(star: JudgedStar<'_>) -> Option<Text> {
+    static STARS: LazyLock<Vec<MinimalStar>> = LazyLock::new(|| minimal_stars(MOST_VECTORS));
+    let mut classes: Vec<&StarClass> =
+        taken_apart(star.sum, &STARS)?.into_iter().map(|part| &STARS[part.star].class).collect();
+    classes.retain(|class| !class.is_regular());
+    classes.sort();
+    classes.dedup();
+    let named = |class: &StarClass| Text::formula(class.to_string());
+    (!classes.is_empty()).then(|| {
+        phrase!(
+            "In the words of Poonen and Rubinstein it has vectors of the class {}: they sum to zero, and no part of them does (`crankstar stars --atlas`).",
+            Text::joined(classes.into_iter().map(named), ", ")
+        )
+    })
 }
 
 /// What is done with vectors of negative weight, where there are some.

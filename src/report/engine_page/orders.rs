@@ -167,7 +167,7 @@ fn moment_left(engine: &Engine, order: &OrderBalance) -> Text {
 }
 
 /// `P_2⁺`, `C_2⁻`, `Q_2`.
-fn symbol(verdict: &Verdict) -> String {
+pub(in crate::report) fn symbol(verdict: &Verdict) -> String {
     let letter = match verdict.quantity {
         Quantity::FORCE => "P",
         Quantity::MOMENT => "C",

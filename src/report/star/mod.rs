@@ -153,12 +153,12 @@ pub(in crate::report) fn upright(vector: Complex<f64>) -> Point {
 }
 
 /// A unit vector of the drawing.
-pub(super) fn towards(angle: &Turn) -> Point {
+pub(in crate::report) fn towards(angle: &Turn) -> Point {
     upright(numbers::direction(angle))
 }
 
 /// The corners of a polygon at so many millimetres a unit.
-fn corners(polygon: &Polygon, scale: f64) -> Vec<Point> {
+pub(in crate::report) fn corners(polygon: &Polygon, scale: f64) -> Vec<Point> {
     let radius = decimal(&polygon.weight) * scale;
     let corner = |j: u64| {
         let step = BigRational::new(j.into(), polygon.sides.into());
