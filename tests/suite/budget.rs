@@ -28,7 +28,7 @@ const BUDGET: [(&str, usize); 33] = [
     ("proof", 8617),
     ("python", 2560),
     ("remedy", 1500),
-    ("report", 29179),
+    ("report", 29390),
     ("rotor", 540),
     ("search", 3600),
     ("shard", 680),

@@ -15,6 +15,7 @@ use crankstar::report::{self, StarsStudy};
 use crankstar::search::{self, Options, Problem};
 use crankstar::verdict::{self, EveryOrderTheorem};
 
+use crate::least_moments::covers;
 use crate::support::german::{has_words, phrases};
 use crate::support::golden;
 use crate::support::pages;
@@ -63,24 +64,25 @@ fn tables() -> BTreeMap<String, Vec<Vec<String>>> {
     tables
 }
 
-fn table(begins: &str) -> Vec<Vec<String>> {
+pub fn table(begins: &str) -> Vec<Vec<String>> {
     let all = tables();
     all.into_iter().find(|(heading, _)| heading.starts_with(begins)).unwrap_or_else(|| panic!("no table {begins}")).1
 }
 
-fn whole(cell: &str) -> u64 {
+pub fn whole(cell: &str) -> u64 {
     cell.replace(',', "").parse().unwrap_or_else(|_| panic!("{cell} is not a number"))
 }
 
 /// What stands behind ≈ or is exact, as a decimal with the room of its last digit.
-fn decimal(cell: &str) -> (f64, f64) {
+pub fn decimal(cell: &str) -> (f64, f64) {
     let text = cell.replace(['$', '`', '*'], "");
     let text =
         text.rsplit("\\approx").next().and_then(|text| text.rsplit('≈').next()).expect("a number").trim().to_owned();
-    let (mantissa, power) = match text.replace("\\,", "").split_once("10^{") {
+    let (mantissa, power) = match text.split_once("·10") {
         Some((mantissa, power)) => {
-            let mantissa: String = mantissa.chars().filter(|sign| sign.is_ascii_digit() || *sign == '.').collect();
-            (mantissa, power.trim_end_matches('}').replace('−', "-").parse::<i32>().expect("a power"))
+            let digit = |sign: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == sign);
+            let digits = power.chars().filter_map(digit).fold(0, |number, digit| 10 * number + digit as i32);
+            (mantissa.to_owned(), if power.contains('⁻') { -digits } else { digits })
         }
         None => (text, 0),
     };
@@ -102,7 +104,7 @@ fn gcd(a: u64, b: u64) -> u64 {
 /// By the criteria of the page, in other words: no order to be lost may be a power of a prime alone.
 #[test]
 fn what_each_number_loses_follows_from_its_factors() {
-    let rows = table("Cylinders||Order 1|");
+    let rows = table("Cylinders|Factors|Order 1|");
     assert_eq!(rows.len(), 29);
     for row in rows {
         let number = whole(&row[0]);
@@ -121,7 +123,7 @@ fn what_each_number_loses_follows_from_its_factors() {
             [2, q] => {
                 let parts = number / 2 / q;
                 u64::try_from(
-                    u128::from(covers(number, q))
+                    u128::from(covers(number as usize, q as usize))
                         * (1..=u128::from(parts)).product::<u128>()
                         * u128::from(2 * factorial(q)).pow(parts as u32)
                         / u128::from(number),
@@ -135,32 +137,6 @@ fn what_each_number_loses_follows_from_its_factors() {
         };
         assert_eq!(whole(&row[6]), stars, "{row:?}");
     }
-}
-
-/// Covers of 0, …, n − 1 by sums of a pair and of q numbers: each pair of sets in a list, tried from the lowest place that is left. Those of
-/// 24 and 28 take long, and were counted so by a script of their own.
-fn covers(number: u64, q: u64) -> u64 {
-    match number {
-        24 => return 1_682_445,
-        28 => return 9_136,
-        _ => {}
-    }
-    let mut sums = Vec::new();
-    for second in (0..1_u64 << number).step_by(2).filter(|set| set.count_ones() as u64 == q - 1).map(|set| set | 1) {
-        for step in 1..number {
-            if second & (second << step) == 0 && (second << step) >> number == 0 {
-                sums.push(second | second << step);
-            }
-        }
-    }
-    fn of(left: u64, sums: &[u64]) -> u64 {
-        if left == 0 {
-            return 1;
-        }
-        let low = left.trailing_zeros();
-        sums.iter().filter(|sum| (left >> low) & **sum == **sum).map(|sum| of(left & !(sum << low), sums)).sum()
-    }
-    of((1 << number) - 1, &sums)
 }
 
 /// Least moment of order 1, stars that have it, least of order 2 beside it, by every star in decimals.
@@ -208,7 +184,7 @@ fn least(number: usize) -> (f64, u64, f64) {
 #[test]
 fn the_best_stars_are_those_of_a_plain_loop() {
     let rows = table("Cylinders|Least moment of order 1");
-    assert_eq!(rows.len(), 15);
+    assert_eq!(rows.len(), 17);
     let of = |number: usize| &rows[number - 2];
     for number in 2..=9 {
         let row = of(number);
@@ -232,6 +208,50 @@ fn the_best_stars_are_those_of_a_plain_loop() {
         let directions = whole(&row[0]) / 2;
         assert_eq!((whole(&row[1]), whole(&row[2])), (directions, (1..directions).product()), "{row:?}");
     }
+}
+
+/// Six throws about a wider or a narrower gap, by every order of them: with ζ at 60°, ζ² = ζ − 1, a moment is a pair of whole numbers.
+#[test]
+fn the_spacings_have_as_many_stars_as_a_plain_loop_finds() {
+    const SIXTHS: [(i64, i64); 6] = [(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
+    fn zeros(places: &[i64], left: &[usize], sum: (i64, i64)) -> usize {
+        let Some((place, others)) = places.split_first() else { return usize::from(sum == (0, 0)) };
+        let with = |direction: &usize| {
+            let (one, other) = SIXTHS[*direction];
+            let rest: Vec<usize> = left.iter().copied().filter(|other| other != direction).collect();
+            zeros(others, &rest, (sum.0 + place * one, sum.1 + place * other))
+        };
+        left.iter().map(with).sum()
+    }
+    let rows = table("Gap in the middle");
+    assert_eq!(rows.len(), 5);
+    for row in rows {
+        // In half spacings, from the first throw at 0 in direction 0.
+        let gap = (2.0 * row[0].parse::<f64>().expect("a gap")) as i64;
+        let places = [2, 4, 4 + gap, 6 + gap, 8 + gap];
+        assert_eq!(whole(&row[1]), zeros(&places, &[1, 2, 3, 4, 5], (0, 0)) as u64, "{row:?}");
+    }
+}
+
+#[test]
+fn the_golden_spacing_leaves_what_the_page_says() {
+    let text = fs::read_to_string(golden::reports().join("stars/README.md")).expect("the page");
+    let arms: Vec<f64> = (0..5).map(|throw| (2.0 * TAU * f64::from(throw) / 5.0).sin()).collect();
+    let mut places = arms.clone();
+    places.sort_by(f64::total_cmp);
+    let gaps: Vec<f64> = places.windows(2).map(|pair| (pair[1] - pair[0]) / (places[1] - places[0])).collect();
+    let golden = (1.0 + 5_f64.sqrt()) / 2.0;
+    assert!(gaps.iter().zip([1.0, golden, golden, 1.0]).all(|(gap, told)| (gap - told).abs() < 1e-9), "{gaps:?}");
+    let left = |order: f64| {
+        let add = |sum: (f64, f64), (throw, arm): (usize, &f64)| {
+            let (sine, cosine) = (order * TAU * throw as f64 / 5.0).sin_cos();
+            (sum.0 + arm * sine, sum.1 + arm * cosine)
+        };
+        let (sine, cosine) = arms.iter().enumerate().fold((0.0, 0.0), add);
+        sine.hypot(cosine)
+    };
+    assert!(left(1.0) < 1e-12 && (left(2.0) - 2.5).abs() < 1e-12);
+    assert!(text.contains("order 1 leaves **0**, order 2 leaves 2.5."));
 }
 
 #[test]

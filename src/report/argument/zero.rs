@@ -118,8 +118,9 @@ fn class(star: JudgedStar<'_>) -> Option<Text> {
     let named = |class: &StarClass| Text::formula(class.to_string());
     (!classes.is_empty()).then(|| {
         phrase!(
-            "In the words of Poonen and Rubinstein it has vectors of the class {}: they sum to zero, and no part of them does (`crankstar stars --atlas`).",
-            Text::joined(classes.into_iter().map(named), ", ")
+            "In the words of Poonen and Rubinstein it has vectors of the class {}: they sum to zero, and no part of them does ({}).",
+            Text::joined(classes.into_iter().map(named), ", "),
+            Text::code("crankstar stars --atlas")
         )
     })
 }

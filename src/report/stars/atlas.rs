@@ -114,13 +114,13 @@ impl StarAtlas {
             ),
             match left {
                 0 => phrase!(
-                    "**What engines are made of.** At orders 1, 2, 4 and 6 {} sums of {} engines are zero and have vectors. Each is put together from stars of these classes alone: {}.",
+                    "**What engines are made of.** {} sums of {} engines are zero and have vectors, at orders 1, 2, 4 and 6. Each is put together from stars of these classes alone: {}.",
                     apart,
                     self.engines,
                     Text::joined(occurring, ", ")
                 ),
                 left => phrase!(
-                    "**What engines are made of.** At orders 1, 2, 4 and 6 {} sums of {} engines are zero and have vectors. All but {} are put together from stars of these classes: {}.",
+                    "**What engines are made of.** {} sums of {} engines are zero and have vectors, at orders 1, 2, 4 and 6. All but {} are put together from stars of these classes: {}.",
                     apart + left,
                     self.engines,
                     left,

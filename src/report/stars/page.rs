@@ -11,8 +11,7 @@ use crate::text::Untrusted;
 use crate::verdict::{self, EveryOrderTheorem};
 
 const TITLE: &str = "Crank stars: what they can lose, and what never";
-const READING: &str = "Engines in line, two-stroke (four-stroke with an odd number of cylinders too), evenly firing, one spacing apart, equal masses and rods. Yes: some star loses the moments of all these orders. No, with a prime q: throws 1/q of a turn apart would coincide. Stars are counted with cylinder 1 at 0°.";
-const LEAST: &str = "Lengths are exact, in $m r \\omega^2 c_k a$, $a$ the spacing. Up to 12 cylinders the program examines all stars when it writes this page; 14 and 15 follow from the theorems. Of 13 and 16 the moments are those of a star that `crankstar search` found, exactly; that none has less is the answer of that search.";
+const READING: &str = "A star says where each throw along the shaft points. Engines in line, two-stroke (four-stroke with an odd number of cylinders too), evenly firing, one spacing apart, equal masses and rods. Yes: some star loses the moments of all these orders. No, with a prime q: throws 1/q of a turn apart would coincide. Stars are counted with cylinder 1 at 0°.";
 const SOURCES: [&str; 4] = [
     "**Known.** That a moment of order 1 is zero says that an equiangular polygon has the sides 1, 2, …, n in some order. R. Dawson, Arithmetic polygons, American Mathematical Monthly 119 (2012) 695–698, has when there is one; that coprime factors suffice is a competition problem.",
     "**Known.** Which sums of roots of unity vanish: L. Rédei, N. G. de Bruijn, I. J. Schoenberg; T. Y. Lam and K. H. Leung, On vanishing sums of roots of unity, Journal of Algebra 224 (2000) 91–109. That 0, …, pq − 1 is a sum of two sets in two ways alone is de Bruijn's.",
@@ -62,7 +61,10 @@ pub fn stars_page(study: &StarsStudy) -> Document {
     }
     page.push(Block::Heading(1, "The best stars".into()));
     page.push(tables::best(&study.best));
-    page.push(Block::Note(LEAST.into()));
+    page.push(Block::Note(phrase!(
+        "Lengths are exact, in $m r \\omega^2 c_k a$, $a$ the spacing; where ≈ stands alone, the exact length is too long to be written. Up to 12 cylinders the program examines all stars when it writes this page; 14 and 15 follow from the theorems. Of 13, 16, 17 and 18 the moments are those of a star that was found once, by {} or, of 18, among the covers by sums of two and three places. That no star has less is computed by the tests in another way, in whole numbers with a bound of what rounding does.",
+        Text::code("crankstar search")
+    )));
     page.push(Block::Heading(1, "Engines to try".into()));
     for shown in &study.engines {
         page.blocks.extend(engine(shown));

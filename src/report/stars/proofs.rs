@@ -5,7 +5,7 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     [
         "Why five cylinders keep a first-order couple",
         "**Theorem.** No star of five cylinders, or of any number that is a power of a prime, loses the moment of order 1. Nor does one with gaps of other rational lengths.",
-        "Number the throws along the shaft 0, 1, 2, 3, 4: these places are whole numbers $w$, one for each of the five directions, and up to a constant that adds nothing the moment is the sum of the directions, each $w$ times. With whole weights five equally spread directions add up to 0 only if all weights are equal, because $1 + x + x^2 + x^3 + x^4$ is irreducible (with a prime power $q^b$: only if weights $1/q$ of a turn apart are). But no two throws coincide.",
+        "Number the throws along the shaft 0, 1, 2, 3, 4: these places are whole numbers $w$, one for each of the five directions, and up to a constant that adds nothing (other rational places are whole numbers in a smaller unit) the moment is the sum of the directions, each $w$ times. With whole weights five equally spread directions add up to 0 only if all weights are equal, because $1 + x + x^2 + x^3 + x^4$ is irreducible (with a prime power $q^b$: only if weights $1/q$ of a turn apart are). But no two throws coincide.",
     ],
     [
         "Why six can be without it",
@@ -16,12 +16,12 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     [
         "Why twelve lose orders 1 and 2, and fifteen 1, 2 and 4",
         "**Theorem.** Orders 1, 2, 4, … $2^j$ can vanish together exactly where the number of cylinders, divided by what it has in common with $2^j$, is neither 1 nor a power of a prime.",
-        "At order $k$ the $n$ directions become $n$ divided by the greatest common divisor of $n$ and $k$, each taken equally often. If that number is not a power of a prime, the star of remainders loses the order as above. If for one prime it is a power of it at the last of these orders, all orders that would distinguish throws $1/q$ of a turn apart are among those to be lost: the places, put together from the orders that remain, would repeat themselves after $1/q$ of a turn, and no two throws coincide. An order and its multiples by numbers without a common factor with $n$ are lost together: so fifteen cylinders without order 1 are without 2, 4 and 8, and keep 6 and 10.",
+        "At order $k$ the $n$ directions become $n$ divided by the greatest common divisor of $n$ and $k$, each taken equally often. If that number is not a power of a prime, the star of remainders loses the order as above. If for one prime it is a power of it at the last of these orders, all orders that would distinguish throws $1/q$ of a turn apart are among those to be lost: the places, put together from the orders that remain, would repeat themselves after $1/q$ of a turn, and no two throws coincide. If it is 1, the number of cylinders is a power of 2, which keeps order 1. An order and its multiples by numbers without a common factor with $n$ are lost together: so fifteen cylinders without order 1 are without 2, 4 and 8, and keep 6 and 10.",
     ],
     [
         "Why thirty lose every moment",
         "**Theorem.** A two-stroke engine in line that fires evenly can be without any moment of any order exactly where its number of cylinders is even and has two different odd prime factors.",
-        "Let throws half a turn apart are mirrored about the middle of the shaft: their arms are opposite, and at every even order they point one way, so that all even orders are lost. Order 1 remains. Thirty is $2 \\cdot 15$, and fifteen has the star of remainders: put it on every other direction, with the places of the second half of the shaft, and its mirror image on the opposite ones; then each of the two halves loses order 1 by itself. With one odd prime only, the theorem before forbids it; an odd number of cylinders has no opposite throws, and there even orders reach every divisor.",
+        "Let throws half a turn apart be mirrored about the middle of the shaft: their arms are opposite, and at every even order they point one way, so that all even orders are lost. Order 1 remains. Thirty is $2 \\cdot 15$, and fifteen has the star of remainders: put it on every other direction, with the places of the second half of the shaft, and its mirror image on the opposite ones; then each of the two halves loses order 1 by itself. (Of $2^a c$ cylinders, $c$ odd, each $2^{a-1}$-th direction and each $2^{a-1}$-th place make such a pair of halves.) With one odd prime only, the theorem before forbids it; an odd number of cylinders has no opposite throws, and there even orders reach every divisor.",
     ],
     [
         "How many stars lose order 1",

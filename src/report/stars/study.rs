@@ -14,14 +14,19 @@ pub(super) const CYLINDERS: std::ops::RangeInclusive<u32> = 2..=30;
 /// Up to so many cylinders all stars are searched when the page is made.
 const MOST_SEARCHED: u32 = 12;
 
+/// Up to so many cylinders the best star is known.
+const MOST_KNOWN: u32 = 18;
+
 /// Up to so many stars of a theorem are gone through.
 const MOST_LISTED: usize = 5000;
 
 /// The stars with the least first-order moment, and then the least of order 2, that `crankstar search` found of more cylinders, with how many have that of order 1: directions by place.
 /// The moments are those of these stars, exactly; that no other has less is what that search says.
-const FOUND: [(u32, &[u32], u64); 2] = [
+const FOUND: [(u32, &[u32], u64); 4] = [
     (13, &[0, 1, 7, 5, 6, 9, 2, 8, 11, 12, 10, 3, 4], 2),
     (16, &[0, 5, 9, 10, 2, 13, 14, 6, 11, 3, 4, 15, 7, 8, 12, 1], 288),
+    (17, &[0, 7, 2, 11, 10, 9, 1, 13, 5, 4, 16, 15, 14, 8, 6, 12, 3], 4),
+    (18, &[0, 9, 1, 13, 7, 6, 15, 14, 5, 12, 3, 2, 11, 10, 4, 16, 8, 17], 3_620_736),
 ];
 
 /// The best in-line star of a number of cylinders, two-stroke: the least moment of order 1, then of order 2.
@@ -57,7 +62,7 @@ impl StarsStudy {
         for cylinders in *CYLINDERS.start()..=MOST_SEARCHED {
             best.push(searched(cylinders, options)?);
         }
-        best.extend((MOST_SEARCHED + 1..=16).filter_map(known));
+        best.extend((MOST_SEARCHED + 1..=MOST_KNOWN).filter_map(known));
         let six = search::best_in_line(6, Cycle::TwoStroke, options)?;
         let twelve = search::best_in_line(12, Cycle::TwoStroke, options)?;
         let searched = [six, twelve].into_iter().map(|best| (best.problem, best.stars));

@@ -27,7 +27,7 @@ pub(super) fn every(throws: u32) -> Vec<u32> {
 pub(super) fn fates(counts: &[(u32, Option<Count>)]) -> Table {
     Table::of(counts)
         .column("Cylinders", |(throws, _)| *throws)
-        .column("", |(throws, _)| powers(*throws))
+        .column("Factors", |(throws, _)| powers(*throws))
         .column("Order 1", |(throws, _)| cell(*throws, &[1]))
         .column("Orders 1, 2", |(throws, _)| cell(*throws, &[1, 2]))
         .column("Orders 1, 2, 4", |(throws, _)| cell(*throws, &[1, 2, 4]))
