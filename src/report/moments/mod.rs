@@ -15,7 +15,7 @@ use crate::order;
 use crate::page::Document;
 use crate::proof::{Planar, Sense};
 use crate::table::Table;
-use crate::text::Untrusted;
+use crate::text::{self, Untrusted};
 use crate::torque::{self, GuideMoments};
 
 /// The orders of forces and moments that a project guide lists.
@@ -74,7 +74,7 @@ pub enum NoMoments {
 
 impl fmt::Display for NoMoments {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = |name: &Untrusted| crate::text::harmless(name.written());
+        let name = |name: &Untrusted| name.escaped(text::Format::Plain);
         match self {
             NoMoments::Nothing => f.write_str("no engine is named whose moments are wanted"),
             NoMoments::Scale(of) => write!(
