@@ -11,7 +11,7 @@ pub enum Provenance {
     Quoted(Quote),
     /// It is often said, and no source was found for it.
     Folklore,
-    /// The file's own: reckoned beside what others say, and claimed by none of them.
+    /// The file's own: computed beside what others say, and claimed by none of them.
     Own,
 }
 

@@ -80,7 +80,7 @@ pub enum BuildError {
         /// How many times it turns while the reference turns once.
         speed: u32,
     },
-    /// What is not reckoned where a crankshaft turns faster than the reference.
+    /// What is not computed where a crankshaft turns faster than the reference.
     FasterCrank(&'static str),
     /// A firing order that has not every cylinder once.
     Firing,
@@ -91,7 +91,7 @@ pub enum BuildError {
         /// The cylinder.
         cylinder: String,
     },
-    /// What is not reckoned of an engine with articulated rods.
+    /// What is not computed of an engine with articulated rods.
     ArticulatedRods(&'static str),
     /// Discs and springs that are no shaft for the crankpins.
     Torsion(NoShaft),

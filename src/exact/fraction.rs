@@ -1,4 +1,4 @@
-//! How are fractions reckoned fast? In machine words, as nearly all of them are short: sums and products of [`BigRational`] ask for
+//! How are fractions computed fast? In machine words, as nearly all of them are short: sums and products of [`BigRational`] ask for
 //! memory at every step, and reduce by a gcd of numbers of any size.
 
 use std::cmp::Ordering;

@@ -1,7 +1,7 @@
 //! Which prime shows that a sum is not zero?
 //!
 //! Modulo a prime ℓ ≡ 1 (mod N) some whole number `g` has order N, and `e^{2πi/N} ↦ g` carries sums to sums. A sum
-//! whose image is not zero is not zero (theory, section 5). The least such prime and root are taken.
+//! whose image is not zero is not zero (theory, section 5). The shortest reason is taken: the least such prime, and of it the least such root.
 
 use num_integer::Integer;
 use num_traits::{ToPrimitive, Zero};
@@ -13,6 +13,9 @@ use crate::proof::Residue;
 /// Conductors from here on are answered by a splitting: the search for a prime grows with the conductor.
 pub(super) const CONDUCTOR_LIMIT: u64 = 1_000_000;
 
+/// Of primes below this every root is tried.
+const MANY_ROOTS: u64 = 1000;
+
 /// The residue certificate of a sum that is not zero; `None` where its conductor reaches [`CONDUCTOR_LIMIT`].
 pub(super) fn find<E: Exponent, W: Weight>(conductor: &E, scale: &W, terms: &[(E, W)]) -> Option<Residue> {
     let order = conductor.to_u64().filter(|&n| n < CONDUCTOR_LIMIT)?;
@@ -20,18 +23,27 @@ pub(super) fn find<E: Exponent, W: Weight>(conductor: &E, scale: &W, terms: &[(E
     // A sum that is not zero has a norm that is not zero, and only its divisors can fail: the search ends.
     let primes = (1..).map(|k| k * order + 1).filter(|&prime| is_prime(prime));
     primes.into_iter().find_map(|prime| {
-        let root = (1..prime).find(|&g| has_order(g, order, &divisors, prime))?;
-        let residue = terms.iter().fold(0, |sum, (exponent, weight)| {
-            let exponent = exponent.to_u64().unwrap_or_else(|| unreachable!("an exponent is below the conductor"));
-            (sum + multiply(weight.modulo(prime), power(root, exponent, prime), prime)) % prime
-        });
-        (!residue.is_zero()).then(|| Residue {
+        let roots = (1..prime).filter(|&g| has_order(g, order, &divisors, prime));
+        // The image by another root is that of a conjugate of the sum. Of a large prime one root is tried: it fails once in as many sums.
+        let (root, residue) = roots
+            .take(if prime < MANY_ROOTS { usize::MAX } else { 1 })
+            .map(|root| (root, image(terms, root, prime)))
+            .find(|(_, image)| !image.is_zero())?;
+        Some(Residue {
             conductor: order.into(),
             prime: prime.into(),
             root: root.into(),
             scale: scale.clone().into(),
             residue: residue.into(),
         })
+    })
+}
+
+/// The image of a sum modulo a prime.
+fn image<E: Exponent, W: Weight>(terms: &[(E, W)], root: u64, prime: u64) -> u64 {
+    terms.iter().fold(0, |sum, (exponent, weight)| {
+        let exponent = exponent.to_u64().unwrap_or_else(|| unreachable!("an exponent is below the conductor"));
+        (sum + multiply(weight.modulo(prime), power(root, exponent, prime), prime)) % prime
     })
 }
 

@@ -24,11 +24,11 @@ pub enum Missing {
     Motion(String),
     /// A number that is no order.
     Order(NotAnOrder),
-    /// What is not reckoned of an engine with articulated rods.
+    /// What is not computed of an engine with articulated rods.
     ArticulatedRods(&'static str),
     /// Several crankshafts that are geared together.
     SeveralCrankshafts,
-    /// What is not reckoned where a crankshaft turns faster than the reference.
+    /// What is not computed where a crankshaft turns faster than the reference.
     FasterCrank(&'static str),
     /// No main bearings.
     Bearings,

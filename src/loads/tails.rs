@@ -32,7 +32,7 @@ impl Parts {
         of_cranks + self.corrected.as_ref().map_or(0.0, |tail| tail.force(order))
     }
 
-    /// What is not reckoned of links has no bound.
+    /// What is not computed of links has no bound.
     fn of_rod(&self, bound: impl Fn(&Tail) -> f64) -> f64 {
         match (&self.cranks[..], &self.corrected) {
             ([(_, only)], None) => bound(only),

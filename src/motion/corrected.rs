@@ -140,7 +140,7 @@ impl CorrectedLinkage {
 
     /// The real or the imaginary part of the mean of `√(1−Y²) e^{−ikψ}`; none if the bits are too few.
     fn mean(&self, order: u32, component: Component, bits: u32) -> Option<Ball> {
-        // The number of points decides the cost; what they miss is reckoned below.
+        // The number of points decides the cost; what they miss is computed below.
         let enough = u64::from(order) + (f64::from(bits) / self.decay()).ceil() as u64 + 1;
         let count = enough.next_multiple_of(POINTS);
         let samples = self.samples(count, bits)?;

@@ -26,7 +26,7 @@ use crate::proof::{Masses, Sense};
 
 /// What the rods of an engine that names them hand on to their crankpins in one order and sense: inertia of the piston with its
 /// side force, and the rotating part of the rod; several terms per cylinder. A link loads no crankpin but a master rod, which is not
-/// reckoned: nothing is asked of an engine that has one.
+/// computed: nothing is asked of an engine that has one.
 pub fn pin_contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
     let cylinders = engine.cylinders().iter().enumerate();
     let known = cylinders.filter_map(|(index, cylinder)| Some((index, cylinder, cylinder.rod()?)));

@@ -81,7 +81,7 @@ impl<'a> Motion<'a> {
 }
 
 /// Bounds of the real and of the imaginary part of a rod's c_k, or of its t_k for the torque, to about so many bits behind
-/// the point: what an enclosure of a whole order reckons with.
+/// the point: what an enclosure of a whole order computes with.
 ///
 /// # Errors
 /// Where that would take too many points.

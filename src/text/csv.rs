@@ -8,7 +8,7 @@ pub fn field(text: &str) -> String {
     }
 }
 
-/// A text that no spreadsheet reckons with: an apostrophe stands before what would begin a formula.
+/// A text that no spreadsheet computes with: an apostrophe stands before what would begin a formula.
 pub(super) fn inert(text: String) -> String {
     match text.starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠']) {
         true => format!("'{text}"),

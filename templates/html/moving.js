@@ -1,4 +1,4 @@
-// Turns the engines of a page: words, verdicts and zeros come from the scene, only drawings are reckoned.
+// Turns the engines of a page: words, verdicts and zeros come from the scene, only drawings are computed.
 (() => {
   "use strict";
   const RADIANS = Math.PI / 180;

@@ -638,7 +638,7 @@ fn a_verdict_that_is_not_there_is_missed() {
     assert_eq!(one, [place, "here stands a verdict on (moment, order 1, direct)"]);
     assert_eq!(fault(|document| document.verdicts.clear()), [FIRST, "this verdict is missing"]);
     let torque = fault(|document| document.shapes[0].quantity = Quantity::TORQUE);
-    assert_eq!(torque, ["shapes[0] (force, order 1)", "the shape is wrong"]);
+    assert_eq!(torque, ["shapes[0] (force, order 1)", "another shape stands here"]);
 }
 
 #[test]

@@ -120,6 +120,8 @@ fn is_consistent(table: &Table) {
                 || rest == format!("zero_to_peak_{unit}")
                 || rest == format!("modulus_{unit}")
                 || rest == format!("length_{unit}")
+                || rest == format!("mass_radius_{unit}")
+                || rest == format!("couple_{unit}")
         };
         let mut found = 0;
         for size in table.columns().iter().filter(of) {

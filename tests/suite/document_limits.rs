@@ -45,7 +45,7 @@ fn a_key_that_stands_twice_is_refused_wherever_it_stands() {
         assert!(error(&doubled).contains(&format!("the key `{key}` is given twice")), "{}", error(&doubled));
     }
     let family = r#"{"format":"crankstar family 2","reference_plane":{"1":"0","a":"1","a":"2"}}"#;
-    assert!(error(family).contains("the key `a` stands twice"));
+    assert!(error(family).contains("the key `a` is given twice"));
 }
 
 #[test]

@@ -154,3 +154,49 @@ fn over_many_primes_too_the_fewest_are_proved() {
     }
     assert!(proved > 400);
 }
+
+/// A power modulo a small number.
+fn power(base: u64, exponent: u64, modulus: u64) -> u64 {
+    (0..exponent).fold(1, |product, _| product * base % modulus)
+}
+
+#[test]
+fn no_smaller_prime_shows_that_a_sum_is_not_zero() {
+    let (mut shown, mut by_another_root) = (0, 0);
+    for conductor in 1..=36_u64 {
+        let mut dice = Dice::new(conductor);
+        for _ in 0..8 {
+            let terms: Terms =
+                (0..dice.below(4) + 1).map(|_| (dice.below(conductor), dice.below(9) as i64 - 4)).collect();
+            let terms = collected(&terms);
+            let Certificate::Residue(residue) = phasors(conductor, &terms).certificate() else { continue };
+            let [order, prime, root] = [residue.conductor, residue.prime, residue.root]
+                .map(|number| u64::try_from(number).expect("a small number"));
+            let image = |root: u64, prime: u64| {
+                let vector = |(exponent, weight): &(u64, i64)| {
+                    let exponent = exponent * order / conductor;
+                    weight.rem_euclid(prime as i64) as u64 * power(root, exponent, prime) % prime
+                };
+                terms.iter().map(vector).sum::<u64>() % prime
+            };
+            let is_prime = |number: &u64| *number > 1 && (2..*number).all(|divisor| !number.is_multiple_of(divisor));
+            let has_order = |root: &u64, prime: u64| {
+                (1..=order).find(|exponent| power(*root, *exponent, prime) == 1) == Some(order)
+            };
+            for smaller in (2..prime).filter(is_prime) {
+                assert!(
+                    (1..smaller).filter(|root| has_order(root, smaller)).all(|root| image(root, smaller) == 0),
+                    "{terms:?}"
+                );
+            }
+            let first = (1..prime).find(|root| has_order(root, prime)).expect("a root");
+            assert!(
+                (first..root).filter(|root| has_order(root, prime)).all(|root| image(root, prime) == 0),
+                "{terms:?}"
+            );
+            by_another_root += usize::from(first < root);
+            shown += 1;
+        }
+    }
+    assert!(shown > 100 && by_another_root > 2, "{shown} {by_another_root}");
+}

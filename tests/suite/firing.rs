@@ -1,4 +1,4 @@
-//! Do firing stars tell which orders of the gas torque vanish? Against the tables of the theory, and sums reckoned by hand.
+//! Do firing stars tell which orders of the gas torque vanish? Against the tables of the theory, and sums computed by hand.
 
 use std::f64::consts::TAU;
 

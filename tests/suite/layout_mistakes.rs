@@ -47,7 +47,7 @@ const KEYS: &[(&str, usize, &str)] = &[
     ("[radial]\ncylinders = 5\nrows = 2\nrow_throw = 180",        2, "`row_rotation` is missing"),
     ("[radial]\ncylinders = 5\nrows = 2\nrow_rotation = 36",      2, "`row_throw` is missing"),
     ("inline = 3",                                                1, "expected one table"),
-    ("inline = [[0, 180]]",                                       1, "a list in brackets stands"),
+    ("inline = [[0, 180]]",                                       1, "a list in brackets is in the wrong place"),
     ("[[vee]]\nbank_angle = 60\nthrows = [0]",                    1, "expected one table"),
     ("[cylinder]\nthrow = 0\nbank = 0\nposition = 0",             1, "[[two brackets]]"),
     ("cylinder = []",                                             1, "0 cylinders"),

@@ -168,7 +168,7 @@ fn an_unknown_that_is_neither_phi_nor_delta_is_refused() {
 #[test]
 fn verdicts_that_are_missing_repeated_or_not_asked_for_are_refused() {
     assert_eq!(refused(V_TWIN, |document| document.open_verdicts.clear()), "this verdict is missing");
-    let stands = "the verdict is wrong";
+    let stands = "another verdict stands here";
     assert_eq!(refused(V_TWIN, |document| document.open_verdicts[REVERSE].order = 2), stands);
     assert_eq!(refused(V_TWIN, |document| document.open_verdicts[1] = document.open_verdicts[0].clone()), stands);
     let more = refused(V_TWIN, |document| document.open_verdicts.push(document.open_verdicts[0].clone()));
@@ -179,7 +179,7 @@ fn verdicts_that_are_missing_repeated_or_not_asked_for_are_refused() {
 #[test]
 fn the_torque_of_a_family_is_not_checked_by_the_formula_of_the_force() {
     let renamed = refused(V_TWIN, |document| document.open_verdicts[0].quantity = Quantity::TORQUE);
-    assert_eq!(renamed, "the verdict is wrong");
+    assert_eq!(renamed, "another verdict stands here");
     let asked = refused(V_TWIN, |document| document.quantities.push(Quantity::TORQUE));
     assert_eq!(asked, "this format knows force and moment, and not the torque of a family");
 }

@@ -1,4 +1,4 @@
-//! Are the angles at which an order of the gas torque vanishes found rightly, and completely? Against sums reckoned by themselves.
+//! Are the angles at which an order of the gas torque vanishes found rightly, and completely? Against sums computed by themselves.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;

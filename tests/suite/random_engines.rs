@@ -39,7 +39,7 @@ struct Tally {
     refused: Vec<String>,
 }
 
-/// Cyclotomic polynomials, each reckoned once.
+/// Cyclotomic polynomials, each computed once.
 #[derive(Default)]
 struct Oracle(BTreeMap<u64, Vec<i128>>);
 

@@ -304,7 +304,7 @@ fn order_1_with_another_outcome_or_a_sum_less_is_refused() {
     let none = fault(|document| document.recurrences[0].first.outcome = None);
     assert_eq!(none, format!("{PLACE}: order 1: `outcome` is missing: there are several sums"));
     let less = fault(|document| drop(document.recurrences[0].first.sums.pop()));
-    assert_eq!(less, format!("{PLACE}: order 1: 1 sums stand here, the engine has 2"));
+    assert_eq!(less, format!("{PLACE}: order 1: 1 sums here, the engine has 2"));
     let polygons = Certificate::Polygons { polygons: Vec::new() };
     let forged = SumVerdict { vanishes: true, certificate: polygons };
     let forged = fault(|document| document.recurrences[0].first.sums[0] = forged);
@@ -314,7 +314,7 @@ fn order_1_with_another_outcome_or_a_sum_less_is_refused() {
 #[test]
 fn a_class_less_or_of_other_cylinders_or_factors_is_refused() {
     let less = fault(|document| document.recurrences[0].odd.clear());
-    assert_eq!(less, format!("{PLACE}: odd orders: 0 classes stand here, the engine has 1"));
+    assert_eq!(less, format!("{PLACE}: odd orders: 0 classes here, the engine has 1"));
     let even = format!("{PLACE}: even orders, class 0");
     let other = fault(|document| drop(document.recurrences[0].even[0].of.pop()));
     assert_eq!(other, format!("{even}: its cylinders are [\"1\", \"2\"]"));

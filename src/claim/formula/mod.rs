@@ -1,4 +1,4 @@
-//! What may a formula about one cylinder say? Letters of crank, rod, masses and forces, and what is reckoned with them.
+//! What may a formula about one cylinder say? Letters of crank, rod, masses and forces, and what is computed with them.
 
 mod letter;
 mod read;

@@ -1,4 +1,4 @@
-//! How are polynomials reckoned modulo a prime? Whole numbers below it, and an image of `e^{2πi/N}` among them.
+//! How are polynomials computed modulo a prime? Whole numbers below it, and an image of `e^{2πi/N}` among them.
 
 use num_bigint::BigInt;
 use num_integer::Integer;

@@ -56,7 +56,7 @@ pub struct Ruler {
     pub small: Vec<f64>,
 }
 
-/// Values larger than this, or smaller than its inverse, are not used: what is reckoned with them could overflow.
+/// Values larger than this, or smaller than its inverse, are not used: what is computed with them could overflow.
 const FARTHEST: f64 = 1e280;
 /// Values closer than this part of the largest are the same.
 const SAME: f64 = 1e-9;

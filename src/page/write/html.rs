@@ -83,6 +83,9 @@ const LONG: usize = 60;
 const TIGHT: &str = "y=\"false\" lspace=\"0em\" rspace=\"0em\">|</mo>";
 const TALL: &str = "y=\"true\" lspace=\"0em\" rspace=\"0em\">|</mo>";
 
+/// A thin space.
+const THIN: &str = "<mspace width=\"0.1667em\" />";
+
 /// A formula of this program in MathML; as its TeX where the library does not know a command.
 fn mathml(tex: &str, display_mode: DisplayMode) -> String {
     let storage = Storage::new();
@@ -91,7 +94,9 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
     match push_mathml(&mut out, Parser::new(tex, &storage), config) {
         // Browsers take a bar that is no fence by its side for an operator, and set space about it.
         Ok(()) if !out.contains("<merror") => {
-            out.replace("y=\"false\">|</mo>", TIGHT).replace("y=\"true\">|</mo>", TALL)
+            let out = out.replace("y=\"false\">|</mo>", TIGHT).replace("y=\"true\">|</mo>", TALL);
+            // The space before the name of a function is no part of what is raised.
+            out.replace(&format!("<msup>{THIN}"), &format!("{THIN}<msup>"))
         }
         Ok(()) | Err(_) => format!("<code>{}</code>", text::xml(tex)),
     }

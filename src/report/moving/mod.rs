@@ -2,7 +2,7 @@
 //!
 //! `engine, verdicts, family → scene (numbers to draw, finished words) → fragment of a page`
 //!
-//! What is drawn is reckoned in the page, in decimals. What is said comes from here: a verdict is finished words, and for an
+//! What is drawn is computed in the page, in decimals. What is said comes from here: a verdict is finished words, and for an
 //! open angle the exact list of its zeros, in whole numbers, so that the page compares and never judges.
 
 mod bodies;

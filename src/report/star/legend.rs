@@ -91,7 +91,7 @@ fn short_names<'a>(rays: impl Iterator<Item = &'a Ray>) -> Option<Text> {
             false => kinds.extend(ray.turning().filter_map(kind)),
         }
     }
-    let counted = counted.map(|count| phrase!("+{} for {} masses that turn", count, count));
+    let counted = counted.map(|count| phrase!("+{} for {} rotating masses", count, count));
     let words: Vec<Text> = kinds.into_iter().map(Text::from).chain(counted).collect();
     (!words.is_empty()).then(|| phrase!("Short names: {}.", Text::joined(words, ", ")))
 }

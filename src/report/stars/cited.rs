@@ -38,16 +38,18 @@ pub(in crate::report) fn cited(engine: &Engine) -> Option<Text> {
     let Fate::Never(Obstruction { prime, .. }) = stars::fate(Pins::once(throws), &[1]) else { return None };
     (is_full && is_even && is_spaced && throws > 2).then(|| match in_banks {
         1 => phrase!(
-            "**No star of {} throws is without the moment of order 1**, in any order of its throws: {} is a power of the prime {} (page of stars, `crankstar stars`).",
+            "**No star of {} throws is without the moment of order 1**, in any order of its throws: {} is a power of the prime {} (page of stars, {}).",
             throws,
             throws,
-            prime
+            prime,
+            Text::code("crankstar stars")
         ),
         _ => phrase!(
-            "**No order of the {} pins, and no bank angle, takes away the moment of order 1 that turns with the crank:** {} is a power of the prime {} (page of stars, `crankstar stars`).",
+            "**No order of the {} pins, and no bank angle, takes away the moment of order 1 that turns with the crank:** {} is a power of the prime {} (page of stars, {}).",
             throws,
             throws,
-            prime
+            prime,
+            Text::code("crankstar stars")
         ),
     })
 }

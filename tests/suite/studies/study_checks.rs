@@ -1,4 +1,4 @@
-//! How are the checks of a statement shown? A table for each place that is quoted, then what is reckoned beside it.
+//! How are the checks of a statement shown? A table for each place that is quoted, then what is computed beside it.
 
 use crankstar::claim::{Provenance, Quote};
 use crankstar::page::number::{self, Amount};
