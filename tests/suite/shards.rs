@@ -169,7 +169,7 @@ fn what_is_missing_foreign_or_of_another_format_is_told_in_one_line() {
     store.put(0, b"something else").expect("it is written");
     store.finish().expect("it ends");
     let told = refusal(&[files[0].clone(), strange], &asked);
-    assert!(told.contains("tell piece 0 differently"), "{told}");
+    assert!(told.contains("differ in piece 0"), "{told}");
 }
 
 #[test]

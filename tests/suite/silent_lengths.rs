@@ -94,10 +94,10 @@ fn the_roll_moment_asks_for_the_axes_of_crankshafts_and_shafts_that_stand_nowher
         format!("{TORQUE}[inline]\nthrows = [0, 180]\nspacing = '0.1 m'{MECHANISM}{shaft}{axis}")
     };
     for (text, right, words) in [
-        (cranks(""), Some(MissingArm::Crankshaft(0)), "where the crankshaft a stands"),
+        (cranks(""), Some(MissingArm::Crankshaft(0)), "on the position of crankshaft a"),
         (cranks("offset = 0\n"), None, ""),
         (cranks("distance = 2\nangle = 45\n"), None, ""),
-        (shaft(""), Some(MissingArm::Balancer(0)), "where balancer shaft 1 stands"),
+        (shaft(""), Some(MissingArm::Balancer(0)), "on the position of balancer shaft 1"),
         (shaft("height = 0\n"), None, ""),
         (shaft("offset = '-60 mm'\n"), None, ""),
     ] {

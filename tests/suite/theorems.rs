@@ -87,7 +87,7 @@ fn the_radial_nine_keeps_order_1_and_two_classes() {
         &nine,
         &[
             "The next order that remains is 26.",
-            "- **Force.** Nothing is left but order 1 (direct), orders 8, 26, … = $18j - 10$ (reverse) and orders 10, \
+            "- **Force.** Nothing remains but order 1 (direct), orders 8, 26, … = $18j - 10$ (reverse) and orders 10, \
              28, … = $18j - 8$ (direct).",
         ],
     );
@@ -121,8 +121,8 @@ fn each_kind_of_statement_has_its_sentence() {
                 "- **Moment.** Zero exactly at order 1 and at the orders $k$ that 6 divides ($6 \\mid k$). {alike}"
             ),
         ),
-        ("I2-180", "- **Moment.** Nothing is left but order 1.".to_owned()),
-        ("V8-crossplane", "- **Moment.** Nothing is left but order 1 (direct).".to_owned()),
+        ("I2-180", "- **Moment.** Nothing remains but order 1.".to_owned()),
+        ("V8-crossplane", "- **Moment.** Nothing remains but order 1 (direct).".to_owned()),
         (
             "V2-60",
             "- **Force.** Zero at no order. The direct vector: Zero at orders 4, 10, … = $6j - 2$ and at no \

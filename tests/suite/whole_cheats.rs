@@ -195,7 +195,7 @@ fn a_wrong_outcome_is_refused() {
 fn a_whole_that_is_missing_or_stands_twice_or_elsewhere_is_refused() {
     assert_refused(unequal(), |d| d.wholes.truncate(3), "this statement is missing");
     assert_refused(unequal(), |d| d.wholes.clear(), "this statement is missing");
-    assert_refused(unequal(), |d| d.wholes = d.wholes[1..].to_vec(), "the statement is wrong");
+    assert_refused(unequal(), |d| d.wholes = d.wholes[1..].to_vec(), "another statement stands here");
     assert_refused(unequal(), |d| d.wholes.push(d.wholes[0].clone()), "more than orders with several sums have");
     assert_refused(unequal(), |d| d.wholes[1].sense = None, "another statement");
     assert_refused(unequal(), |d| d.wholes[0].order = 2, "another statement");
@@ -453,7 +453,7 @@ fn statements_on_every_order_are_about_masses_that_turn_with_the_crank() {
     direct.verdicts[0].certificate = zero.certificate();
     assert_holds(&all);
     let shaft = turning("shaft", 4, Sense::Reverse, ["1/3", "1/2", "1/40"]);
-    assert_refused(all, |d| d.turning_masses.push(shaft), "rotating masses with the crank or not at all");
+    assert_refused(all, |d| d.turning_masses.push(shaft), "masses that turn with the crank, or none");
 }
 
 fn checked(tree: &serde_json::Value) -> Result<crankstar::proof::Checked, String> {

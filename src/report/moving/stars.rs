@@ -70,7 +70,7 @@ fn of_whole(engine: &Engine, order: &OrderVerdict, whole: &WholeStars, weighed: 
             let zero = outcome.outcomes[usize::from(sense == Sense::Reverse)].vanishes() == Some(true);
             let words = if zero { ZERO.to_owned() } else { rounded(value) };
             let rays: Vec<Ray> = rays.iter().map(|one| of_drawn(engine, one)).collect();
-            let (length, degrees) = (2.0 * numbers::length(value), numbers::degrees(value));
+            let [length, degrees] = if zero { [0.0, 0.0] } else { polar(2.0 * value) };
             MovingSense { words, zero, reach: reach(&rays, length, None), rays, length, degrees, zeros: None }
         });
         let words =
@@ -83,12 +83,13 @@ fn of_whole(engine: &Engine, order: &OrderVerdict, whole: &WholeStars, weighed: 
 
 /// A ray of a drawing, whose vectors are halved.
 fn of_drawn(engine: &Engine, ray: &star::Ray) -> Ray {
+    let [_, degrees] = polar(ray.direction);
     Ray {
         label: ray.name.clone().unwrap_or_else(|| label(engine, ray.members.iter().map(|(source, _)| *source))),
-        degrees: numbers::degrees(ray.direction),
+        degrees,
         turns: 0.0,
-        lengths: ray.members.iter().map(|(_, length)| 2.0 * length).collect(),
-        length: 2.0 * ray.length(),
+        lengths: ray.members.iter().map(|(_, length)| in_places(2.0 * length)).collect(),
+        length: in_places(2.0 * ray.length()),
     }
 }
 
@@ -101,9 +102,20 @@ fn coefficient(part: &OrderBalance, weighed: &Weighed) -> Option<[f64; 2]> {
             (true, false) => (swing.reverse.value / numbers::evaluate(&balance.reverse.sum)).conj(),
             (true, true) => continue,
         };
-        return Some([numbers::length(value), numbers::degrees(value)]);
+        return Some(polar(value));
     }
     Some([0.0, 0.0])
+}
+
+/// Length, and direction in degrees.
+fn polar(value: Complex<f64>) -> [f64; 2] {
+    let degrees = in_places(numbers::degrees(value));
+    [in_places(numbers::length(value)), if degrees == -180.0 { 180.0 } else { degrees }]
+}
+
+/// Sines differ in their last digit between machines, and pages do not.
+fn in_places(value: f64) -> f64 {
+    (value * 1e9).round() / 1e9 + 0.0
 }
 
 /// `together at most 1.17 m r ω²`.
