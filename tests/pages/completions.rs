@@ -47,7 +47,7 @@ fn fish_loads_the_completions() {
         let ask = format!("source $argv[1]; complete -C '{line}'");
         says("fish", &["--no-config", "-c", &ask], &script("fish"))
     };
-    assert!(said("crankstar cl").starts_with("classify\tJudge force and moment"), "{}", said("crankstar cl"));
+    assert!(said("crankstar cl").starts_with("classify\tDecide force and moment"), "{}", said("crankstar cl"));
     let maths = said("crankstar report --math ");
     assert!(maths.lines().any(|line| line.starts_with("dollars\t")), "{maths}");
 }

@@ -61,7 +61,7 @@ fn says_of_the_whole(said: &MovingQuantity, whole: &WholeOrder, exists: bool, te
         assert_eq!(sense.zero, outcome.vanishes() == Some(true), "{text}");
         let sum = Complex::from_polar(sense.length, sense.degrees.to_radians());
         let most = sense.rays.iter().map(|ray| ray.length).sum::<f64>();
-        assert!((drawn(sense, 0.0) - sum).norm() < 1e-9 * (1.0 + most), "{text}: {sum} is not what is drawn");
+        assert!((drawn(sense, 0.0) - sum).norm() < 1e-8 * (1.0 + most), "{text}: {sum} is not what is drawn");
     }
 }
 

@@ -38,6 +38,12 @@ impl Letters {
             longest: text.split(' ').map(|word| word.chars().count()).max().unwrap_or(0),
         }
     }
+
+    /// With so many more before it.
+    pub fn widen(&mut self, letters: usize) {
+        self.all += letters;
+        self.longest += letters;
+    }
 }
 
 /// A table that fits a printed page, for a template.

@@ -166,17 +166,18 @@ impl<'a> Composer<'a> {
     fn table(&self, table: &Table, caption: Option<Caption>) -> String {
         let set = |cells: &[Text]| cells.iter().map(|cell| self.text(cell)).collect::<Vec<_>>();
         let mut rows: Vec<Vec<String>> = table.rows.iter().map(|row| set(row)).collect();
-        self.align(table, &mut rows);
+        let mut letters: Vec<Vec<Letters>> = [&table.header]
+            .into_iter()
+            .chain(&table.rows)
+            .map(|row| row.iter().map(|cell| Letters::of(&self.unbroken(cell))).collect())
+            .collect();
+        self.align(table, &mut rows, &mut letters[1..]);
         let cells = Cells {
             header: set(&table.header),
             rows,
             caption,
             zeros: table.rows.iter().map(|row| row.iter().map(Text::is_zero).collect()).collect(),
-            letters: [&table.header]
-                .into_iter()
-                .chain(&table.rows)
-                .map(|row| row.iter().map(|cell| Letters::of(&self.unbroken(cell))).collect())
-                .collect(),
+            letters,
         };
         match self.writer.table(&cells) {
             Some(set) => set,
@@ -185,14 +186,15 @@ impl<'a> Composer<'a> {
     }
 
     /// Pushes decimals so that their points stand below each other, where the format has a space as wide as a digit.
-    fn align(&self, table: &Table, rows: &mut [Vec<String>]) {
+    fn align(&self, table: &Table, rows: &mut [Vec<String>], letters: &mut [Vec<Letters>]) {
         let Some(space) = self.writer.digit_space() else { return };
         for column in 0..table.header.len() {
             let plain: Vec<String> =
                 table.rows.iter().map(|row| row.get(column).map(|cell| self.plain(cell)).unwrap_or_default()).collect();
-            for (row, digits) in rows.iter_mut().zip(lacking(&plain)) {
-                if let Some(cell) = row.get_mut(column) {
+            for ((row, letters), digits) in rows.iter_mut().zip(letters.iter_mut()).zip(lacking(&plain)) {
+                if let (Some(cell), Some(letters)) = (row.get_mut(column), letters.get_mut(column)) {
                     cell.insert_str(0, &space.repeat(digits));
+                    letters.widen(digits);
                 }
             }
         }
