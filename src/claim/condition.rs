@@ -11,8 +11,6 @@ use crate::order;
 use crate::proof::{Planar, Sense};
 use crate::verdict::OrderBalance;
 
-const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
-
 /// Conditions of a vanishing moment: only about this plane where the force is left, only without a bank offset where
 /// one would not cancel.
 pub(super) fn of_vanishing(engine: &Engine, order: &OrderBalance, senses: &[Sense]) -> Vec<Condition> {
@@ -63,5 +61,5 @@ fn offset_sum(engine: &Engine, order: u32, sense: Sense) -> PhasorSum {
 
 /// The senses that a claim is about.
 pub(super) fn senses(sense: Option<Sense>) -> Vec<Sense> {
-    sense.map_or(SENSES.to_vec(), |sense| vec![sense])
+    sense.map_or(Sense::BOTH.to_vec(), |sense| vec![sense])
 }

@@ -44,7 +44,7 @@ pub use handwritten::{Agrees, WrittenAngle, WrittenLength};
 pub use possible::Witness;
 pub use provenance::{Provenance, Quote};
 pub use shaking::{Term, TermVerdict};
-pub use star_marks::{Filled, Judged, LEAST_DIGITS, Marked, Place, RightEntry, SENSES, SUMS, Star, mark};
+pub use star_marks::{Filled, Judged, LEAST_DIGITS, Marked, Place, RightEntry, SUMS, Star, mark};
 pub use statement::{
     Angle, Balanced, Bearing, GasTorque, Loaded, OfCylinder, Orders, Possible, Predicate, Shafts, ShakingForce,
     Statement, Subject, Tolerance, Topic, Unit, Value,

@@ -132,8 +132,7 @@ pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
 
 /// What stands before a wave and m r ω² c_k, a real sum.
 fn amplitude(engine: &Engine, wave: Wave, across: bool) -> PhasorSum {
-    let [direct, reverse] =
-        [Sense::Direct, Sense::Reverse].map(|sense| order::star(engine, Quantity::FORCE, wave.order, Some(sense)));
+    let [direct, reverse] = Sense::BOTH.map(|sense| order::star(engine, Quantity::FORCE, wave.order, Some(sense)));
     let real = |sum: PhasorSum| sum.plus(&sum.conjugate()).scaled(&BigRational::new(1.into(), 4.into()));
     // The imaginary part is the real one of what is turned back by a quarter.
     let imaginary = |sum: PhasorSum| real(sum.turned(&Turn::fraction(3, 4)));

@@ -22,15 +22,13 @@ pub struct Star {
     pub arms: Vec<BigRational>,
 }
 
-/// The columns of a table.
-pub const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
 /// The rows below those of the cylinders.
 pub const SUMS: [Planar; 2] = Planar::BOTH;
 
 impl Star {
     /// The star of the pistons of an engine without links.
     pub fn of(engine: &Engine, order: u32) -> Self {
-        let phase = |cylinder| SENSES.map(|sense| order::phase(cylinder, order, Some(sense)));
+        let phase = |cylinder| Sense::BOTH.map(|sense| order::phase(cylinder, order, Some(sense)));
         let cylinders = engine.cylinders();
         Star {
             phases: cylinders.iter().map(phase).collect(),
@@ -135,7 +133,7 @@ pub fn mark(star: &Star, filled: &Filled, digits: usize) -> Vec<Marked> {
     // The phases that the sums of each column rest on: the true one where what is written is it, rounded perhaps.
     let mut own: [Vec<Option<OwnPhase>>; 2] = [Vec::new(), Vec::new()];
     for (cylinder, right) in star.phases.iter().enumerate() {
-        for (sense, right) in SENSES.into_iter().zip(right) {
+        for (sense, right) in Sense::BOTH.into_iter().zip(right) {
             let written = filled.phases.iter().find(|(index, own, _)| (*index, *own) == (cylinder, sense));
             let agrees = |angle: &WrittenAngle| (angle.agrees(right), angle.is_coarse());
             let judged = judged(written.map(|(_, _, written)| written), agrees);
@@ -153,7 +151,7 @@ pub fn mark(star: &Star, filled: &Filled, digits: usize) -> Vec<Marked> {
     }
     let own = own.map(|column| column.into_iter().collect::<Option<Vec<OwnPhase>>>());
     for quantity in SUMS {
-        for sense in SENSES {
+        for sense in Sense::BOTH {
             let sum = star.sum(quantity, sense);
             let written = filled.sums.iter().find(|(of, own, _)| (*of, *own) == (quantity, sense));
             let agrees = |length: &WrittenLength| (length.agrees(&sum), length.is_coarse(digits));

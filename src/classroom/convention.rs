@@ -2,10 +2,11 @@
 
 use num_rational::BigRational;
 
-use crate::claim::{SENSES, Star};
+use crate::claim::Star;
 use crate::engine::{Engine, LengthUnit};
 use crate::file::{exact_number, parse_length};
 use crate::order;
+use crate::proof::Sense;
 
 /// What a student does otherwise than the sheet.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -90,7 +91,7 @@ impl Convention {
         for (phases, cylinder) in star.phases.iter_mut().zip(engine.cylinders()) {
             if self.throws_reversed {
                 let throw = -&cylinder.throw;
-                *phases = SENSES.map(|sense| order::phase_of(&throw, &cylinder.bank, order, Some(sense)));
+                *phases = Sense::BOTH.map(|sense| order::phase_of(&throw, &cylinder.bank, order, Some(sense)));
             }
             if self.clockwise {
                 *phases = phases.each_ref().map(|phase| -phase);

@@ -4,9 +4,9 @@ use super::answers::{Answers, Owner, Submission};
 use super::convention::Convention;
 use super::csv::Row;
 use crate::claim::student::kept;
-use crate::claim::{Filled, SENSES, SUMS, WrittenAngle, WrittenLength};
+use crate::claim::{Filled, SUMS, WrittenAngle, WrittenLength};
 use crate::engine::{Engine, HIGHEST_ORDER};
-use crate::proof::Planar;
+use crate::proof::{Planar, Sense};
 
 /// The columns of a table in lines.
 pub(super) const COLUMNS: [&str; 6] = ["sheet", "student", "order", "row", "direct", "reverse"];
@@ -113,7 +113,7 @@ pub(super) fn answers(records: &[Record], engine: &Engine) -> Result<Answers, St
         if is_there {
             return Err(wrong(format!("`{row}` of order {number} is repeated"), "one line per row"));
         }
-        for (sense, words) in SENSES.into_iter().zip(values).filter(|(_, words)| !words.is_empty()) {
+        for (sense, words) in Sense::BOTH.into_iter().zip(values).filter(|(_, words)| !words.is_empty()) {
             match (quantity, index) {
                 (Some(quantity), _) => table.sums.push((quantity, sense, kept(words, WrittenLength::read(words)))),
                 (None, Some(index)) => table.phases.push((index, sense, kept(words, WrittenAngle::read(words)))),

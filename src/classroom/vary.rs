@@ -10,10 +10,11 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::draw::Draw;
-use crate::claim::{SENSES, SUMS, Star};
+use crate::claim::{SUMS, Star};
 use crate::engine::{Cylinder, Engine, LengthUnit};
 use crate::exact::Turn;
 use crate::file::exact_number;
+use crate::proof::Sense;
 
 /// What is varied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,7 +79,8 @@ pub fn varied(engine: &Engine, orders: &[u32], vary: Vary, mut draw: Draw) -> St
 /// Whether there are sums that vanish, and sums that do not.
 fn zeros(plain: &Plain, orders: &[u32]) -> BTreeSet<bool> {
     let stars = orders.iter().map(|order| plain.star(*order));
-    let sums = stars.flat_map(|star| SUMS.map(|quantity| SENSES.map(|sense| star.sum(quantity, sense).vanishes())));
+    let sums =
+        stars.flat_map(|star| SUMS.map(|quantity| Sense::BOTH.map(|sense| star.sum(quantity, sense).vanishes())));
     sums.flatten().collect()
 }
 
@@ -101,7 +103,7 @@ impl Plain {
     }
 
     fn star(&self, order: u32) -> Star {
-        let phase = |cylinder| SENSES.map(|sense| crate::order::phase(cylinder, order, Some(sense)));
+        let phase = |cylinder| Sense::BOTH.map(|sense| crate::order::phase(cylinder, order, Some(sense)));
         Star {
             phases: self.cylinders.iter().map(phase).collect(),
             weights: self.cylinders.iter().map(Cylinder::weight).collect(),

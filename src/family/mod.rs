@@ -131,7 +131,7 @@ pub struct OpenOrder {
 /// A number that is no order.
 pub fn classify(family: &Family, orders: &[u32]) -> Result<Vec<OpenOrder>, NotAnOrder> {
     are_orders(orders)?;
-    let judge = |quantity, order| [Sense::Direct, Sense::Reverse].map(|sense| verdict(family, quantity, order, sense));
+    let judge = |quantity, order| Sense::BOTH.map(|sense| verdict(family, quantity, order, sense));
     let order =
         |&order: &u32| OpenOrder { order, force: judge(Planar::Force, order), moment: judge(Planar::Moment, order) };
     Ok(orders.iter().map(order).collect())

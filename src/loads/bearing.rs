@@ -13,9 +13,10 @@ use num_traits::One;
 
 use super::pin::with_constant;
 use super::shares::{Shares, in_equilibrium};
-use super::{Missing, Motion, Peak, SENSES, Scale, Swing, Waveform};
+use super::{Missing, Motion, Peak, Scale, Swing, Waveform};
 use crate::engine::{self, Engine};
 use crate::order::{self, Contribution, OrderSum};
+use crate::proof::Sense;
 
 /// How a load is shared among the bearings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,7 +89,7 @@ pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<
     let motion = Motion::new(engine)?;
     let mut by_bearing: Vec<Vec<BearingOrder>> = engine.bearings().iter().map(|_| Vec::new()).collect();
     for order in with_constant(engine, orders) {
-        let [direct, reverse] = SENSES.map(|sense| {
+        let [direct, reverse] = Sense::BOTH.map(|sense| {
             let forces = order::shaft_contributions(engine, order, sense);
             let sum = |weighing: &dyn Fn(&BigRational) -> BigRational| {
                 OrderSum::new(forces.iter().map(|force: &Contribution| force.weighed(weighing)))

@@ -169,7 +169,7 @@ pub fn loads_at(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
 
 /// Force and moment of an order, of the contributions that are meant.
 fn swings(engine: &Engine, motion: &Motion, order: u32, is_meant: impl Fn(&Contribution) -> bool) -> [Swing; 2] {
-    let contributions = SENSES.map(|sense| order::contributions(engine, order, sense));
+    let contributions = Sense::BOTH.map(|sense| order::contributions(engine, order, sense));
     Planar::BOTH.map(|quantity| {
         let sums = contributions.each_ref().map(|of_sense| {
             let meant = of_sense.iter().filter(|one| is_meant(one));
@@ -223,9 +223,6 @@ fn harmonic(order: u32, swing: &Swing) -> Harmonic {
         _ => Harmonic { order, direct, reverse },
     }
 }
-
-/// Both senses, direct first.
-const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
 
 fn torque(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
     let orders: Vec<TorqueOrder> = orders.iter().map(|&order| TorqueOrder::new(engine, motion, order)).collect();

@@ -7,10 +7,11 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::{Missing, Motion, Peak, SENSES, Scale, Swing, Waveform};
+use super::{Missing, Motion, Peak, Scale, Swing, Waveform};
 use crate::engine::{self, Engine};
 use crate::numbers;
 use crate::order::{self, OrderSum, Source};
+use crate::proof::Sense;
 
 /// What the rods load the crankpins with, in multiples of m r ω².
 #[derive(Clone, Debug)]
@@ -66,7 +67,7 @@ pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
     let motion = Motion::new(engine)?;
     let mut by_pin: Vec<Vec<PinOrder>> = engine.cylinders().iter().map(|_| Vec::new()).collect();
     for order in with_constant(engine, orders) {
-        let contributions = SENSES.map(|sense| order::pin_contributions(engine, order, sense));
+        let contributions = Sense::BOTH.map(|sense| order::pin_contributions(engine, order, sense));
         for (index, loads) in by_pin.iter_mut().enumerate() {
             let sums = contributions.each_ref().map(|of_sense| {
                 let own = of_sense.iter().filter(|one| is_of(one.source, index));

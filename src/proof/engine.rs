@@ -300,7 +300,7 @@ pub enum Sense {
 
 impl Sense {
     /// Both, direct first.
-    pub(super) const BOTH: [Sense; 2] = [Sense::Direct, Sense::Reverse];
+    pub const BOTH: [Sense; 2] = [Sense::Direct, Sense::Reverse];
 
     /// The word of the JSON document.
     pub fn name(self) -> &'static str {

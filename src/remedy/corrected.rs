@@ -38,7 +38,7 @@ pub fn corrected(subject: &ComparableEngine, orders: &[u32], weights: &[Weight])
     for &order in orders {
         for quantity in Planar::BOTH {
             let lever = |position: &BigRational| order::lever(subject.engine(), quantity, position);
-            for sense in [Sense::Direct, Sense::Reverse] {
+            for sense in Sense::BOTH {
                 let engine = order::contributions(subject.engine(), order, sense);
                 let engine = engine.iter().map(|one| one.weighed(lever));
                 let added = weights

@@ -77,7 +77,7 @@ pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational;
         let mut pair: Vec<Shaft> = direct.into_iter().chain(of_sense(Sense::Reverse)).collect();
         if let [a, b] = pair.as_mut_slice()
             && same_length(a, b)
-            && [Sense::Direct, Sense::Reverse].into_iter().all(|sense| built::planes(subject, order, sense).is_empty())
+            && Sense::BOTH.into_iter().all(|sense| built::planes(subject, order, sense).is_empty())
         {
             (a.lanchester, b.lanchester) = (true, true);
         }

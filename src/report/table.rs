@@ -207,7 +207,7 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
         cells.push(position(engine, &engine.arm(cylinder)));
         cells.extend(with_mass.then(|| Number::exact(&order::mass_radius(engine, cylinder)).into()));
         let throw = cylinder.throw.degrees();
-        let phases = [Sense::Direct, Sense::Reverse].map(|sense| phase(&parts(order.order, sense, &throw, &bank)));
+        let phases = Sense::BOTH.map(|sense| phase(&parts(order.order, sense, &throw, &bank)));
         cells.extend(phases.map(Text::label));
         cells
     };
@@ -218,7 +218,7 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
         cells.extend(has_banks.then(Text::default));
         cells.push(position(engine, &(&mass.position - engine.reference_plane())));
         cells.extend(with_mass.then(|| Number::exact(&mass.weight()).into()));
-        cells.extend([Sense::Direct, Sense::Reverse].map(|sense| Text::label(angle(sense))));
+        cells.extend(Sense::BOTH.map(|sense| Text::label(angle(sense))));
         cells
     };
     let masses = order::turning_masses(engine);
@@ -275,7 +275,7 @@ pub(super) fn whole_star(engine: &Engine, stars: &WholeStars, order: u32) -> Tab
         phrase!("{} at {}", Text::label(length), Text::label(format!("{angle}°")))
     };
     let mut sources: BTreeMap<Source, [Text; 2]> = BTreeMap::new();
-    for (place, sense) in [Sense::Direct, Sense::Reverse].into_iter().enumerate() {
+    for (place, sense) in Sense::BOTH.into_iter().enumerate() {
         for (source, value) in stars.vectors(Planar::Force, order, sense) {
             sources.entry(source).or_insert_with(|| [Text::label("–"), Text::label("–")])[place] = vector(value);
         }

@@ -39,7 +39,7 @@ impl Entangled {
                 "with a bank offset up to {MOST_STARS} stars of a grid are searched; give fewer cylinders or directions"
             )));
         }
-        let both = [Sense::Direct, Sense::Reverse];
+        let both = Sense::BOTH;
         let senses = problem.orders.iter().flat_map(|&order| both.map(|sense| (order, sense)));
         let throw = |direction: u32| Turn::fraction(direction.into(), directions.into());
         let angles: Vec<[Vec<Turn>; 2]> = senses

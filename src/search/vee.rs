@@ -36,7 +36,7 @@ impl Problem {
         let [first, second] = banks.as_slice() else { return false };
         let phase = |bank: &Bank, sense| order::phase_of(&bank.split, &bank.axis, order, Some(sense));
         let apart = |sense| &phase(second, sense) - &phase(first, sense);
-        let opposite = [Sense::Direct, Sense::Reverse].into_iter().all(|sense| apart(sense) == Turn::fraction(1, 2));
+        let opposite = Sense::BOTH.into_iter().all(|sense| apart(sense) == Turn::fraction(1, 2));
         opposite && !self.is_entangled()
     }
 

@@ -130,7 +130,7 @@ impl IntegerEngine {
 
     /// Where each vector of an order points: the same for the force and the moment.
     fn star(&self, order: u32) -> SmallVec<[Vectors; 16]> {
-        let [direct, reverse] = [Sense::Direct, Sense::Reverse].map(|sense| order::multiples(order, Some(sense)));
+        let [direct, reverse] = Sense::BOTH.map(|sense| order::multiples(order, Some(sense)));
         let mirrored = reverse.map(|times| -times);
         let vector = |multiple: i64| {
             let exponent = multiple.rem_euclid(self.conductor);

@@ -217,8 +217,7 @@ fn from_words(
         let Pair { direct, mirrored, zeros, total_length } = pairs[usize::from(quantity == Planar::Moment)];
         let total_length = total_length * coefficient.norm();
         amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {
-            let [direct, reverse] =
-                [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
+            let [direct, reverse] = Sense::BOTH.map(|sense| order::all_masses(engine, quantity, order, sense));
             direct.is_as_long_as(&reverse, order)
         })
     })
@@ -261,8 +260,7 @@ fn amplitudes(
 }
 
 fn from_sums(engine: &Engine, quantity: Planar, order: u32, highest: u32, motions: &mut Motions) -> Amplitudes {
-    let [direct, reverse] =
-        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
+    let [direct, reverse] = Sense::BOTH.map(|sense| order::all_masses(engine, quantity, order, sense));
     let mirrored = reverse.mirrored();
     let (plus, minus) = (direct.vanishes(), mirrored.vanishes());
     let [along, across] = match (plus, minus) {

@@ -259,8 +259,7 @@ fn with_turning_masses(engine: &Engine, order: u32, of: Zeros) -> bool {
 
 /// Whether a vector of this engine vanishes, decided exactly.
 fn vanishes(engine: &Engine, quantity: Planar, order: u32, of: Zeros) -> bool {
-    let [direct, reverse] =
-        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order, sense));
+    let [direct, reverse] = Sense::BOTH.map(|sense| order::all_masses(engine, quantity, order, sense));
     match of {
         Zeros::Direct => direct.vanishes(),
         Zeros::Reverse => reverse.vanishes(),

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use crankstar::BigRational;
-use crankstar::claim::{Judged, SENSES, SUMS, Star};
+use crankstar::claim::{Judged, SUMS, Star};
 use crankstar::classroom::{
     Content, Convention, Counts, Exercise, HandedIn, MarkedSheet, Outcome, Pupil, Scheme, Vary, can_be_set,
     csv_to_fill_in, mark_class, marks_table, parse_exercise, parse_scheme, students, toml_to_fill_in,
@@ -14,6 +14,7 @@ use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::order;
 use crankstar::page::{self, Format, Language, Options};
+use crankstar::proof::Sense;
 use crankstar::report;
 use crankstar::table::csv;
 
@@ -74,7 +75,8 @@ fn the_sheets_of_a_class_differ_and_leave_something_to_find() {
         let base = engine(layout);
         let zeros = |engine: &Engine| -> BTreeSet<bool> {
             let stars = [1, 2].map(|order| Star::of(engine, order));
-            let sums = stars.iter().flat_map(|star| SUMS.map(|of| SENSES.map(|sense| star.sum(of, sense).vanishes())));
+            let sums =
+                stars.iter().flat_map(|star| SUMS.map(|of| Sense::BOTH.map(|sense| star.sum(of, sense).vanishes())));
             sums.flatten().collect()
         };
         let class = draw(layout, &names, 3);
@@ -251,7 +253,7 @@ fn every_engine_has_its_sums_and_a_right_table_brings_all_points_in_every_conven
         if !engine.has_links() && engine.faster_crank().is_none() {
             for (order, quantity) in [(1, SUMS[0]), (2, SUMS[1]), (4, SUMS[0])] {
                 let star = Star::of(&engine, order);
-                for sense in SENSES {
+                for sense in Sense::BOTH {
                     let right = order::star(&engine, quantity, order, Some(sense));
                     assert!(
                         engine.has_offset() || star.sum(quantity, sense).minus(&right).vanishes(),
@@ -325,7 +327,7 @@ fn a_number_is_judged_within_its_own_digits_and_an_exact_one_exactly() {
     }
     let five = Exercise::draw(&engine("I5-12453"), &[1], &students("Ada").expect("a list"), 1, Vary::NOTHING)
         .expect("an engine");
-    let star = Star::of(&five.pupils[0].engine, 1).sum(SUMS[1], SENSES[0]);
+    let star = Star::of(&five.pupils[0].engine, 1).sum(SUMS[1], Sense::BOTH[0]);
     let exact = crankstar::numbers::modulus(&star).expect("a closed form").to_string();
     let decimal = crankstar::numbers::evaluate(&star).norm();
     for (written, expected) in [

@@ -93,7 +93,7 @@ fn in_line(engine: &Engine, judged: &Judgement) -> Vec<String> {
         of_order.is_some_and(|one| one.exists() && (one.force.is_left() || one.moment.is_left()))
     };
     let lies = |order: &u32| {
-        [Sense::Direct, Sense::Reverse].into_iter().all(|sense| {
+        Sense::BOTH.into_iter().all(|sense| {
             let line = order::phase(master, *order, Some(sense));
             Planar::BOTH.into_iter().all(|quantity| {
                 // Every number of such an engine is real.

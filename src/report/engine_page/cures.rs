@@ -100,7 +100,7 @@ impl Cure<'_> {
     fn pair(&self) -> Text {
         let (order, speed) = (self.order.order, || times(self.order.order));
         let [with, against] = [[false, true], [true, false]].map(|rest| self.decimal_left(rest));
-        let [one, other] = [Sense::Direct, Sense::Reverse].map(|sense| self.size(sense));
+        let [one, other] = Sense::BOTH.map(|sense| self.size(sense));
         let is_alike = (with - against).abs() < ALIKE;
         match (one, other) {
             (Some(one), Some(_)) if is_alike => {

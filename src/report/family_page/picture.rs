@@ -176,7 +176,7 @@ fn heading(quantity: Planar, chunk: &[OfOrder]) -> String {
 /// Adds the curve of an order with its zeros, which are points of the curve too.
 fn add(plot: &mut Plot, family: &Family, unknown: &str, order: u32, verdicts: &[OpenVerdict; 2]) {
     let quantity = verdicts[0].quantity;
-    let terms = [Sense::Direct, Sense::Reverse].map(|sense| terms(family, unknown, quantity, order, sense));
+    let terms = Sense::BOTH.map(|sense| terms(family, unknown, quantity, order, sense));
     let at = |angle: f64| terms.iter().map(|terms| length(terms, angle)).sum::<f64>() / 2.0;
     let (full, single) = zeros(verdicts, unknown);
     let grid = (0..=STEPS).map(|step| step as f64 * 360.0 / STEPS as f64);

@@ -163,8 +163,7 @@ impl MomentsRow {
 
 /// Both components of an order: `P⁺ ± P̄⁻`, zero where the sums of all coefficients are.
 fn external(engine: &Engine, order: &OrderLoads, quantity: Planar, newtons: f64) -> External {
-    let [direct, reverse] =
-        [Sense::Direct, Sense::Reverse].map(|sense| order::all_masses(engine, quantity, order.order, sense));
+    let [direct, reverse] = Sense::BOTH.map(|sense| order::all_masses(engine, quantity, order.order, sense));
     let mirrored = reverse.mirrored();
     let swing = order.swing(quantity);
     let along = (!direct.plus(&mirrored).vanishes()).then(|| swing.along() * newtons);

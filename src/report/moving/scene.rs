@@ -231,7 +231,7 @@ pub struct Words {
 impl Default for Words {
     fn default() -> Self {
         Words {
-            senses: [Sense::Direct, Sense::Reverse].map(Sense::name),
+            senses: Sense::BOTH.map(Sense::name),
             force: "force",
             moment: "moment",
             order: "Order",

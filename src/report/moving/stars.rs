@@ -64,7 +64,7 @@ fn of_whole(engine: &Engine, order: &OrderVerdict, whole: &WholeStars, weighed: 
     let exists = order.exists();
     let quantity = |quantity: Planar| {
         let outcome = order.whole(quantity);
-        let senses = [Sense::Direct, Sense::Reverse].map(|sense| {
+        let senses = Sense::BOTH.map(|sense| {
             let (value, _) = whole.resultant(quantity, order.order, sense);
             let rays = whole.rays(quantity, order.order, sense);
             let zero = outcome.outcomes[usize::from(sense == Sense::Reverse)].vanishes() == Some(true);

@@ -21,7 +21,7 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
     let mut sums = Vec::new();
     for &order in &remedy.orders {
         for quantity in Planar::BOTH {
-            for sense in [Sense::Direct, Sense::Reverse] {
+            for sense in Sense::BOTH {
                 let about = (quantity, order, sense);
                 let judged = remedy.corrected.iter().filter(|one| (one.quantity, one.order, one.sense) == about);
                 let judged = judged.filter(|one| !one.sum.collected().is_empty());

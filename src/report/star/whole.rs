@@ -17,8 +17,6 @@ use crate::page::{Text, Units};
 use crate::proof::{Masses, Planar, Sense};
 use crate::report::engine_page::Weighed;
 
-const SENSES: [Sense; 2] = [Sense::Direct, Sense::Reverse];
-
 /// The stars of an engine whose sizes are known, in multiples of m r ω².
 pub(in crate::report) struct WholeStars<'a> {
     weighed: &'a Weighed<'a>,
@@ -55,7 +53,7 @@ impl<'a> WholeStars<'a> {
 
     /// The rows that are drawn: the moment only where an arm is not zero.
     fn rows(&self, order: u32) -> Vec<(Planar, [Star; 2])> {
-        let rows = Planar::BOTH.map(|quantity| (quantity, SENSES.map(|sense| self.star(quantity, order, sense))));
+        let rows = Planar::BOTH.map(|quantity| (quantity, Sense::BOTH.map(|sense| self.star(quantity, order, sense))));
         let is_drawn = |(quantity, stars): &(Planar, [Star; 2])| {
             *quantity == Planar::Force || stars.iter().any(|star| !star.rays.is_empty())
         };
@@ -112,7 +110,7 @@ pub(in crate::report) fn whole_star_figure(stars: &WholeStars, order: u32) -> Fi
                 let sum = sum(stars.resultant(*quantity, order, sense));
                 Panel::headed(heading, engine, sum, star, Scale::of_whole(star, *quantity, engine))
             };
-            sheet.row(row.iter().zip(SENSES).map(panel).collect(), true);
+            sheet.row(row.iter().zip(Sense::BOTH).map(panel).collect(), true);
             if let Some(words) = stars.weighed.together(order, *quantity, units) {
                 sheet.words(words);
             }
