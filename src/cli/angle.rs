@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use crankstar::file::Layout;
 use crankstar::report::{AngleStudy, AnglesAsked};
 
 use super::answer::Answer;
@@ -33,14 +32,10 @@ pub struct Angle {
 impl Angle {
     /// Prints the answer, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        self.answer.give("angle", self.json, || match layouts::read(&self.layout)? {
-            Layout::Known(engine, _) => {
-                let asked = AnglesAsked { at: self.at.clone(), every: self.every, gravity: self.gravity };
-                AngleStudy::new(&engine, &asked).map_err(Failure::new)
-            }
-            Layout::Open(_) => {
-                Err(Failure::new("values at an angle need an engine without unknowns; give them values below [values]"))
-            }
+        self.answer.give("angle", self.json, || {
+            let engine = layouts::known(&self.layout, "values at an angle need")?;
+            let asked = AnglesAsked { at: self.at.clone(), every: self.every, gravity: self.gravity };
+            AngleStudy::new(&engine, &asked).map_err(Failure::new)
         })
     }
 }

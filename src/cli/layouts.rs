@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::{Mutex, OnceLock};
 
 use crankstar::classroom::{self, Scheme};
+use crankstar::engine::Engine;
 use crankstar::file::{self, Entry, FileResolver, Layout};
 use crankstar::text::{decoded, harmless};
 
@@ -24,6 +25,16 @@ pub fn read(layout: &Path) -> Result<Layout, Failure> {
     let read = file::parse_layout_beside(&name, &text, FileResolver::new(&|path| beside(layout, path)))?;
     warn(&name, &text, &read);
     Ok(read)
+}
+
+/// The same of an engine without unknowns, which this `needs`: `the torque needs`.
+pub fn known(layout: &Path, needs: &str) -> Result<Engine, Failure> {
+    match read(layout)? {
+        Layout::Known(engine, _) => Ok(*engine),
+        Layout::Open(_) => {
+            Err(Failure::new(format!("{needs} an engine without unknowns; give them values below [values]")))
+        }
+    }
 }
 
 /// The warnings alone, of a layout that is read in another way.

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use crankstar::file::Layout;
 use crankstar::report::TorqueStudy;
 
 use super::answer::Answer;
@@ -24,11 +23,8 @@ pub struct Torque {
 impl Torque {
     /// Prints the answer, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        self.answer.give("torque", self.json, || match layouts::read(&self.layout)? {
-            Layout::Known(engine, _) => TorqueStudy::new(&engine).map_err(Failure::new),
-            Layout::Open(_) => {
-                Err(Failure::new("the torque needs an engine without unknowns; give them values below [values]"))
-            }
+        self.answer.give("torque", self.json, || {
+            TorqueStudy::new(&layouts::known(&self.layout, "the torque needs")?).map_err(Failure::new)
         })
     }
 }

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use crankstar::engine::CycleOrder;
-use crankstar::file::Layout;
 use crankstar::report::TorsionStudy;
 
 use super::answer::Answer;
@@ -28,11 +27,9 @@ pub struct Torsion {
 impl Torsion {
     /// Prints the critical speeds, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        self.answer.give("torsion", self.json, || match layouts::read(&self.layout)? {
-            Layout::Known(engine, _) => TorsionStudy::new(&engine, &self.orders).map_err(Failure::new),
-            Layout::Open(_) => {
-                Err(Failure::new("a torsional model needs an engine without unknowns; give them values below [values]"))
-            }
+        self.answer.give("torsion", self.json, || {
+            let engine = layouts::known(&self.layout, "a torsional model needs")?;
+            TorsionStudy::new(&engine, &self.orders).map_err(Failure::new)
         })
     }
 }
