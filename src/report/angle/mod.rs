@@ -16,8 +16,6 @@ use crate::page::Document;
 use crate::table::Table;
 use crate::text::Untrusted;
 
-pub(super) use tables::part;
-
 /// So many rows are computed at most: an angle of a cylinder is one.
 const MOST_ROWS: f64 = 100_000.0;
 /// Farther angles than this are not what anybody means.
@@ -85,6 +83,11 @@ impl Instant {
     pub fn sum(&self, of: impl Fn(&PistonAt) -> Option<f64>) -> Option<f64> {
         self.pistons.iter().map(of).sum()
     }
+
+    /// The torque of one kind of force, of all cylinders.
+    pub fn torque_of(&self, force: impl Fn(&PistonAt) -> Option<f64>) -> Option<f64> {
+        self.sum(|piston| Some(force(piston)? * piston.lever))
+    }
 }
 
 /// The values of an engine at crank angles.
@@ -99,6 +102,18 @@ pub struct AngleStudy {
 }
 
 impl AngleStudy {
+    /// Each piston at each angle.
+    pub fn pistons(&self) -> impl Iterator<Item = (f64, &PistonAt)> {
+        self.instants.iter().flat_map(|instant| instant.pistons.iter().map(move |piston| (instant.theta, piston)))
+    }
+
+    /// The force on each main bearing, by its number from 1, at each angle.
+    pub fn bearings(&self) -> impl Iterator<Item = (f64, usize, Complex<f64>)> {
+        self.instants
+            .iter()
+            .flat_map(|instant| (1..).zip(&instant.bearings).map(|(number, force)| (instant.theta, number, *force)))
+    }
+
     /// The values at these angles.
     ///
     /// # Errors

@@ -36,7 +36,7 @@ pub(super) fn page(study: &AngleStudy) -> Document {
     page.push(Block::Heading(1, "How it was found".into()));
     page.push(Block::Paragraph(FOUND.into()));
     page.push(Block::Paragraph(DIRECTIONS.into()));
-    if study.instants.iter().flat_map(|instant| &instant.pistons).any(|piston| piston.textbook.is_some()) {
+    if study.pistons().any(|(_, piston)| piston.textbook.is_some()) {
         page.push(Block::Paragraph(TEXTBOOK.into()));
     }
     page
@@ -51,7 +51,7 @@ fn said(instant: &Instant) -> Option<Text> {
 /// The tables that have values.
 fn values(study: &AngleStudy) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "Motion of the pistons".into()), tables::motion(study).into()];
-    if study.instants.iter().flat_map(|instant| &instant.pistons).any(|piston| piston.effort().is_some()) {
+    if study.pistons().any(|(_, piston)| piston.effort().is_some()) {
         blocks.push(Block::Heading(1, "Forces".into()));
         blocks.push(tables::forces(study).into());
         if study.engine.cylinders().len() > 1 {
@@ -61,7 +61,7 @@ fn values(study: &AngleStudy) -> Vec<Block> {
     } else {
         blocks.push(Block::Note("Forces need masses and a speed, or [gas].".into()));
     }
-    if study.instants.iter().any(|instant| !instant.bearings.is_empty()) {
+    if study.bearings().next().is_some() {
         blocks.push(Block::Heading(1, "Main bearings".into()));
         blocks.push(tables::bearings(study).into());
     }

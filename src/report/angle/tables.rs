@@ -1,7 +1,7 @@
 //! Which tables tell the values at crank angles? Motion, forces, torque, main bearings.
 
 use super::super::torque::angle;
-use super::{AngleStudy, Instant};
+use super::AngleStudy;
 use crate::journal::PistonAt;
 use crate::page::{Table, Text, Unit, phrase};
 
@@ -22,11 +22,7 @@ pub(super) type Value<'a> = &'a dyn Fn(&PistonAt) -> Option<f64>;
 
 /// One row per angle and piston, with these columns of which some value is known.
 fn pistons(study: &AngleStudy, columns: &[(&'static str, Unit, Value)]) -> Table {
-    let rows = || {
-        let all =
-            study.instants.iter().flat_map(|instant| instant.pistons.iter().map(move |piston| (instant.theta, piston)));
-        all.take(MOST_SHOWN)
-    };
+    let rows = || study.pistons().take(MOST_SHOWN);
     let known: Vec<_> = columns.iter().filter(|(.., of)| rows().any(|(_, piston)| of(piston).is_some())).collect();
     let one = study.engine.cylinders().len() == 1;
     let first = if one { Text::label("θ") } else { "θ, cylinder".into() };
@@ -84,31 +80,25 @@ pub(super) fn torque(study: &AngleStudy) -> Table {
         phrase!("Torque in {}", Unit::NEWTON_METRE),
     ]);
     for instant in study.instants.iter().take(MOST_SHOWN) {
-        let parts =
-            [part(instant, |piston| piston.gas), part(instant, |piston| piston.inertia), instant.sum(PistonAt::torque)];
+        let parts = [
+            instant.torque_of(|piston| piston.gas),
+            instant.torque_of(|piston| piston.inertia),
+            instant.sum(PistonAt::torque),
+        ];
         table
             .push([degrees(instant.theta)].into_iter().chain(parts.map(|one| cell(one, Unit::NEWTON_METRE))).collect());
     }
     table
 }
 
-/// The torque of one kind of force, of all cylinders.
-pub(in crate::report) fn part(instant: &Instant, of: impl Fn(&PistonAt) -> Option<f64>) -> Option<f64> {
-    instant.sum(|piston| Some(of(piston)? * piston.lever))
-}
-
 /// One row per angle and main bearing.
 pub(super) fn bearings(study: &AngleStudy) -> Table {
     let mut table =
         Table::new([Text::label("θ"), "Main bearing".into(), phrase!("Force in {}", Unit::NEWTON), "towards".into()]);
-    let rows = study
-        .instants
-        .iter()
-        .flat_map(|instant| instant.bearings.iter().enumerate().map(move |one| (instant.theta, one)));
-    for (theta, (index, force)) in rows.take(MOST_SHOWN) {
+    for (theta, number, force) in study.bearings().take(MOST_SHOWN) {
         table.push(vec![
             degrees(theta),
-            (index + 1).into(),
+            number.into(),
             Text::measured(force.norm(), Unit::NEWTON),
             if force.norm() == 0.0 { "–".into() } else { angle(force.arg().to_degrees()) },
         ]);

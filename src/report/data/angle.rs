@@ -1,10 +1,8 @@
 //! Which columns hold the values at crank angles? A row a piston, the torque, a main bearing, at an angle.
 
-use num_complex::Complex;
-
 use super::filling::Filling;
 use crate::journal::PistonAt;
-use crate::report::angle::{AngleStudy, Instant, part};
+use crate::report::angle::AngleStudy;
 use crate::table::{Table, Unit};
 
 /// A table of the values at crank angles.
@@ -18,13 +16,7 @@ pub fn angle(study: &AngleStudy, name: &str) -> Option<Table> {
 }
 
 fn pistons(study: &AngleStudy) -> Table {
-    let each = |instant: &'_ Instant| (instant.theta, instant.pistons.clone());
-    let rows: Vec<(f64, PistonAt)> = study
-        .instants
-        .iter()
-        .map(each)
-        .flat_map(|(theta, pistons)| pistons.into_iter().map(move |piston| (theta, piston)))
-        .collect();
+    let rows: Vec<(f64, &PistonAt)> = study.pistons().collect();
     let mut table = Filling::new("angle.pistons", &rows).keyed(2);
     table.decimal("theta_{unit}", Unit::DEGREE, |row| Some(row.0));
     table.whole("cylinder", |row| row.1.cylinder + 1);
@@ -48,7 +40,7 @@ fn pistons(study: &AngleStudy) -> Table {
         ("pin_tangential_{unit}", Unit::NEWTON, |piston| piston.pin_on_the_crank.map(|pin| pin.im)),
     ];
     for (name, unit, of) in columns {
-        table.decimal(name, unit, move |row| of(&row.1));
+        table.decimal(name, unit, move |row| of(row.1));
     }
     table.done()
 }
@@ -56,19 +48,14 @@ fn pistons(study: &AngleStudy) -> Table {
 fn torque(study: &AngleStudy) -> Table {
     let mut table = Filling::new("angle.torque", &study.instants);
     table.decimal("theta_{unit}", Unit::DEGREE, |one| Some(one.theta));
-    table.decimal("gas_{unit}", Unit::NEWTON_METRE, |one| part(one, |piston| piston.gas));
-    table.decimal("inertia_{unit}", Unit::NEWTON_METRE, |one| part(one, |piston| piston.inertia));
+    table.decimal("gas_{unit}", Unit::NEWTON_METRE, |one| one.torque_of(|piston| piston.gas));
+    table.decimal("inertia_{unit}", Unit::NEWTON_METRE, |one| one.torque_of(|piston| piston.inertia));
     table.decimal("torque_{unit}", Unit::NEWTON_METRE, |one| one.sum(PistonAt::torque));
     table.done()
 }
 
 fn bearings(study: &AngleStudy) -> Option<Table> {
-    let of = |instant: &Instant| {
-        let theta = instant.theta;
-        let each = instant.bearings.iter().enumerate().map(move |(index, force)| (theta, index + 1, *force));
-        each.collect::<Vec<(f64, usize, Complex<f64>)>>()
-    };
-    let rows: Vec<_> = study.instants.iter().flat_map(of).collect();
+    let rows: Vec<_> = study.bearings().collect();
     if rows.is_empty() {
         return None;
     }
