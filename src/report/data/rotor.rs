@@ -4,10 +4,9 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use super::filling::Filling;
-use crate::exact::PhasorSum;
 use crate::numbers;
-use crate::report::rotor::RotorStudy;
-use crate::rotor::{Answer, Found};
+use crate::report::rotor::{LeftOver, RotorStudy};
+use crate::rotor::Found;
 use crate::table::{Table, Unit};
 
 /// A table of masses on a shaft.
@@ -27,9 +26,9 @@ fn masses(study: &RotorStudy) -> Table {
         .flat_map(|(place, all)| all.iter().map(move |one| (place + 1, one)))
         .collect();
     let mut table = Filling::new("rotor.masses", &rows).keyed(2);
-    let of = |one: &Found| study.rotor.masses[one.index].clone();
+    let of = |one: &Found| &study.rotor.masses[one.index];
     table.whole("solution", |row| row.0);
-    table.person("mass", |row| Some(of(row.1).name));
+    table.person("mass", |row| Some(of(row.1).name.clone()));
     table.decimal("mass_{unit}", Unit::KILOGRAM, |row| {
         let mass = of(row.1);
         let by_radius = mass.radius.as_ref().map(|radius| row.1.mass_radius.decimal / numbers::float(radius));
@@ -37,8 +36,11 @@ fn masses(study: &RotorStudy) -> Table {
     });
     table.decimal("radius_{unit}", Unit::METRE, |row| {
         let mass = of(row.1);
-        let by_mass =
-            mass.mass.filter(Signed::is_positive).map(|mass| row.1.mass_radius.decimal / numbers::float(&mass));
+        let by_mass = mass
+            .mass
+            .as_ref()
+            .filter(|mass| mass.is_positive())
+            .map(|mass| row.1.mass_radius.decimal / numbers::float(mass));
         mass.radius.as_ref().and_then(BigRational::to_f64).or(by_mass)
     });
     table.decimal("mass_radius_{unit}", Unit::KILOGRAM_METRE, |row| Some(row.1.mass_radius.decimal));
@@ -49,26 +51,18 @@ fn masses(study: &RotorStudy) -> Table {
 }
 
 fn left(study: &RotorStudy) -> Table {
-    let mut rows: Vec<(&'static str, &PhasorSum, bool)> = Vec::new();
-    if let Answer::Left(sums) = &study.answer {
-        rows.extend([("force", &sums[0], true), ("couple", &sums[1], false)]);
-    }
-    if let Some(locomotive) = &study.locomotive {
-        let [one, other] = &locomotive.hammer_blow;
-        rows.extend([("hammer_blow_1", one, true), ("hammer_blow_2", other, true)]);
-        rows.extend([("tractive", &locomotive.tractive, true), ("swaying", &locomotive.swaying, false)]);
-    }
+    let rows: Vec<LeftOver> = study.left().into_iter().chain(study.of_locomotive()).collect();
     let mut table = Filling::new("rotor.left", &rows);
-    table.words("what", |row| Some(row.0.to_owned()));
-    table.truth("vanishes", |row| Some(row.1.vanishes()));
-    let size = |row: &(&'static str, &PhasorSum, bool)| match row.1.vanishes() {
-        true => 0.0,
-        false => numbers::length(numbers::evaluate(row.1)),
+    table.words("what", |row| Some(row.column.to_owned()));
+    table.truth("vanishes", |row| Some(row.star.vanishes()));
+    let of = |is_couple: bool, by: f64| move |row: &LeftOver| (row.is_couple == is_couple).then(|| by * row.length());
+    table.decimal("mass_radius_{unit}", Unit::KILOGRAM_METRE, of(false, 1.0));
+    table.decimal("couple_{unit}", Unit::KILOGRAM_SQUARE_METRE, of(true, 1.0));
+    let at_speed = |is_couple: bool| {
+        let omega_squared = study.omega_squared();
+        move |row: &LeftOver| omega_squared.and_then(|by| of(is_couple, by)(row))
     };
-    table.decimal("mass_radius_{unit}", Unit::KILOGRAM_METRE, |row| row.2.then(|| size(row)));
-    table.decimal("couple_{unit}", Unit::KILOGRAM_SQUARE_METRE, |row| (!row.2).then(|| size(row)));
-    let omega_squared = study.omega_squared();
-    table.decimal("force_{unit}", Unit::NEWTON, |row| omega_squared.filter(|_| row.2).map(|by| by * size(row)));
-    table.decimal("moment_{unit}", Unit::NEWTON_METRE, |row| omega_squared.filter(|_| !row.2).map(|by| by * size(row)));
+    table.decimal("force_{unit}", Unit::NEWTON, at_speed(false));
+    table.decimal("moment_{unit}", Unit::NEWTON_METRE, at_speed(true));
     table.done()
 }

@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 
 use super::data;
 use super::question::Question;
+use crate::exact::PhasorSum;
 use crate::file::Rotor;
 use crate::numbers;
 use crate::page::Document;
@@ -24,6 +25,25 @@ pub struct RotorStudy {
     pub locomotive: Option<Locomotive>,
 }
 
+/// A star whose length matters: of forces, or of couples.
+pub(in crate::report) struct LeftOver<'a> {
+    /// Its name in the tables of data.
+    pub column: &'static str,
+    /// Its name on the page.
+    pub name: &'static str,
+    /// The star, in kilogram-metres or kilogram square metres.
+    pub star: &'a PhasorSum,
+    /// Whether it is one of couples.
+    pub is_couple: bool,
+}
+
+impl LeftOver<'_> {
+    /// Its length; 0 where it is proved to be.
+    pub fn length(&self) -> f64 {
+        if self.star.vanishes() { 0.0 } else { numbers::length(numbers::evaluate(self.star)) }
+    }
+}
+
 impl RotorStudy {
     /// What balances these masses.
     ///
@@ -39,6 +59,29 @@ impl RotorStudy {
             Answer::Found(solutions) => solutions,
             Answer::Balanced | Answer::Left(_) | Answer::Never(_) | Answer::Many(_) => &[],
         }
+    }
+
+    /// What is left of force and couple.
+    pub(in crate::report) fn left(&self) -> Vec<LeftOver<'_>> {
+        let Answer::Left(sums) = &self.answer else { return Vec::new() };
+        let [force, couple] = &**sums;
+        vec![
+            LeftOver { column: "force", name: "Force", star: force, is_couple: false },
+            LeftOver { column: "couple", name: "Couple about position 0", star: couple, is_couple: true },
+        ]
+    }
+
+    /// What the reciprocating masses of a locomotive do.
+    pub(in crate::report) fn of_locomotive(&self) -> Vec<LeftOver<'_>> {
+        let Some(locomotive) = &self.locomotive else { return Vec::new() };
+        let [one, other] = &locomotive.hammer_blow;
+        let row = |column, name, star| LeftOver { column, name, star, is_couple: false };
+        vec![
+            row("hammer_blow_1", "Hammer blow of the first wheel", one),
+            row("hammer_blow_2", "Hammer blow of the second wheel", other),
+            row("tractive", "Variation of the tractive force", &locomotive.tractive),
+            LeftOver { is_couple: true, ..row("swaying", "Swaying couple", &locomotive.swaying) },
+        ]
     }
 
     /// ω² at the speed of the file.

@@ -5,13 +5,13 @@ use num_traits::{One, Signed, Zero};
 
 use super::super::residual;
 use super::super::torque::quantity;
-use super::RotorStudy;
+use super::{LeftOver, RotorStudy};
 use crate::exact::PhasorSum;
 use crate::file::RotorMass;
 use crate::numbers::{self, Direction};
 use crate::page::number::{Amount, Number, given_with, turns};
 use crate::page::{Block, Document, Table, Text, Unit, phrase};
-use crate::rotor::{Answer, Found, Locomotive, Real, Reason};
+use crate::rotor::{Answer, Found, Real, Reason};
 
 const FOUND: &str = "With $U = m r e^{i\\beta}$ the shaft is balanced where $\\sum U = 0$ and $\\sum z U = 0$: four real equations. Whether they hold, and whether a solution exists, is decided by exact sums; \
     what stands after = is exact, after ≈ a decimal.";
@@ -86,8 +86,9 @@ fn why(reason: Reason, is_never: bool) -> Text {
 
 fn found(study: &RotorStudy) -> Vec<Block> {
     let mut blocks = Vec::new();
-    if let Answer::Left(left) = &study.answer {
-        blocks.push(remaining(study, left).into());
+    let left = study.left();
+    if !left.is_empty() {
+        blocks.push(lengths(study, &left).into());
     }
     for solution in study.solutions() {
         blocks.push(table(study, solution).into());
@@ -98,9 +99,10 @@ fn found(study: &RotorStudy) -> Vec<Block> {
                 .into(),
         ));
     }
-    if let Some(locomotive) = &study.locomotive {
+    let of_locomotive = study.of_locomotive();
+    if !of_locomotive.is_empty() {
         blocks.push(Block::Heading(1, "Locomotive".into()));
-        blocks.push(of_locomotive(study, locomotive).into());
+        blocks.push(lengths(study, &of_locomotive).into());
         blocks.push(Block::Paragraph(LOCOMOTIVE.into()));
     }
     blocks
@@ -110,10 +112,6 @@ fn found(study: &RotorStudy) -> Vec<Block> {
 fn amount(real: &Real, of: &BigRational) -> Text {
     let exact = real.exact.as_ref().map(|form| form.scaled(of));
     Amount { exact, decimal: real.decimal * numbers::float(of) }.into()
-}
-
-fn one() -> BigRational {
-    BigRational::one()
 }
 
 /// The direction of a mass that was found: exact where it is a rational angle.
@@ -158,7 +156,8 @@ fn table(study: &RotorStudy, solution: &[Found]) -> Table {
             (None, Some(weight)) if weight.is_positive() => amount(&one.mass_radius, &(&thousand / weight)),
             (None, _) => "–".into(),
         };
-        let mut row = vec![(&mass.name).into(), weight, radius, amount(&one.mass_radius, &self::one()), direction(one)];
+        let mut row =
+            vec![(&mass.name).into(), weight, radius, amount(&one.mass_radius, &BigRational::one()), direction(one)];
         if has_cosine {
             row.push(one.cosine.as_ref().map_or_else(|| "–".into(), |cosine| Number::exact(cosine).into()));
         }
@@ -170,46 +169,27 @@ fn table(study: &RotorStudy, solution: &[Found]) -> Table {
     table
 }
 
-/// Force and couple that are left: lengths of exact sums, and newtons where a speed is known.
-fn remaining(study: &RotorStudy, [force, couple]: &[PhasorSum; 2]) -> Table {
-    let rows = [
-        ("Force", force, Unit::KILOGRAM_METRE, Unit::NEWTON),
-        ("Couple about position 0", couple, Unit::KILOGRAM_SQUARE_METRE, Unit::NEWTON_METRE),
-    ];
-    lengths(study, &rows)
-}
-
 /// Lengths of stars by name: with their exact values, and at the speed of the file.
-fn lengths(study: &RotorStudy, rows: &[(&'static str, &PhasorSum, Unit, Unit)]) -> Table {
+fn lengths(study: &RotorStudy, rows: &[LeftOver]) -> Table {
     let omega_squared = study.omega_squared();
     let head = ["", "Mass times radius", "Direction at θ = 0"].map(Text::from);
     let mut table = Table::new(head.into_iter().chain(omega_squared.map(|_| Text::from("At the speed of the file"))));
-    for (name, sum, unit, at_speed) in rows {
-        let zero = sum.vanishes();
-        let length = if zero { Text::zero() } else { phrase!("{} {}", Text::from(residual::modulus_of(sum)), *unit) };
-        let towards = if zero { "–".into() } else { residual::bearing(sum).into() };
-        let mut row = vec![(*name).into(), length, towards];
+    for one in rows {
+        let [unit, at_speed] = match one.is_couple {
+            true => [Unit::KILOGRAM_SQUARE_METRE, Unit::NEWTON_METRE],
+            false => [Unit::KILOGRAM_METRE, Unit::NEWTON],
+        };
+        let zero = one.star.vanishes();
+        let length =
+            if zero { Text::zero() } else { phrase!("{} {}", Text::from(residual::modulus_of(one.star)), unit) };
+        let towards = if zero { "–".into() } else { residual::bearing(one.star).into() };
+        let mut row = vec![one.name.into(), length, towards];
         if let Some(omega_squared) = omega_squared {
-            let size = numbers::length(numbers::evaluate(sum)) * omega_squared;
-            row.push(if zero { Text::zero() } else { quantity(size, *at_speed) });
+            row.push(if zero { Text::zero() } else { quantity(one.length() * omega_squared, at_speed) });
         }
         table.push(row);
     }
     table
-}
-
-fn of_locomotive(study: &RotorStudy, locomotive: &Locomotive) -> Table {
-    let [one, other] = &locomotive.hammer_blow;
-    let (length, force) = (Unit::KILOGRAM_METRE, Unit::NEWTON);
-    lengths(
-        study,
-        &[
-            ("Hammer blow of the first wheel", one, length, force),
-            ("Hammer blow of the second wheel", other, length, force),
-            ("Variation of the tractive force", &locomotive.tractive, length, force),
-            ("Swaying couple", &locomotive.swaying, Unit::KILOGRAM_SQUARE_METRE, Unit::NEWTON_METRE),
-        ],
-    )
 }
 
 /// The masses as the file has them; what is wanted is a question mark.
