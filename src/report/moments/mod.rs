@@ -116,9 +116,10 @@ impl MomentsStudy {
                     balancers: Vec::new(),
                     ..crankshaft.clone()
                 };
-                // What is taken away fits whatever is left.
-                let bare = engine.with_crankshaft(bare).unwrap_or_else(|_| engine.clone());
-                rows.push(MomentsRow::new(name, &bare, true)?);
+                // What is taken away fits whatever remains; a row that is not of it would be false.
+                if let Ok(bare) = engine.with_crankshaft(bare) {
+                    rows.push(MomentsRow::new(name, &bare, true)?);
+                }
             }
         }
         Ok(MomentsStudy { rows })
