@@ -121,6 +121,12 @@ impl<A, L> Engine<A, L> {
         self.draft.firing.as_ref()
     }
 
+    /// The names of the cylinders as they fire, `1-3-4-2`, where that is known.
+    pub fn firing_order(&self) -> Option<String> {
+        let names = self.firing()?.shots.iter().map(|shot| self.cylinders()[shot.cylinder].name.as_str());
+        Some(names.collect::<Vec<_>>().join("-"))
+    }
+
     /// What presses on the pistons; none where nothing is known of it.
     pub fn gas(&self) -> Option<&Gas> {
         self.draft.gas.as_ref()

@@ -93,17 +93,13 @@ impl EngineRow {
 
     fn judged(layout: &Engine, origin: Origin, name: String, title: Untrusted, ties: Option<Ties>) -> Self {
         let wish = Request { orders: REMEDIED.to_vec(), ..Request::default() };
-        let names = |firing: &crate::engine::Firing| {
-            let name = |shot: &crate::engine::Shot| layout.cylinders()[shot.cylinder].name.as_str();
-            firing.shots.iter().map(name).collect::<Vec<_>>().join("-")
-        };
         EngineRow {
             origin,
             name,
             title,
             ties,
             firing: engine_cells::firing(layout.firing()),
-            firing_order: layout.firing().map(names).unwrap_or_default(),
+            firing_order: layout.firing_order().unwrap_or_default(),
             orders: verdict::classify(layout, &ORDERS, Masses::Reciprocating, &Quantity::PLANAR)
                 .unwrap_or_else(|number| unreachable!("the atlas asks for orders: {number}"))
                 .iter()

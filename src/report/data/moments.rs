@@ -27,10 +27,7 @@ fn external(study: &MomentsStudy) -> Table {
     table.words("state", |row| Some(if row.is_bare { "bare" } else { "built" }.to_owned()));
     table.person("engine", |row| Some(row.name.clone()));
     table.whole("cylinders", |row| row.engine.cylinders().len());
-    table.words("firing_order", |row| {
-        let names = row.engine.firing()?.shots.iter().map(|shot| row.engine.cylinders()[shot.cylinder].name.clone());
-        Some(names.collect::<Vec<_>>().join("-"))
-    });
+    table.words("firing_order", |row| row.engine.firing_order());
     type Pick = fn(&MomentsRow) -> &[External];
     let kinds: [(Pick, Unit, [[&'static str; 2]; 2]); 2] = [
         (
