@@ -198,12 +198,10 @@ impl<'a> Weighed<'a> {
         (unit.factor != 0.0).then(|| Piece::Quantity(value * unit.factor, unit.unit).into())
     }
 
-    /// What all vectors of an order are multiplied by to be those of m r ω²: its length, and its direction in degrees for those that turn with
-    /// the crank. None where no common one was called for.
-    pub fn coefficient(&self, order: u32) -> Option<[f64; 2]> {
+    /// How long the coefficient is that all vectors of an order have; none where no common one was called for.
+    fn coefficient(&self, order: u32) -> Option<f64> {
         let of_order = self.loads.orders.iter().find(|of| of.order == order)?;
-        let value = of_order.coefficient.as_ref()?.to_complex();
-        Some([numbers::length(value), numbers::degrees(value)])
+        Some(numbers::length(of_order.coefficient.as_ref()?.to_complex()))
     }
 
     /// What the two stars of an order make together at most, below them: the number of the box, plain and as prose. Nothing where that is zero or not decided.
@@ -219,7 +217,7 @@ impl<'a> Weighed<'a> {
         let amount = format!("≈ {}{}", number::sensible(value), number::behind(unit));
         let words = format!("together at most {amount}");
         Some(match self.coefficient(order) {
-            Some([length, _]) if length != 1.0 => {
+            Some(length) if length != 1.0 => {
                 let named = |name: String| format!("{words} ({name} ≈ {})", number::sensible(length));
                 [format!("c{}", number::lowered(order)), format!("$c_{{{order}}}$")].map(named)
             }
