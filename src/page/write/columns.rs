@@ -148,9 +148,13 @@ impl Cells {
     /// Widths of broken columns that make the table low: from the least on, letters go where they save most lines.
     fn lowest(&self, columns: &[usize], room: usize) -> Vec<usize> {
         let (natural, least) = (self.natural(columns), self.least(columns));
-        // A word of wide letters needs more than they count.
-        let roomy: Vec<usize> = least.iter().zip(&natural).map(|(least, natural)| (least + 1).min(*natural)).collect();
-        let mut widths = if roomy.iter().sum::<usize>() <= room { roomy } else { least };
+        // A word of wide letters needs more than they count, a short one the more.
+        let mut widths = least;
+        let mut narrowest: Vec<usize> = (0..widths.len()).filter(|&at| widths[at] < natural[at]).collect();
+        narrowest.sort_by_key(|&at| widths[at]);
+        for at in narrowest.into_iter().take(room.saturating_sub(widths.iter().sum())) {
+            widths[at] += 1;
+        }
         let with = |widths: &[usize], at: usize, width: usize| {
             let mut widths = widths.to_vec();
             widths[at] = width;
