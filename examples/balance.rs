@@ -1,10 +1,10 @@
-//! What takes away what an engine of the catalogue leaves? `cargo run --example balance`
+//! Which weights cancel the residual of an engine of the catalogue? `cargo run --example balance`
 
 use std::error::Error;
 
 use crankstar::remedy::{Request, remedy};
 
-/// Each weight of the remedy of a cross-plane V8: where it stands and how large it is.
+/// Each weight of the remedy of a cross-plane V8: where it is and how large it is.
 pub fn run() -> Result<String, Box<dyn Error>> {
     let engine = crankstar::find("V8-crossplane").ok_or("it is in the catalogue")?.engine()?;
     let remedy = remedy(&engine, &Request { orders: vec![1, 2], ..Request::default() })?;

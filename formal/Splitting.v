@@ -221,7 +221,7 @@ have -> : value (scale k (class p c l)) = zpow (Z.mul (Z.mul j1 q) c) * value (c
 rewrite E mulrCA; congr (_ * _); rewrite mulrA -zpowD // Z.add_opp_diag_r zpow0 mul1r //.
 Qed.
 
-(* A common factor of N and all exponents can be left out, and a common angle. *)
+(* A common factor of N and all exponents can be omitted, and a common angle. *)
 Lemma value_divide g N' a l : Z.lt Z0 g -> N = Z.mul g N' -> all (in_class g a) l ->
   value l = zpow a * Sums.value N' (z ^+ Z.to_nat g) (divide g (turn a l)).
 Proof.

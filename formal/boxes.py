@@ -1,6 +1,6 @@
 """The second checker, verify.py: where is a sum zero that two open angles turn, told in boxes?
 
-s and t count turns of the two angles, and the parts stand at e^(πi(M s + N t)), M and N twice their multiples less the highest, so that
+s and t count turns of the two angles, and the parts are at e^(πi(M s + N t)), M and N twice their multiples less the highest, so that
 they are as large either way: P = Σ C e^(πi(M s + N t)) up to a factor that is never zero. About a point P is a tangent plane, with its
 derivatives a and b by πs and πt, and strays from it by no more than ½ Σ (|M| S + |N| T)² |C|, S and T how far πs and πt are away.
 """
@@ -112,5 +112,5 @@ def check(claim, left, notes):
         else:
             demand(letter == "?", "a box is of no such kind")
             notes.add("boxes of two open angles in which nothing is claimed")
-    demand(not waiting, "the tree ends before all boxes are told")
+    demand(not waiting, "the tree ends before all boxes are reported")
     CHECKED[0] += 1

@@ -18,7 +18,7 @@ def check(document, engine):
     turns_faster = any(c.speed for c in document.cylinders) or any(mass.order > 1 for mass in document.turning_masses)
     demand(not asked or not turns_faster and all(rod[0] != "link" for rod in rods), "a link, or something turns faster than the crank")
     if document.recurrences:
-        demand(document.theorems == [], "what is said class by class stands in `recurrences` alone")
+        demand(document.theorems == [], "what is said class by class is in `recurrences` alone")
         for about, entry in each("recurrences", document.recurrences, asked):
             check_recurrence(entry, *about, engine)
     else:
@@ -53,7 +53,7 @@ def check_residues(period, modulus, residues, parity):
 
 def check_recurrence(entry, quantity, sense, engine):
     """Every order class by class: the cylinders before one number, even and odd orders apart. From order 2 on, order k of a cylinder
-    stands at k·per_order + fixed, and its weight depends on the parity of k alone."""
+    is at k·per_order + fixed, and its weight depends on the parity of k alone."""
     equal(entry, quantity=quantity, sense=sense)
     cylinders, _, _ = engine
     found, left = groups(engine, quantity, 1), {}
@@ -115,5 +115,5 @@ def check_factor(factor, parity, first):
         demand(one.vanishes is (k % modulus in residues), "the statement contradicts the verdict")
         certify([(k * s + t, w) for (s, t), w in rays], one.certificate, one.vanishes)
         zeros += [k] * one.vanishes
-    demand(len(zeros) == len(residues) * (period // modulus), "there are zeros among the orders that are left out")
+    demand(len(zeros) == len(residues) * (period // modulus), "there are zeros among the orders that are omitted")
     return rays

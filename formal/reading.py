@@ -1,7 +1,7 @@
 """The second checker, verify.py: is a document written as the format has it, every key of every object, every number exact?
 
 A type tells what an object holds, key by key. Nothing is passed over: no key that is not known or stands twice, no `1` for `true`, no
-number in another spelling, nothing that is to be left out where it is nothing.
+number in another spelling, nothing that is to be omitted where it is nothing.
 """
 import re
 from fractions import Fraction
@@ -20,16 +20,16 @@ def demand(holds, why):
         raise Refused(why)
 
 class Entry(dict):
-    """An object of a document: its keys as attributes, None for one that may be left out and is."""
+    """An object of a document: its keys as attributes, None for one that may be omitted and is."""
     def __getattr__(self, key):
         return self.get(key) if key in OPTIONAL else self[key]
 
 
-TYPES, OPTIONAL = {}, set()  # {type: (the words it may be, the objects it may be)}, and the keys that may be left out
+TYPES, OPTIONAL = {}, set()  # {type: (the words it may be, the objects it may be)}, and the keys that may be omitted
 
 def types(text):
     """`name = word word` or `name: key=type key=type` between semicolons, `name kind:` for the object of that kind. `[type]` is a list,
-    `(type,type)` has one of each, `type?` may be null, `key?` may be left out; `_` in a word is a space; a key without a type has the type of that name, or is an exact number."""
+    `(type,type)` has one of each, `type?` may be null, `key?` may be omitted; `_` in a word is a space; a key without a type has the type of that name, or is an exact number."""
     for part in text.split(";"):
         head, mark, body = re.fullmatch(r"\s*([\w -]+?)\s*([=:])(.*)", part, re.DOTALL).groups()
         name, *kind = head.split()
@@ -82,7 +82,7 @@ def read(value, of, key="it"):
         if not lacks and not more:
             found = Entry((inner, read(entry, types_of[inner], inner)) for inner, entry in value.items())
             empty = [inner for inner in found if inner not in needed and not found[inner]]
-            demand(not empty, f"{', '.join(empty)} is left out where it is nothing")
+            demand(not empty, f"{', '.join(empty)} is omitted where it is nothing")
             return found
     demand(len(forms) == 1, f"{key} has the keys {', '.join(value)}, which is none of its forms")
     raise Refused(f"{key} lacks {', '.join(lacks)}" if lacks else f"{key} has no key {', '.join(more)}")

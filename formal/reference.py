@@ -2,7 +2,7 @@
 
     crankstar classify LAYOUT --masses all --json > engine.json      and then      python3 formal/verify.py --engine engine.json FILE…
 
-A layout file is not read here: forms, units and shorthands are the program's. What it reads from one stands in any document of the
+A layout file is not read here: forms, units and shorthands are the program's. What it reads from one is in any document of the
 same engine; compare its cylinders with your drawing once, and let every other document be compared with it. A document of the same kind
 is compared entry by entry; one on all masses does for verdicts on the pistons and for a remedy besides.
 """

@@ -8,7 +8,7 @@ that of DOCUMENT is refused (reference.py).
 
 Every verdict is about a sum  S = Σ weight · e^(2πi·angle)  with rational weights and angles (in turns). The checker rebuilds S
 from the engine that the document names, and then believes nothing but arithmetic with whole numbers: it never searches. The
-format is told in src/proof/README.md. What is not checked is named, document by document, in lines with "not checked".
+format is described in src/proof/README.md. What is not checked is named, document by document, in lines with "not checked".
 
 This file and reading.py suffice for verdicts on an engine. It loads those beside it (`beside`) where a document calls for them: articulated
 rods, several crankshafts, sums before different numbers, every order at once, and the other kinds of documents.
@@ -132,7 +132,7 @@ def check_engine(cylinders, turning):
     demand(all(mass.order >= 1 for mass in turning), "a mass turns in no order")
 
 def phase(throw, bank, k, sense):
-    """Order k of a cylinder: its force is direct at kβ − (k−1)α, reverse at −kβ + (k+1)α; its torque stands at k(β − α)."""
+    """Order k of a cylinder: its force is direct at kβ − (k−1)α, reverse at −kβ + (k+1)α; its torque is at k(β − α)."""
     return {"direct": k * throw - (k - 1) * bank, "reverse": (k + 1) * bank - k * throw, None: k * (throw - bank)}[sense]
 
 def of_rod(rod, k):
@@ -252,7 +252,7 @@ def check_classify(tree, notes):
 def check_asked(document, allowed):
     orders, quantities = document.orders, document.quantities
     demand(orders and orders[0] >= 1 and sorted(set(orders)) == orders, "orders rise from 1 on")
-    demand(quantities and quantities == [one for one in allowed if one in quantities], f"quantities stand in the order {allowed}")
+    demand(quantities and quantities == [one for one in allowed if one in quantities], f"quantities are in the order {allowed}")
 
 def check_verdict(entry, quantity, k, number, sense, found):
     equal(entry, quantity=quantity, order=k, sense=sense)

@@ -260,7 +260,7 @@ Qed.
 
 (** * What a file on an engine proves with *)
 
-(* The number of the first order, where masses that turn stand in one sum with the pistons. *)
+(* The number of the first order, where masses that turn are in one sum with the pistons. *)
 Lemma one_is_other : (1, 0)%re <> (0, 0)%re.
 Proof. by case=> /R1_neq_R0. Qed.
 

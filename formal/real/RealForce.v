@@ -13,7 +13,7 @@ Definition sum_of {T : Type} (f : T -> R) (l : list T) : R := fold_right (fun x 
    its real and imaginary part, is the motion's: of a rod without offset (c_k, 0), and (1, 0) in order 1. *)
 Definition harmonic (c : R * R) (k : Z) (psi : R) : R := fst c * cos (IZR k * psi) - snd c * sin (IZR k * psi).
 
-(* While the crank stands at theta. *)
+(* While the crank is at theta. *)
 Definition of_piston (c : R * R) (k : Z) (theta : R) (p : cylinder) : R := harmonic c k (theta + radians (throw p - bank p)).
 
 Definition signed (s : sense) (x : R) : R := match s with Direct => x | Reverse => - x end.

@@ -54,7 +54,7 @@ def test_throws_alone_are_an_engine_in_line():
 def test_numbers_are_taken_exactly(third):
     turned = Engine("x", throws=[0, 120], banks=[third, third], positions=[1, 0])
     assert 'bank = "1/3"' in turned.layout
-    # All of it turned by a third of a degree: the first star stands there, exactly.
+    # All of it turned by a third of a degree: the first star is there, exactly.
     terms = turned.classify([1]).of("force", 1).stars[0].terms
     assert terms[0] == (Fraction(0), Fraction(1))
     reverse = turned.classify([1]).of("force", 1).stars[1].terms

@@ -17,7 +17,7 @@ MISTAKES: list[tuple[Callable[[], Any], str]] = [
     (lambda: Engine.named("V6-60-even").sweep(bank_angle=(1, 2)), "bank_angle"),  # type: ignore[arg-type]
     (lambda: Engine.named("V6-60-even").sweep(bank_angle="0..180:0.001"), "100000 are kept"),
     (lambda: Engine.named("V6-60-even").sweep(rod_ratio="x..y:z"), "rod_ratio"),
-    (lambda: crankstar.search(20, "four-stroke", torsion=True, grid=3), "leave out torsion"),
+    (lambda: crankstar.search(20, "four-stroke", torsion=True, grid=3), "omit torsion"),
     (lambda: crankstar.search(6, "two-stroke", resume="pyproject.toml"), "pyproject.toml"),
     (lambda: Engine.named("I3").remedy(balance_factor="x"), "balance_factor"),
     (lambda: Engine.named("I3").remedy(skew="x"), "skew"),

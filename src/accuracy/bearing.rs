@@ -134,7 +134,7 @@ impl Closed {
         sums.iter().map(|sum| sum.norm()).fold(0.0, f64::max)
     }
 
-    /// The largest load at so many angles, and where it stands.
+    /// The largest load at so many angles, and where it is.
     fn largest(&self, steps: u32) -> (f64, f64) {
         let angles = (0..steps).map(|place| TAU * f64::from(place) / f64::from(steps));
         angles

@@ -86,7 +86,7 @@ impl<T: Real> Bodies<T> {
         Bodies { quantity: self.quantity, pistons: pistons.collect(), rotating }
     }
 
-    /// The squared length of the load where the crankshaft and the cylinders stand in these directions.
+    /// The squared length of the load where the crankshaft and the cylinders are in these directions.
     ///
     /// None for an engine without cylinders.
     pub fn squared_load(&self, crankshaft: &[T; 2], cylinders: impl Iterator<Item = [T; 2]>) -> Option<T> {

@@ -95,7 +95,7 @@ fn direction_at(turns: f64) -> [Interval; 2] {
     let quarter = (4.0 * turns).round();
     // The difference is exact: both are multiples of the last place of the smaller.
     let x = Interval::point(turns - quarter / 4.0).times(&Interval::TAU);
-    // The terms alternate and fall, so what is left out lies between 1 and 1 less its first term.
+    // The terms alternate and fall, so what is omitted lies between 1 and 1 less its first term.
     let rest = x.squared().over((2 * BRACKETS + 1) * (2 * BRACKETS + 2)).high;
     let innermost = Interval { low: (1.0 - rest).next_down(), high: 1.0 };
     turned(cos_sin(&x, &Interval::ONE, &innermost, BRACKETS), quarter as i64, Interval::negated)

@@ -29,7 +29,7 @@ pub enum Largest {
     Known {
         /// Zero to peak.
         value: f64,
-        /// Crank angle in degrees where it stands; none where the length never changes.
+        /// Crank angle in degrees where it is; none where the length never changes.
         angle: Option<f64>,
         /// Guaranteed: the value is off by at most this.
         error: f64,

@@ -20,7 +20,7 @@ pub(super) trait Real: Clone {
 
 /// Cosine and sine of `|x| ≤ π/4` by their series, nested: `cos x = 1 − x²/(1·2) (1 − x²/(3·4) (…))`.
 ///
-/// `innermost` stands for the brackets left out: 1, or an interval that encloses them.
+/// `innermost` stands for the brackets omitted: 1, or an interval that encloses them.
 pub(super) fn cos_sin<T: Real>(x: &T, one: &T, innermost: &T, brackets: u32) -> [T; 2] {
     let square = x.squared();
     let nested = |first: u32| {

@@ -36,7 +36,7 @@ impl Load {
         let b = &places[span + 1] * q - place.numer();
         let zeros = || [BigInt::zero(), BigInt::zero()];
         if a.is_negative() {
-            // The end moment is a; its term in the equation at the next support stands on the right.
+            // The end moment is a; its term in the equation at the next support is on the right.
             let right_sides = [BigInt::zero(), -&a * &length];
             let shares = [q.clone(), BigInt::zero()];
             return Load { span, scale: q.clone(), shares, right_sides, end_moments: [a, BigInt::zero()] };

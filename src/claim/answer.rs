@@ -48,7 +48,7 @@ pub enum Condition {
     AboutPlane(BigRational),
     /// Moments are not taken about the plane at this position.
     NotAboutPlane(BigRational),
-    /// The two cylinders of a crankpin stand in one plane.
+    /// The two cylinders of a crankpin are in one plane.
     NoBankOffset,
     /// The firing order is one of those that are even: the layout names none.
     FiringOrder,
@@ -115,7 +115,7 @@ pub enum Finding {
     Orders {
         /// The orders that do not vanish.
         surviving: Vec<u32>,
-        /// How many orders were judged.
+        /// How many orders were decided.
         judged: usize,
         /// After so many orders everything repeats; none where single orders were asked.
         period: Option<u32>,

@@ -1,4 +1,4 @@
-//! Is a moment left that no choice of the reference plane takes away?
+//! Is a moment left that no choice of the reference plane cancels?
 //!
 //! Where an order leaves no force its moment is the same about every plane, so it has to vanish. Where a force is left the
 //! two are one force in one plane, at z, if C = z P with the same real z for both vectors: C P̄ is real, and

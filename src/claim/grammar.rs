@@ -183,7 +183,7 @@ fn predicate(text: &str, subject: Subject) -> Result<Predicate, ClaimError> {
             Some((_, shape)) if !is_plain => Ok(Predicate::Is(*shape)),
             Some((name, _)) => Err(ClaimError::new(
                 format!("`{name}` applies to both vectors together"),
-                "leave out the word direct or reverse, or claim it of a force or a moment",
+                "omit the word direct or reverse, or claim it of a force or a moment",
             )),
             None => Err(ClaimError::new(
                 format!("`{shape}` is not a shape"),

@@ -27,7 +27,7 @@ pub struct WrittenAngle {
 pub struct WrittenLength {
     /// The words.
     pub text: Untrusted,
-    /// The length, exactly as written; metres where a unit stands behind it.
+    /// The length, exactly as written; metres where a unit is behind it.
     pub form: Form,
     /// How it is rounded, where nothing but decimals is written.
     rounding: Option<Rounding>,
@@ -138,7 +138,7 @@ impl WrittenLength {
     }
 }
 
-/// What stands in a cell of a table.
+/// What is in a cell of a table.
 struct Cell {
     /// Without spaces at its ends, with a point where a comma stands between digits.
     plain: String,

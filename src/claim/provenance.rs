@@ -22,7 +22,7 @@ pub struct Quote {
     pub source: Untrusted,
     /// Section, page, equation or figure.
     pub place: Untrusted,
-    /// A few of its words, as they stand there.
+    /// A few of its words, as they are there.
     pub words: Untrusted,
 }
 

@@ -26,7 +26,7 @@ use crate::proof::{Quantity, Sense};
 pub struct Term {
     /// The cosine or sine.
     pub wave: Wave,
-    /// What is claimed to stand before it; nothing where it is left out.
+    /// What is claimed to stand before it; nothing by default.
     pub said: Vec<(Powers, Form)>,
     /// What stands before it without m r ω² c_k: in closed form where there is one, and in decimals.
     pub right: (Option<Form>, f64),
@@ -41,7 +41,7 @@ pub struct Term {
 pub enum TermVerdict {
     /// It is the term.
     Right,
-    /// It is the term up to this power of λ, higher ones left out.
+    /// It is the term up to this power of λ, higher ones omitted.
     UpTo(u32),
     /// Its decimals are those of the term, rounded.
     Rounded,
@@ -49,7 +49,7 @@ pub enum TermVerdict {
     Wrong,
     /// It does not count in m r ω².
     WrongUnit,
-    /// It is left out.
+    /// It is omitted.
     Missing,
     /// A number stands for λ, which the layout does not give.
     NoRatio,
@@ -59,7 +59,7 @@ pub enum TermVerdict {
 const POWERS: u32 = 8;
 /// So many make its decimals.
 const ALL_POWERS: u32 = 60;
-/// Terms up to this order, and up to the highest that is claimed, may not be left out.
+/// Terms up to this order, and up to the highest that is claimed, may not be omitted.
 const TOLD: u32 = 2;
 
 /// What the words of such a claim begin with.

@@ -194,7 +194,7 @@ struct OwnPhase {
     rounding: BigRational,
 }
 
-/// Whether a length is that of the sum of the phases that stand in the column, or of the phases that they are the roundings of, to enough digits.
+/// Whether a length is that of the sum of the phases that are in the column, or of the phases that they are the roundings of, to enough digits.
 fn follows(
     star: &Star,
     own: Option<&Vec<OwnPhase>>,

@@ -61,7 +61,7 @@ pub enum Statement {
     },
     /// No order leaves a moment that stays wherever the reference plane stands.
     NoFreeMoment,
-    /// What takes away an order: the least set of balancer shafts beside counterweights.
+    /// What cancels an order: the least set of balancer shafts beside counterweights.
     Shafts {
         /// The order.
         order: u32,
@@ -168,7 +168,7 @@ pub enum Shafts {
 pub struct Possible {
     /// Where they stand along the crankshaft, in the unit of the positions: one plane or two.
     pub planes: Vec<BigRational>,
-    /// What they take away of all that turns with the crank at order 1.
+    /// What they cancel of all that turns with the crank at order 1.
     pub balanced: Balanced,
     /// The crankshaft's mass in kilograms that it stays below with them.
     pub lighter_than: Option<BigRational>,
@@ -216,7 +216,7 @@ pub enum Predicate {
     Is(Shape),
     /// Its largest value, and perhaps its direction.
     Equals(Value, Option<Angle>),
-    /// The line it stands on, modulo 180°.
+    /// The line it is on, modulo 180°.
     Plane(Angle),
 }
 
@@ -252,7 +252,7 @@ pub enum Bearing {
 /// How near a number has to be to the true one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Tolerance {
-    /// It is the number; where decimals are written, half of the last place is told apart as rounding.
+    /// It is the number; where decimals are written, half of the last place is reported apart as rounding.
     Exact {
         /// Half a unit of the last decimal written, where there are decimals.
         rounding: Option<BigRational>,

@@ -1,4 +1,4 @@
-//! Is a student's vector-star table right? The first wrong entry is told, and what it should be.
+//! Is a student's vector-star table right? The first wrong entry is reported, and what it should be.
 
 use serde::Deserialize;
 use serde_spanned::Spanned;

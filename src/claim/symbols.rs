@@ -68,7 +68,7 @@ impl Symbol {
     }
 }
 
-/// `F2`, `F_2`, `F_{2}`, `F₂⁺`, and what stands behind it.
+/// `F2`, `F_2`, `F_{2}`, `F₂⁺`, and what is behind it.
 fn symbol(words: &str) -> Option<(Symbol, &str)> {
     let (quantity, rest) = match (words.strip_prefix('F'), words.strip_prefix(['M', 'C'])) {
         (Some(rest), _) => (Quantity::FORCE, rest),

@@ -58,7 +58,7 @@ struct TableKeys {
     sums: Option<Table<Sums>>,
 }
 
-/// The table of a TOML file, with whose it is; what is wrong is told with its line.
+/// The table of a TOML file, with whose it is; what is wrong is reported with its line.
 pub(super) fn in_toml(source: String) -> Result<(Owner, Submission), String> {
     let file: File = read(&source).map_err(|error| told(&error, &source))?;
     let words =
@@ -114,7 +114,7 @@ fn of_toml(source: &str, engine: &Engine) -> Result<Answers, LayoutError> {
     Ok(Answers { convention, tables, not_read: Vec::new() })
 }
 
-/// A mistake in one line, with the number of the line where it stands.
+/// A mistake in one line, with the number of the line where it is.
 fn told(error: &LayoutError, source: &str) -> String {
     let line = error.span().and_then(|span| source.get(..span.start)).map(|before| before.matches('\n').count() + 1);
     let line = line.map(|line| format!("line {line}: ")).unwrap_or_default();

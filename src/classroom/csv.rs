@@ -37,7 +37,7 @@ fn fields(line: &str, separator: char) -> Vec<String> {
     fields
 }
 
-/// A field in quotes, and what stands behind its separator; none where no quote closes it, which then is a sign like others.
+/// A field in quotes, and what is behind its separator; none where no quote closes it, which then is a sign like others.
 fn quotation(text: &str, separator: char) -> Option<(String, Option<&str>)> {
     let mut rest = text.trim_start_matches(' ').strip_prefix('"')?;
     let mut field = String::new();

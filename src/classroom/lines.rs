@@ -71,7 +71,7 @@ pub(super) fn in_rows(rows: Vec<Row>) -> Result<Vec<(Owner, Submission)>, String
     Ok(tables.into_iter().map(|(whose, records)| (whose, Submission::Rows(records))).collect())
 }
 
-/// The name of a column, and the unit that stands behind it: `Direct (deg)`, `direct [°]`.
+/// The name of a column, and the unit that is behind it: `Direct (deg)`, `direct [°]`.
 fn named(column: &str) -> (String, String) {
     let (name, unit) = column.split_once(['(', '[']).unwrap_or((column, ""));
     (name.trim().to_owned(), unit.trim().trim_end_matches([')', ']']).trim().to_lowercase())

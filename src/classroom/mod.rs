@@ -1,6 +1,6 @@
 //! How is a class taught and marked: a vector star of one's own for each student, and every entry of what is handed in judged?
 //!
-//! `layout → varied engines → sheets`, and `tables handed in → readings → marks → points`. What an entry is worth is judged in the
+//! `layout → varied engines → sheets`, and `tables handed in → readings → marks → points`. What an entry is worth is decided in the
 //! room `claim`; the pages are made in the room of reports.
 
 mod answers;

@@ -54,7 +54,7 @@ struct Keys {
     coarse: Option<Text>,
 }
 
-/// Reads a scheme; a key that is left out keeps its default.
+/// Reads a scheme; a key that is omitted keeps its default.
 ///
 /// ```standalone_crate
 /// use crankstar::classroom::{Scheme, parse_scheme};

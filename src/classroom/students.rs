@@ -7,7 +7,7 @@ use crate::text::Untrusted;
 /// A student of the list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Student {
-    /// The name, as it stands in the list but for spaces.
+    /// The name, as it is in the list but for spaces.
     pub name: Untrusted,
     /// What the files of the student are called: small letters, digits and hyphens, of no other student.
     pub file: String,
@@ -25,7 +25,7 @@ const MOST: usize = 10_000;
 /// What some systems take for a device.
 const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
 
-/// Reads a list of students: a name a line, empty lines left out.
+/// Reads a list of students: a name a line, empty lines omitted.
 ///
 /// ```standalone_crate
 /// use crankstar::classroom::students;

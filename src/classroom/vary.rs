@@ -19,7 +19,7 @@ use crate::proof::Sense;
 /// What is varied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Vary {
-    /// The throws: which pin has which, and where the crankshaft stands at θ = 0.
+    /// The throws: which pin has which, and where the crankshaft is at θ = 0.
     pub throws: bool,
     /// The angle between two banks.
     pub banks: bool,
@@ -63,7 +63,7 @@ pub fn can_be_set(engine: &Engine) -> Result<(), &'static str> {
     }
 }
 
-/// The layout file of a student, with cylinders in the sense of rotation and masses in multiples; what was varied stands in it.
+/// The layout file of a student, with cylinders in the sense of rotation and masses in multiples; what was varied is in it.
 ///
 /// The engine is one that [`can_be_set`].
 pub fn varied(engine: &Engine, orders: &[u32], vary: Vary, mut draw: Draw) -> String {

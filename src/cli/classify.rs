@@ -60,7 +60,7 @@ impl Classify {
             return Err(Failure::misuse("--all-orders adds to the JSON document; add --json, or --format coq"));
         }
         if self.firing && self.all_orders && self.data.is_coq() {
-            return Err(Failure::misuse("theorems on firing stars are about single orders; leave out --all-orders"));
+            return Err(Failure::misuse("theorems on firing stars are about single orders; omit --all-orders"));
         }
         if self.firing {
             return self.run_firing(wanted.is_some());
@@ -114,7 +114,7 @@ impl Classify {
 
     fn run_firing(&self, as_tables: bool) -> Result<(), Failure> {
         if as_tables {
-            return Err(Failure::misuse("firing stars have no tables of data; leave out --firing, or take --json"));
+            return Err(Failure::misuse("firing stars have no tables of data; omit --firing, or take --json"));
         }
         let engine = match layouts::read(&self.about.layout)? {
             Layout::Known(engine, _) => engine,

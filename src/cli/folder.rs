@@ -159,7 +159,7 @@ fn fill_locked(folder: &Path, files: &[Content]) -> io::Result<()> {
     sync(folder)
 }
 
-/// What keeps a file from its place is told before the first one is replaced.
+/// What keeps a file from its place is reported before the first one is replaced.
 fn are_free(folder: &Path, files: &[Content]) -> io::Result<()> {
     let told = |kind: ErrorKind, what: &str| Err(io::Error::new(kind, what.to_owned()));
     for (name, _) in files {

@@ -19,7 +19,7 @@ const LARGEST_FILE: u64 = 4 << 20;
 /// The name of a layout that is read from standard input, and what messages call it.
 const STANDARD_INPUT: (&str, &str) = ("-", "standard input");
 
-/// Reads the engine of this name or path; what is odd about its quantities is told on standard error.
+/// Reads the engine of this name or path; what is odd about its quantities is reported on standard error.
 pub fn read(layout: &Path) -> Result<Layout, Failure> {
     let (name, text) = source(layout)?;
     let read = file::parse_layout_beside(&name, &text, FileResolver::new(&|path| beside(layout, path)))?;
@@ -39,7 +39,7 @@ pub fn known(layout: &Path, needs: &str) -> Result<Engine, Failure> {
 
 /// The warnings alone, of a layout that is read in another way.
 pub fn warn_of(layout: &Path) {
-    // What is wrong with it is told by whoever reads it.
+    // What is wrong with it is reported by whoever reads it.
     let _ = read(layout);
 }
 

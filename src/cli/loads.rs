@@ -41,7 +41,7 @@ fn is_percentage(argument: &OsStr) -> bool {
     argument.to_str().is_some_and(|text| text.trim_end_matches('%').parse::<f64>().is_ok())
 }
 
-/// The arguments, with `--auto` spelled out where its percentage is left out.
+/// The arguments, with `--auto` spelled out where its percentage is omitted.
 pub fn spelled_out(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut spelled: Vec<OsString> = Vec::new();
     let mut arguments = arguments.peekable();

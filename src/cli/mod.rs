@@ -170,7 +170,7 @@ impl EngineAndOrders {
         !self.orders.is_empty()
     }
 
-    /// What the layout describes, and the orders to judge, rising, each once.
+    /// What the layout describes, and the orders to examine, rising, each once.
     fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
         self.read_or(usual_orders)
     }
@@ -261,7 +261,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> u8 {
     ended(answer)
 }
 
-/// The exit status; why there is no answer is told.
+/// The exit status; why there is no answer is reported.
 fn ended(answer: Result<u8, Failure>) -> u8 {
     match answer {
         Ok(status) => status,

@@ -56,7 +56,7 @@ mod run {
                 };
                 let couple = self.couple.parse().map_err(Failure::new)?;
                 progress::doing("finding the best counterweights");
-                // What the layout names beside itself stands beside the layouts that are written, too.
+                // What the layout names beside itself is beside the layouts that are written, too.
                 let named = Mutex::new(BTreeMap::new());
                 let read = |path: &str| {
                     let text = layouts::beside(&self.about.layout, path)?;

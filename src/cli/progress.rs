@@ -20,13 +20,13 @@ static SPINNER: Mutex<Option<Spinner>> = Mutex::new(None);
 /// Whether nothing is to be told but why there is no answer.
 static IS_SILENT: AtomicBool = AtomicBool::new(false);
 
-/// A spinner turns in a thread of its own until it is told to stop.
+/// A spinner turns in a thread of its own until it is reported to stop.
 struct Spinner {
     stop: Sender<()>,
     turning: JoinHandle<()>,
 }
 
-/// From now on neither progress nor warnings are told.
+/// From now on neither progress nor warnings are reported.
 pub fn silence() {
     IS_SILENT.store(true, Ordering::Relaxed);
 }
@@ -72,7 +72,7 @@ pub fn end() {
     }
 }
 
-/// Whether anything is told beside the answer: on a terminal, unless it is to be quiet.
+/// Whether anything is reported beside the answer: on a terminal, unless it is to be quiet.
 pub fn is_shown() -> bool {
     !is_silent() && std::io::stderr().is_terminal()
 }

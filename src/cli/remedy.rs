@@ -1,4 +1,4 @@
-//! `remedy`: which counterweights and balancer shafts take away what is left?
+//! `remedy`: which counterweights and balancer shafts cancel what is left?
 
 use std::path::{Path, PathBuf};
 

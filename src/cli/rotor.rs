@@ -12,7 +12,7 @@ use super::layouts;
 /// Arguments of `rotor`.
 #[derive(clap::Args)]
 pub struct Rotor {
-    /// The path of a file of masses on a shaft; what it leaves out is found
+    /// The path of a file of masses on a shaft; what it omits is found
     file: PathBuf,
     /// Print the masses as JSON
     #[arg(long, conflicts_with_all = ["output", "format"])]

@@ -56,7 +56,7 @@ impl Tables {
             Units::Si => {}
             Units::Inch => {
                 return Err(Failure::misuse(
-                    "tables of data are in SI units, which are given in the names of their columns; leave out --units inch",
+                    "tables of data are in SI units, which are given in the names of their columns; omit --units inch",
                 ));
             }
         }

@@ -1,11 +1,11 @@
-//! `--above`, `--all`, `--rod-ratio`: which orders are told one by one, and how large are they where no rod is given?
+//! `--above`, `--all`, `--rod-ratio`: which orders are reported one by one, and how large are they where no rod is given?
 
 use crankstar::report::Weighing;
 use num_rational::BigRational;
 
 use super::accuracy::ratio;
 
-/// What is told one by one, and what together.
+/// What is reported one by one, and what together.
 #[derive(clap::Args)]
 pub struct Weigh {
     /// Show an order by itself from this part of the largest one on, in percent; smaller ones together [default: 1]
@@ -27,7 +27,7 @@ fn percent(text: &str) -> Result<f64, String> {
 }
 
 impl Weigh {
-    /// What is told of an engine whose orders were asked for, or were not.
+    /// What is reported of an engine whose orders were asked for, or were not.
     pub fn read(&self, asked: bool) -> Weighing {
         Weighing { above: self.above, all: self.all, asked, rod_ratio: self.rod_ratio.clone() }
     }

@@ -122,7 +122,7 @@ impl Engine {
         self.dimensions().crank_radius.clone().unwrap_or_else(BigRational::one)
     }
 
-    /// What turns at each throw, `m_rot r` with pin, webs and the rotating parts of the rods, and what goes to and fro there,
+    /// What turns at each throw, `m_rot r` with pin, webs and the rotating parts of the rods, and the reciprocating mass there,
     /// `Σ m_rec r`, in kilogram-metres.
     ///
     /// One pair of each of [`throws`]; `None` where the layout gives no masses or no crank radius.
@@ -186,7 +186,7 @@ impl Engine {
         throws(self).into_iter().enumerate().map(factor).collect()
     }
 
-    /// The crankshaft's mass in the sense of the theory's source (section 7): what stands in the balance equations, the
+    /// The crankshaft's mass in the sense of the theory's source (section 7): that of the balance equations, the
     /// masses of the throws brought to their crank radii, half the reciprocating ones among them, and the counterweights.
     /// With the same mass D a throw and counterweights at the crank radius it is `N·D·(1 + BF)`. In kilograms.
     pub fn crankshaft_mass(&self) -> Option<BigRational> {

@@ -49,7 +49,7 @@ impl CycleOrder {
         self.halves.is_multiple_of(cycle.lowest_order().halves)
     }
 
-    /// Where the vector of a cylinder that fires at a crank angle of the cycle, in turns, stands in the firing star: `−κφ`.
+    /// Where the vector of a cylinder that fires at a crank angle of the cycle, in turns, is in the firing star: `−κφ`.
     pub fn phase(self, fires: &BigRational) -> Turn {
         -&self.times(fires)
     }

@@ -91,7 +91,7 @@ impl<A, L> Cylinder<A, L> {
 }
 
 impl Cylinder {
-    /// Crank angle `α − β` at which the piston stands at top dead centre.
+    /// Crank angle `α − β` at which the piston is at top dead centre.
     pub fn top_dead_centre(&self) -> Turn {
         &self.bank - &self.throw
     }

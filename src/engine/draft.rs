@@ -49,7 +49,7 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub reference_plane: ReferencePlane<L>,
     /// What positions are counted in.
     pub length_unit: LengthUnit,
-    /// Whether the positions are those of a real engine; else the cylinders stand one spacing apart.
+    /// Whether the positions are those of a real engine; else the cylinders are one spacing apart.
     pub positions_given: bool,
     /// The orders that are asked for; none for the usual ones.
     pub orders: Vec<u32>,
@@ -75,7 +75,7 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub torsion: Option<Torsion>,
     /// What is asked for beyond force and moment.
     pub effects: Effects,
-    /// What stands in the title block of a calculation report.
+    /// What is in the title block of a calculation report.
     pub title_block: TitleBlock,
     /// The layout file that it was read from; empty where it was not.
     pub file: Untrusted,

@@ -15,7 +15,7 @@ pub const PHI: &str = "phi";
 /// The unknown angle of a split pin.
 pub const DELTA: &str = "delta";
 
-/// All engines that a layout file with unknowns describes: the angles are in turns, φ and δ may stand in them, and symbols
+/// All engines that a layout file with unknowns describes: the angles are in turns, φ and δ may be in them, and symbols
 /// in its lengths.
 pub type Family = Engine<Linear, Linear>;
 

@@ -27,24 +27,24 @@ pub struct GearedCrank {
     pub sense: Sense,
     /// How many times it turns while the reference turns once: a whole number ν, at least 1.
     pub speed: u32,
-    /// Where its axis stands in the plane across it, from the middle of the engine: the sum of these, in crank radii of the engine;
-    /// none in the middle, and where that is left out.
+    /// Where its axis is in the plane across it, from the middle of the engine: the sum of these, in crank radii of the engine;
+    /// none in the middle, and where that is omitted.
     pub axis: Vec<Term>,
-    /// What the file leaves out of where its axis stands.
+    /// What the file omits of where its axis stands.
     pub left_out: Option<AxisLeftOut>,
 }
 
-/// What a file leaves out of where the axis of a crankshaft stands. No result may hang on it.
+/// What a file omits of where the axis of a crankshaft stands. No result may hang on it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum AxisLeftOut {
-    /// The distance from the other crankshaft: the axis stands so many times that far in this direction.
+    /// The distance from the other crankshaft: the axis is so many times that far in this direction.
     Distance(Term),
     /// All of it.
     Place,
 }
 
 impl GearedCrank {
-    /// A crankshaft whose axis stands so high along the reference direction and so far to its left (along 90°), in crank radii.
+    /// A crankshaft whose axis is so high along the reference direction and so far to its left (along 90°), in crank radii.
     pub fn at(name: &str, sense: Sense, height: BigRational, offset: BigRational) -> Self {
         let terms =
             [Term { angle: Turn::zero(), weight: height }, Term { angle: Turn::fraction(1, 4), weight: offset }];
@@ -52,12 +52,12 @@ impl GearedCrank {
         GearedCrank { name: name.to_owned(), sense, speed: 1, axis, left_out: None }
     }
 
-    /// One of whose axis this is left out.
+    /// One of whose axis this is omitted.
     pub fn without(name: &str, sense: Sense, left_out: AxisLeftOut) -> Self {
         GearedCrank { name: name.to_owned(), sense, speed: 1, axis: Vec::new(), left_out: Some(left_out) }
     }
 
-    /// One whose axis stands at this distance, in crank radii, in this direction.
+    /// One whose axis is at this distance, in crank radii, in this direction.
     pub fn towards(name: &str, sense: Sense, distance: BigRational, angle: Turn) -> Self {
         let axis = if distance.is_zero() { Vec::new() } else { vec![Term { angle, weight: distance }] };
         GearedCrank { name: name.to_owned(), sense, speed: 1, axis, left_out: None }
@@ -126,7 +126,7 @@ impl Engine {
         draft.build().ok()
     }
 
-    /// Where the crankpin of a cylinder stands at θ = 0: its throw, or on a crank that turns against the reference the mirror image
+    /// Where the crankpin of a cylinder is at θ = 0: its throw, or on a crank that turns against the reference the mirror image
     /// of it in the cylinder's axis.
     pub fn pin_angle(&self, cylinder: &Cylinder) -> Turn {
         match self.sense_of(cylinder) {

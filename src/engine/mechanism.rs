@@ -42,9 +42,9 @@ pub struct Link {
     pub master: BigRational,
     /// Knuckle radius κ = a/l, from crankpin to knuckle pin, in lengths of the master rod.
     pub knuckle: BigRational,
-    /// Δ: by how much the axis of its cylinder stands ahead of that of the master's.
+    /// Δ: by how much the axis of its cylinder is ahead of that of the master's.
     pub angle: Turn,
-    /// ε: by how much its knuckle pin stands ahead of its cylinder, seen from the crankpin; less than a quarter turn either way.
+    /// ε: by how much its knuckle pin is ahead of its cylinder, seen from the crankpin; less than a quarter turn either way.
     pub correction: Turn,
     /// r/L, L the length of the link.
     pub ratio: BigRational,
@@ -68,7 +68,7 @@ impl Mechanism {
         }
     }
 
-    /// The rod of its own that stands on the crankpin; none of a link.
+    /// The rod of its own that is on the crankpin; none of a link.
     pub fn rod(&self) -> Option<&Rod> {
         match self {
             Mechanism::SliderCrank(rod) => Some(rod),
@@ -96,7 +96,7 @@ impl Link {
         &self.angle + &self.correction
     }
 
-    /// Whether its knuckle pin stands elsewhere than at the angle of its cylinder.
+    /// Whether its knuckle pin is elsewhere than at the angle of its cylinder.
     pub fn is_corrected(&self) -> bool {
         self.correction != Turn::zero()
     }

@@ -91,7 +91,7 @@ impl<A, L> Engine<A, L> {
         self.draft.length_unit
     }
 
-    /// Whether the positions are those of a real engine; else the cylinders stand one spacing apart.
+    /// Whether the positions are those of a real engine; else the cylinders are one spacing apart.
     pub fn positions_given(&self) -> bool {
         self.draft.positions_given
     }
@@ -162,7 +162,7 @@ impl<A, L> Engine<A, L> {
         self.draft.effects
     }
 
-    /// What stands in the title block of a calculation report.
+    /// What is in the title block of a calculation report.
     pub fn title_block(&self) -> &TitleBlock {
         &self.draft.title_block
     }
@@ -244,7 +244,7 @@ impl Engine {
         self.mechanisms().iter().all(|mechanism| mechanism.is_centric())
     }
 
-    /// Whether the knuckle pin of some link stands elsewhere than at the angle of its cylinder.
+    /// Whether the knuckle pin of some link is elsewhere than at the angle of its cylinder.
     pub fn has_corrected_links(&self) -> bool {
         self.cylinders().iter().filter_map(Cylinder::link).any(Link::is_corrected)
     }

@@ -135,7 +135,7 @@ impl Family {
         angles.flat_map(|angle| angle.symbols().keys()).map(String::as_str).collect()
     }
 
-    /// Crank angle `α − β` in turns at which each cylinder stands at a top dead centre.
+    /// Crank angle `α − β` in turns at which each cylinder is at a top dead centre.
     pub fn dead_centres(&self) -> Vec<Linear> {
         self.cylinders().iter().map(dead_centre).collect()
     }

@@ -8,7 +8,7 @@ use crate::exact::Turn;
 /// One throw: a crankpin between its webs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Throw {
-    /// Its angle β: where its pin stands at θ = 0.
+    /// Its angle β: where its pin is at θ = 0.
     pub angle: Turn,
     /// Which crankshaft it is on, where several are geared together; else 0.
     pub crank: usize,
@@ -21,7 +21,7 @@ pub struct Throw {
 }
 
 /// The throws of a crankshaft, in the order of its pins; the parts of a split pin are throws of their own, from the free end on, and
-/// where they stand at one place in the order of their cylinders.
+/// where they are at one place in the order of their cylinders.
 ///
 /// ```standalone_crate
 /// let v8 = crankstar::file::find("V8-crossplane").unwrap().engine().unwrap();

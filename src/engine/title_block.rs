@@ -1,4 +1,4 @@
-//! What stands in the title block of a calculation report? What the table `[document]` says, word for word.
+//! What is in the title block of a calculation report? What the table `[document]` says, word for word.
 
 use crate::text::Untrusted;
 

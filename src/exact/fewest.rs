@@ -1,6 +1,6 @@
 //! Which are the fewest polygons that make up a sum that is zero?
 //!
-//! **Which polygons.** Let the angles of n vectors differ by multiples of 1/N. Where a prime p does not divide N, all vectors stand in one class g modulo p; `f(g, h) − f(g′, h)`, g′ another
+//! **Which polygons.** Let the angles of n vectors differ by multiples of 1/N. Where a prime p does not divide N, all vectors are in one class g modulo p; `f(g, h) − f(g′, h)`, g′ another
 //! class, leaves the sum as it is, takes p-gons to nothing, and each other polygon to one or to nothing. So p does not help. Nor does p > n: one class is empty, so each class is zero by itself
 //! and has two vectors or none, so most are empty; what p-gons bring into these takes at least as many other polygons away again as they save. The polygons of the primes left lie each in a class
 //! modulo N/M, M the product of these primes: the fewest are those of every class together.

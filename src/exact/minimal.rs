@@ -181,7 +181,7 @@ pub fn taken_apart(sum: &PhasorSum, stars: &[MinimalStar]) -> Option<Vec<StarPar
     let mut parts = Vec::new();
     for (star, minimal) in stars.iter().enumerate() {
         let angles = minimal.angles();
-        // A vector that is the first of such a star stands there.
+        // A vector that is the first of such a star is there.
         for turn in left.keys().cloned().collect::<Vec<Turn>>() {
             if angles.len() > left.len() {
                 break;

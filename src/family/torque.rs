@@ -62,7 +62,7 @@ impl From<NoStar> for NoOpenStar {
 
 /// Judges the firing stars of these orders.
 ///
-/// Half orders are judged where the open angle lies in the range, in turns, with its ends where `with_ends` says so.
+/// Half orders are decided where the open angle lies in the range, in turns, with its ends where `with_ends` says so.
 ///
 /// # Errors
 /// See [`NoOpenStar`].

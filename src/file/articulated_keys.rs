@@ -174,7 +174,7 @@ impl Rows<'_> {
             None if knuckle < one => &rod.ratio / (&one - &knuckle),
             None => {
                 let message = "the knuckle pins are farther out than the master rod is long".to_owned();
-                return Err(fault(message, "give the link_length, which is l − a where it is left out"));
+                return Err(fault(message, "give the link_length, which is l − a by default"));
             }
         };
         let angle = &cylinder.bank - &master.bank;

@@ -15,7 +15,7 @@ const MOST_BEARINGS: usize = 101;
 
 /// The positions, in the order of the file, by the rules of the cylinders' positions.
 ///
-/// `positions_given` says whether the file tells where the cylinders stand: where it does not, they stand one spacing
+/// `positions_given` says whether the file tells where the cylinders stand: where it does not, they are one spacing
 /// apart, and a bearing in metres has no place among them.
 pub(super) fn read(list: &List, unit: &mut LengthUnit, positions_given: bool) -> Result<Vec<BigRational>, LayoutError> {
     let texts = list.get_ref();
@@ -53,7 +53,7 @@ fn position(text: &Text, unit: &mut LengthUnit, positions_given: bool) -> Result
     Ok(known.clone())
 }
 
-/// Every bearing stands on the crankshaft, where the file says how long that is.
+/// Every bearing is on the crankshaft, where the file says how long that is.
 pub(super) fn check_ends(list: Option<&List>, layout: &Engine) -> Result<(), LayoutError> {
     let (Some(list), Some([low, high])) = (list, layout.shaft_ends()) else { return Ok(()) };
     for (index, (at, text)) in layout.bearings().iter().zip(list.get_ref()).enumerate() {

@@ -37,9 +37,9 @@ pub(super) struct Shares {
 
 /// What makes the counterweights of all throws.
 pub(super) enum Made<'a> {
-    /// This factor of all that turns and half of what goes to and fro.
+    /// This factor of all that turns and half of the reciprocating mass.
     Factor(&'a Column),
-    /// These parts of what turns, and of what goes to and fro.
+    /// These parts of what turns, and of the reciprocating mass.
     Parts(&'a Column, &'a Column),
 }
 
@@ -61,7 +61,7 @@ impl<'a> Made<'a> {
         }
     }
 
-    /// Where it stands in the file.
+    /// Where it is in the file.
     pub fn place(&self) -> Option<Range<usize>> {
         match self {
             Made::Factor(list) | Made::Parts(list, _) => place(list),
@@ -175,7 +175,7 @@ fn number_of_throw(text: &Text, count: usize) -> Result<usize, LayoutError> {
     })
 }
 
-/// A counterweight has to stand on the crankshaft.
+/// A counterweight has to be on the crankshaft.
 pub(super) fn on_the_shaft(
     engine: &Engine,
     position: &BigRational,

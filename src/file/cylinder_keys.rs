@@ -47,7 +47,7 @@ pub(super) fn expand(
         }
         Some(table) => {
             let right =
-                "every cylinder needs it; or leave out all of them, with a firing_order and its cycle above the tables";
+                "every cylinder needs it; or omit all of them, with a firing_order and its cycle above the tables";
             return Err(LayoutError::new("the key `throw` is missing", right, place(table)));
         }
     };
@@ -88,7 +88,7 @@ pub(super) fn expand(
     Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, throws, pin_offsets, geared })
 }
 
-/// Cylinders that name no pin, which a file numbers from 1, share one where they stand at the same position of a crankshaft; then the pins
+/// Cylinders that name no pin, which a file numbers from 1, share one where they are at the same position of a crankshaft; then the pins
 /// are numbered from 0 without gaps.
 fn number_pins(cylinders: &mut [Cylinder<Linear, Linear>]) {
     let mut pins: BTreeMap<(usize, Linear), usize> = BTreeMap::new();

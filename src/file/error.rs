@@ -7,7 +7,7 @@ use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
 use crate::text::{harmless, of_equal_length};
 
-/// A mistake in a layout file or a file of claims, told with the place where it stands; unknown keys are told all at once.
+/// A mistake in a layout file or a file of claims, told with the place where it is; unknown keys are reported all at once.
 #[derive(Clone, Debug)]
 pub struct LayoutError {
     message: String,
@@ -32,7 +32,7 @@ impl LayoutError {
         self
     }
 
-    /// Names the file and keeps its text, so that the message can show the line; a mistake that is told of another file stays there.
+    /// Names the file and keeps its text, so that the message can show the line; a mistake that is reported of another file stays there.
     pub(crate) fn in_file(mut self, file: &str, source: &str) -> Self {
         if !self.file.is_empty() {
             return self;

@@ -10,7 +10,7 @@ use super::geared_keys::{Geared, equivalent};
 use super::shared_keys::{SharedKeys, Throws};
 use crate::engine::{Cylinder, Linear};
 
-/// Sets the throws that the file leaves out.
+/// Sets the throws that the file omits.
 ///
 /// # Errors
 /// A firing that the form cannot have, or that the same form with its banks exchanged could have with pins nearer together.

@@ -1,6 +1,6 @@
 //! How do people describe an engine? In-line, vee, flat, boxer, radial, fan: each becomes cylinders.
 //!
-//! Pin 1 and row 1 stand at the free end (+z). Bank angles are measured from the bisector of the banks.
+//! Pin 1 and row 1 are at the free end (+z). Bank angles are measured from the bisector of the banks.
 
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ pub(super) struct Expanded {
     pub form: Form,
     pub cylinders: Vec<Cylinder<Linear, Linear>>,
     pub length_unit: LengthUnit,
-    /// Whether the positions are those of the file; else the cylinders stand one spacing apart.
+    /// Whether the positions are those of the file; else the cylinders are one spacing apart.
     pub positions_given: bool,
     /// Where the throws of the cylinders come from.
     pub throws: Throws,

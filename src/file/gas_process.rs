@@ -1,4 +1,4 @@
-//! How is a process of the gas written? `process` and its values; what is left out is assumed, and marked so.
+//! How is a process of the gas written? `process` and its values; what is omitted is assumed, and marked so.
 
 use num_rational::BigRational;
 

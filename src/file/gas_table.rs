@@ -30,7 +30,7 @@ impl Reading {
     }
 }
 
-/// The rows that stand in the layout file.
+/// The rows that are in the layout file.
 pub(super) fn inline(list: &Rows, reading: &Reading, cycle: Cycle) -> Result<PressureTable, LayoutError> {
     let mut rows = Vec::new();
     for row in list.get_ref() {
@@ -102,7 +102,7 @@ fn of_column(sheet: &Sheet<'_>, column: usize, reading: &Reading, cycle: Cycle) 
         && unit != of_header
     {
         let message = format!("the header of the table says {name}, and the layout file another unit");
-        return Err(LayoutError::new(message, "leave out `unit` in the layout file, or correct it", None));
+        return Err(LayoutError::new(message, "omit `unit` in the layout file, or correct it", None));
     }
     let reading = Reading { unit: reading.unit.or(headed.map(|(_, unit)| unit)), added: reading.added.clone() };
     let mut rows = Vec::new();

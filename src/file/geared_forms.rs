@@ -1,7 +1,7 @@
 //! How do people describe engines with several crankshafts? Opposed pistons, H, U, square four, delta: each becomes cylinders.
 //!
 //! A phase is how far the pistons of a crankshaft are ahead of those of the first one, each in the sense that it turns in; what
-//! stands in a [`Cylinder`] is the equivalent crank that turns with the reference (theory, section 14). Phases count with the crank, and are
+//! is in a [`Cylinder`] is the equivalent crank that turns with the reference (theory, section 14). Phases count with the crank, and are
 //! the same however the engine is drawn; what this file makes is still as drawn.
 
 use num_rational::BigRational;
@@ -69,9 +69,9 @@ struct Bank {
     axis: Linear,
     /// By how much the throw of the equivalent crank is ahead of that of the list.
     ahead: Linear,
-    /// What stands behind the number in its cylinders' names.
+    /// What is behind the number in its cylinders' names.
     suffix: &'static str,
-    /// Where its crankshaft stands in a list of all throws.
+    /// Where its crankshaft is in a list of all throws.
     listed: usize,
 }
 

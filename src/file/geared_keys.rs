@@ -15,7 +15,7 @@ use crate::engine::{AxisLeftOut, Convention, Dimensions, GearedCrank, HIGHEST_OR
 use crate::exact::{Term, Turn};
 use crate::proof::Sense;
 
-/// What stands below `crankshaft`: the masses of the only one, or a list of those that are geared together.
+/// What is below `crankshaft`: the masses of the only one, or a list of those that are geared together.
 pub(super) enum Tables {
     /// `[crankshaft]`.
     Masses(Box<crankshaft_keys::Keys>),
@@ -70,14 +70,14 @@ pub(super) enum Axis {
     Across(Distance, Distance),
     /// So far in this direction.
     Towards(Distance, Turn),
-    /// SharedKeys (+1/2) or below (−1/2) the middle, so many times a distance that is left out.
+    /// SharedKeys (+1/2) or below (−1/2) the middle, so many times a distance that is omitted.
     SharedKeys(BigRational),
     /// Nothing is said of it.
     LeftOut,
 }
 
 impl Axis {
-    /// Where it stands in a drawing, and then as angles in the sense of rotation say it: an offset to the left changes its sign.
+    /// Where it is in a drawing, and then as angles in the sense of rotation say it: an offset to the left changes its sign.
     pub fn turn(&mut self, convention: Convention) {
         match self {
             Axis::Across(_, offset) => match offset {

@@ -18,7 +18,7 @@ pub(super) struct Keys<'a> {
 }
 
 impl Keys<'_> {
-    /// ε of the link of a cylinder, which stands at Δ from that of its master; `value` is what a key says of this link.
+    /// ε of the link of a cylinder, which is at Δ from that of its master; `value` is what a key says of this link.
     pub fn correction(
         &self,
         (name, delta): (&str, &Turn),

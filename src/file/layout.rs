@@ -105,7 +105,7 @@ pub fn parse(name: &str, source: &str) -> Result<Engine, LayoutError> {
 /// The same of a layout that may name a file beside itself, which `beside` reads.
 ///
 /// # Errors
-/// The first mistake, with its place in the file where it stands, and what would be right.
+/// The first mistake, with its place in the file where it is, and what would be right.
 pub fn parse_beside(name: &str, source: &str, beside: FileResolver<'_>) -> Result<Engine, LayoutError> {
     match parse_layout_beside(name, source, beside)? {
         Layout::Known(layout, _) => Ok(*layout),
@@ -128,7 +128,7 @@ pub fn parse_layout(name: &str, source: &str) -> Result<Layout, LayoutError> {
 /// The same of a layout that may name a file beside itself, a table of pressures, which `beside` reads.
 ///
 /// # Errors
-/// The first mistake, with its place in the file where it stands, and what would be right.
+/// The first mistake, with its place in the file where it is, and what would be right.
 pub fn parse_layout_beside(name: &str, source: &str, beside: FileResolver<'_>) -> Result<Layout, LayoutError> {
     let layout = read::<File>(source).and_then(|file| layout(name, source, file, beside));
     layout.map_err(|error| error.in_file(name, source))

@@ -146,7 +146,7 @@ impl Keys {
         let rods = [&self.rod_length, &self.rod_ratio, &self.rod_mass, &self.pin_offset, &self.offset_ratio];
         if rods.iter().any(|keys| keys.is_some()) {
             let message = "a Scotch yoke with a connecting rod";
-            return Err(LayoutError::new(message, "leave out the rod and its offset, or the yoke", place(yoke)));
+            return Err(LayoutError::new(message, "omit the rod and its offset, or the yoke", place(yoke)));
         }
         let endless = Rod { ratio: BigRational::zero(), offset: BigRational::zero() };
         Ok(vec![Mechanism::SliderCrank(endless); count])
@@ -200,7 +200,7 @@ impl Keys {
         }
         if let (Some(_), Some(list)) = (&self.reciprocating_mass, &self.rod_mass) {
             let message = "rod_mass contradicts reciprocating_mass, which has the rod's part at the piston already";
-            let right = "leave out rod_mass, with reciprocating_mass and rotating_mass; or write piston_mass in place of reciprocating_mass, with rod_mass, rod_length and rod_centre";
+            let right = "omit rod_mass, with reciprocating_mass and rotating_mass; or write piston_mass in place of reciprocating_mass, with rod_mass, rod_length and rod_centre";
             return Err(LayoutError::new(message, right, place(list)));
         }
         let parts = [
@@ -241,7 +241,7 @@ impl Keys {
         };
         if let Some(list) = &self.rotating_mass {
             let message = "rotating_mass contradicts rod_mass, whose part at the crankpin it is";
-            let right = "leave out rotating_mass, with rod_mass, rod_length and rod_centre; or leave out rod_mass and rod_centre, and add the rod's other part to piston_mass";
+            let right = "omit rotating_mass, with rod_mass, rod_length and rod_centre; or omit rod_mass and rod_centre, and add the rod's other part to piston_mass";
             return Err(LayoutError::new(message, right, place(list)));
         }
         let (Some(lengths), Some(centres)) = (lengths, table.column(&self.rod_centre, Measure::RodCentre)?) else {

@@ -48,7 +48,7 @@ pub(super) struct W {
     numbering: Option<Column>,
 }
 
-/// One narrow V: its middle, how far its pins stand ahead of the throws, and where it stands along the crankshaft.
+/// One narrow V: its middle, how far its pins are ahead of the throws, and where it is along the crankshaft.
 struct Middle {
     angle: Linear,
     split: Linear,
@@ -134,7 +134,7 @@ impl Narrow<'_> {
         let place = |middle: &Middle, pin: usize| {
             let (throw, position) = &pins.pins[pin];
             let outwards = BigRational::new(if pin.is_multiple_of(2) { -1 } else { 1 }.into(), 2.into());
-            // Outwards is against the rotation where the bank stands at an angle below 0 in the sense of rotation.
+            // Outwards is against the rotation where the bank is at an angle below 0 in the sense of rotation.
             let turning = above.convention.in_the_sense_of_rotation(outwards.clone());
             let written = |text: &Text| if turning.is_negative() { negated(text) } else { text.clone() };
             Placed {
@@ -160,7 +160,7 @@ impl Narrow<'_> {
         let throws = match (self.throws, above.angles) {
             (Some(_), _) => Throws::Listed,
             (None, None) => Throws::Follow { splits_given, splays },
-            // The angles are those at which the pins stand in line with their cylinders.
+            // The angles are those at which the pins are in line with their cylinders.
             (None, Some(_)) => Throws::Follow { splits_given, splays: Vec::new() },
         };
         Ok(Expanded {
@@ -175,7 +175,7 @@ impl Narrow<'_> {
     }
 }
 
-/// The angle between the pins of both banks: as written; left out, 0 beside throws, and where they follow that of the banks.
+/// The angle between the pins of both banks: as written; omitted, 0 beside throws, and where they follow that of the banks.
 fn splay(narrow: &Narrow<'_>, angle: &Linear, above: &SharedKeys<'_>) -> Result<Linear, LayoutError> {
     if narrow.throws.is_some() || above.firing_place().is_none() {
         return optional_angle(narrow.splay);

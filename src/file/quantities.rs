@@ -19,7 +19,7 @@ pub fn parse_angle(text: &str) -> Result<BigRational, String> {
     units::angle(text)
 }
 
-/// Reads a length as a layout file does: in metres where a unit stands behind it, else in the unit of the layout.
+/// Reads a length as a layout file does: in metres where a unit is behind it, else in the unit of the layout.
 ///
 /// # Errors
 /// What would be right.
@@ -31,7 +31,7 @@ pub fn parse_length(text: &str) -> Result<(BigRational, LengthUnit), String> {
 /// A list with its place in the file.
 pub(super) type List = Spanned<Vec<Text>>;
 
-/// An angle in turns, not yet modulo 1; `phi` and `delta` may stand in it.
+/// An angle in turns, not yet modulo 1; `phi` and `delta` may be in it.
 pub(super) fn angle(text: &Text) -> Result<Linear, LayoutError> {
     let written = text.get_ref().0.replace('φ', PHI).replace('δ', DELTA);
     linear::read(&written, units::angle, |name| name == PHI || name == DELTA)
@@ -44,7 +44,7 @@ pub(super) fn known_angle(text: &Text) -> Result<BigRational, LayoutError> {
     units::angle(written).map_err(|right| misread("angle", written, right, text))
 }
 
-/// A length; a unit behind it makes the layout metric; symbols of one lower-case letter may stand in it.
+/// A length; a unit behind it makes the layout metric; symbols of one lower-case letter may be in it.
 pub(super) fn length(text: &Text, unit: &mut LengthUnit) -> Result<Linear, LayoutError> {
     let written = &text.get_ref().0;
     let has_unit = std::cell::Cell::new(false);
@@ -158,7 +158,7 @@ pub(super) fn not_negative(value: BigRational, what: &str, text: &Text) -> Resul
     Ok(value)
 }
 
-/// What is said of a length with a unit, where the cylinders stand one spacing apart and nobody says how far that is.
+/// What is said of a length with a unit, where the cylinders are one spacing apart and nobody says how far that is.
 pub(super) fn among_spacings(place: Option<std::ops::Range<usize>>) -> LayoutError {
     let right = "give the engine its spacing or positions, or count in spacings here too";
     LayoutError::new("a length in an engine whose cylinders are one spacing apart", right, place)

@@ -6,7 +6,7 @@ use toml::de::{DeTable, DeValue};
 use super::error::LayoutError;
 use super::written;
 
-/// A place in a text and what stands there from now on.
+/// A place in a text and what is there from now on.
 type Change = (std::ops::Range<usize>, String);
 
 /// The text of a layout file in which a key of a table, such as `vee.bank_angle`, has this value, as a file has it.

@@ -19,7 +19,7 @@ pub fn balancer_table(engine: &Engine, shaft: &Balancer, unit: Option<&BigRation
     };
     let cylinder = shaft.coefficient_of.and_then(|index| engine.cylinders().get(index));
     let coefficient = cylinder.map(|cylinder| format!("coefficient_of = \"{}\"\n", cylinder.name)).unwrap_or_default();
-    // Without either key the axis is left out: one in the middle is written.
+    // Without either key the axis is omitted: one in the middle is written.
     let axis = shaft.axis.as_ref().map_or_else(String::new, |axis| {
         let offset = engine.convention().in_the_sense_of_rotation(axis.offset.clone());
         format!("height = {}\noffset = {}\n", exact_number(&axis.height), exact_number(&offset))
@@ -101,7 +101,7 @@ pub fn without_counterweights(text: &str) -> String {
     for line in text.lines() {
         let bare = line.split('#').next().unwrap_or(line).trim();
         if open > 0 {
-            // The rest of a list that is left out.
+            // The rest of a list that is omitted.
             open += brackets(bare);
             continue;
         }

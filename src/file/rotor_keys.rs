@@ -1,4 +1,4 @@
-//! How are masses on a shaft written? A file of `[[mass]]` tables, in which what is wanted is left out.
+//! How are masses on a shaft written? A file of `[[mass]]` tables, in which what is wanted is omitted.
 
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -37,14 +37,14 @@ struct Keys {
     position: Option<Text>,
 }
 
-/// A mass that turns with a shaft; what is left out is wanted.
+/// A mass that turns with a shaft; what is omitted is wanted.
 #[derive(Clone, Debug)]
 pub struct RotorMass {
     /// Its name, or its number.
     pub name: Untrusted,
     /// Mass in kilograms.
     pub mass: Option<BigRational>,
-    /// What goes back and forth at it, in kilograms; 0 where the file says nothing of it.
+    /// the reciprocating mass at it, in kilograms; 0 where the file says nothing of it.
     pub reciprocating: BigRational,
     /// Distance of its centre of gravity from the axis in metres.
     pub radius: Option<BigRational>,
@@ -76,7 +76,7 @@ pub fn parse_rotor(name: &str, source: &str) -> Result<Rotor, LayoutError> {
 }
 
 fn rotor(name: &str, file: File) -> Result<Rotor, LayoutError> {
-    let right = "tables [[mass]] with position, mass, radius and angle each; what is to be found is left out";
+    let right = "tables [[mass]] with position, mass, radius and angle each; what is to be found is omitted";
     let Some(tables) = &file.mass else { return Err(LayoutError::new("no masses on the shaft", right, None)) };
     if tables.get_ref().len() > MOST_MASSES {
         return Err(LayoutError::new("too many masses", format!("up to {MOST_MASSES} on a shaft"), place(tables)));

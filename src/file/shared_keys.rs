@@ -1,4 +1,4 @@
-//! What does a form need that stands above its table? The firing, from which throws follow that it leaves out, and the drawing.
+//! What does a form need that is above its table? The firing, from which throws follow that it omits, and the drawing.
 
 use std::ops::Range;
 
@@ -27,7 +27,7 @@ pub(super) enum Throws {
     Follow {
         /// Whether the file, or the form, says how the throws of one pin stand to each other.
         splits_given: bool,
-        /// How each pin stands to its throw, one per cylinder; empty where pins stand at their throws.
+        /// How each pin stands to its throw, one per cylinder; empty where pins are at their throws.
         splays: Vec<Splay>,
     },
 }

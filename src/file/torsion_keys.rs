@@ -45,7 +45,7 @@ pub(super) fn read(table: &Spanned<Table<Keys>>, cylinders: &[Cylinder]) -> Resu
         Ok(()) => Ok(torsion),
         Err(why) => {
             let right = "inertias = one per disc from the free end on, stiffnesses = one between each two, crankpins_at = the disc of each \
-                         crankpin, [1, 2, …] where it is left out";
+                         crankpin, [1, 2, …] by default";
             Err(LayoutError::new(why.to_string(), right, span(&why)))
         }
     }

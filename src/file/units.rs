@@ -9,9 +9,9 @@ use crate::exact::fraction;
 
 /// A length as written: its value, and whether it has a unit.
 pub(crate) struct Length {
-    /// In metres, or in multiples of the spacing where no unit stands.
+    /// In metres, or in multiples of the spacing where no unit is written.
     pub value: BigRational,
-    /// Whether a unit stands behind it.
+    /// Whether a unit is behind it.
     pub has_unit: bool,
 }
 
@@ -114,7 +114,7 @@ const MASSES: Units = &[
     ("t", (1000, 1)),
 ];
 
-/// An angle in turns, not reduced modulo 1; degrees where no unit stands.
+/// An angle in turns, not reduced modulo 1; degrees where no unit is written.
 pub(crate) fn angle(text: &str) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, ANGLES, "\"45\", \"22.5 deg\", \"1/12 turn\" or \"2/3 pi rad\"")?;
     let turns = in_base_units(&number, unit.unwrap_or((1, 360)));
@@ -135,7 +135,7 @@ pub(crate) fn length(text: &str) -> Result<Length, String> {
     Ok(Length { value: sized(in_base_units(&number, unit.unwrap_or((1, 1))))?, has_unit: unit.is_some() })
 }
 
-/// A mass; kilograms where no unit stands.
+/// A mass; kilograms where no unit is written.
 pub(crate) fn mass(text: &str) -> Result<BigRational, String> {
     in_units(text, MASSES, "\"0.65\", \"650 g\", \"1.4 lb\" or \"23 oz\"")
 }
@@ -175,7 +175,7 @@ pub(crate) fn pressure_unit_named(name: &str) -> Option<(&'static str, PressureU
     PRESSURES.iter().copied().find(|(known, _)| *known == name)
 }
 
-/// A pressure in pascals; its unit stands behind it, or holds for a whole table.
+/// A pressure in pascals; its unit is behind it, or holds for a whole table.
 pub(crate) fn pressure(text: &str, of_all: Option<PressureUnit>) -> Result<BigRational, String> {
     let (number, unit) = with_unit(text, PRESSURES, "\"0.9 bar\", \"8.2 MPa\", \"101325 Pa\" or \"14.7 psi\"")?;
     match unit.or(of_all) {
@@ -197,7 +197,7 @@ pub(crate) fn inertia(text: &str) -> Result<BigRational, String> {
     in_units(text, INERTIAS, "\"0.5\", \"0.5 kg m²\" or \"5000 kg cm²\"")
 }
 
-/// A torsional stiffness in N m per radian; in those where no unit stands.
+/// A torsional stiffness in N m per radian; in those where no unit is written.
 pub(crate) fn torsional_stiffness(text: &str) -> Result<BigRational, String> {
     in_units(text, TORSIONAL_STIFFNESSES, "\"1000000\", \"1000 kN m/rad\" or \"1 MN m/rad\"")
 }
@@ -242,7 +242,7 @@ fn with_unit(text: &str, units: Units, examples: &str) -> Result<(BigRational, O
     Ok((value, unit.map(|(_, size)| *size)))
 }
 
-/// What stands behind a number.
+/// What is behind a number.
 fn unknown_unit(text: &str) -> Option<&str> {
     let digits = text.rfind(|letter: char| letter.is_ascii_digit())? + 1;
     let word = text[digits..].trim();

@@ -34,7 +34,7 @@ struct Kind {
 
 const LENGTH: Kind =
     Kind { read: |text| Some(units::length(text).ok()?.value), unit: "m", meant: &["mm", "cm", "in", "ft", "m"] };
-/// A length that is one of the spacing where no unit stands.
+/// A length that is one of the spacing where no unit is written.
 const OF_SPACING: Kind = Kind {
     read: |text| units::length(text).ok().filter(|length| length.has_unit).map(|length| length.value),
     unit: "m",

@@ -100,11 +100,11 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
 /// More unknown keys than this are not told at once.
 const MOST_UNKNOWN: usize = 20;
 
-/// Reads TOML into `T`, whose numbers are [`Written`]: a decimal never passes through a float. Unknown keys are told all at once.
+/// Reads TOML into `T`, whose numbers are [`Written`]: a decimal never passes through a float. Unknown keys are reported all at once.
 pub(crate) fn read<T: DeserializeOwned>(source: &str) -> Result<T, LayoutError> {
     let mut unknown: Vec<LayoutError> = Vec::new();
     loop {
-        // Each time without the keys that are told already.
+        // Each time without the keys that are reported already.
         let mut table = table(source)?;
         let is_rest = unknown.iter().filter_map(LayoutError::span).all(|span| removed(table.get_mut(), &span));
         let error = match T::deserialize(toml::Deserializer::from(table)) {

@@ -164,7 +164,7 @@ impl Law {
         Law { pieces, period }
     }
 
-    /// The largest pressure in the pieces, and where it stands.
+    /// The largest pressure in the pieces, and where it is.
     pub fn peak(&self, geometry: &Geometry) -> (f64, f64) {
         let mut best = (f64::NEG_INFINITY, 0.0);
         for piece in &self.pieces {

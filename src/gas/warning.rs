@@ -10,11 +10,11 @@ use crate::engine::{Cycle, PressureLaw, PressureTable};
 pub enum Warning {
     /// The largest pressure, in pascals, is below 5 bar or above 400 bar: a unit, perhaps.
     Peak(f64),
-    /// The largest pressure stands at this angle in degrees, not shortly after the firing dead centre.
+    /// The largest pressure is at this angle in degrees, not shortly after the firing dead centre.
     PeakAngle(f64),
     /// The gas takes work instead of giving it, this mean torque in newton-metres: a wrong dead centre, or the other way round.
     TakesWork(f64),
-    /// The rows of the table stand so many degrees apart: more than 5.
+    /// The rows of the table are so many degrees apart: more than 5.
     Coarse(f64),
 }
 

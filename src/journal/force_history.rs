@@ -40,7 +40,7 @@ struct Cylinder {
 pub struct PistonForces {
     /// F_g: of the gas on the piston, towards the crank; the head feels the opposite.
     pub gas: f64,
-    /// F_in: of the inertia of what goes back and forth, outward.
+    /// F_in: of the inertia of the reciprocating mass, outward.
     pub inertia: f64,
     /// tan β, the slope of the rod.
     pub slope: f64,
@@ -253,7 +253,7 @@ pub(super) fn carried_by(
 ) -> Carried {
     let is_own = |group: MassGroup| match group {
         MassGroup::Crankshaft | MassGroup::Counterweights => true,
-        // Rods load the pins, and a balancer shaft stands in bearings of its own.
+        // Rods load the pins, and a balancer shaft is in bearings of its own.
         MassGroup::Reciprocating | MassGroup::Rotating | MassGroup::Balancers => false,
     };
     let turning = order::turning_masses(engine).into_iter().filter(|mass| is_own(mass.source.group()));

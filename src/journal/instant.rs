@@ -1,7 +1,7 @@
 //! What does each piston do at a crank angle, and what feels it? Place, velocity, acceleration, forces, torque, loads of pins and bearings.
 //!
 //! Directions are those of textbooks: ways, velocities, accelerations and forces are positive towards the crankshaft. What the layout does
-//! not give is left out: without a speed there is no velocity, without masses no inertia, without [gas] no gas.
+//! not give is omitted: without a speed there is no velocity, without masses no inertia, without [gas] no gas.
 
 use std::f64::consts::TAU;
 
@@ -61,9 +61,9 @@ pub struct PistonAt {
     pub textbook: Option<[f64; 2]>,
     /// Force of the gas on the piston, in newtons.
     pub gas: Option<f64>,
-    /// Force of the inertia of what goes back and forth.
+    /// Force of the inertia of the reciprocating mass.
     pub inertia: Option<f64>,
-    /// Weight of what goes back and forth, where it is asked for.
+    /// Weight of the reciprocating mass, where it is asked for.
     pub weight: Option<f64>,
     /// tan β, the slope of the rod.
     pub slope: f64,
@@ -113,7 +113,7 @@ fn calm(value: f64, size: f64) -> f64 {
 }
 
 impl Instants {
-    /// An engine with rods of its own on one crankshaft; with the weight of what goes back and forth where a gravity is given, in metres a
+    /// An engine with rods of its own on one crankshaft; with the weight of the reciprocating mass where a gravity is given, in metres a
     /// square second, direction 0 being up.
     ///
     /// # Errors

@@ -6,9 +6,9 @@
 //! arms, the torque the weights w r without `e^{iα}`.
 //!
 //! A rod and its mirror image, δ and −δ, have coefficients that differ by (−1)^k (see [`order::Factor::of_force`]), which is half a turn of β − α. Order 1,
-//! which has the crank's own 1 beside the rod, and the orders of turning masses are judged one by one.
+//! which has the crank's own 1 beside the rod, and the orders of turning masses are decided one by one.
 //!
-//! Cranks that turn at different speeds are judged apart: pistons of one speed are a group, and order 1 is the first of each crank.
+//! Cranks that turn at different speeds are decided apart: pistons of one speed are a group, and order 1 is the first of each crank.
 //!
 //! A link on a master rod moves in part as the master does, with `β − α₀` of the master's cylinder, and has a motion of its own, which it
 //! shares with the links of its kind; the mass at its knuckle pin moves as the master. A mass that is complex, turned by γ, turns `e^{iα}`. A link
@@ -43,7 +43,7 @@ pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
     alone && groups(engine, quantity).values().all(PhasorSum::vanishes)
 }
 
-/// How many times the reference turns, and each crankshaft: what is judged by itself of a crank is its own first order.
+/// How many times the reference turns, and each crankshaft: what is decided by itself of a crank is its own first order.
 fn speeds(engine: &Engine) -> impl Iterator<Item = u32> {
     let cranks = engine.geared_cranks().iter().map(|crank| crank.speed);
     [1].into_iter().chain(cranks.filter(|speed| *speed != 1))
@@ -104,7 +104,7 @@ fn of_link(engine: &Engine, quantity: Planar, cylinder: &Cylinder, link: &Link) 
     moving.map(|(group, angle, weight)| (group, Term { angle, weight: weight * &lever })).collect()
 }
 
-/// The motion of its own of a link, and by how much its crank stands ahead of its cylinder where that counts.
+/// The motion of its own of a link, and by how much its crank is ahead of its cylinder where that counts.
 fn of_kind(link: &Link, own: Turn) -> (Mechanism, Turn) {
     let unsigned = link.correction.clone().min(-&link.correction);
     let own = match (link.is_corrected(), unsigned == link.correction) {

@@ -53,7 +53,7 @@ impl fmt::Display for Missing {
                 f.write_str("m r ω² and m r² ω² have to be below 10^150: mass, crank radius or speed of the layout is too large for decimals")
             }
             Missing::BalancerShafts => {
-                f.write_str("the methods are compared for engines without balancer shafts; leave out [[balancer]]")
+                f.write_str("the methods are compared for engines without balancer shafts; omit [[balancer]]")
             }
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Order(number) => number.fmt(f),

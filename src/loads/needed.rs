@@ -25,19 +25,19 @@ pub struct Needed {
     pub reached: bool,
     /// Orders of force and moment to keep, rising.
     pub kept: Vec<u32>,
-    /// Orders that do not vanish and are left out all the same, among those that were looked at.
+    /// Orders that do not vanish and are omitted all the same, among those that were looked at.
     pub dropped: Vec<u32>,
     /// The same of the torque, where the file asks for it.
     pub torque_kept: Vec<u32>,
-    /// And those left out.
+    /// And those omitted.
     pub torque_dropped: Vec<u32>,
-    /// Orders up to this one were looked at; all above it are left out.
+    /// Orders up to this one were looked at; all above it are omitted.
     pub looked_at: u32,
-    /// What is left out.
+    /// What is omitted.
     pub left: LeftOut,
 }
 
-/// What is left out of the loads where only some orders are shown.
+/// What is omitted of the loads where only some orders are shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LeftOut {
     /// Of the force; none where nothing is.
@@ -48,7 +48,7 @@ pub struct LeftOut {
     pub torque: Option<Bound>,
 }
 
-/// A bound of what is left out of a load, in its multiples of m r ω².
+/// A bound of what is omitted of a load, in its multiples of m r ω².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {
     /// It is at most this.
@@ -81,7 +81,7 @@ impl Choice {
         Choice { lengths: spectrum.lengths(quantity), rest, peak: (peak.value - rest).max(0.0) }
     }
 
-    /// What is left out where just these orders are kept.
+    /// What is omitted where just these orders are kept.
     fn bound(&self, kept: &[u32]) -> Option<Bound> {
         let dropped = self.lengths.iter().filter(|(order, _)| !kept.contains(order)).map(|(_, length)| length);
         let most = dropped.sum::<f64>() + self.rest;
@@ -151,7 +151,7 @@ impl Choices {
     }
 }
 
-/// Of these loads, the orders to keep and to leave out: the shortest go as long as the accuracy allows.
+/// Of these loads, the orders to keep and to omit: the shortest go as long as the accuracy allows.
 fn choose(choices: &[Choice], accuracy: f64) -> [Vec<u32>; 2] {
     let mut orders: Vec<u32> = choices.iter().flat_map(|choice| &choice.lengths).map(|(order, _)| *order).collect();
     orders.sort_unstable();
@@ -193,7 +193,7 @@ pub fn needed_orders(engine: &Engine, accuracy: f64) -> Result<Needed, Missing> 
     Ok(Needed { accuracy, reached, kept, dropped, torque_kept, torque_dropped, looked_at: choices.looked_at, left })
 }
 
-/// What is left out where just these orders are shown.
+/// What is omitted where just these orders are shown.
 ///
 /// # Errors
 /// What the layout lacks for numbers.
@@ -202,7 +202,7 @@ pub fn left_out(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
     Ok(Choices::new(engine, USUAL, highest)?.left_out(orders, torque_orders))
 }
 
-/// The orders to judge where none are asked for: those of the layout file, else the first that exist and, where the engine has
+/// The orders to examine where none are asked for: those of the layout file, else the first that exist and, where the engine has
 /// numbers, those that a thousandth of its peaks needs.
 pub fn usual_orders(engine: &Engine) -> Vec<u32> {
     if engine.orders_given() {

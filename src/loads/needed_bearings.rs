@@ -59,7 +59,7 @@ fn choices(engine: &Engine) -> Result<Vec<Choice>, Missing> {
 }
 
 /// What the orders that are not among these add to the load of a bearing at most, whichever it is, and where the largest load of all
-/// stands at least; none where they add nothing.
+/// is at least; none where they add nothing.
 ///
 /// # Errors
 /// What the layout lacks for numbers.

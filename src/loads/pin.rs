@@ -106,7 +106,7 @@ fn is_of(source: Source, cylinder: usize) -> bool {
 }
 
 impl Waveform {
-    /// The vectors in a frame that turns with a throw, which stands in this direction at θ = 0.
+    /// The vectors in a frame that turns with a throw, which is in this direction at θ = 0.
     pub fn seen_from_the_crank(&self, throw: Complex<f64>) -> Self {
         self.turned(throw.conj()).one_order_back()
     }

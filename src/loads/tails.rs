@@ -107,7 +107,7 @@ impl Tails {
     }
 
     /// The largest force of the shafts that turn faster than this order, and its moment about the reference plane, in
-    /// multiples of m r ω²: what they add where higher orders are left out.
+    /// multiples of m r ω²: what they add where higher orders are omitted.
     fn faster_shafts(&self, engine: &Engine, highest: u32) -> [f64; 2] {
         let half = BigRational::new(1.into(), 2.into());
         let mut sums: BTreeMap<(Factor, u32), [BigRational; 2]> = BTreeMap::new();

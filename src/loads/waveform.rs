@@ -64,7 +64,7 @@ impl Circle {
 const STEPS: usize = 720;
 
 impl Waveform {
-    /// The waveform of these orders; vectors that are zero are left out.
+    /// The waveform of these orders; vectors that are zero are omitted.
     pub fn new(harmonics: impl IntoIterator<Item = Harmonic>) -> Self {
         let is_left = |harmonic: &Harmonic| harmonic.direct.norm_sqr() > 0.0 || harmonic.reverse.norm_sqr() > 0.0;
         Waveform { harmonics: harmonics.into_iter().filter(is_left).collect() }
@@ -120,8 +120,8 @@ impl Waveform {
     /// The vectors at the steps of a circle.
     pub fn sample(&self, circle: &Circle) -> Vec<Complex<f64>> {
         let steps = circle.steps();
-        // With z = x + iy: d z + r z̄ = (d + r) x + i(d − r) y. At −θ only y changes its sign: half the circle is enough. What stands on
-        // x is summed at θ, what stands on y at −θ; the last place is 0 once more.
+        // With z = x + iy: d z + r z̄ = (d + r) x + i(d − r) y. At −θ only y changes its sign: half the circle is enough. What is on
+        // x is summed at θ, what is on y at −θ; the last place is 0 once more.
         let mut values = vec![Complex::new(0.0, 0.0); steps + 1];
         for harmonic in &self.harmonics {
             let (on_x, on_y) =

@@ -1,7 +1,7 @@
-//! How does a link move its piston whose knuckle pin stands elsewhere than at the angle of its cylinder?
+//! How does a link move its piston whose knuckle pin is elsewhere than at the angle of its cylinder?
 //!
 //! The pin stands, seen from the crankpin, at `γ = Δ + ε` from the master rod. With `κ = a/l`, `z = 1 − κ cos ε e^{iΔ}` and
-//! `f = √(1 − λ² sin²)` of the master rod the piston stands at
+//! `f = √(1 − λ² sin²)` of the master rod the piston is at
 //!
 //! ```text
 //! s/r = cos ψ + κ sin ε sin(ψ+Δ) + (κ/λ) cos ε f(ψ+Δ) + (L/r) √(1 − Y²)

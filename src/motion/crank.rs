@@ -166,7 +166,7 @@ impl SliderCrank {
         Enclosure::refine(&self.offset, None, |bits| Ball::rational(&radicand, bits).sqrt().reciprocal())
     }
 
-    /// How far the piston stands from where it stands at ψ = 0, outward positive: `(s(ψ) − s(0))/r`, ψ in radians.
+    /// How far the piston stands from where it is at ψ = 0, outward positive: `(s(ψ) − s(0))/r`, ψ in radians.
     ///
     /// At ψ = 0 a centric crank is in top dead centre, and this is at most 0. All motions here are closed forms without
     /// cancellation between crank and rod, for λ → 0 and λ → 1: errors are a few units in the last place of the largest term.

@@ -1,8 +1,8 @@
 //! How does a link move its piston, beside what its master rod gives it?
 //!
-//! The knuckle pin of the link stands at the radius a and, seen from the crankpin, at the angle Δ of its cylinder. With `κ = a/l`,
+//! The knuckle pin of the link is at the radius a and, seen from the crankpin, at the angle Δ of its cylinder. With `κ = a/l`,
 //! `z = 1 − κ e^{iΔ}` and the length L of the link, the harmonics of even order are `κ c_k(λ) e^{ikΔ} + |z| c_k(r|z|/L) e^{ik arg z}`
-//! in those c_k of centric cranks: the pin of the link stands off the cylinder axis by `r |z| sin(ψ + arg z)`, one sinusoid.
+//! in those c_k of centric cranks: the pin of the link is off the cylinder axis by `r |z| sin(ψ + arg z)`, one sinusoid.
 //!
 //! The second part is `g_k z^k`, with the real number `g_k = |z|^{1−k} c_k(r|z|/L)`: z^k is an exact sum of rotating vectors, and g_k is
 //! what stands before it.

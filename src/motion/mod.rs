@@ -1,7 +1,7 @@
 //! How does one piston move? The harmonics of a slider-crank, guaranteed, exact as series, or fast.
 //!
 //! The crank has radius r, rod length l and pin offset e; its rod ratio is `λ = r/l`, its offset `δ = e/l`. With
-//! `f(ψ) = √(1 − (λ sin ψ − δ)²)` the piston stands at `s = r cos ψ + l f(ψ)` (theory, section 2), outward positive.
+//! `f(ψ) = √(1 − (λ sin ψ − δ)²)` the piston is at `s = r cos ψ + l f(ψ)` (theory, section 2), outward positive.
 //! [`SliderCrank`] gives its harmonics, [`series`] the centric ones as series in λ, [`coefficients_fast`] as floats.
 //!
 //! # Which orders are there

@@ -77,7 +77,7 @@ impl Series {
 
     /// What is cut off at λ is at most this in size, and has the sign of the terms. None unless `0 ≤ λ < 1`.
     ///
-    /// From the first term left out on, the terms fall at least like a geometric series; where they still grow, at high
+    /// From the first term omitted on, the terms fall at least like a geometric series; where they still grow, at high
     /// orders and large λ, those that grow are added first.
     pub fn tail(&self, ratio: &BigRational) -> Option<BigRational> {
         if ratio.is_negative() || *ratio >= BigRational::one() {

@@ -208,7 +208,7 @@ fn product_of_roots(a: &Root, b: &Root) -> Option<Form> {
 }
 
 impl Root {
-    /// Whether a cosine stands in it.
+    /// Whether a cosine is in it.
     pub(super) fn has_cosine(&self) -> bool {
         match self {
             Root::One | Root::Whole(_) | Root::Nested(_) => false,

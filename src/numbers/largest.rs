@@ -15,7 +15,7 @@ use crate::exact::{PhasorSum, Term, Turn};
 /// Stars of more vectors are not taken apart into banks.
 const MOST_VECTORS: usize = 64;
 
-/// `½(|direct| + |reverse|)`; the terms of both sums stand in the order of their sources. None where a length has no closed form.
+/// `½(|direct| + |reverse|)`; the terms of both sums are in the order of their sources. None where a length has no closed form.
 pub fn half_of_lengths(direct: &PhasorSum, reverse: &PhasorSum) -> Option<Form> {
     let half = BigRational::new(1.into(), 2.into());
     let of = |sum: &PhasorSum| {
@@ -56,7 +56,7 @@ fn half_into_the_right(turn: &Turn) -> Turn {
     if is_left { half.opposite() } else { half }
 }
 
-/// The places of the first bank, and by which turns the direct and the reverse vectors of the second one stand off, where each has a
+/// The places of the first bank, and by which turns the direct and the reverse vectors of the second one are off, where each has a
 /// partner of its weight.
 fn banks(direct: &[Term], reverse: &[Term]) -> Option<(Vec<usize>, [Turn; 2])> {
     let count = direct.len();

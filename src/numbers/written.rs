@@ -54,7 +54,7 @@ struct Style {
     times: &'static str,
 }
 
-/// Powers as they stand behind a name: no more than a product has cosines.
+/// Powers as they are behind a name: no more than a product has cosines.
 const RAISED: [&str; MOST_COSINES + 1] = ["", "", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸"];
 
 const TEXT: Style = Style {
@@ -124,7 +124,7 @@ fn term(root: &Root, coefficient: &BigInt, style: &Style) -> String {
         Root::One => String::new(),
         Root::Whole(n) => (style.root)(&n.to_string(), true),
         Root::Nested(form) => (style.root)(&write(form, style), false),
-        Root::Cosine(_) | Root::Product(..) => unreachable!("cosines stand behind a root of numbers"),
+        Root::Cosine(_) | Root::Product(..) => unreachable!("cosines are behind a root of numbers"),
     };
     let number = if coefficient.is_one() && !(root.is_empty() && cosines.is_empty()) {
         String::new()
@@ -132,7 +132,7 @@ fn term(root: &Root, coefficient: &BigInt, style: &Style) -> String {
         coefficient.to_string()
     };
     let first = format!("{number}{root}");
-    // Equal angles stand beside each other.
+    // Equal angles are beside each other.
     let factors = cosines.chunk_by(|a, b| a == b).map(|alike| function(&alike[0], alike.len(), style));
     let factors: Vec<String> = Some(first).filter(|first| !first.is_empty()).into_iter().chain(factors).collect();
     factors.join(style.times)

@@ -26,7 +26,7 @@ pub struct Design {
     pub peaks: Vec<f64>,
     /// Indices of the bearings with the largest.
     pub worst: Vec<usize>,
-    /// What stands at each place.
+    /// What is at each place.
     pub weights: Vec<PlacedWeight>,
     /// What is left of the first-order force that turns with the crank, in newtons (else multiples of m r ω²).
     pub force: Residual,
@@ -44,7 +44,7 @@ impl Design {
     }
 }
 
-/// A counterweight: all that stands at one place.
+/// A counterweight: all that is at one place.
 #[derive(Clone, Debug)]
 pub struct PlacedWeight {
     /// Where.
@@ -129,7 +129,7 @@ fn left(sum: &PhasorSum, factor: f64) -> Residual {
     Residual::Between(low * (1.0 - ROUNDING), high * (1.0 + ROUNDING))
 }
 
-/// What stands at a place.
+/// What is at a place.
 pub(super) fn weight(engine: &Engine, place: &Place) -> PlacedWeight {
     let here = || engine.crankshaft().counterweights.iter().filter(|weight| weight.position == place.position);
     let terms = here().map(|weight| Term { angle: weight.angle.clone(), weight: weight.mass_radius() });

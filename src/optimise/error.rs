@@ -56,7 +56,7 @@ impl fmt::Display for OptimiseError {
                 "a couple in N·m needs speed and metres: give `speed` above the first table, and `spacing` or `positions` of the cylinders",
             ),
             OptimiseError::Offset => f.write_str(
-                "with pin offsets the first order has an irrational coefficient, which no counterweight of rational mass takes away exactly; leave pin_offset out",
+                "with pin offsets the first order has an irrational coefficient, which no counterweight of rational mass cancels exactly; leave pin_offset out",
             ),
             OptimiseError::NoFirstOrder => {
                 f.write_str("counterweights work on order 1, which is not among the orders; add it to `orders` or --orders")

@@ -100,7 +100,7 @@ impl Felt {
     }
 }
 
-/// The places of a grid that stand above the limit and no lower than both beside them.
+/// The places of a grid that are above the limit and no lower than both beside them.
 fn tops(sizes: &[f64], limit: f64) -> impl Iterator<Item = usize> {
     let count = sizes.len();
     let is_top = move |&step: &usize| {

@@ -222,7 +222,7 @@ pub fn roll(engine: &Engine, order: u32) -> OrderSum {
 
 /// The vector star of the pistons: the sum of one quantity, order and sense, one term per cylinder.
 ///
-/// Masses and crank radii are in multiples of the engine's; its coefficient c_k and the factor ½ω² are left out.
+/// Masses and crank radii are in multiples of the engine's; its coefficient c_k and the factor ½ω² are omitted.
 pub fn star(engine: &Engine, quantity: impl Into<Quantity>, order: u32, sense: Option<Sense>) -> PhasorSum {
     let terms = Sources::new(engine, Masses::Reciprocating).terms(quantity.into(), order, sense);
     PhasorSum::new(terms.into_iter().map(|(_, _, term)| term).collect())

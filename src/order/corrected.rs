@@ -1,6 +1,6 @@
 //! Which terms does a link with a corrected knuckle angle add to an order?
 //!
-//! Its knuckle pin stands at `γ = Δ + ε` from the master rod, so that ([`crate::motion::CorrectedLinkage`])
+//! Its knuckle pin is at `γ = Δ + ε` from the master rod, so that ([`crate::motion::CorrectedLinkage`])
 //!
 //! ```text
 //! c_k = [k=1] (1 + ½κ e^{i(Δ−ε)} − ½κ e^{i(Δ+ε)}) + ½κ (e^{i(kΔ+ε)} + e^{i(kΔ−ε)}) c_k(λ) + h_k

@@ -1,6 +1,6 @@
 //! Which length does the roll moment hang on that nobody gave?
 //!
-//! A force whose line passes beside the middle of the engine has an arm. Where a file leaves out what the arm is, the roll moment is
+//! A force whose line passes beside the middle of the engine has an arm. Where a file omits what the arm is, the roll moment is
 //! not given, unless all that has such an arm cancels whatever the length is.
 
 use num_traits::Zero;
@@ -49,7 +49,7 @@ pub fn roll_lacks(engine: &Engine) -> Option<MissingArm> {
     crank.or(distance).or(shaft)
 }
 
-/// Whether what turns on crankshafts whose distance is left out has a moment that grows with it. The cylinders lie on the line from
+/// Whether what turns on crankshafts whose distance is omitted has a moment that grows with it. The cylinders lie on the line from
 /// axis to axis: no force of a piston has an arm there.
 fn hangs_on_the_distance(engine: &Engine, turning: &[TurningMass]) -> bool {
     let apart = |mass: &TurningMass| -> Option<(u32, Term)> {

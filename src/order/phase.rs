@@ -1,4 +1,4 @@
-//! Where does a cylinder's vector stand in the star of an order?
+//! Where does a cylinder's vector are in the star of an order?
 //!
 //! With throw β and bank angle α (theory, section 3):
 //!

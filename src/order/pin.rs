@@ -46,7 +46,7 @@ pub fn pin_contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contr
 pub fn shaft_contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
     let own = |group| match group {
         MassGroup::Crankshaft | MassGroup::Counterweights => true,
-        // A balancer shaft stands in bearings of its own; the others load the pins.
+        // A balancer shaft is in bearings of its own; the others load the pins.
         MassGroup::Reciprocating | MassGroup::Rotating | MassGroup::Balancers => false,
     };
     let mut all = pin_contributions(engine, order, sense);

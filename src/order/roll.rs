@@ -5,7 +5,7 @@
 //!
 //! `Re Σ_k e^{ikθ} (arm · c_k − s t_k) e^{ik(β−α)}`, s = ±1 for a crank that turns with or against the reference.
 //!
-//! The arm of a line whose crankshaft stands at distance d in the direction η is `d sin(α−η)`, two vectors of half the length:
+//! The arm of a line whose crankshaft is at distance d in the direction η is `d sin(α−η)`, two vectors of half the length:
 //! `d/2 (e^{i(α−η−90°)} + e^{−i(α−η−90°)})`. An offset e adds −e. A mass-radius U that turns about such an axis at n times the crank
 //! speed adds `n²Ud e^{i(γ−η−90°)}` with the crank, `n²Ud e^{−i(γ−η−90°)}` against it. What a piston adds whose crank turns ν times as fast
 //! is ν² times as large, at ν times the order.

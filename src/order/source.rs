@@ -17,7 +17,7 @@ pub enum Source {
     Knuckle(usize),
     /// What it adds on the crankpin.
     KnuckleAtPin(usize),
-    /// What of that stands on the master rod, turned from the throw by the knuckle angle.
+    /// What of that is on the master rod, turned from the throw by the knuckle angle.
     KnuckleOffPin(usize),
     /// The pin of a throw.
     Pin(usize),

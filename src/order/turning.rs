@@ -27,15 +27,15 @@ pub struct TurningMass {
     pub angle: Turn,
     /// Where it stands along the crankshaft.
     pub position: BigRational,
-    /// Where the axis that it turns about stands in the plane across the crankshaft, in crank radii: the sum of these; none in the
+    /// Where the axis that it turns about is in the plane across the crankshaft, in crank radii: the sum of these; none in the
     /// middle, and where the file leaves it out ([`roll_lacks`](super::roll_lacks)).
     pub axis: Vec<Term>,
-    /// Which crankshaft it turns with, where it stands on one of several.
+    /// Which crankshaft it turns with, where it is on one of several.
     pub crank: Option<usize>,
 }
 
 impl TurningMass {
-    /// Whether it stands on the crankshaft, or on a shaft that turns as it does and whose weight is a plain number.
+    /// Whether it is on the crankshaft, or on a shaft that turns as it does and whose weight is a plain number.
     pub fn turns_with_the_crank(&self) -> bool {
         (self.order, self.sense) == (1, Sense::Direct) && self.factor == Factor::One
     }

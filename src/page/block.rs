@@ -17,7 +17,7 @@ pub struct Document {
     pub title: Text,
     /// Whether a list of its headings stands before the first of them.
     pub has_contents: bool,
-    /// What stands on it, in order.
+    /// What is on it, in order.
     pub blocks: Vec<Block>,
 }
 
@@ -105,7 +105,7 @@ pub struct Live {
     pub script: &'static str,
 }
 
-/// What is folded, and what stands on the fold.
+/// What is folded, and what is on the fold.
 #[derive(Clone, Debug)]
 pub struct Fold {
     /// On the fold.
@@ -188,7 +188,7 @@ impl Picture {
     }
 }
 
-/// Whether formulas stand in some of these on lines of their own.
+/// Whether formulas are in some of these on lines of their own.
 pub(super) fn in_si_units(blocks: &[Block]) -> bool {
     blocks.iter().any(|block| match block {
         Block::Formula(..) => true,

@@ -155,7 +155,7 @@ pub(crate) fn given(value: &BigRational) -> super::Text {
     }
 }
 
-/// The same in this unit, which stands elsewhere.
+/// The same in this unit, which is elsewhere.
 pub(crate) fn given_in(value: &BigRational, unit: super::Unit) -> super::Text {
     super::Piece::Shortly(value.clone(), unit).into()
 }

@@ -1,4 +1,4 @@
-//! What stands in a line: words, values, symbols, formulas, a person's words?
+//! What is in a line: words, values, symbols, formulas, a person's words?
 
 use std::borrow::Cow;
 
@@ -32,9 +32,9 @@ pub enum Piece {
     Bearing(Bearing),
     /// A decimal with its unit, to sensible figures: a unit says that it is one.
     Quantity(f64, Unit),
-    /// A decimal whose unit stands elsewhere, as over its column, and how its digits are set.
+    /// A decimal whose unit is elsewhere, as over its column, and how its digits are set.
     Measured(f64, Unit, fn(f64) -> String),
-    /// An exact number whose unit stands elsewhere.
+    /// An exact number whose unit is elsewhere.
     Exactly(BigRational, Unit),
     /// The same in little room: a long number in decimals after ≈.
     Shortly(BigRational, Unit),
@@ -69,7 +69,7 @@ impl Text {
         Piece::Formula(tex.into()).into()
     }
 
-    /// A decimal after ≈, whose unit stands elsewhere.
+    /// A decimal after ≈, whose unit is elsewhere.
     pub fn measured(value: f64, unit: Unit) -> Self {
         Piece::Measured(value, unit, super::number::approximate).into()
     }
@@ -94,7 +94,7 @@ impl Text {
         &self.pieces
     }
 
-    /// Whether nothing stands in it.
+    /// Whether nothing is in it.
     pub fn is_empty(&self) -> bool {
         self.pieces.is_empty()
     }

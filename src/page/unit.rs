@@ -44,7 +44,7 @@ impl Units {
 }
 
 impl Unit {
-    /// What stands in its place where inches are asked for, and how much of this unit that is, exactly; none for what both
+    /// What is in its place where inches are asked for, and how much of this unit that is, exactly; none for what both
     /// systems share.
     pub fn inch(self) -> Option<(Unit, BigRational)> {
         // An inch is 25.4 mm, a pound 0.45359237 kg, a pound-force 4.4482216152605 N.

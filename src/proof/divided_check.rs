@@ -70,7 +70,7 @@ fn check_equal(claim: &DividedClaim, whole: Coefficients, unknown: &Unknown<'_>,
     Ok(())
 }
 
-/// A polynomial with these coefficients, those left out that have no term.
+/// A polynomial with these coefficients, those omitted that have no term.
 pub(super) fn of_coefficients(coefficients: &[Collected]) -> Unknown<'_> {
     let (exponents, sums) = (0..).zip(coefficients).filter(|(_, sum)| !sum.is_empty()).unzip();
     Unknown { exponents, sums }

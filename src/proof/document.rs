@@ -44,7 +44,7 @@ pub struct Document {
     pub shapes: Vec<ShapeClaim>,
     /// The statements on every order, one per quantity and sense, where they were asked for.
     pub theorems: Vec<TheoremClaim>,
-    /// The same class by class, where no order is a single sum, odd orders exist, or the pattern is long; then no theorem stands above.
+    /// The same class by class, where no order is a single sum, odd orders exist, or the pattern is long; then no theorem is above.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub recurrences: Vec<RecurrenceClaim>,
 }

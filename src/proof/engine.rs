@@ -34,10 +34,10 @@ pub struct Cylinder {
     pub crank_radius: BigRational,
     /// Its rod.
     pub rod: RodStatement,
-    /// Mass at the knuckle pin of its link times the crank radius, in multiples of m r; left out where it is 0.
+    /// Mass at the knuckle pin of its link times the crank radius, in multiples of m r; omitted where it is 0.
     #[serde(with = "fraction", default = "BigRational::zero", skip_serializing_if = "BigRational::is_zero")]
     pub knuckle_weight: BigRational,
-    /// How many times its crankshaft turns while the reference one turns once: a whole number from 1 on, left out where it is 1.
+    /// How many times its crankshaft turns while the reference one turns once: a whole number from 1 on, omitted where it is 1.
     #[serde(default = "once", skip_serializing_if = "is_once")]
     pub speed: u32,
     /// Its crankshaft, where several are geared together; its throw and rod are then those of the equivalent crank that turns with
@@ -68,7 +68,7 @@ pub(super) fn power(speed: u32, exponent: usize) -> BigRational {
     num_traits::pow(BigRational::from_integer(speed.into()), exponent)
 }
 
-/// The speed that is left out.
+/// The speed that is omitted.
 pub(super) fn once() -> u32 {
     1
 }
@@ -93,7 +93,7 @@ pub(super) fn check_speed(rod: &RodStatement, speed: u32) -> Result<(), Reason> 
 pub struct CrankClaim {
     /// Whether it turns with the reference or against it.
     pub sense: Sense,
-    /// Where its axis stands in the plane across it: the sum of these, in multiples of the common radius.
+    /// Where its axis is in the plane across it: the sum of these, in multiples of the common radius.
     pub axis: Vec<Vector>,
 }
 
@@ -166,10 +166,10 @@ pub struct TurningMassClaim {
     /// Mass times radius, in multiples of m r, as a cylinder's mass times its crank radius is.
     #[serde(with = "fraction")]
     pub mass_radius: BigRational,
-    /// The rod whose coefficient c_k of this order the mass-radius stands before; left out for 1.
+    /// The rod whose coefficient c_k of this order the mass-radius stands before; omitted for 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coefficient_of: Option<RodStatement>,
-    /// Where the axis that it turns about stands in the plane across it, in multiples of the common radius: the sum of these; none
+    /// Where the axis that it turns about is in the plane across it, in multiples of the common radius: the sum of these; none
     /// where that is the middle.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub axis: Vec<Vector>,

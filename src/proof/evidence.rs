@@ -1,4 +1,4 @@
-//! Do numbers agree with the verdicts that stand beside them?
+//! Do numbers agree with the verdicts that are beside them?
 //!
 //! The documents of loads and comparisons hold documents of verdicts under `evidence`, which are checked as any.
 //! All else in those of loads and comparisons is numbers with their labels: a 0 is compared with the verdicts, which alone say what is zero.

@@ -1,6 +1,6 @@
 //! Does all that a document of firing stars says hold together?
 //!
-//! The vector of a cylinder that fires at the crank angle φ_j stands at `−κφ_j` and is as long as its crank radius times its
+//! The vector of a cylinder that fires at the crank angle φ_j is at `−κφ_j` and is as long as its crank radius times its
 //! deflection. Cylinders whose rods differ in ratio or offset make different torques from one pressure: a star for each class.
 
 use num_rational::BigRational;

@@ -1,12 +1,12 @@
 //! Which terms does a link with a corrected knuckle angle have, and what numbers stand before them?
 //!
 //! Its knuckle pin stands, seen from the crankpin, at Δ + ε from the master rod, and so `K = e^{iψ} + κ (√(1−λ²S²)/λ − iS) e^{iε}` in crank
-//! radii from the shaft, seen with its cylinder in direction 0, `S = sin(ψ+Δ)`. The piston stands at `Re K + (L/r) √(1−Y²)`, `Y = (r/L) Im K`. Of
+//! radii from the shaft, seen with its cylinder in direction 0, `S = sin(ψ+Δ)`. The piston is at `Re K + (L/r) √(1−Y²)`, `Y = (r/L) Im K`. Of
 //! the first part order 1 has `1 + ½κ e^{i(Δ−ε)} − ½κ e^{i(Δ+ε)}`, and an even order `½κ (e^{i(kΔ+ε)} + e^{i(kΔ−ε)})` before c_k of the master rod.
 //! The root is left: `h_k = 2k² (L/r) · mean(√(1−Y²) e^{−ikψ})`, a complex number.
 //!
 //! Where ψ, Δ and ε change their signs Y does, and where ε does and ψ goes on by half a turn. So h_k of −Δ and −ε is conjugate, and of −ε alone it
-//! is `(−1)^k h_k`; both parts are told by Δ and ε without signs, and where Δ is 0 or ½ one of them is zero.
+//! is `(−1)^k h_k`; both parts are reported by Δ and ε without signs, and where Δ is 0 or ½ one of them is zero.
 //!
 //! In the strip `|Im ψ| ≤ η`, C = cosh η, the sines are at most C, `|√(1−λ²S²)| ≤ 2 − √(1−λ²C²)` and
 //! `|Im K| ≤ |1 − κ cos ε e^{iΔ}| C + (κ/λ) |sin ε| (2 − √(1−λ²C²))`: there it is looked for a C where r/L times that is at most 1, so that the

@@ -1,4 +1,4 @@
-//! Is what a remedy leaves out too little for a weight?
+//! Is what a remedy omits too little for a weight?
 //!
 //! The force that is left in an order, both senses end to end, is below a millionth of the load: of the force that all pistons make
 //! at order 1, end to end. The moment that is left is below a millionth of the load at the end of an arm as long as the engine is. A

@@ -30,7 +30,7 @@ const GUARD: u32 = 64;
 /// More bits are not computed.
 const MOST_BITS: u64 = 8192;
 
-/// A link on a master rod without offset, whose knuckle pin stands at the angle of its cylinder, or by a correction ahead of it.
+/// A link on a master rod without offset, whose knuckle pin is at the angle of its cylinder, or by a correction ahead of it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LinkClaim {
@@ -43,7 +43,7 @@ pub struct LinkClaim {
     /// Δ in turns: from the axis of the master's cylinder to that of the link.
     #[serde(with = "fraction")]
     pub angle: BigRational,
-    /// ε in turns: by how much its knuckle pin stands ahead of its cylinder, seen from the crankpin; left out where it is 0.
+    /// ε in turns: by how much its knuckle pin is ahead of its cylinder, seen from the crankpin; omitted where it is 0.
     #[serde(with = "fraction", default = "BigRational::zero", skip_serializing_if = "BigRational::is_zero")]
     pub correction: BigRational,
     /// r/L, L the length of the link.
@@ -75,7 +75,7 @@ impl LinkClaim {
         LinkageClaim { ratio: self.ratio.clone(), knuckle: self.knuckle.clone(), apart: unsigned(&self.angle) }
     }
 
-    /// Whether the knuckle pin stands elsewhere than at the angle of its cylinder.
+    /// Whether the knuckle pin is elsewhere than at the angle of its cylinder.
     pub(super) fn is_corrected(&self) -> bool {
         !self.correction.is_integer()
     }

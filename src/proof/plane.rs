@@ -14,7 +14,7 @@ use super::open::{AlternativeClaim, WhenClaim};
 pub struct TriangleClaim {
     /// How many triangles have these sides.
     pub shape: TriangleShape,
-    /// The triangles that stand at rational turns, as far as any is claimed: what turns second and third part against the first.
+    /// The triangles that are at rational turns, as far as any is claimed: what turns second and third part against the first.
     pub alternatives: Vec<AlternativeClaim>,
 }
 

@@ -1,6 +1,6 @@
-//! Which orders of all vanish, where the rods differ, stand off, or the pattern is long? Told class by class.
+//! Which orders of all vanish, where the rods differ, are off, or the pattern is long? Told class by class.
 //!
-//! From order 2 on a vector of a cylinder stands at `k·per_order + fixed`, and all cylinders whose rods have one λ and one |δ|
+//! From order 2 on a vector of a cylinder is at `k·per_order + fixed`, and all cylinders whose rods have one λ and one |δ|
 //! stand before one number, which is not zero where the order exists; an offset below 0 changes the sign in odd orders. So even and odd orders have a sum each
 //! for each class of rods, and an order is zero for every λ and δ exactly where these sums are.
 
@@ -37,7 +37,7 @@ pub struct RecurrenceClaim {
     pub first: FirstOrderClaim,
     /// The even orders: one class for each number that they stand before, where it is not zero.
     pub even: Vec<ClassClaim>,
-    /// The odd orders from 3 on; none where no rod stands off.
+    /// The odd orders from 3 on; none where no rod is off.
     pub odd: Vec<ClassClaim>,
 }
 
@@ -87,7 +87,7 @@ pub struct FactorClaim {
     pub zeros: Zeros,
 }
 
-/// A term that turns on by the same angle from order to order: at order k it stands at `k·per_order + fixed`.
+/// A term that turns on by the same angle from order to order: at order k it is at `k·per_order + fixed`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RayClaim {
@@ -155,7 +155,7 @@ pub(super) fn collect_rays(rays: impl IntoIterator<Item = ([BigRational; 2], Big
     all
 }
 
-/// Order 1 is judged as any other; for each parity the classes are those of its first order, as every other has the same.
+/// Order 1 is decided as any other; for each parity the classes are those of its first order, as every other has the same.
 pub(super) fn check_recurrence(
     document: &Document,
     claim: &RecurrenceClaim,

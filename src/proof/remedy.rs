@@ -72,10 +72,10 @@ pub struct RodCylinder {
     pub weight: BigRational,
     /// Its rod.
     pub rod: RodStatement,
-    /// How many times its crankshaft turns while the reference one turns once: a whole number from 1 on, left out where it is 1.
+    /// How many times its crankshaft turns while the reference one turns once: a whole number from 1 on, omitted where it is 1.
     #[serde(default = "once", skip_serializing_if = "is_once")]
     pub speed: u32,
-    /// Mass at the knuckle pin of its link times the crank radius, in multiples of m r; left out where it is 0.
+    /// Mass at the knuckle pin of its link times the crank radius, in multiples of m r; omitted where it is 0.
     #[serde(with = "fraction", default = "BigRational::zero", skip_serializing_if = "BigRational::is_zero")]
     pub knuckle_weight: BigRational,
 }
@@ -97,7 +97,7 @@ pub struct TurningClaim {
     /// Mass times radius, in multiples of m r.
     #[serde(with = "fraction")]
     pub mass_radius: BigRational,
-    /// The rod whose coefficient c_k of this order the mass-radius stands before; left out for 1.
+    /// The rod whose coefficient c_k of this order the mass-radius stands before; omitted for 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coefficient_of: Option<RodStatement>,
 }
@@ -142,7 +142,7 @@ pub struct LeftOutClaim {
     pub sense: Sense,
 }
 
-/// One sum of the corrected engine, which is zero but where its order and sense are left out.
+/// One sum of the corrected engine, which is zero but where its order and sense are omitted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CorrectedClaim {
@@ -161,7 +161,7 @@ pub struct CorrectedClaim {
 }
 
 /// Checks that the sums of the corrected engine are those of its cylinders, masses and weights, that each order has all
-/// of them, and that each is zero but where it is left out.
+/// of them, and that each is zero but by default.
 ///
 /// # Errors
 /// The first entry that does not hold.
@@ -183,7 +183,7 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
                     expected.map_err(|reason| Fault::new(about.clone(), reason))?
                 {
                     let Some((index, claim)) = found.next() else {
-                        return Err(Fault::new(format!("sums {about}"), "this sum is left out"));
+                        return Err(Fault::new(format!("sums {about}"), "this sum is omitted"));
                     };
                     let place = format!("sums[{index}] {about}");
                     if (claim.quantity, claim.order, claim.sense) != (quantity, order, sense)

@@ -1,7 +1,7 @@
 //! Which terms does a source add to the roll moment on the frame?
 //!
 //! A piston adds its force times the arm of its axis, before c_k, and `∓t_k`, before t_k, on a crank that turns with or against the
-//! reference; both stand at `k(β − α)`. The axis of a crankshaft at distance d in the direction η gives the arm `d sin(α − η)`: nothing
+//! reference; both are at `k(β − α)`. The axis of a crankshaft at distance d in the direction η gives the arm `d sin(α − η)`: nothing
 //! where that sine is 0, one vector where it is ±1, else `d/2` at `α − η − 90°` and `d/2` at the opposite angle. An offset gives
 //! `−e = −(δ/λ) r`, and `+e` on a crank against the reference. A mass-radius U that turns n times about such an axis adds
 //! `n²Ud` at `±(γ − η − 90°)`.

@@ -189,7 +189,7 @@ fn check_pairs(certificates: &[Certificate], judged: &Judged, audit: &Audit) -> 
 /// Not collected: angles and weights.
 type Terms = Vec<(BigRational, BigRational)>;
 
-/// What stands before each real number in the direct and in the reverse vector, in the order of their first group; groups that are zero in both left out.
+/// What stands before each real number in the direct and in the reverse vector, in the order of their first group; groups that are zero in both omitted.
 fn real_sums(judged: &Judged, audit: &Audit) -> Result<Vec<[Collected; 2]>, Reason> {
     let mut real: Vec<(Coefficient, [Terms; 2])> = Vec::new();
     for group in judged.groups.iter().filter(|group| !group.is_zero && group.sums.iter().any(|(_, is_zero)| !is_zero)) {

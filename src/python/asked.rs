@@ -15,7 +15,7 @@ use crate::firing::Weights;
 use crate::order::Masses;
 use crate::search;
 
-/// Orders of force and moment: whole numbers, in a list or an array; none where they are left out.
+/// Orders of force and moment: whole numbers, in a list or an array; none where they are omitted.
 pub(super) fn orders(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<u32>>> {
     let Some(value) = value else { return Ok(None) };
     let read = |text: &String| {
@@ -56,7 +56,7 @@ pub(super) fn rising(mut orders: Vec<u32>) -> Vec<u32> {
     orders
 }
 
-/// Whose masses are judged.
+/// Whose masses are decided.
 pub(super) fn masses(name: &str) -> PyResult<Masses> {
     match name {
         "reciprocating" => Ok(Masses::Reciprocating),

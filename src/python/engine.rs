@@ -109,7 +109,7 @@ impl Engine {
         py.detach(|| Engine::from_source(Source { name, text, folder: None, files: BTreeMap::new() }))
     }
 
-    /// An engine of a layout file; files that it names stand beside it.
+    /// An engine of a layout file; files that it names are beside it.
     ///
     /// Raises OSError where it cannot be read, LayoutError where it says no engine.
     #[staticmethod]
@@ -129,7 +129,7 @@ impl Engine {
         &self.source.text
     }
 
-    /// The orders that are judged where none are asked for.
+    /// The orders that are decided where none are asked for.
     #[getter]
     fn usual_orders(&self) -> Vec<u32> {
         self.orders(None)
@@ -171,8 +171,8 @@ impl Engine {
 
     /// The verdicts, order by order: does force or moment vanish, and what is left?
     ///
-    /// orders: 1 to 1000; those of the layout and the usual ones where left out.
-    /// masses: "reciprocating", "rotating", "counterweights" or "all"; all that the layout has where left out.
+    /// orders: 1 to 1000; those of the layout and the usual ones where omitted.
+    /// masses: "reciprocating", "rotating", "counterweights" or "all"; all that the layout has where omitted.
     /// torque: judge the inertia torque too.
     /// all_orders: prove what vanishes at every order, in the document.
     #[pyo3(signature = (orders=None, *, masses=None, torque=false, all_orders=false))]
@@ -220,7 +220,7 @@ impl Engine {
 
     /// The counterweights and balancer shafts that make all vectors of these orders vanish, proved on the corrected engine.
     ///
-    /// planes: two positions for counterweights and couples; the outermost throws where left out.
+    /// planes: two positions for counterweights and couples; the outermost throws where omitted.
     /// balance_factor, skew: counterweights on each throw with this factor, turned on by so many degrees; one for all, or a list.
     #[pyo3(signature = (orders=None, *, planes=None, balance_factor=None, skew=None))]
     fn remedy<'py>(
@@ -270,7 +270,7 @@ impl Engine {
 
     /// Motion, forces and torque of every piston at crank angles, and what the main bearings feel.
     ///
-    /// at: degrees, such as [30, 125]. every: a row every so many degrees; 10 where both are left out. gravity: adds the weight, in m/s².
+    /// at: degrees, such as [30, 125]. every: a row every so many degrees; 10 where both are omitted. gravity: adds the weight, in m/s².
     #[pyo3(signature = (at=None, *, every=None, gravity=None))]
     fn angle(
         &self,
@@ -287,7 +287,7 @@ impl Engine {
 
     /// The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout.
     ///
-    /// orders: such as [0.5, 1, "3/2"]; those up to 12 where left out.
+    /// orders: such as [0.5, 1, "3/2"]; those up to 12 where omitted.
     #[pyo3(signature = (orders=None))]
     fn torsion(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
         let orders = asked::cycle_orders(orders)?;

@@ -33,12 +33,12 @@ create_exception!(
     "A document that the checker rejects.\n\nAttribute `place`: where in the document, such as `verdicts[3].certificate`; None where it cannot be read at all."
 );
 
-/// A mistake that is told in one line, in the words of Python; what it repeats of the input does nothing to a terminal.
+/// A mistake that is reported in one line, in the words of Python; what it repeats of the input does nothing to a terminal.
 pub(super) fn told(error: impl Display) -> PyErr {
     CrankstarError::new_err(harmless_lines(&in_python(&error.to_string())))
 }
 
-/// Options that Python has no keyword for: advice on them is left out.
+/// Options that Python has no keyword for: advice on them is omitted.
 const OF_THE_COMMAND_LINE: [&str; 3] = ["--format", "--output", "--shard"];
 
 /// A message of the library, in which options of the command line stand as `--bank-angle`, with the keywords of Python.
@@ -52,7 +52,7 @@ fn in_python(message: &str) -> String {
     clauses.map(respelled).collect::<Vec<_>>().join("; ")
 }
 
-/// `--pin-split` is `pin_split`, and `KEY=0..10:1`, which stands behind `--set`, an entry of `ranges`.
+/// `--pin-split` is `pin_split`, and `KEY=0..10:1`, which is behind `--set`, an entry of `ranges`.
 fn keyword(word: &str) -> String {
     match (word.strip_prefix("KEY="), word.strip_prefix("--")) {
         (Some(range), _) => format!("ranges={{\"KEY\": \"{range}\"}}"),

@@ -57,13 +57,13 @@ pub(super) fn _program(py: Python<'_>, arguments: Vec<std::ffi::OsString>) -> u8
 
 /// The crank stars that balance best: the exact front of all of them, up to their symmetries.
 ///
-/// cylinders: their number. cycle: "two-stroke" or "four-stroke". orders: those whose moments are compared, 1 and 2 where left out.
-/// bank_angle: a V of so many degrees, on shared pins unless pin_split parts them, with so many directions of its pins; an engine in line where left out.
+/// cylinders: their number. cycle: "two-stroke" or "four-stroke". orders: those whose moments are compared, 1 and 2 where omitted.
+/// bank_angle: a V of so many degrees, on shared pins unless pin_split parts them, with so many directions of its pins; an engine in line where omitted.
 /// grid: throws at any multiples of 1/grid turn. neighbours: count neighbours that fire in succession.
-/// pin_split: the pin of bank 2 stands so many degrees ahead. bank_offset: bank 1 stands so many spacings towards the free end of bank 2.
+/// pin_split: the pin of bank 2 is so many degrees ahead. bank_offset: bank 1 is so many spacings towards the free end of bank 2.
 /// minor_orders: compare firing orders too, by these orders of a mode of torsional vibration, `mode_shape` or one that falls evenly.
 /// torsion: list the firing orders of each star in that mode.
-/// resume: a file that keeps finished pieces. threads: one per core where left out. An interrupt from the keyboard stops it.
+/// resume: a file that keeps finished pieces. threads: one per core where omitted. An interrupt from the keyboard stops it.
 #[pyfunction]
 #[pyo3(signature = (cylinders, cycle, *, orders=None, bank_angle=None, directions=None, grid=None, neighbours=false, pin_split=None,
                     bank_offset=None, minor_orders=None, torsion=false, mode_shape=None, resume=None, threads=None))]
@@ -132,7 +132,7 @@ pub(super) fn search(
 
 /// Engines side by side: what each leaves by order, remedy, firing, main bearings. They are called by their titles.
 ///
-/// orders: those of the layouts and the usual ones where left out.
+/// orders: those of the layouts and the usual ones where omitted.
 #[pyfunction]
 #[pyo3(signature = (engines, orders=None))]
 pub(super) fn compare(

@@ -17,7 +17,7 @@ pub(super) const COLUMNS: [(&str, &str); 5] = [
     ("masses", "reciprocating_mass"),
 ];
 
-/// A layout file with these keys: those with a value stand before the tables. What is `None` is left out.
+/// A layout file with these keys: those with a value stand before the tables. What is `None` is omitted.
 pub(super) fn layout(keys: &Bound<'_, PyDict>) -> PyResult<String> {
     let (mut above, mut tables) = (String::new(), String::new());
     for (key, value) in keys {

@@ -21,7 +21,7 @@ pub(super) struct Source {
     pub name: String,
     /// The file.
     pub text: String,
-    /// The folder that it stands in, if it is one on a disk.
+    /// The folder that it is in, if it is one on a disk.
     pub folder: Option<PathBuf>,
     /// What it names beside itself, once it was read.
     pub files: BTreeMap<String, String>,

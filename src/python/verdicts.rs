@@ -84,7 +84,7 @@ impl Verdicts {
         columns::main(py, &self.tables)
     }
 
-    /// The columns of all tables by their names: `orders`, `sums`, and `torque` and `roll` where they were judged.
+    /// The columns of all tables by their names: `orders`, `sums`, and `torque` and `roll` where they were decided.
     #[getter]
     fn tables<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         columns::all(py, &self.tables)
@@ -125,7 +125,7 @@ impl Verdicts {
         itself
     }
 
-    /// The engine is judged again where a pickle is read.
+    /// The engine is decided again where a pickle is read.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
         asked_again(py, &self.asked)
     }

@@ -1,7 +1,7 @@
-//! What stands in the planes of a remedy when it is built? What the file has there, resized, and what is new.
+//! What is in the planes of a remedy when it is built? What the file has there, resized, and what is new.
 //!
 //! The weights of a remedy are what is added to an engine. Where the engine has weights on the same shaft in the same plane they
-//! are resized, so that no weight is added beside another that it takes away again.
+//! are resized, so that no weight is added beside another that it cancels again.
 
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -17,9 +17,9 @@ use crate::proof::Sense;
 /// A plane of a shaft, or of the crankshaft, in which a remedy has weights.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Built {
-    /// What stands there in the engine as it is, by index among its counterweights and its balancer shafts.
+    /// What is there in the engine as it is, by index among its counterweights and its balancer shafts.
     pub replaced: Replaced,
-    /// Its mass-radius in the engine as it is; zero where nothing stands there.
+    /// Its mass-radius in the engine as it is; zero where nothing is there.
     pub was: Weight,
     /// That in the corrected engine; zero where the weight is taken away.
     pub becomes: Weight,
@@ -35,14 +35,14 @@ pub struct Replaced {
 }
 
 impl Built {
-    /// Whether something stands there in the engine as it is.
+    /// Whether something is there in the engine as it is.
     pub fn is_resized(&self) -> bool {
         !self.replaced.counterweights.is_empty() || !self.replaced.balancers.is_empty()
     }
 }
 
 impl Remedy {
-    /// What stands in each plane in which the remedy has weights, each plane once.
+    /// What is in each plane in which the remedy has weights, each plane once.
     pub fn built(&self) -> Vec<Built> {
         let mut planes: Vec<Built> = Vec::new();
         for weight in self.weights() {
@@ -77,7 +77,7 @@ impl Remedy {
     }
 }
 
-/// Whether two weights stand on one shaft in one plane.
+/// Whether two weights are on one shaft in one plane.
 fn is_with(one: &Weight, other: &Weight) -> bool {
     (one.order, one.sense, &one.position) == (other.order, other.sense, &other.position)
 }
@@ -97,7 +97,7 @@ fn turning_so(engine: &Engine, order: u32, sense: Sense) -> Vec<TurningMass> {
     so.filter(|mass| is_of_a_remedy(mass.source)).collect()
 }
 
-/// What stands on a shaft in one plane, and its mass-radius in multiples of m r.
+/// What is on a shaft in one plane, and its mass-radius in multiples of m r.
 pub(super) fn there(
     subject: &ComparableEngine,
     order: u32,
@@ -129,7 +129,7 @@ pub(super) fn planes(subject: &ComparableEngine, order: u32, sense: Sense) -> Ve
 }
 
 /// The planes of weights that are there, in which others than the weights found do the same; none where nothing is there to resize, or
-/// what is found stands in these planes already.
+/// what is found is in these planes already.
 pub(super) fn resizing(found: &Shaft, there: &[BigRational], usual: &[BigRational; 2]) -> Option<[BigRational; 2]> {
     let (first, last) = (there.first()?, there.last()?);
     if found.weights.iter().all(|weight| there.contains(&weight.position)) {
@@ -144,7 +144,7 @@ pub(super) fn resizing(found: &Shaft, there: &[BigRational], usual: &[BigRationa
     Some([first.clone(), if off(one) >= off(other) { one.clone() } else { other.clone() }])
 }
 
-/// Less what stands on the crankshaft in their planes.
+/// Less what is on the crankshaft in their planes.
 pub(super) fn in_place_of_what_is_there(subject: &ComparableEngine, weights: Vec<Weight>) -> Vec<Weight> {
     let less = |weight: Weight| {
         let (_, there) = there(subject, weight.order, weight.sense, &weight.position);

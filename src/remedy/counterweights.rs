@@ -1,4 +1,4 @@
-//! Which counterweights take away what turns with the crank: one set a bay, or two planes?
+//! Which counterweights cancel what turns with the crank: one set a bay, or two planes?
 
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -43,7 +43,7 @@ fn throw_weights(subject: &ComparableEngine, throws: &[Throw]) -> Vec<BigRationa
     if let (Some([unit, _]), Some(wholes)) = (subject.scale(), engine.throw_mass_radii()) {
         return wholes.into_iter().map(|whole| whole / &unit).collect();
     }
-    // Without a crank radius all masses stand at the crankpins, and it cancels.
+    // Without a crank radius all masses are at the crankpins, and it cancels.
     let two = BigRational::from_integer(2.into());
     let unit = order::unit_mass(engine);
     let cylinder = |&at: &usize| {
@@ -60,7 +60,7 @@ fn throw_weights(subject: &ComparableEngine, throws: &[Throw]) -> Vec<BigRationa
 /// Weights in two planes that take a force P and its moment C about position 0 away:
 /// `U_1 + U_2 = −P/2n²`, `z_1 U_1 + z_2 U_2 = −C/2n²` (theory, section 7, there for n = 1).
 ///
-/// Weights of length zero are left out. The planes must differ.
+/// Weights of length zero are omitted. The planes must differ.
 pub fn two_planes(
     order: u32,
     sense: Sense,
@@ -90,7 +90,7 @@ pub fn one_plane(order: u32, sense: Sense, force: &OrderSum, moment: &OrderSum) 
     Some(Weight { order, sense, position, vector })
 }
 
-/// `z_0` where the sums are alike term by term: all that acts stands in one plane.
+/// `z_0` where the sums are alike term by term: all that acts is in one plane.
 fn ratio_of_terms(moment: &PhasorSum, force: &PhasorSum) -> Option<BigRational> {
     let first = force.collected().into_iter().next()?;
     let arm = moment.collected().into_iter().find(|term| term.angle == first.angle)?;

@@ -12,7 +12,7 @@ use crate::loads::Missing;
 pub enum RemedyError {
     /// What the layout lacks.
     Missing(Missing),
-    /// Both planes stand at this position.
+    /// Both planes are at this position.
     PlanesCoincide(BigRational),
     /// A plane at this position lies beyond the ends of the crankshaft.
     BeyondTheShaft(BigRational, Box<[BigRational; 2]>),

@@ -23,7 +23,7 @@ pub struct PairHeight {
     pub metres: Option<f64>,
 }
 
-/// The height of the pair of an order in an engine whose cylinders stand in one line, with equal centric rods and crank
+/// The height of the pair of an order in an engine whose cylinders are in one line, with equal centric rods and crank
 /// radii; `None` for others, and where the rods are not known or the order has no force.
 pub fn pair_height(engine: &Engine, order: u32) -> Option<PairHeight> {
     let rod = engine.rods().next().filter(|_| !engine.has_links())?;

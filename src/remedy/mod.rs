@@ -1,4 +1,4 @@
-//! What takes away what is left: counterweights on the crankshaft, balancer shafts?
+//! What cancels what is left: counterweights on the crankshaft, balancer shafts?
 //!
 //! Every remedy is a set of weights whose mass-radii are exact sums in the field of the engine's own, so that the sums of
 //! the corrected engine are formed anew and proved to vanish (theory, section 7). Engines without numbers are answered in
@@ -40,12 +40,12 @@ use crate::proof::Sense;
 pub struct Request {
     /// The orders that are to vanish, rising.
     pub orders: Vec<u32>,
-    /// Planes of counterweights and couples; the outermost throws if left out.
+    /// Planes of counterweights and couples; the outermost throws by default.
     pub planes: Option<[BigRational; 2]>,
     /// Balance factors of the throws for counterweights bay by bay, one for all or one per throw; none for a correction in
     /// two planes alone.
     pub factors: Vec<BigRational>,
-    /// How far the counterweights of each bay are turned on from opposite to their throw; 0 if left out.
+    /// How far the counterweights of each bay are turned on from opposite to their throw; 0 by default.
     pub skews: Vec<Turn>,
 }
 
@@ -58,14 +58,14 @@ pub struct Remedy {
     pub orders: Vec<u32>,
     /// Counterweights bay by bay, where balance factors are given.
     pub bays: Vec<Weight>,
-    /// Counterweights on the crankshaft that take away what is left of the direct first order.
+    /// Counterweights on the crankshaft that cancel what is left of the direct first order.
     pub crankshaft: Option<Shaft>,
     /// Balancer shafts for all the rest.
     pub shafts: Vec<Shaft>,
-    /// What would take away less than [`LEAST`] of the load, all of an order together, and is left out; these orders and senses keep what
+    /// What would cancel less than [`LEAST`] of the load, all of an order together, and is omitted; these orders and senses keep what
     /// they have.
     pub left_out: Vec<Shaft>,
-    /// Heights at which the Lanchester pairs take away the roll moment of their order too.
+    /// Heights at which the Lanchester pairs cancel the roll moment of their order too.
     pub heights: Vec<PairHeight>,
     /// The sums of the corrected engine.
     pub corrected: Vec<Corrected>,
@@ -97,7 +97,7 @@ impl Remedy {
         Some(bare + added + resized.sum::<Option<f64>>()?)
     }
 
-    /// Whether every sum of the corrected engine is proved to be zero, but for those that are left out.
+    /// Whether every sum of the corrected engine is proved to be zero, but for those that are omitted.
     pub fn holds(&self) -> bool {
         self.corrected.iter().all(|sum| sum.vanishes() || self.leaves_out(sum.order, sum.sense))
     }
@@ -174,7 +174,7 @@ pub fn remedy(engine: &Engine, wish: &Request) -> Result<Remedy, RemedyError> {
     Ok(remedy)
 }
 
-/// What takes away the direct first order that the bays leave: one weight where one does, unless planes were named.
+/// What cancels the direct first order that the bays leave: one weight where one does, unless planes were named.
 fn on_the_crankshaft(
     subject: &ComparableEngine,
     bays: &[Weight],
@@ -212,7 +212,7 @@ fn usual_planes(engine: &Engine) -> [BigRational; 2] {
     let ends = |list: &[BigRational]| Some([list.iter().max()?.clone(), list.iter().min()?.clone()]);
     let apart = |[high, low]: &[BigRational; 2]| high != low;
     let found = [throws, cylinders, all].iter().find_map(|list| ends(list).filter(apart));
-    // Where all stands in one plane, no couple is left that planes would be needed for.
+    // Where all is in one plane, no couple is left that planes would be needed for.
     let one = BigRational::from_integer(1.into());
     found.unwrap_or_else(|| [engine.reference_plane() + &one, engine.reference_plane() - &one])
 }

@@ -13,7 +13,7 @@ use crate::numbers;
 use crate::order::{self, OrderSum};
 use crate::proof::Sense;
 
-/// What a shaft takes away.
+/// What a shaft cancels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A force that acts in one plane: one weight.
@@ -31,7 +31,7 @@ pub struct Shaft {
     pub order: u32,
     /// With the crank or against it.
     pub sense: Sense,
-    /// What it takes away.
+    /// What it cancels.
     pub kind: Kind,
     /// Its weights.
     pub weights: Vec<Weight>,
@@ -58,8 +58,8 @@ pub fn shaft(
     Some(Shaft { order, sense, kind, weights, lanchester: false })
 }
 
-/// The least set of shafts that takes away every vector of these orders but the direct ones of order 1, which
-/// counterweights on the crankshaft take away. Shafts of the engine are resized in their own planes, unless planes were named.
+/// The least set of shafts that cancels every vector of these orders but the direct ones of order 1, which
+/// counterweights on the crankshaft cancel. Shafts of the engine are resized in their own planes, unless planes were named.
 pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational; 2], planes_named: bool) -> Vec<Shaft> {
     let mut shafts = Vec::new();
     for &order in orders {
@@ -86,14 +86,14 @@ pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational;
     shafts
 }
 
-/// What is left in an order and makes less than this part of the load is left out: of the force of all pistons at order 1, end to end,
+/// What is left in an order and makes less than this part of the load is omitted: of the force of all pistons at order 1, end to end,
 /// and for the moment of that at the end of an arm as long as the engine is.
 pub const LEAST: f64 = 1e-6;
 
-/// Decimals decide what is left out, and the checker of the document encloses it: they keep this far from the limit.
+/// Decimals decide what is omitted, and the checker of the document encloses it: they keep this far from the limit.
 const MARGIN: f64 = 0.999;
 
-/// The shafts that are needed, and those that are left out: of each order as many, the smallest first, as make less than [`LEAST`] of the
+/// The shafts that are needed, and those that are omitted: of each order as many, the smallest first, as make less than [`LEAST`] of the
 /// load all together.
 pub fn without_slight(subject: &ComparableEngine, shafts: Vec<Shaft>) -> [Vec<Shaft>; 2] {
     let [mut needed, mut left_out]: [Vec<Shaft>; 2] = Default::default();
@@ -116,13 +116,13 @@ pub fn without_slight(subject: &ComparableEngine, shafts: Vec<Shaft>) -> [Vec<Sh
     [needed, left_out]
 }
 
-/// Whether what these shafts of one order take away is less than [`LEAST`] of the load, all together.
+/// Whether what these shafts of one order cancel is less than [`LEAST`] of the load, all together.
 pub fn are_slight(subject: &ComparableEngine, shafts: &[&Shaft]) -> bool {
     let parts: Vec<[f64; 2]> = shafts.iter().map(|shaft| part_of_load(subject, shaft)).collect();
     [0, 1].into_iter().all(|quantity| parts.iter().map(|part| part[quantity]).sum::<f64>() < MARGIN * LEAST)
 }
 
-/// Force and moment that a shaft takes away, in parts of the load. A vector is a force of half its length; a c_k that is not known counts
+/// Force and moment that a shaft cancels, in parts of the load. A vector is a force of half its length; a c_k that is not known counts
 /// as 2, which none is above.
 fn part_of_load(subject: &ComparableEngine, shaft: &Shaft) -> [f64; 2] {
     let engine = subject.engine();

@@ -32,7 +32,7 @@ impl Kept {
         let counterweights: Vec<usize> = (0..crankshaft.counterweights.len()).filter(stays).collect();
         let stays = |index: &usize| !goes(index, |replaced| &replaced.balancers);
         let balancers: Vec<usize> = (0..crankshaft.balancers.len()).filter(stays).collect();
-        // Counterweights that a balance factor makes stand beside no others.
+        // Counterweights that a balance factor makes are beside no others.
         let made = !crankshaft.balance_factors.is_empty();
         Kept {
             lists: [
@@ -147,7 +147,7 @@ fn counterweight_of_throw(remedy: &Remedy, weight: &Counterweight) -> String {
     table(&turned).replacen('\n', &format!("\nthrow = {}\n", index + 1), 1)
 }
 
-/// A table for each vector of what stands in a plane, none of two that are opposite.
+/// A table for each vector of what is in a plane, none of two that are opposite.
 fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
     let engine = remedy.subject.engine();
     let weight = &plane.becomes;

@@ -16,7 +16,7 @@ use crate::proof::{
 };
 use crate::verdict::{self, EveryOrderTheorem, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 
-/// The verdicts on these masses of an engine as data: what `verify` reads. Statements on every order stand in it where they
+/// The verdicts on these masses of an engine as data: what `verify` reads. Statements on every order are in it where they
 /// are given.
 pub fn document(
     engine: &Engine,

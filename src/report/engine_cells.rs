@@ -8,7 +8,7 @@ use crate::proof::{Planar, Sense};
 use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
 use crate::verdict::{EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, OrderVerdict};
 
-/// More intervals than this are told by the least and the largest.
+/// More intervals than this are reported by the least and the largest.
 const MOST_INTERVALS: usize = 4;
 
 /// `even, 180°`, `uneven: 405°, 315°`; `not given` where the layout does not say.
@@ -28,7 +28,7 @@ pub fn firing(firing: Option<&Firing>) -> Text {
     }
 }
 
-/// `1-3-4-2`; `not given` where the layout does not say. Cylinders that fire together stand in brackets.
+/// `1-3-4-2`; `not given` where the layout does not say. Cylinders that fire together are in brackets.
 pub(super) fn firing_order(engine: &Engine) -> Text {
     let Some(firing) = engine.firing() else { return "not given".into() };
     let together = firing.shots.chunk_by(|one, other| one.angle == other.angle);
@@ -117,4 +117,4 @@ fn kind(shaft: &Shaft) -> &'static str {
 }
 
 /// How remedies are read.
-pub(super) const REMEDIES: &str = "A remedy takes away every vector of its orders exactly: counterweights on the crankshaft, balancer shafts at a multiple of crank speed, + with the crank and − against it; a shaft for a couple has two opposite weights; a Lanchester pair is two shafts with one weight each.";
+pub(super) const REMEDIES: &str = "A remedy cancels every vector of its orders exactly: counterweights on the crankshaft, balancer shafts at a multiple of crank speed, + with the crank and − against it; a shaft for a couple has two opposite weights; a Lanchester pair is two shafts with one weight each.";

@@ -107,7 +107,7 @@ fn needs(engine: &Engine, firmness: &Firmness) -> Vec<&'static str> {
     [spacing, offset, masses].into_iter().flatten().collect()
 }
 
-/// Whether the banks stand at different positions.
+/// Whether the banks are at different positions.
 fn has_offset(engine: &Engine) -> bool {
     let mut banks: BTreeMap<_, BTreeSet<_>> = BTreeMap::new();
     for cylinder in engine.cylinders() {

@@ -1,4 +1,4 @@
-//! How do the vector stars of several engines stand beside each other? Small multiples of one order.
+//! How do the vector stars of several engines are beside each other? Small multiples of one order.
 
 use num_traits::Zero;
 
@@ -10,7 +10,7 @@ use crate::verdict::OrderBalance;
 
 /// One column of small multiples: an engine, or its cylinders with equal rods, at one order.
 pub struct Column<'a> {
-    /// What stands above it.
+    /// What is above it.
     pub name: String,
     /// The engine.
     pub engine: &'a Engine,
@@ -24,7 +24,7 @@ const MOST_COLUMNS: usize = 3;
 /// The stars of one order of several engines, a column each, as many as fit a page in each drawing: force, then moment, all
 /// forces to one scale and all moments to one.
 ///
-/// The reverse stars are left out where all engines have their cylinders in one line: there they are mirror images.
+/// The reverse stars are omitted where all engines have their cylinders in one line: there they are mirror images.
 pub fn multiples(columns: &[Column]) -> Vec<Figure> {
     let in_line = |engine: &Engine| engine.cylinders().windows(2).all(|pair| pair[0].bank == pair[1].bank);
     let senses = if columns.iter().all(|column| in_line(column.engine)) { 1 } else { 2 };

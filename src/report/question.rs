@@ -43,7 +43,7 @@ pub trait Question: Send + Sync {
     /// The page.
     fn page(&self) -> Document;
 
-    /// What stands beside the page: layout files, data.
+    /// What is beside the page: layout files, data.
     ///
     /// # Errors
     /// What cannot be written as JSON.

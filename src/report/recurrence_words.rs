@@ -132,7 +132,7 @@ pub(super) fn why(all: &Recurrences) -> Vec<Text> {
     }
     if all.force.iter().any(|one| one.even.len() > 1 || one.odd.len() > 1) {
         paragraphs.push(
-            "Where all classes vanish an order is zero, where one remains it is left, whatever λ and δ are. If several remain they could cancel for some λ and δ: such an order is decided by itself."
+            "Where all classes vanish, an order is zero; where exactly one remains, it is not zero for any λ and δ. If several remain they could cancel for some λ and δ: such an order is decided by itself."
                 .into(),
         );
     }

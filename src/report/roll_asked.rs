@@ -1,4 +1,4 @@
-//! What is said where the roll moment hangs on a length that the layout leaves out? Which key would give it.
+//! What is said where the roll moment hangs on a length that the layout omits? Which key would give it.
 
 use crate::engine::Engine;
 use crate::order::MissingArm;

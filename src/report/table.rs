@@ -77,7 +77,7 @@ fn with_shared_rows(table: Table, small: &[bool]) -> Table {
     Table { header: table.header, rows }
 }
 
-/// Whether each order is told together with others: something of it is left, and little.
+/// Whether each order is reported together with others: something of it is left, and little.
 fn small(orders: &[OrderVerdict], weighed: Option<&Weighed>) -> Vec<bool> {
     let is_small = |order: &OrderVerdict| {
         let has_others = order.torque.is_some() || order.roll.is_some();

@@ -6,7 +6,7 @@ use crate::engine::Engine;
 use crate::page::{Block, Fold, phrase};
 use crate::verdict::{EveryOrderTheorem, NextLeft, NoTheorem, OrderVerdict};
 
-/// Longer tables of one period are left out.
+/// Longer tables of one period are omitted.
 const MOST_ROWS: usize = 24;
 
 /// The section on every order: the statements, why one period proves them, and the period.

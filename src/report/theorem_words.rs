@@ -112,7 +112,7 @@ fn statement(every: &EveryOrder) -> Text {
 }
 
 /// `order 1 (direct), orders 8, 26, … = 18j − 10 (reverse) and orders 10, 28, … = 18j − 8 (direct)`, where few classes are
-/// left and each is told by its vectors.
+/// left and each is reported by its vectors.
 fn named(both: &Survivors, senses: &[Survivors; 2]) -> Option<Text> {
     let Survivors { order_one, modulus, residues } = both;
     let classes = (*modulus / 2) as usize;

@@ -31,7 +31,7 @@ pub enum Answer {
 /// Why there is no solution, or more than can be told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// Both wanted masses stand in one plane, and a couple is left.
+    /// Both wanted masses are in one plane, and a couple is left.
     OnePlane,
     /// The wanted mass can balance the force, but then a couple is left.
     Couple,
@@ -39,9 +39,9 @@ pub enum Reason {
     Force,
     /// A couple is left in a direction in which the wanted masses balance no force.
     CoupleAlone,
-    /// The one mass would have to stand in no plane: force and couple are not parallel.
+    /// The one mass would have to be in no plane: force and couple are not parallel.
     NotParallel,
-    /// Both wanted masses stand in one line, and their planes are free.
+    /// Both wanted masses are in one line, and their planes are free.
     OneLine,
     /// Of three moments about the plane of the wanted mass, one is larger than the other two together.
     NoTriangle,
@@ -54,7 +54,7 @@ pub enum Reason {
 pub struct Found {
     /// Which mass, by its index.
     pub index: usize,
-    /// Mass times radius in kilogram-metres; below 0 it stands at half a turn more than the angle of the file.
+    /// Mass times radius in kilogram-metres; below 0 it is at half a turn more than the angle of the file.
     pub mass_radius: Real,
     /// The vector itself, where it is a sum of vectors at rational angles.
     pub vector: Option<PhasorSum>,
@@ -73,7 +73,7 @@ pub struct NotSolved;
 impl std::fmt::Display for NotSolved {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(
-            "these unknowns are not solved for; what may be left out: mass (or radius) and angle of one or two masses; of one of them its position too; the masses of one \
+            "these unknowns are not solved for; what may be omitted: mass (or radius) and angle of one or two masses; of one of them its position too; the masses of one \
              or two whose angles are given, with or without their positions; mass and angle of one with the angles of three others, or of two of them",
         )
     }
@@ -103,7 +103,7 @@ impl Wanted {
     }
 }
 
-/// `m r` of a known mass with its share of what goes back and forth.
+/// `m r` of a known mass with its share of the reciprocating mass.
 fn mass_radius(rotor: &Rotor, mass: &RotorMass) -> Option<BigRational> {
     Some((mass.mass.as_ref()? + &rotor.share * &mass.reciprocating) * mass.radius.as_ref()?)
 }
@@ -140,7 +140,7 @@ pub struct Locomotive {
     pub swaying: PhasorSum,
 }
 
-/// Those of a shaft whose two wanted masses stand in the planes of the wheels; none where nothing goes back and forth.
+/// Those of a shaft whose two wanted masses are in the planes of the wheels; none where nothing reciprocates.
 pub fn locomotive(rotor: &Rotor) -> Option<Locomotive> {
     let wheels: Vec<&BigRational> = rotor
         .masses

@@ -25,7 +25,7 @@ pub struct Front {
     pub all: BigUint,
     /// Stars judged one by one, up to rotation, mirror and reversal.
     pub judged: u64,
-    /// Starts left out with all their completions.
+    /// Starts omitted with all their completions.
     pub cut: u64,
     /// How its one star was made, where a theorem gave it and nothing was searched.
     pub described: Option<By>,

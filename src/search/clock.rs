@@ -1,6 +1,6 @@
 //! When do the cylinders of a star fire, and how many neighbours fire in succession?
 //!
-//! Neighbours stand on neighbouring throws in the same bank. They fire in succession if no third instant lies between theirs on one side
+//! Neighbours are on neighbouring throws in the same bank. They fire in succession if no third instant lies between theirs on one side
 //! of the cycle, and at once if the instants are one.
 
 use num_bigint::BigInt;
@@ -30,7 +30,7 @@ pub(super) struct Clock {
     revolutions: u64,
     /// For each bank and direction.
     ticks: Vec<Vec<u64>>,
-    /// For each bank and direction the steps of an even cycle at this angle, whole revolutions left out.
+    /// For each bank and direction the steps of an even cycle at this angle, whole revolutions omitted.
     steps: Vec<Vec<Vec<usize>>>,
 }
 

@@ -38,7 +38,7 @@ pub struct FrontDocument {
     pub all_stars: String,
     /// Stars judged one by one.
     pub judged: u64,
-    /// Starts left out with all their completions.
+    /// Starts omitted with all their completions.
     pub cut: u64,
     /// Orders whose moments no star loses together, by a theorem.
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -12,9 +12,9 @@ use crate::exact::Turn;
 use crate::order;
 use crate::proof::Sense;
 
-/// More stars than this, up to rotation, are not looked at: none can be left out unseen.
+/// More stars than this, up to rotation, are not looked at: none can be omitted unseen.
 const MOST_STARS: u128 = 2_000_000;
-/// All vectors stand at multiples of a turn divided by no more than this.
+/// All vectors are at multiples of a turn divided by no more than this.
 const FINEST: usize = 20_000;
 /// The sum of all arms is below this, in the whole numbers that twice the arms are multiples of.
 const LONGEST: i64 = 1 << 20;

@@ -7,7 +7,7 @@ use crate::exact::Turn;
 
 use super::problem::Problem;
 
-/// The steps of the cycle that lie at this crank angle, whole revolutions left out.
+/// The steps of the cycle that lie at this crank angle, whole revolutions omitted.
 ///
 /// Step j comes j intervals after cylinder 1; who fires later has the throw behind (theory, section 1).
 pub(super) fn steps(angle: &Turn, problem: &Problem) -> Vec<usize> {
@@ -81,7 +81,7 @@ pub(super) fn in_succession(order: &[usize], throws: usize) -> usize {
     pairs.count() + usize::from(closing)
 }
 
-/// Whether two cylinders stand on neighbouring throws of one bank.
+/// Whether two cylinders are on neighbouring throws of one bank.
 fn are_neighbours(one: Option<&usize>, other: Option<&usize>, throws: usize) -> bool {
     one.zip(other).is_some_and(|(one, other)| one.abs_diff(*other) == 1 && one / throws == other / throws)
 }

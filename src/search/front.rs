@@ -6,7 +6,7 @@ use super::value::Value;
 
 /// What a search does with the stars it comes to.
 pub(super) trait Judge {
-    /// Whether every star with squares of at least these lower bounds can be left out.
+    /// Whether every star with squares of at least these lower bounds can be omitted.
     fn hopeless(&self, low: &[i128]) -> bool;
     /// A star that may matter.
     fn take(&mut self, point: StarValues);

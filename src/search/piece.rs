@@ -29,7 +29,7 @@ impl Piece {
 pub(super) struct Counts {
     /// Stars judged, one per class of rotation, mirror and reversal.
     pub judged: u64,
-    /// Starts left out with all their completions, by the bound.
+    /// Starts omitted with all their completions, by the bound.
     pub cut: u64,
 }
 
@@ -62,7 +62,7 @@ pub(super) fn run<J: Judge>(space: &Space, tables: &Tables, piece: &Piece, judge
     (walk.judge, walk.counts)
 }
 
-/// Where pieces are listed nothing is judged.
+/// Where pieces are listed nothing is decided.
 struct Everything;
 
 impl Judge for Everything {

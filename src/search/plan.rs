@@ -13,7 +13,7 @@ pub enum Way {
     /// Outer sums meet inner sums, where each direction is taken a fixed number of times; on a grid the stars are walked.
     #[default]
     Join,
-    /// Pair by pair from the outside, what cannot matter left out by a bound.
+    /// Pair by pair from the outside, what cannot matter omitted by a bound.
     Walk,
 }
 

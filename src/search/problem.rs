@@ -20,7 +20,7 @@ pub const MOST_ORDERS: usize = 8;
 
 /// A question: the best crank stars of which engine, by which orders of the moment?
 ///
-/// Throws stand one spacing apart, masses are equal, and moments are about the mid-plane.
+/// Throws are one spacing apart, masses are equal, and moments are about the mid-plane.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
     /// Number of cylinders.

@@ -1,11 +1,11 @@
 //! Which stars are the same but for looking at them? Rotation, mirror and reversal, and the first star of each class.
 //!
 //! Filled pair by pair, a star is `(a_0, b_0), (a_1, b_1), …` with `a_0 = 0`. Mirror, reversal and both, turned back so that
-//! cylinder 1 stands at 0 again, carry pairs to pairs:
+//! cylinder 1 is at 0 again, carry pairs to pairs:
 //!
 //! - mirror: `(−a, −b)`; reversal: `(b − b_0, a − b_0)`; both: `(b_0 − b, b_0 − a)`.
 //!
-//! So the first pairs of a star give the first pairs of its images, and a start whose image comes before it can be left out
+//! So the first pairs of a star give the first pairs of its images, and a start whose image comes before it can be omitted
 //! with all its completions. A star is the first of its class iff no image comes before it; then the class holds
 //! `4 / (1 + images equal to it)` stars.
 

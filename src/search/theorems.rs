@@ -108,7 +108,7 @@ pub fn described(problem: &Problem) -> Option<Front> {
     Some(Front { described: Some(made.by), ..front })
 }
 
-/// Where the throws of a question stand in evenly spread directions, each equally often.
+/// Where the throws of a question are in evenly spread directions, each equally often.
 pub fn pins(problem: &Problem) -> Option<Pins> {
     problem.pins()
 }

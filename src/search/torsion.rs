@@ -16,7 +16,7 @@ use crate::exact::{PhasorSum, Term};
 use crate::firing::by_length;
 use crate::numbers;
 
-/// The firing orders of so many stars of a front are judged, the first ones.
+/// The firing orders of so many stars of a front are decided, the first ones.
 pub const MOST_TORSION_STARS: usize = 12;
 /// Cylinders of more instants than this, two at each, may fire in more than 256 orders.
 const MOST_CHOICES: u32 = 9;
@@ -63,7 +63,7 @@ impl RankedOrder {
     }
 }
 
-/// The mode that the firing orders of a front are judged in: a given one, or one that falls evenly from the free end, n, n − 1, …, 1.
+/// The mode that the firing orders of a front are decided in: a given one, or one that falls evenly from the free end, n, n − 1, …, 1.
 ///
 /// # Errors
 /// A mode shape with another number of values than the crankshaft has throws, or more than 256 firing orders of each star.
@@ -71,7 +71,7 @@ pub fn mode_shape(problem: &Problem, shape: Option<Vec<BigRational>>) -> Result<
     let instants = if problem.cycle == Cycle::FourStroke { problem.cylinders / 2 } else { 1 };
     if instants > MOST_CHOICES {
         return Err(ProblemError::new(format!(
-            "a star of {} cylinders has 2^{} firing orders, too many to list; leave out --torsion",
+            "a star of {} cylinders has 2^{} firing orders, too many to list; omit --torsion",
             problem.cylinders,
             instants - 1
         )));

@@ -1,4 +1,4 @@
-//! Which stars does one piece of the search come to, and which does it leave out?
+//! Which stars does one piece of the search come to, and which does it omit?
 
 use super::front::Judge;
 use super::judged;

@@ -87,7 +87,7 @@ pub(super) fn read(text: &[u8], number: usize, plan: &Plan, space: &Space, table
             stars: star.stars,
             ..point
         })?);
-        // By its firing orders, or those of its images, a star may stand at several points.
+        // By its firing orders, or those of its images, a star may be at several points.
         classes =
             if space.gives_one_point() { classes.checked_add(star.classes)? } else { classes.max(star.classes / 4) };
     }

@@ -31,7 +31,7 @@ pub(super) struct Head {
     pub shard: Option<String>,
 }
 
-/// Where a piece stands in a file.
+/// Where a piece is in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Frame {
     pub piece: usize,
@@ -182,7 +182,7 @@ impl<R: BufRead> Reader<'_, R> {
         Ok((String::from_utf8_lossy(text.unwrap_or(&bytes)).into_owned(), text.is_some()))
     }
 
-    /// The digest of what stands at a frame; none where the file stops within it.
+    /// The digest of what is at a frame; none where the file stops within it.
     fn digest(&mut self, frame: &Frame) -> Result<Option<u32>, ShardError> {
         let mut digest = crc32fast::Hasher::new();
         digest.update(&(frame.piece as u64).to_le_bytes());

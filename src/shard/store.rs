@@ -76,7 +76,7 @@ impl Store {
         Ok(there.len() < begin.len() && begin.starts_with(&there))
     }
 
-    /// Cuts off what stands behind this place, and goes on there.
+    /// Cuts off what is behind this place, and goes on there.
     fn cut(&mut self, length: u64) -> Result<(), ShardError> {
         let cut = self.file.set_len(length).and_then(|()| self.file.seek(SeekFrom::Start(length)));
         cut.map(drop).map_err(|error| ShardError::writing(&self.path, &error))

@@ -11,7 +11,7 @@ use super::fate::Pins;
 pub struct Count {
     /// The stars.
     pub stars: BigUint,
-    /// Up to rotation, mirror and reversal, where that is told.
+    /// Up to rotation, mirror and reversal, where that is reported.
     pub classes: Option<BigUint>,
     /// By what they were counted.
     pub by: Counted,

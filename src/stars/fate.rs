@@ -14,7 +14,7 @@ pub const MOST_THROWS: u32 = 400;
 pub struct Pins {
     /// How many directions make a turn.
     pub directions: u32,
-    /// How many throws stand in each of them.
+    /// How many throws are in each of them.
     pub each: u32,
 }
 
@@ -58,7 +58,7 @@ impl Pins {
     }
 }
 
-/// Why no star loses the moments of these orders together: throws `1/prime` of a turn apart would stand at one place.
+/// Why no star loses the moments of these orders together: throws `1/prime` of a turn apart would be at one place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Obstruction {
     /// Number of throws, each in a direction of its own.

@@ -1,6 +1,6 @@
 //! Which moments can the crank star of n throws lose, which never, and how many stars do?
 //!
-//! Throws stand one spacing apart in evenly spread directions, masses and rods are equal: the star of an in-line engine that fires evenly, and of
+//! Throws are one spacing apart in evenly spread directions, masses and rods are equal: the star of an in-line engine that fires evenly, and of
 //! each bank of a V on shared pins. Theorems answer without a search:
 //!
 //! ```

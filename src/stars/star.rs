@@ -12,7 +12,7 @@ pub struct Star {
 }
 
 impl Star {
-    /// A star by its throws, as multiples of `1 / directions` turn; turned so that the first one stands at 0.
+    /// A star by its throws, as multiples of `1 / directions` turn; turned so that the first one is at 0.
     pub fn new(directions: u32, throws: &[u32]) -> Self {
         let first = throws.first().map_or(0, |first| first % directions);
         let turned = throws.iter().map(|throw| (throw % directions + directions - first) % directions);

@@ -61,7 +61,7 @@ fn outermost(engine: &Engine) -> Option<(BigRational, BigRational)> {
         let others = cylinders[..place].iter();
         others.filter(|other| other.pin == one.pin).any(|other| other.position != one.position)
     };
-    // A throw stands in the middle of its cylinders: where they stand together, at the position of each.
+    // A throw is in the middle of its cylinders: where they stand together, at the position of each.
     match cylinders.iter().enumerate().any(stands_apart) {
         false => ends(&mut cylinders.iter().map(|cylinder| &cylinder.position)),
         true => ends(&mut throws(engine).iter().map(|throw| &throw.position)),

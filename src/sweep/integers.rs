@@ -28,7 +28,7 @@ pub(super) struct IntegerEngine {
     conductor: i64,
     throws: Vec<i64>,
     banks: Vec<i64>,
-    /// The masses that turn and are in words: where each stands in a turn, and which way it goes.
+    /// The masses that turn and are in words: where each is in a turn, and which way it goes.
     turning: Vec<(i64, Sense)>,
     /// Mass times crank radius, for the force; for the moment times the arm. Of the cylinders, then of the masses that turn.
     weights: [Weights; 2],

@@ -1,4 +1,4 @@
-//! Which values of other questions stand beside the points of a sweep? Whoever sweeps says how they are found.
+//! Which values of other questions are beside the points of a sweep? Whoever sweeps says how they are found.
 
 use std::sync::atomic::AtomicBool;
 

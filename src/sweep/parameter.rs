@@ -9,7 +9,7 @@ use crate::file::{Key, Template};
 /// A value of the layout file and the values that it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parameter {
-    /// Where it stands in the file.
+    /// Where it is in the file.
     pub key: Key,
     /// What it is called.
     pub label: String,

@@ -99,7 +99,7 @@ pub struct SweptEngine {
     pub kilograms: Option<f64>,
     /// How evenly the cylinders fire, where that is known.
     pub evenness: Option<Evenness>,
-    /// Mass-radius, in multiples of m r, of the larger of two counterweights in the outermost throws that take away what
+    /// Mass-radius, in multiples of m r, of the larger of two counterweights in the outermost throws that cancel what
     /// of order 1 turns with the crank; none where one plane would have to hold a couple.
     pub counterweight: Option<Amplitude>,
     /// What the engine fits into.

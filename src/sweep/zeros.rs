@@ -83,7 +83,7 @@ impl ZeroSet {
         }
     }
 
-    /// Takes in the points of a grid at which it is proved to vanish: what is zero there stands in the list, even where nothing is proved
+    /// Takes in the points of a grid at which it is proved to vanish: what is zero there is in the list, even where nothing is proved
     /// of what lies between.
     pub(super) fn take_from(&mut self, points: &[SweptEngine]) {
         if !self.exists || self.everywhere {

@@ -86,7 +86,7 @@ impl Single {
 }
 
 impl Single {
-    /// Values of the same name as a column, with the unit and the type of this one; what is of another is left out.
+    /// Values of the same name as a column, with the unit and the type of this one; what is of another is omitted.
     pub fn column<'a>(&self, name: &str, all: impl IntoIterator<Item = Option<&'a Single>>) -> Column {
         let mut values = self.values.none_of_its_kind();
         for one in all {

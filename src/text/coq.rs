@@ -1,4 +1,4 @@
-//! How does a text stand in a comment of Coq? Nothing in it begins or ends a comment or a string.
+//! How does a text are in a comment of Coq? Nothing in it begins or ends a comment or a string.
 
 /// Plain text, anywhere in a comment: a star or a quote is shown as `[U+002A]`, and so comments cannot end or nest in it.
 ///

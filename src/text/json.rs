@@ -1,4 +1,4 @@
-//! How does JSON stand on a terminal? As the same JSON, with escapes for what a terminal would obey.
+//! How does JSON are on a terminal? As the same JSON, with escapes for what a terminal would obey.
 
 use std::fmt::Write;
 

@@ -116,7 +116,7 @@ impl TorqueCurve {
         self.sum(theta, ClassCourse::work)
     }
 
-    /// `Σ m s'²`, the inertia of what goes back and forth, in kilograms times square metres.
+    /// `Σ m s'²`, the inertia of the reciprocating mass, in kilograms times square metres.
     pub fn reduced_inertia(&self, theta: f64) -> f64 {
         self.sum_of_inertia(theta, Inertia::reduced)
     }

@@ -1,7 +1,7 @@
 //! How evenly does the engine turn, and which flywheel makes it turn as evenly as it should?
 //!
 //! At a constant load `J = ΔW/(δ ω̄²)`, ΔW the largest less the smallest work of the torque above its mean, δ the largest less the smallest
-//! speed over their arithmetic mean: exact, with the inertia torque of the mean speed. With the energy of what goes back and forth
+//! speed over their arithmetic mean: exact, with the inertia torque of the mean speed. With the energy of the reciprocating mass
 //! `½ (J + Σ m s'²) ω² = E₀ + ∫ (T_gas − T̄) dθ`; nearly that comes of J and the mean of `Σ m s'²` in place of J.
 
 use num_traits::ToPrimitive;

@@ -71,7 +71,7 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, Missing> {
     let mean = each(&|class| class.harmonics.torque[0].re);
     // Cylinders that work against each other leave a mean that is none.
     let mean = if mean.abs() <= each(&|class| class.harmonics.errors[2]) { 0.0 } else { mean };
-    // Roundings are those of what goes back and forth within a cycle.
+    // Roundings are those of the reciprocating mass within a cycle.
     let moved = |gas: &CylinderGas| (gas.peak_pressure().0 + gas.crankcase()) * gas.geometry().swept();
     let moved: f64 = classes.iter().map(|class| moved(&class.gas)).sum();
     let omega = class::omega(engine);

@@ -30,7 +30,7 @@ impl Mode {
     }
 }
 
-/// The elastic modes, rising; that in which the shaft turns as a whole is left out.
+/// The elastic modes, rising; that in which the shaft turns as a whole is omitted.
 pub fn modes(shaft: &Shaft) -> Vec<Mode> {
     (1..shaft.inertias.len()).map(|number| mode(shaft, number)).collect()
 }

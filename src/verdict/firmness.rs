@@ -121,7 +121,7 @@ fn coefficients(engine: &Engine, verdict: &Verdict, disturbance: Disturbance) ->
     }
 }
 
-/// The sum with the terms below the reference plane reversed, and those in it left out.
+/// The sum with the terms below the reference plane reversed, and those in it omitted.
 fn either_side(engine: &Engine, sum: &PhasorSum) -> PhasorSum {
     let terms = engine.cylinders().iter().zip(sum.terms());
     let signed = |(cylinder, term): (&Cylinder, &Term)| Term {

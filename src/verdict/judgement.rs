@@ -20,7 +20,7 @@ pub struct Judgement {
     pub not_as_built: Option<NotComparable>,
 }
 
-/// What is judged of an engine: force and moment, the torque where it is asked for; where crankshafts are geared together, the torque
+/// What is decided of an engine: force and moment, the torque where it is asked for; where crankshafts are geared together, the torque
 /// and the roll moment in any case; no roll moment where it hangs on a length that is not there ([`order::roll_lacks`]).
 pub fn quantities(engine: &Engine, with_torque: bool) -> Vec<Quantity> {
     let is_geared = !engine.geared_cranks().is_empty();

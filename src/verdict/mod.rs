@@ -132,7 +132,7 @@ impl TorqueVerdict {
 
 /// Judges the given orders of an engine, force and moment, and the inertia torque where it is among the quantities.
 ///
-/// Terms that stand before one number are one sum; it is judged by itself, and all sums of an order together.
+/// Terms that stand before one number are one sum; it is decided by itself, and all sums of an order together.
 ///
 /// # Errors
 /// A number that is no order.
@@ -225,7 +225,7 @@ fn one_vector(sources: &Sources, quantity: Axial, order: u32, known: &Coefficien
     TorqueVerdict { parts, outcome }
 }
 
-/// The orders that the inertia torque is judged at: the first four, and those of force and moment.
+/// The orders that the inertia torque is decided at: the first four, and those of force and moment.
 pub fn torque_orders(orders: &[u32]) -> Vec<u32> {
     let mut all: Vec<u32> = [1, 2, 3, 4].into_iter().chain(orders.iter().copied()).collect();
     all.sort_unstable();

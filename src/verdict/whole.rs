@@ -1,4 +1,4 @@
-//! Does an order vanish in which several mechanisms have a part? Its sums, each before a number of its own, are judged together.
+//! Does an order vanish in which several mechanisms have a part? Its sums, each before a number of its own, are decided together.
 //!
 //! The whole is zero where each sum is. Where one alone is left it is not, since its number is not zero. Where several are left
 //! only their numbers could make them cancel: an enclosure proves that they do not, or tells how short the rest is; and so where the one that
@@ -13,7 +13,7 @@ use crate::numbers;
 use crate::order::{self, Coefficients, Factor};
 use crate::proof::{Certificate, Shape, ShapeEvidence};
 
-/// What the checker is told to enclose with: more than the coefficients here are known to.
+/// What the checker is reported to enclose with: more than the coefficients here are known to.
 const CLAIMED_BITS: u32 = 128;
 
 /// Whether a vector vanishes that is made of several sums.
@@ -82,7 +82,7 @@ pub struct WholeOrder {
 }
 
 impl WholeOrder {
-    /// Judges both vectors, whose parts stand in the same order.
+    /// Judges both vectors, whose parts are in the same order.
     pub(super) fn new([direct, reverse]: [&[Part]; 2], order: u32, known: &Coefficients) -> Self {
         let outcomes = [outcome(direct, order, known), outcome(reverse, order, known)];
         let (shape, evidence) = match outcomes.each_ref().map(Outcome::vanishes) {

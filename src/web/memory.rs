@@ -1,6 +1,6 @@
 //! How do texts come into the module and out of it? A C interface without glue.
 //!
-//! The page asks for room, writes a question there in UTF-8, and reads the answer where it stands.
+//! The page asks for room, writes a question there in UTF-8, and reads the answer where it is.
 
 use std::panic;
 use std::sync::{Mutex, PoisonError};

@@ -141,7 +141,7 @@ fn of_angle(template: &Template, engine: &Engine, angle: &Angle) -> Option<Slide
     Some(Slider { note, ..slider })
 }
 
-/// What of a range can be read without a gap about the value that stands there, in whole degrees.
+/// What of a range can be read without a gap about the value that is there, in whole degrees.
 ///
 /// A firing order, which holds for some values alone, narrows it.
 fn readable(template: &Template, key: &str, now: &BigRational, [low, high]: [i64; 2]) -> Option<[BigRational; 2]> {

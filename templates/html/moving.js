@@ -62,7 +62,7 @@
     };
     const moved = () => (angle ? (value - home) / angle.unit : 0); // in degrees
 
-    // The engine from its free end, pistons side by side. A rod stands on the crankpin, a link on a pin of the master rod.
+    // The engine from its free end, pistons side by side. A rod is on the crankpin, a link on a pin of the master rod.
     const place = (body, turned = theta) => {
       const { bank, bank_turns, throw: at, throw_turns, radius, aside, rod, knuckle, speed } = body;
       const axis = bank + bank_turns * moved();

@@ -359,7 +359,7 @@ fn mistakes_in_the_words_of_books_are_told_with_their_place() {
     assert_refused(
         &format!("{head}firing_order = '1-2'\n{table}throw = 0\n{table}"),
         7,
-        &["`throw` is missing", "leave out all of them"],
+        &["`throw` is missing", "omit all of them"],
     );
     assert_refused(
         &format!("{head}firing_angles = [0]\nfiring_order = '1-2'\n[inline]"),

@@ -61,7 +61,7 @@ const CHEATS: [Cheat<BoxesClaim>; 24] = [
         claim.tree = format!("{}{}", "s".repeat(60), "?".repeat(61));
         true
     }),
-    ("a zero that is left out", |claim| claim.zeros.pop().is_some()),
+    ("a zero that is omitted", |claim| claim.zeros.pop().is_some()),
     ("a zero twice", |claim| {
         claim.zeros.extend(claim.zeros.first().cloned());
         !claim.zeros.is_empty()

@@ -265,8 +265,8 @@ fn what_the_file_cannot_state_is_refused_with_the_reason() {
     let cases = [
         (vec!["radial-9-master"], "is a link on a master rod"),
         (vec![open.as_str()], "has unknowns; give them values"),
-        (vec![long.as_str(), "--all-orders"], "leave out --all-orders"),
-        (vec!["I4", "--firing", "--all-orders"], "leave out --all-orders"),
+        (vec![long.as_str(), "--all-orders"], "omit --all-orders"),
+        (vec!["I4", "--firing", "--all-orders"], "omit --all-orders"),
         (vec![open.as_str(), "--firing"], "has unknowns; give them values"),
         (vec!["I4", "--output", "x.json"], "is named as a file of json"),
     ];

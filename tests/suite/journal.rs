@@ -299,7 +299,7 @@ fn every_body_of_a_hundred_random_engines_feels_what_newton_says() {
                 assert_near(carried(&|_| 1.0), pins + pulled, 4.0 * within);
                 assert_near(carried(&|at| at), tilting + tilted, 4.0 * within);
             }
-            // Head, walls and bearings together feel the shaking force of the masses alone, the gas makes none.
+            // Head, walls and bearings together feel the shaking force of the masses alone, the gas adds none.
             let frame: Complex<f64> = felt
                 .iter()
                 .enumerate()

@@ -185,6 +185,6 @@ fn remedies_of_nearly_balanced_engines_leave_less_than_a_millionth_of_the_load_i
         }
         documents.push(document);
     }
-    assert!(slight.iter().all(|count| *count > 3), "{slight:?} orders with one sense left out, and both");
+    assert!(slight.iter().all(|count| *count > 3), "{slight:?} orders with one sense omitted, and both");
     second::accepts(&documents, &[]);
 }

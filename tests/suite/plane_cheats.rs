@@ -79,7 +79,7 @@ const CLASSES: [Cheat<ClassesClaim>; 18] = [
         true
     }),
     ("no circle", |claim| claim.circle.take().is_some()),
-    ("a zero that is left out", |claim| {
+    ("a zero that is omitted", |claim| {
         let arcs = claim.circle.iter_mut().flat_map(|circle| &mut circle.arcs);
         let mut found = false;
         for arc in arcs {
@@ -93,7 +93,7 @@ const CLASSES: [Cheat<ClassesClaim>; 18] = [
         }
         found
     }),
-    ("a meeting that is left out", |claim| claim.meetings.pop().is_some()),
+    ("a meeting that is omitted", |claim| claim.meetings.pop().is_some()),
     ("a meeting too many", |claim| {
         let first = claim.squares[0].clone();
         claim.meetings.push(MeetingClaim::Once { first });
@@ -171,7 +171,7 @@ const TRIANGLES: [Cheat<TriangleClaim>; 9] = [
         claim.alternatives.extend(first);
         !claim.alternatives.is_empty()
     }),
-    ("a condition that is left out", |claim| {
+    ("a condition that is omitted", |claim| {
         claim.alternatives.first_mut().is_some_and(|alternative| alternative.conditions.pop().is_some())
     }),
     ("a condition on another angle", |claim| {
@@ -181,7 +181,7 @@ const TRIANGLES: [Cheat<TriangleClaim>; 9] = [
 ];
 
 const PRODUCTS: [Cheat<ProductClaim>; 8] = [
-    ("a group that is left out", |claim| claim.groups.pop().is_some()),
+    ("a group that is omitted", |claim| claim.groups.pop().is_some()),
     ("a part in another group", |claim| {
         let moved = claim.groups[1].pop();
         claim.groups[0].extend(moved);

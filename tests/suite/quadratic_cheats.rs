@@ -94,7 +94,7 @@ const CLASSES: [Cheat<QuadraticClaim>; 20] = [
         claim.roots.clear();
         claim.circle.take().is_some()
     }),
-    ("a zero that is left out", |claim| {
+    ("a zero that is omitted", |claim| {
         let arcs = claim.circle.iter_mut().flat_map(|circle| &mut circle.arcs);
         let mut found = false;
         for arc in arcs {
@@ -109,7 +109,7 @@ const CLASSES: [Cheat<QuadraticClaim>; 20] = [
 ];
 
 const ROOTS: [Cheat<QuadraticClaim>; 14] = [
-    ("roots that are left out", |claim| claim.roots.pop().is_some()),
+    ("roots that are omitted", |claim| claim.roots.pop().is_some()),
     ("roots too many", |claim| {
         let lengths = claim.coefficients[0].clone();
         claim.roots.push(RootsClaim::One { lengths, at: Vec::new() });
@@ -263,7 +263,7 @@ const TWISTS: [Cheat<QuadraticClaim>; 16] = [
         let twist = claim.twist.iter_mut().flat_map(|twist| &mut twist.coefficients);
         twist.map(|certificate| *certificate = forged(certificate)).count() > 0
     }),
-    ("a coefficient of the twist left out as zero", |claim| {
+    ("a coefficient of the twist omitted as zero", |claim| {
         let each = claim.twist.iter_mut().flat_map(|twist| &mut twist.coefficients);
         let last = each.filter(|certificate| !certificate.claims_zero()).last();
         last.map(|certificate| *certificate = Certificate::Polygons { polygons: Vec::new() }).is_some()
@@ -274,7 +274,7 @@ const TWISTS: [Cheat<QuadraticClaim>; 16] = [
     ("the arcs about the twist itself", |claim| {
         claim.circle.as_mut().is_some_and(|circle| circle.divided.take().is_some())
     }),
-    ("a sign left out", |claim| claim.twist.as_mut().is_some_and(|twist| twist.signs.pop().is_some())),
+    ("a sign omitted", |claim| claim.twist.as_mut().is_some_and(|twist| twist.signs.pop().is_some())),
     ("a sign too many", |claim| {
         claim.twist.as_mut().map(|twist| twist.signs.push(TriangleShape::Two { bits: 96 })).is_some()
     }),

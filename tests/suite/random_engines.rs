@@ -245,7 +245,7 @@ fn page(count: u64, tallies: &BTreeMap<&str, Tally>) -> String {
         "# Random engines against an independent method\n\n\
          {} layout files, pseudo-random and the same every time: every form, angles of 20 denominators, splits and offsets of pins and \
          banks, unequal masses and rods, and `open` ones with unknown angles and lengths. Force and moment of orders 1 to 8, direct and reverse, \
-         and the inertia torque were judged, and each verdict compared with a dense reduction modulo the cyclotomic polynomial, which shares \
+         and the inertia torque were decided, and each verdict compared with a dense reduction modulo the cyclotomic polynomial, which shares \
          no code with the program's decision; so was each shape, by the difference of the squared lengths. No verdict differs. \
          Each `classify --json` document was written, read again and checked as `verify` does.\n\n\
          | Form | Engines | Zero | Not zero | Planar | Elliptical | Documents that verify | Certificates |\n\

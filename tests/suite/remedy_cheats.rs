@@ -46,7 +46,7 @@ fn what_is_honest_holds() {
 
 #[test]
 fn a_changed_engine_is_refused() {
-    let words = "collect|not those of the engine|left out|another sum";
+    let words = "collect|not those of the engine|omitted|another sum";
     assert_refused(|d| d.cylinders[0].throw = fraction(1, 7), words);
     assert_refused(|d| d.cylinders[0].bank = fraction(1, 7), words);
     assert_refused(|d| d.cylinders[1].position = fraction(1, 7), words);
@@ -62,7 +62,7 @@ fn a_changed_engine_is_refused() {
 
 #[test]
 fn a_changed_weight_is_refused() {
-    let words = "collect|not those of the engine|left out|another sum";
+    let words = "collect|not those of the engine|omitted|another sum";
     assert_refused(|d| d.weights[0].position = fraction(1, 7), words);
     assert_refused(|d| d.weights[0].order = 3, "not asked for");
     assert_refused(|d| d.weights[0].sense = Sense::Reverse, words);
@@ -75,9 +75,9 @@ fn a_changed_weight_is_refused() {
 
 #[test]
 fn a_sum_that_is_left_out_or_stands_twice_is_refused() {
-    assert_refused(|d| drop(d.sums.pop()), "left out");
-    assert_refused(|d| d.sums.clear(), "left out");
-    assert_refused(|d| d.orders.push(4), "left out");
+    assert_refused(|d| drop(d.sums.pop()), "omitted");
+    assert_refused(|d| d.sums.clear(), "omitted");
+    assert_refused(|d| d.orders.push(4), "omitted");
     assert_refused(|d| d.sums.push(d.sums[0].clone()), "more than the orders have");
     assert_refused(|d| d.sums.insert(1, d.sums[0].clone()), "another sum");
 }

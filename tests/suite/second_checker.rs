@@ -239,7 +239,7 @@ fn false_verdicts_are_refused() {
     cheats.twice(&honest, "/verdicts", "11 verdicts where 10 are due");
     cheats.put(&honest, "/orders", json!([1]), "10 verdicts where 5 are due");
     cheats.put(&honest, "/orders", json!([1, 2, 3]), "10 verdicts where 15 are due");
-    cheats.put(&honest, "/quantities", json!(["moment", "force"]), "quantities stand in the order");
+    cheats.put(&honest, "/quantities", json!(["moment", "force"]), "quantities are in the order");
     cheats.put(&honest, "/shapes/0/shape", json!("planar"), "the contrary");
     cheats.put(&honest, "/shapes/2/shape", json!("elliptical"), "rotating is due");
     cheats.drop(&honest, "/shapes", "3 shapes where 4 are due");

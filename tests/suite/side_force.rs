@@ -411,7 +411,7 @@ fn what_the_orders_shown_leave_out_is_bounded() {
         let all = bearing_loads(&engine, &(1..=60).collect::<Vec<u32>>(), Method::Continuous).expect("loads");
         for orders in [vec![1], vec![1, 2], vec![1, 2, 4, 6], usual_bearing_orders(&engine)] {
             let shown = bearing_loads(&engine, &orders, Method::Continuous).expect("loads");
-            let bound = left_out_of_bearings(&engine, &shown).expect("numbers").expect("orders are left out");
+            let bound = left_out_of_bearings(&engine, &shown).expect("numbers").expect("orders are omitted");
             assert!(bound.peak <= worst(&all) * (1.0 + 1e-9), "{ratio} {orders:?}");
             for (shown, all) in shown.bearings.iter().zip(&all.bearings) {
                 let missing = (0..90).map(|step| {

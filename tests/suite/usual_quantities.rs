@@ -223,9 +223,9 @@ fn a_rod_that_is_given_twice_is_told_with_both_ways_of_writing_it() {
     for words in [
         "rotating_mass contradicts rod_mass",
         "layout.toml:7",
-        "leave out rotating_mass",
+        "omit rotating_mass",
         "rod_centre",
-        "or leave out rod_mass",
+        "or omit rod_mass",
     ] {
         assert!(rotating.contains(words), "{words}: {rotating}");
     }

@@ -155,7 +155,7 @@ fn what_is_marked_on_a_slider_vanishes_there_and_nowhere_else_on_it() {
             degrees(&pair[0]) < degrees(&pair[1])
         });
         assert!(rising, "the stops of {key} rise");
-        let at = slider["at"].as_u64().expect("where it stands") as usize;
+        let at = slider["at"].as_u64().expect("where it is") as usize;
         let now = if key == "vee.bank_angle" { Turn::fraction(1, 6) } else { Turn::zero() };
         let stands = file::parse_angle(value(at).trim_matches('"')).expect("an angle");
         assert_eq!(Turn::new(stands), now);

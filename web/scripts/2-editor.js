@@ -1,4 +1,4 @@
-// How is a mistake shown where it stands? Its line in the margin, its letters underlined, its words below.
+// How is a mistake shown where it is? Its line in the margin, its letters underlined, its words below.
 const editor = (() => {
   const [area, marked, gutter, told] = [$("layout"), $("marked"), $("gutter"), $("mistake")];
   let place = null;

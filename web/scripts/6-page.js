@@ -156,7 +156,7 @@ const page = async () => {
   const link = async (isOld) => {
     const fragment = `#l=${await save.packed(editor.area.value)}`;
     if (isOld()) return;
-    // Each engine that is picked is a step of its own for the browser's Back; what is typed changes the step it stands at.
+    // Each engine that is picked is a step of its own for the browser's Back; what is typed changes the step it is at.
     if (location.hash !== fragment) history[state.isStep && state.link ? "pushState" : "replaceState"](null, "", fragment);
     state.isStep = false;
     state.link = fragment;

@@ -247,7 +247,7 @@ class Engine:
         torque: bool = False,
         all_orders: bool = False,
     ) -> Verdicts:
-        """Does force or moment vanish, order by order, and what is left? Orders from 1 to 1000; the usual ones where left out."""
+        """Does force or moment vanish, order by order, and what is left? Orders from 1 to 1000; the usual ones where omitted."""
     def loads(self, orders: _Orders | None = None) -> Answer:
         """Forces in N, moments and torques in N m where the layout gives masses, a crank radius and a speed; amplitudes zero to peak."""
     def bearings(self, orders: _Orders | None = None) -> Answer:

@@ -1,4 +1,4 @@
-//! Which letters stand in a formula, and what of a cylinder can a formula be said of?
+//! Which letters are in a formula, and what of a cylinder can a formula be said of?
 
 /// A letter of a formula, as in section 2.3 of the thesis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,7 +98,7 @@ pub enum Measured {
     Acceleration,
     /// The gas force on the piston, towards the crank.
     GasForce,
-    /// The inertia force of what goes back and forth, towards the crank.
+    /// The inertia force of the reciprocating mass, towards the crank.
     InertiaForce,
     /// The centrifugal force of the rotating mass of the rod.
     CentrifugalForce,

@@ -94,7 +94,7 @@ impl Rest<'_> {
         })
     }
 
-    /// What a function is of: what stands in brackets, or a letter with perhaps a number before it.
+    /// What a function is of: what is in brackets, or a letter with perhaps a number before it.
     fn argument(&mut self) -> Result<Formula, String> {
         let first = self.simple()?;
         let is_number = |formula: &Formula| match formula {

@@ -22,7 +22,7 @@ pub struct PressureTable {
 
 impl PressureTable {
     /// The table of these rows: angles rise, and the rows go once round the cycle. A last row that stands a whole cycle after the
-    /// first repeats it, within a hundredth of the largest pressure, and is left out.
+    /// first repeats it, within a hundredth of the largest pressure, and is omitted.
     ///
     /// # Errors
     /// The first row that cannot be, or what the rows lack together.

@@ -52,7 +52,7 @@ impl Spot {
         Spot { re, im, doubt: (doubt >> bits) + 2 }
     }
 
-    /// A whole number of units that its size does not exceed, its doubt left out.
+    /// A whole number of units that its size does not exceed, its doubt omitted.
     fn size(&self) -> BigInt {
         (&self.re * &self.re + &self.im * &self.im).sqrt() + 1
     }

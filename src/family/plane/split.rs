@@ -42,7 +42,7 @@ pub(super) fn directions(parts: &[&Part]) -> impl Iterator<Item = [BigRational; 
     all.into_iter().filter(is_new)
 }
 
-/// The two classes of parts that stand on lines in a direction, where there are two.
+/// The two classes of parts that are on lines in a direction, where there are two.
 fn along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Split> {
     let start = *parts.first()?;
     let across = |part: &Part| {

@@ -1,4 +1,4 @@
-//! What may stand behind a key, and how does JSON Schema say it?
+//! What may be behind a key, and how does JSON Schema say it?
 //!
 //! `'a word' | text | angle | … | 1..1000 | table name | [of each]`. A schema refuses nothing that is read: numbers may be texts, with a unit or an
 //! unknown in them, which no pattern says better than the reader.

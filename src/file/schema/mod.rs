@@ -28,7 +28,7 @@ pub(super) const FORMS: [&str; 14] = [
 
 const KEYS: &str = include_str!("keys.txt");
 
-/// A table of the file: its name, which stands in its brackets there, a sentence, and its keys.
+/// A table of the file: its name, which is in its brackets there, a sentence, and its keys.
 struct Table {
     name: &'static str,
     about: &'static str,

@@ -83,7 +83,7 @@ pub enum Mark {
         to: Point,
         /// Line.
         stroke: Stroke,
-        /// Whether an arrow head stands at the end.
+        /// Whether an arrow head is at the end.
         arrow: bool,
     },
     /// A circle, filled or not.

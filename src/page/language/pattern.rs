@@ -13,12 +13,12 @@ impl<'a> Pattern<'a> {
         Pattern { between: english.split("{}").collect(), words }
     }
 
-    /// Whether commas stand in it.
+    /// Whether commas are in it.
     pub fn has_commas(&self) -> bool {
         self.between.iter().any(|words| words.contains(", "))
     }
 
-    /// The other words, with what stands in the places put through `inside`.
+    /// The other words, with what is in the places put through `inside`.
     pub fn filled(&self, text: &str, inside: &impl Fn(&str) -> String) -> Option<String> {
         let values: Vec<String> = self.values(text)?.into_iter().map(inside).collect();
         let mut following = 0..;
@@ -29,7 +29,7 @@ impl<'a> Pattern<'a> {
         Some(places(self.words).into_iter().map(set).collect())
     }
 
-    /// What stands in the places, none of them empty.
+    /// What is in the places, none of them empty.
     fn values<'t>(&self, text: &'t str) -> Option<Vec<&'t str>> {
         let (first, rest) = self.between.split_first()?;
         let mut text = text.strip_prefix(first)?;

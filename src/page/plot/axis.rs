@@ -111,7 +111,7 @@ impl Axis {
         Axis { unit: Some(unit), ..self }
     }
 
-    /// What stands at it.
+    /// What is at it.
     pub(super) fn words(&self) -> String {
         self.unit.map_or_else(|| self.label.clone(), |unit| self.label.replacen("{}", unit.name, 1))
     }

@@ -66,7 +66,7 @@ fn chains(mut next: BTreeMap<Edge, Vec<Edge>>) -> Vec<Vec<Edge>> {
     chains
 }
 
-/// Where the value stands on an edge, between the values of its ends.
+/// Where the value is on an edge, between the values of its ends.
 fn place(rows: &[Vec<f64>], level: f64, (x, y, up): Edge) -> Point {
     let (to_x, to_y) = if up { (x, y + 1) } else { (x + 1, y) };
     let (from, to) = (rows[y][x], rows[to_y][to_x]);

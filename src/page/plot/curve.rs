@@ -19,7 +19,7 @@ pub struct Curve {
 
 impl Curve {
     /// A curve in the style of its number: no two of the first twenty share both colour and dash, and neighbours
-    /// differ in both, so that they are told apart in grey too.
+    /// differ in both, so that they are reported apart in grey too.
     pub fn new(number: usize, name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         const INKS: [Ink; 5] = [Ink::Blue, Ink::Orange, Ink::Green, Ink::Red, Ink::Black];
         const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];
@@ -96,7 +96,7 @@ pub(super) fn snapped(point: Point) -> Point {
     Point::new((point.re * LATTICE).round() / LATTICE, (point.im * LATTICE).round() / LATTICE)
 }
 
-/// Points that move the line by less than this, in millimetres, are left out.
+/// Points that move the line by less than this, in millimetres, are omitted.
 const TOLERANCE: f64 = 0.02;
 /// The tolerance grows until a curve has no more points than this.
 const MOST_POINTS: usize = 400;

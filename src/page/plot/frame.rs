@@ -22,7 +22,7 @@ pub(super) struct Frame {
     pub y: Ruler,
 }
 
-/// Height of what stands below the frame, and between the frame and the head.
+/// Height of what is below the frame, and between the frame and the head.
 pub(super) const BELOW: f64 = LABEL_BELOW + LINE / 2.0 + 1.0;
 pub(super) const LABEL_ABOVE: f64 = 5.0;
 pub(super) const LABEL_UP: f64 = 3.4;
@@ -39,7 +39,7 @@ impl Frame {
         Frame { area: Area { low: snapped(low), high: snapped(high) }, x, y }
     }
 
-    /// Where a point stands on the page; none where it has no place.
+    /// Where a point is on the page; none where it has no place.
     pub fn at(&self, (x, y): (f64, f64)) -> Option<Point> {
         Some(snapped(Point::new(self.right(&self.x, x)?, self.up(&self.y, y)?)))
     }
@@ -82,7 +82,7 @@ impl Frame {
         }
     }
 
-    /// The outline, ticks with numbers, and the labels of both axes; numbers that have no room are left out.
+    /// The outline, ticks with numbers, and the labels of both axes; numbers that have no room are omitted.
     pub fn axes(&self, figure: &mut Figure, x_label: &str, y_label: &str) {
         let Area { low, high } = self.area;
         let corners = vec![low, Point::new(high.re, low.im), high, Point::new(low.re, high.im)];

@@ -1,4 +1,4 @@
-//! What stands above a plot? Its title, and the legend in rows.
+//! What is above a plot? Its title, and the legend in rows.
 
 use super::super::figure::{Anchor, Figure, Point};
 use super::frame::EDGE;
@@ -40,7 +40,7 @@ impl<'a> Key<'a> {
     }
 }
 
-/// What stands above the frame, laid out before the height of the page is known.
+/// What is above the frame, laid out before the height of the page is known.
 pub(super) struct Head<'a> {
     title: Vec<String>,
     rows: Vec<Vec<&'a Key<'a>>>,

@@ -31,7 +31,7 @@ impl Labels {
         Labels { bounds, taken: Vec::new(), felt: Vec::new(), hides: false }
     }
 
-    /// Labels go anywhere, and stand on white where they must lie on a line.
+    /// Labels go anywhere, and are on white where they must lie on a line.
     pub fn anywhere() -> Self {
         let far = Point::new(1e4, 1e4);
         Labels { hides: true, ..Labels::new(Area { low: -far, high: far }) }

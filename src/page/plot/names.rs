@@ -9,7 +9,7 @@ use super::number::text_width;
 
 /// Curves whose points are nearer than this on the page, in millimetres, are drawn on each other.
 const SAME: f64 = 0.3;
-/// Longer names than this stand in the legend.
+/// Longer names than this are in the legend.
 const LONGEST: f64 = 46.0;
 /// A name belongs to its curve if every other one is farther from it by this.
 const CLEAR: f64 = 1.6;

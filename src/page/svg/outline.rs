@@ -54,7 +54,7 @@ pub fn rectangle(low: Point, high: Point, height: f64) -> String {
     outline(&corners, height, true)
 }
 
-/// A command with its numbers; the word is left out where it is that of the command before.
+/// A command with its numbers; the word is omitted where it is that of the command before.
 fn push(out: &mut String, word: char, numbers: &[i64]) {
     let last = out.rfind(|letter: char| letter.is_ascii_alphabetic()).map(|at| out[at..].chars().next());
     let is_same = last.flatten() == Some(word) && word != 'M';

@@ -1,4 +1,4 @@
-//! Where does a symbol stand in a formula, and where in words?
+//! Where does a symbol are in a formula, and where in words?
 
 use super::{SYMBOLS, Symbol};
 
@@ -36,7 +36,7 @@ pub(super) fn words(words: &str) -> Vec<Part<'_>> {
     })
 }
 
-/// The next letter, with its length; `has_index`: of what stands behind it.
+/// The next letter, with its length; `has_index`: of what is behind it.
 fn one(rest: &str, has_index: impl Fn(&str) -> bool) -> (usize, Option<Symbol>) {
     let Some(letter) = rest.chars().next() else { return (0, None) };
     let length = letter.len_utf8();

@@ -13,13 +13,13 @@ pub(super) fn spelled(tex: &str) -> Option<String> {
     Some(format!("{base}{}{index}", "′".repeat(primes)))
 }
 
-/// Whether a plain name holds letters and digits alone: it stands in every format as it is.
+/// Whether a plain name holds letters and digits alone: it is in every format as it is.
 pub(super) fn is_plain(text: &str) -> bool {
     let is_sign = |letter: char| ('\u{300}'..='\u{36f}').contains(&letter) || "\u{20d7}′".contains(letter);
     text.chars().next().is_some_and(char::is_alphabetic) && text.chars().all(|it| it.is_alphanumeric() || is_sign(it))
 }
 
-/// A letter, a command for one, or an accent over one; and what stands behind it.
+/// A letter, a command for one, or an accent over one; and what is behind it.
 fn base(tex: &str) -> Option<(String, &str)> {
     let Some(command) = tex.strip_prefix('\\') else {
         let first = tex.chars().next().filter(char::is_ascii_alphabetic)?;

@@ -21,7 +21,7 @@ use crate::text;
 pub(super) struct Composer<'a> {
     pub writer: &'a dyn Writer,
     pub options: &'a Options,
-    /// Files that stand beside the main one.
+    /// Files that are beside the main one.
     pub files: Vec<File>,
     /// What was folded, for formats that have it at the end.
     folds: Vec<Folded>,
@@ -185,7 +185,7 @@ impl<'a> Composer<'a> {
         }
     }
 
-    /// Pushes decimals so that their points stand below each other, where the format has a space as wide as a digit.
+    /// Pushes decimals so that their points are below each other, where the format has a space as wide as a digit.
     fn align(&self, table: &Table, rows: &mut [Vec<String>], letters: &mut [Vec<Letters>]) {
         let Some(space) = self.writer.digit_space() else { return };
         for column in 0..table.header.len() {
@@ -338,7 +338,7 @@ impl<'a> Composer<'a> {
 }
 
 /// What is said where formulas have numbers in them that are not converted.
-const IN_SI: &str = "Formulas with numbers put in are computed in SI units.";
+const IN_SI: &str = "Numbers are put into the formulas in SI units.";
 /// Between values in English.
 const COMMA: &str = ", ";
 

@@ -1,4 +1,4 @@
-//! Which columns of a table are decimals, and how far are their points pushed to stand below each other?
+//! Which columns of a table are decimals, and how far are their points pushed to be below each other?
 
 /// How many digits each cell of a column lacks before its point; 0 everywhere where the column has no two decimals.
 pub(super) fn lacking(column: &[String]) -> Vec<usize> {

@@ -26,7 +26,7 @@ struct Topic {
     plain: String,
 }
 
-/// What stands above a table.
+/// What is above a table.
 #[derive(Serialize)]
 pub(super) struct Caption {
     text: String,

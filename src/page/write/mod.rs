@@ -164,7 +164,7 @@ trait Writer {
     fn link(&self, inside: &str, target: &str) -> String;
     /// A line of a file as it stands: nothing in it is markup.
     fn line(&self, line: &str) -> String;
-    /// A picture: what stands in the text, and the file beside it if there is one.
+    /// A picture: what is in the text, and the file beside it if there is one.
     fn picture(&self, picture: &Picture, caption: &str) -> (String, Option<File>);
     /// A table whole, where templates cannot set it.
     fn table(&self, _table: &columns::Cells) -> Option<String> {
@@ -198,7 +198,7 @@ trait Writer {
     fn has_scripts(&self) -> bool {
         false
     }
-    /// Whether what is folded stands at the end.
+    /// Whether what is folded is at the end.
     fn folds_at_end(&self) -> bool {
         false
     }

@@ -15,13 +15,13 @@ pub(super) struct Terminal {
     pub unbroken: bool,
 }
 
-/// Columns that stand beside the words of a cell.
+/// Columns that are beside the words of a cell.
 const PADDING: usize = 2;
-/// Columns that a column takes beside its words: where it meets the next one stands one more.
+/// Columns that a column takes beside its words: where it meets the next one is one more.
 const GAP: usize = PADDING + 1;
 
 impl Terminal {
-    /// Some columns of a table, each as wide as it is told.
+    /// Some columns of a table, each as wide as it is reported.
     fn part(&self, cells: &Cells, columns: &[(usize, usize)]) -> String {
         let mut table = Table::new();
         table.load_style(RULE_UNDER_HEAD);

@@ -139,7 +139,7 @@ fn printed(nodes: &[Node]) -> String {
     out
 }
 
-/// What stands above or below: degrees are a sign of their own, and a script with nothing before it hangs on nothing.
+/// What is above or below: degrees are a sign of their own, and a script with nothing before it hangs on nothing.
 fn script(before: &str, node: &Node, inside: &[Node]) -> String {
     let base = if before.is_empty() || before.ends_with(['\\', '&']) { "\"\"" } else { "" };
     match (node, inside) {

@@ -63,17 +63,15 @@ impl Further {
         match self.load {
             FurtherLoad::Bearing => {
                 "The loads are those of inertia, with the side forces of the pistons, on a continuous beam. The error is that of the largest load of any bearing \
-                 against the closed form; what is guaranteed bounds all orders that are left out, whichever bearing they load."
+                 against the closed form; what is guaranteed bounds all orders that are omitted, whichever bearing they load."
             }
             FurtherLoad::Torque => {
-                "The error is that of the largest torque, gas and inertia, against the time law, and anywhere the largest error through the cycle, both as parts of that torque; what is guaranteed of it adds up the orders of the gas that are left out, \
-                 exact stars times harmonics to order 48, above it times the bound by the total variation of the torque's slope. The inertia stays in its closed form. What \
-                 a wrong pressure adds is in neither."
+                "The error is that of the largest torque, gas and inertia, against the time law, and anywhere the largest error through the cycle, both as parts of that torque; what is guaranteed of it adds up the orders of the gas that are omitted, \
+                 exact stars times harmonics to order 48, above it times the bound by the total variation of the torque's slope. The inertia stays in its closed form. Neither includes the effect of a wrong pressure."
             }
             FurtherLoad::BearingWithGas => {
                 "The loads are those of gas and masses, with the side forces of the pistons, on a continuous beam; the masses stay in their closed form. The error is \
-                 that of the largest load of any bearing against the forces themselves, and anywhere the largest error of any bearing through the cycle, both as parts of that load. What a wrong \
-                 pressure adds is in neither."
+                 that of the largest load of any bearing against the forces themselves, and anywhere the largest error of any bearing through the cycle, both as parts of that load. Neither includes the effect of a wrong pressure."
             }
         }
     }

@@ -1,4 +1,4 @@
-//! What stands on the page of what accuracy costs, on the terminal, and in a report?
+//! What is on the page of what accuracy costs, on the terminal, and in a report?
 
 use super::further::{Further, FurtherLoad};
 use super::{AccuracyCase, plots, tables, words};

@@ -23,7 +23,7 @@ pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
         .done()
 }
 
-/// What stands below those tables.
+/// What is below those tables.
 pub(super) const FRONT: &str =
     "Error and guaranteed bound are parts of the peak. Unbeaten: no other method is both faster and more accurate.";
 
@@ -76,7 +76,7 @@ fn by_ratio(
     let mut table = Table::new([Text::from("Method")].into_iter().chain(columns));
     for method in methods_of(studies, kept) {
         let row = |study: &&Study| study.rows.iter().find(|row| row.method == method).map(|row| cell(study, row));
-        let cells = studies.iter().map(|study| row(study).unwrap_or_else(|| "left out".into()));
+        let cells = studies.iter().map(|study| row(study).unwrap_or_else(|| "omitted".into()));
         table.push([methods::name(method)].into_iter().chain(cells).collect());
     }
     table

@@ -15,7 +15,7 @@ pub(super) const METHODS: [&str; 5] = [
     "**Orders** are summed in doubles; an order that adds nothing is skipped. What the higher orders can add is bounded by their exact sums and, above order 60, by the sum of all coefficients; that bound excludes roundings.",
     "The **closed form** is the acceleration of each piston without any series, at equal steps of the crank angle, in floats of 64 bits.",
     "**Intervals** enclose load and slope over spans of the crank angle and cut the highest span in two, until the digits asked for are certain; they stop at 4000 spans, and their bound then shows the accuracy reached.",
-    "**Intervals of fractions** carry some fifty digits, fewer where the load is nearly constant. Narrowed by whatever else is guaranteed, they are the reference of the others; an error that is smaller than their own is said to be below it.",
+    "**Intervals of fractions** carry some fifty digits, fewer where the load is nearly constant. Narrowed by all other guaranteed bounds, they are the reference of the others; an error that is smaller than their own is said to be below it.",
 ];
 
 pub(super) const TIMES: &str = "A time is the median of seven evaluations of the peak on the machine that wrote this page, with all data of the engine precomputed; methods slower than 20 ms are timed once.";

@@ -1,4 +1,4 @@
-//! What stands on the page of values at crank angles, and on the terminal?
+//! What is on the page of values at crank angles, and on the terminal?
 
 use super::super::torque::quantity;
 use super::{AngleStudy, Instant, tables};
@@ -6,11 +6,11 @@ use crate::journal::PistonAt;
 use crate::page::plot::{Axis, Curve, Plot, Rule};
 use crate::page::{Block, Document, Picture, Text, Unit, phrase};
 
-const DIRECTIONS: &str = "Ways, velocities, accelerations and forces are positive towards the crankshaft, the side force of the wall on the piston a quarter turn \
+const DIRECTIONS: &str = "Displacements, velocities, accelerations and forces are positive towards the crankshaft, the side force of the wall on the piston a quarter turn \
     anticlockwise from the axis outward; the torque is positive in the sense of rotation. ψ is the crank angle after the dead centre at which the cylinder fires, \
     or after its dead centre where there is no gas.";
 
-const FOUND: &str = "The piston stands at $s = r\\cos\\psi + l\\sqrt{1-(\\lambda\\sin\\psi-\\delta)^2}$, the prime $d/d\\psi$: velocity $-s'\\omega$, acceleration \
+const FOUND: &str = "The piston is at $s = r\\cos\\psi + l\\sqrt{1-(\\lambda\\sin\\psi-\\delta)^2}$, the prime $d/d\\psi$: velocity $-s'\\omega$, acceleration \
     $-s''\\omega^2$, the closed forms without a series. The effort $F$ is the gas $(p-p_c)A$, the inertia $m\\,s''\\omega^2$ and the weight where it is asked for; the rod feels $F/\\cos\\beta$, the wall \
     $F\\tan\\beta$, the crank $-F s'$, and the crankpin the rod with its rotating mass. All values are decimals.";
 

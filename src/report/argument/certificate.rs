@@ -32,8 +32,7 @@ fn of_polygons(polygons: &[Polygon]) -> Text {
     match polygons.iter().any(|polygon| polygon.weight.is_negative()) {
         false => phrase!("Polygons as (sides; turn of a corner; weight): {}.", list),
         true => phrase!(
-            "Polygons as (sides; turn of a corner; weight): {}. A negative weight takes a polygon away; where its \
-             number of sides is odd that is the same as adding it turned by half a turn.",
+            "Polygons as (sides; turn of a corner; weight): {}. A negative weight subtracts a polygon; if its number of sides is odd, that equals adding it turned by half a turn.",
             list
         ),
     }

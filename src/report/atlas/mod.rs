@@ -11,7 +11,7 @@ use crate::page::{Document, File};
 use crate::search::Best;
 use entry::EngineRow;
 
-/// Numbers of cylinders whose best stars stand in the atlas.
+/// Numbers of cylinders whose best stars are in the atlas.
 pub const ATLAS_CYLINDERS: std::ops::RangeInclusive<u32> = 2..=12;
 /// The orders of the atlas.
 const ORDERS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
@@ -39,7 +39,7 @@ impl<'a> Atlas<'a> {
         Ok(Atlas { engines, rows: known.chain(found).collect::<Result<_, _>>()? })
     }
 
-    /// The page, which says that `atlas.csv` stands beside it.
+    /// The page, which says that `atlas.csv` is beside it.
     pub fn page(&self) -> Document {
         page::page(self.engines, &self.rows, page::ALONE)
     }

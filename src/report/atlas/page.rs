@@ -1,4 +1,4 @@
-//! What stands on the pages of the atlas? The answer, the stars of the catalogue, what each engine leaves first and at each order.
+//! What is on the pages of the atlas? The answer, the stars of the catalogue, what each engine leaves first and at each order.
 
 use super::super::catalogue::{catalogue_families, catalogue_pictures, catalogue_summary};
 use super::super::engine_cells;
@@ -16,7 +16,7 @@ pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow], beside: Besid
     let families = catalogue_families(engines);
     let of = |origin: Origin| all.iter().filter(|row| row.origin == origin).collect::<Vec<_>>();
     let mut lines = vec![phrase!(
-        "The {} engines of the catalogue and the {} best in-line stars of 2 to 12 cylinders: what each leaves at orders 1 to 8, exactly, and which is the lowest residual order.",
+        "The {} engines of the catalogue and the {} best in-line stars of 2 to 12 cylinders: their exact residuals at orders 1 to 8, and the lowest residual order.",
         engines.len(),
         all.len() - engines.len()
     )];
@@ -58,7 +58,7 @@ fn file(name: &'static str) -> Text {
 /// What is said of the files beside the page.
 pub(super) type Beside = fn() -> Text;
 
-/// The page stands in one format.
+/// The page is in one format.
 pub(super) const ALONE: Beside = || {
     let csv = file("atlas.csv");
     phrase!(
@@ -68,7 +68,7 @@ pub(super) const ALONE: Beside = || {
     )
 };
 
-/// The page stands in three formats.
+/// The page is in three formats.
 pub(super) const WITH_OTHERS: Beside = || {
     phrase!(
         "The same page for print: {}; for a browser: {}; its numbers for a spreadsheet: {}. {} writes them all.",
@@ -103,12 +103,12 @@ const NOTES: [&str; 6] = [
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
     engine_cells::REMEDIES,
     "Remedies are those of orders 1 and 2, for the reciprocating masses.",
-    "Closed forms of more than 24 signs are left to the list above (orders 1 and 2) and to atlas.csv (all).",
+    "Closed forms of more than 24 characters are in the list above (orders 1 and 2) and in atlas.csv (all).",
 ];
 
 const LONGER: &str =
     "Of orders 1 and 2; the four-stroke stars of an odd number of cylinders are those of the two-stroke engines.";
 
-const TWO_STROKE: &str = "All crank stars of 2 to 12 cylinders that fire evenly, one spacing apart, decided exactly: those that no other equals in the moments of orders 1 and 2 and beats in one. An engine is named by its number of cylinders and its firing order; as good are the stars (with cylinder 1 at 0°) that have the same moments of orders 1 and 2. All cylinder axes are parallel, so that every force and moment is planar.";
+const TWO_STROKE: &str = "All crank stars of 2 to 12 cylinders that fire evenly, one spacing apart, decided exactly: only those are listed for which no other is at least as good in the moments of orders 1 and 2 and better in one. An engine is named by its number of cylinders and its firing order. Equally good stars (with cylinder 1 at 0°) have the same moments of orders 1 and 2. All cylinder axes are parallel, so that every force and moment is planar.";
 
 const FOUR_STROKE: &str = "The same for four-stroke engines. With an odd number of cylinders the stars are those of the two-stroke engine, in another firing order.";

@@ -1,4 +1,4 @@
-//! What stands on the page of the main bearings, and on the terminal?
+//! What is on the page of the main bearings, and on the terminal?
 
 use super::super::calculation::{in_digits, percent};
 use super::{amounts, plots, tables};
@@ -119,7 +119,7 @@ pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &B
     page
 }
 
-/// The largest value of each order, what is left out, and the exact vectors.
+/// The largest value of each order, what is omitted, and the exact vectors.
 pub(in crate::report) fn by_orders(engine: &Engine, loads: &BearingLoads) -> Vec<Block> {
     let mut blocks = vec![Block::Paragraph("The largest value of each order:".into()), tables::orders(loads).into()];
     blocks.extend(left_out(engine, loads).map(Block::Paragraph));

@@ -68,7 +68,7 @@ pub(crate) fn digits(value: f64) -> String {
     super::expression::figures(value, DIGITS, power).replace('-', "−")
 }
 
-/// A value of six digits, whose unit stands beside it.
+/// A value of six digits, whose unit is beside it.
 pub(crate) fn in_digits(value: f64, unit: Unit) -> Text {
     Piece::Measured(value, unit.unit, digits).into()
 }

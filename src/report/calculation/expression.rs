@@ -12,7 +12,7 @@ pub(super) enum Expression {
     Degrees(String, f64),
     /// A whole number of the formula.
     Number(u64),
-    /// What a series leaves out: nothing, as far as the printed digits go.
+    /// What a series omits: nothing, as far as the printed digits go.
     Dots,
     /// The opposite.
     Minus(Box<Expression>),
@@ -91,7 +91,7 @@ impl Line {
 const FIGURE_DIGITS: usize = 8;
 /// Digits of a result.
 const RESULT_DIGITS: usize = 6;
-/// Letters of formula and figures that still stand on one line.
+/// Letters of formula and figures that still are on one line.
 const WIDE: usize = 52;
 
 impl Expression {

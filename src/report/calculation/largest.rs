@@ -1,4 +1,4 @@
-//! How are the largest values said, with how sure they are, and what the orders shown leave out?
+//! How are the largest values said, with how sure they are, and what the orders shown omit?
 
 use super::amounts::{Unit, digits, in_digits};
 use super::summary;
@@ -119,14 +119,14 @@ pub(super) fn chosen_lines(
     let mut lines = Vec::new();
     if let Some(needed) = needed {
         lines.push(phrase!(
-            "Orders kept for an accuracy of {} % of each peak: {}; left out: {}, and all above {}.",
+            "Orders kept for an accuracy of {} % of each peak: {}; omitted: {}, and all above {}.",
             percent(needed.accuracy),
             list(&needed.kept),
             list(&needed.dropped),
             needed.looked_at
         ));
         lines.extend(loads.torque.as_ref().map(|_| {
-            phrase!("Of the torque: {}; left out: {}.", list(&needed.torque_kept), list(&needed.torque_dropped))
+            phrase!("Of the torque: {}; omitted: {}.", list(&needed.torque_kept), list(&needed.torque_dropped))
         }));
         lines.push(if needed.reached { "The accuracy is reached." } else { "The accuracy is not reached." }.into());
     }

@@ -60,7 +60,7 @@ fn of_link(engine: &Engine, index: usize, by_cylinder: bool) -> Vec<Line> {
         match (of(Measure::LinkLength, "L", of_length || by_cylinder), value(Measure::LinkRatio), radius, ratio, known)
         {
             (Some(length), _, Some(radius), ..) => Some(fraction(radius, length)),
-            // L is l − a where it is left out.
+            // L is l − a by default.
             (None, None, _, Some(ratio), Some(known)) => {
                 let rest = Expression::Minus(Box::new(quantity(named("\\kappa", of_pin), known)));
                 Some(fraction(ratio, Expression::Sum(vec![Expression::Number(1), rest])))

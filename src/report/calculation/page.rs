@@ -1,4 +1,4 @@
-//! What stands on the page of the loads? The largest values first, how they run through a revolution, then order by order.
+//! What is on the page of the loads? The largest values first, how they run through a revolution, then order by order.
 
 use super::super::convention::{differs, seen};
 use super::super::engine_page::reference_plane;
@@ -32,7 +32,7 @@ pub fn loads_page(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -
     page
 }
 
-/// What stands in the box.
+/// What is in the box.
 fn answer(engine: &Engine, numbers: &Numbers) -> Vec<Text> {
     let Numbers { loads, largest, .. } = numbers;
     let mut lines = largest_lines(engine, numbers);

@@ -24,11 +24,11 @@ struct Drawing<'a> {
     /// The waveform, and what it is counted in.
     waveform: &'a Waveform,
     unit: Unit,
-    /// What stands at its axis, with a place for the unit.
+    /// What is at its axis, with a place for the unit.
     axis: &'static str,
 }
 
-/// What stands above a plot, and what its caption begins with.
+/// What is above a plot, and what its caption begins with.
 type Heading = [&'static str; 2];
 
 const FORCE: [Heading; 2] =

@@ -14,7 +14,7 @@ use crate::proof::{Planar, Quantity, Sense};
 
 /// Most terms of the series of a coefficient that are printed.
 const MOST_TERMS: usize = 7;
-/// The part of a coefficient that a printed series may leave out.
+/// The part of a coefficient that a printed series may omit.
 const SMALLEST_TAIL: f64 = 2e-7;
 
 /// Lines with what they are about.

@@ -63,7 +63,7 @@ pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
     table
 }
 
-/// What stands where nothing was judged.
+/// What stands where nothing was decided.
 const NOT_JUDGED: &str = "not decided";
 
 /// The amplitude of an order of the torque, or that there is none.
@@ -87,7 +87,7 @@ pub(super) fn roll_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Tex
     }
 }
 
-/// What follows the table: the largest values, what the orders shown leave out, the effects.
+/// What follows the table: the largest values, what the orders shown omit, the effects.
 fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Text> {
     let loads = &numbers.loads;
     let mut lines = vec!["Zero to peak; 0 is exact and proved, ≈ decimal.".into()];

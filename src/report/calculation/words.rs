@@ -20,7 +20,7 @@ pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
         );
     } else {
         lines.push(
-            "The masses are given as reciprocating and rotating ones; how the rod is split is up to whoever gives them.".into(),
+            "The masses are given as reciprocating and rotating ones; how the rod is divided between them is the choice of the layout.".into(),
         );
     }
     if loads.groups.len() == 1 {

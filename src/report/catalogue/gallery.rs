@@ -1,4 +1,4 @@
-//! How do the engines of a family stand beside each other? A picture of stamps in rows.
+//! How do the engines of a family are beside each other? A picture of stamps in rows.
 
 use super::super::figure::{Figure, Point};
 use super::{CatalogueFamily, KnownEngine, Stamp};
@@ -6,7 +6,7 @@ use crate::page::{Block, Picture};
 
 /// Stamps beside each other: their words are read on a telephone too.
 const COLUMNS: usize = 2;
-/// Engines of one picture; on a wide screen two pictures stand beside each other.
+/// Engines of one picture; on a wide screen two pictures are beside each other.
 const MOST_ENGINES: usize = 8;
 /// Space between two stamps.
 const GAP: f64 = 4.0;

@@ -97,7 +97,7 @@ impl KnownEngine<'_> {
         }))
     }
 
-    /// The same where every order is told class by class.
+    /// The same where every order is reported class by class.
     fn first_of_classes(&self, theorem: &EveryOrderTheorem) -> Option<[Option<FirstOrderLeft>; 2]> {
         let first = |quantity| match theorem.first_left(self.engine, quantity) {
             FirstLeft::Nothing => Some(None),

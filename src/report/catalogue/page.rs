@@ -1,4 +1,4 @@
-//! What is told of the catalogue on a terminal? A row per engine.
+//! What is reported of the catalogue on a terminal? A row per engine.
 
 use super::super::engine_cells;
 use super::{KnownEngine, catalogue_families};

@@ -29,7 +29,7 @@ const ORDERS: [u32; 2] = [1, 2];
 /// What is smaller than half of the last place of a number.
 const LEAST: f64 = 0.005;
 
-/// An engine as it stands on a poster.
+/// An engine as it is on a poster.
 pub(in crate::report) struct Stamp {
     name: &'static str,
     engine: Figure,

@@ -67,6 +67,6 @@ pub(super) fn largest(found: &LargestOf) -> Text {
     let told = phrase!(words, which, size, at);
     match found.without_gas {
         None => told,
-        Some(masses) => phrase!("{} The masses alone make at most {} there.", told, quantity(masses, Unit::NEWTON)),
+        Some(masses) => phrase!("{} The masses alone give at most {} there.", told, quantity(masses, Unit::NEWTON)),
     }
 }

@@ -1,4 +1,4 @@
-//! What stands on a page of claims, and on the terminal? Each statement with its claims, who says them and where, the
+//! What is on a page of claims, and on the terminal? Each statement with its claims, who says them and where, the
 //! answers, and what they rest on; the file's own cross-checks stand apart and are not counted as claims.
 
 use super::evidence::evidence;
@@ -51,7 +51,7 @@ fn rank(status: &Status) -> u8 {
     }
 }
 
-/// The claims that do not hold, and those that are not decided: before the statements, which stand in the order of their file.
+/// The claims that do not hold, and those that are not decided: before the statements, which are in the order of their file.
 fn exceptions(claims: &Claims) -> Vec<Block> {
     let answered = answered(claims.statements.iter().flat_map(|statement| &statement.claims));
     let of = |wanted: u8, heading: &'static str| {
@@ -127,7 +127,7 @@ fn statement(published: &Published) -> Vec<Block> {
     blocks
 }
 
-/// Where it is said, with its source where that is not the one that stands above.
+/// Where it is said, with its source where that is not the one that is above.
 fn said(provenance: &Provenance, above: Option<&Untrusted>) -> Text {
     match provenance {
         Provenance::Quoted(Quote { source, place, words }) if above == Some(source) => {

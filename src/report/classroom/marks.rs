@@ -80,7 +80,7 @@ fn distribution(points: &Distribution) -> Vec<Block> {
     let x = Axis::linear("Part of the points in %");
     let mut plot = Plot::new("Points", x, Axis::linear("Sheets"));
     plot.curves.push(Curve::new(0, "sheets", outline));
-    let caption = "How many of the sheets that are marked have which part of the possible points, tenth by tenth. What lies between two tenths counts in the upper one.";
+    let caption = "The number of marked sheets by the share of the possible points, in tenths. A value between two tenths counts in the upper one.";
     let picture = Picture { name: "points".into(), caption: caption.into(), figure: plot.figure() };
     vec![
         Block::Heading(1, "How the points are spread".into()),
@@ -140,7 +140,7 @@ fn table(results: &[StudentResult]) -> Table {
 }
 
 fn name(result: &StudentResult) -> Text {
-    result.pupil.map_or_else(|| "nobody of the exercise".into(), |pupil| Text::from(&pupil.name))
+    result.pupil.map_or_else(|| "nobody in the exercise".into(), |pupil| Text::from(&pupil.name))
 }
 
 /// What is to be said of some: sheets that are not marked, and those that are read in another convention.

@@ -58,8 +58,7 @@ fn to_find(pupil: &Pupil, orders: &[u32]) -> Vec<Block> {
         Block::Heading(1, "To find".into()),
         Block::Paragraph(phrase!(
             "The vector stars of the pistons at these orders: {}. For each order, the phases of the direct and of the reverse vector of every \
-             cylinder at θ = 0, and how long their sums are: of the force, and of the moment, in which the arm z from the plane above \
-             stands before each vector.",
+             cylinder at θ = 0, and the lengths of their sums: of the force, and of the moment, in which each vector is multiplied by its arm z from the plane above.",
             listed.join(", ")
         )),
         Block::Formula(PHASES.to_owned(), Some(1)),
@@ -83,7 +82,7 @@ fn to_find(pupil: &Pupil, orders: &[u32]) -> Vec<Block> {
 const HINTS: [&str; 5] = [
     "An angle is in degrees and counts modulo 360°: 240, −120, 51.43, or 1/7 turn.",
     "A length is a number of 0 or more: 4, 3.16, sqrt(10), 2 sin 36°. What vanishes is 0.",
-    "Decimals are right where they are those of the true value, rounded: for √10 both 3.2 and 3.162 are right, 3.15 is not. A number without a point is taken as exact.",
-    "Check a star before you add it up: the vectors of one cylinder are as long as each other, and turn opposite ways.",
+    "Decimals are right where they equal the true value, rounded: for √10 both 3.2 and 3.162 are right, 3.15 is not. A number without a point is taken as exact.",
+    "Check a star before you add it up: the two vectors of a cylinder are equally long and turn in opposite senses.",
     "If you draw angles clockwise, count the throws the other way, exchange direct and reverse, or take moments about another plane, say so in the lines of the table that ask for your convention; then your table is marked in your convention.",
 ];

@@ -25,7 +25,7 @@ pub fn marked_page(pupil: &Pupil, sheet: &MarkedSheet, scheme: &Scheme) -> Docum
     page
 }
 
-const FOLLOWS: &str = "**follows** is a sum that is wrong, but right for the phases that are above it. Phases count modulo 360°; decimals are right where they are those of the true value, rounded.";
+const FOLLOWS: &str = "**follows** marks a sum that is wrong but consistent with the phases above it. Phases count modulo 360°; decimals are right where they equal the true value, rounded.";
 
 /// Points in decimals that end, else a fraction.
 pub(super) fn points(value: &BigRational) -> Text {
@@ -55,7 +55,7 @@ pub(super) fn read_in(sheet: &MarkedSheet, scheme: &Scheme) -> Vec<Text> {
     let others = sheet.undeclared.iter().map(named);
     if !sheet.undeclared.is_empty() {
         told.push(phrase!(
-            "Read in a convention that is not declared, in which more of it is right: {}. The points count times {}.",
+            "Read in a convention that is not declared, but in which more is right: {}. The points are multiplied by {}.",
             Text::joined(others, ", or "),
             points(&scheme.undeclared)
         ));

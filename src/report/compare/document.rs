@@ -12,7 +12,7 @@ use crate::proof::{Document, Format, Quantity, Shape};
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, WholeOrder};
 
 /// Engines side by side, as data. In JSON it holds the verdicts once, with their certificates, and numbers beside them; what else is said of
-/// an engine here stands in tables.
+/// an engine here is in tables.
 #[derive(Clone, Debug, Serialize)]
 pub struct CompareDocument {
     /// Dispatches it among the documents that `verify` reads.

@@ -29,9 +29,9 @@ pub struct Compared {
     pub judged: Judgement,
     /// The statements on every order.
     pub theorem: Result<EveryOrderTheorem, NoTheorem>,
-    /// What takes away the orders that are compared.
+    /// What cancels the orders that are compared.
     pub remedy: Result<Remedy, RemedyError>,
-    /// What takes away orders 1 and 2, of those that are compared; all where neither is.
+    /// What cancels orders 1 and 2, of those that are compared; all where neither is.
     pub cures: Result<Remedy, RemedyError>,
     /// The orders in newtons, where the layout has the numbers.
     pub loads: Result<Loads, Missing>,

@@ -1,4 +1,4 @@
-//! What stands on the page of a comparison, and on the terminal? The answer, sizes, exact verdicts, vector stars, how to read it.
+//! What is on the page of a comparison, and on the terminal? The answer, sizes, exact verdicts, vector stars, how to read it.
 
 use super::super::multiples::{self, Column};
 use super::super::residual;
@@ -9,7 +9,7 @@ use crate::proof::Planar;
 use crate::text::Format;
 use crate::verdict::{FirstLeft, OrderBalance};
 
-/// Engines that stand beside each other on a terminal; more begin a new table.
+/// Engines that are beside each other on a terminal; more begin a new table.
 const MOST_BESIDE: usize = 3;
 
 /// The same on a page.
@@ -82,7 +82,7 @@ fn furthest(engines: &[Compared]) -> Option<Text> {
         (several, _) if several == engines.len() => None,
         (_, u32::MAX) => Some(phrase!("Balanced at every order: {}.", names)),
         (_, order) => {
-            Some(phrase!("Balanced furthest: {}, with neither force nor moment below order {}.", names, order))
+            Some(phrase!("Best balanced: {}, with neither force nor moment below order {}.", names, order))
         }
     }
 }
@@ -112,15 +112,15 @@ fn left(engine: &Compared) -> Text {
         return phrase!("**{}**: no statement on every order; the table shows the orders compared.", name);
     };
     match (force, moment) {
-        (None, None) => phrase!("**{}** leaves neither force nor moment, at any order.", name),
+        (None, None) => phrase!("**{}** has no residual force or moment at any order.", name),
         (Some((order, shape)), None) => {
-            phrase!("**{}** leaves a force from order {} on, {}, and no moment at any order.", name, order, shape)
+            phrase!("**{}** has a residual force from order {} on, {}, and no moment at any order.", name, order, shape)
         }
         (None, Some((order, shape))) => {
-            phrase!("**{}** leaves a moment from order {} on, {}, and no force at any order.", name, order, shape)
+            phrase!("**{}** has a residual moment from order {} on, {}, and no force at any order.", name, order, shape)
         }
         (Some((force, force_shape)), Some((moment, moment_shape))) => phrase!(
-            "**{}** leaves a force from order {} on, {}, and a moment from order {} on, {}.",
+            "**{}** has a residual force from order {} on, {}, and a residual moment from order {} on, {}.",
             name,
             force,
             force_shape,

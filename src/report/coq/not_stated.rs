@@ -45,7 +45,7 @@ impl fmt::Display for NotStated {
             }
             NotStated::LongPeriod => write!(
                 f,
-                "the pattern of every order repeats only after more than {LONGEST_PERIOD} orders; leave out --all-orders"
+                "the pattern of every order repeats only after more than {LONGEST_PERIOD} orders; omit --all-orders"
             ),
             NotStated::Scale { quantity, order } => write!(
                 f,

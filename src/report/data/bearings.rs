@@ -81,7 +81,7 @@ fn of_bearings(study: &BearingsStudy, units: Units) -> Table {
     table.done()
 }
 
-/// A largest value, and the crank angle where it stands.
+/// A largest value, and the crank angle where it is.
 fn peak<R>(table: &mut Filling<R>, [size, angle]: [&'static str; 2], units: Units, of: impl Fn(&R) -> &Peak) {
     table.decimal(size, units.force, |row| Some(of(row).value * units.newtons));
     table.decimal(angle, Unit::DEGREE, |row| of(row).angle.filter(|_| of(row).value > 0.0));

@@ -64,7 +64,7 @@ fn with_point(is_negative: bool, size: impl std::fmt::Display, places: u32) -> S
     }
 }
 
-/// Decimals; what is beyond decimals is left out.
+/// Decimals; what is beyond decimals is omitted.
 pub(super) fn decimals(values: impl IntoIterator<Item = Option<f64>>) -> Values {
     // −0 is 0.
     Values::Decimal(values.into_iter().map(|value| value.filter(|value| value.is_finite()).map(|v| v + 0.0)).collect())

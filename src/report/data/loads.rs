@@ -102,7 +102,7 @@ fn torque(path: &'static str, entries: &[TorqueEntry], units: Units) -> Table {
 /// Steps of a revolution: a degree each.
 const STEPS: usize = 360;
 
-/// What stands at one crank angle.
+/// What is at one crank angle.
 struct At {
     theta: usize,
     force: Complex<f64>,

@@ -176,7 +176,7 @@ fn intervals(sweep: &Sweep, table: &mut Table) -> Vec<Column> {
 /// The counterweights; gives whether none is needed.
 fn counterweights(sweep: &Sweep, table: &mut Table) -> Vec<Column> {
     let values = decimals(sweep.points.iter().map(|point| point.counterweight.map(size)));
-    let about = "mass times radius of the larger of two counterweights in the outermost throws that take away what of order 1 turns with the crank";
+    let about = "mass times radius of the larger of two counterweights in the outermost throws that cancel the part of order 1 that turns with the crank";
     table.push(Column::new("counterweight_{unit}", Unit::MASS_RADIUS, about, values));
     let kilograms = |point: &SweptEngine| match point.counterweight? {
         Amplitude { vanishes: true, .. } => Some(0.0).filter(|_| point.kilograms.is_some()),

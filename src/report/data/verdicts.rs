@@ -16,7 +16,7 @@ pub(super) fn units(engine: &Engine) -> [Unit; 2] {
     }
 }
 
-/// Adds what is left of force and moment, in moments of this unit; those of other rows are left out.
+/// Adds what is left of force and moment, in moments of this unit; those of other rows are omitted.
 pub(super) fn of_orders<R>(
     table: &mut Filling<R>,
     order: impl Fn(&R) -> &Order,

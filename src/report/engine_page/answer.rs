@@ -187,7 +187,7 @@ fn about_the_axis(weighed: &Weighed) -> Option<Text> {
     (!told.is_empty()).then(|| phrase!("Rolling torque: {}.", Text::joined(told, ", ")))
 }
 
-/// Orders of the rolling torque that stand in the box; all stand in its table.
+/// Orders of the rolling torque that are in the box; all are in its table.
 const MOST_OF_ROLL: usize = 2;
 
 /// Whether the direct and the reverse vector of force or moment are left.
@@ -304,7 +304,7 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
     engine_answer_weighed(engine, judged, Weighing::usual())
 }
 
-/// The same, with what is told one by one and what together.
+/// The same, with what is reported one by one and what together.
 pub fn engine_answer_weighed(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Document {
     let mut page = Document::new("verdicts", engine.title());
     let theorem = super::theorem_of(engine, judged);

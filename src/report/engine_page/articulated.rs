@@ -53,7 +53,7 @@ const HARMONIC: &str = "\\kappa\\, e^{ik\\Delta} c_k(\\lambda) + z^k g_k, \\qqua
 const THEOREM: &str = "Order 1 is therefore exactly that of rods on the crankpin itself. $c_k(\\lambda)$ is that of the master rod; $g_k = |z|^{1-k} c_k(r|z|/L)$ is a real \
                        number that is not zero, for it is a series whose terms have one sign, and it has the sign of $c_k$. It is the same for $\\Delta$ and \
                        $-\\Delta$.";
-const TERMS: &str = "So each order is made of exact sums, one multiplied by $c_k$ and one by each $g_k$: they are decided separately. Where all are zero the order is, proved; where some remain, numbers enclosed from below and above decide. Rows that name $\\Delta$ count in $g_k$ where others count in $c_k$.";
+const TERMS: &str = "So each order is made of exact sums, one multiplied by $c_k$ and one by each $g_k$: they are decided separately. Where all are zero the order is, proved; where some remain, bounds from below and above decide. Rows that name $\\Delta$ count in $g_k$ where others count in $c_k$.";
 const KNUCKLES: &str = "A knuckle pin moves as $(1-\\zeta)$ times the crankpin and $\\zeta$ times the piston pin of the master, $\\zeta = \\kappa e^{i\\Delta}$. So its mass, with the \
                         big end of the link, is exactly a mass on each of them: terms of the sums of the master and of what turns with the crank.";
 const NOT_JUDGED: &str = "Each rod is two masses, which is exact for forces and moments. The inertia torque, the loads of pins and bearings, and the gas are not decided of an engine with articulated rods.";
@@ -109,7 +109,7 @@ fn in_line(engine: &Engine, judged: &Judgement) -> Vec<String> {
     orders.filter(is_left).filter(lies).map(|order| order.to_string()).collect()
 }
 
-/// What a radial hides whose rods are all taken to stand on the crankpin, as a line of the headline.
+/// What a radial hides whose rods are all taken to be on the crankpin, as a line of the headline.
 pub(super) fn hidden(engine: &Engine) -> Option<Text> {
     if engine.form() != Form::Radial || engine.has_links() || engine.has_offset() {
         return None;

@@ -49,7 +49,7 @@ const LARGEST: &str =
     "the number is the largest value through a revolution, $\\tfrac12(\\lvert P^{+}\\rvert + \\lvert P^{-}\\rvert)$;";
 const SIGNS: &str = "**0** is exact and proved; a number after ≈ is a decimal, all others are exact. A couple is the same about every plane; a moment is taken about the reference plane.";
 
-const LINKS: &str = "Rows that name Δ are about links on a master rod: they count in g_k where others count in c_k.";
+const LINKS: &str = "Rows that name Δ belong to links on a master rod: their unit has g_k in place of c_k.";
 
 const CORRECTED: &str = "Rows that name ε are about links with a corrected knuckle angle: they count in the real part (Re) or the imaginary part (Im) of h_k where others count in c_k, and rows of order 1 without it in m r ω².";
 

@@ -1,4 +1,4 @@
-//! What takes away what is left, and what does it leave: counterweights for what turns with the crank, balancer shafts for the rest?
+//! What cancels what is left, and what does it leave: counterweights for what turns with the crank, balancer shafts for the rest?
 
 use std::cell::RefCell;
 
@@ -20,7 +20,7 @@ const USUALLY_CURED: u32 = 2;
 /// Sizes that differ by less than this part are printed alike.
 const ALIKE: f64 = 1e-6;
 
-/// What takes away what is left; none where nothing is.
+/// What cancels what is left; none where nothing is.
 pub(super) fn line(
     engine: &Engine,
     judged: &Judgement,
@@ -54,9 +54,9 @@ fn is_worth_it(order: &OrderVerdict, weighed: Option<&Weighed>) -> bool {
 fn usually_left(orders: &[&OrderVerdict]) -> Option<Text> {
     match orders {
         [] => None,
-        [only] => Some(phrase!("Order {} is usually left.", only.order)),
+        [only] => Some(phrase!("Order {} is usually accepted.", only.order)),
         several => Some(phrase!(
-            "Orders {} are usually left.",
+            "Orders {} are usually accepted.",
             Text::joined(several.iter().map(|order| order.order.into()), ", ")
         )),
     }
@@ -65,7 +65,7 @@ fn usually_left(orders: &[&OrderVerdict]) -> Option<Text> {
 /// What cures an order.
 struct Cure<'a> {
     order: &'a OrderVerdict,
-    /// The distances of weights that are told already.
+    /// The distances of weights that are reported already.
     told: &'a RefCell<Vec<BigRational>>,
     weighed: Option<&'a Weighed<'a>>,
     remedy: Option<&'a Remedy>,
@@ -111,7 +111,7 @@ impl Cure<'_> {
                     one
                 )
             }
-            // The one that takes away more stands first.
+            // The one that cancels more stands first.
             (Some(one), Some(other)) => {
                 let (sense, left, other) = match with < against {
                     true => (WITH, with, [one, other]),

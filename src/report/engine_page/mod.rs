@@ -1,4 +1,4 @@
-//! What stands on the report of an engine? The answer, the engine, what is left, what cures it; then the proofs; then what they rest on.
+//! What is on the report of an engine? The answer, the engine, what is left, what cures it; then the proofs; then what they rest on.
 
 mod answer;
 mod articulated;
@@ -47,7 +47,7 @@ pub struct Contents<'a> {
     pub in_motion: bool,
     /// The errors of the methods for the peak loads, where they are asked for.
     pub accuracy: Option<&'a AccuracyCase>,
-    /// What is told one by one, and what together.
+    /// What is reported one by one, and what together.
     pub weighing: &'a Weighing,
 }
 

@@ -13,24 +13,24 @@ use crate::page::{self, Piece, Text, number, phrase};
 use crate::proof::{Axial, Planar, Quantity, Shape};
 use crate::verdict::{Judgement, OrderVerdict};
 
-/// What is told one by one of an engine, and what together.
+/// What is reported one by one of an engine, and what together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weighing {
-    /// An order below this part of the largest one, or of one piston's force, is told with the others that are; that of the layout, else a
-    /// hundredth, if left out.
+    /// An order below this part of the largest one, or of one piston's force, is reported with the others that are; that of the layout, else a
+    /// hundredth, by default.
     pub above: Option<f64>,
-    /// All orders are told one by one.
+    /// All orders are reported one by one.
     pub all: bool,
-    /// The orders were asked for: each is told.
+    /// The orders were asked for: each is reported.
     pub asked: bool,
-    /// λ of rods that a file does not give; 2/7 if left out.
+    /// λ of rods that a file does not give; 2/7 by default.
     pub rod_ratio: Option<BigRational>,
 }
 
 static USUAL: Weighing = Weighing { above: None, all: false, asked: false, rod_ratio: None };
 
 impl Weighing {
-    /// What is told where nothing else is asked for: what is above a hundredth.
+    /// What is reported where nothing else is asked for: what is above a hundredth.
     pub fn usual() -> &'static Self {
         &USUAL
     }
@@ -44,13 +44,13 @@ impl Weighing {
 /// An engine in numbers, order by order.
 pub(in crate::report) struct Weighed<'a> {
     weighing: &'a Weighing,
-    /// With rods, and no masses but those that are judged.
+    /// With rods, and no masses but those that are decided.
     pub engine: Engine,
     pub loads: Loads,
     left: LeftOut,
     /// λ of the rods, where the file gives none.
     pub assumed: Option<BigRational>,
-    /// Every order is told by itself.
+    /// Every order is reported by itself.
     tells_all: bool,
 }
 
@@ -67,7 +67,7 @@ impl<'a> Weighed<'a> {
         Some(Weighed { weighing, engine, loads, left, assumed, tells_all })
     }
 
-    /// The same beside other engines, which may have asked for some of the orders: those below the threshold are told together.
+    /// The same beside other engines, which may have asked for some of the orders: those below the threshold are reported together.
     pub fn beside_others(self) -> Self {
         Weighed { tells_all: false, ..self }
     }
@@ -77,7 +77,7 @@ impl<'a> Weighed<'a> {
         self.weighing.all
     }
 
-    /// The part of the largest from which on an order is told by itself.
+    /// The part of the largest from which on an order is reported by itself.
     pub fn above(&self) -> f64 {
         let given = || self.engine.above().and_then(ToPrimitive::to_f64);
         self.weighing.above.or_else(given).unwrap_or(0.01)
@@ -130,7 +130,7 @@ impl<'a> Weighed<'a> {
         self.sizes(quantity).into_iter().map(|(_, size)| size).fold(0.0, f64::max)
     }
 
-    /// Below this an order is told with others: a part of the largest order, or of what one piston does: its m r ω², that at the end of the
+    /// Below this an order is reported with others: a part of the largest order, or of what one piston does: its m r ω², that at the end of the
     /// engine, that at the crank radius.
     pub fn limit(&self, quantity: impl Into<Quantity>) -> f64 {
         let quantity = quantity.into();
@@ -147,7 +147,7 @@ impl<'a> Weighed<'a> {
         self.above() * self.most(quantity).max(of_one)
     }
 
-    /// Whether what is left of an order is told by itself.
+    /// Whether what is left of an order is reported by itself.
     pub fn is_told(&self, order: u32, quantity: impl Into<Quantity>) -> bool {
         let quantity = quantity.into();
         self.tells_all || self.size(order, quantity) >= self.limit(quantity)
@@ -273,7 +273,7 @@ fn largest(swing: &Swing) -> f64 {
     if swing.vanishes() { 0.0 } else { swing.largest() }
 }
 
-/// The masses that are judged, and the pistons alone where these are judged too.
+/// The masses that are decided, and the pistons alone where these are decided too.
 pub(in crate::report) struct WeighedParts<'a> {
     pub as_judged: Option<Weighed<'a>>,
     pub pistons: Option<Weighed<'a>>,

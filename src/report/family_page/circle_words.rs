@@ -85,7 +85,7 @@ pub(super) fn why(circle: &Circle) -> Text {
         ),
         Some(factor) => phrase!(
             "The sum is a polynomial of degree {} in the turn by {}. What it has in common with its mirror image, a polynomial of degree {} with \
-             each factor taken once, vanishes for the same angles, as what is left of the sum vanishes for none (proved modulo the prime {}).",
+             each factor taken once, vanishes for the same angles, since the other factor of the sum vanishes for none (proved modulo the prime {}).",
             factor.equalities.len().saturating_sub(1).to_string(),
             unknown,
             circle.polynomial.degree().to_string(),

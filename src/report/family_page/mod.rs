@@ -1,4 +1,4 @@
-//! What stands on the report of a family? For which angles and lengths each order vanishes, and why.
+//! What is on the report of a family? For which angles and lengths each order vanishes, and why.
 
 mod boxes_words;
 mod circle_words;

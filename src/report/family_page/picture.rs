@@ -248,7 +248,7 @@ fn zeros(verdicts: &[OpenVerdict; 2], unknown: &str) -> (Vec<Place>, Vec<Place>)
     }
 }
 
-/// Where a vector vanishes; those left out where the other one may vanish too.
+/// Where a vector vanishes; those omitted where the other one may vanish too.
 fn places(of: &Solutions, other: Option<&Solutions>) -> Vec<Place> {
     let is_near = |[low, high]: [&BigRational; 2], all: &[[BigRational; 2]]| {
         all.iter().any(|[from, to]| from <= high && low <= to)

@@ -21,7 +21,7 @@ pub(super) fn condition(classes: &Classes) -> Text {
     if told.is_empty() { none_of(classes.circle.as_ref()) } else { Text::joined(told, "; ") }
 }
 
-/// What is said where no zero is told.
+/// What is said where no zero is reported.
 pub(super) fn none_of(circle: Option<&Circle>) -> Text {
     if circle.is_some_and(|circle| !circle.is_free()) { words::NEVER.into() } else { "never 0".into() }
 }

@@ -96,14 +96,14 @@ fn found(studies: &[(Entry, FiringStudy)]) -> Vec<Text> {
     let even = count(&is_even);
     let fires = match count(&|study| is_even(study) && leaves_minor(study)) {
         0 => phrase!(
-            "{} of {} engines fire evenly, and each of these leaves the major orders and no other: the multiples of its \
+            "{} of {} engines fire evenly, and in each of these only the major orders remain: the multiples of its \
              number of firings per revolution.",
             even,
             studies.len()
         ),
-        minor => phrase!("{} of {} engines fire evenly; {} of these leave minor orders.", even, studies.len(), minor),
+        minor => phrase!("{} of {} engines fire evenly; minor orders remain in {} of these.", even, studies.len(), minor),
     };
-    vec![fires, phrase!("{} engines leave minor orders; the table has the strongest of each.", count(&leaves_minor))]
+    vec![fires, phrase!("{} engines have residual minor orders; the table has the strongest of each.", count(&leaves_minor))]
 }
 
 /// Engines × (intervals, orders left, strongest minor order).

@@ -21,7 +21,7 @@ pub fn firing_engine(engine: &Engine, own: &FiringDocument) -> Result<FiringDocu
     Ok(firing_document(&FiringStudy::of_engine(engine, weights)?, false))
 }
 
-/// The stars as data: what `verify` reads. The stars of one period stand in it where they are asked for and can be had.
+/// The stars as data: what `verify` reads. The stars of one period are in it where they are asked for and can be had.
 pub fn firing_document(study: &FiringStudy, with_pattern: bool) -> FiringDocument {
     let engine = &study.engine;
     let firing = engine.firing().unwrap_or_else(|| unreachable!("a study needs an engine that fires"));

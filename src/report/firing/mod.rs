@@ -21,7 +21,7 @@ pub(super) use page::firing_section;
 pub use page::{firing_answer, firing_page};
 pub(super) use words::strongest_in_words;
 
-/// Firing stars that are judged, and what they say of every order.
+/// Firing stars that are decided, and what they say of every order.
 #[derive(Clone, Debug)]
 pub struct FiringStudy {
     /// The engine.

@@ -1,4 +1,4 @@
-//! What stands on the page of the firing stars, and on the terminal?
+//! What is on the page of the firing stars, and on the terminal?
 
 use super::super::star::{firing_figure, firing_legend};
 use super::super::{argument, residual};
@@ -91,7 +91,7 @@ pub(in crate::report) fn firing_section(engine: &Engine) -> Vec<Block> {
     }
 }
 
-/// All that stands below the answer.
+/// All that is below the answer.
 fn section(study: &FiringStudy) -> Vec<Block> {
     let heading = |words: &'static str| Block::Heading(1, words.into());
     let (meaning, formula) = match study.weights.is_mode_shape() {

@@ -128,7 +128,7 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
             Picture {
                 name: of_crank,
                 caption: phrase!(
-                    "The same seen from the crank, outward along the throw upwards: where the pin is loaded. So it is for cylinders {}, each when it fires.",
+                    "The same seen from the crank, outward along the throw upwards: where the pin is loaded. It is the same for cylinders {}, each when it fires.",
                     names(engine, group)
                 ),
                 figure: from_crank,

@@ -40,13 +40,13 @@ pub struct MomentsRow {
     pub name: Untrusted,
     /// The engine.
     pub engine: Engine,
-    /// Whether its counterweights and balancer shafts are left out.
+    /// Whether its counterweights and balancer shafts are omitted.
     pub is_bare: bool,
     /// The forces.
     pub forces: Vec<External>,
     /// The moments about the reference plane.
     pub moments: Vec<External>,
-    /// The first-order moment where counterweights take away what turns with the crank: as large along as across.
+    /// The first-order moment where counterweights cancel what turns with the crank: as large along as across.
     pub countered: Amplitude,
     /// The guide-force moments by order, and power in watts; or why there are none.
     pub guides: Result<(Vec<GuideMoments>, Option<f64>), String>,

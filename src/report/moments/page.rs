@@ -1,4 +1,4 @@
-//! What stands on the page of external and guide-force moments, and on the terminal?
+//! What is on the page of external and guide-force moments, and on the terminal?
 
 use super::{Amplitude, External, MomentsRow, MomentsStudy};
 use crate::engine::CycleOrder;
@@ -8,13 +8,12 @@ use crate::report::engine_cells;
 const CONVENTION: &str = "V is along direction 0, upright in an in-line engine, H across it; amplitudes are zero to peak, moments about the reference plane. **0** is proved. Forces and moments are \
     proportional to the square of the speed, $(n/n_1)^2$; the guide-force moments are not, for the gas has part in them.";
 
-const COUNTERED: &str = "M1 with counterweights is what is left where counterweights take away all that turns with the crank at order 1: as large along as across. Compensators of the second \
-    order, balancer shafts at twice the speed, can take away M2 altogether; the command remedy gives the masses of both.";
+const COUNTERED: &str = "M1 with counterweights is the residual where counterweights cancel all that turns with the crank at order 1: as large along as across. Second-order compensators, balancer shafts at twice the speed, can cancel all of M2; the command remedy gives the masses of both.";
 
 const GUIDES: &str = "H is the order of the torque, which rocks the frame about the shaft; X is the sum of the couples of guides and crank, each times its distance from the middle, over the rod length, \
     and twists the frame.";
 
-const PER_KILOWATT: &str = "Moment over power (PRU) is makers' measure for the second order: below 60 N·m/kW a compensator is not relevant, up to 120 unlikely to be needed, up to 220 likely, above \
+const PER_KILOWATT: &str = "Moment over power (PRU) is the engine makers' measure of the second order: below 60 N·m/kW a compensator is not relevant, up to 120 unlikely to be needed, up to 220 likely, above \
     most likely.";
 
 /// The short answer.
@@ -93,7 +92,7 @@ fn amount(value: Amplitude, unit: Unit) -> Text {
     value.map_or_else(Text::zero, |value| Text::measured(value / 1e3, unit))
 }
 
-/// A row an engine: V and H of each order, those columns that are 0 in all engines left out but for V.
+/// A row an engine: V and H of each order, those columns that are 0 in all engines omitted but for V.
 fn external(study: &MomentsStudy, unit: Unit, of: fn(&MomentsRow) -> &[External], is_moment: bool) -> Table {
     let sign = if is_moment { "M{}{}, {}" } else { "F{}{}, {}" };
     let mut columns: Vec<(usize, usize)> = Vec::new();

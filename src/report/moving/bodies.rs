@@ -110,7 +110,7 @@ fn drawn(given: &BigRational) -> BigRational {
     given.clone().max(ratio(LEAST_RATIO))
 }
 
-/// Length of a link, and the pin that it stands on.
+/// Length of a link, and the pin that it is on.
 fn link_on_its_knuckle(link: &Link, radius: &BigRational) -> (BigRational, Knuckle) {
     let master = radius / drawn(&link.master);
     let knuckle = Knuckle {

@@ -1,4 +1,4 @@
-//! How does a scene stand in a page? As a fragment of HTML with its numbers in JSON beside it.
+//! How does a scene are in a page? As a fragment of HTML with its numbers in JSON beside it.
 
 use std::sync::LazyLock;
 

@@ -80,7 +80,7 @@ impl<'a> OpenAngle<'a> {
         unit.to_i64().filter(|unit| *unit <= LARGEST)
     }
 
-    /// Where a sum vanishes, the ends of the slider left out; none where that is not solved, or everywhere.
+    /// Where a sum vanishes, the ends of the slider omitted; none where that is not solved, or everywhere.
     fn solutions(&self, verdict: &OpenVerdict) -> Option<Solutions> {
         let [low, high] = range(self.unknown);
         match verdict.zeros(self.unknown, [&low, &high]) {
@@ -113,7 +113,7 @@ impl<'a> OpenAngle<'a> {
 
     /// How many times the angle enters the direction of a vector.
     pub fn enters_vector(&self, source: Source, verdict: &Verdict) -> BigRational {
-        // A family is judged without masses that turn.
+        // A family is decided without masses that turn.
         let cylinder = source.piston().and_then(|index| self.family.cylinders().get(index));
         let phase = cylinder.zip(verdict.sense).map(|(one, sense)| family::phase(one, verdict.order, sense));
         phase.map_or_else(BigRational::zero, |phase| phase.coefficient(self.unknown))

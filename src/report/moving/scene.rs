@@ -15,7 +15,7 @@ pub struct Scene {
     pub seen: &'static str,
     /// The cylinders from the free end on.
     pub bodies: Vec<Body>,
-    /// The orders that are judged.
+    /// The orders that are decided.
     pub orders: Vec<MovingOrder>,
     /// The order that the page opens on, by its place, and its force or moment: the first that is left.
     pub start: (usize, &'static str),
@@ -34,7 +34,7 @@ pub struct Scene {
 pub struct Body {
     /// What it is called.
     pub name: String,
-    /// What stands on its piston seen from the free end; none behind one that moves alike.
+    /// What is on its piston seen from the free end; none behind one that moves alike.
     pub label: Option<String>,
     /// A number that cylinders on one throw have in common, from 0.
     pub crank: usize,
@@ -58,7 +58,7 @@ pub struct Body {
     pub radius: f64,
     /// Length of its rod, or of its link, as it is drawn, in the same unit.
     pub rod: f64,
-    /// The pin of a master rod that a link stands on; none of a rod on the crankpin.
+    /// The pin of a master rod that a link is on; none of a rod on the crankpin.
     pub knuckle: Option<Knuckle>,
     /// Distance e of its axis from the shaft, on the side of ψ = 90°, in the same unit.
     pub aside: f64,
@@ -67,9 +67,9 @@ pub struct Body {
 /// A knuckle pin, on the master rod of the same crankpin.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Knuckle {
-    /// Δ: by how much the axis of the link's cylinder stands ahead of that of the master's.
+    /// Δ: by how much the axis of the link's cylinder is ahead of that of the master's.
     pub angle: f64,
-    /// γ: where it stands, seen from the crankpin, from the master rod on.
+    /// γ: where it is, seen from the crankpin, from the master rod on.
     pub ahead: f64,
     /// Its distance from the crankpin, in crank radii of the engine.
     pub radius: f64,

@@ -20,7 +20,7 @@ use crate::page::Units;
 use crate::proof::{Planar, Sense};
 use crate::verdict::{Judgement, OrderBalance, OrderVerdict, Verdict};
 
-/// The orders that are judged; none of those whose parts have coefficients of their own that are not known.
+/// The orders that are decided; none of those whose parts have coefficients of their own that are not known.
 pub(super) fn orders(
     engine: &Engine,
     judged: &Judgement,
@@ -184,7 +184,7 @@ const SAMPLES: u32 = 72;
 /// The longest arrow of a star; of a sum that an open angle changes the longest that is found.
 fn reach(rays: &[Ray], length: f64, open: Option<&OpenAngle>) -> f64 {
     let moved = |by: f64| {
-        // With the same last digit on every machine, as all that stands in a page.
+        // With the same last digit on every machine, as all that is in a page.
         let vector = |ray: &Ray| {
             let (sin, cos) = libm::sincos((ray.degrees + ray.turns * by).to_radians());
             Complex::new(cos, sin) * ray.length

@@ -67,7 +67,7 @@ pub(super) fn left(left: Residual, unit: Unit) -> Text {
     }
 }
 
-/// Steps in which it is told how near a design is to the least load that is possible, in percent.
+/// Steps in which it is reported how near a design is to the least load that is possible, in percent.
 const STEPS: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
 
 /// How near to the bound, in the steps of a ladder: `≤ 0.01 %`.

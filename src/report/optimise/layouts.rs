@@ -1,4 +1,4 @@
-//! Which files stand beside the page? A layout file of each best crankshaft.
+//! Which files are beside the page? A layout file of each best crankshaft.
 
 use num_traits::ToPrimitive;
 

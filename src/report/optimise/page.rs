@@ -1,4 +1,4 @@
-//! What stands on the page of the best crankshafts, on the terminal, and on a page that holds several?
+//! What is on the page of the best crankshafts, on the terminal, and on a page that holds several?
 
 use super::amounts::{self, Units};
 use super::{optimise_layouts, plot, tables};
@@ -7,10 +7,10 @@ use crate::optimise::{Couple, Front};
 use crate::page::{Block, Document, Text, Unit, number, phrase};
 
 const METHOD: [&str; 5] = [
-    "The variables are the mass × radius of each counterweight, in its plane: its size, which is the balance factor that the weight adds to its throw, and its direction, given as the skew from opposite to its throw, positive ahead of it. A larger radius makes the same mass × radius of less mass, so that the largest radius is always the best one.",
+    "The variables are the mass × radius of each counterweight, in its plane: its size, which is the balance factor that the weight adds to its throw, and its direction, given as the skew from opposite to its throw, positive ahead of it. A larger radius gives the same mass × radius with less mass, so the largest radius is always the best.",
     OBJECTIVE,
     "For a given mass this is a convex problem (a second-order cone program): every bearing load is affine in the counterweights. Crank angles are sampled, and those at which a solution peaks higher are added until peak and samples agree. The multipliers of the solution prove, by weak duality, the least load possible at that mass: the column “above the least possible”, computed in floats.",
-    "The solution is then rounded to whole steps of mass × radius, and two of the weights (one where a couple may be left) are solved anew, exactly, so that force and couple vanish: a zero is decided on the exact sums of the layout file of the point. A weight that points along no throw is written as components along two of them.",
+    "The solution is then rounded to whole steps of mass × radius, and two of the weights (one where a couple is allowed) are solved for again, exactly, so that force and couple vanish: a zero is decided on the exact sums of the layout file of the point. A weight that points along no throw is written as components along two of them.",
     "Figures that are not exact have four digits at most. They are computed from the layout files of the points, not taken from the solver.",
 ];
 
@@ -91,7 +91,7 @@ fn comparison(layout: &Engine, front: &Front) -> Vec<Block> {
     table.map_or_else(Vec::new, |table| vec![Block::Paragraph(COMPARED.into()), table.into()])
 }
 
-/// The page; the layout file of each point stands beside it.
+/// The page; the layout file of each point is beside it.
 pub fn optimise_page(layout: &Engine, front: &Front, couple: &Couple) -> Document {
     let mut page = Document::new("optimise", phrase!("{}: the best counterweights", layout.title()));
     page.push(Block::Answer(answer(layout, front, couple)));

@@ -1,4 +1,4 @@
-//! What stands on the page of a remedy, on the terminal, and in a report?
+//! What is on the page of a remedy, on the terminal, and in a report?
 
 use super::super::convention::{differs, said};
 use super::{alone, weights, words};

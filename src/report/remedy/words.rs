@@ -44,7 +44,7 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
     match on_a_crankshaft(remedy) {
         Some((crank, others)) => {
             lines.push(phrase!(
-                "What has to turn at 1× against the crank may be on crankshaft {}, which turns against the reference, at the same position and angle, and needs no shaft of its own: its axis may be anywhere across the engine for force and moment, but not for the roll moment.",
+                "The weight at 1× against the crank may sit on crankshaft {}, which turns against the reference, at the same position and angle; no extra shaft is needed. Force and moment do not depend on where its axis is, the roll moment does.",
                 crank
             ));
             if others > 0 {
@@ -81,10 +81,10 @@ fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
         };
         let words = match shaft.sense {
             Sense::Direct => {
-                "What has to turn at {}× with the crank may be on crankshaft {}, which turns so, at the same position and angle, and needs no shaft of its own: its axis may be anywhere across the engine for force and moment, but not for the roll moment."
+                "The weight at {}× with the crank may sit on crankshaft {}, which turns at this speed, at the same position and angle; no extra shaft is needed. Force and moment do not depend on where its axis is, the roll moment does."
             }
             Sense::Reverse => {
-                "What has to turn at {}× against the crank may be on crankshaft {}, which turns so, at the same position and angle, and needs no shaft of its own: its axis may be anywhere across the engine for force and moment, but not for the roll moment."
+                "The weight at {}× against the crank may sit on crankshaft {}, which turns at this speed, at the same position and angle; no extra shaft is needed. Force and moment do not depend on where its axis is, the roll moment does."
             }
         };
         lines.push(phrase!(words, shaft.order, crank.name.clone()));
@@ -203,7 +203,7 @@ fn proof(remedy: &Remedy) -> Text {
     }
     if left > 0 {
         return phrase!(
-            "Of the sums of force and moment of the corrected engine at the orders {} {} are proved zero, and {} are left below 10⁻⁶ of the load.",
+            "Of the sums of force and moment of the corrected engine at the orders {}, {} are proved zero and {} are below 10⁻⁶ of the load.",
             orders(remedy),
             sums,
             left

@@ -1,4 +1,4 @@
-//! What stands on the page of masses on a shaft, and on the terminal?
+//! What is on the page of masses on a shaft, and on the terminal?
 
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -14,10 +14,9 @@ use crate::page::{Block, Document, Table, Text, Unit, phrase};
 use crate::rotor::{Answer, Found, Real, Reason};
 
 const FOUND: &str = "With $U = m r e^{i\\beta}$ the shaft is balanced where $\\sum U = 0$ and $\\sum z U = 0$: four real equations. Whether they hold, and whether a solution exists, is decided by exact sums; \
-    what stands after = is exact, after ≈ a decimal.";
+    a value after = is exact, after ≈ a decimal.";
 
-const LOCOMOTIVE: &str = "The shaft is balanced with this share of the reciprocating masses counted as if it turned. The share goes up and down with the wheels: hammer blow. The rest varies the tractive force, and about the middle between the wheels \
-    it is the swaying couple. These are of the first order alone, for a long rod; the secondary forces are left out.";
+const LOCOMOTIVE: &str = "The shaft is balanced with this share of the reciprocating masses counted as if it turned. The vertical component of this share is the hammer blow. The rest varies the tractive force, and about the middle between the wheels it is the swaying couple. Only the first order is included, for a long rod; secondary forces are neglected.";
 
 /// The short answer.
 pub(super) fn answer(study: &RotorStudy) -> Document {
@@ -63,22 +62,22 @@ fn verdict(study: &RotorStudy) -> Text {
 
 fn why(reason: Reason, is_never: bool) -> Text {
     match reason {
-        Reason::OnePlane if is_never => "both wanted masses stand in one plane, and the couple about it is left.",
-        Reason::OnePlane => "both wanted masses stand in one plane, where all that counts is their sum.",
-        Reason::Couple => "the wanted masses balance the force, but the couple is left.",
+        Reason::OnePlane if is_never => "both wanted masses are in one plane, and a couple about it remains.",
+        Reason::OnePlane => "both wanted masses are in one plane, where only their sum matters.",
+        Reason::Couple => "the wanted masses balance the force, but a couple remains.",
         Reason::Force => "no mass in the given direction balances the force.",
-        Reason::CoupleAlone => "a couple is left in a direction in which the wanted masses balance no force, so that no plane of theirs serves.",
+        Reason::CoupleAlone => "a couple remains in a direction in which the wanted masses balance no force, so no planes for them balance it.",
         Reason::NotParallel => {
             "force and couple do not lie in one plane through the shaft, so that no single mass balances both."
         }
         Reason::OneLine => {
-            "both wanted masses stand in one line with the shaft, so that they cannot be told apart by their forces."
+            "both wanted masses are in one line with the shaft, so that they cannot be told apart by their forces."
         }
         Reason::NoTriangle => {
             "of the three moments about the plane of the wanted mass one is larger than the two others together."
         }
         Reason::BalancedAlready => {
-            "without some wanted mass nothing is left for it to balance, so that it is 0 and may stand anywhere."
+            "one wanted mass has nothing to balance: it is 0 and may be anywhere."
         }
     }
     .into()

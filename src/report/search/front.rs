@@ -7,10 +7,10 @@ use crate::page::{File, Picture, phrase};
 use crate::proof::Sense;
 use crate::search::{FoundStar, Front};
 
-/// What is told where only the two moments shown are compared.
-const STAIRS: &str = "Above and to the right of the steps every star is beaten.";
-/// What is told where more is compared.
-const OTHERS: &str = "A star that others here seem to beat is better in a value that is not drawn.";
+/// What is reported where only the two moments shown are compared.
+const STAIRS: &str = "Every star above and to the right of the steps is dominated.";
+/// What is reported where more is compared.
+const OTHERS: &str = "A star that seems dominated here is better in a value that is not drawn.";
 
 /// The first two orders that can differ; none where just one star or one order is there to be shown.
 pub(super) fn front_picture(front: &Front) -> Option<Picture> {

@@ -1,4 +1,4 @@
-//! What stands on the page of a search, and on the terminal? The best stars, pictures of the first, how they were found.
+//! What is on the page of a search, and on the terminal? The best stars, pictures of the first, how they were found.
 
 use super::front::front_picture;
 use super::pictures::pictures;
@@ -17,9 +17,8 @@ const MOMENTS: &str = "Moments are about the mid-plane of the engine, in multipl
 const OF_VEES: &str = "$C_k^+$ and $C_k^-$ are the direct and the reverse vector of the moment of order k, which turn with the crank and against it: the largest moment is half the sum of \
     their lengths.";
 const EQUAL: &str =
-    "Equal stars: how many share these values, counting stars that differ by rotation, mirror or reversal as one.";
-const EQUAL_IN_PART: &str = "Equal stars: how many share these values, counting as one those that differ by rotation or by what leaves all values as they are: \
-    here not each of mirror and reversal does.";
+    "Equal stars: the number that share these values. Stars that differ by rotation, mirror or reversal count as one.";
+const EQUAL_IN_PART: &str = "Equal stars: the number that share these values. Stars count as one if they differ by rotation, or by a mirror or reversal that changes no value; here one of these changes some.";
 const NEIGHBOURS: &str =
     "Neighbours: pairs of cylinders on neighbouring throws of one bank that fire in succession or at once.";
 const MINOR: &str = "Minor orders: the length of the sum of phase vectors, the firing star of this firing order weighed by the deflections of the throws in a mode of \

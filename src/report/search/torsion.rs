@@ -27,7 +27,7 @@ pub fn search_torsion(front: &Front, torsion: &Torsion) -> Vec<Block> {
     let left_out = front.stars.len().saturating_sub(MOST_TORSION_STARS);
     let ends = (left_out > 0).then(|| {
         phrase!(
-            "The firing orders of the first {} stars are evaluated; {} more are left out.",
+            "The firing orders of the first {} stars are evaluated; {} more are omitted.",
             MOST_TORSION_STARS,
             left_out
         )
@@ -54,7 +54,7 @@ fn of_star(number: usize, star: &StarTorsion, torsion: &Torsion) -> Vec<Block> {
             length
         ),
         (Some(length), all) => phrase!(
-            "**Star {}** has {} firing orders. In {} the strongest minor order is the weakest of all: {}, with a sum of {}.",
+            "**Star {}** has {} firing orders. {} keeps the strongest minor order smallest: {}, with a sum of {}.",
             number,
             all,
             first.name(),
@@ -65,7 +65,7 @@ fn of_star(number: usize, star: &StarTorsion, torsion: &Torsion) -> Vec<Block> {
     let mut blocks = vec![Block::Paragraph(said), table(star, torsion).into()];
     if star.best.len() > MOST_LISTED {
         blocks.push(Block::Note(phrase!(
-            "{} more firing orders are as good in their own way.",
+            "{} more firing orders are not dominated either.",
             star.best.len() - MOST_LISTED
         )));
     }

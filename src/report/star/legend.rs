@@ -11,7 +11,7 @@ use crate::page::{Text, phrase};
 use crate::proof::Quantity;
 use crate::verdict::{JudgedStar, OrderBalance, Verdict};
 
-/// What stands below the stars of an order.
+/// What is below the stars of an order.
 pub(in crate::report) fn star_legend(engine: &Engine, order: &OrderBalance) -> Text {
     let verdicts = order_rows(order).into_iter().flatten();
     let drawn = verdicts.map(|verdict| {
@@ -22,12 +22,12 @@ pub(in crate::report) fn star_legend(engine: &Engine, order: &OrderBalance) -> T
     legend(&drawn.collect::<Vec<_>>())
 }
 
-/// What stands below the stars of the inertia torque.
+/// What is below the stars of the inertia torque.
 pub(in crate::report) fn torque_legend(engine: &Engine, verdicts: &[&Verdict]) -> Text {
     of_one_scale(engine, &verdicts.iter().map(|verdict| JudgedStar::from(*verdict)).collect::<Vec<_>>())
 }
 
-/// What stands below firing stars.
+/// What is below firing stars.
 pub(in crate::report) fn firing_legend(engine: &Engine, stars: &[JudgedStar<'_>]) -> Text {
     of_one_scale(engine, stars)
 }
@@ -81,7 +81,7 @@ fn labelled(star: &Star) -> &[Ray] {
     if star.rays.len() <= MOST_LABELS { &star.rays } else { &[] }
 }
 
-/// What the names of masses that turn mean, as far as they stand there.
+/// What the names of masses that turn mean, as far as they are there.
 fn short_names<'a>(rays: impl Iterator<Item = &'a Ray>) -> Option<Text> {
     let mut kinds: BTreeSet<&'static str> = BTreeSet::new();
     let mut counted = None;

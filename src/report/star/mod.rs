@@ -135,7 +135,7 @@ impl Star {
         Star { rays, polygons: Vec::new(), has_turned: false, by_crank: true, ..star }
     }
 
-    /// What stands in the place of vectors where there are none.
+    /// What is in the place of vectors where there are none.
     pub(super) fn nothing(&self) -> &'static str {
         if self.by_crank { "each crankshaft: 0" } else { "no vectors" }
     }

@@ -131,7 +131,7 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
     if star.rays.len() <= MOST_LABELS {
         let named = |ray| label_of(engine, ray, scale);
         let named: Vec<(&Ray, Vec<Vec<String>>)> = star.rays.iter().map(|ray| (ray, named(ray))).collect();
-        // The names of short vectors stand on a circle that has room for all.
+        // The names of short vectors are on a circle that has room for all.
         let room = named
             .iter()
             .filter_map(|(_, ways)| ways.first())

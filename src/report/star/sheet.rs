@@ -1,4 +1,4 @@
-//! How do stars stand on a drawing? In rows, each no taller than it needs, with bars that tell their scales.
+//! How do stars are on a drawing? In rows, each no taller than it needs, with bars that tell their scales.
 
 use num_traits::Zero;
 
@@ -104,12 +104,12 @@ impl Sheet {
         Sheet { figure: Figure::new(0.0, 0.0).lettered(LETTERS), columns, foot: 0.0 }
     }
 
-    /// Where the middle of a panel lies; a row with fewer panels stands in the middle.
+    /// Where the middle of a panel lies; a row with fewer panels is in the middle.
     fn middle(&self, column: usize, of: usize) -> f64 {
         (column as f64 + (self.columns.saturating_sub(of) as f64 + 1.0) / 2.0) * WIDTH
     }
 
-    /// A line of text; where it stands.
+    /// A line of text; where it is.
     fn line(&mut self) -> f64 {
         self.foot -= LETTERS;
         self.foot + LETTERS / 2.0

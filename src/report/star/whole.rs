@@ -120,7 +120,7 @@ pub(in crate::report) fn whole_star_figure(stars: &WholeStars, order: u32) -> Fi
     in_both_units(draw, |quantity, units| stars.weighed.together(order, quantity, units))
 }
 
-/// What stands below them.
+/// What is below them.
 pub(in crate::report) fn whole_legend(stars: &WholeStars, order: u32) -> Text {
     let rows = stars.rows(order).into_iter();
     let scaled = rows.flat_map(|(quantity, row)| {

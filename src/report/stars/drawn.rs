@@ -11,7 +11,7 @@ use crate::report::star::{corners, towards};
 const FIELD: f64 = 32.0;
 const RADIUS: f64 = 13.0;
 const LABEL: f64 = 5.0;
-/// So many stars stand in a row.
+/// So many stars are in a row.
 const IN_A_ROW: usize = 6;
 
 /// The stars with their numbers.
@@ -37,7 +37,7 @@ fn drawing(star: &MinimalStar) -> Figure {
     if let Certificate::Polygons { polygons } = star.sum().certificate() {
         for polygon in &polygons {
             let dash = if polygon.weight.is_negative() { Dash::Dashed } else { Dash::Solid };
-            // A polygon that is taken away is drawn where it stands.
+            // A polygon that is taken away is drawn where it is.
             let corners = corners(polygon, if polygon.weight.is_negative() { -RADIUS } else { RADIUS });
             match corners[..] {
                 [one, other] => drawing.line(one, other, Stroke { ink: Ink::Grey, width: 0.9, dash }),

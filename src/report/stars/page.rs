@@ -1,4 +1,4 @@
-//! What stands on the page of stars, and on the terminal?
+//! What is on the page of stars, and on the terminal?
 
 use super::proofs::THEOREMS;
 use super::study::{Shown, StarsStudy, golden};
@@ -10,25 +10,25 @@ use crate::report::{residual, theorem_words};
 use crate::text::Untrusted;
 use crate::verdict::{self, EveryOrderTheorem};
 
-const TITLE: &str = "Crank stars: what they can lose, and what never";
-const READING: &str = "A star says where each throw along the shaft points. Engines in line, two-stroke (four-stroke with an odd number of cylinders too), evenly firing, one spacing apart, equal masses and rods. Yes: some star loses the moments of all these orders. No, with a prime q: throws 1/q of a turn apart would coincide. Stars are counted with cylinder 1 at 0°.";
+const TITLE: &str = "Crank stars: which moments can vanish, and which cannot";
+const READING: &str = "A star says where each throw along the shaft points. Engines in line, two-stroke (four-stroke with an odd number of cylinders too), evenly firing, one spacing apart, equal masses and rods. Yes: for some star the moments of all these orders vanish. No, with a prime q: throws 1/q of a turn apart would coincide. Stars are counted with cylinder 1 at 0°.";
 const SOURCES: [&str; 4] = [
-    "**Known.** That a moment of order 1 is zero says that an equiangular polygon has the sides 1, 2, …, n in some order. R. Dawson, Arithmetic polygons, American Mathematical Monthly 119 (2012) 695–698, has when there is one; that coprime factors suffice is a competition problem.",
+    "**Known.** That a moment of order 1 is zero says that an equiangular polygon has the sides 1, 2, …, n in some order. R. Dawson, Arithmetic polygons, American Mathematical Monthly 119 (2012) 695–698, says when there is one; that coprime factors suffice is a competition problem.",
     "**Known.** Which sums of roots of unity vanish: L. Rédei, N. G. de Bruijn, I. J. Schoenberg; T. Y. Lam and K. H. Leung, On vanishing sums of roots of unity, Journal of Algebra 224 (2000) 91–109. That 0, …, pq − 1 is a sum of two sets in two ways alone is de Bruijn's.",
-    "**Ours**, as far as a short search shows: the theorem for sets of orders, so 12, 15 and 30; the residual beside a vanished order; the counts; the least moments; and what follows for engines.",
-    "**Open.** How many stars of thirty lose order 1, and how fast the least moment falls with a prime number of cylinders.",
+    "**New**, as far as a short search shows: the theorem for sets of orders, so 12, 15 and 30; the residual beside a vanished order; the counts; the least moments; and what follows for engines.",
+    "**Open.** How many stars of thirty have no moment of order 1, and how fast the least moment falls with a prime number of cylinders.",
 ];
 
 fn answer_box() -> Vec<Text> {
     vec![
         "**Five cylinders cannot be without a first-order couple, and six can.** The moment of order 1 can be zero where the number of cylinders is not a power of a prime, and only there.".into(),
         phrase!(
-            "**{} cylinders are the first that can lose orders 1 and 2, {} the first that can lose 1, 2 and 4.**",
+            "**The moments of orders 1 and 2 can vanish together with {} cylinders and no fewer, those of orders 1, 2 and 4 with {} and no fewer.**",
             first(|_| vec![1, 2]),
             first(|_| vec![1, 2, 4])
         ),
         phrase!(
-            "**{} cylinders make the first two-stroke engine in line that fires evenly and leaves no moment of any order.** Its force begins at order 30.",
+            "**With {} cylinders, and no fewer, an evenly firing two-stroke engine in line can have no moment of any order.** Its force begins at order 30.",
             first(every)
         ),
         "**No bank angle removes the first-order couple** of a V8 on four pins, or of a V10 on five.".into(),
@@ -49,7 +49,7 @@ pub fn stars_answer(study: &StarsStudy) -> Document {
 pub fn stars_page(study: &StarsStudy) -> Document {
     let mut page = Document { has_contents: true, ..Document::new("README", TITLE) };
     page.push(Block::Answer(answer_box()));
-    page.push(Block::Heading(1, "What each number of cylinders can lose".into()));
+    page.push(Block::Heading(1, "Which moments can vanish, by number of cylinders".into()));
     page.push(Block::Paragraph(READING.into()));
     page.push(tables::fates(&study.counts));
     page.push(Block::Heading(1, "Theorems and proofs".into()));

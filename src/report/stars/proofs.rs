@@ -4,27 +4,27 @@
 pub(super) const THEOREMS: [[&str; 3]; 9] = [
     [
         "Why five cylinders keep a first-order couple",
-        "**Theorem.** No star of five cylinders, or of any number that is a power of a prime, loses the moment of order 1. Nor does one with gaps of other rational lengths.",
+        "**Theorem.** With five cylinders, or any number that is a power of a prime, the moment of order 1 vanishes for no star. Gaps of other rational lengths do not change that.",
         "Number the throws along the shaft 0, 1, 2, 3, 4: these places are whole numbers $w$, one for each of the five directions, and up to a constant that adds nothing (other rational places are whole numbers in a smaller unit) the moment is the sum of the directions, each $w$ times. With whole weights five equally spread directions add up to 0 only if all weights are equal, because $1 + x + x^2 + x^3 + x^4$ is irreducible (with a prime power $q^b$: only if weights $1/q$ of a turn apart are). But no two throws coincide.",
     ],
     [
-        "Why six can be without it",
+        "Why it can vanish with six",
         "**Theorem.** Every number of cylinders that is not a power of a prime has a star without the moment of order 1.",
-        "Give the throw at $x$ sixths of a turn the place $w = x_2 + 2\\,x_3$, where $x_q$ is what remains of $x$ divided by $q$: this counts 0 to 5, each once. The part $x_2$ is the same for three directions a third of a turn apart, \
+        "Give the throw at $x$ sixths of a turn the place $w = x_2 + 2\\,x_3$, where $x_q$ is the remainder of $x$ divided by $q$: this counts 0 to 5, each once. The part $x_2$ is the same for three directions a third of a turn apart, \
          which add up to 0; the part $x_3$ is the same for two opposite directions, which do too. So does the whole. With more prime powers there are more parts, and each is the same for some regular polygon.",
     ],
     [
-        "Why twelve lose orders 1 and 2, and fifteen 1, 2 and 4",
+        "Why orders 1 and 2 can vanish with twelve, and 1, 2 and 4 with fifteen",
         "**Theorem.** Orders 1, 2, 4, … $2^j$ can vanish together exactly where the number of cylinders, divided by what it has in common with $2^j$, is neither 1 nor a power of a prime.",
-        "At order $k$ the $n$ directions become $n$ divided by the greatest common divisor of $n$ and $k$, each taken equally often. If that number is not a power of a prime, the star of remainders loses the order as above. If for one prime it is a power of it at the last of these orders, all orders that would distinguish throws $1/q$ of a turn apart are among those to be lost: the places, put together from the orders that remain, would repeat themselves after $1/q$ of a turn, and no two throws coincide. If it is 1, the number of cylinders is a power of 2, which keeps order 1. An order and its multiples by numbers without a common factor with $n$ are lost together: so fifteen cylinders without order 1 are without 2, 4 and 8, and keep 6 and 10.",
+        "At order $k$ the $n$ directions become $n$ divided by the greatest common divisor of $n$ and $k$, each taken equally often. If that number is not a power of a prime, the star of remainders makes the order vanish, as above. If for one prime it is a power of it at the last of these orders, all orders that would distinguish throws $1/q$ of a turn apart are among those that have to vanish: the places, put together from the orders that remain, would repeat themselves after $1/q$ of a turn, and no two throws coincide. If it is 1, the number of cylinders is a power of 2, and order 1 remains. An order and its multiples by numbers coprime to $n$ vanish together: so fifteen cylinders without order 1 are without 2, 4 and 8, and keep 6 and 10.",
     ],
     [
-        "Why thirty lose every moment",
+        "Why every moment can vanish with thirty",
         "**Theorem.** A two-stroke engine in line that fires evenly can be without any moment of any order exactly where its number of cylinders is even and has two different odd prime factors.",
-        "Let throws half a turn apart be mirrored about the middle of the shaft: their arms are opposite, and at every even order they point one way, so that all even orders are lost. Order 1 remains. Thirty is $2 \\cdot 15$, and fifteen has the star of remainders: put it on every other direction, with the places of the second half of the shaft, and its mirror image on the opposite ones; then each of the two halves loses order 1 by itself. (Of $2^a c$ cylinders, $c$ odd, each $2^{a-1}$-th direction and each $2^{a-1}$-th place make such a pair of halves.) With one odd prime only, the theorem before forbids it; an odd number of cylinders has no opposite throws, and there even orders reach every divisor.",
+        "Let throws half a turn apart be mirrored about the middle of the shaft: their arms are opposite, and at every even order they point one way, so that all even orders vanish. Order 1 remains. Thirty is $2 \\cdot 15$, and fifteen has the star of remainders: put it on every other direction, with the places of the second half of the shaft, and its mirror image on the opposite ones; then order 1 vanishes for each half by itself. (Of $2^a c$ cylinders, $c$ odd, each $2^{a-1}$-th direction and each $2^{a-1}$-th place make such a pair of halves.) With one odd prime only, the theorem before forbids it; an odd number of cylinders has no opposite throws, and there even orders reach every divisor.",
     ],
     [
-        "How many stars lose order 1",
+        "How many stars have no moment of order 1",
         "**Theorem.** For a product $pq$ of two primes exactly $2\\,(p-1)!\\,(q-1)!$ stars with cylinder 1 at 0° have no moment of order 1.",
         "The moment is 0 exactly if the places are sums $a_i + b_j$, $i$ and $j$ the remainders by $p$ and $q$. So 0, 1, …, $pq - 1$ are the sums of $p$ and of $q$ numbers, each once: as a product of polynomials, $(1 + x + \\dots + x^{pq-1}) = A(x)\\,B(x)$. It has three irreducible \
          factors, with values $p$, $q$ and 1 at $x = 1$, and $A$ has the value $p$ there: so $A$ is $0, 1, \\dots, p-1$ or that times $q$. Each set can be put on its remainders in any order, and $pq$ rotations are one star.",
@@ -41,12 +41,12 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     ],
     [
         "Other spacings",
-        "**Theorem.** At any rational places $pq$ cylinders lose order 1 exactly if the places are the sums of $p$ and $q$ numbers. Irrational places can do what rational ones cannot.",
-        "The first half is proved as above, without the polynomials. For the second: five throws with the arms $\\sin(4\\pi x/5)$ at the angles $2\\pi x/5$ have gaps in the golden ratio, 1 : φ : φ : 1; an arm is the difference of two rotating vectors, and what they add at order 1 is two sums over five directions, both 0.",
+        "**Theorem.** At rational places the moment of order 1 of $pq$ cylinders vanishes exactly if the places are the sums of $p$ and $q$ numbers. Irrational places can do what rational ones cannot.",
+        "The first half is proved as above, but without polynomials. For the second: five throws with the arms $\\sin(4\\pi x/5)$ at the angles $2\\pi x/5$ have gaps in the golden ratio, 1 : φ : φ : 1; an arm is the difference of two rotating vectors, and what they add at order 1 is two sums over five directions, both 0.",
     ],
     [
         "No bank angle helps",
         "**Theorem.** Two equal banks on shared pins, an angle γ apart, leave $2\\,\\lvert\\cos\\tfrac{(k \\mp 1)\\gamma}{2}\\rvert$ times the moment of the pins at order $k$, with the crank and against it. At order 1 the vector that turns with the crank is exactly twice that of the pins.",
-        "The vectors of the two cylinders of a pin are $(k \\mp 1)\\gamma$ apart, for every pin. For $k = 1$ that is 0 with the crank. So a V8 on four pins or a V10 on five keeps a couple that turns with the crank, for counterweights to take, and a V12 on six pins need not.",
+        "The vectors of the two cylinders of a pin are $(k \\mp 1)\\gamma$ apart, for every pin. For $k = 1$ that is 0 with the crank. So a V8 on four pins or a V10 on five keeps a couple that turns with the crank, for counterweights to cancel, and a V12 on six pins need not.",
     ],
 ];

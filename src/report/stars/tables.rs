@@ -23,7 +23,7 @@ pub(super) fn every(throws: u32) -> Vec<u32> {
     [1].into_iter().chain((2..=2 * throws).step_by(2)).collect()
 }
 
-/// What each number of cylinders can lose.
+/// Which moments can vanish, by number of cylinders.
 pub(super) fn fates(counts: &[(u32, Option<Count>)]) -> Table {
     Table::of(counts)
         .column("Cylinders", |(throws, _)| *throws)

@@ -25,14 +25,14 @@ pub(in crate::report) fn never(obstruction: &Obstruction) -> Text {
     let listed = orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
     match power == throws {
         true => phrase!(
-            "**Impossible.** No star of {} throws loses a moment of these orders: {}. The number of throws is a power of the prime {}: were the moment 0, throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
+            "**Impossible.** With {} throws no moment of these orders can vanish: {}. The number of throws is a power of the prime {}: were the moment 0, throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
             *throws,
             listed,
             *prime,
             *prime
         ),
         false => phrase!(
-            "**Impossible.** No star of {} throws loses its moments of these orders together: {}. Throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
+            "**Impossible.** With {} throws the moments of these orders cannot vanish together: {}. Throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
             *throws,
             listed,
             *prime
@@ -44,13 +44,12 @@ pub(in crate::report) fn never(obstruction: &Obstruction) -> Text {
 pub(in crate::report) fn how(by: &By, throws: u32) -> Text {
     match by {
         By::MixedRadix(powers) => phrase!(
-            "**Possible, by a star that a theorem describes.** The throw at $x$ steps of 1/{} turn has the place {}, where $x_q$ is what remains of $x$ divided by $q$. Each term repeats after fewer steps than a turn has, so that it adds 0 to the moments asked for.",
+            "**Possible, by a star that a theorem describes.** The throw at $x$ steps of 1/{} turn has the place {}, where $x_q$ is the remainder of $x$ divided by $q$. Each term repeats within a turn, so it adds 0 to the moments asked for.",
             throws,
             place(powers)
         ),
         By::EveryMoment { two, odd } => phrase!(
-            "**Possible, by a star that a theorem describes.** {} = {} · {}: throws half a turn apart are mirrored about the middle of the shaft, which takes every even order, and of each half the places are sums over \
-             the prime factors of {}, which takes order 1. So it leaves no moment of any order.",
+            "**Possible, by a star that a theorem describes.** {} = {} · {}: throws half a turn apart are mirrored about the middle of the shaft, which cancels every even order, and of each half the places are sums over the prime factors of {}, which cancels order 1. So no order has a moment.",
             throws,
             *two,
             *odd,

@@ -1,4 +1,4 @@
-//! What stands on the page of a sweep, and on the terminal? What is zero and what is greatest first, then the plots and every point.
+//! What is on the page of a sweep, and on the terminal? What is zero and what is greatest first, then the plots and every point.
 
 use super::amounts::{counted, in_newtons, unit, value};
 use super::assumptions::assumptions;
@@ -28,7 +28,7 @@ const EXACT: &str = "Zeros are decided exactly; amplitudes are decimals.";
 const MULTIPLES: &str = "$m$ is the reciprocating mass of a cylinder, $r$ the crank radius, $\\omega$ the speed of the crank in radians a second.";
 const COEFFICIENT: &str = "$c_k$ is the coefficient of order k, which the rod decides; the layout gives no rod.";
 const SPACING: &str = "$a$ is the spacing of neighbouring cylinders, which the layout does not give as a length.";
-const COUNTERWEIGHTS: &str = "The counterweights are two, in the planes of the outermost throws, and take away what of order 1 turns with the crank; the larger one is shown.";
+const COUNTERWEIGHTS: &str = "There are two counterweights, in the planes of the outermost throws. They cancel the part of order 1 that turns with the crank; the larger one is shown.";
 const FIRING: &str =
     "Where the layout gives no firing order, the intervals are those of the most even order that the throws allow.";
 
@@ -135,7 +135,7 @@ fn conventions(sweep: &Sweep) -> Vec<Text> {
         (multiples && !sweep.rods_known).then_some(COEFFICIENT),
         (sweep.arm == Arm::Spacing).then_some(SPACING),
     ];
-    // Beside the table of zeros it is told already.
+    // Beside the table of zeros it is reported already.
     let parts = sweep.zeros.is_none().then_some(PARTS);
     let words = [SIZES, EXACT].into_iter().chain(parts).chain(of_units.into_iter().flatten());
     words.chain([COUNTERWEIGHTS, FIRING]).map(Text::from).collect()

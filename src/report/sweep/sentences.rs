@@ -16,7 +16,7 @@ impl Finding<'_> {
     pub fn sentence(&self, sweep: &Sweep) -> Text {
         let name = self.name();
         let most = with_unit(sweep, self.quantity, self.greatest.amplitude);
-        // The same unit stands behind the greatest.
+        // The same unit is behind the greatest.
         let least = match in_newtons(sweep) {
             true => with_unit(sweep, self.quantity, self.least.amplitude),
             false => size(sweep, self.quantity, self.least.amplitude),

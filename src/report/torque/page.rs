@@ -1,4 +1,4 @@
-//! What stands on the page of the torque, and on the terminal?
+//! What is on the page of the torque, and on the terminal?
 
 use super::{plots, settings, tables, words};
 use crate::engine::Engine;
@@ -10,7 +10,7 @@ const ORDERS: &str = "Order κ of the torque is the harmonic of one cylinder tim
 const GUIDES: &str = "The couple of a cylinder's guide and crank forces is its torque: H is the order of the torque, which rocks the frame about the shaft; X is \
     the sum of the couples, each times its distance from the middle, over the rod length, and twists it.";
 
-const FLYWHEEL: &str = "At a constant load $J = \\Delta W / (\\delta\\,\\omega^2)$, δ the largest less the smallest speed over their mean: exact, with the inertia torque at the mean speed. The energy of the reciprocating masses adds the mean of $\\sum m\\,s'^2$ to J, nearly; the balance of energy $\\tfrac12 (J + \\sum m\\,s'^2)\\,\\omega^2 = E_0 + \\int (T_g - \\bar T)\\,d\\theta$ has it whole.";
+const FLYWHEEL: &str = "At a constant load $J = \\Delta W / (\\delta\\,\\omega^2)$, δ the largest less the smallest speed over their mean: exact, with the inertia torque at the mean speed. The reciprocating masses add nearly the mean of $\\sum m\\,s'^2$ to J; the balance of energy $\\tfrac12 (J + \\sum m\\,s'^2)\\,\\omega^2 = E_0 + \\int (T_g - \\bar T)\\,d\\theta$ contains them completely.";
 
 const FOUND: &str = "The gas acts with $F_g = (p - p_c)\\,A$ on the piston and turns the crank with $T = -F_g\\,s'$, s the piston's displacement outward, the prime $d/d\\psi$; the mass m adds $-m\\,s'\\,s''\\,\\omega^2$. Mean and orders are integrals over the smooth pieces of the pressure, each by itself; largest, smallest and the work of the flywheel are taken from the torque itself, not from its series. A harmonic is at most $2\\,\\mathrm{Var}(T')/(\\Psi\\kappa^2)$, Ψ the cycle.";
 

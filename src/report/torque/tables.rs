@@ -114,7 +114,7 @@ pub(super) fn guides(moments: &[GuideMoments]) -> Table {
         .done()
 }
 
-/// What the orders that were left out can add, and how well the others are known.
+/// What the orders that were omitted can add, and how well the others are known.
 pub(super) fn accuracy(torque: &EngineTorque) -> Text {
     let each = |of: &dyn Fn(&crate::torque::Class) -> f64| -> f64 {
         torque.classes.iter().map(|class| of(class) * class.cylinders.len() as f64).sum()

@@ -87,12 +87,12 @@ pub(super) fn roll(engine: &Engine, torque: &EngineTorque) -> Text {
     let [highest, lowest] = torque.roll.map(|extreme| quantity(extreme.value, Unit::NEWTON_METRE));
     match engine.has_offset() {
         false => phrase!(
-            "The frame takes the opposite of the torque as a roll moment, from {} to {}. The gas makes no shaking force: it acts on the cylinder head as much as on the piston.",
+            "The frame takes the opposite of the torque as a roll moment, from {} to {}. The gas causes no shaking force: it acts on the cylinder head as much as on the piston.",
             lowest,
             highest
         ),
         true => phrase!(
-            "The frame takes the opposite of the torque as a roll moment, and the shaking forces at the offset of their axes: together from {} to {}. The gas makes no shaking force: it acts on the cylinder head as much as on the piston.",
+            "The frame takes the opposite of the torque as a roll moment, and the shaking forces at the offset of their axes: together from {} to {}. The gas causes no shaking force: it acts on the cylinder head as much as on the piston.",
             lowest,
             highest
         ),

@@ -92,7 +92,7 @@ impl TorsionStudy {
     }
 
     /// The orders of a mode by the length of their stars, the longest first; of equally long ones the lowest order first. Those above
-    /// the speed of the layout are left out where it has one.
+    /// the speed of the layout are omitted where it has one.
     fn strongest<'b>(&self, mode: &'b CriticalSpeeds) -> Vec<&'b Critical> {
         let met = |critical: &&Critical| self.speed.is_none_or(|speed| critical.rpm <= speed);
         let mut orders: Vec<&Critical> = mode.orders.iter().filter(met).collect();

@@ -1,4 +1,4 @@
-//! What stands on the page of a shaft that twists, and on the terminal?
+//! What is on the page of a shaft that twists, and on the terminal?
 
 use super::{TorsionStudy, plots, tables, words};
 use crate::engine::Engine;

@@ -6,7 +6,7 @@ use super::TorsionStudy;
 use super::words::part;
 use crate::page::{Number, Table, Text, Unit, number, phrase};
 
-/// At most so many modes stand beside each other.
+/// At most so many modes are beside each other.
 pub(super) const MOST_MODES: usize = 3;
 
 /// One row per mode: frequency, the same in 1/min, nodes.

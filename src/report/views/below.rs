@@ -1,4 +1,4 @@
-//! What stands below the view from the free end? The firing order, and the offset.
+//! What is below the view from the free end? The firing order, and the offset.
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;

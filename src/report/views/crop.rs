@@ -7,7 +7,7 @@ use super::super::plot::labels;
 /// Air at the edges, in millimetres.
 const AIR: f64 = 1.5;
 
-/// The same drawing on a page that just holds it; its marks may stand anywhere before.
+/// The same drawing on a page that just holds it; its marks may be anywhere before.
 pub(in crate::report) fn cropped(mut figure: Figure) -> Figure {
     let areas = figure.marks.iter().flat_map(reach);
     let whole = areas.reduce(|a, b| Area {

@@ -1,4 +1,4 @@
-//! Where do pins and pistons stand at θ = 0, seen from the free end? To scale, in millimetres around the shaft.
+//! Where do pins and pistons are at θ = 0, seen from the free end? To scale, in millimetres around the shaft.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -93,7 +93,7 @@ fn equals(number: &str) -> String {
     if number.starts_with('≈') { number.to_owned() } else { format!("= {number}") }
 }
 
-/// From the crankpin to the piston pin where both stand on the axis, against the crank radius.
+/// From the crankpin to the piston pin where both are on the axis, against the crank radius.
 fn reach(cylinder: &Cylinder) -> f64 {
     match cylinder.link() {
         None => rod(cylinder).0,

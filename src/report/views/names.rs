@@ -1,4 +1,4 @@
-//! Where do the names stand in the view from the free end? Beside what they name, clear of rods and of each other.
+//! Where do the names are in the view from the free end? Beside what they name, clear of rods and of each other.
 
 use std::collections::BTreeMap;
 
@@ -27,7 +27,7 @@ fn beside(at: Point, way: Point, far: f64) -> Place {
     (at + way * far + Point::new(0.0, up), anchor)
 }
 
-/// Writes a name at the best of these places, with a thin line where it stands far off.
+/// Writes a name at the best of these places, with a thin line where it is far off.
 fn write(figure: &mut Figure, labels: &mut Labels, name: &str, from: Point, places: &[Place]) {
     let Some((at, anchor)) = labels.write(figure, name, places) else { return };
     let inwards =
@@ -70,7 +70,7 @@ fn gathered<'a, 'b, K: Ord>(
     groups
 }
 
-/// The cylinders whose pistons stand at one height, beside the cylinder; outside it where a bank has but one.
+/// The cylinders whose pistons are at one height, beside the cylinder; outside it where a bank has but one.
 pub(super) fn name_pistons(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage], half: f64) {
     let banks = gathered(linkages, |linkage| linkage.bank);
     let has_angles = (2..=MOST_ANGLES).contains(&banks.len());

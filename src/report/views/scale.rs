@@ -54,7 +54,7 @@ impl Scale {
         }
     }
 
-    /// Where a position stands on the page; the free end at 0.
+    /// Where a position is on the page; the free end at 0.
     pub fn x(&self, position: &BigRational) -> f64 {
         (self.highest - position.to_f64().unwrap_or(0.0)) * self.millimetres
     }

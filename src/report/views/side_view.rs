@@ -99,7 +99,7 @@ fn write_angles(figure: &mut Figure, throws: &[Drawn]) -> f64 {
     in_levels(figure, &texts, ANGLES, -1.0)
 }
 
-/// What can stand in the legend.
+/// What can be in the legend.
 enum Entry {
     Pin(Side),
     /// Counterweights have the code of the pins; one of them stands for all.

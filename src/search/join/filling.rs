@@ -8,7 +8,7 @@ use super::outer::Image;
 pub(super) struct Filling<'a, V> {
     space: &'a Space,
     tables: &'a Tables,
-    /// What is left out: an arrangement of which one of these images comes before it.
+    /// What is omitted: an arrangement of which one of these images comes before it.
     images: &'a [Image],
     /// The last pair of the group.
     last: usize,

@@ -37,9 +37,9 @@ pub enum Size {
 const MOST_TRIED: usize = 24;
 /// Bits behind the point when a component is enclosed.
 const BITS: u32 = 128;
-/// A component is told to at most so many decimal places.
+/// A component is reported to at most so many decimal places.
 const MOST_PLACES: u32 = 4;
-/// A component is told to more places where it would have fewer units of its last place.
+/// A component is reported to more places where it would have fewer units of its last place.
 const LEAST_UNITS: u32 = 1000;
 
 /// The plainest reason why a sum that is not zero is not.

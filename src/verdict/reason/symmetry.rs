@@ -30,7 +30,7 @@ pub fn mirror_partners(engine: &Engine) -> Option<Vec<usize>> {
     partners.into_iter().collect()
 }
 
-/// The vectors of a sum in pairs that are equally long and opposite, by index; those of length zero are left out.
+/// The vectors of a sum in pairs that are equally long and opposite, by index; those of length zero are omitted.
 ///
 /// `None` where some vector has no partner.
 pub fn opposed_partners(sum: &PhasorSum) -> Option<Vec<(usize, usize)>> {

@@ -1,4 +1,4 @@
-//! At which orders of a parity is a sum of rays zero? All of a short period are judged, of a long one those that may be zero.
+//! At which orders of a parity is a sum of rays zero? All of a short period are decided, of a long one those that may be zero.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -22,7 +22,7 @@ pub struct FactorPattern {
     pub period: u32,
     /// Of one period all orders, or those that may be zero.
     pub judged: Vec<JudgedOrder>,
-    /// Whether orders are left out that cannot be zero.
+    /// Whether orders are omitted that cannot be zero.
     pub others_left: bool,
     zeros: Zeros,
 }

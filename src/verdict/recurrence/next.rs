@@ -1,4 +1,4 @@
-//! Which order is the first that is left, of all there are, or beside those that are told?
+//! Which order is the first that is left, of all there are, or beside those that are reported?
 
 use super::{AtOrder, ClassPattern, EveryOrderTheorem, Recurrences};
 use crate::engine::Engine;
@@ -51,7 +51,7 @@ impl EveryOrderTheorem {
         }
     }
 
-    /// The lowest order of force and moment that is left beside those that are told.
+    /// The lowest order of force and moment that is left beside those that are reported.
     pub fn next_left(&self, told: &[u32]) -> NextLeft {
         let last = told.iter().copied().max().unwrap_or(1);
         match self {

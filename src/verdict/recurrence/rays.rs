@@ -7,7 +7,7 @@ use num_traits::Zero;
 
 use crate::exact::{Term, Turn};
 
-/// A term that turns on by the same angle from order to order: at order k it stands at `k·per_order + fixed`.
+/// A term that turns on by the same angle from order to order: at order k it is at `k·per_order + fixed`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ray {
     /// `β − α` in direct sums, `α − β` in reverse ones.

@@ -70,7 +70,7 @@ const BESIDE: [(&str, &str, &str); 16] = [
     (
         "stars/README.md",
         "Stars",
-        "{}: what the crank star of 2 to 30 cylinders can lose and what never, with proofs; four engines to try.",
+        "{}: which moments of 2 to 30 cylinders in line can vanish and which cannot, with proofs; four engines to try.",
     ),
     ("families", "Families", "{}: engines with open angles and lengths."),
     ("examples", "Examples", "{}: engines with numbers, in newtons."),
@@ -95,7 +95,7 @@ const BESIDE: [(&str, &str, &str); 16] = [
         "V angles",
         "{}: all bank angles and pin splits at which a V balances, for every star of up to six pins.",
     ),
-    ("forms/README.md", "Closed forms", "{}: lengths as a person writes them, before and after."),
+    ("forms/README.md", "Closed forms", "{}: lengths in closed form, before and after."),
     ("optimise/README.md", "Optimise", "{}: the best crankshafts of three engines, bearing load against mass."),
     ("grigoryev/README.md", "Grigoryev", "{}: a published sweep of V angles, checked."),
 ];

@@ -14,8 +14,8 @@ use num_rational::BigRational;
 use super::study::Studied;
 use super::study_flywheels as flywheel;
 
-const FORCES: &str = "Vertical and horizontal amplitudes of the forces of orders 1 and 2; what is 0 everywhere is left out. Rings mark the exact zeros of a part.";
-const MOMENTS: &str = "Vertical and horizontal amplitudes of the moments of orders 1 and 2; what is 0 everywhere is left out. Rings mark the exact zeros of a part.";
+const FORCES: &str = "Vertical and horizontal amplitudes of the forces of orders 1 and 2; what is 0 everywhere is omitted. Rings mark the exact zeros of a part.";
+const MOMENTS: &str = "Vertical and horizontal amplitudes of the moments of orders 1 and 2; what is 0 everywhere is omitted. Rings mark the exact zeros of a part.";
 const SIZE: &str =
     "Length, breadth and height as parts of the length of the engine in line; dots are the engine in line itself.";
 const MASS: &str = "The volume as a part of that of the engine in line, the counterweight as its mass-radius in multiples of $m r$, and the difference of the longest and \

@@ -14,7 +14,7 @@ pub(super) enum Node<'a> {
     Relation(char),
     /// The name of a function.
     Function(&'a str),
-    /// A space of the source, which formats that set formulas leave out.
+    /// A space of the source, which formats that set formulas omit.
     Blank,
     /// A space that is set.
     Space(Space),
@@ -22,7 +22,7 @@ pub(super) enum Node<'a> {
     Column,
     /// A new line.
     Line,
-    /// A fraction; small where it stands among full letters.
+    /// A fraction; small where it is among full letters.
     Fraction { small: bool, above: Vec<Node<'a>>, below: Vec<Node<'a>> },
     /// A binomial coefficient.
     Binomial(Vec<Node<'a>>, Vec<Node<'a>>),

@@ -15,7 +15,7 @@ use crate::firing::{self, Weights};
 
 pub use page::{open_firing_answer, open_firing_page};
 
-/// Firing stars with open angles that are judged.
+/// Firing stars with open angles that are decided.
 #[derive(Clone, Debug)]
 pub struct OpenFiringStudy<'a> {
     /// The family.

@@ -1,4 +1,4 @@
-//! What stands on the page of firing stars with open angles, and on the terminal?
+//! What is on the page of firing stars with open angles, and on the terminal?
 
 use super::super::super::family_page::{argument, left_open};
 use super::super::super::residual;

@@ -69,7 +69,7 @@ fn at(study: &OpenFiringStudy<'_>, values: &BTreeSet<BigRational>) -> Text {
     }
 }
 
-/// How long a star is, where that is told in short: 0, a number, `6 |cos(3φ/4)|`.
+/// How long a star is, where that is reported in short: 0, a number, `6 |cos(3φ/4)|`.
 pub(super) fn length(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Text {
     let spans = star.spans.as_deref().unwrap_or_default();
     let none = || Text::from("–");
