@@ -86,16 +86,23 @@ A layout file in its shortest form:
 Exit status: 0 done, whatever the verdicts are; 1 the input is wrong,
 a certificate fails or a claim does not hold; 2 wrong usage.";
 
+/// The commands as `--help` lists them; [`questions`] says which question begins where.
 #[derive(Subcommand)]
 enum Command {
     /// List the engines known by name, with their lowest residual order
     List(list::List),
+    /// Write the catalogue and the best in-line stars, or a poster
+    Atlas(atlas::Atlas),
     /// Decide force and moment, order by order
     Classify(classify::Classify),
-    /// Compute forces, moments and torque in newtons
-    Loads(loads::Loads),
     /// Decide the orders of the gas torque by their firing stars
     Firing(firing::Firing),
+    /// Write the report, with pictures and proofs
+    Report(report::Report),
+    /// Write one drawing, for a document of your own
+    Figure(figure::Figure),
+    /// Compute forces, moments and torque in newtons
+    Loads(loads::Loads),
     /// Compute the loads of the main bearings
     Bearings(bearings::Bearings),
     /// Compute the torque of gas and inertia, and the flywheel
@@ -106,47 +113,41 @@ enum Command {
     Moments(moments::Moments),
     /// Find natural frequencies and critical speeds of torsion
     Torsion(torsion::Torsion),
-    /// Tabulate any values of engines, by their names
-    Values(values::Values),
     /// Compare methods for the peak loads: error, guarantee and time
     Accuracy(accuracy::Accuracy),
     /// Find counterweights and balancer shafts that cancel the residual
     Remedy(remedy::Remedy),
-    /// Find the masses that balance a shaft, a rotor or a locomotive
-    Rotor(rotor::Rotor),
     /// Find the counterweights with the smallest bearing loads
     Optimise(optimise::Optimise),
-    /// Write the report, with pictures and proofs
-    Report(report::Report),
-    /// Write one drawing, for a document of your own
-    Figure(figure::Figure),
-    /// Check a JSON document of this program and its certificates
-    Verify(verify::Verify),
-    /// Check claims about engines: of books, of homework
-    Check(check::Check),
-    /// Write an exercise with solutions, other numbers for each student
-    Exercise(exercise::Exercise),
-    /// Mark the tables that a class hands in
-    Mark(mark::Mark),
+    /// Find the masses that balance a shaft, a rotor or a locomotive
+    Rotor(rotor::Rotor),
+    /// Vary the bank angle, or any value of a layout file
+    Sweep(sweep::Sweep),
+    /// Compare engines: sizes and cures, exact verdicts
+    Compare(compare::Compare),
+    /// Tabulate any values of engines, by their names
+    Values(values::Values),
     /// Find the crank stars that balance best
     Search(search::Search),
     /// Show which moments crank stars can balance, with proofs
     Stars(stars::Stars),
-    /// Compare engines: sizes and cures, exact verdicts
-    Compare(compare::Compare),
-    /// Write the catalogue and the best in-line stars, or a poster
-    Atlas(atlas::Atlas),
-    /// Vary the bank angle, or any value of a layout file
-    Sweep(sweep::Sweep),
-    /// Print the JSON Schema of layout files, or of a document
-    Schema(schema::Schema),
-    /// Write the pages of the manual
-    Man(man::Man),
+    /// Check claims about engines: of books, of homework
+    Check(check::Check),
+    /// Check a JSON document of this program and its certificates
+    Verify(verify::Verify),
+    /// Write an exercise with solutions, other numbers for each student
+    Exercise(exercise::Exercise),
+    /// Mark the tables that a class hands in
+    Mark(mark::Mark),
     /// Print completions for a shell
     Completions {
         /// Which shell
         shell: clap_complete::Shell,
     },
+    /// Write the pages of the manual
+    Man(man::Man),
+    /// Print the JSON Schema of layout files, or of a document
+    Schema(schema::Schema),
 }
 
 /// The engine and the orders that a command is about.
@@ -230,33 +231,33 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> u8 {
     progress::doing("computing");
     let answer = match command {
         Command::List(list) => list.run().map(done),
+        Command::Atlas(atlas) => atlas.run().map(done),
         Command::Classify(classify) => classify.run().map(done),
+        Command::Firing(firing) => firing.run().map(done),
+        Command::Report(report) => report.run().map(done),
+        Command::Figure(figure) => figure.run().map(done),
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
-        Command::Firing(firing) => firing.run().map(done),
         Command::Torque(torque) => torque.run().map(done),
         Command::Angle(angle) => angle.run().map(done),
         Command::Moments(moments) => moments.run().map(done),
-        Command::Rotor(rotor) => rotor.run().map(done),
-        Command::Values(values) => values.run().map(done),
+        Command::Torsion(torsion) => torsion.run().map(done),
         Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Remedy(remedy) => remedy.run().map(done),
         Command::Optimise(optimise) => optimise.run().map(done),
-        Command::Report(report) => report.run().map(done),
-        Command::Figure(figure) => figure.run().map(done),
-        Command::Verify(verify) => verify.run().map(done),
-        Command::Check(check) => check.run(),
-        Command::Exercise(exercise) => exercise.run().map(done),
-        Command::Mark(mark) => mark.run().map(done),
+        Command::Rotor(rotor) => rotor.run().map(done),
+        Command::Sweep(sweep) => sweep.run().map(done),
+        Command::Compare(compare) => compare.run().map(done),
+        Command::Values(values) => values.run().map(done),
         Command::Search(search) => search.run().map(done),
         Command::Stars(stars) => stars.run().map(done),
-        Command::Compare(compare) => compare.run().map(done),
-        Command::Atlas(atlas) => atlas.run().map(done),
-        Command::Torsion(torsion) => torsion.run().map(done),
-        Command::Sweep(sweep) => sweep.run().map(done),
-        Command::Schema(schema) => schema.run().map(done),
-        Command::Man(man) => man.run(Arguments::command()).map(done),
+        Command::Check(check) => check.run(),
+        Command::Verify(verify) => verify.run().map(done),
+        Command::Exercise(exercise) => exercise.run().map(done),
+        Command::Mark(mark) => mark.run().map(done),
         Command::Completions { shell } => completions(shell).map(done),
+        Command::Man(man) => man.run(Arguments::command()).map(done),
+        Command::Schema(schema) => schema.run().map(done),
     };
     ended(answer)
 }

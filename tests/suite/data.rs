@@ -442,9 +442,9 @@ fn reference() -> String {
         }
     }
     let mut text = String::new();
-    for (question, tables) in crankstar::data::TABLES {
+    for (question, tables) in crankstar::data::TABLES.iter() {
         for table in tables {
-            let (about, rows) = all.remove(&(question, *table)).unwrap_or_else(|| panic!("no {table} of {question}"));
+            let (about, rows) = all.remove(&(*question, *table)).unwrap_or_else(|| panic!("no {table} of {question}"));
             text += &format!(
                 "\n### {question}: {table}\n\nA row: {about}.\n\n| Column | Unit | Type | Meaning |\n| --- | --- | --- | --- |\n"
             );

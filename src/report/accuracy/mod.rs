@@ -1,6 +1,7 @@
 //! How is what accuracy costs shown? Each load by all methods: tables, plots, a section of a report, pages.
 
 mod case;
+mod data;
 mod further;
 pub(super) mod methods;
 mod page;

@@ -2,8 +2,8 @@
 
 use num_rational::BigRational;
 
-use super::super::data;
 use super::super::question::{Question, Unanswered};
+use super::data;
 use super::{AccuracyCase, accuracy_answer, accuracy_page};
 use crate::accuracy::{Timing, with_rod_ratio};
 use crate::engine::Engine;
@@ -57,7 +57,7 @@ impl Question for AccuracyStudy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        data::accuracy(self, name)
+        data::table(self, name)
     }
 
     fn answer(&self) -> Document {

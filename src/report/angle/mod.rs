@@ -1,5 +1,6 @@
 //! What is asked at crank angles? Motion, forces and torque of every piston, the loads of pins and main bearings.
 
+mod data;
 mod page;
 mod tables;
 
@@ -7,7 +8,6 @@ use std::fmt;
 
 use num_complex::Complex;
 
-use super::data;
 use super::question::Question;
 use crate::engine::Engine;
 use crate::journal::{Instants, PistonAt};
@@ -156,7 +156,7 @@ impl Question for AngleStudy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        data::angle(self, name)
+        data::table(self, name)
     }
 
     fn answer(&self) -> Document {

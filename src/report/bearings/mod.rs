@@ -1,6 +1,8 @@
 //! What do the main bearings feel, as a person reads it? Tables, plots, a page.
 
 mod amounts;
+mod data;
+mod gas_data;
 mod page;
 mod plots;
 mod study;

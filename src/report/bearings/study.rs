@@ -1,8 +1,8 @@
 //! What is asked for the main bearings? Both ways to share a load, and the gas where the layout asks for it.
 
-use super::super::data;
 use super::super::journal::{complete_bearings_answer, complete_bearings_page, without_gas};
 use super::super::question::Question;
+use super::data;
 use super::page::{bearings_answer, bearings_page};
 use crate::engine::Engine;
 use crate::journal::{CycleLoads, cycle_loads};
@@ -53,7 +53,7 @@ impl Question for BearingsStudy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        data::bearings(self, name)
+        data::table(self, name)
     }
 
     fn answer(&self) -> Document {

@@ -4,6 +4,7 @@
 
 mod amounts;
 mod books;
+pub(super) mod data;
 mod equations;
 mod expression;
 mod inputs;

@@ -1,8 +1,8 @@
 //! What is asked for the loads? Forces, moments and torques of an engine at some orders.
 
-use super::super::data;
 use super::super::loads_document::{LoadsDocument, loads_document};
 use super::super::question::Question;
+use super::data;
 use super::{Numbers, loads_answer, loads_page};
 use crate::engine::Engine;
 use crate::loads::{Missing, Needed};
@@ -49,7 +49,7 @@ impl Question for LoadsStudy {
     }
 
     fn tables(&self) -> Vec<Table> {
-        data::loads(&self.engine, &self.numbers, &self.document())
+        data::tables(&self.engine, &self.numbers, &self.document())
     }
 
     fn answer(&self) -> Document {

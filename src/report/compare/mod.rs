@@ -1,5 +1,6 @@
 //! How do engines compare? Side by side: sizes, cures, firing and main bearings first, exact verdicts below.
 
+pub(super) mod data;
 pub(super) mod document;
 mod notes;
 mod page;

@@ -1,7 +1,7 @@
 //! What is a comparison as an answer? The engines, judged at the same orders.
 
-use super::super::data;
 use super::super::question::Question;
+use super::data;
 use super::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 use crate::page::Document;
 use crate::table::Table;
@@ -33,7 +33,7 @@ impl Question for CompareStudy {
     }
 
     fn tables(&self) -> Vec<Table> {
-        data::compare(&self.engines)
+        data::tables(&self.engines)
     }
 
     fn answer(&self) -> Document {

@@ -65,22 +65,22 @@ fn with_point(is_negative: bool, size: impl std::fmt::Display, places: u32) -> S
 }
 
 /// Decimals; what is beyond decimals is omitted.
-pub(super) fn decimals(values: impl IntoIterator<Item = Option<f64>>) -> Values {
+pub fn decimals(values: impl IntoIterator<Item = Option<f64>>) -> Values {
     // −0 is 0.
     Values::Decimal(values.into_iter().map(|value| value.filter(|value| value.is_finite()).map(|v| v + 0.0)).collect())
 }
 
 /// Exact numbers.
-pub(super) fn exact(values: impl IntoIterator<Item = Option<BigRational>>) -> Values {
+pub fn exact(values: impl IntoIterator<Item = Option<BigRational>>) -> Values {
     Values::Exact(values.into_iter().map(|value| value.as_ref().map(exact_number)).collect())
 }
 
 /// Whole numbers that there are in every row.
-pub(super) fn whole<N: TryInto<i64>>(values: impl IntoIterator<Item = N>) -> Values {
+pub fn whole<N: TryInto<i64>>(values: impl IntoIterator<Item = N>) -> Values {
     Values::Integer(values.into_iter().map(|value| value.try_into().ok()).collect())
 }
 
 /// True, false, or not decided.
-pub(super) fn truths(values: impl IntoIterator<Item = Option<bool>>) -> Values {
+pub fn truths(values: impl IntoIterator<Item = Option<bool>>) -> Values {
     Values::Truth(values.into_iter().collect())
 }

@@ -6,14 +6,14 @@ use crate::table::{Column, Table, Unit, Values};
 use crate::text::Untrusted;
 
 /// A table, and the rows that its columns are read from.
-pub(super) struct Filling<'a, R> {
+pub struct Filling<'a, R> {
     rows: &'a [R],
     path: &'static str,
     table: Table,
 }
 
 /// The pattern of a name with what fills its holes.
-pub(super) struct Name(&'static str, Vec<String>);
+pub struct Name(&'static str, Vec<String>);
 
 impl From<&'static str> for Name {
     fn from(pattern: &'static str) -> Self {

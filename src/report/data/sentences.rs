@@ -3,9 +3,23 @@
 //! A table begins with `[question.table]` and what a row of it is. A line `name: what it tells` is about a column, by its name with the holes in it,
 //! or by the name as it is filled where several columns have one pattern. `as question.table` stands for the lines of another table that it lacks.
 
+use std::sync::LazyLock;
+
 use crate::table::{Unit, filled};
 
 const COLUMNS: &str = include_str!("columns.txt");
+
+/// The questions that have tables, each with the names of all tables that its answer may have, the main one first.
+pub static TABLES: LazyLock<Vec<(&str, Vec<&str>)>> = LazyLock::new(|| {
+    let mut questions: Vec<(&str, Vec<&str>)> = Vec::new();
+    for (question, table) in sections().filter_map(|(path, _)| path.split_once('.')) {
+        match questions.last_mut() {
+            Some((last, tables)) if *last == question => tables.push(table),
+            _ => questions.push((question, vec![table])),
+        }
+    }
+    questions
+});
 
 /// What a row of a table is.
 pub(super) fn of_row(table: &str) -> &'static str {
@@ -20,9 +34,13 @@ pub(super) fn of_column(table: &str, pattern: &str, holes: &[&str], unit: Unit) 
 
 /// The first line and the others of a table.
 fn section(table: &str) -> Option<(&'static str, &'static str)> {
-    let all = COLUMNS.split("\n\n").filter_map(|section| section.strip_prefix('[')?.split_once("] "));
-    let (_, section) = all.into_iter().find(|(name, _)| *name == table)?;
+    let (_, section) = sections().find(|(path, _)| *path == table)?;
     Some(section.split_once('\n').unwrap_or((section, "")))
+}
+
+/// The paths of all tables, each with the lines below it.
+fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
+    COLUMNS.split("\n\n").filter_map(|section| section.strip_prefix('[')?.split_once("] "))
 }
 
 fn line(table: &str, name: &str) -> Option<&'static str> {

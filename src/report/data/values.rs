@@ -18,7 +18,7 @@ pub fn values(study: &ValuesStudy) -> Table {
 }
 
 /// Values of one name, and why some are missing; `like` has their unit and type, decimals where there is none.
-pub(super) fn columns(name: &str, like: Option<&Single>, all: &[&Result<Single, String>]) -> [Column; 2] {
+pub fn columns(name: &str, like: Option<&Single>, all: &[&Result<Single, String>]) -> [Column; 2] {
     let values = match like {
         Some(like) => like.column(name, all.iter().map(|one| one.as_ref().ok())),
         None => {

@@ -9,7 +9,7 @@ use crate::proof::Shape;
 use crate::table::Unit;
 
 /// What the largest values of an engine's verdicts are counted in: forces, moments.
-pub(super) fn units(engine: &Engine) -> [Unit; 2] {
+pub fn units(engine: &Engine) -> [Unit; 2] {
     match Arm::of(engine) {
         Arm::Metre => [Unit::OPEN, Unit::OPEN_METRE],
         Arm::Spacing => [Unit::OPEN, Unit::OPEN_SPACING],
@@ -17,7 +17,7 @@ pub(super) fn units(engine: &Engine) -> [Unit; 2] {
 }
 
 /// Adds what is left of force and moment, in moments of this unit; those of other rows are omitted.
-pub(super) fn of_orders<R>(
+pub fn of_orders<R>(
     table: &mut Filling<R>,
     order: impl Fn(&R) -> &Order,
     moment_units: &[Unit],
@@ -55,7 +55,7 @@ fn vanishes(shape: Shape) -> Option<bool> {
 }
 
 /// One sum of an order as an order of its own.
-pub(super) fn part_as_order(order: &Order, part: &Part) -> Order {
+pub fn part_as_order(order: &Order, part: &Part) -> Order {
     Order {
         order: order.order,
         exists: part.exists,

@@ -1,6 +1,7 @@
 //! What is said of the orders of the gas torque? The firing stars, what every order leaves, the proofs, and a JSON document.
 
 mod catalogue;
+mod data;
 mod document;
 mod open;
 mod page;

@@ -1,7 +1,7 @@
 //! What is a firing study to whoever asks it? Its table, its document, its pages.
 
-use super::super::data;
 use super::super::question::Question;
+use super::data;
 use super::{FiringStudy, firing_answer, firing_document, firing_page};
 use crate::page::Document;
 use crate::table::Table;
@@ -17,7 +17,7 @@ impl Question for FiringStudy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        (name == "orders").then(|| data::firing(self))
+        (name == "orders").then(|| data::table(self))
     }
 
     fn answer(&self) -> Document {

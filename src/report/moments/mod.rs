@@ -3,11 +3,11 @@
 //! Moments of the free forces by order, along direction 0 (V) and across it (H); each is zero by proof or a decimal. The guide-force
 //! moments H and X are those of the torque (makers' project guides of large two-strokes, sections 17.04 to 17.07).
 
+mod data;
 mod page;
 
 use std::fmt;
 
-use super::data;
 use super::question::Question;
 use crate::engine::{Crankshaft, CycleOrder, Engine};
 use crate::loads::{self, Arm, Missing, OrderLoads};
@@ -189,7 +189,7 @@ impl Question for MomentsStudy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        data::moments(self, name)
+        data::table(self, name)
     }
 
     fn answer(&self) -> Document {

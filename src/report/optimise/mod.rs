@@ -1,6 +1,7 @@
 //! How are the best crankshafts shown? Tables, a plot, a page with layout files beside it.
 
 mod amounts;
+mod data;
 mod layouts;
 mod page;
 mod plot;

@@ -1,8 +1,8 @@
 //! What is asked for the best counterweights? The front of an engine, with the couple that is allowed.
 
-use super::super::data;
 use super::super::question::Question;
 use super::amounts::Units;
+use super::data;
 use super::{optimise_answer, optimise_layouts, optimise_page};
 use crate::engine::Engine;
 use crate::file::FileResolver;
@@ -48,7 +48,7 @@ impl Question for OptimiseStudy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        data::optimise(self, name)
+        data::table(self, name)
     }
 
     fn answer(&self) -> Document {

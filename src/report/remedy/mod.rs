@@ -1,6 +1,7 @@
 //! How is a remedy shown? What cancels what, a table of weights, what counterweights alone do, the JSON document.
 
 mod alone;
+mod data;
 mod document;
 mod page;
 mod question;

@@ -1,7 +1,7 @@
 //! What is a remedy as an answer? A table with a row a weight, a document with certificates.
 
-use super::super::data;
 use super::super::question::Question;
+use super::data;
 use super::{remedy_answer, remedy_document, remedy_page};
 use crate::page::Document;
 use crate::remedy::Remedy;
@@ -18,7 +18,7 @@ impl Question for Remedy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        (name == "weights").then(|| data::remedy(self))
+        (name == "weights").then(|| data::table(self))
     }
 
     fn answer(&self) -> Document {

@@ -1,10 +1,10 @@
 //! What is asked of masses on a shaft? What balances them, or what they leave; of a locomotive what its reciprocating masses do.
 
+mod data;
 mod page;
 
 use std::f64::consts::TAU;
 
-use super::data;
 use super::question::Question;
 use crate::exact::PhasorSum;
 use crate::file::Rotor;
@@ -100,7 +100,7 @@ impl Question for RotorStudy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        data::rotor(self, name)
+        data::table(self, name)
     }
 
     fn answer(&self) -> Document {

@@ -6,12 +6,16 @@ mod grammar;
 
 use serde_json::{Map, Value, json};
 
+use super::data::TABLES;
 use crate::file;
 
 /// What there is a schema of: `layout`, the layout file, and the documents of `--json` by their names.
 pub fn schema_names() -> Vec<&'static str> {
-    let documents = grammar::lines().map(|(name, _)| name).take_while(|name| name.starts_with(char::is_lowercase));
-    std::iter::once("layout").chain(documents).collect()
+    let written: Vec<&str> =
+        grammar::lines().map(|(name, _)| name).take_while(|name| name.starts_with(char::is_lowercase)).collect();
+    let mut names: Vec<&str> = std::iter::once("layout").chain(written.iter().copied()).collect();
+    names.extend(TABLES.iter().map(|(question, _)| *question).filter(|question| !written.contains(question)));
+    names
 }
 
 /// The schema of this name (JSON Schema, draft 2020-12); none where there is no such name.

@@ -1,5 +1,6 @@
 //! How are the best crank stars shown? A table with a row a star, the front as a picture, and pictures of the first stars.
 
+pub(super) mod data;
 mod front;
 mod page;
 mod pictures;

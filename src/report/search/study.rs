@@ -1,7 +1,7 @@
 //! What is asked of crank stars? The best of them, and where that is wanted the firing orders that twist the shaft least.
 
-use super::super::data;
 use super::super::question::Question;
+use super::data;
 use super::{search_answer, search_layouts, search_page, search_torsion};
 use crate::page::{Document, File};
 use crate::search::{self, Front, Torsion};
@@ -37,7 +37,7 @@ impl Question for SearchStudy {
     }
 
     fn tables(&self) -> Vec<Table> {
-        data::search(&self.front, self.torsion.as_ref())
+        data::tables(&self.front, self.torsion.as_ref())
     }
 
     fn answer(&self) -> Document {

@@ -3,6 +3,7 @@
 mod amounts;
 mod assumptions;
 mod csv;
+pub(super) mod data;
 mod findings;
 mod firing;
 mod page;
@@ -11,6 +12,7 @@ mod question;
 mod sentences;
 mod tables;
 mod words;
+mod zero_data;
 
 pub use csv::sweep_csv;
 pub use page::{sweep_answer, sweep_page};

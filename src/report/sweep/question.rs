@@ -1,7 +1,7 @@
 //! What is a sweep as an answer? Tables of points and zeros, and a page with the data of its curves beside it.
 
-use super::super::data;
 use super::super::question::Question;
+use super::data;
 use super::{sweep_answer, sweep_csv, sweep_page};
 use crate::page::{Document, File};
 use crate::sweep::Sweep;
@@ -22,7 +22,7 @@ impl Question for Sweep {
     }
 
     fn tables(&self) -> Vec<Table> {
-        data::sweep(self)
+        data::tables(self)
     }
 
     fn answer(&self) -> Document {

@@ -1,5 +1,6 @@
 //! Which torque does the engine give, as a person reads it? The answer, plots, tables, what is assumed.
 
+mod data;
 mod page;
 mod plots;
 mod settings;

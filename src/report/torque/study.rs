@@ -1,7 +1,7 @@
 //! What is asked for the torque? Gas and inertia of an engine through its cycle.
 
-use super::super::data;
 use super::super::question::Question;
+use super::data;
 use super::{torque_answer, torque_page};
 use crate::engine::Engine;
 use crate::loads::Missing;
@@ -38,7 +38,7 @@ impl Question for TorqueStudy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        data::torque(self, name)
+        data::table(self, name)
     }
 
     fn answer(&self) -> Document {

@@ -1,5 +1,6 @@
 //! What is said of a crankshaft that twists? Frequencies, modes, critical speeds with the star of each, a Campbell diagram.
 
+mod data;
 mod forced;
 mod page;
 mod plots;

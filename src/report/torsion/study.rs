@@ -1,7 +1,7 @@
 //! What is a study of torsion to whoever asks it? Its tables, its pages.
 
-use super::super::data;
 use super::super::question::Question;
+use super::data;
 use super::{TorsionStudy, torsion_answer, torsion_page};
 use crate::page::Document;
 use crate::table::Table;
@@ -17,7 +17,7 @@ impl Question for TorsionStudy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        data::torsion(self, name)
+        data::table(self, name)
     }
 
     fn answer(&self) -> Document {

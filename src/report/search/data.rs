@@ -1,14 +1,14 @@
 //! Which columns hold what a search found? A row a star of the front; what was looked at; the firing orders that twist the shaft least.
 
-use super::filling::{Filling, Name};
 use crate::engine::CycleOrder;
 use crate::exact::PhasorSum;
 use crate::numbers;
+use crate::report::data::{Filling, Name};
 use crate::search::{FoundStar, Front, FrontDocument, Moment, RankedOrder, StarDocument, Torsion, document};
 use crate::table::{Table, Unit};
 
 /// The tables of a search: the stars, the question with its counts, and the firing orders where they are asked for.
-pub fn search(front: &Front, torsion: Option<&Torsion>) -> Vec<Table> {
+pub fn tables(front: &Front, torsion: Option<&Torsion>) -> Vec<Table> {
     // Names and counts are those of the JSON document.
     let document = document(front);
     let firing_orders = torsion.map(firing_orders);

@@ -2,17 +2,17 @@
 
 use num_complex::Complex;
 
-use super::super::calculation::Numbers;
-use super::super::loads_document::{BoundEntry, LargestEntry, LoadsDocument, OrderEntry, TorqueEntry, VectorEntry};
-use super::filling::Filling;
 use crate::engine::Engine;
 use crate::loads::{self, Circle, Scale, Waveform};
 use crate::proof::Quantity;
+use crate::report::calculation::Numbers;
+use crate::report::data::Filling;
+use crate::report::loads_document::{BoundEntry, LargestEntry, LoadsDocument, OrderEntry, TorqueEntry, VectorEntry};
 use crate::table::{Table, Unit};
 
 /// What forces, moments and torques are counted in, and how many of it are one multiple.
 #[derive(Clone, Copy)]
-pub(super) struct Units {
+pub struct Units {
     pub force: Unit,
     pub moment: Unit,
     pub torque: Unit,
@@ -31,7 +31,7 @@ impl Units {
 
 /// The tables of the loads: by order, over the crank angle, the largest values; of the torque and the roll moment where the layout asks for
 /// them.
-pub fn loads(engine: &Engine, numbers: &Numbers, document: &LoadsDocument) -> Vec<Table> {
+pub fn tables(engine: &Engine, numbers: &Numbers, document: &LoadsDocument) -> Vec<Table> {
     let units = Units::new(engine, numbers.loads.scale.as_ref());
     let about_the_axis = [("loads.torque", &document.torque), ("loads.roll", &document.roll)];
     let about_the_axis = about_the_axis.into_iter().filter(|(_, entries)| !entries.is_empty());

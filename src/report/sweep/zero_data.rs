@@ -2,9 +2,9 @@
 
 use num_rational::BigRational;
 
-use super::cells::exact_number;
-use super::filling::Filling;
 use crate::numbers::float;
+use crate::report::data::Filling;
+use crate::report::data::exact_number;
 use crate::sweep::Sweep;
 use crate::table::{Table, Unit};
 

@@ -2,11 +2,11 @@
 
 use num_complex::Complex;
 
-use super::bearings::{components, position_unit};
-use super::cells::exact_number;
-use super::filling::Filling;
+use super::data::{components, position_unit};
 use crate::engine::Engine;
 use crate::journal::{CycleBearing, CycleBearings, CycleLoads, CyclePeak, CylinderLoads, JournalOrder, SharedPin};
+use crate::report::data::Filling;
+use crate::report::data::exact_number;
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
 use crate::torque::Extreme;

@@ -2,13 +2,13 @@
 
 use num_traits::ToPrimitive;
 
-use super::filling::Filling;
 use crate::firing::{FiringStar, StarOrder};
+use crate::report::data::Filling;
 use crate::report::{FiringStudy, star_length};
 use crate::table::{Table, Unit};
 
 /// The firing stars.
-pub fn firing(study: &FiringStudy) -> Table {
+pub fn table(study: &FiringStudy) -> Table {
     let stars = study.orders.iter().flat_map(|order| order.stars.iter().map(move |star| (order, star)));
     let rows: Vec<(&StarOrder, &FiringStar, _)> = stars.map(|(order, star)| (order, star, star_length(star))).collect();
     let mut table = Filling::new("firing.orders", &rows);

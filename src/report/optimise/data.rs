@@ -2,15 +2,15 @@
 
 use num_traits::ToPrimitive;
 
-use super::cells::exact_number;
-use super::filling::Filling;
 use crate::numbers;
 use crate::optimise::{Design, Optimum, PlacedWeight, Residual, Uniform};
 use crate::report::OptimiseStudy;
+use crate::report::data::Filling;
+use crate::report::data::exact_number;
 use crate::table::{Table, Unit};
 
 /// A table of the best crankshafts.
-pub fn optimise(study: &OptimiseStudy, name: &str) -> Option<Table> {
+pub fn table(study: &OptimiseStudy, name: &str) -> Option<Table> {
     Some(match name {
         "points" => points(study),
         "counterweights" => counterweights(study),

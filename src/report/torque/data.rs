@@ -3,14 +3,14 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::filling::Filling;
 use crate::engine::Engine;
 use crate::report::TorqueStudy;
+use crate::report::data::Filling;
 use crate::table::{Table, Unit};
 use crate::torque::{Class, EngineTorque, Evenness, Extreme, HIGHEST, TorqueOrder, guide_moments};
 
 /// A table of the torque.
-pub fn torque(study: &TorqueStudy, name: &str) -> Option<Table> {
+pub fn table(study: &TorqueStudy, name: &str) -> Option<Table> {
     let torque = &study.torque;
     Some(match name {
         "orders" => orders(torque),

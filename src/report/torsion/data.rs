@@ -2,12 +2,12 @@
 
 use num_traits::ToPrimitive;
 
-use super::filling::Filling;
 use crate::report::TorsionStudy;
+use crate::report::data::Filling;
 use crate::table::{Table, Unit};
 
 /// A table of a shaft that twists.
-pub fn torsion(study: &TorsionStudy, name: &str) -> Option<Table> {
+pub fn table(study: &TorsionStudy, name: &str) -> Option<Table> {
     Some(match name {
         "modes" => modes(study),
         "critical" => critical(study),

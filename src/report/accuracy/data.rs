@@ -1,16 +1,16 @@
 //! Which columns hold what accuracy costs? A row a method of a load, and a row a load with its peak.
 
-use super::cells::exact_number;
-use super::filling::Filling;
 use crate::accuracy::{Method, PeakRow, Row, Study};
 use crate::loads::PeakMethod;
 use crate::proof::Quantity;
 use crate::report::accuracy::methods;
+use crate::report::data::Filling;
+use crate::report::data::exact_number;
 use crate::report::{AccuracyCase, AccuracyStudy, Further, FurtherLoad};
 use crate::table::{Table, Unit};
 
 /// A table of what accuracy costs.
-pub fn accuracy(study: &AccuracyStudy, name: &str) -> Option<Table> {
+pub fn table(study: &AccuracyStudy, name: &str) -> Option<Table> {
     Some(match name {
         "methods" => all_methods(study),
         "peaks" => peaks(study)?,

@@ -1,9 +1,9 @@
 //! Which columns hold a comparison? A row an engine and order, and a row an engine.
 
-use super::super::compare::document::{CompareDocument, EngineEntry, Firing, Newtons, Order};
-use super::super::compare::{Compared, compare_document};
-use super::filling::Filling;
-use super::verdicts::{of_orders, units};
+use crate::report::compare::document::{CompareDocument, EngineEntry, Firing, Newtons, Order};
+use crate::report::compare::{Compared, compare_document};
+use crate::report::data::Filling;
+use crate::report::data::{of_orders, units};
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
 
@@ -16,7 +16,7 @@ struct Row<'a> {
 }
 
 /// The tables of a comparison: the orders of each engine, and the engines.
-pub fn compare(engines: &[Compared]) -> Vec<Table> {
+pub fn tables(engines: &[Compared]) -> Vec<Table> {
     let document = compare_document(engines);
     vec![orders(engines, &document), of_engines(engines, &document)]
 }

@@ -1,12 +1,12 @@
 //! Which columns hold the values at crank angles? A row a piston, the torque, a main bearing, at an angle.
 
-use super::filling::Filling;
 use crate::journal::PistonAt;
 use crate::report::angle::AngleStudy;
+use crate::report::data::Filling;
 use crate::table::{Table, Unit};
 
 /// A table of the values at crank angles.
-pub fn angle(study: &AngleStudy, name: &str) -> Option<Table> {
+pub fn table(study: &AngleStudy, name: &str) -> Option<Table> {
     Some(match name {
         "pistons" => pistons(study),
         "torque" => torque(study),

@@ -2,13 +2,13 @@
 
 use num_traits::ToPrimitive;
 
-use super::filling::Filling;
 use crate::engine::LengthUnit;
 use crate::remedy::{Remedy, Weight};
+use crate::report::data::Filling;
 use crate::table::{Table, Unit};
 
 /// The weights of a remedy.
-pub fn remedy(remedy: &Remedy) -> Table {
+pub fn table(remedy: &Remedy) -> Table {
     let weights = remedy.weights();
     let weights: Vec<(usize, Weight)> =
         weights.iter().filter_map(|weight| remedy.as_built(weight)).enumerate().collect();

@@ -2,14 +2,14 @@
 
 use num_traits::ToPrimitive;
 
-use super::filling::Filling;
+use crate::report::data::Filling;
 use crate::report::moments::{External, MomentsRow, MomentsStudy};
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
 use crate::torque::GuideMoments;
 
 /// A table of the moments of engines.
-pub fn moments(study: &MomentsStudy, name: &str) -> Option<Table> {
+pub fn table(study: &MomentsStudy, name: &str) -> Option<Table> {
     match name {
         "moments" => Some(external(study)),
         "guides" => guides(study),
@@ -47,7 +47,7 @@ fn external(study: &MomentsStudy) -> Table {
             ],
         ),
     ];
-    for order in super::super::moments::ORDERS {
+    for order in super::ORDERS {
         for (of, unit, names) in kinds {
             for (component, [size, vanishes]) in names.into_iter().enumerate() {
                 let value = move |row: &MomentsRow| {

@@ -3,10 +3,7 @@
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::cells::exact_number;
-use super::filling::Filling;
-use super::gas_loads;
-use super::loads::Units;
+use super::gas_data;
 use crate::engine::{Engine, Mechanism};
 use crate::exact::PhasorSum;
 use crate::loads::{
@@ -16,6 +13,9 @@ use crate::numbers;
 use crate::order::{Factor, OrderSum};
 use crate::report::BearingsStudy;
 use crate::report::bearings::{before, orders_of};
+use crate::report::calculation::data::Units;
+use crate::report::data::Filling;
+use crate::report::data::exact_number;
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
 
@@ -28,7 +28,7 @@ pub(super) fn position_unit(engine: &Engine) -> Unit {
 }
 
 /// A table of the bearing loads: of the masses, or of gas and masses where the layout asks for the gas.
-pub fn bearings(study: &BearingsStudy, name: &str) -> Option<Table> {
+pub fn table(study: &BearingsStudy, name: &str) -> Option<Table> {
     let units = Units::new(&study.engine, study.continuous.scale.as_ref());
     Some(match name {
         "bearings" => of_bearings(study, units),
@@ -39,7 +39,7 @@ pub fn bearings(study: &BearingsStudy, name: &str) -> Option<Table> {
         "pins" => pins(study, units)?,
         "pin_orders" => pin_orders(study, units)?,
         "parts" => parts(study),
-        _ => return gas_loads::table(&study.engine, study.with_gas()?, name),
+        _ => return gas_data::table(&study.engine, study.with_gas()?, name),
     })
 }
 

@@ -3,14 +3,14 @@
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
-use super::filling::Filling;
 use crate::numbers;
+use crate::report::data::Filling;
 use crate::report::rotor::{LeftOver, RotorStudy};
 use crate::rotor::Found;
 use crate::table::{Table, Unit};
 
 /// A table of masses on a shaft.
-pub fn rotor(study: &RotorStudy, name: &str) -> Option<Table> {
+pub fn table(study: &RotorStudy, name: &str) -> Option<Table> {
     match name {
         "masses" => Some(masses(study)),
         "left" => Some(left(study)),

@@ -2,19 +2,19 @@
 
 use num_rational::BigRational;
 
-use super::cells::{decimals, exact, truths};
-use super::values::columns;
-use super::zeros::{firing_zeros, zeros};
+use super::zero_data::{firing_zeros, zeros};
 use crate::engine::CycleOrder;
 use crate::exact::fraction;
 use crate::loads::Arm;
 use crate::numbers::float;
 use crate::proof::Planar;
+use crate::report::data::cells::{decimals, exact, truths};
+use crate::report::data::{Filling, value_columns};
 use crate::sweep::{Amplitude, Amplitudes, Envelope, Evenness, Sweep, SweptEngine};
 use crate::table::{Column, Table, Unit};
 
 /// The tables of a sweep: the points, the exact zeros where the parameter is an angle, those of the firing stars where they are asked for.
-pub fn sweep(sweep: &Sweep) -> Vec<Table> {
+pub fn tables(sweep: &Sweep) -> Vec<Table> {
     let zeros = sweep.zeros.as_ref().map(|_| zeros(sweep));
     let firing_zeros = sweep.firing.as_ref().filter(|firing| firing.zeros.is_some()).map(|_| firing_zeros(sweep));
     [points(sweep)].into_iter().chain(zeros).chain(firing_zeros).collect()
@@ -55,7 +55,7 @@ const EXACT: &str = "the same, exact";
 
 /// The points: first the columns that `sweep.csv` always had, then which amplitudes vanish and what is exact.
 pub fn points(sweep: &Sweep) -> Table {
-    let mut table = Table::new("points", "a point of the sweep", sweep.points.len());
+    let mut table = Filling::new("sweep.points", &sweep.points).done();
     let mut last = Vec::new();
     for (index, parameter) in sweep.parameters.iter().enumerate() {
         let value = |point: &SweptEngine| point.values.get(index).cloned();
@@ -86,7 +86,7 @@ pub fn points(sweep: &Sweep) -> Table {
     if let Some(observed) = &sweep.observed {
         for (place, (name, like)) in observed.names.iter().zip(&observed.first).enumerate() {
             let all: Vec<_> = observed.points.iter().map(|values| &values[place]).collect();
-            columns(name, Some(like), &all).into_iter().for_each(|column| table.push(column));
+            value_columns(name, Some(like), &all).into_iter().for_each(|column| table.push(column));
         }
     }
     table
