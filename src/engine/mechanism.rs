@@ -28,6 +28,11 @@ pub struct Rod {
 }
 
 impl Rod {
+    /// Whether the cylinder axis meets the crankshaft.
+    pub fn is_centric(&self) -> bool {
+        self.offset.is_zero()
+    }
+
     /// The same rod with its cylinder on the side of ψ = 90°, or centric.
     pub fn unsigned(&self) -> Rod {
         Rod { ratio: self.ratio.clone(), offset: self.offset.abs() }
@@ -55,8 +60,16 @@ impl Mechanism {
     /// is no other odd order. Links with a corrected knuckle angle move otherwise.
     pub fn is_centric(&self) -> bool {
         match self {
-            Mechanism::SliderCrank(rod) => rod.offset.is_zero(),
+            Mechanism::SliderCrank(rod) => rod.is_centric(),
             Mechanism::Link(link) => !link.is_corrected(),
+        }
+    }
+
+    /// The same as far as the motion of the piston goes: with an infinitely long rod that is the same whatever the offset is.
+    pub fn motion(&self) -> Mechanism {
+        match self.rod().filter(|rod| rod.ratio.is_zero()) {
+            Some(rod) => Mechanism::SliderCrank(Rod { ratio: rod.ratio.clone(), offset: BigRational::zero() }),
+            None => self.clone(),
         }
     }
 

@@ -74,7 +74,8 @@ impl Link {
 }
 
 impl Rod {
-    fn has_order(&self, quantity: Quantity, order: u32) -> bool {
+    /// Whether the coefficient of an order is not zero.
+    pub fn has_order(&self, quantity: Quantity, order: u32) -> bool {
         match (quantity, order) {
             (_, 0) => false,
             (Quantity::Axial(_), _) => order == 2 || !self.ratio.is_zero(),

@@ -1,10 +1,9 @@
 //! What is the star of one order, and is it zero?
 
 use num_rational::BigRational;
-use num_traits::Zero;
 
 use super::Weights;
-use crate::engine::{CycleOrder, Engine, Firing, Mechanism, Rod};
+use crate::engine::{CycleOrder, Engine, Firing, Mechanism};
 use crate::exact::{PhasorSum, Term};
 use crate::order::Source;
 use crate::proof::{Certificate, Quantity};
@@ -108,13 +107,7 @@ fn angle_of(firing: &Firing, cylinder: usize) -> &BigRational {
 fn classes(engine: &Engine) -> Vec<Vec<usize>> {
     let mut classes: Vec<(Option<Mechanism>, Vec<usize>)> = Vec::new();
     for (index, cylinder) in engine.cylinders().iter().enumerate() {
-        // An infinitely long rod moves the piston alike whatever its offset is.
-        let mechanism = cylinder.mechanism.as_ref().map(|mechanism| match mechanism {
-            Mechanism::SliderCrank(rod) if rod.ratio.is_zero() => {
-                Mechanism::SliderCrank(Rod { ratio: rod.ratio.clone(), offset: BigRational::zero() })
-            }
-            Mechanism::SliderCrank(_) | Mechanism::Link(_) => mechanism.clone(),
-        });
+        let mechanism = cylinder.mechanism.as_ref().map(Mechanism::motion);
         match classes.iter_mut().find(|(own, _)| *own == mechanism) {
             Some((_, members)) => members.push(index),
             None => classes.push((mechanism, vec![index])),

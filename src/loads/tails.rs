@@ -71,7 +71,7 @@ impl Tails {
             .iter()
             .map(|(rod, crank)| (rod.clone(), Parts { cranks: vec![(1.0, tail(crank))], corrected: None }));
         let links = motion.links.iter().filter_map(|link| {
-            let master = order::crank(&Mechanism::SliderCrank(link.master_rod()))?;
+            let master = order::crank_of(&link.master_rod());
             let mut cranks = vec![(rounded_up(&link.knuckle), tail(&master))];
             let corrected = match link.is_corrected() {
                 true => Some(link.corrected()?.tail()),
@@ -121,9 +121,11 @@ impl Tails {
         // c_k is one of the orders above k − 1 that the tail is above.
         let most = |factor: &Factor, order: u32| match factor {
             Factor::One => 1.0,
-            Factor::Motion(mechanism) => {
+            Factor::Motion(rod) => {
                 let of_rod = |parts: &Parts| parts.of_rod(|tail| tail.force(order.saturating_sub(1)));
-                self.by_mechanism.get(mechanism).map_or(f64::INFINITY, |parts| 1.0 + of_rod(parts))
+                self.by_mechanism
+                    .get(&Mechanism::SliderCrank(rod.clone()))
+                    .map_or(f64::INFINITY, |parts| 1.0 + of_rod(parts))
             }
             // A shaft stands before none of these.
             Factor::Torque(_)

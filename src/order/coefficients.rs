@@ -7,14 +7,14 @@ use num_rational::BigRational;
 
 use super::corrected::Corrected;
 use super::factor::Factor;
-use crate::engine::Mechanism;
+use crate::engine::{Mechanism, Rod};
 use crate::motion::{Coefficient, CorrectedLinkage, Enclosure, SliderCrank};
 use crate::proof::Sense;
 
 /// The values of factors that were asked for.
 #[derive(Debug, Default)]
 pub struct Coefficients {
-    cranks: RefCell<BTreeMap<Mechanism, SliderCrank>>,
+    cranks: RefCell<BTreeMap<Rod, SliderCrank>>,
     corrected: RefCell<BTreeMap<Corrected, CorrectedLinkage>>,
     known: RefCell<BTreeMap<(Factor, u32), Coefficient>>,
 }
@@ -34,13 +34,13 @@ impl Coefficients {
                 return self.of(own, order);
             }
             Factor::Open | Factor::OpenTorque => return None,
-            Factor::Motion(mechanism) => self.crank(mechanism, |crank| crank.coefficient(order))?,
+            Factor::Motion(rod) => self.crank(rod, |crank| crank.coefficient(order)),
             Factor::Quadrature(rod) => {
-                let first = self.crank(&Mechanism::SliderCrank(rod.clone()), |crank| crank.coefficient(1))?;
+                let first = self.crank(rod, |crank| crank.coefficient(1));
                 Coefficient { re: first.im, im: Enclosure::zero() }
             }
-            Factor::Side(mechanism) => self.crank(mechanism, |crank| crank.side_part(order))?,
-            Factor::Torque(mechanism) => self.crank(mechanism, |crank| crank.torque_coefficient(order))?,
+            Factor::Side(rod) => self.crank(rod, |crank| crank.side_part(order)),
+            Factor::Torque(mechanism) => self.crank(mechanism.rod()?, |crank| crank.torque_coefficient(order)),
             Factor::Linkage(linkage) => Coefficient { re: linkage.motion().number(order), im: Enclosure::zero() },
             Factor::Corrected(corrected, component) => {
                 let mut corrected_ones = self.corrected.borrow_mut();
@@ -72,24 +72,21 @@ impl Coefficients {
         self.known.borrow().len()
     }
 
-    fn crank(&self, mechanism: &Mechanism, value: impl Fn(&SliderCrank) -> Coefficient) -> Option<Coefficient> {
-        let mut cranks = self.cranks.borrow_mut();
-        if let Some(known) = cranks.get(mechanism) {
-            return Some(value(known));
-        }
-        let crank = crank(mechanism)?;
-        Some(value(cranks.entry(mechanism.clone()).or_insert(crank)))
+    fn crank(&self, rod: &Rod, value: impl Fn(&SliderCrank) -> Coefficient) -> Coefficient {
+        value(self.cranks.borrow_mut().entry(rod.clone()).or_insert_with(|| crank_of(rod)))
     }
 }
 
 /// The motion of a crank with a rod of its own that an engine has: it turns round. None of a link.
 pub fn crank(mechanism: &Mechanism) -> Option<SliderCrank> {
-    match mechanism {
-        Mechanism::SliderCrank(rod) => match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
-            Ok(crank) => Some(crank),
-            Err(_) => unreachable!("an engine's mechanisms turn round"),
-        },
-        Mechanism::Link(_) => None,
+    mechanism.rod().map(crank_of)
+}
+
+/// The motion of a crank with this rod.
+pub fn crank_of(rod: &Rod) -> SliderCrank {
+    match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
+        Ok(crank) => crank,
+        Err(_) => unreachable!("an engine's mechanisms turn round"),
     }
 }
 

@@ -14,7 +14,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::factor::Factor;
-use crate::engine::{Link, Mechanism};
+use crate::engine::Link;
 use crate::exact::{Term, Turn};
 use crate::motion::{Component, CorrectedLinkage};
 
@@ -79,7 +79,7 @@ pub(super) fn parts_of(link: &Link, order: u32) -> Vec<(Factor, Term)> {
         parts.push((Factor::One, term(&link.angle - &link.correction, &half)));
         parts.push((Factor::One, term(&link.angle + &link.correction, &-&half)));
     } else if order.is_multiple_of(2) {
-        let master = Factor::Motion(Mechanism::SliderCrank(link.master_rod()));
+        let master = Factor::Motion(link.master_rod());
         let with_it = link.angle.times(order.into());
         parts.push((master.clone(), term(&with_it + &link.correction, &half)));
         parts.push((master, term(&with_it - &link.correction, &half)));

@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::coefficients::crank_of;
 use super::corrected::Corrected;
 use super::link::{Linkage, parts_of};
 use crate::engine::{Engine, Mechanism, Rod};
@@ -17,7 +18,7 @@ pub enum Factor {
     /// 1: masses that turn, and order 1 of centric rods.
     One,
     /// c_k of this mechanism, whose offset is not negative above order 1; conjugated in reverse sums.
-    Motion(Mechanism),
+    Motion(Rod),
     /// y of the c_1 = 1 + iy of this rod, whose offset is positive: a real number below 0 (theory, section 2). Order 1 of rods that differ
     /// stands before it, a quarter turn on, and before 1; where all mechanisms are alike it stands before c_1.
     Quadrature(Rod),
@@ -27,7 +28,7 @@ pub enum Factor {
     /// negative; conjugated in reverse sums.
     ///
     /// [`SliderCrank::side_part`]: crate::motion::SliderCrank::side_part
-    Side(Mechanism),
+    Side(Rod),
     /// g_k of a link on a master rod ([`crate::motion::Linkage`]), a real number.
     Linkage(Linkage),
     /// A part of h_k of a link with a corrected knuckle angle ([`crate::motion::CorrectedLinkage`]), a real number.
@@ -79,10 +80,10 @@ impl Factor {
             None if order == 1 => (Factor::One, one),
             None => (Factor::Open, one),
             Some(rod) if order == 1 && rod.offset.is_zero() => (Factor::One, one),
-            Some(rod) if order == 1 => (Factor::Motion(Mechanism::SliderCrank(rod.clone())), one),
+            Some(rod) if order == 1 => (Factor::Motion(rod.clone()), one),
             Some(rod) => {
                 let sign = if rod.offset.is_negative() && order % 2 == 1 { -one } else { one };
-                (Factor::Motion(Mechanism::SliderCrank(rod.unsigned())), sign)
+                (Factor::Motion(rod.unsigned()), sign)
             }
         }
     }
@@ -92,7 +93,7 @@ impl Factor {
     pub fn of_side(rod: &Rod, order: u32) -> (Factor, BigRational) {
         let sign =
             if rod.offset.is_negative() && order.is_multiple_of(2) { -BigRational::one() } else { BigRational::one() };
-        (Factor::Side(Mechanism::SliderCrank(rod.unsigned())), sign)
+        (Factor::Side(rod.unsigned()), sign)
     }
 
     /// What the inertia torque of a cylinder with this mechanism stands before.
@@ -132,12 +133,10 @@ impl Factor {
     pub fn exists(&self, order: u32) -> bool {
         match self {
             Factor::One | Factor::OpenTorque => true,
-            Factor::Motion(mechanism) => mechanism.has_order(Quantity::FORCE, order),
+            Factor::Motion(rod) => rod.has_order(Quantity::FORCE, order),
             Factor::Quadrature(rod) => order == 1 && !rod.offset.is_zero(),
             Factor::Torque(mechanism) => mechanism.has_order(Quantity::TORQUE, order),
-            Factor::Side(mechanism) => {
-                super::coefficients::crank(mechanism).is_some_and(|crank| crank.has_side_part(order))
-            }
+            Factor::Side(rod) => crank_of(rod).has_side_part(order),
             Factor::Linkage(linkage) => linkage.exists(order),
             Factor::Corrected(corrected, component) => corrected.exists(*component, order),
             Factor::Open => order == 1 || order.is_multiple_of(2),
@@ -155,7 +154,7 @@ impl Factor {
             Factor::Quadrature(_) => Some(true),
             // c_2, c_6, … are above 0, c_4, c_8, … below (theory, section 2).
             Factor::Open | Factor::Linkage(_) => Some(order.is_multiple_of(4)),
-            Factor::Motion(mechanism) => mechanism.is_centric().then(|| order.is_multiple_of(4)),
+            Factor::Motion(rod) => rod.is_centric().then(|| order.is_multiple_of(4)),
             Factor::Geared(..) => {
                 let (own, own_order) = self.own(order);
                 own.is_negative(own_order)
@@ -189,7 +188,7 @@ impl Factor {
                 let parts = factor.real_parts(order / (*speed).max(1)).into_iter();
                 parts.map(|(factor, turn)| (factor.geared(*speed), turn)).collect()
             }
-            Factor::Motion(Mechanism::SliderCrank(rod)) if order == 1 => {
+            Factor::Motion(rod) if order == 1 => {
                 let quarter = if rod.offset.is_negative() { -&quarter } else { quarter };
                 vec![(Factor::One, Turn::zero()), (Factor::Quadrature(rod.unsigned()), quarter)]
             }

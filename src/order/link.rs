@@ -20,7 +20,7 @@ use num_traits::{One, Zero};
 
 use super::corrected;
 use super::factor::Factor;
-use crate::engine::{Cylinder, Engine, Link, Mechanism};
+use crate::engine::{Cylinder, Engine, Link};
 use crate::exact::{Term, Turn};
 use crate::motion;
 
@@ -67,7 +67,7 @@ pub(super) fn parts_of(link: &Link, order: u32) -> Vec<(Factor, Term)> {
     if order == 1 {
         return vec![(Factor::One, Term { angle: Turn::zero(), weight: one })];
     }
-    let master = Factor::Motion(Mechanism::SliderCrank(link.master_rod()));
+    let master = Factor::Motion(link.master_rod());
     let with_the_master = Term { angle: link.angle.times(order.into()), weight: link.knuckle.clone() };
     if !order.is_multiple_of(2) {
         // Neither number is there: one stands for both.

@@ -23,7 +23,7 @@ mod sum;
 mod turning;
 
 pub use crate::proof::Masses;
-pub use coefficients::{Coefficients, crank, exactly_one};
+pub use coefficients::{Coefficients, crank, crank_of, exactly_one};
 pub use comparable::{NotComparable, comparable};
 pub use contribution::{
     Contribution, Sources, all_masses, contributions, groups_of, lever, masses_as_built, roll, star, torque,

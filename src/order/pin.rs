@@ -13,7 +13,7 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::coefficients::crank;
+use super::coefficients::crank_of;
 use super::contribution::{Contribution, Sources};
 use super::factor::Factor;
 use super::masses::MassGroup;
@@ -56,7 +56,7 @@ pub fn shaft_contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Con
 
 /// Whether some piston has an offset and a rod of finite length, so that its crankpin feels a constant force.
 pub fn has_constant_pin_loads(engine: &Engine) -> bool {
-    engine.mechanisms().into_iter().filter_map(crank).any(|crank| crank.has_side_part(0))
+    engine.mechanisms().into_iter().filter_map(Mechanism::rod).any(|rod| crank_of(rod).has_side_part(0))
 }
 
 fn turning(engine: &Engine, order: u32, sense: Sense, is_meant: impl Fn(MassGroup) -> bool) -> Vec<Contribution> {
@@ -84,8 +84,8 @@ fn of_piston(engine: &Engine, rod: &Rod, order: u32, sense: Sense) -> Vec<(Facto
         };
         parts.push((Factor::One, part, Turn::zero()));
     }
-    let mechanism = Mechanism::SliderCrank(rod.clone());
-    if let Some(crank) = crank(&mechanism).filter(|crank| crank.has_side_part(order)) {
+    let crank = crank_of(rod);
+    if crank.has_side_part(order) {
         // −u_k = −i (−i)^k E and u_k* = −i i^k E.
         let quarters = match sense {
             Sense::Direct => -1 - i64::from(order),

@@ -139,11 +139,10 @@ pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
     match factor {
         Factor::One => Coefficient::One,
         Factor::Open | Factor::OpenTorque => Coefficient::Common,
-        Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => match mechanism {
-            Mechanism::SliderCrank(rod) => Coefficient::Rod(rod_claim(rod)),
-            Mechanism::Link(_) => {
-                unreachable!("the sums of a link are multiplied by the coefficient of its master and of its linkage")
-            }
+        Factor::Motion(rod) | Factor::Side(rod) => Coefficient::Rod(rod_claim(rod)),
+        Factor::Torque(mechanism) => match mechanism.rod() {
+            Some(rod) => Coefficient::Rod(rod_claim(rod)),
+            None => unreachable!("the torque of links is not decided"),
         },
         Factor::Quadrature(rod) => Coefficient::Quadrature(rod_claim(rod)),
         Factor::Linkage(linkage) => Coefficient::Linkage(LinkageClaim {

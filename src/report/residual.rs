@@ -1,11 +1,10 @@
 //! What is left of an order, and how is it put in a few words?
 
 use num_rational::BigRational;
-use num_traits::Zero;
 
 pub(super) use super::residual_words::{sentence, whole_sentence};
 use super::typeset::{self, Amount, Bearing, signed_degrees};
-use crate::engine::{DOES_NOT_EXIST, Engine, Mechanism, WHY_NOT};
+use crate::engine::{DOES_NOT_EXIST, Engine, Rod, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};
 use crate::motion::Component;
 use crate::numbers::{self, Direction};
@@ -69,20 +68,18 @@ fn equals(value: &BigRational) -> String {
     if typeset::is_long(value) { text } else { format!("= {text}") }
 }
 
+/// `, λ = 0.25`, `, λ = 0.25, δ = 0.1`.
+fn rod_words(rod: &Rod) -> String {
+    let offset = if rod.is_centric() { String::new() } else { format!(", δ {}", equals(&rod.offset)) };
+    format!(", λ {}{offset}", equals(&rod.ratio))
+}
+
 /// `cylinders 1–3, λ = 0.25`, `balancer shaft 1`.
 fn class_words(class: &Class, order: u32) -> String {
     let (factor, own_order) = class.factor.own(order);
     let rod = match factor {
-        Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => match mechanism {
-            Mechanism::SliderCrank(rod) => {
-                let offset = match rod.offset.is_zero() {
-                    true => String::new(),
-                    false => format!(", δ {}", equals(&rod.offset)),
-                };
-                format!(", λ {}{offset}", equals(&rod.ratio))
-            }
-            Mechanism::Link(link) => format!(", r/L {}", equals(&link.ratio)),
-        },
+        Factor::Motion(rod) | Factor::Side(rod) => rod_words(rod),
+        Factor::Torque(mechanism) => mechanism.rod().map_or_else(String::new, rod_words),
         Factor::Quadrature(rod) => {
             let size = equals(&rod.offset);
             let size = size.strip_prefix("= ").map_or_else(|| size.clone(), |value| format!("= ±{value}"));

@@ -11,7 +11,7 @@ use super::counterweight::counterweight_of;
 use super::envelope::{Envelope, Geometry, envelope};
 use super::evenness::{Evenness, evenness_of};
 use super::integers::{IntegerEngine, KnownWeights, Pair};
-use crate::engine::{self, Cycle, Engine, Mechanism};
+use crate::engine::{self, Cycle, Engine, Rod};
 use crate::exact::PhasorSum;
 use crate::loads::{self, Missing};
 use crate::motion::coefficients_fast;
@@ -110,21 +110,21 @@ pub struct SweptEngine {
 /// pistons of the engine before.
 #[derive(Default)]
 pub(super) struct Motions {
-    by_rod: BTreeMap<Mechanism, Vec<Complex<f64>>>,
+    by_rod: BTreeMap<Rod, Vec<Complex<f64>>>,
     corrected: Coefficients,
     weights: KnownWeights,
 }
 
 impl Motions {
-    fn coefficient(&mut self, mechanism: &Mechanism, order: u32, highest: u32) -> Complex<f64> {
-        if !self.by_rod.contains_key(mechanism) {
+    fn coefficient(&mut self, rod: &Rod, order: u32, highest: u32) -> Complex<f64> {
+        if !self.by_rod.contains_key(rod) {
             // A sweep over rods would collect one entry per point.
             if self.by_rod.len() > 64 {
                 self.by_rod.clear();
             }
-            self.by_rod.insert(mechanism.clone(), coefficients(mechanism, highest));
+            self.by_rod.insert(rod.clone(), coefficients(rod, highest));
         }
-        self.by_rod.get(mechanism).and_then(|all| all.get(order as usize)).copied().unwrap_or_default()
+        self.by_rod.get(rod).and_then(|all| all.get(order as usize)).copied().unwrap_or_default()
     }
 
     fn corrected(&mut self, factor: &Factor, order: u32) -> Complex<f64> {
@@ -136,13 +136,12 @@ impl Motions {
     }
 }
 
-fn coefficients(mechanism: &Mechanism, highest: u32) -> Vec<Complex<f64>> {
-    let Some(rod) = mechanism.rod() else { return Vec::new() };
+fn coefficients(rod: &Rod, highest: u32) -> Vec<Complex<f64>> {
     if rod.offset.is_zero() {
         let real = coefficients_fast(rod.ratio.to_f64().unwrap_or(f64::NAN), highest);
         return real.into_iter().map(|value| Complex::new(value, 0.0)).collect();
     }
-    let Some(crank) = order::crank(mechanism) else { return Vec::new() };
+    let crank = order::crank_of(rod);
     (0..=highest).map(|order| crank.coefficient(order).to_complex()).collect()
 }
 
@@ -205,8 +204,8 @@ fn from_words(
     highest: u32,
     motions: &mut Motions,
 ) -> [Amplitudes; 2] {
-    let coefficient = match engine.mechanisms().first() {
-        Some(mechanism) => motions.coefficient(mechanism, order, highest),
+    let coefficient = match engine.mechanisms().first().and_then(|mechanism| mechanism.rod()) {
+        Some(rod) => motions.coefficient(rod, order, highest),
         None => Complex::new(1.0, 0.0),
     };
     if coefficient.is_zero() {
@@ -269,11 +268,8 @@ fn from_sums(engine: &Engine, quantity: Planar, order: u32, highest: u32, motion
         _ => [false, false],
     };
     let mut coefficient = |factor: &Factor| match factor.own(order) {
-        (Factor::Motion(mechanism), order) => motions.coefficient(mechanism, order, highest),
-        (Factor::Quadrature(rod), _) => {
-            let mechanism = Mechanism::SliderCrank(rod.clone());
-            Complex::new(motions.coefficient(&mechanism, 1, highest).im, 0.0)
-        }
+        (Factor::Motion(rod), order) => motions.coefficient(rod, order, highest),
+        (Factor::Quadrature(rod), _) => Complex::new(motions.coefficient(rod, 1, highest).im, 0.0),
         (Factor::Linkage(linkage), order) => Complex::new(linkage.motion().number(order).to_float(), 0.0),
         (Factor::Corrected(..), order) => motions.corrected(factor, order),
         // Of rods that are not given, amplitudes are in multiples of c_k.

@@ -148,7 +148,7 @@ fn said(text: &str, orders: &[u32]) -> [String; 2] {
 
 #[test]
 fn a_crankshaft_that_turns_against_the_reference_bears_the_weight_at_minus_1() {
-    const BEARS: &str = "may be on crankshaft right";
+    const BEARS: &str = "may sit on crankshaft right";
     let twin = |sense: &str| format!("[u]\nthrows = [0]\nsense = '{sense}'\ndistance = 4\n");
     let [cures, answer] = said(&twin("against"), &[1]);
     assert!(cures.contains(BEARS) && answer.contains(BEARS), "{cures}");

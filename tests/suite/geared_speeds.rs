@@ -2,7 +2,7 @@
 //!
 //! The bodies are those of [`crate::geared`], whose model knows nothing of orders: each crank turns as fast as its gear says.
 
-use crankstar::engine::Engine;
+use crankstar::engine::{Engine, Mechanism};
 use crankstar::file::parse;
 use crankstar::loads::{loads_at, needed_orders, vanishes_at_every_order};
 use crankstar::numbers::evaluate;
@@ -49,7 +49,7 @@ fn a_single_at_twice_the_speed_adds_four_times_its_order_at_twice_the_order() {
     let engine = layout(&format!("{TWO}{}{}[mechanism]\nrod_ratio = 0.25\n", single("slow", 0), single("fast", 0)));
     let orders = judged(&engine, &[1, 2, 3, 4, 6, 8], Masses::Reciprocating);
     let own = |order: u32| force(orders.iter().find(|one| one.order == order).expect("judged"));
-    let Some(rod) = engine.cylinders()[0].mechanism.clone() else { panic!("a rod") };
+    let Some(rod) = engine.cylinders()[0].mechanism.as_ref().and_then(Mechanism::rod).cloned() else { panic!("a rod") };
     let [slow, fast] = [Factor::Motion(rod.clone()), Factor::Geared(2, Box::new(Factor::Motion(rod)))].map(Some);
     assert_eq!(own(1), [(None, [1.0; 2])]);
     assert_eq!(own(2), [(slow.clone(), [1.0; 2]), (Some(Factor::One), [4.0; 2])]);

@@ -220,13 +220,9 @@ fn a_rod_that_is_given_twice_is_told_with_both_ways_of_writing_it() {
     };
     let rotating =
         told("piston_mass = '0.4 kg'\nrod_mass = '0.6 kg'\nrod_centre = '40 mm'\nrotating_mass = '0.4 kg'\n");
-    for words in [
-        "rotating_mass contradicts rod_mass",
-        "layout.toml:7",
-        "omit rotating_mass",
-        "rod_centre",
-        "or omit rod_mass",
-    ] {
+    for words in
+        ["rotating_mass contradicts rod_mass", "layout.toml:7", "omit rotating_mass", "rod_centre", "or omit rod_mass"]
+    {
         assert!(rotating.contains(words), "{words}: {rotating}");
     }
     let reciprocating = told("reciprocating_mass = '0.5 kg'\nrod_mass = '0.6 kg'\nrotating_mass = '0.4 kg'\n");

@@ -4,7 +4,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 
 use super::gas_data;
-use crate::engine::{Engine, Mechanism};
+use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::{
     Arm, BearingLoad, BearingLoads, Circle, Peak, PinLoads, Swing, Vector, left_out_of_bearings, pin_loads,
@@ -183,23 +183,20 @@ fn terms(study: &BearingsStudy) -> Table {
 
 /// `1`, or c_k or n_k of which rod.
 fn coefficient(factor: &Factor) -> String {
-    let (letter, mechanism) = match factor {
+    let (letter, rod) = match factor {
         Factor::One => return "1".to_owned(),
         Factor::Open | Factor::OpenTorque => return "c_k".to_owned(),
-        Factor::Motion(mechanism) => ("c_k", mechanism),
+        Factor::Motion(rod) => ("c_k", rod),
         Factor::Quadrature(rod) => return format!("Im c_1 of λ = {}, δ = {}", rod.ratio, rod.offset),
-        Factor::Torque(mechanism) => ("t_k", mechanism),
+        Factor::Torque(_) => return "t_k".to_owned(),
         // Without an offset it is all there is of n_k in an odd order.
-        Factor::Side(mechanism) if mechanism.is_centric() => ("n_k", mechanism),
-        Factor::Side(mechanism) => ("u_k", mechanism),
+        Factor::Side(rod) if rod.is_centric() => ("n_k", rod),
+        Factor::Side(rod) => ("u_k", rod),
         Factor::Geared(speed, own) => return format!("{} of order k/{speed}", coefficient(own)),
         Factor::Linkage(linkage) => return format!("g_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
         Factor::Corrected(linkage, _) => return format!("h_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
     };
-    match mechanism {
-        Mechanism::SliderCrank(rod) => format!("{letter} of λ = {}, δ = {}", rod.ratio, rod.offset),
-        Mechanism::Link(link) => format!("{letter} of a link, r/L = {}, κ = {}", link.ratio, link.knuckle),
-    }
+    format!("{letter} of λ = {}, δ = {}", rod.ratio, rod.offset)
 }
 
 /// Steps of a revolution: a degree each.

@@ -83,8 +83,8 @@ fn exact(sum: &OrderSum, order: u32) -> Text {
 fn rod(factor: &Factor) -> Option<&Rod> {
     match factor {
         Factor::One | Factor::Open | Factor::OpenTorque | Factor::Linkage(_) | Factor::Corrected(..) => None,
-        Factor::Motion(mechanism) | Factor::Torque(mechanism) | Factor::Side(mechanism) => mechanism.rod(),
-        Factor::Quadrature(rod) => Some(rod),
+        Factor::Motion(rod) | Factor::Side(rod) | Factor::Quadrature(rod) => Some(rod),
+        Factor::Torque(mechanism) => mechanism.rod(),
         Factor::Geared(_, own) => rod(own),
     }
 }
@@ -96,7 +96,7 @@ pub(in crate::report) fn before(factor: &Factor) -> Option<char> {
         Factor::Motion(_) | Factor::Open | Factor::OpenTorque => Some('c'),
         Factor::Quadrature(_) => Some('y'),
         Factor::Torque(_) => Some('t'),
-        Factor::Side(mechanism) if mechanism.is_centric() => Some('n'),
+        Factor::Side(rod) if rod.is_centric() => Some('n'),
         Factor::Side(_) => Some('u'),
         Factor::Linkage(_) => Some('g'),
         Factor::Geared(_, own) => before(own),

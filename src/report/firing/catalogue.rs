@@ -101,9 +101,14 @@ fn found(studies: &[(Entry, FiringStudy)]) -> Vec<Text> {
             even,
             studies.len()
         ),
-        minor => phrase!("{} of {} engines fire evenly; minor orders remain in {} of these.", even, studies.len(), minor),
+        minor => {
+            phrase!("{} of {} engines fire evenly; minor orders remain in {} of these.", even, studies.len(), minor)
+        }
     };
-    vec![fires, phrase!("{} engines have residual minor orders; the table has the strongest of each.", count(&leaves_minor))]
+    vec![
+        fires,
+        phrase!("{} engines have residual minor orders; the table has the strongest of each.", count(&leaves_minor)),
+    ]
 }
 
 /// Engines × (intervals, orders left, strongest minor order).
