@@ -1,31 +1,24 @@
 //! `--lang`: in which language is it said?
 
-use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use crankstar::page::Language;
 
 /// The argument.
 #[derive(clap::Args)]
 pub struct LanguageArgs {
     /// The language of page and answer
-    #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
-    lang: Lang,
+    #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = of_code())]
+    lang: Language,
 }
 
-/// The language of page and answer.
-#[derive(Clone, Copy, ValueEnum)]
-enum Lang {
-    /// English
-    En,
-    /// German, with decimal commas
-    De,
+fn of_code() -> impl TypedValueParser<Value = Language> {
+    let codes = Language::ALL.map(|language| PossibleValue::new(language.code()).help(language.name()));
+    PossibleValuesParser::new(codes).map(|code| Language::of_code(&code).unwrap_or_default())
 }
 
 impl LanguageArgs {
     /// The language.
     pub fn language(&self) -> Language {
-        match self.lang {
-            Lang::En => Language::En,
-            Lang::De => Language::De,
-        }
+        self.lang
     }
 }

@@ -21,7 +21,7 @@ pub(super) fn format(name: &str) -> PyResult<Format> {
 
 /// The options of this language.
 pub(super) fn options(language: &str) -> PyResult<Options> {
-    let known = Language::ALL.into_iter().find(|known| known.code() == language);
+    let known = Language::of_code(language);
     let codes = || Language::ALL.map(Language::code).join(" or ");
     let language = known.ok_or_else(|| told(format!("language `{language}`; {} are written", codes())))?;
     Ok(Options { language, ..Options::default() })

@@ -22,6 +22,7 @@ use crate::engine::{Engine, Family};
 use crate::family::{self, OpenOrder};
 use crate::file::{self, Layout};
 use crate::loads;
+use crate::page::Language;
 use crate::verdict::{self, Judgement};
 use mistake::Mistake;
 
@@ -49,8 +50,8 @@ enum Question {
         #[serde(flatten)]
         layout: Written,
         format: pages::Format,
-        #[serde(default)]
-        language: pages::Spoken,
+        #[serde(default, deserialize_with = "pages::language")]
+        language: Language,
         /// Whether the engine moves in it, where a format can show that.
         moving: bool,
     },

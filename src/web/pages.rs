@@ -1,6 +1,7 @@
 //! How does the report come out of the page: in which format, in which language?
 
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 use serde_json::{Value, json};
 
 use super::Judged;
@@ -18,27 +19,20 @@ pub(super) enum Format {
     Text,
 }
 
-/// The language of a report.
-#[derive(Clone, Copy, Default, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(super) enum Spoken {
-    #[default]
-    En,
-    De,
+/// The language of a code.
+pub(super) fn language<'de, D: Deserializer<'de>>(from: D) -> Result<Language, D::Error> {
+    let code = String::deserialize(from)?;
+    Language::of_code(&code).ok_or_else(|| D::Error::custom(format!("no reports are written in `{code}`")))
 }
 
 /// The files of the report, the main one first, as `crankstar report` writes them.
-pub(super) fn report(judged: &Judged, format: Format, language: Spoken, moving: bool) -> Value {
+pub(super) fn report(judged: &Judged, format: Format, language: Language, moving: bool) -> Value {
     let format = match format {
         Format::Markdown => page::Format::Markdown(Math::Github),
         Format::Latex => page::Format::Latex,
         Format::Html => page::Format::Html,
         Format::Typst => page::Format::Typst,
         Format::Text => page::Format::PLAIN,
-    };
-    let language = match language {
-        Spoken::En => Language::En,
-        Spoken::De => Language::De,
     };
     let files = page::write(&document(judged, moving), format, &Options { language, ..Options::default() });
     let files = files.iter().map(|File { name, text }| json!({ "name": name, "text": text }));

@@ -34,7 +34,6 @@ pub enum Language {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Written {
-    code: String,
     decimal: String,
     separator: String,
     hyphenation: String,
@@ -50,8 +49,11 @@ struct List {
 /// The lists are part of the program, so that a mistake in one is a mistake of ours.
 const OURS: &str = "a list of words of the program";
 
-static ENGLISH: LazyLock<List> = LazyLock::new(|| read(include_str!("../../../templates/words/en.toml")));
-static GERMAN: LazyLock<List> = LazyLock::new(|| read(include_str!("../../../templates/words/de.toml")));
+/// In the order of [`Language`]; a list is read where it is used.
+static LISTS: [LazyLock<List>; 2] = [
+    LazyLock::new(|| read(include_str!("../../../templates/words/en.toml"))),
+    LazyLock::new(|| read(include_str!("../../../templates/words/de.toml"))),
+];
 
 fn read(file: &'static str) -> List {
     let written: Written = toml::from_str(file).expect(OURS);
@@ -68,15 +70,23 @@ impl Language {
     pub const ALL: [Language; 2] = [Language::En, Language::De];
 
     fn list(self) -> &'static List {
-        match self {
-            Language::En => &ENGLISH,
-            Language::De => &GERMAN,
-        }
+        &LISTS[self as usize]
     }
 
     /// As `lang` in HTML has it.
     pub fn code(self) -> &'static str {
-        &self.list().written.code
+        match self {
+            Language::En => "en",
+            Language::De => "de",
+        }
+    }
+
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Language::En => "English",
+            Language::De => "German, with decimal commas",
+        }
     }
 
     /// What LaTeX calls its patterns of hyphenation.
@@ -84,9 +94,9 @@ impl Language {
         &self.list().written.hyphenation
     }
 
-    /// The language of a code; English where there is none.
-    pub(super) fn of_code(code: &str) -> Self {
-        Language::ALL.into_iter().find(|language| language.code() == code).unwrap_or_default()
+    /// The language of a code.
+    pub fn of_code(code: &str) -> Option<Self> {
+        Language::ALL.into_iter().find(|language| language.code() == code)
     }
 
     /// Whether these words need no translation or have one, sentence by sentence.
@@ -120,7 +130,7 @@ impl Language {
     pub fn label<'a>(self, english: &'a str) -> Cow<'a, str> {
         match self {
             Language::En => Cow::Borrowed(english),
-            Language::De => Cow::Owned(self.signs(english)),
+            _ => Cow::Owned(self.signs(english)),
         }
     }
 

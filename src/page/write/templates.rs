@@ -70,6 +70,6 @@ pub(super) fn fill(set: &Set, template: &str, values: &impl Serialize) -> String
 
 /// Words in a template, in the language of the page: `{{ "Contents" | say(language=language) }}`.
 pub(crate) fn say(words: &str, arguments: Kwargs, _: &State) -> tera::TeraResult<String> {
-    let language = Language::of_code(arguments.must_get("language")?);
+    let language = Language::of_code(arguments.must_get("language")?).unwrap_or_default();
     Ok(language.fixed(words).to_owned())
 }
