@@ -48,7 +48,7 @@
 //! page
 //! classroom
 //! claim  optimise
-//! journal
+//! journal  mounts
 //! accuracy  remedy  sweep  search  torque  torsion
 //! loads  family  rotor
 //! firing
@@ -125,6 +125,8 @@ pub mod journal;
 pub mod loads;
 #[allow(clippy::disallowed_types)]
 pub mod motion;
+#[allow(clippy::disallowed_types)]
+pub mod mounts;
 #[allow(clippy::disallowed_types)]
 pub mod numbers;
 #[cfg(feature = "optimise")]

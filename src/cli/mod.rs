@@ -23,6 +23,7 @@ mod man;
 mod mark;
 mod masses;
 mod moments;
+mod mounts;
 mod notation;
 mod optimise;
 mod pages;
@@ -113,6 +114,8 @@ enum Command {
     Moments(moments::Moments),
     /// Find natural frequencies and critical speeds of torsion
     Torsion(torsion::Torsion),
+    /// Compute how an engine shakes on its mounts
+    Mounts(mounts::Mounts),
     /// Compare methods for the peak loads: error, guarantee and time
     Accuracy(accuracy::Accuracy),
     /// Find counterweights and balancer shafts that cancel the residual
@@ -242,6 +245,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> u8 {
         Command::Angle(angle) => angle.run().map(done),
         Command::Moments(moments) => moments.run().map(done),
         Command::Torsion(torsion) => torsion.run().map(done),
+        Command::Mounts(mounts) => mounts.run().map(done),
         Command::Accuracy(accuracy) => accuracy.run().map(done),
         Command::Remedy(remedy) => remedy.run().map(done),
         Command::Optimise(optimise) => optimise.run().map(done),

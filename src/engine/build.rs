@@ -13,6 +13,7 @@ use super::length::Length;
 use super::linear::Linear;
 use super::mechanism::Mechanism;
 use super::model::Engine;
+use super::mounting::NoMounting;
 use super::order::{HIGHEST_ORDER, NotAnOrder, ORDERS, are_orders, pistons_have_order};
 use super::throws::throws;
 use super::torsion::NoShaft;
@@ -95,6 +96,8 @@ pub enum BuildError {
     ArticulatedRods(&'static str),
     /// Discs and springs that are no shaft for the crankpins.
     Torsion(NoShaft),
+    /// A body on mounts that is none.
+    Mounting(NoMounting),
 }
 
 impl fmt::Display for BuildError {
@@ -143,6 +146,7 @@ impl fmt::Display for BuildError {
                 "{what} in an engine with a crankshaft that turns faster than the reference: known where all turn equally fast so far"
             ),
             BuildError::Torsion(why) => why.fmt(f),
+            BuildError::Mounting(why) => why.fmt(f),
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
             BuildError::Gas(mistake) => mistake.fmt(f),
         }
@@ -204,6 +208,9 @@ impl<A, L: Length> Draft<A, L> {
         }
         if let Some(gas) = &self.gas {
             gas.check(self.cylinders.len(), self.cycle).map_err(BuildError::Gas)?;
+        }
+        if let Some(mounting) = &self.mounting {
+            mounting.check().map_err(BuildError::Mounting)?;
         }
         let flywheel = &self.flywheel;
         flywheel.inertia.iter().try_for_each(|inertia| positive(inertia, || "the inertia of the flywheel".into()))?;

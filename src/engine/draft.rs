@@ -13,6 +13,7 @@ use super::gas::Gas;
 use super::geared::GearedCrank;
 use super::length::LengthUnit;
 use super::model::Effects;
+use super::mounting::Mounting;
 use super::open_firing::OpenFiring;
 use super::title_block::TitleBlock;
 use super::torsion::Torsion;
@@ -73,6 +74,8 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub crankshaft: Crankshaft,
     /// The shaft as discs and springs, where its torsional vibration is asked about.
     pub torsion: Option<Torsion>,
+    /// The engine as a rigid body on its mounts, where that is asked about.
+    pub mounting: Option<Mounting>,
     /// What is asked for beyond force and moment.
     pub effects: Effects,
     /// What is in the title block of a calculation report.
@@ -116,6 +119,7 @@ impl<A, L> Draft<A, L> {
             dimensions: Dimensions::default(),
             crankshaft: Crankshaft::default(),
             torsion: None,
+            mounting: None,
             effects: Effects::default(),
             title_block: TitleBlock::default(),
             file: Untrusted::new(""),
@@ -149,6 +153,7 @@ impl<A, L> Draft<A, L> {
             dimensions: self.dimensions.clone(),
             crankshaft: self.crankshaft.clone(),
             torsion: self.torsion.clone(),
+            mounting: self.mounting.clone(),
             effects: self.effects,
             title_block: self.title_block.clone(),
             file: self.file.clone(),

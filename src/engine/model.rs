@@ -15,6 +15,7 @@ use super::form::Form;
 use super::gas::Gas;
 use super::length::{Length, LengthUnit};
 use super::mechanism::{Link, Mechanism, Rod};
+use super::mounting::Mounting;
 use super::title_block::TitleBlock;
 use super::torsion::Torsion;
 use crate::exact::Turn;
@@ -155,6 +156,11 @@ impl<A, L> Engine<A, L> {
     /// The shaft as discs and springs, where its torsional vibration is asked about.
     pub fn torsion(&self) -> Option<&Torsion> {
         self.draft.torsion.as_ref()
+    }
+
+    /// The engine as a rigid body on its mounts, where that is asked about.
+    pub fn mounting(&self) -> Option<&Mounting> {
+        self.draft.mounting.as_ref()
     }
 
     /// What is asked for beyond force and moment.

@@ -26,6 +26,7 @@ use super::geared_forms;
 use super::geared_keys;
 use super::known_firing;
 use super::mechanism_keys;
+use super::mounting_keys;
 use super::narrow;
 use super::quantities;
 use super::shared_keys::SharedKeys;
@@ -60,6 +61,8 @@ struct File {
     gas: Option<Spanned<Table<gas_keys::Keys>>>,
     flywheel: Option<Table<flywheel_keys::Keys>>,
     torsion: Option<Spanned<Table<torsion_keys::Keys>>>,
+    block: Option<Spanned<Table<mounting_keys::BlockKeys>>>,
+    mount: Option<Spanned<Vec<Spanned<Table<mounting_keys::MountKeys>>>>>,
     values: Option<BTreeMap<String, Text>>,
     cylinder: Option<Spanned<Vec<Spanned<Table<cylinder_keys::Keys>>>>>,
     inline: Option<Spanned<Table<forms::Inline>>>,
@@ -207,6 +210,7 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
         dimensions,
         crankshaft: Crankshaft::default(),
         torsion: None,
+        mounting: mounting_keys::read(file.block.as_ref(), file.mount.as_ref(), convention)?,
         effects: file.effects.as_deref().map_or(Ok(Effects::default()), effects)?,
         title_block: file.document.as_ref().map_or_else(Default::default, |table| table.0.read()),
         file: Untrusted::new(source),

@@ -29,6 +29,7 @@ mod layout;
 mod linear;
 mod measured;
 mod mechanism_keys;
+mod mounting_keys;
 mod narrow;
 mod number;
 mod numbering;

@@ -106,6 +106,18 @@ const TORSIONAL_STIFFNESSES: Units = &[
     ("ft lbf/rad", FOOT_POUND),
     ("lbf ft/rad", FOOT_POUND),
 ];
+/// A pound-force on an inch: 4.4482216152605 N over 0.0254 m.
+const POUND_PER_INCH: (i64, i64) = (44_482_216_152_605, 254_000_000_000);
+const STIFFNESSES: Units = &[
+    ("MN/m", (1_000_000, 1)),
+    ("kN/mm", (1_000_000, 1)),
+    ("kN/m", (1000, 1)),
+    ("N/mm", (1000, 1)),
+    ("N/m", (1, 1)),
+    ("lbf/in", POUND_PER_INCH),
+];
+const DAMPINGS: Units =
+    &[("kN s/m", (1000, 1)), ("N s/mm", (1000, 1)), ("N s/m", (1, 1)), ("N·s/m", (1, 1)), ("lbf s/in", POUND_PER_INCH)];
 const MASSES: Units = &[
     ("kg", (1, 1)),
     ("g", (1, 1000)),
@@ -195,6 +207,16 @@ pub(crate) fn energy(text: &str) -> Result<BigRational, String> {
 /// A moment of inertia in kilograms times square metres, which is also what a number without a unit means.
 pub(crate) fn inertia(text: &str) -> Result<BigRational, String> {
     in_units(text, INERTIAS, "\"0.5\", \"0.5 kg m²\" or \"5000 kg cm²\"")
+}
+
+/// A stiffness in newtons a metre, which is also what a number without a unit means.
+pub(crate) fn stiffness(text: &str) -> Result<BigRational, String> {
+    in_units(text, STIFFNESSES, "\"220000\", \"220 kN/m\", \"220 N/mm\" or \"1250 lbf/in\"")
+}
+
+/// A viscous damping in newton seconds a metre, which is also what a number without a unit means.
+pub(crate) fn damping(text: &str) -> Result<BigRational, String> {
+    in_units(text, DAMPINGS, "\"350\", \"350 N s/m\", \"0.35 N s/mm\" or \"2 lbf s/in\"")
 }
 
 /// A torsional stiffness in N m per radian; in those where no unit is written.

@@ -28,6 +28,7 @@ pub use needed::{Bound, LeftOut, Needed, left_out, needed_orders, usual_orders};
 pub use needed_bearings::{bearing_orders, left_out_of_bearings, usual_bearing_orders};
 pub use peak_method::PeakMethod;
 pub use pin::{PinLoad, PinLoads, PinOrder, pin_loads};
+pub use roll::roll_moments;
 pub use scale::{Arm, Scale, scale, unit};
 pub use shares::Shares;
 pub use spectrum::Spectrum;

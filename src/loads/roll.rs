@@ -3,8 +3,8 @@
 
 use num_complex::Complex;
 
-use super::{Harmonic, Motion, Torque, TorqueOrder, Vector, Waveform};
-use crate::engine::Engine;
+use super::{Harmonic, Missing, Motion, Torque, TorqueOrder, Vector, Waveform};
+use crate::engine::{Engine, are_orders};
 use crate::exact::PhasorSum;
 use crate::motion::Coefficient;
 use crate::order;
@@ -18,6 +18,20 @@ pub(super) fn roll(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
     let zero = Complex::new(0.0, 0.0);
     let harmonics = orders.iter().map(|o| Harmonic { order: o.order, direct: o.vector.value, reverse: zero });
     Torque { waveform: Waveform::new(harmonics), orders }
+}
+
+/// The roll moment of the masses on the frame about the middle of the engine at these orders, in multiples of m r² ω²; every length that
+/// it hangs on has to be there ([`order::roll_lacks`]).
+///
+/// # Errors
+/// What the layout lacks, and orders that are none.
+pub fn roll_moments(engine: &Engine, orders: &[u32]) -> Result<Vec<TorqueOrder>, Missing> {
+    are_orders(orders)?;
+    if engine.has_links() {
+        return Err(Missing::ArticulatedRods("roll moments"));
+    }
+    let motion = Motion::new(engine)?;
+    Ok(orders.iter().map(|&order| of_order(engine, &motion, order)).collect())
 }
 
 fn of_order(engine: &Engine, motion: &Motion, order: u32) -> TorqueOrder {

@@ -50,7 +50,7 @@ impl Unit {
         // An inch is 25.4 mm, a pound 0.45359237 kg, a pound-force 4.4482216152605 N.
         const POUND_FORCE: i64 = 44_482_216_152_605;
         const POUND: i64 = 45_359_237;
-        let known: [(Unit, Unit, (i64, i64)); 17] = [
+        let known: [(Unit, Unit, (i64, i64)); 20] = [
             (Unit::NEWTON, Unit::POUND_FORCE, (POUND_FORCE, 10_000_000_000_000)),
             (Unit::NEWTON_METRE, Unit::POUND_FORCE_FOOT, (13_558_179_483_314_004, 10_000_000_000_000_000)),
             (Unit::NEWTON_SPACING, Unit::POUND_FORCE_SPACING, (POUND_FORCE, 10_000_000_000_000)),
@@ -67,6 +67,9 @@ impl Unit {
                 (13_558_179_483_314_004, 10_000_000_000_000_000),
             ),
             (Unit::MILLIMETRE, Unit::INCH, (254, 10)),
+            (Unit::MILLIMETRE_PER_SECOND, Unit::INCH_PER_SECOND, (254, 10)),
+            (Unit::NEWTON_PER_METRE, Unit::POUND_FORCE_PER_INCH, (POUND_FORCE, 254_000_000_000)),
+            (Unit::NEWTON_SECOND_PER_METRE, Unit::POUND_FORCE_SECOND_PER_INCH, (POUND_FORCE, 254_000_000_000)),
             (Unit::CUBIC_CENTIMETRE, Unit::CUBIC_INCH, (16_387_064, 1_000_000)),
             (Unit::JOULE, Unit::FOOT_POUND, (13_558_179_483_314_004, 10_000_000_000_000_000)),
             (Unit::KILOWATT, Unit::HORSEPOWER, (74_569_987_158_227_022, 100_000_000_000_000_000)),
@@ -128,6 +131,10 @@ impl Unit {
             (Unit::MILLIMETRE, "\\milli\\metre"),
             (Unit::METRE_PER_SECOND, "\\metre\\per\\second"),
             (Unit::METRE_PER_SQUARE_SECOND, "\\metre\\per\\second\\squared"),
+            (Unit::MILLIMETRE_PER_SECOND, "\\milli\\metre\\per\\second"),
+            (Unit::NEWTON_PER_METRE, "\\newton\\per\\metre"),
+            (Unit::NEWTON_SECOND_PER_METRE, "\\newton\\second\\per\\metre"),
+            (Unit::MILLIRADIAN, "\\milli\\radian"),
             (Unit::DEGREE, "\\degree"),
             (Unit::HERTZ, "\\hertz"),
             (Unit::PER_MINUTE, "\\per\\minute"),

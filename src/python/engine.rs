@@ -29,7 +29,8 @@ use crate::page::Format;
 #[cfg(feature = "optimise")]
 use crate::report::OptimiseStudy;
 use crate::report::{
-    self, AccuracyStudy, AngleStudy, AnglesAsked, BearingsStudy, FiringStudy, LoadsStudy, TorqueStudy, TorsionStudy,
+    self, AccuracyStudy, AngleStudy, AnglesAsked, BearingsStudy, FiringStudy, LoadsStudy, MountsAsked, MountsStudy,
+    TorqueStudy, TorsionStudy,
 };
 use crate::verdict;
 
@@ -293,6 +294,26 @@ impl Engine {
         let orders = asked::cycle_orders(orders)?;
         let study = py.detach(|| TorsionStudy::new(&self.engine, &orders)).map_err(told)?;
         Ok(Answer::new(self.asked("torsion", &json!({ "orders": written(&orders) })), study))
+    }
+
+    /// The engine on its mounts: modes, what each order moves and what the mounts pass on, the torque-roll axis; needs `[block]` and
+    /// `[[mount]]` in the layout.
+    ///
+    /// orders: such as [0.5, 1, 2]; those up to 6 where left out. speed: in place of that of the layout, in 1/min; start and end: the range of
+    /// speeds, from a tenth of its end to the speed where left out.
+    #[pyo3(signature = (orders=None, speed=None, start=None, end=None))]
+    fn mounts(
+        &self,
+        py: Python<'_>,
+        orders: Option<&Bound<'_, PyAny>>,
+        speed: Option<f64>,
+        start: Option<f64>,
+        end: Option<f64>,
+    ) -> PyResult<Answer> {
+        let wanted = MountsAsked { orders: asked::cycle_orders(orders)?, speed, from: start, to: end };
+        let keywords = json!({ "orders": written(&wanted.orders), "speed": speed, "start": start, "end": end });
+        let study = py.detach(|| MountsStudy::new(&self.engine, &wanted)).map_err(told)?;
+        Ok(Answer::new(self.asked("mounts", &keywords), study))
     }
 
     /// For each mass of the crankshaft the counterweights with the least load of the main bearings, the first-order force that turns with

@@ -26,6 +26,7 @@ mod firmness;
 mod journal;
 mod loads_document;
 mod moments;
+mod mounts;
 pub mod moving;
 mod multiples;
 #[cfg(feature = "optimise")]
@@ -93,6 +94,7 @@ pub use firing::{
 pub use journal::{complete_bearings_answer, complete_bearings_page, without_gas};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use moments::{Amplitude, External, MomentsRow, MomentsStudy, NoMoments};
+pub use mounts::{AtSpeed, MountsAsked, MountsStudy, NoMounts, OrderMotion, Place};
 pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]
 pub use optimise::{OptimiseStudy, optimise_answer, optimise_layouts, optimise_page};

@@ -10,8 +10,8 @@ use serde::Serialize;
 #[cfg(feature = "optimise")]
 use super::OptimiseStudy;
 use super::{
-    AccuracyStudy, AngleStudy, AnglesAsked, BearingsStudy, FiringStudy, LoadsStudy, MomentsStudy, TorqueStudy,
-    TorsionStudy,
+    AccuracyStudy, AngleStudy, AnglesAsked, BearingsStudy, FiringStudy, LoadsStudy, MomentsStudy, MountsAsked,
+    MountsStudy, TorqueStudy, TorsionStudy,
 };
 use crate::accuracy::Timing;
 use crate::engine::{CycleOrder, Engine};
@@ -113,6 +113,10 @@ const ASKED: &[(&str, Ask)] = &[
     ("angle", |engine, _| Ok(Box::new(AngleStudy::new(engine, &AnglesAsked::default())?))),
     ("moments", |engine, _| Ok(Box::new(MomentsStudy::new(&[(engine.title().clone(), engine.clone())])?))),
     ("torsion", |engine, orders| Ok(Box::new(TorsionStudy::new(engine, orders)?))),
+    ("mounts", |engine, orders| {
+        let asked = MountsAsked { orders: orders.to_vec(), ..MountsAsked::default() };
+        Ok(Box::new(MountsStudy::new(engine, &asked)?))
+    }),
     ("accuracy", |engine, _| Ok(Box::new(AccuracyStudy::new(engine, &[], Timing::Off, &|_| ())?))),
     ("remedy", |engine, orders| {
         let orders = whole_or(orders, || usual_orders(engine));

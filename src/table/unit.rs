@@ -84,6 +84,20 @@ impl Unit {
     pub const FOOT_PER_SECOND: Unit = Unit { name: "ft/s", tex: "ft/s", suffix: "ft_per_s" };
     /// Feet a second, each second.
     pub const FOOT_PER_SQUARE_SECOND: Unit = Unit { name: "ft/s²", tex: "ft/s^2", suffix: "ft_per_s2" };
+    /// Thousandths of a radian.
+    pub const MILLIRADIAN: Unit = Unit { name: "mrad", tex: "mrad", suffix: "mrad" };
+    /// Millimetres a second.
+    pub const MILLIMETRE_PER_SECOND: Unit = Unit { name: "mm/s", tex: "mm/s", suffix: "mm_per_s" };
+    /// Inches a second.
+    pub const INCH_PER_SECOND: Unit = Unit { name: "in/s", tex: "in/s", suffix: "in_per_s" };
+    /// Newtons a metre, of a spring.
+    pub const NEWTON_PER_METRE: Unit = Unit { name: "N/m", tex: "N/m", suffix: "N_per_m" };
+    /// Pounds-force an inch, of a spring.
+    pub const POUND_FORCE_PER_INCH: Unit = Unit { name: "lbf/in", tex: "lbf/in", suffix: "lbf_per_in" };
+    /// Newton seconds a metre, of a damper.
+    pub const NEWTON_SECOND_PER_METRE: Unit = Unit { name: "N·s/m", tex: "N\\,s/m", suffix: "N_s_per_m" };
+    /// Pound-force seconds an inch, of a damper.
+    pub const POUND_FORCE_SECOND_PER_INCH: Unit = Unit { name: "lbf·s/in", tex: "lbf\\,s/in", suffix: "lbf_s_per_in" };
     /// Newton metres a radian, of a shaft that twists.
     pub const NEWTON_METRE_PER_RADIAN: Unit = Unit { name: "N·m/rad", tex: "N\\,m/rad", suffix: "N_m_per_rad" };
     /// Pounds-force times feet a radian.

@@ -150,6 +150,26 @@ fn moments_of_project_guides_have_german_for_every_phrase() {
 }
 
 #[test]
+fn engines_on_their_mounts_have_german_for_every_phrase() {
+    let mounted = include_str!("../../reports/examples/i4-mounts/layout.toml");
+    let mirrored = "speed = 900\n[inline]\nthrows = [0, 180, 180, 0]\nspacing = '90 mm'\n[mechanism]\nstroke = '86 mm'\nrod_length = '143 mm'\n\
+        reciprocating_mass = 1\n[block]\nmass = 100\ninertia = [9, 8, 5]\ncentre = [0, 0, 0]\n"
+        .to_owned();
+    let corners: String = [[1, 1], [1, -1], [-1, 1], [-1, -1]]
+        .map(|[y, z]| format!("[[mount]]\nplace = [0, '{} mm', '{} mm']\nstiffness = 100\n", 300 * y, 200 * z))
+        .concat();
+    let halves = mounted.replace("[0, 180, 180, 0]", "[0, 180, 0, 180]").replace("1-3-4-2", "1-2-3-4");
+    for text in [mounted, &(mirrored + &corners), &halves] {
+        let engine = file::parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}"));
+        for orders in [vec![], vec!["1".parse().expect("an order")]] {
+            let study = report::MountsStudy::new(&engine, &report::MountsAsked { orders, ..Default::default() });
+            let study = study.unwrap_or_else(|error| panic!("{error}"));
+            assert_known(&[study.answer(), study.page()]);
+        }
+    }
+}
+
+#[test]
 fn masses_on_a_shaft_have_german_for_every_phrase() {
     let mass = |rest: &str| format!("[[mass]]\n{rest}");
     let known = "mass = 1\nradius = 1\nangle = 0\nposition = 0\n";

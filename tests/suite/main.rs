@@ -90,6 +90,7 @@ mod mechanism_files;
 mod minimal_stars;
 mod moments;
 mod motion;
+mod mounts;
 mod moving;
 mod narrow_banks;
 mod numbers_beside_evidence;

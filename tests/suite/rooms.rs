@@ -17,7 +17,7 @@ const STOREYS: [&[&str]; 16] = [
     &["firing"],
     &["loads", "family", "rotor"],
     &["accuracy", "remedy", "sweep", "search", "torque", "torsion"],
-    &["journal"],
+    &["journal", "mounts"],
     &["claim", "optimise"],
     &["classroom"],
     &["page"],

@@ -21,7 +21,7 @@ fn layout_schema() -> Value {
 fn with_a_strange_key(table: &str) -> String {
     match table {
         "" => "strange = 1".to_owned(),
-        "cylinder" | "counterweight" | "balancer" => format!("[[{table}]]\nstrange = 1"),
+        "cylinder" | "counterweight" | "balancer" | "mount" => format!("[[{table}]]\nstrange = 1"),
         "crankshaft.geared" => "[[crankshaft]]\nstrange = 1".to_owned(),
         "gas.cylinder" => "[gas]\n[[gas.cylinder]]\nstrange = 1".to_owned(),
         _ => format!("[{table}]\nstrange = 1"),
@@ -199,6 +199,7 @@ fn documents() -> Vec<(&'static str, Value)> {
         ("sweep", "sweep V8-crossplane --bank-angle 0..180:60 --format json".to_owned()),
         ("values", "values examples/four.toml --value loads.orders.2.force --format json".to_owned()),
         ("moments", format!("moments {examples}/v8-gas/layout.toml --json")),
+        ("mounts", format!("mounts {examples}/i4-mounts/layout.toml --json")),
         ("rotor", "rotor examples/shaft.toml --json".to_owned()),
         ("angle", format!("angle {examples}/v8-gas/layout.toml --at 30 --json")),
     ]

@@ -266,6 +266,19 @@ class Engine:
         *,
         mode_shape: _Numbers | None = None,
     ) -> Answer: ...
+    def mounts(
+        self,
+        orders: _Number | _Numbers | None = None,
+        speed: float | None = None,
+        start: float | None = None,
+        end: float | None = None,
+    ) -> Answer:
+        """The engine on its mounts: modes, what each order moves and what the mounts pass on, the torque-roll axis; needs `[block]` and
+        `[[mount]]` in the layout.
+
+        orders: such as [0.5, 1, 2]; those up to 6 where left out. speed: in place of that of the layout, in 1/min; start and end: the range of
+        speeds, from a tenth of its end to the speed where left out.
+        """
     def torsion(self, orders: _Number | _Numbers | None = None) -> Answer:
         """The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout."""
     def angle(

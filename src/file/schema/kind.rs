@@ -57,6 +57,8 @@ fn named(kind: &str) -> Value {
         "pressure" => number("with its unit, as a text: \"0.9 bar\""),
         "inertia" => number("kg m²; with a unit as a text: \"300 kg cm^2\""),
         "stiffness" => number("N m/rad; with a unit as a text: \"1 MN m/rad\""),
+        "spring" => number("N/m; with a unit as a text: \"220 kN/m\", \"220 N/mm\""),
+        "damping" => number("N s/m; with a unit as a text: \"0.35 N s/mm\""),
         "heat" => number("with its unit, as a text"),
         "number" => number("a number, or a fraction as a text: \"1/4\""),
         "rows of two" => json!({

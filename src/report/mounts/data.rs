@@ -1,0 +1,186 @@
+//! Which columns hold how an engine shakes on its mounts? Modes, orders, places, mount forces, a range of speeds.
+
+use num_complex::Complex;
+
+use crate::mounts::Phasors;
+use crate::numbers;
+use crate::report::data::Filling;
+use crate::report::{MountsStudy, OrderMotion, Place};
+use crate::table::{Table, Unit};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A table of an engine on its mounts.
+pub fn table(study: &MountsStudy, name: &str) -> Option<Table> {
+    Some(match name {
+        "modes" => modes(study),
+        "orders" => orders(study),
+        "places" => places(study),
+        "forces" => forces(study),
+        "rms" => rms(study),
+        "speeds" => speeds(study),
+        "critical" => critical(study),
+        "axis" => axis(study)?,
+        _ => return None,
+    })
+}
+
+fn order(motion: &OrderMotion) -> Option<String> {
+    Some(motion.excitation.order.exact().to_string())
+}
+
+fn peak(part: Complex<f64>, scale: f64) -> Option<f64> {
+    Some(numbers::length(part) * scale)
+}
+
+fn place(of: Place) -> Option<String> {
+    Some(match of {
+        Place::Centre => "centre".to_owned(),
+        Place::Point => "point".to_owned(),
+        Place::Mount(mount) => format!("mount {}", mount + 1),
+    })
+}
+
+fn modes(study: &MountsStudy) -> Table {
+    let rows: Vec<_> = study.modes.iter().enumerate().collect();
+    let mut table = Filling::new("mounts.modes", &rows);
+    table.whole("mode", |(index, _)| index + 1);
+    table.decimal("frequency_{unit}", Unit::HERTZ, |(_, mode)| Some(mode.hertz()));
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("share_{axis}_{unit}", name), Unit::PERCENT, |(_, mode)| Some(100.0 * mode.shares[index]));
+    }
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("share_turn_{axis}_{unit}", name), Unit::PERCENT, |(_, mode)| {
+            Some(100.0 * mode.shares[3 + index])
+        });
+    }
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("shape_{axis}", name), Unit::NONE, |(_, mode)| Some(mode.shape[index]));
+    }
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("shape_turn_{axis}", name), Unit::NONE, |(_, mode)| Some(mode.shape[3 + index]));
+    }
+    table.done()
+}
+
+fn orders(study: &MountsStudy) -> Table {
+    let mut table = Filling::new("mounts.orders", &study.orders);
+    table.exact("order", Unit::NONE, order);
+    table.truth("force_vanishes", |one| Some(one.excitation.still.force));
+    table.truth("moment_vanishes", |one| Some(one.excitation.still.moment));
+    table.truth("roll_vanishes", |one| Some(one.excitation.still.roll));
+    table.truth("vanishes", |one| Some(one.excitation.still.is_whole()));
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("force_{axis}_{unit}", name), Unit::NEWTON, |one| peak(one.load[0][index], 1.0));
+    }
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("moment_{axis}_{unit}", name), Unit::NEWTON_METRE, |one| peak(one.load[1][index], 1.0));
+    }
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("centre_{axis}_{unit}", name), Unit::MILLIMETRE, |one| {
+            peak(one.motion.as_ref()?.centre[index], 1e3)
+        });
+    }
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("turn_{axis}_{unit}", name), Unit::MILLIRADIAN, |one| {
+            peak(one.motion.as_ref()?.turned[index], 1e3)
+        });
+    }
+    table.done()
+}
+
+fn places(study: &MountsStudy) -> Table {
+    let rows: Vec<_> =
+        study.places().into_iter().flat_map(|of| study.orders.iter().map(move |order| (of, order))).collect();
+    let moved = |of: &Place, one: &OrderMotion| -> Option<(Phasors, f64)> {
+        let motion = one.motion.as_ref()?;
+        Some((study.displacement(*of, motion), motion.omega))
+    };
+    let mut table = Filling::new("mounts.places", &rows).keyed(2);
+    table.words("place", |(of, _)| place(*of));
+    table.exact("order", Unit::NONE, |(_, one)| order(one));
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("displacement_{axis}_{unit}", name), Unit::MILLIMETRE, |(of, one)| {
+            peak(moved(of, one)?.0[index], 1e3)
+        });
+    }
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("velocity_{axis}_{unit}", name), Unit::MILLIMETRE_PER_SECOND, |(of, one)| {
+            let (moved, omega) = moved(of, one)?;
+            peak(moved[index], 1e3 * omega)
+        });
+    }
+    table.done()
+}
+
+fn forces(study: &MountsStudy) -> Table {
+    let mounts = 0..study.body.mounts();
+    let rows: Vec<_> = mounts.flat_map(|mount| study.orders.iter().map(move |order| (mount, order))).collect();
+    let mut table = Filling::new("mounts.forces", &rows).keyed(2);
+    table.whole("mount", |(mount, _)| mount + 1);
+    table.exact("order", Unit::NONE, |(_, one)| order(one));
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("force_{axis}_{unit}", name), Unit::NEWTON, |(mount, one)| {
+            peak(study.body.mount_force(*mount, one.motion.as_ref()?)[index], 1.0)
+        });
+    }
+    table.done()
+}
+
+fn rms(study: &MountsStudy) -> Table {
+    let rows = study.places();
+    let mut table = Filling::new("mounts.rms", &rows);
+    table.words("place", |of| place(*of));
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("displacement_{axis}_rms_{unit}", name), Unit::MILLIMETRE, |of| {
+            Some(study.rms(*of, 0)?[index] * 1e3)
+        });
+    }
+    for (index, name) in AXES.into_iter().enumerate() {
+        let unit = Unit::MILLIMETRE_PER_SECOND;
+        table.decimal(("velocity_{axis}_rms_{unit}", name), unit, |of| Some(study.rms(*of, 1)?[index] * 1e3));
+    }
+    for (index, name) in AXES.into_iter().enumerate() {
+        let unit = Unit::METRE_PER_SQUARE_SECOND;
+        table.decimal(("acceleration_{axis}_rms_{unit}", name), unit, |of| Some(study.rms(*of, 2)?[index]));
+    }
+    table.done()
+}
+
+fn speeds(study: &MountsStudy) -> Table {
+    let mut table = Filling::new("mounts.speeds", &study.range).keyed(2);
+    table.decimal("speed_{unit}", Unit::PER_MINUTE, |at| Some(at.rpm));
+    table.exact("order", Unit::NONE, |at| order(&study.orders[at.order]));
+    table.decimal("velocity_{unit}", Unit::MILLIMETRE_PER_SECOND, |at| Some(at.velocity? * 1e3));
+    table.decimal("mount_force_{unit}", Unit::NEWTON, |at| at.force);
+    table.done()
+}
+
+fn critical(study: &MountsStudy) -> Table {
+    let rows: Vec<_> = study
+        .modes
+        .iter()
+        .enumerate()
+        .flat_map(|(index, mode)| study.orders.iter().map(move |order| (index + 1, mode, order)))
+        .collect();
+    let mut table = Filling::new("mounts.critical", &rows).keyed(2);
+    table.whole("mode", |(number, ..)| *number);
+    table.exact("order", Unit::NONE, |(.., one)| order(one));
+    table.decimal("speed_{unit}", Unit::PER_MINUTE, |(_, mode, one)| {
+        Some(MountsStudy::critical(one.excitation.order, mode))
+    });
+    table.truth("vanishes", |(.., one)| Some(one.excitation.still.is_whole()));
+    table.done()
+}
+
+fn axis(study: &MountsStudy) -> Option<Table> {
+    let rows = [study.axis.as_ref()?];
+    let mut table = Filling::new("mounts.axis", &rows).keyed(0);
+    for (index, name) in AXES.into_iter().enumerate() {
+        table.decimal(("direction_{axis}", name), Unit::NONE, |axis| Some(axis.direction[index]));
+    }
+    table.decimal("from_crankshaft_{unit}", Unit::DEGREE, |axis| Some(axis.from_crankshaft));
+    table.decimal("frequency_{unit}", Unit::HERTZ, |axis| Some(axis.hertz));
+    table.decimal("coupling_{unit}", Unit::PERCENT, |axis| Some(100.0 * axis.coupling));
+    Some(table.done())
+}

@@ -1,0 +1,189 @@
+//! Which tables tell of an engine on its mounts?
+
+use num_complex::Complex;
+
+use super::words::{place, rpm};
+use super::{MountsStudy, OrderMotion, Place, largest, peak};
+use crate::mounts::Phasors;
+use crate::page::{Number, Piece, Table, Text, Unit, number, phrase};
+
+/// One row per mode: frequency, kinetic energy shares.
+pub(super) fn modes(study: &MountsStudy) -> Table {
+    let share = |value: f64| Text::from(Piece::Quantity(100.0 * value, Unit::PERCENT));
+    let names = ["x", "y", "z"].map(Text::label).into_iter();
+    let names = names.chain(["rotation about x", "rotation about y", "rotation about z"].map(Text::from));
+    let table = Table::of(study.modes.iter().enumerate())
+        .column("Mode", |(index, _)| index + 1)
+        .column("Frequency (Hz)", |(_, mode)| Number::Decimal(mode.hertz()));
+    let table = names
+        .enumerate()
+        .fold(table, |table, (index, name)| table.column(name, move |(_, mode)| share(mode.shares[index])));
+    table.done()
+}
+
+fn zero_or(vanishes: bool, value: Text) -> Text {
+    if vanishes { Text::zero() } else { value }
+}
+
+/// One row per order: what shakes, and whether it vanishes exactly.
+pub(super) fn orders(study: &MountsStudy) -> Table {
+    let moment = |one: &OrderMotion| {
+        let [mx, my, _] = one.load[1];
+        largest(&[mx, my, Complex::default()])
+    };
+    Table::of(&study.orders)
+        .column("Order κ", |one| one.excitation.order.to_string())
+        .column(phrase!("Force ({})", Unit::NEWTON), |one| {
+            zero_or(one.excitation.still.force, Text::measured(largest(&one.load[0]), Unit::NEWTON))
+        })
+        .column(phrase!("Moment about x, y ({})", Unit::NEWTON_METRE), |one| {
+            let still = one.excitation.still;
+            zero_or(still.force && still.moment, Text::measured(moment(one), Unit::NEWTON_METRE))
+        })
+        .column(phrase!("Moment about z ({})", Unit::NEWTON_METRE), |one| {
+            let still = one.excitation.still;
+            zero_or(still.force && still.roll, Text::measured(peak(&one.load[1][2]), Unit::NEWTON_METRE))
+        })
+        .column("Engine", |one| match one.excitation.still.is_whole() {
+            true => "still",
+            false => "moves",
+        })
+        .done()
+}
+
+fn moved(one: &OrderMotion, of: impl Fn(&crate::mounts::Motion) -> Text) -> Text {
+    match &one.motion {
+        None => "resonance".into(),
+        Some(motion) => of(motion),
+    }
+}
+
+/// One row per order that moves it: the centre of gravity and the rotation.
+pub(super) fn motions(study: &MountsStudy) -> Table {
+    let moving: Vec<&OrderMotion> = study.orders.iter().filter(|one| !one.excitation.still.is_whole()).collect();
+    let table = Table::of(moving).column("Order κ", |one| one.excitation.order.to_string());
+    let part = |value: Complex<f64>, scale: f64, unit| Text::measured(peak(&value) * scale, unit);
+    let heads = [("x ({})", 0), ("y ({})", 1), ("z ({})", 2)];
+    let table = heads.into_iter().fold(table, |table, (head, axis)| {
+        table.column(phrase!(head, Unit::MILLIMETRE), move |one| {
+            moved(one, |motion| part(motion.centre[axis], 1e3, Unit::MILLIMETRE))
+        })
+    });
+    let heads = [("Rotation about x ({})", 0), ("Rotation about y ({})", 1), ("Rotation about z ({})", 2)];
+    let table = heads.into_iter().fold(table, |table, (head, axis)| {
+        table.column(phrase!(head, Unit::MILLIRADIAN), move |one| {
+            moved(one, |motion| part(motion.turned[axis], 1e3, Unit::MILLIRADIAN))
+        })
+    });
+    table
+        .column(phrase!("Velocity, {} ({})", place(study.watched()), Unit::MILLIMETRE_PER_SECOND), |one| {
+            moved(one, |motion| {
+                let velocity = largest(&study.displacement(study.watched(), motion)) * motion.omega;
+                Text::measured(velocity * 1e3, Unit::MILLIMETRE_PER_SECOND)
+            })
+        })
+        .done()
+}
+
+/// One row per mount and order that moves the engine: the force along x, y and z.
+pub(super) fn forces(study: &MountsStudy) -> Table {
+    let mounts = 0..study.body.mounts();
+    let moving = || study.orders.iter().filter(|one| !one.excitation.still.is_whole());
+    let rows: Vec<(usize, &OrderMotion)> = mounts.flat_map(|mount| moving().map(move |order| (mount, order))).collect();
+    let force = |mount: usize, one: &OrderMotion, axis: usize| {
+        moved(one, |motion| {
+            let force: Phasors = study.body.mount_force(mount, motion);
+            Text::measured(peak(&force[axis]), Unit::NEWTON)
+        })
+    };
+    let table = Table::of(rows)
+        .column("Mount", |(mount, _)| mount + 1)
+        .column("Order κ", |(_, one)| one.excitation.order.to_string());
+    let heads = [("x ({})", 0), ("y ({})", 1), ("z ({})", 2)];
+    let table = heads.into_iter().fold(table, |table, (head, axis)| {
+        table.column(phrase!(head, Unit::NEWTON), move |(mount, one)| force(*mount, one, axis))
+    });
+    table.done()
+}
+
+/// One row per place: all orders together, rms along each axis.
+pub(super) fn rms(study: &MountsStudy) -> Table {
+    let value = |of: Place, derivative: i32, axis: usize, scale: f64, unit: Unit| match study.rms(of, derivative) {
+        None => "resonance".into(),
+        Some(parts) => Text::measured(parts[axis] * scale, unit),
+    };
+    let most = |of: Place, derivative: i32, scale: f64, unit: Unit| match study.rms(of, derivative) {
+        None => "resonance".into(),
+        Some(parts) => Text::measured(parts.into_iter().fold(0.0, f64::max) * scale, unit),
+    };
+    let table = Table::of(study.places())
+        .column("Place", |of| place(*of))
+        .column(phrase!("Displacement, largest ({})", Unit::MILLIMETRE), |of| most(*of, 0, 1e3, Unit::MILLIMETRE));
+    let heads = [("Velocity x ({})", 0), ("Velocity y ({})", 1), ("Velocity z ({})", 2)];
+    let table = heads.into_iter().fold(table, |table, (head, axis)| {
+        let unit = Unit::MILLIMETRE_PER_SECOND;
+        table.column(phrase!(head, unit), move |of| value(*of, 1, axis, 1e3, unit))
+    });
+    let unit = Unit::METRE_PER_SQUARE_SECOND;
+    table.column(phrase!("Acceleration, largest ({})", unit), |of| most(*of, 2, 1.0, unit)).done()
+}
+
+/// One row per order that moves the engine: where in the range it moves the watched place most, and the mounts.
+pub(super) fn range(study: &MountsStudy) -> Table {
+    let rows: Vec<_> = study.orders.iter().enumerate().filter(|(_, one)| !one.excitation.still.is_whole()).collect();
+    let worst = |place: usize, of: fn(&super::AtSpeed) -> Option<f64>| {
+        let at = study.range.iter().filter(|at| at.order == place);
+        at.filter_map(|at| Some((of(at)?, at.rpm))).max_by(|one, other| one.0.total_cmp(&other.0))
+    };
+    let told = |found: Option<(f64, f64)>, scale: f64, unit: Unit| match found {
+        None => ["–".into(), "–".into()],
+        Some((value, speed)) => [Text::measured(value * scale, unit), rpm(speed)],
+    };
+    let velocity = |place: usize| told(worst(place, |at| at.velocity), 1e3, Unit::MILLIMETRE_PER_SECOND);
+    let force = |place: usize| told(worst(place, |at| at.force), 1.0, Unit::NEWTON);
+    let second = |pair: [Text; 2]| {
+        let [_, speed] = pair;
+        speed
+    };
+    let first = |pair: [Text; 2]| {
+        let [value, _] = pair;
+        value
+    };
+    Table::of(rows)
+        .column("Order κ", |(_, one)| one.excitation.order.to_string())
+        .column(phrase!("Largest velocity ({})", Unit::MILLIMETRE_PER_SECOND), |(place, _)| first(velocity(*place)))
+        .column("at", |(place, _)| second(velocity(*place)))
+        .column(phrase!("Largest mount force ({})", Unit::NEWTON), |(place, _)| first(force(*place)))
+        .column("at", |(place, _)| second(force(*place)))
+        .done()
+}
+
+/// The speeds at which an order that moves the engine meets a mode.
+pub(super) fn critical(study: &MountsStudy) -> Table {
+    let rows: Vec<_> = study.orders.iter().filter(|one| !one.excitation.still.is_whole()).collect();
+    let table = Table::of(rows).column("Order κ", |one| one.excitation.order.to_string());
+    let table = study.modes.iter().enumerate().fold(table, |table, (index, mode)| {
+        table.column(phrase!("Mode {} at (1/min)", index + 1), move |one| {
+            Number::Decimal(MountsStudy::critical(one.excitation.order, mode))
+        })
+    });
+    table.done()
+}
+
+/// One row per mount: place, stiffness, damping.
+pub(super) fn mounts(study: &MountsStudy) -> Table {
+    let three = |values: &[num_rational::BigRational; 3], unit| {
+        Text::joined(values.iter().map(|value| number::given_in(value, unit)), "; ")
+    };
+    Table::of(study.mounting().mounts.iter().enumerate())
+        .column("Mount", |(index, _)| index + 1)
+        .column(phrase!("Place x; y; z ({})", Unit::METRE), |(_, mount)| three(&mount.place, Unit::METRE))
+        .column(phrase!("Stiffness ({})", Unit::NEWTON_PER_METRE), |(_, mount)| {
+            three(&mount.stiffness, Unit::NEWTON_PER_METRE)
+        })
+        .column(phrase!("Damping ({})", Unit::NEWTON_SECOND_PER_METRE), |(_, mount)| {
+            three(&mount.damping, Unit::NEWTON_SECOND_PER_METRE)
+        })
+        .column("Loss factor", |(_, mount)| number::given_in(&mount.loss_factor, Unit::NONE))
+        .done()
+}
