@@ -24,7 +24,7 @@ def check_outcome(outcome, k, sense, left):
         return not left
     if len(left) > 1 and any(map(is_open, left)):
         return demand(outcome == "open", "a number that is not known stands before what is left: it is open")
-    demand(isinstance(outcome, dict), f"{len(left)} sums are left, which takes an enclosure")
+    demand(isinstance(outcome, dict), f"{len(left)} sums remain, which takes an enclosure")
     if "not-zero-by-enclosure" in outcome:
         whole = Whole(k, [left], bits_of(outcome["not-zero-by-enclosure"]))
         demand(any(part.excludes_zero() for part in whole.sum(left, sense)), "zero is not excluded by an enclosure with so many bits")

@@ -109,7 +109,7 @@ impl Classify {
     }
 
     fn show(&self, answer: &Document) -> Result<(), Failure> {
-        write::to_stdout(&shown(answer, self.language.language(), self.measures.units()))
+        write::to_stdout(&shown(answer, &self.measures.options(self.language.language())))
     }
 
     fn run_firing(&self, as_tables: bool) -> Result<(), Failure> {

@@ -1,7 +1,7 @@
 //! `list`: which engines are known by name, and what does each leave first?
 
 use crankstar::file;
-use crankstar::page::Units;
+use crankstar::page::Options;
 use crankstar::report;
 
 use super::failure::Failure;
@@ -25,7 +25,10 @@ impl List {
         let engines = file::catalogue()?;
         match self.json {
             true => print_json(&report::catalogue_document(&engines)),
-            false => write::to_stdout(&shown(&report::catalogue_answer(&engines), self.language.language(), Units::Si)),
+            false => write::to_stdout(&shown(
+                &report::catalogue_answer(&engines),
+                &Options { language: self.language.language(), ..Options::default() },
+            )),
         }
     }
 }

@@ -10,6 +10,7 @@ use crankstar::report::LoadsStudy;
 use super::EngineAndOrders;
 use super::answer::Answer;
 use super::failure::Failure;
+use super::weigh::Above;
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";
@@ -24,6 +25,8 @@ pub struct Loads {
     json: bool,
     #[command(flatten)]
     auto: Auto,
+    #[command(flatten)]
+    above: Above,
     #[command(flatten)]
     answer: Answer,
 }
@@ -76,7 +79,9 @@ impl Loads {
                 return Err(Failure::new("loads need an engine without unknowns; give them values below [values]"));
             };
             let needed = self.auto.needed(&engine)?;
-            LoadsStudy::new(&engine, &orders, needed).map_err(Failure::new)
+            let is_asked = self.about.are_asked() || needed.is_some();
+            let study = LoadsStudy::new(&engine, &orders, needed).map_err(Failure::new)?;
+            Ok(LoadsStudy { weighing: Some(self.above.read(is_asked)), ..study })
         })
     }
 }

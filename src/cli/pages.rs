@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use crankstar::page::{self, Document, File, Language, Options, Units};
+use crankstar::page::{self, Document, Figures, File, Language, Options, Units};
 
 use super::failure::Failure;
 use super::language::LanguageArgs;
@@ -56,15 +56,24 @@ pub struct Reader {
     language: LanguageArgs,
 }
 
-/// In which units a person wants to read.
+/// In which units, and to how many figures, a person wants to read.
 #[derive(clap::Args)]
 pub struct Measures {
     /// The units of forces, lengths and masses on pages and in answers; JSON stays in those of the SI
     #[arg(long, value_enum, default_value = "si")]
     units: System,
+    /// Significant figures of decimals, 2 to 12 [default: three or four]; bounds, drawings and data keep their own
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(2..=Figures::MOST as i64))]
+    digits: Option<u8>,
 }
 
 impl Measures {
+    /// The options of a page that they decide.
+    pub fn options(&self, language: Language) -> Options {
+        let figures = self.digits.map_or_else(Figures::default, |count| Figures::new(count.into()));
+        Options { units: self.units(), figures, language, ..Options::default() }
+    }
+
     /// The units.
     pub fn units(&self) -> Units {
         match self.units {
@@ -79,8 +88,7 @@ impl Reader {
     pub fn options(&self) -> Result<Options, Failure> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));
         let (symbols, language) = (self.notation.read()?, self.language.language());
-        let units = self.measures.units();
-        Ok(Options { stamp, symbols, language, units, ..Options::default() })
+        Ok(Options { stamp, symbols, ..self.measures.options(language) })
     }
 }
 
@@ -155,7 +163,7 @@ impl PageArgs {
 
     /// A short answer for the terminal, in the notation of the reader.
     pub fn shown(&self, answer: &Document) -> Result<String, Failure> {
-        Ok(shown_with(answer, &Options { stamp: None, ..self.reader.options()? }))
+        Ok(shown(answer, &Options { stamp: None, ..self.reader.options()? }))
     }
 
     /// In which units a page is to be.
@@ -230,11 +238,7 @@ const USUAL_WIDTH: usize = 80;
 const WIDEST: usize = 140;
 
 /// A document for the terminal that this runs in; colours are taken away where nobody sees them.
-pub fn shown(document: &Document, language: Language, units: Units) -> String {
-    shown_with(document, &Options { language, units, ..Options::default() })
-}
-
-fn shown_with(document: &Document, options: &Options) -> String {
+pub fn shown(document: &Document, options: &Options) -> String {
     let width = comfy_table::Table::new().width().map_or(USUAL_WIDTH, usize::from);
     let format = page::Format::Terminal { width: width.clamp(20, WIDEST), colour: true };
     let files = page::write(document, format, options);

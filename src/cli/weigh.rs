@@ -7,13 +7,20 @@ use super::accuracy::ratio;
 
 /// What is reported one by one, and what together.
 #[derive(clap::Args)]
-pub struct Weigh {
+pub struct Above {
     /// Show an order by itself from this part of the largest one on, in percent; smaller ones together [default: 1]
     #[arg(long, value_name = "PERCENT", conflicts_with = "all", value_parser = percent)]
     above: Option<f64>,
-    /// Show every order by itself, however small, and what cures it
+    /// Show every order by itself, however small
     #[arg(long)]
     all: bool,
+}
+
+/// The same, and how large the orders are where the layout gives no rods.
+#[derive(clap::Args)]
+pub struct Weigh {
+    #[command(flatten)]
+    above: Above,
     /// Rod ratio λ for the sizes where the layout gives no rods [default: 2/7]
     #[arg(long, value_name = "RATIO", value_parser = ratio)]
     rod_ratio: Option<BigRational>,
@@ -26,9 +33,16 @@ fn percent(text: &str) -> Result<f64, String> {
     }
 }
 
+impl Above {
+    /// What is reported of an engine whose orders were asked for, or were not.
+    pub fn read(&self, asked: bool) -> Weighing {
+        Weighing { above: self.above, all: self.all, asked, rod_ratio: None }
+    }
+}
+
 impl Weigh {
     /// What is reported of an engine whose orders were asked for, or were not.
     pub fn read(&self, asked: bool) -> Weighing {
-        Weighing { above: self.above, all: self.all, asked, rod_ratio: self.rod_ratio.clone() }
+        Weighing { rod_ratio: self.rod_ratio.clone(), ..self.above.read(asked) }
     }
 }

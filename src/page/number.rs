@@ -102,6 +102,44 @@ pub(crate) fn signed_degrees(turn: &Turn) -> BigRational {
     }
 }
 
+/// How many figures a decimal has: those that are usual at its place, or as many as a reader asks for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Figures(Option<usize>);
+
+impl Figures {
+    /// More than these are not certain where a decimal is computed in floats.
+    pub const MOST: usize = 12;
+
+    /// So many, from 1 to [`Figures::MOST`].
+    pub fn new(count: usize) -> Self {
+        Figures(Some(count.clamp(1, Figures::MOST)))
+    }
+
+    /// A decimal; where nothing is asked for as is usual there.
+    pub(super) fn set(self, value: f64, usual: fn(f64) -> String) -> String {
+        self.0.map_or_else(|| usual(value), |count| figures(value, count))
+    }
+
+    /// A decimal after its sign.
+    pub(super) fn approximate(self, value: f64) -> String {
+        format!("≈\u{a0}{}", self.set(value, decimal))
+    }
+}
+
+/// So many figures, without zeros that say nothing; a whole number keeps all of its own.
+fn figures(value: f64, count: usize) -> String {
+    let places = count.saturating_sub(1);
+    let power = format!("{value:.places$e}").split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0_i32);
+    let text = match power {
+        -4..7 => format!("{value:.*}", usize::try_from(places as i32 - power).unwrap_or(0)),
+        _ => scientific(value, places),
+    };
+    let (digits, power) = text.split_once('·').map_or((text.as_str(), None), |(digits, power)| (digits, Some(power)));
+    let digits = if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits };
+    let digits = if digits == "-0" { "0" } else { digits };
+    power.map_or_else(|| digits.to_owned(), |power| format!("{digits}·{power}")).replace('-', "−")
+}
+
 /// A decimal of four digits; whole numbers whole.
 pub(crate) fn decimal(value: f64) -> String {
     let text = match value.abs() {
@@ -300,12 +338,12 @@ pub fn sensible(value: f64) -> String {
 }
 
 /// The same in letters that other programs read: `-4.13e-4`.
-pub(crate) fn in_ascii(value: f64) -> String {
+pub(crate) fn in_ascii(number: &str) -> String {
     let letter = |letter: char| match letter {
         '−' | '⁻' => '-',
         letter => SUPERSCRIPTS.iter().position(|sign| *sign == letter).map_or(letter, digit),
     };
-    sensible(value).replace("·10", "e").chars().map(letter).collect()
+    number.replace("·10", "e").chars().map(letter).collect()
 }
 
 fn digit(value: usize) -> char {

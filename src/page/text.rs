@@ -32,8 +32,8 @@ pub enum Piece {
     Bearing(Bearing),
     /// A decimal with its unit, to sensible figures: a unit says that it is one.
     Quantity(f64, Unit),
-    /// A decimal whose unit is elsewhere, as over its column, and how its digits are set.
-    Measured(f64, Unit, fn(f64) -> String),
+    /// A decimal whose unit is elsewhere, as over its column, and how it is set.
+    Measured(f64, Unit, Setting),
     /// An exact number whose unit is elsewhere.
     Exactly(BigRational, Unit),
     /// The same in little room: a long number in decimals after ≈.
@@ -46,6 +46,17 @@ pub enum Piece {
     Code(String),
     /// Words that lead elsewhere: a file, or `#` and the name of a heading.
     Link(Box<Text>, String),
+}
+
+/// How a decimal is set whose unit is elsewhere.
+#[derive(Clone, Copy, Debug)]
+pub enum Setting {
+    /// After ≈, to four figures or those that the reader asks for.
+    About,
+    /// So, or to the figures that the reader asks for.
+    Usual(fn(f64) -> String),
+    /// So, whatever the reader asks for: a bound is never rounded down, and what is compared keeps its figures.
+    Fixed(fn(f64) -> String),
 }
 
 impl Text {
@@ -71,7 +82,7 @@ impl Text {
 
     /// A decimal after ≈, whose unit is elsewhere.
     pub fn measured(value: f64, unit: Unit) -> Self {
-        Piece::Measured(value, unit, super::number::approximate).into()
+        Piece::Measured(value, unit, Setting::About).into()
     }
 
     /// What is typed.

@@ -63,7 +63,7 @@ fn of_orders<'a>(orders: &'a [OrderVerdict], weighed: Option<&Weighed>) -> Colum
 }
 
 /// The same table; neighbouring orders that are small share a row, with what they have in common once.
-fn with_shared_rows(table: Table, small: &[bool]) -> Table {
+pub(super) fn with_shared_rows(table: Table, small: &[bool]) -> Table {
     let rows: Vec<(&Vec<Text>, &bool)> = table.rows.iter().zip(small).collect();
     let share = |shared: &[(&Vec<Text>, &bool)]| {
         let cell = |column: usize| {

@@ -182,7 +182,7 @@ fn headings_and_drawings_change_their_units_with_the_numbers() {
     let mut formulas = Document::new("one", "");
     formulas.push(Block::Formula("F = 9862\\,\\mathrm{N}".into(), None));
     let text = &page::write(&formulas, Format::PLAIN, &Options { units: Units::Inch, ..Options::default() })[0].text;
-    assert!(text.split_whitespace().collect::<Vec<_>>().join(" ").contains("computed in SI units"), "{text}");
+    assert!(text.split_whitespace().collect::<Vec<_>>().join(" ").contains("into the formulas in SI units"), "{text}");
 }
 
 #[test]

@@ -37,6 +37,7 @@ mod crankshaft;
 mod data;
 mod decision_laws;
 mod decoded_texts;
+mod digits;
 mod divided_cheats;
 mod divided_circles;
 mod document_limits;

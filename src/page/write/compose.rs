@@ -7,7 +7,7 @@ use super::super::block::{Block, Document, Fold, Live, Picture, Table};
 use super::super::language::has_comma;
 use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
-use super::super::text::{Piece, Text};
+use super::super::text::{Piece, Setting, Text};
 use super::super::{Unit, Units, block::in_si_units};
 use super::columns::{Cells, Letters};
 use super::decimals::lacking;
@@ -261,7 +261,7 @@ impl<'a> Composer<'a> {
     }
 
     fn piece(&self, piece: &Piece) -> String {
-        let (writer, language) = (self.writer, self.options.language);
+        let (writer, language, figures) = (self.writer, self.options.language, self.options.figures);
         match piece {
             Piece::Phrase(words, values) => self.phrase(&language.words(words), values),
             Piece::Label(label) => self.words(&language.label(label)),
@@ -271,9 +271,9 @@ impl<'a> Composer<'a> {
                 Number::Exact(value) => self.numbers(&number::number(value)),
                 Number::Closed(form, decimal) => {
                     let exact = self.exact(&form.tex(), &form.to_string());
-                    format!("{exact} {}", self.numbers(&number::approximate(*decimal)))
+                    format!("{exact} {}", self.numbers(&figures.approximate(*decimal)))
                 }
-                Number::Decimal(decimal) => self.numbers(&number::approximate(*decimal)),
+                Number::Decimal(decimal) => self.numbers(&figures.approximate(*decimal)),
             },
             Piece::Form(form) => self.exact(&form.tex(), &form.to_string()),
             Piece::Bearing(bearing) => match bearing.arctangent() {
@@ -283,10 +283,18 @@ impl<'a> Composer<'a> {
             Piece::Quantity(value, unit) => {
                 let (value, unit) = self.options.units.of(*value, *unit);
                 let (value, unit) = unit.at_sight(value);
-                let set = self.options.siunitx.then(|| writer.quantity(value, unit)).flatten();
-                set.unwrap_or_else(|| self.numbers(&format!("{}{}", number::sensible(value), number::behind(unit))))
+                let number = figures.set(value, number::sensible);
+                let set = self.options.siunitx.then(|| writer.quantity(&number, unit)).flatten();
+                set.unwrap_or_else(|| self.numbers(&format!("{number}{}", number::behind(unit))))
             }
-            Piece::Measured(value, unit, set) => self.numbers(&set(self.options.units.of(*value, *unit).0)),
+            Piece::Measured(value, unit, setting) => {
+                let value = self.options.units.of(*value, *unit).0;
+                self.numbers(&match setting {
+                    Setting::About => figures.approximate(value),
+                    Setting::Usual(set) => figures.set(value, *set),
+                    Setting::Fixed(set) => set(value),
+                })
+            }
             Piece::Exactly(value, unit) => self.numbers(&self.converted(value, *unit, number::number)),
             Piece::Shortly(value, unit) => self.numbers(&self.converted(value, *unit, number::short)),
             Piece::Unit(unit) => {

@@ -70,8 +70,8 @@ impl Writer for Latex {
         Some(cells.printed(self.templates()))
     }
 
-    fn quantity(&self, value: f64, unit: Unit) -> Option<String> {
-        unit.siunitx().map(|commands| format!("\\qty{{{}}}{{{commands}}}", number::in_ascii(value)))
+    fn quantity(&self, number: &str, unit: Unit) -> Option<String> {
+        unit.siunitx().map(|commands| format!("\\qty{{{}}}{{{commands}}}", number::in_ascii(number)))
     }
 
     fn has_labels(&self) -> bool {

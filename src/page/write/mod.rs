@@ -18,7 +18,7 @@ mod typst;
 use super::block::{Block, Document, Picture};
 use super::symbols::Symbols;
 use super::text::Text;
-use super::{Language, Unit, Units};
+use super::{Figures, Language, Unit, Units};
 pub use alone::Alone;
 use compose::Composer;
 pub(crate) use templates::say;
@@ -97,6 +97,8 @@ pub struct Options {
     pub language: Language,
     /// The units that quantities are shown in.
     pub units: Units,
+    /// The figures of decimals.
+    pub figures: Figures,
 }
 
 impl Options {
@@ -179,7 +181,7 @@ trait Writer {
         words
     }
     /// A quantity as a package of the format sets it, where there is one.
-    fn quantity(&self, _value: f64, _unit: Unit) -> Option<String> {
+    fn quantity(&self, _number: &str, _unit: Unit) -> Option<String> {
         None
     }
     /// Whether a fragment has labels and captions.

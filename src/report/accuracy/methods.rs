@@ -8,7 +8,7 @@ use crate::accuracy::{self, Method, Row, Study};
 use crate::engine::Engine;
 use crate::loads;
 pub(super) use crate::page::number::power_of_ten;
-use crate::page::{Piece, Text, Unit, phrase};
+use crate::page::{Piece, Setting, Text, Unit, phrase};
 use crate::proof::Quantity;
 
 /// What a load is counted in, and how many of it are one multiple.
@@ -150,12 +150,12 @@ pub(super) fn time(time: Duration) -> String {
 
 /// A load in a table of methods, to nine digits: where they differ is what is compared.
 pub(super) fn to_nine_digits(value: f64, unit: Unit) -> Text {
-    Piece::Measured(value, unit, |value| format!("{:.9}", Significant(value))).into()
+    Piece::Measured(value, unit, Setting::Fixed(|value| format!("{:.9}", Significant(value)))).into()
 }
 
 /// A load to six digits.
 pub(super) fn to_digits(value: f64, unit: Unit) -> Text {
-    Piece::Measured(value, unit, |value| format!("{:.6}", Significant(value))).into()
+    Piece::Measured(value, unit, Setting::Fixed(|value| format!("{:.6}", Significant(value)))).into()
 }
 
 /// A decimal with as many significant digits as its precision asks for.

@@ -1,6 +1,6 @@
 //! What is on the page of the main bearings, and on the terminal?
 
-use super::super::calculation::{in_digits, percent};
+use super::super::calculation::{self, percent};
 use super::{amounts, plots, tables};
 use crate::engine::Engine;
 use crate::loads::{BearingLoads, left_out_of_bearings, pin_loads};
@@ -77,7 +77,7 @@ pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Opti
         }
         None => phrase!(
             "The orders that are not shown add at most {} {} to the load of any bearing.",
-            in_digits((bound.most * unit.factor).next_up(), unit),
+            calculation::bound(bound.most, unit),
             unit.label()
         ),
     })

@@ -3,7 +3,7 @@
 use crate::engine::Engine;
 use crate::loads::{self, Loads, Outcome, Scale, Swing, Vector};
 use crate::numbers;
-use crate::page::{self, Piece, Text, number as typeset, phrase};
+use crate::page::{self, Piece, Setting, Text, number as typeset, phrase};
 use crate::proof::Quantity;
 
 /// Digits of a value in a table.
@@ -70,7 +70,12 @@ pub(crate) fn digits(value: f64) -> String {
 
 /// A value of six digits, whose unit is beside it.
 pub(crate) fn in_digits(value: f64, unit: Unit) -> Text {
-    Piece::Measured(value, unit.unit, digits).into()
+    Piece::Measured(value, unit.unit, Setting::Usual(digits)).into()
+}
+
+/// No less than a bound, to six digits.
+pub(crate) fn bound(most: f64, unit: Unit) -> Text {
+    Piece::Measured((most * unit.factor).next_up(), unit.unit, Setting::Fixed(digits)).into()
 }
 
 /// A value in its unit, which the heading of the column names.
@@ -111,7 +116,7 @@ fn bounded(vectors: &[&Vector], unit: Unit) -> Text {
 pub(super) fn undecided(below: f64, unit: Unit) -> Text {
     match unit.factor == 0.0 {
         true => Text::zero(),
-        false => phrase!("not decided, below {}", in_digits((below * unit.factor).next_up(), unit)),
+        false => phrase!("not decided, below {}", bound(below, unit)),
     }
 }
 

@@ -1,6 +1,6 @@
 //! How are the largest values said, with how sure they are, and what the orders shown omit?
 
-use super::amounts::{Unit, digits, in_digits};
+use super::amounts::{self, Unit, digits, in_digits};
 use super::summary;
 use crate::accuracy::{Largest, LargestLoads};
 use crate::engine::Engine;
@@ -75,11 +75,7 @@ fn value(largest: &Largest, unit: Unit) -> Text {
             }
         }
         Largest::Below(bound) => {
-            phrase!(
-                "below {} {}, and not proved to be 0",
-                in_digits((bound * unit.factor).next_up(), unit),
-                unit.label()
-            )
+            phrase!("below {} {}, and not proved to be 0", amounts::bound(*bound, unit), unit.label())
         }
     }
 }
@@ -135,7 +131,7 @@ pub(super) fn chosen_lines(
         let unit = Unit::of(engine, loads, quantity);
         Some(match bound.part() {
             Some(part) => phrase!(of_peak, percent(part)),
-            None => phrase!(alone, in_digits((bound.most * unit.factor).next_up(), unit), unit.label()),
+            None => phrase!(alone, amounts::bound(bound.most, unit), unit.label()),
         })
     };
     let bounds = [

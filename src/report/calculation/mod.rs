@@ -19,13 +19,14 @@ mod summary;
 mod tables;
 mod words;
 
-pub(super) use amounts::{Unit, in_digits, largest, vector};
+pub(super) use amounts::{Unit, bound, largest, vector};
 pub(super) use books::books_line;
 pub use largest::Numbers;
 pub(super) use largest::percent;
 pub use page::loads_page;
 pub use study::LoadsStudy;
 pub use summary::loads_answer;
+pub(super) use summary::loads_answer_weighed;
 
 use super::bearings;
 use crate::engine::{Engine, Measure};

@@ -1,9 +1,10 @@
 //! What is asked for the loads? Forces, moments and torques of an engine at some orders.
 
+use super::super::engine_page::Weighing;
 use super::super::loads_document::{LoadsDocument, loads_document};
 use super::super::question::Question;
 use super::data;
-use super::{Numbers, loads_answer, loads_page};
+use super::{Numbers, loads_answer_weighed, loads_page};
 use crate::engine::Engine;
 use crate::loads::{Missing, Needed};
 use crate::page::Document;
@@ -18,6 +19,8 @@ pub struct LoadsStudy {
     pub numbers: Numbers,
     /// The orders that an accuracy needs, where it was asked for.
     pub needed: Option<Needed>,
+    /// Which orders have a row of their own in the short answer; all where this is not given.
+    pub weighing: Option<Weighing>,
 }
 
 impl LoadsStudy {
@@ -27,7 +30,7 @@ impl LoadsStudy {
     /// What the layout lacks.
     pub fn new(engine: &Engine, orders: &[u32], needed: Option<Needed>) -> Result<Self, Missing> {
         let numbers = Numbers::new(engine, orders, needed.as_ref())?;
-        Ok(LoadsStudy { engine: engine.clone(), numbers, needed })
+        Ok(LoadsStudy { engine: engine.clone(), numbers, needed, weighing: None })
     }
 
     fn document(&self) -> LoadsDocument {
@@ -53,7 +56,7 @@ impl Question for LoadsStudy {
     }
 
     fn answer(&self) -> Document {
-        loads_answer(&self.engine, &self.numbers, self.needed.as_ref())
+        loads_answer_weighed(&self.engine, &self.numbers, self.needed.as_ref(), self.weighing.as_ref())
     }
 
     fn page(&self) -> Document {

@@ -1,19 +1,35 @@
 //! What does `loads` show on a terminal? The largest values, a row per order, and the peaks.
 
+use super::super::engine_page::Weighing;
 use super::super::residual;
+use super::super::table::with_shared_rows;
 use super::amounts::{self, Unit, amount, digits, in_digits};
 use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
 use super::roll::roll_lines;
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
-use crate::loads::{Loads, Needed, OrderLoads, Outcome, Peak, Swing, TorqueOrder};
+use crate::loads::{Loads, Needed, OrderLoads, Outcome, Peak, Swing, Torque, TorqueOrder};
 use crate::page::{Block, Document, Table, Text, phrase};
 use crate::proof::Quantity;
 
 /// The short answer: the largest force, moment and torque of each order, zero to peak, and of all orders.
 pub fn loads_answer(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Document {
+    loads_answer_weighed(engine, numbers, needed, None)
+}
+
+/// The same; neighbouring orders that are small share a row.
+pub(in crate::report) fn loads_answer_weighed(
+    engine: &Engine,
+    numbers: &Numbers,
+    needed: Option<&Needed>,
+    weighing: Option<&Weighing>,
+) -> Document {
     let mut page = Document::new("loads", engine.title());
     page.blocks.extend(at_speed(&numbers.loads).map(Block::Paragraph));
-    page.push(by_order(engine, &numbers.loads));
+    let table = by_order(engine, &numbers.loads);
+    page.push(match weighing {
+        Some(weighing) => with_shared_rows(table, &are_small(engine, &numbers.loads, weighing)),
+        None => table,
+    });
     page.blocks.extend(lines(engine, numbers, needed).into_iter().map(Block::Paragraph));
     page
 }
@@ -33,12 +49,7 @@ pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
     header.extend(loads.torque.as_ref().map(|_| phrase!("Torque in {}", torque.label())));
     header.extend(loads.roll.as_ref().map(|_| phrase!("Roll in {}", torque.label())));
     let mut table = Table::new(header);
-    let mut all: Vec<u32> = loads.orders.iter().map(|order| order.order).collect();
-    let turning = loads.torque.iter().chain(&loads.roll);
-    all.extend(turning.flat_map(|torque| torque.orders.iter().map(|order| order.order)));
-    all.sort_unstable();
-    all.dedup();
-    for order in all {
+    for order in orders(loads) {
         let judged = loads.orders.iter().find(|loads| loads.order == order);
         let unjudged = match engine.pistons_have_order(Quantity::FORCE, order) {
             true => NOT_JUDGED,
@@ -61,6 +72,42 @@ pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
         table.push(cells);
     }
     table
+}
+
+/// All orders that have a row, rising.
+fn orders(loads: &Loads) -> Vec<u32> {
+    let turning = loads.torque.iter().chain(&loads.roll).flat_map(|torque| &torque.orders).map(|order| order.order);
+    let mut all: Vec<u32> = loads.orders.iter().map(|order| order.order).chain(turning).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// Of each row, whether something is left of its order and all of that is below the threshold of its quantity.
+fn are_small(engine: &Engine, loads: &Loads, weighing: &Weighing) -> Vec<bool> {
+    let planar = |part: fn(&OrderLoads) -> &Swing| -> Vec<(u32, f64)> {
+        loads.orders.iter().map(|order| (order.order, part(order).largest())).collect()
+    };
+    let axial = |torque: &Option<Torque>| -> Vec<(u32, f64)> {
+        let orders = torque.iter().flat_map(|torque| &torque.orders);
+        orders.map(|order| (order.order, order.vector.value.norm())).collect()
+    };
+    let all = [
+        (Quantity::FORCE, planar(|of| &of.force)),
+        (Quantity::MOMENT, planar(|of| &of.moment)),
+        (Quantity::TORQUE, axial(&loads.torque)),
+        (Quantity::ROLL, axial(&loads.roll)),
+    ];
+    let limits = all.map(|(quantity, sizes)| {
+        let most = sizes.iter().map(|(_, size)| *size).fold(0.0, f64::max);
+        (weighing.limit(engine, quantity, most), sizes)
+    });
+    let is_small = |order: u32| {
+        let of_order = |size: &&(u32, f64)| size.0 == order && size.1 > 0.0;
+        limits.iter().any(|(_, sizes)| sizes.iter().any(|size| of_order(&size)))
+            && limits.iter().all(|(limit, sizes)| sizes.iter().filter(of_order).all(|(_, size)| size < limit))
+    };
+    orders(loads).into_iter().map(|order| !weighing.tells_all(engine) && is_small(order)).collect()
 }
 
 /// What stands where nothing was decided.

@@ -9,7 +9,7 @@ use crate::engine::{Crankshaft, DOES_NOT_EXIST, Effects, Engine, LengthUnit, Mec
 use crate::loads::{self, Bound, LeftOut, Loads, Swing};
 use crate::numbers;
 use crate::order::{self, Masses};
-use crate::page::{self, Piece, Text, number, phrase};
+use crate::page::{self, Piece, Setting, Text, number, phrase};
 use crate::proof::{Axial, Planar, Quantity, Shape};
 use crate::verdict::{Judgement, OrderVerdict};
 
@@ -33,6 +33,32 @@ impl Weighing {
     /// What is reported where nothing else is asked for: what is above a hundredth.
     pub fn usual() -> &'static Self {
         &USUAL
+    }
+
+    /// The part of the largest order from which on an order of this engine is reported by itself.
+    pub(in crate::report) fn above(&self, engine: &Engine) -> f64 {
+        let given = || engine.above().and_then(ToPrimitive::to_f64);
+        self.above.or_else(given).unwrap_or(0.01)
+    }
+
+    /// Below this an order is reported with others, in multiples of m r ω²: a part of the largest order, or of what one piston does: its m r ω²,
+    /// that at the end of the engine, that at the crank radius.
+    pub(in crate::report) fn limit(&self, engine: &Engine, quantity: Quantity, most: f64) -> f64 {
+        let of_one = engine.cylinders().iter().map(|cylinder| {
+            let mass = order::mass_radius(engine, cylinder).abs();
+            match quantity {
+                Quantity::FORCE => mass,
+                Quantity::MOMENT => mass * engine.arm(cylinder).abs(),
+                Quantity::TORQUE | Quantity::ROLL => mass * &cylinder.crank_radius,
+            }
+        });
+        let of_one = of_one.max().and_then(|largest| largest.to_f64()).unwrap_or(0.0);
+        self.above(engine) * most.max(of_one)
+    }
+
+    /// Whether every order of this engine is reported by itself.
+    pub(in crate::report) fn tells_all(&self, engine: &Engine) -> bool {
+        self.all || self.asked || engine.orders_given()
     }
 
     /// λ of rods that are not given: 2/7, a rod 3.5 crank radii long, as the drawings have it.
@@ -62,7 +88,7 @@ impl<'a> Weighed<'a> {
         let loads = loads::loads(&engine, orders).ok()?;
         let torque: Vec<u32> = loads.torque.iter().flat_map(|torque| &torque.orders).map(|order| order.order).collect();
         let left = loads::left_out(&engine, orders, &torque).ok()?;
-        let tells_all = weighing.all || weighing.asked || engine.orders_given();
+        let tells_all = weighing.tells_all(&engine);
         let assumed = is_open.then(|| weighing.ratio());
         Some(Weighed { weighing, engine, loads, left, assumed, tells_all })
     }
@@ -79,8 +105,7 @@ impl<'a> Weighed<'a> {
 
     /// The part of the largest from which on an order is reported by itself.
     pub fn above(&self) -> f64 {
-        let given = || self.engine.above().and_then(ToPrimitive::to_f64);
-        self.weighing.above.or_else(given).unwrap_or(0.01)
+        self.weighing.above(&self.engine)
     }
 
     /// What an order traces, in multiples of m r ω².
@@ -130,21 +155,10 @@ impl<'a> Weighed<'a> {
         self.sizes(quantity).into_iter().map(|(_, size)| size).fold(0.0, f64::max)
     }
 
-    /// Below this an order is reported with others: a part of the largest order, or of what one piston does: its m r ω², that at the end of the
-    /// engine, that at the crank radius.
+    /// Below this an order is reported with others.
     pub fn limit(&self, quantity: impl Into<Quantity>) -> f64 {
         let quantity = quantity.into();
-        let cylinders = self.engine.cylinders().iter();
-        let of_one = cylinders.map(|cylinder| {
-            let mass = order::mass_radius(&self.engine, cylinder).abs();
-            match quantity {
-                Quantity::FORCE => mass,
-                Quantity::MOMENT => mass * self.engine.arm(cylinder).abs(),
-                Quantity::TORQUE | Quantity::ROLL => mass * &cylinder.crank_radius,
-            }
-        });
-        let of_one = of_one.max().and_then(|largest| largest.to_f64()).unwrap_or(0.0);
-        self.above() * self.most(quantity).max(of_one)
+        self.weighing.limit(&self.engine, quantity, self.most(quantity))
     }
 
     /// Whether what is left of an order is reported by itself.
@@ -183,7 +197,7 @@ impl<'a> Weighed<'a> {
                 _ if unit.factor == 0.0 => Text::zero(),
                 _ if is_known => {
                     let size = self.size(order.order, quantity) * unit.factor;
-                    Piece::Measured(size, unit.unit, number::decimal).into()
+                    Piece::Measured(size, unit.unit, Setting::Usual(number::decimal)).into()
                 }
                 _ => residual::whole_text(whole),
             }

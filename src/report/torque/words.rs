@@ -2,7 +2,7 @@
 
 use crate::engine::{Engine, Heat, PressureLaw};
 use crate::gas::Warning;
-use crate::page::{Number, Piece, Text, Unit, number, phrase};
+use crate::page::{Number, Piece, Setting, Text, Unit, number, phrase};
 use crate::torque::{EngineTorque, Evenness};
 
 /// A decimal with its unit.
@@ -113,7 +113,7 @@ pub(in crate::report) fn warning(engine: &Engine, cylinders: &[usize], warning: 
             "Cylinders {}: the largest pressure is {}. Engines have {} to {}: is the unit right?",
             of,
             quantity(pascals / 1e5, Unit::BAR),
-            Text::from(Piece::Measured(5.0, Unit::BAR, number::sensible)),
+            Text::from(Piece::Measured(5.0, Unit::BAR, Setting::Usual(number::sensible))),
             quantity(400.0, Unit::BAR)
         ),
         Warning::PeakAngle(degrees) => phrase!(
