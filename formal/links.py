@@ -22,7 +22,7 @@ def apart(angle):
 
 
 def factors(rod, k):
-    """The numbers that order k of its piston stands before: (number, whether it is 0, vectors that its own is multiplied by)."""
+    """The numbers that order k of its piston is multiplied by: (number, whether it is 0, vectors that its own is multiplied by)."""
     _, master, knuckle, delta, ratio, eps = rod
     if k > 5000:
         raise NoDocument(f"order {k} of a link is more than this checker expands")

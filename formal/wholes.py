@@ -20,10 +20,10 @@ def check_outcome(outcome, k, sense, left):
     """Whether the whole is zero; None where that is not decided."""
     # That c_k, t_k and g_k are not zero where they are there is a theorem (src/motion); of the parts of h_k there is none.
     if not left or len(left) == 1 and next(iter(left))[0] != "corrected":
-        demand(outcome == ("not-zero" if left else "zero"), f"{len(left)} sums are left, which contradicts {outcome}")
+        demand(outcome == ("not-zero" if left else "zero"), f"{len(left)} sums remain, which contradicts {outcome}")
         return not left
     if len(left) > 1 and any(map(is_open, left)):
-        return demand(outcome == "open", "a number that is not known stands before what is left: it is open")
+        return demand(outcome == "open", "a number that is not known is multiplied by what remains: it is open")
     demand(isinstance(outcome, dict), f"{len(left)} sums remain, which takes an enclosure")
     if "not-zero-by-enclosure" in outcome:
         whole = Whole(k, [left], bits_of(outcome["not-zero-by-enclosure"]))

@@ -25,7 +25,7 @@ const BUDGET: [(&str, usize); 34] = [
     ("numbers", 2150),
     ("optimise", 1430),
     ("order", 1750),
-    ("page", 6730),
+    ("page", 6740),
     ("proof", 8617),
     ("python", 2560),
     ("remedy", 1500),

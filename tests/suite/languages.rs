@@ -349,3 +349,15 @@ fn words_of(text: &str) -> impl Iterator<Item = &str> {
 
 /// Words that are German too.
 const IN_BOTH: [&str; 4] = ["cos", "sin", "min", "irrational"];
+
+#[test]
+fn every_engine_of_the_catalogue_has_a_german_title_and_no_other_title_is_changed() {
+    let engines = file::catalogue().expect("the catalogue reads");
+    for (known, engine) in &engines {
+        assert!(Language::De.title(engine.title()).is_some(), "{}", known.name);
+        assert!(Language::En.title(engine.title()).is_none(), "{}", known.name);
+    }
+    for written in ["In-line four", "In-line four, flat crankshaft ", "My V12, 60°", "{}"] {
+        assert!(Language::De.title(&Untrusted::new(written)).is_none(), "{written}");
+    }
+}

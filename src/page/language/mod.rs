@@ -2,7 +2,7 @@
 //!
 //! A list says how the language writes decimals, then gives its words: `[words]` for phrases of the program, with the same places
 //! `{}` (or `{1}`, `{2}` in another order) and the same `$formulas$`; `[labels]` for names in drawings and the like, which are
-//! finished signs when they come here and are compared with the patterns of the list.
+//! finished signs when they come here and are compared with the patterns of the list; `[titles]` for the engines of the catalogue.
 
 mod decimals;
 mod pattern;
@@ -16,6 +16,7 @@ use serde::Deserialize;
 
 use super::block::Picture;
 use super::figure::Mark;
+use crate::text::Untrusted;
 pub(super) use decimals::has_comma;
 use pattern::Pattern;
 
@@ -39,6 +40,8 @@ struct Written {
     hyphenation: String,
     words: BTreeMap<String, String>,
     labels: BTreeMap<String, String>,
+    #[serde(default)]
+    titles: BTreeMap<String, String>,
 }
 
 struct List {
@@ -110,6 +113,13 @@ impl Language {
     pub fn entries(self) -> impl Iterator<Item = (&'static str, &'static str)> {
         let written = &self.list().written;
         written.words.iter().chain(&written.labels).map(|(key, words)| (key.as_str(), words.as_str()))
+    }
+
+    /// The title of an engine of the catalogue; none of what somebody else wrote.
+    pub fn title(self, english: &Untrusted) -> Option<Untrusted> {
+        let titles = &self.list().written.titles;
+        let known = titles.iter().find(|(title, _)| Untrusted::new(title.as_str()) == *english);
+        known.map(|(_, own)| Untrusted::new(own.as_str()))
     }
 
     /// A fixed word of the program.

@@ -265,7 +265,7 @@ impl<'a> Composer<'a> {
         match piece {
             Piece::Phrase(words, values) => self.phrase(&language.words(words), values),
             Piece::Label(label) => self.words(&language.label(label)),
-            Piece::Person(words) => writer.person(words),
+            Piece::Person(words) => writer.person(&language.title(words).unwrap_or_else(|| words.clone())),
             Piece::Number(number) => match number {
                 Number::Zero => writer.zero(),
                 Number::Exact(value) => self.numbers(&number::number(value)),

@@ -13,7 +13,8 @@ impl Composer<'_> {
             Word::Plain(words) => self.writer.words(words),
             Word::Renamed { tex, plain } => self.writer.symbol(tex, plain),
         };
-        self.options.symbols.in_words(words).into_iter().map(set).collect()
+        // A line does not end between a number and its sign.
+        self.options.symbols.in_words(&words.replace(" %", "\u{a0}%")).into_iter().map(set).collect()
     }
 
     /// A number of the program, with decimals as the language writes them.

@@ -11,12 +11,14 @@ pub use document::{CompareDocument, compare_document};
 pub use page::{compare_answer, compare_page};
 pub use question::CompareStudy;
 
+use super::moments;
 use crate::engine::{Engine, NotAnOrder};
 use crate::journal::{self, CyclePeak};
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::proof::Quantity;
 use crate::remedy::{self, Remedy, RemedyError, Request};
 use crate::text::Untrusted;
+use crate::torque::GuideMoments;
 use crate::verdict::{self, EveryOrderTheorem, Judgement, NoTheorem, OrderVerdict};
 
 /// An engine of a comparison, judged.
@@ -40,6 +42,8 @@ pub struct Compared {
     pub bearings: Result<BearingLoads, Missing>,
     /// The largest load of each main bearing of gas and masses together, and of the masses alone; none where the layout does not ask for the gas.
     pub with_gas: Option<Result<Vec<[CyclePeak; 2]>, Missing>>,
+    /// The guide-force moments by order, of gas and masses; empty where the layout does not ask for the gas, or they are not known.
+    pub guides: Vec<GuideMoments>,
 }
 
 impl Compared {
@@ -62,6 +66,10 @@ impl Compared {
             bearings: loads::bearing_loads(engine, &loads::bearing_orders(engine, orders), Method::Continuous),
             // What nobody asks for costs nothing.
             with_gas: engine.effects().gas.then(|| journal::bearing_peaks(engine)),
+            guides: match engine.effects().gas {
+                true => moments::guides(engine).map_or_else(|_| Vec::new(), |(moments, _)| moments),
+                false => Vec::new(),
+            },
         })
     }
 

@@ -5,8 +5,9 @@ use super::super::engine_page::{Rest, Weighed, Weighing, circumstances};
 use super::super::{bearings, engine_cells, residual};
 use super::{Compared, orders_of};
 use crate::loads::Missing;
-use crate::page::{self, Table, Text, phrase};
+use crate::page::{self, Piece, Table, Text, phrase};
 use crate::proof::{Axial, Planar, Quantity};
+use crate::torque::GuideMoments;
 use crate::verdict::OrderVerdict;
 
 /// An engine that is compared, with the sizes of its orders where it has any.
@@ -68,10 +69,6 @@ pub(super) fn sizes(all: &[Sized], shown: &[Sized]) -> Table {
     };
     add("Title".into(), &|engine| engine.compared.engine.title().into());
     add("Cylinders".into(), &|engine| engine.compared.engine.cylinders().len().into());
-    add("Firing".into(), &|engine| engine_cells::firing(engine.compared.engine.firing()));
-    if all.iter().any(|engine| engine.compared.engine.firing().is_some()) {
-        add("Firing order".into(), &|engine| engine_cells::firing_order(&engine.compared.engine));
-    }
     add("Sizes".into(), &|engine| circumstances(engine.weighed.as_ref()).unwrap_or_else(|| "–".into()));
     for order in orders_of(all.iter().map(|engine| engine.compared)) {
         for (name, quantity) in [("Force, order {}", Planar::Force), ("Moment, order {}", Planar::Moment)] {
@@ -85,6 +82,15 @@ pub(super) fn sizes(all: &[Sized], shown: &[Sized]) -> Table {
     if all.iter().any(|engine| engine.roll().is_some()) {
         add("Rolling torque".into(), &|engine| engine.roll().unwrap_or_else(|| "–".into()));
     }
+    for (name, of) in [("H, rocking", rocking as fn(&GuideMoments) -> Option<f64>), ("X, twisting", twisting)] {
+        if all.iter().any(|engine| !engine.compared.guides.is_empty()) {
+            add(name.into(), &|engine| guide(engine.compared, of));
+        }
+    }
+    add("Firing".into(), &|engine| engine_cells::firing(engine.compared.engine.firing()));
+    if all.iter().any(|engine| engine.compared.engine.firing().is_some()) {
+        add("Firing order".into(), &|engine| engine_cells::firing_order(&engine.compared.engine));
+    }
     add("Cures".into(), &|engine| engine_cells::remedy(&engine.compared.cures));
     if all.iter().any(|engine| engine.compared.bearings.as_ref().err() != Some(&Missing::Bearings)) {
         add("Worst main bearing".into(), &|engine| worst_bearing(engine.compared));
@@ -93,6 +99,26 @@ pub(super) fn sizes(all: &[Sized], shown: &[Sized]) -> Table {
         add("Worst main bearing with gas".into(), &|engine| worst_with_gas(engine.compared));
     }
     table
+}
+
+fn rocking(moments: &GuideMoments) -> Option<f64> {
+    moments.rocking
+}
+
+fn twisting(moments: &GuideMoments) -> Option<f64> {
+    moments.twisting
+}
+
+/// The largest order of a guide-force moment.
+fn guide(engine: &Compared, of: fn(&GuideMoments) -> Option<f64>) -> Text {
+    let sizes = engine.guides.iter().map(|moments| (of(moments), moments.order));
+    match sizes.max_by(|(one, _), (other, _)| one.unwrap_or(0.0).total_cmp(&other.unwrap_or(0.0))) {
+        None => "–".into(),
+        Some((None, _)) => Text::zero(),
+        Some((Some(size), order)) => {
+            phrase!("{} (order {})", Text::from(Piece::Quantity(size, page::Unit::NEWTON_METRE)), order.to_string())
+        }
+    }
 }
 
 /// A table with a column per engine.

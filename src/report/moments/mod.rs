@@ -172,7 +172,8 @@ fn external(engine: &Engine, order: &OrderLoads, quantity: Planar, newtons: f64)
     External { order: order.order, components: [along, across] }
 }
 
-fn guides(engine: &Engine) -> Result<(Vec<GuideMoments>, Option<f64>), String> {
+/// The guide-force moments by order, and the power; or why there are none.
+pub(super) fn guides(engine: &Engine) -> Result<(Vec<GuideMoments>, Option<f64>), String> {
     let torque = torque::torque(engine).map_err(|lack| lack.to_string())?;
     let moments = torque::guide_moments(engine, &torque)
         .ok_or("they are known for rods of a finite length on axes without an offset")?;
