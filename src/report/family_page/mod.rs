@@ -3,9 +3,11 @@
 mod boxes_words;
 mod circle_words;
 mod document;
+mod map;
 mod picture;
 mod plane_words;
 mod quadratic_words;
+mod sizes;
 mod special_angles;
 mod tables;
 mod words;
@@ -17,9 +19,9 @@ pub(super) use words::{argument, condition_of, greek, summary, unknowns};
 use super::convention::{differs, seen};
 use super::engine_page::{ASSUMED, FIRES};
 use super::moving;
-use crate::engine::{Family, PHI};
+use crate::engine::{DELTA, Family, PHI};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
-use crate::page::{Block, Document, Fold, Picture, Text, phrase};
+use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::{Planar, Sense};
 
 const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a moment that vanishes does so for all lengths. Angles are those \
@@ -38,6 +40,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
     page.push(tables::summary(orders));
     page.push(Block::Note(LEGEND.into()));
     page.blocks.extend(amplitude_picture(family, orders));
+    page.blocks.extend(map::maps(family, orders).into_iter().map(Block::from));
     page.push(Block::Heading(1, "The engine".into()));
     page.blocks.extend(differs(family.convention()).map(Block::Paragraph));
     page.push(tables::cylinders(family));
@@ -111,9 +114,33 @@ fn amplitude_picture(family: &Family, orders: &[OpenOrder]) -> Option<Block> {
     Some(Picture { name: "amplitudes".to_owned(), caption, figure }.into())
 }
 
+/// How large the orders are at most, over all open angles; none where they have no size, or it depends on several lengths.
+fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
+    let sizes = sizes::Sizes::new(family, orders.iter().map(|order| order.order).max()?)?;
+    let mut told = Vec::new();
+    for (quantity, words) in [(Planar::Force, "force {} (order {})"), (Planar::Moment, "moment {} (order {})")] {
+        let Some(unit) = picture::unit(family, Some(&sizes), quantity) else {
+            let of = orders.iter().filter(|order| !picture::verdicts(order, quantity).iter().all(OpenVerdict::always));
+            let of: Vec<String> = of.map(|order| order.order.to_string()).collect();
+            let words = "a moment of {} that depends on the lengths";
+            told.extend((!of.is_empty()).then(|| phrase!(words, super::residual::orders_in_words(&of))));
+            continue;
+        };
+        let size = |(order, size): (u32, f64)| phrase!(words, format!("{} {unit}", number::sensible(size)), order);
+        told.extend(sizes.told(quantity, orders).0.into_iter().map(size));
+    }
+    let has_angle = [PHI, DELTA].iter().any(|angle| family.unknowns().contains(angle));
+    let words = match has_angle {
+        true => "**What shakes at most, over all angles** ({}): {}.",
+        false => "**What shakes** ({}): {}.",
+    };
+    (!told.is_empty()).then(|| phrase!(words, sizes.circumstances(), Text::joined(told, ", ")))
+}
+
 /// What is open, and where each order vanishes.
 fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
-    let mut lines = special_angles::sentences(family, orders);
+    let mut lines: Vec<Text> = most(family, orders).into_iter().collect();
+    lines.extend(special_angles::sentences(family, orders));
     let always = |verdicts: &[OpenVerdict; 2]| verdicts.iter().all(OpenVerdict::always);
     let list = |is_meant: &dyn Fn(&OpenOrder) -> bool| -> Vec<String> {
         orders.iter().filter(|order| is_meant(order)).map(|order| order.order.to_string()).collect()

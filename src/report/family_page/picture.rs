@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::super::typeset;
+use super::sizes::Sizes;
 use crate::engine::{DELTA, Family, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{OpenOrder, OpenVerdict, Solutions, Zeros, phase};
@@ -32,19 +33,24 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
     let unknown = open_angle(family)?;
     let symbol = if unknown == PHI { "Bank angle φ in °" } else { "Pin split δ in °" };
     let mut plots = Vec::new();
+    let sizes = sizes(family, orders);
     for (quantity, curves) in shown(family, orders) {
-        let unit = unit(family, quantity)?;
+        let unit = unit(family, sizes.as_ref(), quantity)?;
         let axis = match quantity {
             Planar::Force => format!("Force in {unit}"),
             Planar::Moment => format!("Moment in {unit}"),
         };
-        // As many plots as needed, with about as many curves in each.
-        let in_each = curves.len().div_ceil(curves.len().div_ceil(MOST_CURVES).max(1)).max(1);
+        // At their sizes all are in one plot; else as many plots as needed, with about as many curves in each.
+        let in_each = match &sizes {
+            Some(_) => curves.len().max(1),
+            None => curves.len().div_ceil(curves.len().div_ceil(MOST_CURVES).max(1)).max(1),
+        };
         for chunk in curves.chunks(in_each) {
             let x = Axis::angle(symbol, 0.0, 360.0, 30);
             let mut plot = Plot::new(heading(quantity, chunk), x, Axis::amplitude(axis.clone()));
             for (order, verdicts) in chunk {
-                add(&mut plot, family, unknown, *order, verdicts);
+                let scale = sizes.as_ref().map_or(1.0, |sizes| sizes.coefficient(*order));
+                add(&mut plot, family, unknown, (*order, scale), verdicts);
             }
             plots.push(plot.figure());
         }
@@ -61,7 +67,10 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
         "Largest value of each order through a revolution over the pin split δ."
     };
     let drawn = shown(family, orders);
-    let mut words = vec![over.into(), phrase!(MARKS, MOST_DOTS)];
+    let mut words = vec![over.into()];
+    let sizes = sizes(family, orders);
+    words.extend(sizes.as_ref().map(|sizes| phrase!("Sizes: {}.", sizes.circumstances())));
+    words.push(phrase!(MARKS, MOST_DOTS));
     let is_rounded = |place: &Place| !place.is_exact();
     let rounded = |(_, verdicts): &OfOrder| {
         let (full, single) = zeros(verdicts, unknown);
@@ -79,10 +88,17 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
         let curves = drawn.iter().find(|(other, _)| *other == quantity).map_or(0, |(_, curves)| curves.len());
         words.extend((!always.is_empty()).then(|| phrase!(said.always, numbers(&always))));
         words.extend((!unsolved.is_empty()).then(|| phrase!(said.unsolved, numbers(&unsolved))));
-        if unit(family, quantity).is_none() {
+        let sized = sizes.as_ref().filter(|_| unit(family, sizes.as_ref(), quantity).is_some());
+        let small = sized.map_or_else(Vec::new, |sizes| sizes.told(quantity, orders).1);
+        let small_words = if quantity == Planar::Force { SMALL_FORCE } else { SMALL_MOMENT };
+        words.extend(
+            (!small.is_empty())
+                .then(|| phrase!(small_words, small.iter().map(u32::to_string).collect::<Vec<_>>().join(", "))),
+        );
+        if unit(family, sizes.as_ref(), quantity).is_none() {
             // A force has no arms.
             words.push("The moment is not drawn: its arms contain several open lengths.".into());
-        } else if curves < left.len() {
+        } else if curves + small.len() < left.len() {
             words.push(phrase!(said.not_drawn, numbers(&left[curves..])));
         }
     }
@@ -91,6 +107,9 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
 
 const MARKS: &str = "Rings are its exact zeros in (0°, 360°); at a dot just one of the direct and the reverse vector is exactly zero, and the \
                      other turns at constant length (marked for orders with no more than {} of them).";
+
+const SMALL_FORCE: &str = "Not drawn, below 1 % of the largest or of one piston's force: force at {}.";
+const SMALL_MOMENT: &str = "Not drawn, below 1 % of the largest: moment at {}.";
 
 const IRRATIONAL: &str = "Marks that the legend calls irrational are at angles that are not rational turns, proved to be zeros and drawn rounded.";
 
@@ -129,24 +148,38 @@ fn open_angle(family: &Family) -> Option<&'static str> {
 type OfOrder<'a> = (u32, &'a [OpenVerdict; 2]);
 
 fn of_quantity(orders: &[OpenOrder], quantity: Planar) -> Vec<OfOrder<'_>> {
-    let is_moment = quantity == Planar::Moment;
-    orders.iter().map(|order| (order.order, if is_moment { &order.moment } else { &order.force })).collect()
+    orders.iter().map(|order| (order.order, verdicts(order, quantity))).collect()
+}
+
+/// The verdicts on both vectors of a quantity.
+pub(super) fn verdicts(order: &OpenOrder, quantity: Planar) -> &[OpenVerdict; 2] {
+    match quantity {
+        Planar::Force => &order.force,
+        Planar::Moment => &order.moment,
+    }
+}
+
+fn sizes<'a>(family: &'a Family, orders: &[OpenOrder]) -> Option<Sizes<'a>> {
+    Sizes::new(family, orders.iter().map(|order| order.order).max()?)
 }
 
 /// What is drawn: the orders that do not always vanish, of quantities whose weights are numbers.
 fn shown<'a>(family: &Family, orders: &'a [OpenOrder]) -> Vec<(Planar, Vec<OfOrder<'a>>)> {
+    let sizes = sizes(family, orders);
     let left = |quantity| {
-        let curves = of_quantity(orders, quantity).into_iter();
+        let small = sizes.as_ref().map_or_else(Vec::new, |sizes| sizes.told(quantity, orders).1);
+        let curves = of_quantity(orders, quantity).into_iter().filter(|(order, _)| !small.contains(order));
         let curves = curves.filter(|(_, verdicts)| !verdicts.iter().all(OpenVerdict::always));
         (quantity, curves.take(MOST_ORDERS).collect::<Vec<_>>())
     };
-    let drawable = |(quantity, curves): &(Planar, Vec<_>)| unit(family, *quantity).is_some() && !curves.is_empty();
+    let drawable =
+        |(quantity, curves): &(Planar, Vec<_>)| unit(family, sizes.as_ref(), *quantity).is_some() && !curves.is_empty();
     Planar::BOTH.map(left).into_iter().filter(drawable).collect()
 }
 
 /// What the weights of a quantity are multiples of; none where they hold several lengths.
-fn unit(family: &Family, quantity: Planar) -> Option<String> {
-    let force = "m r ω² c_k";
+pub(super) fn unit(family: &Family, sizes: Option<&Sizes>, quantity: Planar) -> Option<String> {
+    let force = if sizes.is_some() { "m r ω²" } else { "m r ω² c_k" };
     if quantity == Planar::Force {
         return Some(force.to_owned());
     }
@@ -174,10 +207,10 @@ fn heading(quantity: Planar, chunk: &[OfOrder]) -> String {
 }
 
 /// Adds the curve of an order with its zeros, which are points of the curve too.
-fn add(plot: &mut Plot, family: &Family, unknown: &str, order: u32, verdicts: &[OpenVerdict; 2]) {
+fn add(plot: &mut Plot, family: &Family, unknown: &str, (order, scale): (u32, f64), verdicts: &[OpenVerdict; 2]) {
     let quantity = verdicts[0].quantity;
     let terms = Sense::BOTH.map(|sense| terms(family, unknown, quantity, order, sense));
-    let at = |angle: f64| terms.iter().map(|terms| length(terms, angle)).sum::<f64>() / 2.0;
+    let at = |angle: f64| terms.iter().map(|terms| length(terms, angle)).sum::<f64>() / 2.0 * scale;
     let (full, single) = zeros(verdicts, unknown);
     let grid = (0..=STEPS).map(|step| step as f64 * 360.0 / STEPS as f64);
     let mut points: Vec<(f64, f64)> = grid.map(|angle| (angle, at(angle / 360.0))).collect();
