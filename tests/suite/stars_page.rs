@@ -19,6 +19,7 @@ use crate::least_moments::covers;
 use crate::support::german::{has_words, phrases};
 use crate::support::golden;
 use crate::support::pages;
+use crate::support::program::call;
 
 static STUDY: LazyLock<StarsStudy> = LazyLock::new(|| StarsStudy::new(&Options::default()).expect("stars"));
 
@@ -268,5 +269,25 @@ fn the_engines_of_the_page_lose_what_it_says() {
         let left = existing().find(|order| theorem.moment.survivors().contains(*order));
         assert_eq!(left, first, "{name}");
         assert_eq!(existing().find(|order| theorem.force.survivors().contains(*order)), Some(force), "{name}");
+    }
+}
+
+#[test]
+fn the_verdicts_in_a_terminal_cite_the_theorem_after_their_proof_and_only_where_one_applies() {
+    let shown = |engine: &str| {
+        let output = call(&["classify", engine]);
+        assert!(output.status.success(), "{engine}");
+        String::from_utf8(output.stdout).expect("a text").split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    for (engine, cited) in [
+        ("I5-12453", "No star of 5 throws is without the moment of order 1, in any order of its throws"),
+        ("V8-crossplane", "No order of the 4 pins, and no bank angle, removes the moment of order 1"),
+    ] {
+        let text = shown(engine);
+        let place = text.find(cited).unwrap_or_else(|| panic!("{engine}: {text}"));
+        assert!(text.find("Order Force").is_some_and(|verdicts| verdicts < place), "{engine}: {text}");
+    }
+    for engine in ["I4", "I6", "radial-9", "V6-60-even", "I2-180"] {
+        assert!(!shown(engine).contains("crankstar stars"), "{engine}");
     }
 }

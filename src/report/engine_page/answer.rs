@@ -1,7 +1,7 @@
 //! What shakes, how much, what cures it and what that leaves? What a reader sees first: five lines at most.
 
 use super::super::calculation::{books_line, percent};
-use super::super::{residual, table};
+use super::super::{residual, stars, table};
 use super::weighing::{Rest, Weighed, WeighedParts, Weighing, circumstances, sizes};
 use super::{articulated, conventions, cures, geared};
 use crate::engine::{DOES_NOT_EXIST, Engine};
@@ -326,6 +326,7 @@ fn tables(engine: &Engine, judged: &Judgement, weighing: &Weighing, weighed: &We
     }
     let sums = table::sums(&judged.orders).filter(|_| weighing.all || as_judged.is_none());
     page.blocks.extend(sums.map(Block::Table));
+    page.blocks.extend(stars::cited(engine).map(Block::Note));
     page.blocks.extend(sizes(as_judged.as_ref()).map(Block::Note));
     // What books say of rods that are assumed nobody asks.
     let given = as_judged.as_ref().filter(|weighed| weighed.assumed.is_none());
