@@ -47,22 +47,25 @@ Definition square (sign : Z) (l : seq (Q * Q)) : seq (Q * Q) :=
 Definition squares (E : engine) (q : sense -> quantity) (k : Z) : seq (Q * Q) :=
   square 1 (vectors E (q Direct) k) ++ square (-1) (vectors E (q Reverse) k).
 
-(* One verdict for each of the orders k, k + 2, ..: is it left where it is one of the residues? *)
-Fixpoint check_period (E : engine) (q : quantity) (modulus : Z) (residues : seq Z) (k : Z) (evs : seq evidence) : bool :=
+(* One verdict for each of the orders k, k + step, ..: is it left where it is one of the residues? *)
+Fixpoint check_period (E : engine) (q : quantity) (step modulus : Z) (residues : seq Z) (k : Z) (evs : seq evidence) : bool :=
   match evs with
   | nil => true
   | ev :: evs' =>
       check (vectors E q k) ev && (claims_zero ev != (Z.modulo k modulus \in residues))
-      && check_period E q modulus residues (Z.add k 2) evs'
+      && check_period E q step modulus residues (Z.add k step) evs'
   end.
 
-(* Every second order from the first on, 2 or 3, by one period. *)
-Definition check_every (E : engine) (q : quantity) (first modulus : Z) (residues : seq Z) (evs : seq evidence) : bool :=
-  let period := Z.mul 2 (Z.of_nat (size evs)) in
-  Z.leb 2 first && Z.ltb 0 modulus && Z.ltb 0 period && Z.eqb (Z.modulo period modulus) 0
+(* No mass turns with the orders from the first on, or none makes a torque. *)
+Definition pistons_alone (E : engine) (q : quantity) (first : Z) : bool :=
+  if q is Torque then true else Z.leb 2 first && all (fun t => Z.leb (order t) 1) (turning_masses E).
+
+(* The orders from the first on, by steps of one or two, by one period. *)
+Definition check_every (E : engine) (q : quantity) (step first modulus : Z) (residues : seq Z) (evs : seq evidence) : bool :=
+  let period := Z.mul step (Z.of_nat (size evs)) in
+  pistons_alone E q first && Z.ltb 0 step && Z.ltb 0 modulus && Z.ltb 0 period && Z.eqb (Z.modulo period modulus) 0
   && all (fun c => is_whole period (throw c) && is_whole period (bank c)) (cylinders E)
-  && all (fun t => Z.leb (order t) 1) (turning_masses E)
-  && check_period E q modulus residues first evs.
+  && check_period E q step modulus residues first evs.
 
 (** * Proofs *)
 
@@ -273,16 +276,27 @@ Proof. by move/(@check_nonzero_sound F e)/eqP; rewrite total_squares equal_squar
 
 (** ** Every order by one period *)
 
-Lemma vectors_period q k r period : Z.le 2 k -> Z.le 2 r -> Z.modulo (Z.sub k r) period = Z0 -> Z.lt 0 period ->
+Lemma no_masses q first k : pistons_alone E q first -> Z.le first k ->
+  [seq (angle t, turning_weight E q t) | t <- turning_masses E & takes_part q k t] = [::].
+Proof.
+have none (p : pred turning_mass) : all p (turning_masses E) -> (forall t, p t -> takes_part q k t = false) ->
+    [seq (angle t, turning_weight E q t) | t <- turning_masses E & takes_part q k t] = [::].
+  by move=> ps H; rewrite (filter_none ps).
+rewrite /pistons_alone; case: (q) none => [s|s|] none.
+- case/andP => /Z.leb_spec0 first2 slow k_first; apply: (none _ slow) => t /Z.leb_spec0 t1.
+  by rewrite /takes_part; case: Z.eqb_spec => //; lia.
+- case/andP => /Z.leb_spec0 first2 slow k_first; apply: (none _ slow) => t /Z.leb_spec0 t1.
+  by rewrite /takes_part; case: Z.eqb_spec => //; lia.
+- by move=> _ _; apply: (none predT) => [|t _]; [exact: all_predT | rewrite /takes_part andbF].
+Qed.
+
+Lemma vectors_period q first k r period : pistons_alone E q first -> Z.le first k -> Z.le first r ->
+  Z.modulo (Z.sub k r) period = Z0 -> Z.lt 0 period ->
   all (fun c => is_whole period (throw c) && is_whole period (bank c)) (cylinders E) ->
-  all (fun t => Z.leb (order t) 1) (turning_masses E) ->
   vector e E q k = vector e E q r.
 Proof.
-move=> k2 r2 kr period0 whole slow.
-have none j : Z.le 2 j -> [seq (angle t, turning_weight E q t) | t <- turning_masses E & takes_part q j t] = [::].
-  move=> j2; rewrite (filter_none slow) // => t /Z.leb_spec0 t1.
-  by rewrite /takes_part; case: Z.eqb_spec => //; lia.
-rewrite /vector /vectors !none // !cats0 /total !big_map; apply: (eq_sum_all whole) => c.
+move=> alone k1 r1 kr period0 whole.
+rewrite /vector /vectors !(no_masses alone) //; rewrite !cats0 /total !big_map; apply: (eq_sum_all whole) => c.
 case/andP=> /is_whole_times wt /is_whole_times wb /=; congr (_ * _).
 have [i iE] : exists i, Z.sub k r = Z.mul i period.
   by exists (Z.div (Z.sub k r) period); have := Z.div_mod (Z.sub k r) period; lia.
@@ -295,40 +309,39 @@ have D x y : (inject_Z (Z.sub x y) == inject_Z x - inject_Z y)%q.
   by rewrite /Z.sub inject_Z_plus inject_Z_opp; ring.
 have S j : (inject_Z (Z.sub j 1) == inject_Z j - 1)%q by exact: D.
 have P j : (inject_Z (Z.add j 1) == inject_Z j + 1)%q by rewrite inject_Z_plus; apply: Qeq_refl.
-by case: q {none} => [[]|[]|] /=; [apply: (@cis_eq _ _ _ _ (Z.sub a b)) | apply: (@cis_eq _ _ _ _ (Z.sub b a))
+by case: q {alone} => [[]|[]|] /=; [apply: (@cis_eq _ _ _ _ (Z.sub a b)) | apply: (@cis_eq _ _ _ _ (Z.sub b a))
   | apply: (@cis_eq _ _ _ _ (Z.sub a b)) | apply: (@cis_eq _ _ _ _ (Z.sub b a)) | apply: (@cis_eq _ _ _ _ (Z.sub a b))];
   rewrite ?S ?P kE D -wt' -wb'; ring.
 Qed.
 
-Lemma check_period_sound q modulus residues evs k : check_period E q modulus residues k evs ->
-  forall i, (i < size evs)%N -> let r := Z.add k (Z.mul 2 (Z.of_nat i)) in
+Lemma check_period_sound q step modulus residues evs k : check_period E q step modulus residues k evs ->
+  forall i, (i < size evs)%N -> let r := Z.add k (Z.mul step (Z.of_nat i)) in
   vector e E q r <> 0 <-> Z.modulo r modulus \in residues.
 Proof.
 elim: evs k => [|ev evs IH] k //= /andP[/andP[ok res] rest] [|i] i_lt.
-  have -> : Z.add k (Z.mul 2 (Z.of_nat 0)) = k by lia.
+  have -> : Z.add k (Z.mul step (Z.of_nat 0)) = k by lia.
   have := @check_sound F e _ _ ok; rewrite -/(vector e E q k).
   by case: (claims_zero ev) res; case: (Z.modulo k modulus \in residues) => // _ v; split.
-have := IH _ rest i i_lt; have -> // : Z.add (Z.add k 2) (Z.mul 2 (Z.of_nat i)) = Z.add k (Z.mul 2 (Z.of_nat i.+1)) by lia.
+have := IH _ rest i i_lt; have -> // : Z.add (Z.add k step) (Z.mul step (Z.of_nat i)) = Z.add k (Z.mul step (Z.of_nat i.+1)) by lia.
 Qed.
 
-(** Every second order is left where it is one of the residues, whatever its size. *)
-Theorem every_second_order q first modulus residues evs : check_every E q first modulus residues evs = true ->
-  forall k, Z.le first k -> Z.modulo (Z.sub k first) 2 = Z0 -> vector e E q k <> 0 <-> Z.modulo k modulus \in residues.
+(** Each of these orders is left where it is one of the residues, whatever its size. *)
+Theorem every_order q step first modulus residues evs : check_every E q step first modulus residues evs = true ->
+  forall k, Z.le first k -> Z.modulo (Z.sub k first) step = Z0 -> vector e E q k <> 0 <-> Z.modulo k modulus \in residues.
 Proof.
-case/andP => /andP[/andP[/andP[/andP[/andP[/Z.leb_spec0 first2 /Z.ltb_spec0 m0] /Z.ltb_spec0 period0] /Z.eqb_spec div] whole] slow] ok k k_first k_second.
-set period := Z.mul 2 _ in period0 div whole.
-have kd := Z.div_mod (Z.sub k first) 2; rewrite k_second in kd.
-pose i := Z.modulo (Z.div (Z.sub k first) 2) (Z.of_nat (size evs)).
-have size0 : Z.lt 0 (Z.of_nat (size evs)) by lia.
-have ib := Z.mod_pos_bound (Z.div (Z.sub k first) 2) _ size0; rewrite -/i in ib.
-have id := Z.div_mod (Z.div (Z.sub k first) 2) (Z.of_nat (size evs)); rewrite -/i in id.
-set j := Z.div (Z.div (Z.sub k first) 2) _ in id.
+case/andP => /andP[/andP[/andP[/andP[/andP[alone /Z.ltb_spec0 step0] /Z.ltb_spec0 m0] /Z.ltb_spec0 period0] /Z.eqb_spec div] whole] ok k k_first k_step.
+set period := Z.mul step _ in period0 div whole.
+have kd := Z.div_mod (Z.sub k first) step ltac:(lia); rewrite k_step in kd.
+have size0 : Z.lt 0 (Z.of_nat (size evs)) by nia.
+pose i := Z.modulo (Z.div (Z.sub k first) step) (Z.of_nat (size evs)).
+have ib := Z.mod_pos_bound (Z.div (Z.sub k first) step) _ size0; rewrite -/i in ib.
+have id := Z.div_mod (Z.div (Z.sub k first) step) (Z.of_nat (size evs)) ltac:(lia); rewrite -/i in id.
+set j := Z.div (Z.div (Z.sub k first) step) _ in id.
 have i_lt : (Z.to_nat i < size evs)%N by lia.
 have /= := check_period_sound ok i_lt; rewrite Z2Nat.id; last lia.
-set r := Z.add first _; have kr : Z.sub k r = Z.mul j period.
-  have {}kd := kd ltac:(lia); have {}id := id ltac:(lia); rewrite /r /period; lia.
+set r := Z.add first _; have kr : Z.sub k r = Z.mul j period by rewrite /r /period; nia.
 have <- : vector e E q k = vector e E q r.
-  by apply: (@vectors_period _ _ _ period) => //; rewrite ?kr ?Z.mod_mul //; rewrite /r; lia.
+  by apply: (@vectors_period _ first _ _ period) => //; rewrite ?kr ?Z.mod_mul //; rewrite /r; nia.
 have [c pE] : exists c, period = Z.mul c modulus.
   by exists (Z.div period modulus); have := Z.div_mod period modulus; lia.
 suff -> : Z.modulo k modulus = Z.modulo r modulus by [].
@@ -336,13 +349,13 @@ have -> : k = Z.add r (Z.mul (Z.mul j c) modulus) by rewrite -Z.mul_assoc -pE; l
 by rewrite Z.mod_add //; lia.
 Qed.
 
-(* The even orders, and the odd ones above 1, which rods with an offset have. *)
-Theorem every_even_order q modulus residues evs : check_every E q 2 modulus residues evs = true ->
+(* The even orders of force and moment, and all orders of the torque, as firing stars have them. *)
+Theorem every_even_order q modulus residues evs : check_every E q 2 2 modulus residues evs = true ->
   forall k, Z.le 2 k -> Z.modulo k 2 = Z0 -> vector e E q k <> 0 <-> Z.modulo k modulus \in residues.
-Proof. by move/every_second_order => H k k2 even; apply: H => //; rewrite Zminus_mod even. Qed.
+Proof. by move/every_order => H k k2 even; apply: H => //; rewrite Zminus_mod even. Qed.
 
-Theorem every_odd_order q modulus residues evs : check_every E q 3 modulus residues evs = true ->
-  forall k, Z.le 3 k -> Z.modulo k 2 = Zpos 1 -> vector e E q k <> 0 <-> Z.modulo k modulus \in residues.
-Proof. by move/every_second_order => H k k3 odd; apply: H => //; rewrite Zminus_mod odd. Qed.
+Theorem every_torque_order modulus residues evs : check_every E Torque 1 1 modulus residues evs = true ->
+  forall k, Z.le 1 k -> vector e E Torque k <> 0 <-> Z.modulo k modulus \in residues.
+Proof. by move/every_order => H k k1; apply: H => //; rewrite Z.mod_1_r. Qed.
 
 End Verdicts.

@@ -310,6 +310,13 @@ rewrite /= cos_PI2 sin_PI2 cos_0 sin_0 !mulr0 !mulr1 subr0 sub0r => /eqP; rewrit
 by move: ab0; rewrite a0 b0 eqxx.
 Qed.
 
+Theorem every_torque c k (a : Prop) : Z.le 1 k -> c <> (0%re, 0%re) -> (vector real_circle E Torque k <> 0 <-> a) ->
+  (exists theta, torque c E k theta <> 0%re) <-> a.
+Proof.
+move=> k1 c0 <-; split=> [[theta left]|]; last by apply: some_torque => //; lia.
+by move=> v0; apply: left; exact: no_torque.
+Qed.
+
 End Verdicts.
 
 (** ** In parts *)

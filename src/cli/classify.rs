@@ -59,9 +59,6 @@ impl Classify {
         if self.all_orders && !self.is_json() && !self.data.is_coq() {
             return Err(Failure::misuse("--all-orders adds to the JSON document; add --json, or --format coq"));
         }
-        if self.firing && self.all_orders && self.data.is_coq() {
-            return Err(Failure::misuse("theorems on firing stars are about single orders; omit --all-orders"));
-        }
         if self.firing {
             return self.run_firing(wanted.is_some());
         }
@@ -123,6 +120,9 @@ impl Classify {
         let study = firing::study(&engine, &self.about.orders, &self.mode)?;
         if !self.is_json() && !self.data.is_coq() {
             return self.show(&report::firing_answer(&study));
+        }
+        if self.all_orders && self.data.is_coq() {
+            study.pattern().map_err(Failure::new)?;
         }
         let document = report::firing_document(&study, self.all_orders);
         if self.data.is_coq() {

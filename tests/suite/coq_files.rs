@@ -154,7 +154,7 @@ fn statements_on_every_order_have_a_certificate_for_each_even_order_of_a_period(
     let file = answered(&["classify", "I6", "--orders", "2", "--all-orders", "--format", "coq"]);
     let every = file.split("Theorem force_direct_every_even_order").nth(1).expect("a theorem");
     let every = every.split("Qed.").next().expect("a proof");
-    assert!(every.contains("k mod 6 \\in ([:: 0] : seq Z)"), "{every}");
+    assert!(every.contains("(k mod 6) \\in ([:: 0] : seq Z)"), "{every}");
     assert_eq!(every.matches("(Evidence ").count(), 3, "orders 2, 4 and 6: {every}");
     assert!(file.contains("Theorem force_direct_order_1 :"), "order 1 was not asked for and stands apart");
     assert_eq!(
@@ -167,13 +167,16 @@ fn statements_on_every_order_have_a_certificate_for_each_even_order_of_a_period(
     );
 }
 
-/// Whether a statement on every order says that this one is left.
+/// Whether a statement on every order says that this one is left: that no factor has it among its zeros.
 fn left_at(statement: &str, order: u32) -> bool {
-    let (_, rest) = statement.split_once("<-> k mod ").expect("a modulus");
-    let (modulus, rest) = rest.split_once(" \\in (").expect("residues");
-    let residues = rest.split_once(" : seq Z").expect("a list").0.trim_start_matches("[:: ").trim_end_matches(']');
-    let modulus: u32 = modulus.parse().expect("a number");
-    residues.split("; ").any(|residue| residue.parse() == Ok(order % modulus))
+    let (_, said) = statement.split_once("<-> ").expect("what is left");
+    said.split(" /\\ ").all(|factor| {
+        let rest = factor.strip_prefix("(k mod ").expect("a modulus");
+        let (modulus, rest) = rest.split_once(") \\notin (").expect("residues");
+        let zeros = rest.split_once(" : seq Z").expect("a list").0.trim_start_matches("[:: ").trim_end_matches(']');
+        let modulus: u32 = modulus.parse().expect("a number");
+        !zeros.split("; ").any(|zero| zero.parse() == Ok(order % modulus))
+    })
 }
 
 #[test]
@@ -182,6 +185,8 @@ fn every_order_of_rods_with_an_offset_is_left_where_the_recurrences_say_so() {
     let engines = [
         ("three", "[inline]\nthrows = [0, 120, 240]\n", "0.05"),
         ("vee", "[vee]\nbank_angle = 60\nthrows = [0, 120, 240]\npin_split = 60\n", "0.05"),
+        ("long", "[inline]\nthrows = ['0 turn', '1/7 turn', '4/11 turn', '7/13 turn']\n", "0"),
+        ("long vee", "[vee]\nbank_angle = 54.5\nthrows = [0, 120, 240, '14/11 turn']\n", "0.05"),
         ("two kinds", "[inline]\nthrows = [0, 90, 180, 270, 0, 72]\n", "[0.05, 0.05, 0.05, 0.05, 0, 0]"),
     ];
     for (title, text, offset) in engines {
@@ -232,6 +237,57 @@ fn a_firing_star_is_the_torque_of_cylinders_that_turn_once_in_a_cycle() {
 }
 
 #[test]
+fn a_firing_star_is_stated_at_every_order_class_by_class() {
+    let rods = concat!(env!("CARGO_MANIFEST_DIR"), "/formal/engines/rods.toml");
+    let folder = scratch("coq-firing-classes");
+    let two_kinds = folder.join("rods.toml");
+    let text = fs::read_to_string(rods).expect("a layout");
+    let (title, rest) = text.split_once('\n').expect("a title");
+    fs::write(
+        &two_kinds,
+        format!("{title}\ncycle = 'two-stroke'\nfiring_angles = [0, 270, 180, 90, 0, 270, 180, 90]\n{rest}"),
+    )
+    .expect("a file");
+    for (engine, classes) in [("I4", 1), ("V8-crossplane", 1), ("I3", 1), (two_kinds.to_str().expect("a path"), 2)] {
+        let asked = ["classify", engine, "--firing", "--all-orders"];
+        let json = answered(&[&asked[..], &["--json"]].concat());
+        let AnyDocument::Firing(document) = read_document(json.as_bytes()).expect("a document") else {
+            panic!("{engine}: firing stars")
+        };
+        let verdicts = document.pattern.expect("every order").verdicts;
+        let file = answered(&[&asked[..], &["--format", "coq"]].concat());
+        assert_eq!(file.matches("Theorem torque_every_order").count(), classes, "{engine}");
+        for class in 0..classes {
+            let part = if classes == 1 { String::new() } else { format!("_part_{}", class + 1) };
+            let said = stated(&file, &format!("torque_every_order{part}")).unwrap_or_else(|| panic!("{engine}{part}"));
+            assert!(
+                said.starts_with("forall k, 1 <= k -> vector e ") && said.contains(" Torque k <> 0%R <-> "),
+                "{said}"
+            );
+            let real = stated(&file, &format!("real_torque_every_order{part}")).expect("the torque itself");
+            assert!(
+                real.starts_with("forall (k : Z) (c : R * R), (1 <= k)%Z -> c <> (0, 0) -> (exists theta : R, "),
+                "{real}"
+            );
+            // Twice through the period, and on beyond it.
+            let orders = (1..).zip(verdicts.iter().skip(class).step_by(classes).cycle()).take(3 * verdicts.len());
+            for (order, verdict) in orders {
+                assert_eq!(is_among(&said, order), !verdict.vanishes, "{engine}, order {order} of the cycle: {said}");
+            }
+        }
+    }
+}
+
+/// Whether a statement by one period says that this order is left.
+fn is_among(statement: &str, order: u32) -> bool {
+    let (_, rest) = statement.split_once("<-> (k mod ").expect("a modulus");
+    let (modulus, rest) = rest.split_once(") \\in (").expect("residues");
+    let residues = rest.split_once(" : seq Z").expect("a list").0.trim_start_matches("[:: ").trim_end_matches(']');
+    let modulus: u32 = modulus.parse().expect("a number");
+    residues.split("; ").any(|residue| residue.parse() == Ok(order % modulus))
+}
+
+#[test]
 fn paths_of_classes_are_stated_too() {
     let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/formal/engines/large-denominator.toml");
     let file = answered(&["classify", layout, "--orders", "1", "--format", "coq"]);
@@ -261,12 +317,25 @@ fn what_the_file_cannot_state_is_refused_with_the_reason() {
         path.to_str().expect("a path").to_owned()
     };
     let open = layout("open.toml", "title = 'Open'\n[vee]\nbank_angle = 'phi'\nthrows = [0]\n");
-    let long = layout("long.toml", "title = 'Long'\n[inline]\nthrows = ['0 turn', '1/1009 turn']\n");
+    let below = layout(
+        "below.toml",
+        "title = 'Below'\n[inline]\nthrows = [0, 90]\n[mechanism]\nrod_ratio = 0.25\noffset_ratio = [0.05, '-0.05']\n",
+    );
+    let long = layout("long.toml", "title = 'Long'\n[inline]\nthrows = ['0 turn', '1/1000003 turn']\n");
+    let far = layout(
+        "far.toml",
+        "title = 'Far'\ncycle = 'two-stroke'\nfiring_order = '1-2'\n[inline]\nthrows = ['0 turn', '1/1009 turn']\n",
+    );
     let cases = [
         (vec!["radial-9-master"], "is a link on a master rod"),
         (vec![open.as_str()], "has unknowns; give them values"),
-        (vec![long.as_str(), "--all-orders"], "omit --all-orders"),
-        (vec!["I4", "--firing", "--all-orders"], "omit --all-orders"),
+        (vec![long.as_str(), "--all-orders"], "2000006"),
+        (
+            vec![below.as_str(), "--orders", "3"],
+            "cylinder 2 has an offset below 0, which turns the sign of its odd orders",
+        ),
+        (vec![below.as_str(), "--all-orders"], "omit them and --all-orders"),
+        (vec![far.as_str(), "--firing", "--all-orders"], "at most 720 are decided"),
         (vec![open.as_str(), "--firing"], "has unknowns; give them values"),
         (vec!["I4", "--output", "x.json"], "is named as a file of json"),
     ];

@@ -1,7 +1,6 @@
 //! How is an engine written in Coq? Each number a fraction, each name in a comment.
 
-use num_rational::BigRational;
-
+use super::evidence::fraction;
 use super::not_stated::has_pistons;
 use crate::proof::{Cylinder, Document, Sense, TurningMassClaim};
 use crate::text::coq_comment;
@@ -50,9 +49,4 @@ pub(super) fn sense(sense: Sense) -> &'static str {
         Sense::Direct => "Direct",
         Sense::Reverse => "Reverse",
     }
-}
-
-/// A fraction; its numerator may be negative.
-fn fraction(number: &BigRational) -> String {
-    format!("({} # {})", number.numer(), number.denom())
 }

@@ -1,174 +1,230 @@
-//! Which of all even orders are left, and which of all odd ones where rods have an offset? One period of certificates tells it.
+//! Which of all even orders are left, which of all odd ones where rods have an offset, and which of all of a firing star? One period of
+//! certificates tells it, or those of the orders of a long period that may vanish.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
+use num_traits::One;
 
-use super::evidence::{Grid, evidence, list};
-use super::not_stated::{NotStated, has_pistons};
+use super::evidence::{Grid, evidence, fraction, list};
+use super::not_stated::NotStated;
 use super::parts::Parts;
 use super::theorem::{Theorem, name, vector};
-use crate::exact::{PhasorSum, Term, Turn};
-use crate::proof::{Certificate, ClassClaim, Cylinder, Document, Quantity, Sense, TheoremClaim, Vector};
-use crate::verdict::LONGEST_PERIOD;
+use crate::proof::{Certificate, Document, FactorClaim, FiringDocument, Quantity, RayClaim, Sense, Vector};
 
-/// The orders 2, 4, 6 … or 3, 5, 7 …
+/// The orders 2, 4, 6 … or 3, 5, 7 … or all from 1 on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Parity {
+pub(super) enum Orders {
     Even,
     Odd,
+    All,
 }
 
-impl Parity {
-    pub fn name(self) -> &'static str {
+impl Orders {
+    fn name(self) -> &'static str {
         match self {
-            Parity::Even => "even",
-            Parity::Odd => "odd",
+            Orders::Even => "even_",
+            Orders::Odd => "odd_",
+            Orders::All => "",
         }
     }
 
     /// Which orders k are meant, as premises.
-    pub fn premises(self) -> [&'static str; 2] {
+    pub fn premises(self) -> &'static [&'static str] {
         match self {
-            Parity::Even => ["2 <= k", "k mod 2 = 0"],
-            Parity::Odd => ["3 <= k", "k mod 2 = 1"],
-        }
-    }
-
-    fn first(self) -> u32 {
-        match self {
-            Parity::Even => 2,
-            Parity::Odd => 3,
+            Orders::Even => &["2 <= k", "k mod 2 = 0"],
+            Orders::Odd => &["3 <= k", "k mod 2 = 1"],
+            Orders::All => &["1 <= k"],
         }
     }
 }
 
-/// A statement on one vector, of the engine or a part of it, at every second order.
-pub(super) struct Pattern {
+/// A statement on one vector, of the engine or a part of it, at all these orders.
+pub(super) struct Pattern<'a> {
     pub quantity: Quantity,
-    pub sense: Sense,
+    pub sense: Option<Sense>,
     /// The engine or the part.
     pub engine: String,
-    pub parity: Parity,
-    /// An order is left where it is one of the residues modulo this.
-    pub modulus: u32,
-    residues: Vec<u32>,
-    judged: Vec<(Grid, Certificate)>,
+    pub orders: Orders,
+    said: Said<'a>,
+    /// What all angles and weights of the engine become whole by.
+    grid: Grid,
 }
 
-impl Pattern {
-    /// Those that the document proves by a period of verdicts; where it tells classes by recurrences, one for each class, of a period that is
-    /// judged here.
-    pub fn all(document: &Document, parts: &Parts) -> Result<Vec<Self>, NotStated> {
-        let told = document.theorems.iter().map(|claim| Ok(Pattern::told(document, claim)));
-        let classes = document.recurrences.iter().flat_map(|claim| {
-            let even = claim.even.iter().map(move |class| (claim, Parity::Even, class));
-            even.chain(claim.odd.iter().map(move |class| (claim, Parity::Odd, class)))
+/// How it is told.
+enum Said<'a> {
+    /// By the verdicts on one period: an order is left where it has one of these residues.
+    Period { modulus: u32, residues: Vec<u32>, judged: Vec<(u32, &'a Certificate)> },
+    /// As a product of sums, each with where it vanishes.
+    Factors(&'a [FactorClaim]),
+}
+
+impl<'a> Pattern<'a> {
+    /// Those that the document proves by a period of verdicts, and those that it tells class by class.
+    pub fn all(document: &'a Document, parts: &Parts) -> Vec<Self> {
+        let grid = grid_of(document);
+        let told = document.theorems.iter().map(|claim| {
+            let even = claim.verdicts.iter().filter(|verdict| verdict.order % 2 == 0);
+            Pattern {
+                quantity: claim.quantity,
+                sense: Some(claim.sense),
+                engine: "the_engine".to_owned(),
+                orders: Orders::Even,
+                said: Said::Period {
+                    modulus: claim.survivors.modulus,
+                    residues: claim.survivors.residues.clone(),
+                    judged: even.map(|verdict| (verdict.order, &verdict.certificate)).collect(),
+                },
+                grid: grid.clone(),
+            }
         });
-        told.chain(classes.map(|(claim, parity, class)| {
-            let cylinders: Vec<&Cylinder> = in_class(document, class).collect();
-            let period = period(&cylinders).ok_or(NotStated::LongPeriod)?;
-            let about = (claim.quantity, claim.sense, parity);
-            Ok(Pattern::judge(about, parts.engine(&class.of), &cylinders, period, &document.reference_plane))
-        }))
-        .collect()
-    }
-
-    fn told(document: &Document, claim: &TheoremClaim) -> Self {
-        let even = claim.verdicts.iter().filter(|verdict| verdict.order % 2 == 0);
-        Pattern {
+        let classes = document.recurrences.iter().flat_map(|claim| {
+            let even = claim.even.iter().map(move |class| (claim, Orders::Even, class));
+            even.chain(claim.odd.iter().map(move |class| (claim, Orders::Odd, class)))
+        });
+        let classes = classes.map(|(claim, orders, class)| Pattern {
             quantity: claim.quantity,
-            sense: claim.sense,
-            engine: "the_engine".to_owned(),
-            parity: Parity::Even,
-            modulus: claim.survivors.modulus,
-            residues: claim.survivors.residues.clone(),
-            judged: even.map(|verdict| (grid_of(document), verdict.certificate.clone())).collect(),
-        }
+            sense: Some(claim.sense),
+            engine: parts.engine(&class.of),
+            orders,
+            said: Said::Factors(&class.factors),
+            grid: grid.clone(),
+        });
+        told.chain(classes).collect()
     }
 
-    fn judge(
-        (quantity, sense, parity): (Quantity, Sense, Parity),
-        engine: String,
-        cylinders: &[&Cylinder],
-        period: u32,
-        plane: &BigRational,
-    ) -> Self {
-        let orders: Vec<u32> = (0..period / 2).map(|index| parity.first() + 2 * index).collect();
-        let sums = orders.iter().map(|order| sum(cylinders, quantity, sense, *order, plane));
-        let judged: Vec<(Grid, Certificate)> =
-            sums.map(|sum| (Grid::of(sum.vectors().iter()), sum.certificate())).collect();
-        let zero: Vec<bool> = judged.iter().map(|(_, certificate)| certificate.claims_zero()).collect();
-        let repeats =
-            |length: &usize| zero.len().is_multiple_of(*length) && zero[*length..] == zero[..zero.len() - length];
-        let length = (1..=zero.len()).find(repeats).unwrap_or(zero.len());
-        let modulus = period / u32::try_from(zero.len() / length).unwrap_or(1);
-        let left = orders.iter().zip(&zero).take(length).filter(|(_, zero)| !**zero);
-        let mut residues: Vec<u32> = left.map(|(order, _)| order % modulus).collect();
-        residues.sort_unstable();
-        Pattern { quantity, sense, engine, parity, modulus, residues, judged }
+    /// Those on firing stars, one for each class of cylinders; `document` has them as an engine that turns once in a cycle.
+    pub fn of_cycle(firing: &'a FiringDocument, document: &Document, parts: &Parts) -> Vec<Self> {
+        let Some(pattern) = &firing.pattern else { return Vec::new() };
+        let first = firing.verdicts.first().map(|verdict| &verdict.order);
+        let classes = firing.verdicts.iter().filter(|verdict| Some(&verdict.order) == first);
+        let classes: Vec<&[String]> = classes.map(|verdict| verdict.of.as_slice()).collect();
+        let of_class = |(place, of): (usize, &&[String])| {
+            let verdicts = pattern.verdicts.iter().skip(place).step_by(classes.len());
+            let judged: Vec<(u32, &Certificate)> = (1..).zip(verdicts.map(|verdict| &verdict.certificate)).collect();
+            let left: Vec<u32> =
+                judged.iter().filter(|(_, certificate)| !certificate.claims_zero()).map(|(order, _)| *order).collect();
+            let is_left = |order: u32| left.binary_search(&order).is_ok();
+            let repeats = |modulus: &u32| {
+                pattern.period.is_multiple_of(*modulus)
+                    && (1..=pattern.period - modulus).all(|order| is_left(order) == is_left(order + modulus))
+            };
+            let modulus = (1..=pattern.period).find(repeats).unwrap_or(pattern.period);
+            let mut residues: Vec<u32> =
+                left.iter().filter(|order| **order <= modulus).map(|order| order % modulus).collect();
+            residues.sort_unstable();
+            Pattern {
+                quantity: Quantity::TORQUE,
+                sense: None,
+                engine: parts.engine(of),
+                orders: Orders::All,
+                said: Said::Period { modulus, residues, judged },
+                grid: grid_of(document),
+            }
+        };
+        classes.iter().enumerate().map(of_class).collect()
     }
 
     /// What its theorem is called.
     pub fn name(&self) -> String {
-        format!("{}_{}", name(self.quantity, Some(self.sense)), self.ends())
+        format!("{}_{}", name(self.quantity, self.sense), self.ends())
     }
 
     /// What the names of its theorems end with.
     pub fn ends(&self) -> String {
         let part = if self.engine == "the_engine" { String::new() } else { format!("_{}", self.engine) };
-        format!("every_{}_order{part}", self.parity.name())
+        format!("every_{}order{part}", self.orders.name())
     }
 
-    /// The residues as a list of Coq.
-    pub fn residues(&self) -> String {
-        list(self.residues.iter().map(u32::to_string).collect())
+    /// When order k is left; `scope` is that of the whole numbers, where another is open.
+    pub fn left(&self, scope: &str) -> String {
+        let among = |modulus: u32, is: &str, residues: &[u32]| {
+            format!("(k mod {modulus}){scope} \\{is} ({}{scope} : seq Z)", residues_of(residues))
+        };
+        match &self.said {
+            Said::Period { modulus, residues, .. } => among(*modulus, "in", residues),
+            Said::Factors(factors) => {
+                let left = |factor: &FactorClaim| among(factor.zeros.modulus, "notin", &factor.zeros.residues);
+                factors.iter().map(left).collect::<Vec<_>>().join(" /\\ ")
+            }
+        }
     }
 
     /// The theorem on the vector.
     pub fn theorem(&self) -> Result<Theorem, NotStated> {
-        let Pattern { quantity, sense, ref engine, parity, modulus, .. } = *self;
-        let orders = (parity.first()..).step_by(2);
-        let certificates = self.judged.iter().zip(orders).map(|((grid, certificate), order)| {
-            evidence(grid.clone(), certificate).ok_or(NotStated::Scale { quantity, order })
+        let Pattern { quantity, sense, ref engine, orders, .. } = *self;
+        let what = vector(quantity, sense);
+        let lemma = match &self.said {
+            Said::Period { modulus, residues, judged } => {
+                let judged =
+                    judged.iter().map(|(order, certificate)| self.evidence(self.grid.clone(), *order, certificate));
+                let residues = residues_of(residues);
+                let evidence = list(judged.collect::<Result<_, _>>()?).replace("; (Evidence", ";\n    (Evidence");
+                match sense {
+                    Some(_) => format!("@every_even_order F e {engine} {what} {modulus} {residues}\n  {evidence}"),
+                    None => format!("@every_torque_order F e {engine} {modulus} {residues}\n  {evidence}"),
+                }
+            }
+            Said::Factors(factors) => {
+                let grid = factors.iter().map(|factor| of_rays(&factor.terms)).fold(Grid::one(), Grid::product);
+                let grid = grid.common(&self.grid);
+                let factors = factors.iter().map(|factor| self.factor(factor)).collect::<Result<_, _>>()?;
+                let (orders, factors) = (orders.name(), list(factors));
+                let Grid { conductor, scale } = grid;
+                format!("@{orders}recurrence F e {engine} {what} {conductor} {scale}\n  {factors}")
+            }
+        };
+        let statement = format!(
+            "forall k, {} ->\n  vector e {engine} {what} k <> 0%R <-> {}",
+            orders.premises().join(" -> "),
+            self.left("")
+        );
+        Ok(Theorem::new(self.name(), &statement, &format!("({lemma})")))
+    }
+
+    fn evidence(&self, grid: Grid, order: u32, certificate: &Certificate) -> Result<String, NotStated> {
+        evidence(grid, certificate).ok_or(NotStated::Scale { quantity: self.quantity, order })
+    }
+
+    fn factor(&self, factor: &FactorClaim) -> Result<String, NotStated> {
+        let grid = of_rays(&factor.terms);
+        let ray = |RayClaim { per_order, fixed, weight }: &RayClaim| {
+            let [per_order, fixed, weight] = [per_order, fixed, weight].map(fraction);
+            format!("({per_order}, {fixed}, {weight})%q")
+        };
+        let judged = factor.judged.iter().map(|verdict| {
+            let evidence = self.evidence(grid.clone(), verdict.order, &verdict.certificate)?;
+            Ok(format!("({}, {evidence})", verdict.order))
         });
-        let evidence = list(certificates.collect::<Result<_, _>>()?).replace("; (Evidence", ";\n    (Evidence");
-        let (what, residues, [from, second]) = (vector(quantity, Some(sense)), self.residues(), parity.premises());
-        Ok(Theorem::new(
-            self.name(),
-            &format!(
-                "forall k, {from} -> {second} ->\n  vector e {engine} {what} k <> 0%R <-> k mod {modulus} \\in ({residues} : seq Z)"
-            ),
-            &format!("(@every_{}_order F e {engine} {what} {modulus} {residues}\n  {evidence})", parity.name()),
+        let judged = list(judged.collect::<Result<_, _>>()?).replace("; (", ";\n    (");
+        let Grid { conductor, scale } = &grid;
+        Ok(format!(
+            "(Factor {}\n    {conductor} {scale} {} {} {} {}\n    {judged})",
+            list(factor.terms.iter().map(ray).collect()),
+            primes_up_to(factor.terms.len()),
+            factor.period,
+            factor.zeros.modulus,
+            residues_of(&factor.zeros.residues),
         ))
     }
 }
 
-fn in_class<'a>(document: &'a Document, class: &'a ClassClaim) -> impl Iterator<Item = &'a Cylinder> {
-    document.cylinders.iter().filter(|cylinder| has_pistons(document) && class.of.contains(&cylinder.name))
+/// Residues as a list of Coq.
+fn residues_of(residues: &[u32]) -> String {
+    list(residues.iter().map(u32::to_string).collect())
 }
 
-/// An even number of orders after which the vectors repeat; none where it is long.
-fn period(cylinders: &[&Cylinder]) -> Option<u32> {
-    let angles = cylinders.iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
-    let period = angles.fold(BigInt::from(2), |period, angle| period.lcm(angle.denom()));
-    period.to_u32().filter(|period| *period <= LONGEST_PERIOD)
+/// The product of the primes up to a number.
+fn primes_up_to(number: usize) -> BigInt {
+    let is_prime = |number: &usize| (2..*number).all(|divisor| !usize::is_multiple_of(*number, divisor));
+    (2..=number).filter(is_prime).fold(BigInt::one(), |product, prime| product * prime)
 }
 
-/// The vectors of an order, as Engine.v has them.
-fn sum(cylinders: &[&Cylinder], quantity: Quantity, sense: Sense, order: u32, plane: &BigRational) -> PhasorSum {
-    let times = |factor: u32, angle: &BigRational| angle * BigRational::from_integer(factor.into());
-    let term = |cylinder: &&Cylinder| {
-        let Cylinder { throw, bank, position, reciprocating_mass, crank_radius, .. } = *cylinder;
-        let angle = match sense {
-            Sense::Direct => times(order, throw) - times(order - 1, bank),
-            Sense::Reverse => times(order + 1, bank) - times(order, throw),
-        };
-        let arm = if quantity == Quantity::MOMENT { position - plane } else { BigRational::one() };
-        Term { angle: Turn::new(angle), weight: reciprocating_mass * crank_radius * arm }
-    };
-    PhasorSum::new(cylinders.iter().map(term).collect())
+/// What makes the angles and weights of rays whole.
+fn of_rays(rays: &[RayClaim]) -> Grid {
+    let of = |angle: &BigRational, weight: &BigRational| Vector { angle: angle.clone(), weight: weight.clone() };
+    let vectors: Vec<Vector> =
+        rays.iter().flat_map(|ray| [&ray.per_order, &ray.fixed].map(|angle| of(angle, &ray.weight))).collect();
+    Grid::of(vectors.iter())
 }
 
 /// That of every order: an angle of order k is a whole combination of throws and banks, a weight one of masses times arms.

@@ -10,17 +10,32 @@ use crate::proof::{Certificate, Polygon, Step, Vector};
 /// What all angles and all weights of some vectors become whole by.
 #[derive(Clone)]
 pub(super) struct Grid {
-    conductor: BigInt,
-    scale: BigInt,
+    pub conductor: BigInt,
+    pub scale: BigInt,
 }
 
 impl Grid {
     /// That of the vectors of a sum.
     pub fn of<'a>(vectors: impl Iterator<Item = &'a Vector>) -> Self {
-        vectors.fold(Grid { conductor: BigInt::one(), scale: BigInt::one() }, |grid, vector| Grid {
+        vectors.fold(Grid::one(), |grid, vector| Grid {
             conductor: grid.conductor.lcm(vector.angle.denom()),
             scale: grid.scale.lcm(vector.weight.denom()),
         })
+    }
+
+    /// That of whole numbers.
+    pub fn one() -> Self {
+        Grid { conductor: BigInt::one(), scale: BigInt::one() }
+    }
+
+    /// That of the products of a vector of each.
+    pub fn product(self, other: Self) -> Self {
+        Grid { conductor: self.conductor.lcm(&other.conductor), scale: self.scale * other.scale }
+    }
+
+    /// That of the vectors of both.
+    pub fn common(&self, other: &Self) -> Self {
+        Grid { conductor: self.conductor.lcm(&other.conductor), scale: self.scale.lcm(&other.scale) }
     }
 
     /// That of the products of two vectors.
@@ -83,6 +98,11 @@ pub(super) fn evidence(grid: Grid, certificate: &Certificate) -> Option<String> 
 
 fn whole(number: &BigInt) -> String {
     if number < &BigInt::zero() { format!("({number})") } else { number.to_string() }
+}
+
+/// A fraction; its numerator may be negative.
+pub(super) fn fraction(number: &BigRational) -> String {
+    format!("({} # {})", number.numer(), number.denom())
 }
 
 /// A list of Coq.

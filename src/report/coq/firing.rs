@@ -3,6 +3,8 @@
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
+use super::every_order::Pattern;
+use super::parts::Parts;
 use super::{NotStated, file};
 use crate::proof::{
     CycleClaim, Cylinder, Document, FiringClaim, FiringCylinder, FiringDocument, Format, Masses, Quantity,
@@ -27,7 +29,9 @@ pub fn coq_file_of_firing(document: &FiringDocument) -> Result<String, NotStated
    mode. So [torque] is order k of the gas torque of all cylinders, and c that of one: any, whatever the pressure law is.",
         coq_comment(&document.title)
     );
-    file(&head, &as_engine(document))
+    let engine = as_engine(document);
+    let parts = Parts::of(&engine);
+    file(&head, &engine, &parts, &Pattern::of_cycle(document, &engine, &parts))
 }
 
 /// One turn of this engine is a cycle.

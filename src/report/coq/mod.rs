@@ -24,16 +24,15 @@ pub use not_stated::NotStated;
 /// # Errors
 /// What the engine has that the file cannot state.
 pub fn coq_file(document: &Document) -> Result<String, NotStated> {
-    file(&head(document), document)
+    let parts = Parts::of(document);
+    file(&head(document), document, &parts, &Pattern::all(document, &parts))
 }
 
 /// The file below a comment that is open.
-fn file(head: &str, document: &Document) -> Result<String, NotStated> {
+fn file(head: &str, document: &Document, parts: &Parts, every: &[Pattern]) -> Result<String, NotStated> {
     not_stated::check(document)?;
-    let parts = Parts::of(document);
-    let every = Pattern::all(document, &parts)?;
-    let vectors = theorem::theorems(document, &parts, &every)?;
-    let real = real::theorems(document, &parts, &every);
+    let vectors = theorem::theorems(document, parts, every)?;
+    let real = real::theorems(document, parts, every);
     let engine = engine::definition(document) + &parts.definitions(document);
     let mut text = format!("{head}{WRITTEN}\n{engine}\n{SECTION}\n{}", texts(&vectors));
     text.push_str(&format!(
@@ -72,7 +71,7 @@ const WRITTEN: &str = "
    First the sums of vectors, then what they make of the real numbers. formal/Engine.v says what the words mean. *)
 From Coq Require Import ZArith QArith.
 From mathcomp Require Import all_ssreflect all_algebra ssrZ.
-From Crankstar Require Import Sums Splitting Engine Checker.
+From Crankstar Require Import Sums Splitting Engine Checker EveryOrder.
 Local Open Scope Z_scope.
 ";
 

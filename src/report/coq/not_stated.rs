@@ -2,9 +2,10 @@
 
 use std::fmt;
 
+use num_traits::Signed;
+
 use crate::proof::{Cylinder, Document, Masses, Quantity, RodStatement};
 use crate::text::harmless;
-use crate::verdict::LONGEST_PERIOD;
 
 /// Why there is no file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,8 +16,8 @@ pub enum NotStated {
     SeveralCrankshafts,
     /// A shaft is sized by the number c_k of a rod.
     SizedByRod(String),
-    /// What is said of every order repeats only after many orders.
-    LongPeriod,
+    /// An odd order of this cylinder has its sign turned, as its offset is below 0.
+    Reversed(String),
     /// What makes all weights whole holds the prime of a residue once more than what makes the collected ones whole.
     Scale {
         /// Of what.
@@ -43,9 +44,10 @@ impl fmt::Display for NotStated {
             NotStated::SizedByRod(name) => {
                 write!(f, "{} is sized by the number c_k of a rod, which is not rational", harmless(name))
             }
-            NotStated::LongPeriod => write!(
+            NotStated::Reversed(name) => write!(
                 f,
-                "the pattern of every order repeats only after more than {LONGEST_PERIOD} orders; omit --all-orders"
+                "cylinder {} has an offset below 0, which turns the sign of its odd orders above 1; omit them and --all-orders",
+                harmless(name)
             ),
             NotStated::Scale { quantity, order } => write!(
                 f,
@@ -71,6 +73,12 @@ pub(super) fn check(document: &Document) -> Result<(), NotStated> {
     for cylinder in pistons {
         check_cylinder(cylinder)?;
     }
+    let is_odd = |order: u32| order > 1 && order % 2 == 1;
+    let has_odd = document.verdicts.iter().any(|verdict| is_odd(verdict.order))
+        || document.recurrences.iter().any(|claim| !claim.odd.is_empty());
+    if let Some(cylinder) = document.cylinders.iter().find(|cylinder| has_odd && is_below(cylinder)) {
+        return Err(NotStated::Reversed(cylinder.name.clone()));
+    }
     if document.quantities.contains(&Quantity::ROLL) {
         return Err(NotStated::SeveralCrankshafts);
     }
@@ -78,6 +86,11 @@ pub(super) fn check(document: &Document) -> Result<(), NotStated> {
         return Err(NotStated::SizedByRod(shaft.name.clone()));
     }
     Ok(())
+}
+
+/// Whether its axis passes the crankshaft on the side that counts as negative.
+fn is_below(cylinder: &Cylinder) -> bool {
+    matches!(&cylinder.rod, RodStatement::Known(rod) if rod.offset.is_negative())
 }
 
 fn check_cylinder(cylinder: &Cylinder) -> Result<(), NotStated> {

@@ -1,6 +1,6 @@
 //! Which theorems over the real numbers follow? The force (moment, torque) of an order is zero at every crank angle, or at some angle it is not.
 
-use super::every_order::{Parity, Pattern};
+use super::every_order::{Orders, Pattern};
 use super::parts::Parts;
 use super::theorem::{Theorem, name};
 use crate::proof::{Document, Quantity, Sense, VerdictClaim};
@@ -178,30 +178,36 @@ fn zero(quantity: Quantity) -> &'static str {
     }
 }
 
-/// All orders of a parity at once, which the statement on the direct vectors calls.
-fn of_every_order(every: &[Pattern], direct: &Pattern) -> Option<Theorem> {
+/// All these orders at once; of two vectors the statement on the direct one calls it.
+fn of_every_order(every: &[Pattern], pattern: &Pattern) -> Option<Theorem> {
     let about = |pattern: &Pattern| (pattern.quantity, pattern.ends());
-    let reverse = every.iter().find(|other| other.sense == Sense::Reverse && about(other) == about(direct));
-    let reverse = reverse.filter(|_| direct.sense == Sense::Direct)?;
-    let left = |pattern: &Pattern| format!("(k mod {})%Z \\in ({}%Z : seq Z)", pattern.modulus, pattern.residues());
-    let by = |pattern: &Pattern| format!("({} C real_circle k from second)", pattern.name());
-    let (what, engine, [from, second]) = (direct.quantity.name(), &direct.engine, direct.parity.premises());
-    let above_one = match direct.parity {
-        Parity::Even => "from",
-        Parity::Odd => "(above_one from)",
+    let reverse = |other: &&Pattern| other.sense == Some(Sense::Reverse) && about(other) == about(pattern);
+    let both = match pattern.sense {
+        None => vec![pattern],
+        Some(Sense::Direct) => vec![pattern, every.iter().find(reverse)?],
+        Some(Sense::Reverse) => return None,
     };
+    let (what, engine) = (pattern.quantity.name(), &pattern.engine);
+    let (premises, names, from) = match pattern.orders {
+        Orders::Even => (pattern.orders.premises(), "from second", "erefl from"),
+        Orders::Odd => (pattern.orders.premises(), "from second", "erefl (above_one from)"),
+        Orders::All => (pattern.orders.premises(), "from", "from"),
+    };
+    let premises: String = premises.iter().map(|premise| format!("({premise})%Z -> ")).collect();
+    let left: Vec<String> = both.iter().map(|pattern| pattern.left("%Z")).collect();
+    let by: Vec<String> = both.iter().map(|pattern| format!("({} C real_circle k {names})", pattern.name())).collect();
     Some(Theorem::exact(
-        format!("real_{what}_{}", direct.ends()),
+        format!("real_{what}_{}", pattern.ends()),
         &format!(
-            "forall (k : Z) (c : R * R), ({from})%Z -> ({second})%Z -> c <> (0, 0) ->\n  \
-             (exists theta : R, {what} c {engine} k theta <> (0, 0)) <->\n  {} \\/ {}",
-            left(direct),
-            left(reverse)
+            "forall (k : Z) (c : R * R), {premises}c <> (0, 0) ->\n  \
+             (exists theta : R, {what} c {engine} k theta <> {}) <->\n  {}",
+            zero(pattern.quantity),
+            left.join(" \\/ ")
         ),
         &format!(
-            "fun k c from second c0 => @every_{what} {engine} c k _ _ erefl {above_one} c0\n  {} {}",
-            by(direct),
-            by(reverse)
+            "fun k c {names} c0 => @every_{what} {engine} c k {} {from} c0\n  {}",
+            vec!["_"; both.len()].join(" "),
+            by.join(" ")
         ),
     ))
 }
