@@ -124,20 +124,25 @@ rewrite mulf_eq0 (negbTE (zpow_unit N_gt0 prim_z _)) orbF intr_eq0 => /eqP w_eq0
 by apply: w0; rewrite -(int_of_ZK w) w_eq0.
 Qed.
 
-(* Any function of the exponents, collected. *)
-Definition weighted (f : Z -> F) (l : list term) : F := \sum_(t <- l) (int_of_Z t.2)%:~R * f t.1.
+End Alone.
 
-Lemma weighted_cons (f : Z -> F) t l : weighted f (t :: l) = (int_of_Z t.2)%:~R * f t.1 + weighted f l.
+Section Weighted.
+Variable A : ringType.
+
+(* Any function of the exponents, collected. *)
+Definition weighted (f : Z -> A) (l : list term) : A := \sum_(t <- l) (int_of_Z t.2)%:~R * f t.1.
+
+Lemma weighted_cons (f : Z -> A) t l : weighted f (t :: l) = (int_of_Z t.2)%:~R * f t.1 + weighted f l.
 Proof. by rewrite /weighted big_cons. Qed.
 
-Lemma weighted_add (f : Z -> F) a w l : weighted f (add_term a w l) = (int_of_Z w)%:~R * f a + weighted f l.
+Lemma weighted_add (f : Z -> A) a w l : weighted f (add_term a w l) = (int_of_Z w)%:~R * f a + weighted f l.
 Proof.
 elim: l => [|[a' w'] l IH] /=; first by rewrite weighted_cons.
 case: (Z.eqb_spec a a') => [<-|_]; rewrite !weighted_cons /=; last by rewrite IH addrCA.
 by rewrite -[Z.add w w']/((w + w') : Z) rmorphD rmorphD mulrDl addrA.
 Qed.
 
-Lemma weighted_collect (f : Z -> F) M l : all_zero (collect M l) -> \sum_(t <- l) (int_of_Z t.2)%:~R * f (Z.modulo t.1 M) = 0.
+Lemma weighted_collect (f : Z -> A) M l : all_zero (collect M l) -> \sum_(t <- l) (int_of_Z t.2)%:~R * f (Z.modulo t.1 M) = 0.
 Proof.
 have -> : \sum_(t <- l) (int_of_Z t.2)%:~R * f (Z.modulo t.1 M) = weighted f (collect M l).
   elim: l => [|[a w] l IH] /=; first by rewrite /weighted !big_nil.
@@ -146,7 +151,7 @@ elim: (collect M l) => [|[a w] m IH] /=; first by rewrite /weighted big_nil.
 by case/andP => /Z.eqb_spec -> /IH H; rewrite weighted_cons H mul0r addr0.
 Qed.
 
-End Alone.
+End Weighted.
 
 Section Rays.
 Variables (F : numClosedFieldType) (e : circle F).

@@ -2,9 +2,12 @@
 //!
 //! Whether Coq accepts the files is for `formal/run`.
 
+use std::f64::consts::TAU;
 use std::fs;
 
-use crankstar::proof::{AnyDocument, read_document};
+use crankstar::proof::{AnyDocument, Document as ClassifyDocument, read_document};
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 use crate::support::program::{call, scratch};
 
@@ -63,8 +66,9 @@ fn each_verdict_of_the_document_is_a_theorem_that_says_the_same() {
         }
         let lengths = document.shapes.iter().filter(|shape| shape.evidence.is_some()).count();
         let forces = document.orders.len() * document.quantities.len();
-        assert_eq!(file.matches("\nTheorem ").count(), named.len() + lengths + forces, "{engine}");
-        assert_eq!(file.matches("\nTheorem real_").count(), forces, "{engine}");
+        let exact = file.matches("\nTheorem real_force_repeats ").count();
+        assert_eq!(file.matches("\nTheorem ").count(), named.len() + lengths + forces + exact, "{engine}");
+        assert_eq!(file.matches("\nTheorem real_").count(), forces + exact, "{engine}");
         // Every theorem is among those whose axioms are printed, and none is admitted.
         let (_, last) = file.split_once("Definition verdicts :=").expect("the list of theorems");
         assert!(named.iter().all(|name| last.contains(&format!("\n  {name}"))), "{engine}: {last}");
@@ -72,6 +76,14 @@ fn each_verdict_of_the_document_is_a_theorem_that_says_the_same() {
         assert!(!vectors.contains("real_"), "no force is said to need no axiom, {engine}: {vectors}");
         assert!(forces.ends_with("Print Assumptions forces.\n"), "{engine}");
         assert!(!["Axiom", "Admitted", "Parameter", "admit"].iter().any(|word| file.contains(word)), "{engine}");
+    }
+}
+
+/// The verdicts on an engine of the catalogue.
+fn document(engine: &str) -> ClassifyDocument {
+    match read_document(answered(&["classify", engine, "--json"]).as_bytes()).expect("a document") {
+        AnyDocument::Classify(document) => document,
+        _ => panic!("{engine}: verdicts on an engine"),
     }
 }
 
@@ -121,6 +133,69 @@ fn where_masses_turn_with_the_order_the_number_of_the_motion_is_one() {
     assert_eq!(first, "exists theta : R, force (1, 0) the_engine 1 theta <> (0, 0).");
     let second = stated(&file, "real_force_order_2").expect("a theorem");
     assert!(second.starts_with("forall c : R * R, c <> (0, 0) -> "), "nothing turns with it: {second}");
+}
+
+/// Where all pistons stand together, each by its mass and along its bank; the crank radius is 1.
+fn place(document: &ClassifyDocument, rod: f64, theta: f64) -> [f64; 2] {
+    let turns = |angle: &BigRational| TAU * angle.to_f64().expect("a float");
+    document.cylinders.iter().fold([0.0, 0.0], |[x, y], cylinder| {
+        let (mass, bank) = (cylinder.reciprocating_mass.to_f64().expect("a float"), turns(&cylinder.bank));
+        let psi = theta + turns(&cylinder.throw) - bank;
+        let piston = mass * (psi.cos() + (rod * rod - psi.sin().powi(2)).sqrt());
+        [x + piston * bank.cos(), y + piston * bank.sin()]
+    })
+}
+
+#[test]
+fn the_force_of_the_exact_motion_repeats_after_the_turn_that_is_stated_and_after_no_smaller_part_of_a_turn() {
+    let engines = [
+        ("I6", Some(6)),
+        ("V8-crossplane", Some(4)),
+        ("I4", Some(2)),
+        ("V12-60", Some(6)),
+        ("radial-9", None),
+        ("I2-360", None),
+    ];
+    for (engine, parts) in engines {
+        let document = document(engine);
+        let file = answered(&["classify", engine, "--format", "coq"]);
+        let said = stated(&file, "real_force_repeats");
+        let expected = |parts: u32| {
+            format!(
+                "forall m r l omega t : R, omega <> 0 -> exact_force the_engine m r l omega (t + radians (1 # {parts}) / omega) \
+                 = exact_force the_engine m r l omega t."
+            )
+        };
+        assert_eq!(said, parts.map(expected), "{engine}");
+        let moved = |parts: u32| {
+            let angles = (0..40).map(|step| 0.157 * f64::from(step));
+            let far = angles.map(|theta| {
+                let [now, then] = [theta, theta + TAU / f64::from(parts)].map(|theta| place(&document, 3.1, theta));
+                (now[0] - then[0]).abs().max((now[1] - then[1]).abs())
+            });
+            far.fold(0.0, f64::max)
+        };
+        for other in 2..=24 {
+            let repeats = parts.is_some_and(|parts| parts % other == 0);
+            assert_eq!(moved(other) < 1e-12, repeats, "{engine}, 1/{other} of a turn: {}", moved(other));
+        }
+    }
+}
+
+#[test]
+fn of_rods_that_differ_or_stand_off_no_turn_is_stated() {
+    let folder = scratch("coq-exact");
+    for (index, rest) in
+        ["rod_ratio = [0.3, 0.3, 0.3, 0.25]", "rod_ratio = 0.3\noffset_ratio = 0.01"].iter().enumerate()
+    {
+        let layout = folder.join(format!("{index}.toml"));
+        fs::write(&layout, format!("title = 'Four'\n[inline]\nthrows = [0, 180, 180, 0]\n[mechanism]\n{rest}\n"))
+            .expect("a file");
+        let file = answered(&["classify", layout.to_str().expect("a path"), "--format", "coq"]);
+        assert_eq!(stated(&file, "real_force_repeats"), None, "{rest}");
+    }
+    let file = answered(&["classify", "I4", "--orders", "2", "--format", "coq"]);
+    assert_eq!(stated(&file, "real_force_repeats"), None, "order 1 was not asked for");
 }
 
 #[test]

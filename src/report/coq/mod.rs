@@ -3,6 +3,7 @@
 mod engine;
 mod every_order;
 mod evidence;
+mod exact;
 mod firing;
 mod not_stated;
 mod parts;
@@ -32,7 +33,8 @@ pub fn coq_file(document: &Document) -> Result<String, NotStated> {
 fn file(head: &str, document: &Document, parts: &Parts, every: &[Pattern]) -> Result<String, NotStated> {
     not_stated::check(document)?;
     let vectors = theorem::theorems(document, parts, every)?;
-    let real = real::theorems(document, parts, every);
+    let mut real = real::theorems(document, parts, every);
+    real.extend(exact::theorem(document));
     let engine = engine::definition(document) + &parts.definitions(document);
     let mut text = format!("{head}{WRITTEN}\n{engine}\n{SECTION}\n{}", texts(&vectors));
     text.push_str(&format!(
