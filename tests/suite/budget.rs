@@ -29,7 +29,7 @@ const BUDGET: [(&str, usize); 34] = [
     ("proof", 8617),
     ("python", 2560),
     ("remedy", 1500),
-    ("report", 30720),
+    ("report", 30890),
     ("rotor", 540),
     ("search", 3600),
     ("shard", 680),
