@@ -18,7 +18,7 @@ const OF_VEES: &str = "$C_k^+$ and $C_k^-$ are the direct and the reverse vector
     their lengths.";
 const EQUAL: &str =
     "Equal stars: the number that share these values. Stars that differ by rotation, mirror or reversal count as one.";
-const EQUAL_IN_PART: &str = "Equal stars: the number that share these values. Stars count as one if they differ by rotation, or by a mirror or reversal that changes no value; here one of these changes some.";
+const EQUAL_IN_PART: &str = "Equal stars: the number that share these values. Stars count as one if they differ by rotation, or by a mirror or reversal that changes no value; here at least one of these changes some.";
 const NEIGHBOURS: &str =
     "Neighbours: pairs of cylinders on neighbouring throws of one bank that fire in succession or at once.";
 const MINOR: &str = "Minor orders: the length of the sum of phase vectors, the firing star of this firing order weighed by the deflections of the throws in a mode of \

@@ -25,7 +25,7 @@ const WHY: &str = "**Proof.** Let $p$ be the largest prime in the common denomin
 const SOURCE: &str = "B. Poonen and M. Rubinstein, The number of intersection points made by the diagonals of a regular polygon, SIAM Journal on Discrete Mathematics 11 (1998) 135–156, with these names and numbers; J. H. Conway and A. J. Jones, Trigonometric diophantine equations (On vanishing sums \
     of roots of unity), Acta Arithmetica 30 (1976) 229–240, up to nine vectors; H. B. Mann, On linear relations between roots of unity, Mathematika 12 (1965) 107–117.";
 const READING: &str = "Mirror images count as two stars, rotations as one. **Fewest polygons**: the least number of regular polygons, added or subtracted, that make up the star; the program's search proves it. In the drawings triangles are orange, pentagons green, larger polygons blue, and a grey bar joins a pair; dashed polygons are subtracted.";
-const OCCURS: &str = "The sums of the reciprocating masses that are zero and have vectors, at orders 1, 2, 4 and 6, are decomposed: like directions are added, negative vectors turned by half a turn, and then the stars of this atlas subtracted as often as they fit, those of fewer vectors first. \
+const OCCURS: &str = "The sums of the reciprocating masses that are zero and have vectors, at orders 1, 2, 4 and 6, are decomposed: like directions are added, negative vectors turned by half a turn, and then the stars of this atlas are subtracted, each at the greatest length that fits, those of fewer vectors first. \
     $P_k^{\\pm}$ are the direct and the reverse vector of the force of order $k$, $C_k^{\\pm}$ those of the moment.";
 
 /// An engine of the atlas of stars.

@@ -28,7 +28,7 @@ fn answer_box() -> Vec<Text> {
             first(|_| vec![1, 2, 4])
         ),
         phrase!(
-            "**With {} cylinders, and no fewer, an evenly firing two-stroke engine in line can have no moment of any order.** Its force begins at order 30.",
+            "**With {} cylinders, and no fewer, an evenly firing two-stroke engine in line can be free of moments of every order.** Its force begins at order 30.",
             first(every)
         ),
         "**No bank angle removes the first-order couple** of a V8 on four pins, or of a V10 on five.".into(),

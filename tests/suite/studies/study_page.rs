@@ -19,7 +19,7 @@ const PARTS: &str = "Along is vertical, across horizontal; largest and smallest 
 const WORDS: &str = "The statements are in the words of this page; a source's own words are in quotation marks. What is in bold below a statement is a conclusion from the answers in its tables.";
 const ASSUMED: [&str; 6] = [
     "Amplitudes are zero to peak; those of order k are multiples of $m r \\omega^2 c_k$, and moments of that times the spacing $a$.",
-    "The counterweights are two, in the planes of the outermost throws, and cancel what of order 1 turns with the crank; the larger one is shown, as its mass-radius in multiples of $m r$. The masses of the rods at the crankpin are not in it.",
+    "There are two counterweights, in the planes of the outermost throws. They cancel the part of order 1 that turns with the crank; the larger one is shown, as its mass-radius in multiples of $m r$. The masses of the rods at the crankpin are not in it.",
     "The firing intervals are those of the most even order that the throws allow, in line those of the firing order.",
     "The volume is the area of the end view, banks and crankcase together, times the length.",
     "The paper's mass adds flywheel and counterweights to a main part that follows the size by a formula that it does not give: the plots show the volume, and the \

@@ -117,7 +117,7 @@ const READ: [&str; 4] = [
     "What is known is in facts.toml beside each layout file, each sentence with its source in brackets; what was not found in a source says so there.",
     "What is found is what `classify` and `remedy` say of the layout file: 0 is proved; any other number is the largest value through a revolution, forces in $m r \\omega^2 c_k$, moments in that times the spacing of the cylinders.",
     "They agree where every statement that follows from what is known is answered true. A shaft that the engine has is needed; a shaft that is needed and that the engine does not have is omitted by its makers, who live with what it would cancel.",
-    "A builder balances as much as is felt, so that one order may be answered and another left; needs are reported for each order apart.",
+    "A builder balances as much as is felt, so that one order may be answered and another left; needs are stated for each order separately.",
 ];
 
 /// How many agree.
