@@ -1,6 +1,6 @@
 """The second checker, verify.py: orders whose sums stand before different numbers of the motion, as those of rods of different lengths.
 
-Each sum is decided apart, and here the whole: zero or not, and whether both vectors are equally long. `left` are the sums that are
+Each sum is decided separately, and here the whole: zero or not, and whether both vectors are equally long. `left` are the sums that are
 not zero, before numbers that are not: {number: sum}.
 """
 from fractions import Fraction

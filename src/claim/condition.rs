@@ -42,7 +42,7 @@ fn of(balance: &crate::verdict::Balance, sense: Sense) -> &crate::verdict::Verdi
 }
 
 /// Whether the layout is a vee whose cylinders stand pin by pin in one plane, so that an offset is a change. Links are in the plane
-/// of their master and cannot are elsewhere.
+/// of their master and cannot be elsewhere.
 fn takes_offset(engine: &Engine) -> bool {
     let partner = |a: &Cylinder| engine.cylinders().iter().any(|b| b.bank != a.bank && b.position == a.position);
     matches!(engine.form(), Form::Vee | Form::Flat) && !engine.has_links() && engine.cylinders().iter().all(partner)

@@ -1,6 +1,6 @@
 //! How does one cylinder move, and which forces act in it at a crank angle? By the rooms that know, letter by letter.
 //!
-//! What moves, and the inertia of it, needs no gas; what the gas has a part in is reported by the course of its forces.
+//! What moves, and the inertia of it, needs no gas; what the gas has a part in is read from the history of its forces.
 
 use num_complex::Complex;
 

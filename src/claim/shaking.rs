@@ -26,7 +26,7 @@ use crate::proof::{Quantity, Sense};
 pub struct Term {
     /// The cosine or sine.
     pub wave: Wave,
-    /// What is claimed to stand before it; nothing by default.
+    /// What is claimed to stand before it; nothing where the claim leaves it out.
     pub said: Vec<(Powers, Form)>,
     /// What stands before it without m r ω² c_k: in closed form where there is one, and in decimals.
     pub right: (Option<Form>, f64),

@@ -252,7 +252,7 @@ pub enum Bearing {
 /// How near a number has to be to the true one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Tolerance {
-    /// It is the number; where decimals are written, half of the last place is reported apart as rounding.
+    /// It is the number; where decimals are written, half of the last place is kept separately as rounding.
     Exact {
         /// Half a unit of the last decimal written, where there are decimals.
         rounding: Option<BigRational>,

@@ -37,7 +37,7 @@ pub struct MarkedSheet {
     pub not_read: Vec<Untrusted>,
 }
 
-/// How many entries are decided so.
+/// How many entries are judged as each of these.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Right, exactly or rounded.
@@ -77,7 +77,7 @@ impl MarkedSheet {
         Counts::of(self.entries())
     }
 
-    /// The convention that the entries are decided in.
+    /// The convention in which the entries are judged.
     pub fn convention(&self) -> &Convention {
         self.undeclared.first().unwrap_or(&self.declared)
     }

@@ -28,7 +28,7 @@ pub struct Compare {
     answer: Answer,
 }
 
-/// More engines than this do not be beside each other.
+/// More engines than this are not shown beside each other.
 const MOST_ENGINES: usize = 24;
 
 impl Compare {

@@ -20,7 +20,7 @@ static SPINNER: Mutex<Option<Spinner>> = Mutex::new(None);
 /// Whether nothing is to be told but why there is no answer.
 static IS_SILENT: AtomicBool = AtomicBool::new(false);
 
-/// A spinner turns in a thread of its own until it is reported to stop.
+/// A spinner turns in a thread of its own until it is told to stop.
 struct Spinner {
     stop: Sender<()>,
     turning: JoinHandle<()>,

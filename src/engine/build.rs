@@ -74,7 +74,7 @@ pub enum BuildError {
     OneCrankshaftAlone(&'static str),
     /// The first of several crankshafts is not the reference: it turns against it, or faster.
     FirstCrank,
-    /// A crankshaft whose speed is none that is decided.
+    /// A crankshaft at a speed whose orders are not decided.
     Speed {
         /// The crankshaft.
         crank: String,
@@ -87,7 +87,7 @@ pub enum BuildError {
     Firing,
     /// A pressure that cannot be.
     Gas(GasMistake),
-    /// A link that hangs on no master rod: none of this rod ratio is on its crankpin at the angle that it names.
+    /// A link without a master rod: its crankpin has none of this rod ratio at the angle that it names.
     NoMaster {
         /// The cylinder.
         cylinder: String,

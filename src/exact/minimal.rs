@@ -174,14 +174,14 @@ pub struct StarPart {
     pub length: BigRational,
 }
 
-/// Takes a star, negative vectors turned by half a turn, apart into stars of a list: earlier ones first, each as long as it goes. None where something is left.
+/// Takes a star, negative vectors turned by half a turn, apart into stars of a list: earlier ones first, each at the greatest length that fits. None where something is left.
 pub fn taken_apart(sum: &PhasorSum, stars: &[MinimalStar]) -> Option<Vec<StarPart>> {
     let mut left: BTreeMap<Turn, BigRational> =
         sum.positive().collected().into_iter().map(|term| (term.angle, term.weight)).collect();
     let mut parts = Vec::new();
     for (star, minimal) in stars.iter().enumerate() {
         let angles = minimal.angles();
-        // A vector that is the first of such a star is there.
+        // Each vector is tried as the first of such a star.
         for turn in left.keys().cloned().collect::<Vec<Turn>>() {
             if angles.len() > left.len() {
                 break;

@@ -9,7 +9,7 @@ use super::quantities::misread;
 use super::written::Text;
 use crate::engine::{Convention, Cylinder, Linear, Rotation, SeenFrom};
 
-/// The two keys; omitted, the crank turns anticlockwise seen from the free end.
+/// The two keys; where they are omitted, the crank turns anticlockwise seen from the free end.
 pub(super) fn read(rotation: Option<&Text>, seen_from: Option<&Text>) -> Result<Convention, LayoutError> {
     let mut convention = Convention::default();
     if let Some(text) = rotation {
@@ -35,7 +35,7 @@ pub(super) fn read(rotation: Option<&Text>, seen_from: Option<&Text>) -> Result<
     Ok(convention)
 }
 
-/// Throws and banks of a drawing as angles in the sense of rotation, and axes of several crankshafts where they are so.
+/// Throws and banks of a drawing as angles in the sense of rotation, and the axes of several crankshafts placed likewise.
 pub(super) fn turn(cylinders: &mut [Cylinder<Linear, Linear>], geared: &mut [Geared], convention: Convention) {
     let sign = convention.in_the_sense_of_rotation(BigRational::one());
     for cylinder in cylinders.iter_mut().filter(|_| !sign.is_one()) {

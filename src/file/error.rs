@@ -32,7 +32,7 @@ impl LayoutError {
         self
     }
 
-    /// Names the file and keeps its text, so that the message can show the line; a mistake that is reported of another file stays there.
+    /// Names the file and keeps its text, so that the message can show the line; a mistake that already names a file keeps it.
     pub(crate) fn in_file(mut self, file: &str, source: &str) -> Self {
         if !self.file.is_empty() {
             return self;

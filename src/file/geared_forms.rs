@@ -210,7 +210,7 @@ fn above_each_other(names: [&str; 2], of_second: Sense, distance: Option<&Text>)
     let of_first = if names[0] == "upper" { 1 } else { -1 };
     let axis = |half: BigRational| match distance {
         Some(distance) => Axis::Across(Distance::of(half, distance), Distance::none()),
-        None => Axis::SharedKeys(half),
+        None => Axis::Above(half),
     };
     let crank = |name: &str, sense, sign: i64| Geared {
         speed: 1,

@@ -70,14 +70,14 @@ pub(super) enum Axis {
     Across(Distance, Distance),
     /// So far in this direction.
     Towards(Distance, Turn),
-    /// SharedKeys (+1/2) or below (−1/2) the middle, so many times a distance that is omitted.
-    SharedKeys(BigRational),
+    /// Above (+1/2) or below (−1/2) the middle, so many times a distance that is omitted.
+    Above(BigRational),
     /// Nothing is said of it.
     LeftOut,
 }
 
 impl Axis {
-    /// Where it is in a drawing, and then as angles in the sense of rotation say it: an offset to the left changes its sign.
+    /// From a place in a drawing to one in angles in the sense of rotation: an offset to the left changes its sign.
     pub fn turn(&mut self, convention: Convention) {
         match self {
             Axis::Across(_, offset) => match offset {
@@ -88,7 +88,7 @@ impl Axis {
             Axis::Towards(_, angle) => {
                 *angle = Turn::new(convention.in_the_sense_of_rotation(angle.turns().clone()));
             }
-            Axis::SharedKeys(_) | Axis::LeftOut => {}
+            Axis::Above(_) | Axis::LeftOut => {}
         }
     }
 }
@@ -286,7 +286,7 @@ pub(super) fn placed(geared: &[Geared], dimensions: &Dimensions) -> Result<Vec<G
                 let distance = distance.read(radius)?;
                 GearedCrank::towards(&crank.name, crank.sense, distance, angle.clone()).turning(crank.speed)
             }
-            Axis::SharedKeys(times) => {
+            Axis::Above(times) => {
                 let term = Term { angle: Turn::zero(), weight: times.clone() };
                 GearedCrank::without(&crank.name, crank.sense, AxisLeftOut::Distance(term)).turning(crank.speed)
             }

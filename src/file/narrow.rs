@@ -175,7 +175,7 @@ impl Narrow<'_> {
     }
 }
 
-/// The angle between the pins of both banks: as written; omitted, 0 beside throws, and where they follow that of the banks.
+/// The angle between the pins of both banks: as written; where it is omitted, 0 beside throws, and that of the banks where the throws follow.
 fn splay(narrow: &Narrow<'_>, angle: &Linear, above: &SharedKeys<'_>) -> Result<Linear, LayoutError> {
     if narrow.throws.is_some() || above.firing_place().is_none() {
         return optional_angle(narrow.splay);

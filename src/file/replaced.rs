@@ -65,7 +65,7 @@ fn change(all: &DeTable, source: &str, key: &str, value: &str, instead_of: &[&st
     let Some(table) = table else {
         return match all.get(name) {
             Some(there) => Some((there.span(), value.to_owned())),
-            // SharedKeys the first table.
+            // Above the first table.
             None => Some((0..0, format!("{name} = {value}\n"))),
         };
     };

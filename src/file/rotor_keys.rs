@@ -44,7 +44,7 @@ pub struct RotorMass {
     pub name: Untrusted,
     /// Mass in kilograms.
     pub mass: Option<BigRational>,
-    /// the reciprocating mass at it, in kilograms; 0 where the file says nothing of it.
+    /// The reciprocating mass at it, in kilograms; 0 where the file says nothing of it.
     pub reciprocating: BigRational,
     /// Distance of its centre of gravity from the axis in metres.
     pub radius: Option<BigRational>,

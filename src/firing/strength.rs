@@ -11,7 +11,7 @@ use crate::numbers;
 /// Bits behind the point at the first attempt.
 const FIRST_BITS: u32 = 128;
 
-/// Compares the lengths of two sums: that they are equal is decided, and unequal ones are reported apart by an enclosure of
+/// Compares the lengths of two sums: that they are equal is decided, and unequal ones are distinguished by an enclosure of
 /// `|A|² − |B|²` that is narrowed until it excludes zero.
 pub fn by_length(a: &PhasorSum, b: &PhasorSum) -> Ordering {
     let difference = PhasorSum::new(a.squared_modulus().minus(&b.squared_modulus()).collected());

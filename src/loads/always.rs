@@ -8,7 +8,7 @@
 //! A rod and its mirror image, δ and −δ, have coefficients that differ by (−1)^k (see [`order::Factor::of_force`]), which is half a turn of β − α. Order 1,
 //! which has the crank's own 1 beside the rod, and the orders of turning masses are decided one by one.
 //!
-//! Cranks that turn at different speeds are decided apart: pistons of one speed are a group, and order 1 is the first of each crank.
+//! Cranks that turn at different speeds are decided separately: pistons of one speed are a group, and order 1 is the first of each crank.
 //!
 //! A link on a master rod moves in part as the master does, with `β − α₀` of the master's cylinder, and has a motion of its own, which it
 //! shares with the links of its kind; the mass at its knuckle pin moves as the master. A mass that is complex, turned by γ, turns `e^{iα}`. A link

@@ -120,8 +120,8 @@ impl Waveform {
     /// The vectors at the steps of a circle.
     pub fn sample(&self, circle: &Circle) -> Vec<Complex<f64>> {
         let steps = circle.steps();
-        // With z = x + iy: d z + r z̄ = (d + r) x + i(d − r) y. At −θ only y changes its sign: half the circle is enough. What is on
-        // x is summed at θ, what is on y at −θ; the last place is 0 once more.
+        // With z = x + iy: d z + r z̄ = (d + r) x + i(d − r) y. At −θ only y changes its sign: half the circle is enough. The terms in
+        // x are summed at θ, those in y at −θ; the last place is 0 once more.
         let mut values = vec![Complex::new(0.0, 0.0); steps + 1];
         for harmonic in &self.harmonics {
             let (on_x, on_y) =

@@ -54,7 +54,7 @@ struct Style {
     times: &'static str,
 }
 
-/// Powers as they are behind a name: no more than a product has cosines.
+/// Powers as they are written behind a name: no more than a product has cosines.
 const RAISED: [&str; MOST_COSINES + 1] = ["", "", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸"];
 
 const TEXT: Style = Style {

@@ -1,4 +1,4 @@
-//! Where does a cylinder's vector are in the star of an order?
+//! Where is a cylinder's vector in the star of an order?
 //!
 //! With throw β and bank angle α (theory, section 3):
 //!

@@ -188,7 +188,7 @@ impl Picture {
     }
 }
 
-/// Whether formulas are in some of these on lines of their own.
+/// Whether some of these have formulas on lines of their own.
 pub(super) fn in_si_units(blocks: &[Block]) -> bool {
     blocks.iter().any(|block| match block {
         Block::Formula(..) => true,

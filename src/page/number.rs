@@ -193,7 +193,7 @@ pub(crate) fn given(value: &BigRational) -> super::Text {
     }
 }
 
-/// The same in this unit, which is elsewhere.
+/// The same in this unit, which is given elsewhere.
 pub(crate) fn given_in(value: &BigRational, unit: super::Unit) -> super::Text {
     super::Piece::Shortly(value.clone(), unit).into()
 }

@@ -32,9 +32,9 @@ pub enum Piece {
     Bearing(Bearing),
     /// A decimal with its unit, to sensible figures: a unit says that it is one.
     Quantity(f64, Unit),
-    /// A decimal whose unit is elsewhere, as over its column, and how it is set.
+    /// A decimal whose unit is given elsewhere, as over its column, and how it is set.
     Measured(f64, Unit, Setting),
-    /// An exact number whose unit is elsewhere.
+    /// An exact number whose unit is given elsewhere.
     Exactly(BigRational, Unit),
     /// The same in little room: a long number in decimals after ≈.
     Shortly(BigRational, Unit),
@@ -80,7 +80,7 @@ impl Text {
         Piece::Formula(tex.into()).into()
     }
 
-    /// A decimal after ≈, whose unit is elsewhere.
+    /// A decimal after ≈, whose unit is given elsewhere.
     pub fn measured(value: f64, unit: Unit) -> Self {
         Piece::Measured(value, unit, Setting::About).into()
     }
@@ -105,7 +105,7 @@ impl Text {
         &self.pieces
     }
 
-    /// Whether nothing is in it.
+    /// Whether it is empty.
     pub fn is_empty(&self) -> bool {
         self.pieces.is_empty()
     }

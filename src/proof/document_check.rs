@@ -207,8 +207,8 @@ fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> 
     }
 }
 
-/// Where they were asked for there is one per quantity and sense, in the order of the verdicts; else none. They are reported class by
-/// class where anything is there.
+/// Where they were asked for there is one per quantity and sense, in the order of the verdicts; else none. They are given class by
+/// class where `recurrences` has anything.
 fn check_theorems(document: &Document, audit: &Audit, motion: &Motion<'_>) -> Result<(), Fault> {
     let about = |quantity: &Quantity| match quantity {
         Quantity::Planar(_) => Sense::BOTH.map(|sense| (*quantity, sense)).to_vec(),

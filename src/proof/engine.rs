@@ -68,7 +68,7 @@ pub(super) fn power(speed: u32, exponent: usize) -> BigRational {
     num_traits::pow(BigRational::from_integer(speed.into()), exponent)
 }
 
-/// The speed that is omitted.
+/// The speed where none is given.
 pub(super) fn once() -> u32 {
     1
 }

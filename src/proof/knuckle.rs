@@ -6,7 +6,7 @@
 //! The root is left: `h_k = 2k² (L/r) · mean(√(1−Y²) e^{−ikψ})`, a complex number.
 //!
 //! Where ψ, Δ and ε change their signs Y does, and where ε does and ψ goes on by half a turn. So h_k of −Δ and −ε is conjugate, and of −ε alone it
-//! is `(−1)^k h_k`; both parts are reported by Δ and ε without signs, and where Δ is 0 or ½ one of them is zero.
+//! is `(−1)^k h_k`; both parts are named by Δ and ε without signs, and where Δ is 0 or ½ one of them is zero.
 //!
 //! In the strip `|Im ψ| ≤ η`, C = cosh η, the sines are at most C, `|√(1−λ²S²)| ≤ 2 − √(1−λ²C²)` and
 //! `|Im K| ≤ |1 − κ cos ε e^{iΔ}| C + (κ/λ) |sin ε| (2 − √(1−λ²C²))`: there it is looked for a C where r/L times that is at most 1, so that the

@@ -102,7 +102,7 @@ pub struct PartClaim {
     /// How many times δ enters.
     #[serde(with = "fraction")]
     pub delta: BigRational,
-    /// The sum without unknowns, one term per cylinder that is behind this factor.
+    /// The sum without unknowns, one term per cylinder that has this factor.
     pub terms: Vec<Vector>,
     /// Evidence that the sum is zero, or that it is not.
     pub certificate: Certificate,

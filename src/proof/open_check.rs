@@ -50,7 +50,7 @@ pub fn check_open_document(document: &OpenDocument) -> Result<Checked, Fault> {
     Ok(Checked::family(document, all_solved, audit.counts()))
 }
 
-/// Whether all angles are reported at which a sum vanishes.
+/// Whether the claim names all angles at which a sum vanishes.
 fn is_solved(when: &WhenClaim) -> bool {
     match when {
         WhenClaim::Always

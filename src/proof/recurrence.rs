@@ -1,4 +1,4 @@
-//! Which orders of all vanish, where the rods differ, are off, or the pattern is long? Told class by class.
+//! Which orders of all vanish, where the rods differ or have offsets, or the pattern is long? Told class by class.
 //!
 //! From order 2 on a vector of a cylinder is at `k·per_order + fixed`, and all cylinders whose rods have one λ and one |δ|
 //! stand before one number, which is not zero where the order exists; an offset below 0 changes the sign in odd orders. So even and odd orders have a sum each
@@ -37,7 +37,7 @@ pub struct RecurrenceClaim {
     pub first: FirstOrderClaim,
     /// The even orders: one class for each number that they stand before, where it is not zero.
     pub even: Vec<ClassClaim>,
-    /// The odd orders from 3 on; none where no rod is off.
+    /// The odd orders from 3 on; none where no rod has an offset.
     pub odd: Vec<ClassClaim>,
 }
 

@@ -142,7 +142,7 @@ pub struct LeftOutClaim {
     pub sense: Sense,
 }
 
-/// One sum of the corrected engine, which is zero but where its order and sense are omitted.
+/// One sum of the corrected engine, which is zero except where its order and sense are left out.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CorrectedClaim {
@@ -161,7 +161,7 @@ pub struct CorrectedClaim {
 }
 
 /// Checks that the sums of the corrected engine are those of its cylinders, masses and weights, that each order has all
-/// of them, and that each is zero but by default.
+/// of them, and that each is zero except where it is left out.
 ///
 /// # Errors
 /// The first entry that does not hold.

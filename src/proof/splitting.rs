@@ -11,7 +11,7 @@ use super::collected::{Collected, collect, common_multiple};
 use super::refusal::Refusal;
 use super::whole::prime_divisors;
 
-/// Primes of a comparison are reported by trial division. Those above the number of terms serve nothing, as a class is empty then.
+/// Primes of a comparison are recognised by trial division. Those above the number of terms serve nothing, as a class is empty then.
 const LARGEST_PRIME: u64 = 1_000_000;
 
 fn is_prime(number: u64) -> bool {

@@ -67,7 +67,7 @@ pub struct OrderClaim {
 }
 
 /// Every angle is a whole multiple of `1/period`, so one verdict per class proves all; each is checked, then the statement.
-/// Masses that turn with the crank make order 1 alone, which is reported apart.
+/// Masses that turn with the crank make order 1 alone, which is stated separately.
 pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &Audit) -> Result<(), Reason> {
     if !document.has_equal_centric_rods() {
         return Err("a statement on every order needs rods that are equal and centric".into());

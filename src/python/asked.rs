@@ -56,7 +56,7 @@ pub(super) fn rising(mut orders: Vec<u32>) -> Vec<u32> {
     orders
 }
 
-/// Whose masses are decided.
+/// The masses that the verdicts are about.
 pub(super) fn masses(name: &str) -> PyResult<Masses> {
     match name {
         "reciprocating" => Ok(Masses::Reciprocating),

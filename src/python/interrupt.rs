@@ -15,7 +15,7 @@ use super::error::told;
 /// How often Python is asked whether somebody wants to stop.
 const ASKED_EVERY: Duration = Duration::from_millis(50);
 
-/// Does work without the lock of the interpreter. An interrupt raises at once; the work, which is reported so by the flag, ends by itself.
+/// Does work without the lock of the interpreter. An interrupt raises at once; the work, which the flag tells to stop, ends by itself.
 pub(super) fn interruptible<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> PyResult<T> + Send + 'static,

@@ -125,7 +125,7 @@ impl Verdicts {
         itself
     }
 
-    /// The engine is decided again where a pickle is read.
+    /// The question is asked again where a pickle is read.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
         asked_again(py, &self.asked)
     }

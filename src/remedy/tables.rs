@@ -32,7 +32,7 @@ impl Kept {
         let counterweights: Vec<usize> = (0..crankshaft.counterweights.len()).filter(stays).collect();
         let stays = |index: &usize| !goes(index, |replaced| &replaced.balancers);
         let balancers: Vec<usize> = (0..crankshaft.balancers.len()).filter(stays).collect();
-        // Counterweights that a balance factor makes are beside no others.
+        // A layout whose balance factor makes the counterweights has no others.
         let made = !crankshaft.balance_factors.is_empty();
         Kept {
             lists: [

@@ -8,7 +8,7 @@ use crate::proof::{Planar, Sense};
 use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
 use crate::verdict::{EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, OrderVerdict};
 
-/// More intervals than this are reported by the least and the largest.
+/// Of more intervals than this only the least and the largest are given.
 const MOST_INTERVALS: usize = 4;
 
 /// `even, 180°`, `uneven: 405°, 315°`; `not given` where the layout does not say.

@@ -1,4 +1,4 @@
-//! How do the vector stars of several engines are beside each other? Small multiples of one order.
+//! How are the vector stars of several engines drawn beside each other? Small multiples of one order.
 
 use num_traits::Zero;
 

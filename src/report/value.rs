@@ -1,6 +1,6 @@
 //! Which value of which question is meant by a name such as `torsion.modes.1.frequency`?
 //!
-//! Question, table, the keys of a row, column: [`super::data`] lists them, and a wrong name is reported what there is in its place.
+//! Question, table, the keys of a row, column: [`super::data`] lists them, and the message on a wrong name lists what there is in its place.
 
 use std::fmt;
 use std::str::FromStr;

@@ -62,7 +62,7 @@ pub(super) fn run<J: Judge>(space: &Space, tables: &Tables, piece: &Piece, judge
     (walk.judge, walk.counts)
 }
 
-/// Where pieces are listed nothing is decided.
+/// Where pieces are listed no star is evaluated.
 struct Everything;
 
 impl Judge for Everything {

@@ -1,6 +1,6 @@
 //! How is the work shared, among threads and among machines? Numbered pieces, each the same whoever judges it.
 //!
-//! The first pieces are decided one after another, each from the front of those before; all others start from the front of these.
+//! The first pieces are evaluated one after another, each from the front of those before; all others start from the front of these.
 //! So what comes of a piece, and with it the front, its counts and the stars judged, depends on the question alone.
 
 use std::collections::BTreeSet;

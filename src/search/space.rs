@@ -83,7 +83,7 @@ impl Space {
         self.places / 2
     }
 
-    /// Number of stars with cylinder 1 at direction 0, before any of them is decided.
+    /// Number of stars with cylinder 1 at direction 0, before any of them is evaluated.
     pub fn count(&self) -> BigUint {
         let factorial = |n: usize| (1..=n).map(BigUint::from).product::<BigUint>();
         match self.supply {

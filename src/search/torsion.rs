@@ -16,7 +16,7 @@ use crate::exact::{PhasorSum, Term};
 use crate::firing::by_length;
 use crate::numbers;
 
-/// The firing orders of so many stars of a front are decided, the first ones.
+/// The firing orders of so many stars of a front are evaluated, the first ones.
 pub const MOST_TORSION_STARS: usize = 12;
 /// Cylinders of more instants than this, two at each, may fire in more than 256 orders.
 const MOST_CHOICES: u32 = 9;
@@ -63,7 +63,7 @@ impl RankedOrder {
     }
 }
 
-/// The mode that the firing orders of a front are decided in: a given one, or one that falls evenly from the free end, n, n − 1, …, 1.
+/// The mode in which the firing orders of a front are evaluated: a given one, or one that falls evenly from the free end, n, n − 1, …, 1.
 ///
 /// # Errors
 /// A mode shape with another number of values than the crankshaft has throws, or more than 256 firing orders of each star.

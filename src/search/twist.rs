@@ -14,11 +14,11 @@ use super::value::Value;
 
 /// The sum of the deflections is below this, in the whole numbers that they are multiples of.
 const LONGEST: i64 = 1 << 20;
-/// More firing orders than this are not judged: none of them can be omitted unseen.
+/// More firing orders than this are not evaluated: none of them can be omitted unseen.
 const MOST_FIRING_ORDERS: u128 = 4_000_000;
 /// By more minor orders than this nearly every firing order is best in something, and each is compared with all others.
 const FEW_MINOR_ORDERS: usize = 3;
-/// Then so many are decided at most.
+/// Then so many are evaluated at most.
 const MOST_BY_MANY: u128 = 50_000;
 
 /// The minor orders that are compared, and the deflections that weigh them.

@@ -35,7 +35,7 @@ pub struct Stream<'a> {
 
 impl<'a> Stream<'a> {
     /// A sweep over one or two parameters at these orders, rising; at those of the file where none are given. The firing stars of these
-    /// orders of the cycle are beside.
+    /// orders of the cycle are evaluated beside them.
     ///
     /// # Errors
     /// More than two parameters or none, a first layout that cannot be read, or a firing order of which the file does not tell enough.

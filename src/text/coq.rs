@@ -1,4 +1,4 @@
-//! How does a text are in a comment of Coq? Nothing in it begins or ends a comment or a string.
+//! How is a text written in a comment of Coq? Nothing in it begins or ends a comment or a string.
 
 /// Plain text, anywhere in a comment: a star or a quote is shown as `[U+002A]`, and so comments cannot end or nest in it.
 ///

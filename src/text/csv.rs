@@ -1,4 +1,4 @@
-//! How does a text are in a table for spreadsheets? In quotes where it needs them, and never as a formula.
+//! How is a text written in a table for spreadsheets? In quotes where it needs them, and never as a formula.
 
 /// A field: in quotes where it holds a comma, a quote or the end of a line.
 pub fn field(text: &str) -> String {

@@ -1,4 +1,4 @@
-//! How does JSON are on a terminal? As the same JSON, with escapes for what a terminal would obey.
+//! How is JSON written on a terminal? As the same JSON, with escapes for what a terminal would obey.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! How does a text are in LaTeX? Its special characters as what they look like, and none that pdflatex would stop at.
+//! How is a text written in LaTeX? Its special characters as what they look like, and none that pdflatex would stop at.
 
 /// A person's text: signs that end a row or open an argument are no more than signs.
 pub(super) fn quoted(text: &str) -> String {

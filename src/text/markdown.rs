@@ -1,4 +1,4 @@
-//! How does a text are in Markdown? No sign of it is markup, of HTML neither, nor of the formulas in dollars.
+//! How is a text written in Markdown? No sign of it is markup, of HTML neither, nor of the formulas in dollars.
 
 /// Plain text, anywhere in a line, a cell or a link's caption.
 pub fn markdown(text: &str) -> String {

@@ -1,7 +1,7 @@
 //! How is a person's text shown? As that text and nothing else, in every format.
 //!
 //! What comes from a file or the command line is [`Untrusted`]. It has no `Display` and does not serialise, so that it cannot
-//! are on a page by mistake: the ways out are [`Untrusted::escaped`], and [`Untrusted::written`] for JSON and comparisons,
+//! be on a page by mistake: the ways out are [`Untrusted::escaped`], and [`Untrusted::written`] for JSON and comparisons,
 //! whose callers `tests/suite/hostile_text.rs` lists.
 
 mod coq;

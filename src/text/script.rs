@@ -1,4 +1,4 @@
-//! How does JSON are in the script of an HTML page? As the same JSON, in which no sign ends the script or begins markup.
+//! How is JSON written in the script of an HTML page? As the same JSON, in which no sign ends the script or begins markup.
 
 use super::json::json;
 

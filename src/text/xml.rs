@@ -1,4 +1,4 @@
-//! How does a text are in XML, as between the tags of an SVG file?
+//! How is a text written in XML, as between the tags of an SVG file?
 
 use super::terminal::harmless_lines;
 

@@ -15,7 +15,7 @@ use crate::engine::Engine;
 use crate::order::{Masses, OrderTerms, Sources};
 use crate::proof::{Planar, Sense, Survivors};
 
-/// Of longer periods only the orders are decided that may be zero.
+/// Of longer periods only the orders that may be zero are decided.
 pub const LONGEST_PERIOD: u32 = 720;
 
 /// The statements on every order of the force and the moment, with the verdicts that prove them.

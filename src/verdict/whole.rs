@@ -13,7 +13,7 @@ use crate::numbers;
 use crate::order::{self, Coefficients, Factor};
 use crate::proof::{Certificate, Shape, ShapeEvidence};
 
-/// What the checker is reported to enclose with: more than the coefficients here are known to.
+/// What the checker is told to enclose with: more than the coefficients here are known to.
 const CLAIMED_BITS: u32 = 128;
 
 /// Whether a vector vanishes that is made of several sums.

@@ -28,7 +28,7 @@ const unpacked = async () => {
 const asker = async () => {
   const program = await unpacked();
   const address = URL.createObjectURL(new Blob([$("worker").textContent], { type: "text/javascript" }));
-  const waiting = new Map(); // number → the question, and who is reported; the first is being answered
+  const waiting = new Map(); // number → the question, and whom to tell; the first is being answered
   let worker;
   let number = 0;
 

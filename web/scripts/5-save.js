@@ -50,7 +50,7 @@ const save = (() => {
     blob,
     text: (name, text) => blob(name, new Blob([text], { type: "text/plain;charset=utf-8" })),
     zip: (name, files) => blob(name, zip(files)),
-    /** A text as letters that are in a link. */
+    /** A text as letters that may stand in a link. */
     packed: async (text) => {
       const bytes = new Uint8Array(await through(text, new CompressionStream("deflate-raw")).arrayBuffer());
       const letters = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));

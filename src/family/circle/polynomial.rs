@@ -28,7 +28,7 @@ pub struct Polynomial {
 }
 
 impl Polynomial {
-    /// That of parts in rising order, none of them zero; `None` where their multiples of φ and δ do not be on one line, or
+    /// That of parts in rising order, none of them zero; `None` where their multiples of φ and δ do not lie on one line, or
     /// where the degree is too high.
     pub(super) fn of(parts: &[&Part]) -> Option<Self> {
         let (first, others) = parts.split_first()?;

@@ -1,6 +1,6 @@
 //! For which φ and δ does a sum vanish in which both enter on their own? A triangle, or two classes of parts.
 //!
-//! Where all parts are on one line of multiples the sum has one unknown ([`super::circle`]). Three parts else make a triangle; some sums
+//! Where the multiples of all parts lie on one line the sum has one unknown ([`super::circle`]). Three parts else make a triangle; some sums
 //! are products; parts on two parallel lines make two classes, as those of every V engine do (theory, section 17). Three classes that are
 //! equally far apart, as those of a W engine, make a quadratic; else the torus
 //! is cut into boxes ([`boxes`]).
@@ -23,7 +23,7 @@ pub use triangle::{Corner, Shape, Triangle};
 
 use super::{Part, When};
 
-/// When three parts at least vanish, which do not be on one line; `None` where that is not solved.
+/// When three parts at least vanish, which do not lie on one line; `None` where that is not solved.
 pub(super) fn when(parts: &[&Part]) -> Option<When> {
     match parts {
         [first, second, third] => triangle::when([first, second, third]),

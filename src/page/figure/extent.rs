@@ -76,7 +76,7 @@ impl Extent {
     }
 }
 
-/// About the width of a text in letters of this size, in the widest face that is in for Helvetica.
+/// About the width of a text in letters of this size, in the widest face that stands in for Helvetica.
 pub fn text_width(text: &str, letters: f64) -> f64 {
     let width = |letter: char| match letter {
         '\u{202f}' => 0.2,

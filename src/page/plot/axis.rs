@@ -111,7 +111,7 @@ impl Axis {
         Axis { unit: Some(unit), ..self }
     }
 
-    /// What is at it.
+    /// Its label, with the unit.
     pub(super) fn words(&self) -> String {
         self.unit.map_or_else(|| self.label.clone(), |unit| self.label.replacen("{}", unit.name, 1))
     }

@@ -19,7 +19,7 @@ pub struct Curve {
 
 impl Curve {
     /// A curve in the style of its number: no two of the first twenty share both colour and dash, and neighbours
-    /// differ in both, so that they are reported apart in grey too.
+    /// differ in both, so that they can be distinguished in grey too.
     pub fn new(number: usize, name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         const INKS: [Ink; 5] = [Ink::Blue, Ink::Orange, Ink::Green, Ink::Red, Ink::Black];
         const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];

@@ -1,4 +1,4 @@
-//! How do several plots are on one page? Below each other, as small multiples.
+//! How do several plots share one page? Below each other, as small multiples.
 
 use super::super::figure::{Figure, Point};
 

@@ -1,4 +1,4 @@
-//! Where does a symbol are in a formula, and where in words?
+//! Where are the symbols in a formula, and where in words?
 
 use super::{SYMBOLS, Symbol};
 

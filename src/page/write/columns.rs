@@ -65,7 +65,7 @@ struct Part<'a> {
     is_short: bool,
 }
 
-/// A size of letters, with how many of them are on a line.
+/// A size of letters, with how many of them fit on a line.
 struct Size {
     points: u8,
     capacity: usize,

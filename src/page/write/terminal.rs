@@ -15,13 +15,13 @@ pub(super) struct Terminal {
     pub unbroken: bool,
 }
 
-/// Columns that are beside the words of a cell.
+/// Blank columns beside the words of a cell.
 const PADDING: usize = 2;
-/// Columns that a column takes beside its words: where it meets the next one is one more.
+/// Columns that a column takes beside its words: one more than those, where it meets the next.
 const GAP: usize = PADDING + 1;
 
 impl Terminal {
-    /// Some columns of a table, each as wide as it is reported.
+    /// Some columns of a table, each of the width that is given with it.
     fn part(&self, cells: &Cells, columns: &[(usize, usize)]) -> String {
         let mut table = Table::new();
         table.load_style(RULE_UNDER_HEAD);

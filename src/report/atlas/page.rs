@@ -58,7 +58,7 @@ fn file(name: &'static str) -> Text {
 /// What is said of the files beside the page.
 pub(super) type Beside = fn() -> Text;
 
-/// The page is in one format.
+/// The page is written in one format.
 pub(super) const ALONE: Beside = || {
     let csv = file("atlas.csv");
     phrase!(
@@ -68,7 +68,7 @@ pub(super) const ALONE: Beside = || {
     )
 };
 
-/// The page is in three formats.
+/// The page is written in three formats.
 pub(super) const WITH_OTHERS: Beside = || {
     phrase!(
         "The same page for print: {}; for a browser: {}; its numbers for a spreadsheet: {}. {} writes them all.",

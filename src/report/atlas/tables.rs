@@ -1,4 +1,4 @@
-//! How do the numbers of an engine are in the tables of the atlas?
+//! How are the numbers of an engine written in the tables of the atlas?
 
 use super::super::residual::shape_name;
 use super::super::typeset::Amount;
@@ -9,7 +9,7 @@ use crate::numbers::Form;
 use crate::page::{Columns, Number, Table, Text, phrase};
 use crate::proof::{Planar, Shape};
 
-/// Longer closed forms do not be in the tables.
+/// Longer closed forms are not in the tables.
 const LONGEST_IN_TABLE: usize = 24;
 
 /// What each engine of the catalogue is, leaves first, and needs.

@@ -91,7 +91,7 @@ impl Line {
 const FIGURE_DIGITS: usize = 8;
 /// Digits of a result.
 const RESULT_DIGITS: usize = 6;
-/// Letters of formula and figures that still are on one line.
+/// Letters of formula and figures that still fit on one line.
 const WIDE: usize = 52;
 
 impl Expression {

@@ -24,7 +24,7 @@ struct Drawing<'a> {
     /// The waveform, and what it is counted in.
     waveform: &'a Waveform,
     unit: Unit,
-    /// What is at its axis, with a place for the unit.
+    /// The label of its axis, with a place for the unit.
     axis: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! How do the engines of a family are beside each other? A picture of stamps in rows.
+//! How are the engines of a family drawn beside each other? A picture of stamps in rows.
 
 use super::super::figure::{Figure, Point};
 use super::{CatalogueFamily, KnownEngine, Stamp};

@@ -1,4 +1,4 @@
-//! What is reported of the catalogue on a terminal? A row per engine.
+//! What does a terminal show of the catalogue? A row per engine.
 
 use super::super::engine_cells;
 use super::{KnownEngine, catalogue_families};

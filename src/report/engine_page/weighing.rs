@@ -16,8 +16,8 @@ use crate::verdict::{Judgement, OrderVerdict};
 /// What is reported one by one of an engine, and what together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weighing {
-    /// An order below this part of the largest one, or of one piston's force, is reported with the others that are; that of the layout, else a
-    /// hundredth, by default.
+    /// An order below this part of the largest one, or of one piston's force, is reported with the others that are; by default that of the
+    /// layout, else a hundredth.
     pub above: Option<f64>,
     /// All orders are reported one by one.
     pub all: bool,
@@ -70,7 +70,7 @@ impl Weighing {
 /// An engine in numbers, order by order.
 pub(in crate::report) struct Weighed<'a> {
     weighing: &'a Weighing,
-    /// With rods, and no masses but those that are decided.
+    /// With rods, and no masses but those that the verdicts are about.
     pub engine: Engine,
     pub loads: Loads,
     left: LeftOut,
@@ -287,7 +287,7 @@ fn largest(swing: &Swing) -> f64 {
     if swing.vanishes() { 0.0 } else { swing.largest() }
 }
 
-/// The masses that are decided, and the pistons alone where these are decided too.
+/// With the masses that the verdicts are about, and with the pistons alone where there are verdicts on these too.
 pub(in crate::report) struct WeighedParts<'a> {
     pub as_judged: Option<Weighed<'a>>,
     pub pistons: Option<Weighed<'a>>,

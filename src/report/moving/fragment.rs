@@ -1,4 +1,4 @@
-//! How does a scene are in a page? As a fragment of HTML with its numbers in JSON beside it.
+//! How is a scene put in a page? As a fragment of HTML with its numbers in JSON beside it.
 
 use std::sync::LazyLock;
 

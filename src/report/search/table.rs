@@ -1,4 +1,4 @@
-//! What is reported of a star that was found? Its throws, its firing order, the moments that it leaves.
+//! What is said of a star that was found? Its throws, its firing order, the moments that it leaves.
 
 use crate::page::{Table, Text, number, phrase};
 use crate::proof::Sense;

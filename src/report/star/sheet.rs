@@ -1,4 +1,4 @@
-//! How do stars are on a drawing? In rows, each no taller than it needs, with bars that tell their scales.
+//! How are stars arranged on a drawing? In rows, each no taller than it needs, with bars that tell their scales.
 
 use num_traits::Zero;
 
@@ -109,7 +109,7 @@ impl Sheet {
         (column as f64 + (self.columns.saturating_sub(of) as f64 + 1.0) / 2.0) * WIDTH
     }
 
-    /// A line of text; where it is.
+    /// Makes room for a line of text, and says where it is.
     fn line(&mut self) -> f64 {
         self.foot -= LETTERS;
         self.foot + LETTERS / 2.0

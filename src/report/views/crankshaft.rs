@@ -20,7 +20,7 @@ const WEB: f64 = 1.7;
 /// Half the length of a throw on the page, where there is room.
 const LONGEST: f64 = 3.6;
 const SHORTEST: f64 = 0.5;
-/// Counterweights without a crank radius to compare with are so far out.
+/// Counterweights without a crank radius to compare with are drawn this far out.
 const USUAL_WEIGHT: f64 = 0.8;
 
 /// Where something stands that turns with the crank, seen from the side.

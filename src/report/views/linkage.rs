@@ -1,4 +1,4 @@
-//! Where do pins and pistons are at θ = 0, seen from the free end? To scale, in millimetres around the shaft.
+//! Where are pins and pistons at θ = 0, seen from the free end? To scale, in millimetres around the shaft.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! Where do the names are in the view from the free end? Beside what they name, clear of rods and of each other.
+//! Where are the names in the view from the free end? Beside what they name, clear of rods and of each other.
 
 use std::collections::BTreeMap;
 

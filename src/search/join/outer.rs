@@ -3,7 +3,7 @@
 use super::super::problem::MOST_THROWS;
 use super::super::space::Space;
 
-// The images that can carry a choice to itself are reported by the bits of a number: rotations, mirrored or not, and reversed or not.
+// The images that can carry a choice to itself are given by the bits of a number: rotations, mirrored or not, and reversed or not.
 const _: () = assert!(4 * MOST_THROWS <= u128::BITS);
 
 /// How the directions are shared out: how often each is taken by the outer throws.

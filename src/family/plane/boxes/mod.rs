@@ -27,7 +27,7 @@ pub struct Boxes {
     pub tree: String,
     /// The zeros, each alone in a box about it.
     pub zeros: Vec<BoxZero>,
-    /// Where it is not known: from and to, of s and of t, in turns; boxes that touch are reported as one.
+    /// Where it is not known: from and to, of s and of t, in turns; boxes that touch are given as one.
     pub open: Vec<[[BigRational; 2]; 2]>,
 }
 
