@@ -33,7 +33,7 @@ pub(super) fn maps(family: &Family, orders: &[OpenOrder]) -> Vec<Picture> {
                     order,
                     sizes.circumstances()
                 ),
-                figure: map(&sizes, quantity, order, &unit).figure().into(),
+                figure: map(&sizes, quantity, order, &unit).figure(),
             });
         }
     }
