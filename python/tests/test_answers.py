@@ -209,7 +209,7 @@ def test_an_engine_on_its_mounts_has_modes_and_orders_in_columns() -> None:
     four = Engine.read(Path(__file__).parents[2] / "reports/examples/i4-mounts/layout.toml")
     tables = four.mounts([1, 2], speed=800).tables
     assert abs(tables["modes"]["frequency_Hz"][0] - 5.856231193) < 1e-9
-    assert list(tables["orders"]["vanishes"]) == [True, False]
+    assert list(tables["orders"]["is_still"]) == [True, False]
     assert abs(tables["orders"]["centre_x_mm"][1] - 0.041134184) < 1e-9
 
 

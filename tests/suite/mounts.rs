@@ -168,9 +168,9 @@ fn mount_forces_of_random_engines_hold_force_and_inertia_in_balance() {
             let mass = mounting(&engine).block.mass.to_f64().expect("a mass");
             let scale: f64 =
                 (0..body.mounts()).map(|mount| body.mount_force(mount, &motion)[0].norm()).sum::<f64>() + 1.0;
-            for axis in 0..3 {
+            for (axis, force) in force.into_iter().enumerate() {
                 let mounts: Complex<f64> = (0..body.mounts()).map(|mount| body.mount_force(mount, &motion)[axis]).sum();
-                let right = force[axis] + motion.centre[axis] * (mass * motion.omega * motion.omega);
+                let right = force + motion.centre[axis] * (mass * motion.omega * motion.omega);
                 assert!((mounts - right).norm() < 1e-9 * scale, "{mounts} for {right}");
             }
         }
@@ -179,6 +179,9 @@ fn mount_forces_of_random_engines_hold_force_and_inertia_in_balance() {
 
 type Six = [f64; 6];
 
+/// A mount: place, axes, stiffnesses, dampings.
+type Held = ([f64; 3], [[f64; 3]; 3], [f64; 3], [f64; 3]);
+
 /// What pistons do to a body, integrated in time: no phasors, stars or matrices of the program.
 struct TimeLaw {
     engine: Engine,
@@ -186,7 +189,7 @@ struct TimeLaw {
     mass: f64,
     inverse_inertia: [[f64; 3]; 3],
     centre: [f64; 3],
-    mounts: Vec<([f64; 3], [[f64; 3]; 3], [f64; 3], [f64; 3])>,
+    mounts: Vec<Held>,
 }
 
 fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {

@@ -8,7 +8,7 @@ use crankstar::motion::SliderCrank;
 use crankstar::numbers::Direction;
 use crankstar::proof::{RemedyDocument, Sense, Vector, check_certificate, check_remedy_document};
 use crankstar::remedy::{
-    ComparableEngine, Kind, Partial, Remedy, RemedyError, Request, corrected, pair_height, remedy,
+    ComparableEngine, Kind, PairRoll, Partial, Remedy, RemedyError, Request, corrected, cures, pair_height, remedy,
 };
 use crankstar::{page, report};
 use num_rational::BigRational;
@@ -296,6 +296,107 @@ fn a_lanchester_pair_at_its_height_takes_the_roll_moment_of_order_2_away() {
     assert!(order_2(pair.in_crank_radii).abs() < 1e-9, "{}", order_2(pair.in_crank_radii));
     let part = 0.4 * pair.in_crank_radii;
     assert_near(order_2(part) / order_2(0.0), 0.6);
+}
+
+/// `theory-trade`, section 2: rod ratios, an in-line four of r 50 mm, l 143 mm where nothing else is said.
+#[test]
+fn heights_of_a_pair_come_out_for_masses_alone() {
+    for (ratio, right) in [("0.3", 0.977_580_413), ("0.25", 0.984_411_096)] {
+        let text = format!("inline.throws = [0, 180, 180, 0]\nmechanism.rod_ratio = {ratio}\n");
+        let pair = pair_height(&read(&text), 2).expect("a height");
+        let ratio: f64 = ratio.parse().expect("a ratio");
+        assert!((pair.in_crank_radii * ratio - right).abs() < 1e-9, "{} for {right}", pair.in_crank_radii * ratio);
+    }
+}
+
+const FOUR: &str = "cycle = 'four-stroke'\nspeed = 6000\ninline = { throws = [0, 180, 180, 0], spacing = '94 mm' }\n\
+    [mechanism]\nstroke = '86 mm'\nrod_length = '143 mm'\nreciprocating_mass = '0.5 kg'\n";
+const GAS: &str = "[gas]\nbore = '86 mm'\ncrankcase = '1 bar'\nintake_pressure = '0.9 bar'\nexhaust_pressure = '1.1 bar'\n\
+    process = 'spark-ignition'\ncompression_ratio = 10\nheat = '1100 J'\n";
+
+/// `theory-trade`, section 2: the in-line four at 6000 rpm, masses alone.
+#[test]
+fn a_pair_upside_down_doubles_the_roll_and_a_lower_one_leaves_part_of_it() {
+    let engine = read(FOUR);
+    let roll = PairRoll::new(&engine, 2).expect("a pair");
+    let [height, sideways] = roll.place(6000.0);
+    assert!((height * 1e3 - 139.779_101_8).abs() < 1e-6 && sideways == 0.0, "{height}");
+    for (at, right) in [(0.0, 730.365_558), (height, 0.0), (-height, 1_460.731_117), (0.7 * 0.143, 207.328_914)] {
+        let found = roll.peak(6000.0, [at, 0.0]);
+        assert!((found - right).abs() < 2e-6, "{found} for {right}");
+    }
+    let pair = remedy(&engine, &wish(&[2])).expect("a remedy");
+    let size = pair.shafts[0].weights[0].mass_radius(&pair.subject).expect("kilograms");
+    assert!((size - 3.308_859_385e-3).abs() < 1e-12, "{size}");
+}
+
+/// `theory-trade`, section 2: full load, heights that cancel at a speed, and the best for several speeds.
+#[test]
+fn heights_with_gas_come_out_at_a_speed_and_for_several() {
+    let roll = PairRoll::new(&read(&format!("{FOUR}{GAS}")), 2).expect("a pair");
+    for (speed, right) in [(2000.0, -330.732), (3672.0, 0.199), (4000.0, 22.151), (6000.0, 87.500)] {
+        let place = roll.place(speed);
+        assert!((place[0] * 1e3 - right).abs() < 6e-4, "{} for {right}", place[0] * 1e3);
+        assert!(roll.peak(speed, place) < 1e-9, "{speed}");
+    }
+    // A full height leaves the gas at every speed: at 1500 rpm more than no height.
+    let full = 0.139_779_101_8;
+    for speed in [1500.0, 6000.0] {
+        assert!((roll.peak(speed, [full, 0.0]) - 273.543).abs() < 1e-3, "{}", roll.peak(speed, [full, 0.0]));
+    }
+    assert!((roll.peak(1500.0, [0.0; 2]) - 227.970).abs() < 1e-3);
+    let best = roll.best_place(&[2000.0, 3000.0, 4000.0, 6000.0]).expect("a place");
+    assert!((best[0] * 1e3 - 65.593_058).abs() < 1e-6, "{}", best[0] * 1e3);
+    assert_eq!(roll.best_place(&[0.0]), None);
+    let squares =
+        |place: [f64; 2]| [2e3, 3e3, 4e3, 6e3].map(|speed| roll.peak(speed, place).powi(2)).iter().sum::<f64>();
+    for (up, sideways) in [(1e-3, 0.0), (-1e-3, 0.0), (0.0, 1e-3), (0.0, -1e-3)] {
+        assert!(squares([best[0] + up, best[1] + sideways]) > squares(best));
+    }
+}
+
+/// `theory-trade`, section 2: V twins on a common pin, the part of the second-order peak that one shaft cancels.
+#[test]
+fn one_shaft_cancels_the_longer_vector_and_leaves_the_other() {
+    let best = |angle: u32| {
+        let text = format!("vee = {{ bank_angle = {angle}, throws = [0] }}\nmechanism.rod_ratio = 0.3\n");
+        let subject = ComparableEngine::new(&read(&text)).expect("an engine");
+        cures(&subject, &[2]).into_iter().find(|cure| cure.shafts == 1).expect("one shaft")
+    };
+    let cases = [(54, 85.0651), (66, 84.2796), (72, 72.3607), (90, 50.0), (120, 66.6667)];
+    for (angle, right) in cases {
+        let cure = best(angle);
+        assert!((100.0 * cure.removed - right).abs() < 6e-5, "{angle}: {} for {right}", 100.0 * cure.removed);
+        assert_eq!(cure.is_exact, angle == 90, "{angle}");
+        assert_eq!(cure.senses == [Sense::Reverse], angle == 120, "{angle}");
+    }
+    let sixty = best(60);
+    assert!(sixty.is_exact && sixty.removed == 1.0 && sixty.peak[1] == 0.0);
+    // In line the force swings along a line: half, proved, at every order; both shafts remove all.
+    let subject = ComparableEngine::new(&read(FOUR)).expect("an engine");
+    let all = cures(&subject, &[2, 4]);
+    assert_eq!(all.len(), 4);
+    for cure in all {
+        assert!(cure.is_exact);
+        assert_eq!(cure.removed, f64::from(cure.shafts as u32) / 2.0);
+    }
+}
+
+/// What a cure leaves is the peak of the engine with its shaft, by the loads of a file that has it.
+#[test]
+fn the_residual_of_one_shaft_is_that_of_an_engine_that_has_it() {
+    let vee = "speed = 3000\nvee = { bank_angle = 72, throws = [0], spacing = '0.1 m' }\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.4 kg'\n";
+    let bare = read(vee);
+    let subject = ComparableEngine::new(&bare).expect("an engine");
+    let cure = cures(&subject, &[2]).into_iter().find(|cure| cure.shafts == 1).expect("one shaft");
+    let size = cure.mass_radius * 0.4 * 0.04;
+    let peak = |text: &str| crankstar::loads::loads(&read(text), &[2]).expect("loads").orders[0].force.largest();
+    let with = |angle: u32| {
+        format!("{vee}[[balancer]]\norder = 2\nsense = 'with'\nmass_radius = {size}\nangle = {angle}\nposition = 0\n")
+    };
+    assert!((peak(vee) - cure.peak[0]).abs() < 1e-9);
+    assert!((peak(&with(180)) - cure.peak[1]).abs() < 1e-9, "{} for {}", peak(&with(180)), cure.peak[1]);
+    assert!(peak(&with(0)) > cure.peak[0]);
 }
 
 fn angle() -> impl Strategy<Value = Turn> {

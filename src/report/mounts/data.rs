@@ -66,10 +66,10 @@ fn modes(study: &MountsStudy) -> Table {
 fn orders(study: &MountsStudy) -> Table {
     let mut table = Filling::new("mounts.orders", &study.orders);
     table.exact("order", Unit::NONE, order);
-    table.truth("force_vanishes", |one| Some(one.excitation.still.force));
-    table.truth("moment_vanishes", |one| Some(one.excitation.still.moment));
-    table.truth("roll_vanishes", |one| Some(one.excitation.still.roll));
-    table.truth("vanishes", |one| Some(one.excitation.still.is_whole()));
+    table.truth("force_is_zero", |one| Some(one.excitation.still.force));
+    table.truth("moment_is_zero", |one| Some(one.excitation.still.moment));
+    table.truth("roll_is_zero", |one| Some(one.excitation.still.roll));
+    table.truth("is_still", |one| Some(one.excitation.still.is_whole()));
     for (index, name) in AXES.into_iter().enumerate() {
         table.decimal(("force_{axis}_{unit}", name), Unit::NEWTON, |one| peak(one.load[0][index], 1.0));
     }
@@ -169,7 +169,7 @@ fn critical(study: &MountsStudy) -> Table {
     table.decimal("speed_{unit}", Unit::PER_MINUTE, |(_, mode, one)| {
         Some(MountsStudy::critical(one.excitation.order, mode))
     });
-    table.truth("vanishes", |(.., one)| Some(one.excitation.still.is_whole()));
+    table.truth("is_still", |(.., one)| Some(one.excitation.still.is_whole()));
     table.done()
 }
 

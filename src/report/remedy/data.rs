@@ -3,7 +3,7 @@
 use num_traits::ToPrimitive;
 
 use crate::engine::LengthUnit;
-use crate::remedy::{Remedy, Weight};
+use crate::remedy::{self, Cure, Kind, Remedy, Weight};
 use crate::report::data::Filling;
 use crate::table::{Table, Unit};
 
@@ -26,5 +26,27 @@ pub fn table(remedy: &Remedy) -> Table {
     table.decimal("mass_radius_{unit}", Unit::MASS_RADIUS, |(_, weight)| polar(weight, 0));
     table.decimal("angle_{unit}", Unit::DEGREE, |(_, weight)| polar(weight, 1));
     table.decimal("mass_radius_{unit}", Unit::KILOGRAM_METRE, |(_, weight)| weight.mass_radius(&remedy.subject));
+    table.done()
+}
+
+/// The cures of its orders, those first that remove most for each shaft.
+pub fn cures(remedy: &Remedy) -> Table {
+    let rows: Vec<(usize, Cure)> = remedy::cures(&remedy.subject, &remedy.orders).into_iter().enumerate().collect();
+    let kilograms = remedy.subject.scale().and_then(|[mass_radius, _]| mass_radius.to_f64());
+    let is_force = |cure: &Cure| cure.kind == Kind::Force;
+    let mut table = Filling::new("remedy.cures", &rows);
+    table.whole("rank", |(index, _)| index + 1);
+    table.whole("order", |(_, cure)| cure.order as usize);
+    table.words("cancels", |(_, cure)| Some(if is_force(cure) { "force" } else { "couple" }.to_owned()));
+    table
+        .words("senses", |(_, cure)| Some(cure.senses.iter().map(|sense| sense.name()).collect::<Vec<_>>().join(", ")));
+    table.whole("shafts", |(_, cure)| cure.shafts);
+    table.decimal("removed_{unit}", Unit::PERCENT, |(_, cure)| Some(100.0 * cure.removed));
+    table.truth("is_exact", |(_, cure)| Some(cure.is_exact));
+    table.decimal("residual_{unit}", Unit::MULTIPLE, |(_, cure)| is_force(cure).then_some(cure.peak[1]));
+    table.decimal("removed_per_shaft_{unit}", Unit::MULTIPLE, |(_, cure)| cure.per_shaft().filter(|_| is_force(cure)));
+    table.decimal("mass_radius_{unit}", Unit::KILOGRAM_METRE, |(_, cure)| {
+        kilograms.filter(|_| is_force(cure)).map(|unit| cure.mass_radius * unit)
+    });
     table.done()
 }

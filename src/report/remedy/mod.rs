@@ -5,6 +5,7 @@ mod data;
 mod document;
 mod page;
 mod question;
+mod ranked;
 mod weights;
 mod words;
 

@@ -1,7 +1,7 @@
 //! What is on the page of a remedy, on the terminal, and in a report?
 
 use super::super::convention::{differs, said};
-use super::{alone, weights, words};
+use super::{alone, ranked, weights, words};
 use crate::page::{Block, Document, Text, phrase};
 use crate::remedy::Remedy;
 
@@ -35,6 +35,7 @@ pub fn remedy_page(remedy: &Remedy) -> Document {
     let mut page = Document::new("remedy", phrase!("{}: remedies", remedy.subject.engine().title()));
     page.push(Block::Answer(words::remedy_cures(remedy)));
     page.blocks.extend(results(remedy, 1));
+    page.blocks.extend(ranked::blocks(remedy, 1));
     page.push(Block::Heading(1, "Method".into()));
     page.push(Block::List(method(remedy)));
     page

@@ -18,7 +18,11 @@ impl Question for Remedy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        (name == "weights").then(|| data::table(self))
+        match name {
+            "weights" => Some(data::table(self)),
+            "cures" => Some(data::cures(self)),
+            _ => None,
+        }
     }
 
     fn answer(&self) -> Document {

@@ -1,0 +1,111 @@
+//! Which cure removes most for each shaft and for each weight, and what does it leave? With the place of a pair that cancels the roll too.
+
+use num_traits::ToPrimitive;
+
+use crate::loads::{Scale, scale};
+use crate::page::{Block, Piece, Table, Text, Unit, phrase};
+use crate::proof::Sense;
+use crate::remedy::{Cure, Kind, PairRoll, Remedy, cures};
+
+const RANKED: &str = "Each cure by itself, those first that remove most of the peak for each balancer shaft, then for each weight. One shaft at best removes the longer of the two vectors of an order; the residual has the length of the \
+    other and turns the other way: of a force that swings along a line one shaft removes half, never more.";
+
+/// The cures of the orders asked for, and where a pair belongs; nothing where no order needs one.
+pub(super) fn blocks(remedy: &Remedy, level: u8) -> Vec<Block> {
+    let all = cures(&remedy.subject, &remedy.orders);
+    let pairs = pairs(remedy);
+    if all.is_empty() && pairs.is_empty() {
+        return Vec::new();
+    }
+    let mut blocks = vec![Block::Heading(level, "Cures compared".into())];
+    if !all.is_empty() {
+        blocks.push(Block::Paragraph(RANKED.into()));
+        blocks.push(table(remedy, all).into());
+    }
+    blocks.extend((!pairs.is_empty()).then_some(Block::List(pairs)));
+    blocks
+}
+
+fn name(cure: &Cure) -> Text {
+    let is_force = cure.kind == Kind::Force;
+    match (cure.senses.as_slice(), cure.order == 1, is_force) {
+        ([Sense::Direct], true, true) => "counterweight",
+        ([Sense::Direct], true, false) => "two counterweights",
+        ([Sense::Direct], false, _) => "one shaft with the crank",
+        ([Sense::Reverse], ..) => "one shaft against the crank",
+        (_, true, true) => "counterweight, one shaft against the crank",
+        (_, true, false) => "two counterweights, one shaft against the crank",
+        _ => "two shafts, one each way",
+    }
+    .into()
+}
+
+fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
+    let engine = remedy.subject.engine();
+    let numbers = remedy.subject.scale().and_then(|[mass_radius, _]| mass_radius.to_f64());
+    let newtons = scale(engine).as_ref().map(Scale::force);
+    let amount = |cure: &Cure, value: f64| -> Text {
+        match (cure.kind == Kind::Force, newtons) {
+            (true, Some(newtons)) => Piece::Quantity(value * newtons, Unit::NEWTON).into(),
+            (true, None) => Piece::Quantity(value, Unit::MULTIPLE).into(),
+            (false, Some(newtons)) => {
+                let unit = crate::loads::unit(engine, scale(engine).as_ref(), crate::proof::Quantity::MOMENT);
+                Piece::Quantity(value * newtons, unit).into()
+            }
+            (false, None) => {
+                Piece::Quantity(value, crate::loads::unit(engine, None, crate::proof::Quantity::MOMENT)).into()
+            }
+        }
+    };
+    let weight = |cure: &Cure| -> Text {
+        match (cure.kind == Kind::Force, numbers) {
+            (true, Some(unit)) => Piece::Quantity(cure.mass_radius * unit * 1e3, Unit::KILOGRAM_MILLIMETRE).into(),
+            (true, None) => Piece::Quantity(cure.mass_radius, Unit::MASS_RADIUS).into(),
+            // A couple is mass times radius times distance; the planes say how far apart the weights are.
+            (false, _) => "–".into(),
+        }
+    };
+    Table::of(all)
+        .column("Order", |cure| cure.order)
+        .column("Cancels", |cure| if cure.kind == Kind::Force { "force" } else { "couple" })
+        .column("Cure", name)
+        .column("Shafts", |cure| cure.shafts)
+        .column("Mass × radius", weight)
+        .column("Removes", |cure| -> Text {
+            match cure.is_exact {
+                true => phrase!("{} %, proved", (100.0 * cure.removed).round() as u32),
+                false => Piece::Quantity(100.0 * cure.removed, Unit::PERCENT).into(),
+            }
+        })
+        .column("Residual", |cure| match cure.peak[1] {
+            0.0 => Text::zero(),
+            left => amount(cure, left),
+        })
+        .column("Removed per shaft", |cure| cure.per_shaft().map_or_else(|| "–".into(), |value| amount(cure, value)))
+        .done()
+}
+
+/// Where the shafts of a pair belong so that the roll moment of its order vanishes too, at the speed of the layout, with the gas.
+fn pairs(remedy: &Remedy) -> Vec<Text> {
+    let engine = remedy.subject.engine();
+    let speed = engine.dimensions().speed.as_ref().and_then(ToPrimitive::to_f64).filter(|speed| *speed > 0.0);
+    let Some(speed) = speed.filter(|_| engine.gas().is_some()) else { return Vec::new() };
+    let place = |height: &crate::remedy::PairHeight| {
+        let roll = PairRoll::new(engine, height.order)?;
+        let metres = height.metres?;
+        let [up, sideways] = roll.place(speed);
+        let millimetres = |value: f64| Piece::Quantity(value * 1e3, Unit::MILLIMETRE);
+        let moment = |value: f64| Piece::Quantity(value, Unit::NEWTON_METRE);
+        Some(phrase!(
+            "With the gas of the layout, at {}, the pair of order {} cancels the whole roll moment of its order where the shaft that turns with the crank lies {} higher than the other (below 0: lower) and the offsets of both add up to {}. At {}, the height for the masses alone, {} of the gas remain at any speed; with both shafts at one height, without offsets, {} at this speed.",
+            Piece::Quantity(speed, Unit::PER_MINUTE),
+            height.order,
+            millimetres(up),
+            millimetres(sideways),
+            millimetres(metres),
+            moment(roll.peak(speed, [metres, 0.0])),
+            moment(roll.peak(speed, [0.0; 2]))
+        ))
+    };
+    remedy.heights.iter().filter_map(place).collect()
+}
