@@ -17,6 +17,9 @@ pub struct Torsion {
     /// The orders whose critical speeds are shown, such as 1/2,1,3/2 [default: up to 12]
     #[arg(long, value_delimiter = ',')]
     orders: Vec<CycleOrder>,
+    /// The speed at which the forced vibration is shown, such as 70 [default: that of the layout]
+    #[arg(long, value_parser = speed)]
+    speed: Option<f64>,
     /// Print modes and critical speeds as JSON
     #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
@@ -29,7 +32,21 @@ impl Torsion {
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("torsion", self.json, || {
             let engine = layouts::known(&self.layout, "a torsional model needs")?;
-            TorsionStudy::new(&engine, &self.orders).map_err(Failure::new)
+            let study = TorsionStudy::new(&engine, &self.orders).map_err(Failure::new)?;
+            Ok(match self.speed {
+                Some(speed) => study.at(speed),
+                None => study,
+            })
         })
+    }
+}
+
+/// Revolutions a minute above 0.
+fn speed(text: &str) -> Result<f64, String> {
+    let speed: f64 = text.parse().map_err(|_| "revolutions a minute, such as 70".to_owned())?;
+    if speed.is_finite() && speed > 0.0 {
+        Ok(speed)
+    } else {
+        Err("a speed above 0, in revolutions a minute".to_owned())
     }
 }

@@ -52,4 +52,4 @@ pub use open_firing::{End, FiringSpan, NoSpans, OpenFiring};
 pub use order::{DOES_NOT_EXIST, HIGHEST_ORDER, NotAnOrder, ORDERS, WHY_NOT, are_orders};
 pub use throws::{Throw, throws};
 pub use title_block::TitleBlock;
-pub use torsion::{MOST_DISCS, NoShaft, Torsion};
+pub use torsion::{Damper, DamperValue, ElasticShaft, Gear, Harmonic, MOST_DISCS, NoShaft, Section, Steel, Torsion};

@@ -269,7 +269,7 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
     }
     bearings::check_ends(given_bearings, &engine)?;
     if let Some(table) = &file.torsion {
-        let torsion = Some(torsion_keys::read(table, engine.cylinders())?);
+        let torsion = Some(torsion_keys::read(table, &engine)?);
         engine = built(Draft { torsion, ..engine.into_draft() }.build())?;
     }
     let firing = match engine.form().has_two_pistons_in_a_cylinder() || faster.is_some() {

@@ -118,6 +118,36 @@ const STIFFNESSES: Units = &[
 ];
 const DAMPINGS: Units =
     &[("kN s/m", (1000, 1)), ("N s/mm", (1000, 1)), ("N s/m", (1, 1)), ("N·s/m", (1, 1)), ("lbf s/in", POUND_PER_INCH)];
+const TORSIONAL_DAMPINGS: Units = &[
+    ("MN m s/rad", (1_000_000, 1)),
+    ("kN m s/rad", (1000, 1)),
+    ("N m s/rad", (1, 1)),
+    ("MN m s", (1_000_000, 1)),
+    ("kN m s", (1000, 1)),
+    ("N m s", (1, 1)),
+    ("Nms/rad", (1, 1)),
+    ("ft lbf s/rad", FOOT_POUND),
+    ("lbf ft s/rad", FOOT_POUND),
+];
+const TORQUES: Units = &[
+    ("MN m", (1_000_000, 1)),
+    ("kN m", (1000, 1)),
+    ("kNm", (1000, 1)),
+    ("N m", (1, 1)),
+    ("N·m", (1, 1)),
+    ("Nm", (1, 1)),
+    ("ft lbf", FOOT_POUND),
+    ("lbf ft", FOOT_POUND),
+];
+const STRESSES: Units = &[
+    ("GPa", (1_000_000_000, 1)),
+    ("MPa", (1_000_000, 1)),
+    ("N/mm²", (1_000_000, 1)),
+    ("N/mm2", (1_000_000, 1)),
+    ("kPa", (1000, 1)),
+    ("Pa", (1, 1)),
+    ("psi", (44_482_216_152_605, 6_451_600_000)),
+];
 const MASSES: Units = &[
     ("kg", (1, 1)),
     ("g", (1, 1000)),
@@ -222,6 +252,26 @@ pub(crate) fn damping(text: &str) -> Result<BigRational, String> {
 /// A torsional stiffness in N m per radian; in those where no unit is written.
 pub(crate) fn torsional_stiffness(text: &str) -> Result<BigRational, String> {
     in_units(text, TORSIONAL_STIFFNESSES, "\"1000000\", \"1000 kN m/rad\" or \"1 MN m/rad\"")
+}
+
+/// A damping of a vibration of torsion in N m s per radian, which is also what a number without a unit means.
+pub(crate) fn torsional_damping(text: &str) -> Result<BigRational, String> {
+    in_units(text, TORSIONAL_DAMPINGS, "\"30\", \"30 N m s/rad\" or \"60 kN m s/rad\"")
+}
+
+/// A torque in N m, which is also what a number without a unit means.
+pub(crate) fn torque(text: &str) -> Result<BigRational, String> {
+    in_units(text, TORQUES, "\"100\", \"100 N m\" or \"63.6 kN m\"")
+}
+
+/// A stress or a modulus in pascals, which is also what a number without a unit means.
+pub(crate) fn stress(text: &str) -> Result<BigRational, String> {
+    in_units(text, STRESSES, "\"80 GPa\", \"560 MPa\" or \"560 N/mm²\"")
+}
+
+/// π, less than 10^-34 too small.
+pub(crate) fn pi() -> BigRational {
+    BigRational::new(PI.0.into(), PI.1.into())
 }
 
 fn names(units: Units) -> String {

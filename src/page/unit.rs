@@ -50,7 +50,7 @@ impl Unit {
         // An inch is 25.4 mm, a pound 0.45359237 kg, a pound-force 4.4482216152605 N.
         const POUND_FORCE: i64 = 44_482_216_152_605;
         const POUND: i64 = 45_359_237;
-        let known: [(Unit, Unit, (i64, i64)); 20] = [
+        let known: [(Unit, Unit, (i64, i64)); 23] = [
             (Unit::NEWTON, Unit::POUND_FORCE, (POUND_FORCE, 10_000_000_000_000)),
             (Unit::NEWTON_METRE, Unit::POUND_FORCE_FOOT, (13_558_179_483_314_004, 10_000_000_000_000_000)),
             (Unit::NEWTON_SPACING, Unit::POUND_FORCE_SPACING, (POUND_FORCE, 10_000_000_000_000)),
@@ -66,6 +66,13 @@ impl Unit {
                 Unit::POUND_FORCE_FOOT_PER_RADIAN,
                 (13_558_179_483_314_004, 10_000_000_000_000_000),
             ),
+            (
+                Unit::NEWTON_METRE_SECOND,
+                Unit::POUND_FORCE_FOOT_SECOND,
+                (13_558_179_483_314_004, 10_000_000_000_000_000),
+            ),
+            (Unit::MEGAPASCAL, Unit::PSI, (POUND_FORCE, 6_451_600_000_000_000)),
+            (Unit::WATT, Unit::HORSEPOWER, (74_569_987_158_227_022, 100_000_000_000_000)),
             (Unit::MILLIMETRE, Unit::INCH, (254, 10)),
             (Unit::MILLIMETRE_PER_SECOND, Unit::INCH_PER_SECOND, (254, 10)),
             (Unit::NEWTON_PER_METRE, Unit::POUND_FORCE_PER_INCH, (POUND_FORCE, 254_000_000_000)),

@@ -103,6 +103,13 @@ impl Unit {
     /// Pounds-force times feet a radian.
     pub const POUND_FORCE_FOOT_PER_RADIAN: Unit =
         Unit { name: "lbf·ft/rad", tex: "lbf\\,ft/rad", suffix: "lbf_ft_per_rad" };
+    /// Newton metres times seconds a radian, of a damping.
+    pub const NEWTON_METRE_SECOND: Unit = Unit { name: "N·m·s/rad", tex: "N\\,m\\,s/rad", suffix: "N_m_s_per_rad" };
+    /// Pounds-force times feet times seconds a radian.
+    pub const POUND_FORCE_FOOT_SECOND: Unit =
+        Unit { name: "lbf·ft·s/rad", tex: "lbf\\,ft\\,s/rad", suffix: "lbf_ft_s_per_rad" };
+    /// Megapascals, of a stress.
+    pub const MEGAPASCAL: Unit = Unit { name: "MPa", tex: "MPa", suffix: "MPa" };
     /// Moments in multiples of m r ω² at an arm of one metre.
     pub const MULTIPLE_METRE: Unit = Unit { name: "m r ω²·1 m", tex: "m\\,r\\,\\omega^2\\,m", suffix: "mrw2_m" };
     /// The same at an arm of one inch.

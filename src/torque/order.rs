@@ -106,10 +106,16 @@ fn order(classes: &[Class], index: usize, revolutions: usize) -> Option<TorqueOr
 impl Class {
     /// Order κ of the torque of the cylinder at this place of the class, by its own angle: gas, and inertia where that is known.
     pub fn torque_of_one(&self, place: usize, order: CycleOrder) -> Complex<f64> {
+        let [gas, inertia] = self.torques_of_one(place, order);
+        gas + inertia
+    }
+
+    /// The same, gas and inertia each by itself.
+    pub fn torques_of_one(&self, place: usize, order: CycleOrder) -> [Complex<f64>; 2] {
         let revolutions = self.harmonics.revolutions as usize;
         let index = order.halves() as usize * revolutions / 2;
         let gas = self.harmonics.torque.get(index).copied().unwrap_or_default();
-        gas + self.inertia_at(index, revolutions).unwrap_or_default() * numbers::float(&self.masses[place])
+        [gas, self.inertia_at(index, revolutions).unwrap_or_default() * numbers::float(&self.masses[place])]
     }
 
     /// The inertia's harmonic at the n-th of the cycle, of a mass of 1: zero at halves.

@@ -2,7 +2,7 @@
 
 use num_complex::Complex;
 
-use super::{Mode, Shaft, modes};
+use super::{Mode, Train, modes};
 use crate::engine::{CycleOrder, Engine, Torsion};
 use crate::firing::{NoStar, are_orders_of, firing_of};
 use crate::numbers;
@@ -62,5 +62,5 @@ pub fn critical_speeds(
         let longest = deflections.iter().enumerate().map(|(index, delta)| delta.abs() * radius(index)).sum();
         CriticalSpeeds { orders, longest, deflections, mode }
     };
-    Ok(modes(&Shaft::new(torsion)).into_iter().map(of_mode).collect())
+    Ok(modes(&Train::new(torsion)).into_iter().map(of_mode).collect())
 }

@@ -27,6 +27,8 @@ use crate::support::tables::{self, Answered, decimals, texts, truths};
 const V8_GAS: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
 const I6_TORSION: &str = include_str!("../../reports/examples/i6-torsion/layout.toml");
 const I4_MOUNTS: &str = include_str!("../../reports/examples/i4-mounts/layout.toml");
+const MARINE_TORSION: &str = include_str!("../../reports/examples/marine-six-torsion/layout.toml");
+const I6_DAMPER: &str = include_str!("../../reports/examples/i6-damper/layout.toml");
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 const TWO_RODS: &str = include_str!("../../reports/examples/i6-two-rods/layout.toml");
 const V6: &str =
@@ -63,7 +65,7 @@ fn every_answer() -> &'static [Answered] {
 
 fn answer_all() -> Vec<Answered> {
     let mut all = Vec::new();
-    for text in [V8_GAS, I3, TWO_RODS, GEARED, V6, I6_TORSION, I4_MOUNTS] {
+    for text in [V8_GAS, I3, TWO_RODS, GEARED, V6, I6_TORSION, I4_MOUNTS, MARINE_TORSION, I6_DAMPER] {
         all.extend(tables::of_engine(&known(text), &[1, 2, 4]));
     }
     all.push(tables::valued(&known(V8_GAS), "torque.cycle.mean"));

@@ -34,6 +34,7 @@ mod coq_files;
 mod corrected_files;
 mod corrected_knuckles;
 mod crankshaft;
+mod damped;
 mod data;
 mod decision_laws;
 mod decoded_texts;

@@ -23,6 +23,9 @@ fn with_a_strange_key(table: &str) -> String {
         "" => "strange = 1".to_owned(),
         "cylinder" | "counterweight" | "balancer" | "mount" => format!("[[{table}]]\nstrange = 1"),
         "crankshaft.geared" => "[[crankshaft]]\nstrange = 1".to_owned(),
+        "torsion.shaft" | "torsion.gear" | "torsion.damper" | "torsion.harmonic" => {
+            format!("[torsion]\n[[{table}]]\nstrange = 1")
+        }
         "gas.cylinder" => "[gas]\n[[gas.cylinder]]\nstrange = 1".to_owned(),
         _ => format!("[{table}]\nstrange = 1"),
     }

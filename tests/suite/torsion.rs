@@ -2,19 +2,19 @@
 
 use std::f64::consts::PI;
 
-use crankstar::engine::{CycleOrder, Engine, Torsion};
+use crankstar::engine::{CycleOrder, ElasticShaft, Engine, Torsion};
 use crankstar::file;
-use crankstar::page::{Format, Language};
+use crankstar::page::{Document, Format, Language};
 use crankstar::report::{self, Question, TorsionStudy};
-use crankstar::torsion::{Excitation, Mode, Shaft, critical_speeds, forced_twist, modes};
+use crankstar::torsion::{Excitation, Mode, Train, critical_speeds, forced_twist, modes};
 use num_complex::Complex;
 
 use crate::support::dice::Dice;
 use crate::support::german::phrases;
 use crate::support::pages;
 
-fn shaft(inertias: &[f64], stiffnesses: &[f64]) -> Shaft {
-    Shaft { inertias: inertias.to_vec(), stiffnesses: stiffnesses.to_vec() }
+fn shaft(inertias: &[f64], stiffnesses: &[f64]) -> Train {
+    Train::row(inertias, stiffnesses)
 }
 
 fn assert_near(found: f64, right: f64, part: f64) {
@@ -81,14 +81,14 @@ fn a_six_with_a_flywheel_has_the_modes_stars_and_critical_speeds_of_the_theory()
 }
 
 /// `K Θ = ω² J Θ`, and modes of different frequencies do not work on each other.
-fn assert_is_a_mode(shaft: &Shaft, mode: &Mode) {
-    let count = shaft.inertias.len();
-    let spring = |index: usize| shaft.stiffnesses[index] * (mode.shape[index + 1] - mode.shape[index]);
+fn assert_is_a_mode(shaft: &Train, mode: &Mode) {
+    let count = shaft.discs.len();
+    let spring = |index: usize| shaft.links[index].stiffness * (mode.shape[index + 1] - mode.shape[index]);
     let largest = (0..count - 1).map(|index| spring(index).abs()).fold(0.0, f64::max);
     for disc in 0..count {
         let after = if disc + 1 < count { spring(disc) } else { 0.0 };
         let before = if disc > 0 { spring(disc - 1) } else { 0.0 };
-        let residual = after - before + mode.omega.powi(2) * shaft.inertias[disc] * mode.shape[disc];
+        let residual = after - before + mode.omega.powi(2) * shaft.discs[disc].inertia * mode.shape[disc];
         assert!(residual.abs() < 1e-9 * largest, "{residual} of {largest} at disc {disc} of {shaft:?}");
     }
 }
@@ -99,28 +99,27 @@ fn random_shafts_satisfy_their_equations_and_forced_twists_theirs() {
     let mut random = || (dice.below(1_000_000) as f64 + 1.0) / 1e6;
     for count in 2..=30_usize {
         for _ in 0..10 {
-            let shaft = Shaft {
-                inertias: (0..count).map(|_| 10.0_f64.powf(3.0 * random() - 2.0)).collect(),
-                stiffnesses: (1..count).map(|_| 10.0_f64.powf(3.0 * random() + 4.0)).collect(),
-            };
+            let inertias: Vec<f64> = (0..count).map(|_| 10.0_f64.powf(3.0 * random() - 2.0)).collect();
+            let stiffnesses: Vec<f64> = (1..count).map(|_| 10.0_f64.powf(3.0 * random() + 4.0)).collect();
+            let shaft = Train::row(&inertias, &stiffnesses);
             let found = modes(&shaft);
             assert!(found.windows(2).all(|pair| pair[0].omega < pair[1].omega));
             for (number, mode) in found.iter().enumerate() {
                 assert_is_a_mode(&shaft, mode);
                 assert_eq!(mode.nodes(), number + 1, "{mode:?}");
             }
-            let work: f64 = (0..count).map(|disc| shaft.inertias[disc] * found[0].shape[disc]).sum();
-            let size: f64 = (0..count).map(|disc| (shaft.inertias[disc] * found[0].shape[disc]).abs()).sum();
+            let work: f64 = (0..count).map(|disc| inertias[disc] * found[0].shape[disc]).sum();
+            let size: f64 = (0..count).map(|disc| (inertias[disc] * found[0].shape[disc]).abs()).sum();
             assert!(work.abs() < 1e-9 * size, "it does not turn as a whole");
             let torques: Vec<Complex<f64>> = (0..count).map(|_| Complex::new(random(), random())).collect();
             // Between two natural frequencies, and below the first.
             let omega = found.get(1).map_or(0.7 * found[0].omega, |second| 0.5 * (found[0].omega + second.omega));
             let twist = forced_twist(&shaft, &Excitation { omega, torques: torques.clone() });
             for disc in 0..count {
-                let spring = |index: usize| (twist[index + 1] - twist[index]) * shaft.stiffnesses[index];
+                let spring = |index: usize| (twist[index + 1] - twist[index]) * stiffnesses[index];
                 let after = if disc + 1 < count { spring(disc) } else { Complex::default() };
                 let before = if disc > 0 { spring(disc - 1) } else { Complex::default() };
-                let inertia = twist[disc] * omega * omega * shaft.inertias[disc];
+                let inertia = twist[disc] * omega * omega * inertias[disc];
                 let residual = (after - before + inertia + torques[disc]).norm();
                 let size = after.norm() + before.norm() + inertia.norm() + torques[disc].norm();
                 assert!(residual < 1e-7 * size, "{residual} of {size}");
@@ -165,22 +164,29 @@ fn what_is_no_shaft_is_refused_at_its_place() {
 #[test]
 fn a_draft_with_a_shaft_for_other_pins_is_no_engine() {
     let one = num_rational::BigRational::from_integer(1.into());
-    let torsion = Torsion { inertias: vec![one.clone(), one.clone()], stiffnesses: vec![one], pins: vec![0] };
+    let shafts = vec![ElasticShaft::between([0, 1], one.clone())];
+    let torsion = Torsion { inertias: vec![one.clone(), one], shafts, pins: vec![0], ..Torsion::default() };
     let mut draft = six_with_flywheel().into_draft();
     draft.torsion = Some(torsion);
     assert!(draft.build().is_err());
+}
+
+/// Page and answer, every phrase of which has its German, and whose pictures have no texts on each other.
+pub fn said_in_german(study: &TorsionStudy) -> [Document; 2] {
+    let pages = [report::torsion_page(study), report::torsion_answer(study)];
+    let phrases = pages.iter().flat_map(phrases);
+    let has_words = |words: &str| words.chars().filter(|letter| letter.is_alphabetic()).count() > 2;
+    let missing: Vec<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
+    assert!(missing.is_empty(), "no German for {missing:#?}");
+    assert!(pages[0].pictures().iter().all(|picture| picture.figure.overlaps().is_empty()));
+    pages
 }
 
 #[test]
 fn the_page_says_what_its_document_says_in_both_languages() {
     let engine = six_with_flywheel();
     let study = TorsionStudy::new(&engine, &[]).expect("a shaft that fires");
-    let pages = [report::torsion_page(&study), report::torsion_answer(&study)];
-    let phrases = pages.iter().flat_map(phrases);
-    let has_words = |words: &str| words.chars().filter(|letter| letter.is_alphabetic()).count() > 2;
-    let missing: Vec<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
-    assert!(missing.is_empty(), "no German for {missing:#?}");
-    assert!(pages[0].pictures().iter().all(|picture| picture.figure.overlaps().is_empty()));
+    let pages = said_in_german(&study);
     let json: serde_json::Value = serde_json::from_str(&study.json().expect("JSON")).expect("JSON");
     let hertz = json["modes"][0]["frequency_Hz"].as_f64().expect("a number");
     assert!((hertz - 269.3377).abs() < 5e-5);

@@ -59,6 +59,9 @@ fn named(kind: &str) -> Value {
         "stiffness" => number("N m/rad; with a unit as a text: \"1 MN m/rad\""),
         "spring" => number("N/m; with a unit as a text: \"220 kN/m\", \"220 N/mm\""),
         "damping" => number("N s/m; with a unit as a text: \"0.35 N s/mm\""),
+        "torsional-damping" => number("N m s/rad; with a unit as a text: \"60 kN m s/rad\""),
+        "torque" => number("N m; with a unit as a text: \"63.6 kN m\""),
+        "stress" => number("Pa; with a unit as a text: \"80 GPa\", \"560 MPa\""),
         "heat" => number("with its unit, as a text"),
         "number" => number("a number, or a fraction as a text: \"1/4\""),
         "rows of two" => json!({

@@ -2,9 +2,11 @@
 
 use num_traits::ToPrimitive;
 
+use super::damped_data as damped;
 use crate::report::TorsionStudy;
 use crate::report::data::Filling;
 use crate::table::{Table, Unit};
+use crate::torsion::{CriticalSpeeds, Node};
 
 /// A table of a shaft that twists.
 pub fn table(study: &TorsionStudy, name: &str) -> Option<Table> {
@@ -15,6 +17,15 @@ pub fn table(study: &TorsionStudy, name: &str) -> Option<Table> {
         "shapes" => shapes(study),
         "cylinders" => cylinders(study),
         "forced" => forced(study)?,
+        "nodes" => nodes(study),
+        "shafts" => damped::shafts(study),
+        "resonances" => damped::resonances(study)?,
+        "response" => damped::response(study)?,
+        "torques" => damped::torques(study)?,
+        "speeds" => damped::speeds(study)?,
+        "excesses" => damped::excesses(study)?,
+        "heat" => damped::heat(study)?,
+        "dampers" => damped::dampers(study)?,
         _ => return None,
     })
 }
@@ -53,7 +64,9 @@ fn discs(study: &TorsionStudy) -> Table {
     table.whole("disc", |(index, _)| index + 1);
     table.decimal("inertia_{unit}", Unit::KILOGRAM_SQUARE_METRE, |(_, one)| one.to_f64());
     let unit = Unit::NEWTON_METRE_PER_RADIAN;
-    table.decimal("stiffness_{unit}", unit, |(index, _)| torsion.stiffnesses.get(*index).and_then(ToPrimitive::to_f64));
+    table.decimal("stiffness_{unit}", unit, |(index, _)| {
+        study.shaft_behind(*index).and_then(|one| one.stiffness.to_f64())
+    });
     table.done()
 }
 
@@ -86,6 +99,28 @@ fn cylinders(study: &TorsionStudy) -> Table {
     table.whole("mode", |(mode, ..)| *mode);
     table.whole("cylinder", |(_, cylinder, _)| *cylinder);
     table.decimal("deflection", Unit::NONE, |(.., value)| Some(**value));
+    table.done()
+}
+
+fn nodes(study: &TorsionStudy) -> Table {
+    let of_mode = |(mode, speeds): (usize, &CriticalSpeeds)| {
+        let places: Vec<Node> = speeds.mode.nodes.clone();
+        places.into_iter().enumerate().map(move |(node, place)| (mode + 1, node + 1, place))
+    };
+    let rows: Vec<_> = study.modes.iter().enumerate().flat_map(of_mode).collect();
+    let mut table = Filling::new("torsion.nodes", &rows).keyed(2);
+    table.whole("mode", |(mode, ..)| *mode);
+    table.whole("node", |(_, node, _)| *node);
+    let ends = |place: &Node| match place {
+        Node::Shaft(link, _) => study.train.links[*link].ends.map(|disc| disc + 1),
+        Node::Disc(disc) => [disc + 1; 2],
+    };
+    table.whole("from_disc", |(.., place)| ends(place)[0]);
+    table.whole("to_disc", |(.., place)| ends(place)[1]);
+    table.decimal("part", Unit::NONE, |(.., place)| match place {
+        Node::Shaft(_, part) => Some(*part),
+        Node::Disc(_) => Some(0.0),
+    });
     table.done()
 }
 

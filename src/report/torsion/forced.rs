@@ -1,14 +1,10 @@
-//! How far does each order of the torque twist the shaft at the speed of the layout? Without damping, away from critical speeds.
+//! How far does each order of the torque twist the shaft at the speed of the layout? Without damping, away from critical speeds alone.
 
 use std::f64::consts::TAU;
 
-use num_complex::Complex;
-
 use super::TorsionStudy;
 use crate::engine::CycleOrder;
-use crate::numbers;
-use crate::torque;
-use crate::torsion::{Excitation, Shaft, forced_twist};
+use crate::torsion::{CriticalSpeeds, Excitation, forced_twist, shaft_torques};
 
 /// Nearer to a natural frequency than this part of it, an undamped shaft says nothing of a real one.
 const NEAR: f64 = 0.05;
@@ -28,38 +24,33 @@ pub struct ForcedTwist {
     pub shaft: f64,
     /// Behind which disc that is, by its number from 1.
     pub behind: usize,
+    /// In which shaft, from 0.
+    pub shaft_number: usize,
 }
 
 /// The orders of a study at a speed; none where the layout lacks what the torque needs.
 pub(super) fn forced(study: &TorsionStudy, speed: f64) -> Vec<ForcedTwist> {
-    let TorsionStudy { engine, modes, .. } = study;
-    let torsion = study.torsion();
-    let Ok(classes) = torque::classes(engine) else { return Vec::new() };
-    if speed <= 0.0 {
-        return Vec::new();
-    }
-    let shaft = Shaft::new(torsion);
+    let (modes, train) = (&study.modes, &study.train);
+    let Some(excited) = study.excited().filter(|_| speed > 0.0) else { return Vec::new() };
+    let is_damped = study.torsion().is_damped();
     let of_order = |order: CycleOrder| {
         let hertz = f64::from(order.halves()) / 2.0 * speed / 60.0;
-        let mut torques = vec![Complex::default(); shaft.inertias.len()];
-        for class in &classes {
-            for (place, (&cylinder, fires)) in class.cylinders.iter().zip(&class.fires).enumerate() {
-                torques[torsion.pins[engine.cylinders()[cylinder].pin]] +=
-                    class.torque_of_one(place, order) * numbers::direction(&order.phase(fires));
-            }
-        }
-        let twist = forced_twist(&shaft, &Excitation { omega: TAU * hertz, torques });
-        let between = shaft.stiffnesses.iter().zip(twist.windows(2));
-        let loads: Vec<f64> = between.map(|(stiffness, pair)| stiffness * (pair[1] - pair[0]).norm()).collect();
+        let omega = TAU * hertz;
+        let twist = forced_twist(train, &Excitation { omega, torques: excited.torques(order, speed)? });
+        let loads: Vec<f64> = shaft_torques(train, omega, &twist).iter().map(|torque| torque.norm()).collect();
+        let loads = &loads[..train.shafts];
         let largest = (0..loads.len()).max_by(|one, other| loads[*one].total_cmp(&loads[*other])).unwrap_or(0);
-        ForcedTwist {
+        let is_near = |mode: &CriticalSpeeds| !is_damped && (hertz / mode.mode.hertz() - 1.0).abs() < NEAR;
+        Some(ForcedTwist {
             order,
             hertz,
-            near: modes.iter().position(|speeds| (hertz / speeds.mode.hertz() - 1.0).abs() < NEAR).map(|mode| mode + 1),
+            near: modes.iter().position(is_near).map(|mode| mode + 1),
             free_end: twist.first().map_or(0.0, |twist| twist.norm().to_degrees()),
             shaft: loads.get(largest).copied().unwrap_or_default(),
-            behind: largest + 1,
-        }
+            behind: study.torsion().shafts.get(largest).map_or(0, |shaft| shaft.ends[0]) + 1,
+            shaft_number: largest,
+        })
     };
-    modes.first().map_or_else(Vec::new, |first| first.orders.iter().map(|critical| of_order(critical.order)).collect())
+    let shown = modes.first().map_or(&[][..], |first| &first.orders).iter().map(|critical| critical.order);
+    shown.filter_map(of_order).collect()
 }

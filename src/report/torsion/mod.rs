@@ -1,6 +1,10 @@
 //! What is said of a crankshaft that twists? Frequencies, modes, critical speeds with the star of each, a Campbell diagram.
 
+mod damped;
+mod damped_data;
+mod damped_tables;
 mod data;
+mod excited;
 mod forced;
 mod page;
 mod plots;
@@ -8,13 +12,20 @@ mod study;
 mod tables;
 mod words;
 
+use std::collections::BTreeSet;
+use std::sync::OnceLock;
+
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::engine::{CycleOrder, Engine, Torsion};
+use crate::engine::{CycleOrder, ElasticShaft, Engine, Torsion};
 use crate::firing::{self, NoStar};
-use crate::torsion::{Critical, CriticalSpeeds, critical_speeds};
+use crate::torsion::{Critical, CriticalSpeeds, Train, critical_speeds};
+use excited::Excited;
 
+pub use damped::{
+    DamperStudy, Excess, FoundDamper, HeatPlace, ResonanceOrder, TwistAtSpeed, Vibration, VibrationOrder,
+};
 pub use forced::ForcedTwist;
 pub(super) use page::torsion_section;
 pub use page::{torsion_answer, torsion_page};
@@ -33,6 +44,12 @@ pub struct TorsionStudy {
     pub modes: Vec<CriticalSpeeds>,
     /// The speed of the layout in revolutions a minute, where it has one.
     pub speed: Option<f64>,
+    /// Its discs and shafts in decimals.
+    pub train: Train,
+    /// What excites it, once that is asked for.
+    excited: OnceLock<Option<Excited>>,
+    resonance_cache: OnceLock<Vec<ResonanceOrder>>,
+    range_cache: OnceLock<Vec<TwistAtSpeed>>,
 }
 
 /// Why there is no study.
@@ -68,7 +85,9 @@ impl TorsionStudy {
         let orders: Vec<CycleOrder> = match orders {
             [] => {
                 let all = (1..=USUAL_HALVES).filter_map(CycleOrder::of_halves);
-                all.filter(|order| order.exists_in(cycle)).collect()
+                let given = torsion.harmonics.iter().map(|harmonic| harmonic.order);
+                let orders: BTreeSet<CycleOrder> = all.filter(|order| order.exists_in(cycle)).chain(given).collect();
+                orders.into_iter().collect()
             }
             asked => {
                 let mut orders = asked.to_vec();
@@ -79,12 +98,42 @@ impl TorsionStudy {
         };
         let modes = critical_speeds(engine, torsion, &orders).map_err(NoTorsion::NoStar)?;
         let speed = engine.dimensions().speed.as_ref().and_then(BigRational::to_f64);
-        Ok(TorsionStudy { engine: engine.clone(), modes, speed })
+        let train = Train::new(torsion);
+        Ok(TorsionStudy {
+            engine: engine.clone(),
+            modes,
+            speed,
+            train,
+            excited: OnceLock::new(),
+            resonance_cache: OnceLock::new(),
+            range_cache: OnceLock::new(),
+        })
+    }
+
+    /// The same at another speed than that of the layout, in revolutions a minute.
+    #[must_use]
+    pub fn at(self, speed: f64) -> Self {
+        TorsionStudy { speed: Some(speed), resonance_cache: OnceLock::new(), range_cache: OnceLock::new(), ..self }
     }
 
     /// Its shaft.
     pub fn torsion(&self) -> &Torsion {
         self.engine.torsion().unwrap_or_else(|| unreachable!("a torsional study needs a [torsion] table"))
+    }
+
+    /// Whether its discs are a row.
+    pub(super) fn is_row(&self) -> bool {
+        self.torsion().is_row()
+    }
+
+    /// The shaft from a disc to the next, by the number of the disc from 0.
+    pub(super) fn shaft_behind(&self, disc: usize) -> Option<&ElasticShaft> {
+        self.torsion().shafts.iter().find(|shaft| shaft.ends == [disc, disc + 1])
+    }
+
+    /// What excites the train; none where the layout has neither harmonics nor gas with a speed.
+    fn excited(&self) -> Option<&Excited> {
+        self.excited.get_or_init(|| Excited::new(&self.engine, self.torsion())).as_ref()
     }
 
     /// How far the orders twist the shaft at the speed of the layout; none where it lacks what the torque needs.

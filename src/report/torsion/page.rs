@@ -1,14 +1,18 @@
 //! What is on the page of a shaft that twists, and on the terminal?
 
-use super::{TorsionStudy, plots, tables, words};
+use super::{TorsionStudy, damped_tables as damped, plots, tables, words};
 use crate::engine::Engine;
-use crate::page::{Block, Document, Fold, Picture, Text, phrase};
+use crate::page::{Block, Document, Fold, Picture, Table, Text, phrase};
 
 /// The short answer: frequencies and critical speeds.
 pub fn torsion_answer(study: &TorsionStudy) -> Document {
     let mut answer_page = Document::new("torsion", study.engine.title());
     answer_page.push(tables::modes(study));
     answer_page.push(tables::critical(study));
+    let resonances = damped::strongest(study);
+    if !resonances.rows.is_empty() {
+        answer_page.push(resonances);
+    }
     answer_page.blocks.extend(words::answer(study).into_iter().map(Block::Paragraph));
     answer_page
 }
@@ -22,7 +26,7 @@ pub(in crate::report) fn torsion_section(engine: &Engine) -> Vec<Block> {
     match TorsionStudy::new(engine, &[]) {
         Err(why) => vec![heading, Block::Paragraph(phrase!("No critical speeds: {}.", why.to_string()))],
         Ok(study) => {
-            let shaft = vec![tables::discs(&study).into(), Block::List(words::ASSUMED.map(Text::from).into())];
+            let shaft = vec![tables::discs(&study).into(), Block::List(words::assumed(&study))];
             let mut blocks = vec![
                 heading,
                 Block::List(words::answer(&study)),
@@ -30,33 +34,46 @@ pub(in crate::report) fn torsion_section(engine: &Engine) -> Vec<Block> {
                 tables::critical(&study).into(),
             ];
             blocks.extend(forced_twist(&study));
-            blocks.extend([
-                Block::Paragraph(words::FOUND.into()),
-                Block::Folded(Fold {
-                    summary: "Torsional vibration: the shaft, and what is assumed".into(),
-                    blocks: shaft,
-                }),
-            ]);
+            blocks.extend(words::found(&study).into_iter().map(Block::Paragraph));
+            blocks.push(Block::Folded(Fold {
+                summary: "Torsional vibration: the shaft, and what is assumed".into(),
+                blocks: shaft,
+            }));
             blocks
         }
     }
 }
 
-/// How far the orders twist the shaft, where the layout has the gas.
+/// How far the orders twist the shaft, where the layout has the torque.
 fn forced_twist(study: &TorsionStudy) -> Vec<Block> {
-    let Some(speed) = study.speed else { return Vec::new() };
-    match study.forced().as_slice() {
-        [] => Vec::new(),
-        orders => vec![
-            Block::Heading(2, "Forced twist".into()),
-            Block::Paragraph(words::forced(speed)),
-            tables::forced(orders).into(),
-        ],
+    let mut blocks = Vec::new();
+    let orders = study.forced();
+    if let Some(speed) = study.speed.filter(|_| !orders.is_empty()) {
+        blocks.push(Block::Heading(2, "Forced twist".into()));
+        blocks.push(Block::Paragraph(words::forced(study, speed)));
+        blocks.push(tables::forced(study, &orders).into());
     }
+    let mut section = |words: Text, table: Option<Table>| {
+        if let Some(table) = table.filter(|table| !table.rows.is_empty()) {
+            blocks.extend([Block::Paragraph(words), table.into()]);
+        }
+    };
+    if let Some(vibration) = study.at_speed() {
+        let speed = || words::rpm(vibration.speed);
+        section(
+            phrase!("Shafts at {}, all orders together, and the largest in the range:", speed()),
+            Some(damped::shafts(study, &vibration)),
+        );
+        section(phrase!("Discs at {}, all orders together:", speed()), Some(damped::twists(study, &vibration)));
+        section(phrase!("Heat at {}:", speed()), Some(damped::heat(study, &vibration)));
+    }
+    section("Resonances in the range, each order by itself:".into(), Some(damped::resonances(study)));
+    section("Dampers:".into(), Some(damped::dampers(study)));
+    blocks
 }
 
 fn pictures(study: &TorsionStudy) -> Vec<Picture> {
-    plots::campbell(study).into_iter().chain([plots::modes(study)]).collect()
+    plots::campbell(study).into_iter().chain([plots::modes(study)]).chain(plots::over_range(study)).collect()
 }
 
 /// The page, with modes and a Campbell diagram.
@@ -67,6 +84,10 @@ pub fn torsion_page(study: &TorsionStudy) -> Document {
     page.push(Block::Pictures(pictures(study)));
     section(&mut page, "Natural frequencies");
     page.push(tables::modes(study));
+    if study.torsion().is_damped() || !study.is_row() {
+        page.push(Block::Paragraph("Nodes of the first modes:".into()));
+        page.push(damped::nodes(study));
+    }
     section(&mut page, "Critical speeds");
     page.push(Block::Paragraph(
         "Critical speeds of each order in the first modes, and its star as a part of the longest possible in the mode:"
@@ -77,8 +98,8 @@ pub fn torsion_page(study: &TorsionStudy) -> Document {
     section(&mut page, "The shaft");
     page.push(tables::discs(study));
     section(&mut page, "Method");
-    page.push(Block::Paragraph(words::FOUND.into()));
+    page.blocks.extend(words::found(study).into_iter().map(Block::Paragraph));
     section(&mut page, "Assumptions");
-    page.push(Block::List(words::ASSUMED.map(Text::from).into()));
+    page.push(Block::List(words::assumed(study)));
     page
 }

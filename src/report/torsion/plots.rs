@@ -2,9 +2,9 @@
 
 use super::super::figure::Ink;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
-use super::TorsionStudy;
 use super::tables::MOST_MODES;
-use crate::page::{Picture, phrase};
+use super::{TorsionStudy, TwistAtSpeed, words};
+use crate::page::{Picture, Text, Unit, phrase};
 use crate::torsion::Critical;
 
 /// So many orders are drawn as rays.
@@ -14,16 +14,19 @@ const BEYOND: f64 = 1.15;
 
 /// The deflections of the first modes, disc by disc.
 pub(super) fn modes(study: &TorsionStudy) -> Picture {
-    let ticks = (1..=study.torsion().inertias.len()).map(|disc| disc as f64).collect();
+    let discs = study.torsion().inertias.len();
+    let ticks = (1..=discs).map(|disc| disc as f64).collect();
     let x = Axis { ticks: Some(ticks), ..Axis::linear("Disc, from the free end") };
     let mut plot = Plot::new("Modes of the shaft", x, Axis::linear("Deflection, 1 at the first disc"));
     for (index, speeds) in study.modes.iter().take(MOST_MODES).enumerate() {
-        let points = speeds.mode.shape.iter().enumerate().map(|(disc, value)| ((disc + 1) as f64, *value));
+        let points = speeds.mode.shape.iter().take(discs).enumerate().map(|(disc, value)| ((disc + 1) as f64, *value));
         plot.curves.push(Curve::new(index, format!("mode {}", index + 1), points.collect()));
     }
-    let caption = phrase!(
-        "The first modes of the shaft: how far each disc is turned. A mode has a node where its curve crosses zero."
-    );
+    let caption: Text = match study.is_row() {
+        true => "The first modes of the shaft: how far each disc is turned. A mode has a node where its curve crosses zero.",
+        false => "The first modes of the train: how far each disc is turned, in the order of their numbers, those of branches too.",
+    }
+    .into();
     Picture { name: "modes".to_owned(), caption, figure: plot.figure() }
 }
 
@@ -59,4 +62,63 @@ pub(super) fn campbell(study: &TorsionStudy) -> Option<Picture> {
         "Campbell diagram: the modes are level lines, the orders with the longest stars in the first mode rise with the speed. A dot is a critical speed."
     );
     Some(Picture { name: "campbell".to_owned(), caption, figure: plot.figure() })
+}
+
+/// Curves of the largest torques are drawn, so many.
+const MOST_SHAFTS: usize = 3;
+
+/// Amplitude, torque and stress over the range of speeds, where there is damping.
+pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
+    let rows = study.over_range();
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let points =
+        |of: &dyn Fn(&TwistAtSpeed) -> f64| -> Vec<(f64, f64)> { rows.iter().map(|at| (at.speed, of(at))).collect() };
+    let x = || Axis::linear("Speed in 1/min");
+    let most = |shaft: usize| rows.iter().map(|at| at.torques[shaft]).fold(0.0, f64::max);
+    let mut shafts: Vec<usize> = (0..study.train.shafts).collect();
+    shafts.sort_by(|one, other| most(*other).total_cmp(&most(*one)));
+    let mut amplitude = Plot::new("Amplitude of the first disc", x(), Axis::amplitude("Amplitude in °"));
+    amplitude.curves.push(Curve::new(0, "", points(&|at| at.first.to_degrees())));
+    let mut torque = Plot::new("Vibration torque", x(), Axis::amplitude("Torque in {}").counted_in(Unit::NEWTON_METRE));
+    for (number, &shaft) in shafts.iter().take(MOST_SHAFTS).enumerate() {
+        let name = format!("shaft {}", words::shaft(study, shaft));
+        torque.curves.push(Curve::new(number, name, points(&|at| at.torques[shaft])));
+    }
+    let mut pictures = vec![
+        Picture {
+            name: "torsion-amplitude".to_owned(),
+            caption: phrase!("How far the first disc swings over the speed: half the range of all orders together."),
+            figure: amplitude.figure(),
+        },
+        Picture {
+            name: "torsion-torque".to_owned(),
+            caption: phrase!(
+                "The vibration torque over the speed, half the range of all orders together, in the shafts with the largest."
+            ),
+            figure: torque.figure(),
+        },
+    ];
+    let stressed: Vec<usize> =
+        shafts.into_iter().filter(|shaft| study.stress(*shaft, 1.0).is_some()).take(MOST_SHAFTS).collect();
+    let mut stress = Plot::new("Vibration stress", x(), Axis::amplitude("Stress in {}").counted_in(Unit::MEGAPASCAL));
+    for (number, &shaft) in stressed.iter().enumerate() {
+        let name = words::shaft(study, shaft);
+        let of = |at: &TwistAtSpeed| 1e-6 * study.stress(shaft, at.torques[shaft]).unwrap_or(f64::NAN);
+        stress.curves.push(Curve::new(number, format!("shaft {name}"), points(&of)));
+        if study.limit(shaft).is_some() {
+            let limit = |at: &TwistAtSpeed| 1e-6 * study.permissible(shaft, at.speed).unwrap_or(f64::NAN);
+            let curve = Curve::new(number, format!("τ_C {name}"), points(&limit));
+            stress.curves.push(Curve { ink: Ink::Grey, ..curve });
+        }
+    }
+    if !stressed.is_empty() {
+        pictures.push(Picture {
+            name: "torsion-stress".to_owned(),
+            caption: phrase!("The vibration stress over the speed, half the range of all orders together; grey what IACS UR M68 permits for continuous running."),
+            figure: stress.figure(),
+        });
+    }
+    pictures
 }

@@ -3,7 +3,7 @@
 use super::super::typeset;
 use super::ForcedTwist;
 use super::TorsionStudy;
-use super::words::part;
+use super::words::{part, shaft};
 use crate::page::{Number, Table, Text, Unit, number, phrase};
 
 /// At most so many modes are beside each other.
@@ -27,8 +27,8 @@ pub(super) fn discs(study: &TorsionStudy) -> Table {
         let pins: Vec<String> = on_disc.map(|(pin, _)| (pin + 1).to_string()).collect();
         if pins.is_empty() { "–".into() } else { pins.join(", ").into() }
     };
-    let stiffness = |disc: usize| match torsion.stiffnesses.get(disc) {
-        Some(value) => number::given_in(value, Unit::NEWTON_METRE_PER_RADIAN),
+    let stiffness = |disc: usize| match study.shaft_behind(disc) {
+        Some(shaft) => number::given_in(&shaft.stiffness, Unit::NEWTON_METRE_PER_RADIAN),
         None => "–".into(),
     };
     let table = Table::of(torsion.inertias.iter().enumerate())
@@ -48,9 +48,9 @@ pub(super) fn discs(study: &TorsionStudy) -> Table {
 }
 
 /// One row per order: how far it twists the shaft at the speed of the layout.
-pub(super) fn forced(orders: &[ForcedTwist]) -> Table {
+pub(super) fn forced(study: &TorsionStudy, orders: &[ForcedTwist]) -> Table {
     let far = |twist: &ForcedTwist, value: Text| if twist.near.is_some() { "–".into() } else { value };
-    Table::of(orders)
+    let table = Table::of(orders)
         .column("Order κ", |twist| twist.order.to_string())
         .column("Frequency (Hz)", |twist| Number::Decimal(twist.hertz))
         .column("Amplitude at the free end (°)", |twist| match twist.near {
@@ -59,9 +59,12 @@ pub(super) fn forced(orders: &[ForcedTwist]) -> Table {
         })
         .column(phrase!("Torque in the shaft ({})", Unit::NEWTON_METRE), |twist| {
             far(twist, Text::measured(twist.shaft, Unit::NEWTON_METRE))
-        })
-        .column("Behind disc", |twist| far(twist, twist.behind.into()))
-        .done()
+        });
+    let table = match study.is_row() {
+        true => table.column("Behind disc", |twist| far(twist, twist.behind.into())),
+        false => table.column("Shaft", |twist| far(twist, shaft(study, twist.shaft_number).into())),
+    };
+    table.done()
 }
 
 /// One row per order: the critical speed of each mode, and the star as a part of the longest.

@@ -1,0 +1,378 @@
+//! How does a train with damping vibrate: at a speed, at its resonances, over a range, with its dampers?
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex;
+
+use super::TorsionStudy;
+use super::excited::Excited;
+use crate::engine::{self, CycleOrder};
+use crate::numbers::float;
+use crate::torsion::{
+    self, DamperInMode, DamperSetting, Excitation, HIGHEST_SPEED, Heat, Link, Resonance, StressLimit, Train,
+    forced_twist, half_range, heat, highest, resonance, shaft_torques,
+};
+
+/// A range is divided into so many speeds.
+const SPEEDS: usize = 120;
+/// Beside a resonance speeds stand closer, at these parts of it.
+const BESIDE: [f64; 9] = [-0.04, -0.02, -0.01, -0.005, 0.0, 0.005, 0.01, 0.02, 0.04];
+/// The range begins at this part of its end, where the layout has none.
+const BEGINS: f64 = 0.1;
+/// Points of a frequency range between which a peak is looked for.
+const POINTS: usize = 60;
+/// Halvings until a speed is found.
+const HALVINGS: usize = 50;
+
+/// An order of the vibration at a speed.
+#[derive(Clone, Debug)]
+pub struct VibrationOrder {
+    /// The order κ.
+    pub order: CycleOrder,
+    /// Its frequency in oscillations a second.
+    pub hertz: f64,
+    /// The twist of each disc, then of the rings, in radians.
+    pub twists: Vec<Complex<f64>>,
+    /// The torque in each shaft, then in the dampers, in newton-metres.
+    pub torques: Vec<Complex<f64>>,
+    /// The power that becomes heat.
+    pub heat: Heat,
+}
+
+/// The vibration at a speed, all orders.
+#[derive(Clone, Debug)]
+pub struct Vibration {
+    /// The speed in revolutions a minute.
+    pub speed: f64,
+    /// The orders of the torque, rising.
+    pub orders: Vec<VibrationOrder>,
+}
+
+impl Vibration {
+    /// The torque in a shaft of all orders together, half its range.
+    pub fn torque(&self, link: usize) -> f64 {
+        half_range(&self.orders.iter().map(|one| (one.order, one.torques[link])).collect::<Vec<_>>())
+    }
+
+    /// The twist of a disc of all orders together, half its range, in radians.
+    pub fn twist(&self, disc: usize) -> f64 {
+        half_range(&self.orders.iter().map(|one| (one.order, one.twists[disc])).collect::<Vec<_>>())
+    }
+
+    /// The heat of all orders in what damps: its place with its power in watts.
+    pub fn heat(&self) -> Heat {
+        let sum = |of: &dyn Fn(&Heat) -> &Vec<f64>| -> Vec<f64> {
+            let count = self.orders.first().map_or(0, |one| of(&one.heat).len());
+            (0..count).map(|index| self.orders.iter().map(|one| of(&one.heat)[index]).sum()).collect()
+        };
+        Heat { discs: sum(&|heat| &heat.discs), links: sum(&|heat| &heat.links) }
+    }
+}
+
+/// The vibration at a speed in short, each value half the range of all orders together.
+#[derive(Clone, Debug)]
+pub struct TwistAtSpeed {
+    /// The speed in revolutions a minute.
+    pub speed: f64,
+    /// The twist of the first disc in radians.
+    pub first: f64,
+    /// The torque in each shaft in newton-metres.
+    pub torques: Vec<f64>,
+}
+
+/// An order at a natural frequency.
+#[derive(Clone, Debug)]
+pub struct ResonanceOrder {
+    /// The mode, from 0.
+    pub mode: usize,
+    /// The order κ.
+    pub order: CycleOrder,
+    /// The critical speed in revolutions a minute.
+    pub rpm: f64,
+    /// By the energy method, for the first disc.
+    pub energy: Resonance,
+    /// Amplitude of the first disc there, with damping, in radians.
+    pub first: f64,
+    /// The shaft with the largest torque there, from 0.
+    pub shaft: usize,
+    /// That torque in newton-metres.
+    pub torque: f64,
+    /// Where the largest torque of this order near it is: the speed and the torque; none where it has no peak there.
+    pub peak: Option<(f64, f64)>,
+    /// The speeds that IACS UR M68 bars around it, where a stress of all orders is larger there than permitted.
+    pub barred: Option<[f64; 2]>,
+}
+
+/// Speeds at which the vibration stress of a shaft is larger than is permitted for continuous running.
+#[derive(Clone, Debug)]
+pub struct Excess {
+    /// The shaft, from 0.
+    pub shaft: usize,
+    /// The speeds in revolutions a minute.
+    pub speeds: [f64; 2],
+}
+
+/// A damper and its best settings.
+#[derive(Clone, Debug)]
+pub struct DamperStudy {
+    /// In the first mode, with the formula's setting.
+    pub in_mode: DamperInMode,
+    /// Its setting.
+    pub setting: DamperSetting,
+    /// What a search finds, where a torque excites the train.
+    pub found: Option<FoundDamper>,
+}
+
+/// The best setting by a search.
+#[derive(Clone, Debug)]
+pub struct FoundDamper {
+    /// The order with the most work in the first mode, for which it is looked for.
+    pub order: CycleOrder,
+    /// The setting.
+    pub best: DamperSetting,
+    /// The largest torque in a shaft by this order near the first mode: with the best setting, with that of the layout, without the damper.
+    pub peaks: [f64; 3],
+}
+
+/// Where heat becomes: at a disc, in a shaft, in a damper, each by its number from 0, with its power in watts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HeatPlace {
+    /// At a disc that is held back.
+    Disc(usize, f64),
+    /// In a shaft.
+    Shaft(usize, f64),
+    /// In a damper.
+    Damper(usize, f64),
+}
+
+fn omega(order: CycleOrder, speed: f64) -> f64 {
+    TAU * f64::from(order.halves()) / 2.0 * speed / 60.0
+}
+
+fn largest(torques: &[Complex<f64>]) -> (usize, f64) {
+    let sizes = torques.iter().map(|torque| torque.norm()).enumerate();
+    sizes.fold((0, 0.0), |most, one| if one.1 > most.1 { one } else { most })
+}
+
+impl TorsionStudy {
+    /// What excites a train that is damped.
+    fn damped(&self) -> Option<&Excited> {
+        self.excited().filter(|_| self.torsion().is_damped())
+    }
+
+    /// The twists by an order at a speed.
+    fn twists(&self, train: &Train, order: CycleOrder, speed: f64) -> Option<Vec<Complex<f64>>> {
+        let torques = self.excited()?.torques(order, speed)?;
+        Some(forced_twist(train, &Excitation { omega: omega(order, speed), torques }))
+    }
+
+    /// The largest torque of an order in a shaft at a speed.
+    fn largest_torque(&self, train: &Train, order: CycleOrder, speed: f64) -> (usize, f64) {
+        let twists = self.twists(train, order, speed).unwrap_or_else(|| vec![Complex::default(); train.discs.len()]);
+        largest(&shaft_torques(train, omega(order, speed), &twists)[..train.shafts])
+    }
+
+    /// The vibration at the speed of the layout.
+    pub fn at_speed(&self) -> Option<Vibration> {
+        self.vibration(self.speed?)
+    }
+
+    /// The vibration at a speed; none without damping, without a torque, and at rest.
+    pub fn vibration(&self, speed: f64) -> Option<Vibration> {
+        let excited = self.damped().filter(|_| speed > 0.0)?;
+        let of_order = |order: CycleOrder| {
+            let omega = omega(order, speed);
+            let twists = self.twists(&self.train, order, speed)?;
+            let torques = shaft_torques(&self.train, omega, &twists);
+            let heat = heat(&self.train, omega, &twists);
+            Some(VibrationOrder { order, hertz: omega / TAU, twists, torques, heat })
+        };
+        Some(Vibration { speed, orders: excited.orders().filter_map(of_order).collect() })
+    }
+
+    /// The speeds over which it is shown: those of the layout, else up to 105 % of the rated speed or of the speed; none where it has none.
+    pub fn range(&self) -> Option<[f64; 2]> {
+        let torsion = self.torsion();
+        if let Some(speeds) = &torsion.speeds {
+            return Some([float(&speeds[0]), float(&speeds[1])]);
+        }
+        let end = HIGHEST_SPEED * torsion.rated_speed.as_ref().map(float).or(self.speed).filter(|end| *end > 0.0)?;
+        Some([BEGINS * end, end])
+    }
+
+    /// The orders of the torque that meet a mode in the range, the modes rising, and then the speeds falling.
+    pub fn resonances(&self) -> &[ResonanceOrder] {
+        self.resonance_cache.get_or_init(|| self.find_resonances())
+    }
+
+    fn find_resonances(&self) -> Vec<ResonanceOrder> {
+        let (Some(excited), Some([from, to])) = (self.damped(), self.range()) else { return Vec::new() };
+        let mut rows = Vec::new();
+        for (index, speeds) in self.modes.iter().enumerate() {
+            for order in excited.orders() {
+                let rpm = 60.0 * speeds.mode.hertz() * 2.0 / f64::from(order.halves());
+                if (from..=to).contains(&rpm) {
+                    rows.extend(self.resonance(index, order, rpm));
+                }
+            }
+        }
+        rows
+    }
+
+    fn resonance(&self, index: usize, order: CycleOrder, rpm: f64) -> Option<ResonanceOrder> {
+        let hertz = |at: usize| self.modes.get(at).map(|speeds| speeds.mode.hertz());
+        let (own, kappa) = (hertz(index)?, f64::from(order.halves()) / 2.0);
+        let below = index.checked_sub(1).and_then(hertz).map_or(0.5 * own, |other| 0.5 * (other + own));
+        let above = hertz(index + 1).map_or(1.5 * own, |other| 0.5 * (other + own));
+        let [low, high] = [below, above].map(|hertz| 60.0 * hertz / kappa);
+        let peak = highest(low, high, POINTS, &|speed| self.largest_torque(&self.train, order, speed).1);
+        let is_inside = low + 1e-3 * (high - low) < peak.0 && peak.0 < high - 1e-3 * (high - low);
+        let (shaft, torque) = self.largest_torque(&self.train, order, rpm);
+        let rated = self.torsion().rated_speed.as_ref().map(float);
+        let exceeds = |shaft: usize| self.stress_over_limit(shaft, rpm).is_some_and(|over| over > 0.0);
+        let barred = rated.filter(|_| (0..self.train.shafts).any(exceeds)).map(|rated| torsion::barred(rpm, rated));
+        Some(ResonanceOrder {
+            mode: index,
+            order,
+            rpm,
+            energy: resonance(&self.train, &self.modes[index].mode, &self.excited()?.torques(order, rpm)?),
+            first: self.twists(&self.train, order, rpm)?.first()?.norm(),
+            shaft,
+            torque,
+            peak: is_inside.then_some(peak),
+            barred,
+        })
+    }
+
+    /// Where the vibration at a speed becomes heat.
+    pub fn heat_places(&self, vibration: &Vibration) -> Vec<HeatPlace> {
+        let Heat { discs, links } = vibration.heat();
+        let discs = discs.into_iter().enumerate().map(|(disc, power)| HeatPlace::Disc(disc, power));
+        let link = |(link, power)| match usize::checked_sub(link, self.train.shafts) {
+            None => HeatPlace::Shaft(link, power),
+            Some(damper) => HeatPlace::Damper(damper, power),
+        };
+        let all = discs.chain(links.into_iter().enumerate().map(link));
+        let power = |place: &HeatPlace| match place {
+            HeatPlace::Disc(_, power) | HeatPlace::Shaft(_, power) | HeatPlace::Damper(_, power) => *power,
+        };
+        all.filter(|place| power(place) > 0.0).collect()
+    }
+
+    /// The stress limit of a shaft, where its steel is given.
+    pub fn limit(&self, shaft: usize) -> Option<StressLimit> {
+        let shaft = &self.torsion().shafts[shaft];
+        Some(StressLimit::new(shaft.section.as_ref()?, shaft.steel.as_ref()?))
+    }
+
+    /// The stress that a torque makes in a shaft, in pascals, where its section is given.
+    pub fn stress(&self, shaft: usize, torque: f64) -> Option<f64> {
+        Some(torsion::stress(self.torsion().shafts.get(shaft)?.section.as_ref()?, torque))
+    }
+
+    /// The permissible stress τ_C of a shaft at a speed.
+    pub fn permissible(&self, shaft: usize, speed: f64) -> Option<f64> {
+        self.limit(shaft)?.continuous(speed / float(self.torsion().rated_speed.as_ref()?))
+    }
+
+    /// By how much the stress of all orders is larger than τ_C.
+    fn stress_over_limit(&self, shaft: usize, speed: f64) -> Option<f64> {
+        let permissible = self.permissible(shaft, speed)?;
+        Some(self.stress(shaft, self.vibration(speed)?.torque(shaft))? - permissible)
+    }
+
+    /// Speeds of the range, close beside resonances.
+    pub fn speeds(&self) -> Vec<f64> {
+        let Some([from, to]) = self.damped().and_then(|_| self.range()) else { return Vec::new() };
+        let even = (0..=SPEEDS).map(|index| from + (to - from) * index as f64 / SPEEDS as f64);
+        let resonances = self.resonances();
+        let peaks = resonances.iter().flat_map(|one| [Some(one.rpm), one.peak.map(|peak| peak.0)]).flatten();
+        let beside = peaks.flat_map(|peak| BESIDE.map(|part| peak * (1.0 + part)));
+        let mut speeds: Vec<f64> = even.chain(beside).filter(|speed| (from..=to).contains(speed)).collect();
+        speeds.sort_by(f64::total_cmp);
+        speeds.dedup_by(|one, other| (*one - *other).abs() < 1e-9 * to);
+        speeds
+    }
+
+    /// The vibration over the range, all orders together; nothing without damping.
+    pub fn over_range(&self) -> &[TwistAtSpeed] {
+        self.range_cache.get_or_init(|| {
+            let at = |speed: f64| {
+                let vibration = self.vibration(speed)?;
+                let torques = (0..self.train.shafts).map(|shaft| vibration.torque(shaft)).collect();
+                Some(TwistAtSpeed { speed, first: vibration.twist(0), torques })
+            };
+            self.speeds().into_iter().filter_map(at).collect()
+        })
+    }
+
+    /// Where stresses of all orders are larger than τ_C, shaft by shaft, the ends found by halving.
+    pub fn excesses(&self) -> Vec<Excess> {
+        let speeds: Vec<f64> = self.over_range().iter().map(|at| at.speed).collect();
+        let mut rows = Vec::new();
+        for shaft in (0..self.train.shafts).filter(|shaft| self.limit(*shaft).is_some()) {
+            let over = |speed: f64| self.stress_over_limit(shaft, speed).is_some_and(|over| over > 0.0);
+            let edge = |mut low: f64, mut high: f64| {
+                let at_low = over(low);
+                for _ in 0..HALVINGS {
+                    let middle = 0.5 * (low + high);
+                    if over(middle) == at_low { low = middle } else { high = middle }
+                }
+                0.5 * (low + high)
+            };
+            let mut begin = speeds.first().copied().filter(|speed| over(*speed));
+            for pair in speeds.windows(2) {
+                match (over(pair[0]), over(pair[1]), begin) {
+                    (false, true, _) => begin = Some(edge(pair[0], pair[1])),
+                    (true, false, Some(from)) => {
+                        rows.push(Excess { shaft, speeds: [from, edge(pair[0], pair[1])] });
+                        begin = None;
+                    }
+                    _ => {}
+                }
+            }
+            if let (Some(from), Some(to)) = (begin, speeds.last()) {
+                rows.push(Excess { shaft, speeds: [from, *to] });
+            }
+        }
+        rows
+    }
+
+    /// The dampers with their best settings.
+    pub fn dampers(&self) -> Vec<DamperStudy> {
+        let bare = Train::bare(self.torsion());
+        let dampers = self.torsion().dampers.iter().enumerate();
+        dampers.filter_map(|(index, damper)| self.damper(&bare, index, damper)).collect()
+    }
+
+    fn damper(&self, bare: &Train, index: usize, damper: &engine::Damper) -> Option<DamperStudy> {
+        let in_mode = torsion::in_first_mode(bare, damper)?;
+        let link = self.train.shafts + index;
+        let Link { stiffness, damping, .. } = self.train.links[link];
+        let found = self.most_work(bare).map(|order| {
+            let middle = 60.0 * in_mode.omega / TAU * 2.0 / f64::from(order.halves());
+            let above = torsion::modes(bare).get(1).map_or(1.5, |second| 0.5 * (1.0 + second.omega / in_mode.omega));
+            let peak = |train: &Train| {
+                let torque = |speed: f64| self.largest_torque(train, order, speed).1;
+                highest(0.5 * middle, above.min(1.5) * middle, POINTS, &torque).1
+            };
+            let (best, least) = torsion::search(&self.train, link, in_mode.best, &peak);
+            FoundDamper { order, best, peaks: [least, peak(&self.train), peak(bare)] }
+        });
+        Some(DamperStudy { in_mode, setting: DamperSetting { stiffness, damping }, found })
+    }
+
+    /// The order of the torque with the most work in the first mode of the train without dampers, in the range where there is one.
+    fn most_work(&self, bare: &Train) -> Option<CycleOrder> {
+        let first = torsion::modes(bare).into_iter().next()?;
+        let excited = self.damped()?;
+        let range = self.range().unwrap_or([0.0, f64::INFINITY]);
+        let work = |order: CycleOrder| {
+            let rpm = 60.0 * first.hertz() * 2.0 / f64::from(order.halves());
+            let torques = excited.torques(order, rpm).filter(|_| (range[0]..=range[1]).contains(&rpm))?;
+            Some((order, resonance(bare, &first, &torques).equilibrium))
+        };
+        let works = excited.orders().filter_map(work);
+        works.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(order, _)| order)
+    }
+}

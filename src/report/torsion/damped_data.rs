@@ -1,0 +1,149 @@
+//! Which columns hold how a train vibrates with damping? A row a shaft, an order of a disc or a shaft, a resonance, a speed, a damper.
+
+use num_traits::ToPrimitive;
+
+use super::{HeatPlace, TorsionStudy};
+use crate::report::data::Filling;
+use crate::table::{Table, Unit};
+
+const MEGA: f64 = 1e-6;
+
+pub(super) fn shafts(study: &TorsionStudy) -> Table {
+    let vibration = study.at_speed();
+    let rows: Vec<_> = study.torsion().shafts.iter().enumerate().collect();
+    let mut table = Filling::new("torsion.shafts", &rows);
+    table.whole("shaft", |(index, _)| index + 1);
+    table.whole("from_disc", |(_, one)| one.ends[0] + 1);
+    table.whole("to_disc", |(_, one)| one.ends[1] + 1);
+    table.decimal("stiffness_{unit}", Unit::NEWTON_METRE_PER_RADIAN, |(_, one)| one.stiffness.to_f64());
+    table.decimal("loss_factor", Unit::NONE, |(_, one)| one.loss_factor.to_f64());
+    table.decimal("damping_{unit}", Unit::NEWTON_METRE_SECOND, |(_, one)| one.damping.to_f64());
+    let torque = |index: usize| vibration.as_ref().map(|vibration| vibration.torque(index));
+    table.decimal("torque_half_range_{unit}", Unit::NEWTON_METRE, |(index, _)| torque(*index));
+    let stress = |index: usize| Some(MEGA * study.stress(index, torque(index)?)?);
+    table.decimal("stress_half_range_{unit}", Unit::MEGAPASCAL, |(index, _)| stress(*index));
+    let speed = study.speed.unwrap_or(f64::NAN);
+    let permitted = |index: usize| study.permissible(index, speed).map(|stress| MEGA * stress);
+    table.decimal("permitted_stress_{unit}", Unit::MEGAPASCAL, |(index, _)| permitted(*index));
+    table.done()
+}
+
+pub(super) fn resonances(study: &TorsionStudy) -> Option<Table> {
+    let rows: Vec<_> = study.resonances().iter().collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let mut table = Filling::new("torsion.resonances", &rows).keyed(2);
+    table.whole("mode", |one| one.mode + 1);
+    table.exact("order", Unit::NONE, |one| Some(one.order.exact().to_string()));
+    table.decimal("speed_{unit}", Unit::PER_MINUTE, |one| Some(one.rpm));
+    table.decimal("first_disc_zero_to_peak_{unit}", Unit::DEGREE, |one| Some(one.first.to_degrees()));
+    table.decimal("energy_zero_to_peak_{unit}", Unit::DEGREE, |one| Some(one.energy.amplitude.to_degrees()));
+    table.decimal("equilibrium_{unit}", Unit::DEGREE, |one| Some(one.energy.equilibrium.to_degrees()));
+    table.decimal("magnifier", Unit::NONE, |one| Some(one.energy.magnifier()));
+    table.whole("shaft", |one| one.shaft + 1);
+    table.decimal("torque_zero_to_peak_{unit}", Unit::NEWTON_METRE, |one| Some(one.torque));
+    table.decimal("peak_speed_{unit}", Unit::PER_MINUTE, |one| one.peak.map(|peak| peak.0));
+    table.decimal("peak_torque_{unit}", Unit::NEWTON_METRE, |one| one.peak.map(|peak| peak.1));
+    table.decimal("barred_from_{unit}", Unit::PER_MINUTE, |one| one.barred.map(|barred| barred[0]));
+    table.decimal("barred_to_{unit}", Unit::PER_MINUTE, |one| one.barred.map(|barred| barred[1]));
+    Some(table.done())
+}
+
+pub(super) fn response(study: &TorsionStudy) -> Option<Table> {
+    let vibration = study.at_speed()?;
+    let discs = 0..study.train.discs.len();
+    let rows: Vec<_> = vibration.orders.iter().flat_map(|order| discs.clone().map(move |disc| (order, disc))).collect();
+    let mut table = Filling::new("torsion.response", &rows).keyed(2);
+    table.exact("order", Unit::NONE, |(one, _)| Some(one.order.exact().to_string()));
+    table.whole("disc", |(_, disc)| disc + 1);
+    table.decimal("twist_zero_to_peak_{unit}", Unit::DEGREE, |(one, disc)| Some(one.twists[*disc].norm().to_degrees()));
+    table.decimal("phase_{unit}", Unit::DEGREE, |(one, disc)| Some(one.twists[*disc].arg().to_degrees()));
+    Some(table.done())
+}
+
+pub(super) fn torques(study: &TorsionStudy) -> Option<Table> {
+    let vibration = study.at_speed()?;
+    let shafts = 0..study.train.shafts;
+    let rows: Vec<_> =
+        vibration.orders.iter().flat_map(|order| shafts.clone().map(move |shaft| (order, shaft))).collect();
+    let mut table = Filling::new("torsion.torques", &rows).keyed(2);
+    table.exact("order", Unit::NONE, |(one, _)| Some(one.order.exact().to_string()));
+    table.whole("shaft", |(_, shaft)| shaft + 1);
+    table.decimal("torque_zero_to_peak_{unit}", Unit::NEWTON_METRE, |(one, shaft)| Some(one.torques[*shaft].norm()));
+    let stress = |torque: f64, shaft: usize| study.stress(shaft, torque).map(|stress| MEGA * stress);
+    table.decimal("stress_zero_to_peak_{unit}", Unit::MEGAPASCAL, |(one, shaft)| {
+        stress(one.torques[*shaft].norm(), *shaft)
+    });
+    Some(table.done())
+}
+
+pub(super) fn speeds(study: &TorsionStudy) -> Option<Table> {
+    let rows: Vec<_> =
+        study.over_range().iter().flat_map(|at| (0..at.torques.len()).map(move |shaft| (at, shaft))).collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let mut table = Filling::new("torsion.speeds", &rows).keyed(2);
+    table.decimal("speed_{unit}", Unit::PER_MINUTE, |(at, _)| Some(at.speed));
+    table.whole("shaft", |(_, shaft)| shaft + 1);
+    table.decimal("torque_half_range_{unit}", Unit::NEWTON_METRE, |(at, shaft)| Some(at.torques[*shaft]));
+    table.decimal("stress_half_range_{unit}", Unit::MEGAPASCAL, |(at, shaft)| {
+        study.stress(*shaft, at.torques[*shaft]).map(|stress| MEGA * stress)
+    });
+    table.decimal("permitted_stress_{unit}", Unit::MEGAPASCAL, |(at, shaft)| {
+        study.permissible(*shaft, at.speed).map(|stress| MEGA * stress)
+    });
+    table.decimal("first_disc_half_range_{unit}", Unit::DEGREE, |(at, _)| Some(at.first.to_degrees()));
+    Some(table.done())
+}
+
+pub(super) fn excesses(study: &TorsionStudy) -> Option<Table> {
+    let rows: Vec<_> = study.excesses().into_iter().enumerate().collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let mut table = Filling::new("torsion.excesses", &rows);
+    table.whole("range", |(index, _)| index + 1);
+    table.whole("shaft", |(_, one)| one.shaft + 1);
+    table.decimal("from_{unit}", Unit::PER_MINUTE, |(_, one)| Some(one.speeds[0]));
+    table.decimal("to_{unit}", Unit::PER_MINUTE, |(_, one)| Some(one.speeds[1]));
+    Some(table.done())
+}
+
+pub(super) fn heat(study: &TorsionStudy) -> Option<Table> {
+    let rows = study.heat_places(&study.at_speed()?);
+    let place = |one: &HeatPlace| match *one {
+        HeatPlace::Disc(disc, power) => ("disc", disc, power),
+        HeatPlace::Shaft(shaft, power) => ("shaft", shaft, power),
+        HeatPlace::Damper(damper, power) => ("damper", damper, power),
+    };
+    let mut table = Filling::new("torsion.heat", &rows).keyed(2);
+    table.words("place", |one| Some(place(one).0.to_owned()));
+    table.whole("number", |one| place(one).1 + 1);
+    table.decimal("heat_{unit}", Unit::WATT, |one| Some(place(one).2));
+    Some(table.done())
+}
+
+pub(super) fn dampers(study: &TorsionStudy) -> Option<Table> {
+    let rows: Vec<_> = study.dampers().into_iter().enumerate().collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let (stiff, damped) = (Unit::NEWTON_METRE_PER_RADIAN, Unit::NEWTON_METRE_SECOND);
+    let mut table = Filling::new("torsion.dampers", &rows);
+    table.whole("damper", |(index, _)| index + 1);
+    table.whole("disc", |(index, _)| study.torsion().dampers[*index].disc + 1);
+    table.decimal("mass_ratio", Unit::NONE, |(_, one)| Some(one.in_mode.mass_ratio));
+    table.decimal("stiffness_{unit}", stiff, |(_, one)| Some(one.setting.stiffness));
+    table.decimal("damping_{unit}", damped, |(_, one)| Some(one.setting.damping));
+    table.decimal("formula_stiffness_{unit}", stiff, |(_, one)| Some(one.in_mode.best.stiffness));
+    table.decimal("formula_damping_{unit}", damped, |(_, one)| Some(one.in_mode.best.damping));
+    table.exact("order", Unit::NONE, |(_, one)| one.found.as_ref().map(|found| found.order.exact().to_string()));
+    table.decimal("best_stiffness_{unit}", stiff, |(_, one)| one.found.as_ref().map(|found| found.best.stiffness));
+    table.decimal("best_damping_{unit}", damped, |(_, one)| one.found.as_ref().map(|found| found.best.damping));
+    for (name, at) in [("best_torque_{unit}", 0), ("torque_{unit}", 1), ("torque_without_{unit}", 2)] {
+        table.decimal(name, Unit::NEWTON_METRE, |(_, one)| one.found.as_ref().map(|found| found.peaks[at]));
+    }
+    Some(table.done())
+}

@@ -1,0 +1,167 @@
+//! Which tables tell of a train with damping? Its shafts, discs, heat, resonances, dampers.
+
+use super::tables::MOST_MODES;
+use super::words::{rpm, shaft};
+use super::{HeatPlace, ResonanceOrder, TorsionStudy, Vibration};
+use crate::page::{Columns, Number, Table, Text, Unit, phrase};
+use crate::torsion::{CriticalSpeeds, Node};
+
+/// So many resonances stand on a terminal.
+const MOST_RESONANCES: usize = 8;
+const MEGA: f64 = 1e-6;
+
+fn none() -> Text {
+    "–".into()
+}
+
+/// One row per shaft: torque and stress at the speed, the largest in the range, what is permitted there.
+pub(super) fn shafts(study: &TorsionStudy, vibration: &Vibration) -> Table {
+    let most = |index: usize| {
+        let at = |one: &super::TwistAtSpeed| (one.torques[index], one.speed);
+        study.over_range().iter().map(at).fold((0.0, 0.0), |most, one| if one.0 > most.0 { one } else { most })
+    };
+    let rows: Vec<_> = (0..study.train.shafts).map(|index| (index, vibration.torque(index), most(index))).collect();
+    let has_stress = study.torsion().shafts.iter().any(|shaft| shaft.section.is_some());
+    let stress = |index: usize, torque: f64| match study.stress(index, torque) {
+        Some(stress) => Text::measured(MEGA * stress, Unit::MEGAPASCAL),
+        None => none(),
+    };
+    let (has_range, has_limit) =
+        (!study.over_range().is_empty(), (0..study.train.shafts).any(|index| study.limit(index).is_some()));
+    let permitted = |index: usize, speed: f64| match study.permissible(index, speed) {
+        Some(stress) => Text::measured(MEGA * stress, Unit::MEGAPASCAL),
+        None => none(),
+    };
+    let torque = |torque: f64| Text::measured(torque, Unit::NEWTON_METRE);
+    Table::of(rows)
+        .column("Shaft", |(index, ..)| shaft(study, *index))
+        .column(phrase!("Torque ({})", Unit::NEWTON_METRE), |(_, own, _)| torque(*own))
+        .column_if(has_stress, phrase!("Stress ({})", Unit::MEGAPASCAL), |(index, own, _)| stress(*index, *own))
+        .column_if(has_range, phrase!("Largest torque ({})", Unit::NEWTON_METRE), |(.., most)| torque(most.0))
+        .column_if(has_range, "At (1/min)", |(.., most)| Number::Decimal(most.1))
+        .column_if(has_range && has_stress, phrase!("Its stress ({})", Unit::MEGAPASCAL), |(index, _, most)| {
+            stress(*index, most.0)
+        })
+        .column_if(has_limit, phrase!("Permitted there ({})", Unit::MEGAPASCAL), |(index, _, most)| {
+            permitted(*index, most.1)
+        })
+        .done()
+}
+
+/// One row per disc: how far it swings.
+pub(super) fn twists(study: &TorsionStudy, vibration: &Vibration) -> Table {
+    let discs = study.torsion().inertias.len();
+    let name = |disc: usize| match disc.checked_sub(discs) {
+        None => (disc + 1).into(),
+        Some(damper) => phrase!("ring of damper {}", damper + 1),
+    };
+    Table::of(0..study.train.discs.len())
+        .column("Disc", |disc| name(*disc))
+        .column("Amplitude (°)", |disc| Number::Decimal(vibration.twist(*disc).to_degrees()))
+        .done()
+}
+
+/// One row per place: the power that becomes heat.
+pub(super) fn heat(study: &TorsionStudy, vibration: &Vibration) -> Table {
+    let row = |place: &HeatPlace| match *place {
+        HeatPlace::Disc(disc, power) => (phrase!("disc {}", disc + 1), power),
+        HeatPlace::Shaft(index, power) => (phrase!("shaft {}", shaft(study, index)), power),
+        HeatPlace::Damper(damper, power) => (phrase!("damper {}", damper + 1), power),
+    };
+    let mut rows: Vec<(Text, f64)> = study.heat_places(vibration).iter().map(row).collect();
+    if rows.len() > 1 {
+        rows.push(("together".into(), rows.iter().map(|(_, power)| power).sum()));
+    }
+    Table::of(rows)
+        .column("Where", |(place, _)| place.clone())
+        .column(phrase!("Heat ({})", Unit::WATT), |(_, power)| Text::measured(*power, Unit::WATT))
+        .done()
+}
+
+/// One row per order and mode: the critical speed, the amplitude by both methods, the torque, the peak, the barred speeds.
+pub(super) fn resonances(study: &TorsionStudy) -> Table {
+    let rows = study.resonances();
+    let table = first_columns(study, rows.iter())
+        .column("By energy (°)", |one| Number::Decimal(one.energy.amplitude.to_degrees()))
+        .column("Peak at (1/min)", |one| one.peak.map_or_else(none, |peak| Number::Decimal(peak.0).into()))
+        .column(phrase!("Peak ({})", Unit::NEWTON_METRE), |one| {
+            one.peak.map_or_else(none, |peak| Text::measured(peak.1, Unit::NEWTON_METRE))
+        });
+    if rows.iter().all(|one| one.barred.is_none()) {
+        return table.done();
+    }
+    let barred = |one: &&ResonanceOrder| match one.barred {
+        Some([from, to]) => phrase!("{} to {}", rpm(from), rpm(to)),
+        None => none(),
+    };
+    table.column("Barred", barred).done()
+}
+
+/// The strongest of them in short, for a terminal.
+pub(super) fn strongest(study: &TorsionStudy) -> Table {
+    let mut rows: Vec<&ResonanceOrder> = study.resonances().iter().collect();
+    rows.sort_by(|one, other| other.torque.total_cmp(&one.torque));
+    first_columns(study, rows.into_iter().take(MOST_RESONANCES)).done()
+}
+
+fn first_columns<'a>(
+    study: &'a TorsionStudy,
+    rows: impl Iterator<Item = &'a ResonanceOrder>,
+) -> Columns<&'a ResonanceOrder> {
+    Table::of(rows)
+        .column("Mode", |one| one.mode + 1)
+        .column("Order κ", |one| one.order.to_string())
+        .column("Critical speed (1/min)", |one| Number::Decimal(one.rpm))
+        .column("First disc (°)", |one| Number::Decimal(one.first.to_degrees()))
+        .column(phrase!("Torque ({})", Unit::NEWTON_METRE), |one| Text::measured(one.torque, Unit::NEWTON_METRE))
+        .column("Shaft", |one| shaft(study, one.shaft))
+}
+
+/// One row per node of the first modes: between which discs, and at which part of the way.
+pub(super) fn nodes(study: &TorsionStudy) -> Table {
+    let of_mode = |(mode, speeds): (usize, &CriticalSpeeds)| {
+        let nodes: Vec<Node> = speeds.mode.nodes.clone();
+        nodes.into_iter().map(move |node| (mode + 1, node))
+    };
+    let rows: Vec<(usize, Node)> = study.modes.iter().take(MOST_MODES).enumerate().flat_map(of_mode).collect();
+    let at = |node: &Node| match node {
+        Node::Shaft(link, _) => study.train.links[*link].ends.map(|disc| disc + 1),
+        Node::Disc(disc) => [disc + 1; 2],
+    };
+    Table::of(rows)
+        .column("Mode", |(mode, _)| *mode)
+        .column("Node from disc", |(_, node)| at(node)[0])
+        .column("To disc", |(_, node)| at(node)[1])
+        .column("Part of the way", |(_, node)| match node {
+            Node::Shaft(_, part) => Number::Decimal(*part).into(),
+            Node::Disc(_) => none(),
+        })
+        .done()
+}
+
+/// One row per damper and setting: as written, by the formula, by the search.
+pub(super) fn dampers(study: &TorsionStudy) -> Table {
+    let mut rows = Vec::new();
+    for (index, damper) in study.dampers().into_iter().enumerate() {
+        let found = damper.found.clone();
+        let peak = |at: usize| found.as_ref().map(|found| found.peaks[at]);
+        rows.push((index, Text::from("as in the layout"), damper.setting, peak(1)));
+        rows.push((index, "by the formula".into(), damper.in_mode.best, None));
+        if let Some(found) = &found {
+            rows.push((index, "by the search".into(), found.best, peak(0)));
+        }
+    }
+    Table::of(rows)
+        .column("Damper", |(index, ..)| index + 1)
+        .column("Setting", |(_, words, ..)| words.clone())
+        .column(phrase!("Stiffness ({})", Unit::NEWTON_METRE_PER_RADIAN), |(.., setting, _)| {
+            Text::measured(setting.stiffness, Unit::NEWTON_METRE_PER_RADIAN)
+        })
+        .column(phrase!("Damping ({})", Unit::NEWTON_METRE_SECOND), |(.., setting, _)| {
+            Text::measured(setting.damping, Unit::NEWTON_METRE_SECOND)
+        })
+        .column(phrase!("Largest torque ({})", Unit::NEWTON_METRE), |(.., peak)| {
+            peak.map_or_else(none, |peak| Text::measured(peak, Unit::NEWTON_METRE))
+        })
+        .done()
+}

@@ -1,0 +1,136 @@
+//! Which ring damps best? By the formulas of the textbooks for one mode, and by a search on the train itself.
+//!
+//! J. P. Den Hartog, Mechanical Vibrations, chapter 3: μ is the inertia of the ring over that of the mode, `ΣJΔ²` with Δ = 1 at the
+//! damper; ζ = c / (2 J_d ω₁), and f is the frequency of the ring alone over ω₁. With the frequency of the ring in place of ω₁ the
+//! formula of a tuned damper is √(3μ / 8(1+μ)): both are in use.
+
+use super::{Mode, Train, modes};
+use crate::engine::{self, DamperValue};
+use crate::numbers::float;
+
+/// The values of a damper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DamperSetting {
+    /// Stiffness in N m per radian; 0 of a viscous one.
+    pub stiffness: f64,
+    /// Damping in N m s per radian.
+    pub damping: f64,
+}
+
+/// A damper in the first mode of the train without dampers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DamperInMode {
+    /// Inertia of the ring over that of the mode.
+    pub mass_ratio: f64,
+    /// Angular frequency of the mode.
+    pub omega: f64,
+    /// The best setting by the formula.
+    pub best: DamperSetting,
+    /// Its peak over the static deflection: exact of a viscous damper, at the fixed points of a tuned one, which is a little less.
+    pub peak: f64,
+}
+
+/// The best by the formula: ζ, f (0 of a viscous damper) and the peak over the static deflection.
+pub fn formula(mass_ratio: f64, is_tuned: bool) -> (f64, f64, f64) {
+    let mu = mass_ratio;
+    match is_tuned {
+        true => ((3.0 * mu / (8.0 * (1.0 + mu).powi(3))).sqrt(), 1.0 / (1.0 + mu), (1.0 + 2.0 / mu).sqrt()),
+        false => (1.0 / (2.0 * (1.0 + mu) * (2.0 + mu)).sqrt(), 0.0, (2.0 + mu) / mu),
+    }
+}
+
+/// A damper of an engine in the first mode of the train without dampers; none where that has no mode.
+pub fn in_first_mode(bare: &Train, damper: &engine::Damper) -> Option<DamperInMode> {
+    let first: Mode = modes(bare).into_iter().next()?;
+    let ring = float(&damper.inertia);
+    let mass_ratio = ring * first.shape[damper.disc].powi(2) / bare.inertia_of(&first.shape);
+    let (zeta, f, peak) = formula(mass_ratio, damper.stiffness.is_some());
+    let best = DamperSetting { stiffness: ring * (f * first.omega).powi(2), damping: 2.0 * ring * first.omega * zeta };
+    Some(DamperInMode { mass_ratio, omega: first.omega, best, peak })
+}
+
+/// The values of each damper, the best ones put in.
+pub(super) fn settings(bare: &Train, dampers: &[engine::Damper]) -> Vec<DamperSetting> {
+    let of_one = |damper: &engine::Damper| {
+        let best = in_first_mode(bare, damper).map_or(DamperSetting { stiffness: 0.0, damping: 0.0 }, |one| one.best);
+        let value = |setting: &DamperValue, best: f64| match setting {
+            DamperValue::Given(value) => float(value),
+            DamperValue::Best => best,
+        };
+        DamperSetting {
+            stiffness: damper.stiffness.as_ref().map_or(0.0, |setting| value(setting, best.stiffness)),
+            damping: value(&damper.damping, best.damping),
+        }
+    };
+    dampers.iter().map(of_one).collect()
+}
+
+/// Steps of each search by golden sections: a bracket shrinks to its 10⁻⁷th part.
+const STEPS: usize = 34;
+/// By so much the search goes beyond the formula, up and down.
+const FACTOR: f64 = 2.0;
+/// The same of the frequency of the ring.
+const TUNING: f64 = 1.25;
+
+/// The setting of the damper on a link, its start at the formula's, at which a peak of the train is least; with that peak.
+pub fn search(train: &Train, link: usize, start: DamperSetting, peak: &dyn Fn(&Train) -> f64) -> (DamperSetting, f64) {
+    let at = |stiffness: f64, damping: f64| {
+        let mut train = train.clone();
+        (train.links[link].stiffness, train.links[link].damping) = (stiffness, damping);
+        peak(&train)
+    };
+    let best_damping = |stiffness: f64| {
+        let (low, high) = ((start.damping / FACTOR).ln(), (start.damping * FACTOR).ln());
+        let (damping, peak) = least(low, high, &mut |value| at(stiffness, value.exp()));
+        (damping.exp(), peak)
+    };
+    if start.stiffness == 0.0 {
+        let (damping, peak) = best_damping(0.0);
+        return (DamperSetting { stiffness: 0.0, damping }, peak);
+    }
+    let (low, high) = ((start.stiffness / TUNING).ln(), (start.stiffness * TUNING).ln());
+    let (stiffness, peak) = least(low, high, &mut |value| best_damping(value.exp()).1);
+    let stiffness = stiffness.exp();
+    (DamperSetting { stiffness, damping: best_damping(stiffness).0 }, peak)
+}
+
+/// The least value of a function with one valley, and where it is.
+pub(super) fn least(low: f64, high: f64, of: &mut dyn FnMut(f64) -> f64) -> (f64, f64) {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let (mut low, mut high) = (low, high);
+    let (mut one, mut other) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut at_one, mut at_other) = (of(one), of(other));
+    for _ in 0..STEPS {
+        if at_one < at_other {
+            (high, other, at_other) = (other, one, at_one);
+            one = high - GOLDEN * (high - low);
+            at_one = of(one);
+        } else {
+            (low, one, at_one) = (one, other, at_other);
+            other = low + GOLDEN * (high - low);
+            at_other = of(other);
+        }
+    }
+    if at_one < at_other { (one, at_one) } else { (other, at_other) }
+}
+
+/// A peak whose points are lower than this part of the highest one is not refined.
+const LOWER: f64 = 0.9;
+
+/// The largest value between two ends, and where it is: the peaks of so many points, each then refined.
+pub fn highest(low: f64, high: f64, points: usize, of: &dyn Fn(f64) -> f64) -> (f64, f64) {
+    let at = |index: usize| low + (high - low) * index as f64 / points as f64;
+    let values: Vec<f64> = (0..=points).map(|index| of(at(index))).collect();
+    let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let value = |index: usize| values.get(index).copied().unwrap_or(f64::NEG_INFINITY);
+    let is_peak = |index: &usize| {
+        let own = values[*index];
+        own >= value(index.wrapping_sub(1)) && own >= value(index + 1) && own >= top.min(LOWER * top)
+    };
+    let refined = |index: usize| {
+        let (place, value) = least(at(index.saturating_sub(1)), at((index + 1).min(points)), &mut |x| -of(x));
+        if -value >= values[index] { (place, -value) } else { (at(index), values[index]) }
+    };
+    let peaks = (0..=points).filter(is_peak).map(refined);
+    peaks.fold((low, f64::NEG_INFINITY), |most, one| if one.1 > most.1 { one } else { most })
+}
