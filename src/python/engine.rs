@@ -299,8 +299,8 @@ impl Engine {
     /// The engine on its mounts: modes, what each order moves and what the mounts pass on, the torque-roll axis; needs `[block]` and
     /// `[[mount]]` in the layout.
     ///
-    /// orders: such as [0.5, 1, 2]; those up to 6 where left out. speed: in place of that of the layout, in 1/min; start and end: the range of
-    /// speeds, from a tenth of its end to the speed where left out.
+    /// orders: such as [0.5, 1, 2]; those up to 6 where omitted. speed: in place of that of the layout, in rpm; start and end: the range of
+    /// speeds, from a tenth of its end to the speed where omitted.
     #[pyo3(signature = (orders=None, speed=None, start=None, end=None))]
     fn mounts(
         &self,

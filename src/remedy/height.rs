@@ -110,7 +110,7 @@ impl PairRoll {
         })
     }
 
-    /// The peak of the roll moment of the order in newton-metres, with the pair at `x₁ − x₂` and `y₁ + y₂` in metres, at a speed in 1/min.
+    /// The peak of the roll moment of the order in newton-metres, with the pair at `x₁ − x₂` and `y₁ + y₂` in metres, at a speed in rpm.
     pub fn peak(&self, rpm: f64, [height, sideways]: [f64; 2]) -> f64 {
         let square = square(rpm);
         let sine = self.force * square * height / 2.0 + self.gas[1] + self.inertia * square;

@@ -51,7 +51,7 @@ impl Unit {
     /// Oscillations a second.
     pub const HERTZ: Unit = Unit { name: "Hz", tex: "Hz", suffix: "Hz" };
     /// Revolutions a minute.
-    pub const PER_MINUTE: Unit = Unit { name: "1/min", tex: "min^{-1}", suffix: "rpm" };
+    pub const PER_MINUTE: Unit = Unit { name: "rpm", tex: "\\mathrm{rpm}", suffix: "rpm" };
     /// Parts of a hundred.
     pub const PERCENT: Unit = Unit { name: "%", tex: "\\%", suffix: "percent" };
     /// Newtons times the spacing of the cylinders.

@@ -15,8 +15,10 @@ use crate::proof::{Planar, Sense};
 
 /// λ of rods that are not given, as the drawings have it.
 const USUAL: (i64, i64) = (2, 7);
-/// The grid on which a largest value is looked for, in steps of a turn, and how finely it is then looked for.
+/// The grid on which a largest value is looked for, in steps of a turn, and how finely it is then looked for. One unknown has eight points for each
+/// turn of its fastest vector, up to as many as are quickly summed.
 const STEPS: i32 = 72;
+const MOST_STEPS: i32 = 2000;
 const FINEST: f64 = 1e-7;
 /// Orders below this part of the largest one are not drawn.
 const ABOVE: f64 = 0.01;
@@ -105,12 +107,17 @@ impl<'a> Sizes<'a> {
     /// The largest of all angles: the best point of a grid, then ever smaller steps from it.
     pub fn most(&self, quantity: Planar, order: u32) -> f64 {
         let unknowns = self.family.unknowns();
-        let steps = [PHI, DELTA].map(|unknown| if unknowns.contains(unknown) { STEPS } else { 1 });
+        let is_open = [PHI, DELTA].map(|unknown| unknowns.contains(unknown));
+        let count = match is_open {
+            [true, true] => STEPS,
+            _ => i32::try_from(8 * (order + 1)).unwrap_or(MOST_STEPS).clamp(STEPS, MOST_STEPS),
+        };
+        let steps = is_open.map(|is_open| if is_open { count } else { 1 });
         let size = self.size(quantity, order);
-        let place = |step: i32| f64::from(step) / f64::from(STEPS);
+        let place = |step: i32| f64::from(step) / f64::from(count);
         let grid = (0..steps[0]).flat_map(|one| (0..steps[1]).map(move |other| [place(one), place(other)]));
         let Some(mut best) = grid.max_by(|one, other| size(*one).total_cmp(&size(*other))) else { return 0.0 };
-        let mut step = 1.0 / f64::from(STEPS);
+        let mut step = 1.0 / f64::from(count);
         while step > FINEST {
             let [one, other] = best;
             let around = [[one - step, other], [one + step, other], [one, other - step], [one, other + step]];

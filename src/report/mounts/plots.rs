@@ -43,7 +43,7 @@ fn map(study: &MountsStudy) -> Option<Picture> {
     if most <= 0.0 {
         return None;
     }
-    let x = Axis { range: Some((from, to)), ..Axis::linear("Speed in 1/min") };
+    let x = Axis { range: Some((from, to)), ..Axis::linear("Speed in rpm") };
     let ticks: Vec<f64> = (0..count).map(kappa).collect();
     let y = Axis {
         range: Some((ticks.first()? - 0.3 * step, ticks.last()? + step)),
@@ -84,7 +84,7 @@ fn speeds(study: &MountsStudy) -> Option<Picture> {
         return None;
     }
     strongest.sort_unstable();
-    let x = Axis { range: Some((from, to)), ..Axis::linear("Speed in 1/min") };
+    let x = Axis { range: Some((from, to)), ..Axis::linear("Speed in rpm") };
     let y = Axis::amplitude("Velocity in {}").counted_in(Unit::MILLIMETRE_PER_SECOND);
     let mut plot = Plot::new("Velocity over the speed", x, y);
     for (number, &order) in strongest.iter().enumerate() {

@@ -163,7 +163,7 @@ pub(super) fn critical(study: &MountsStudy) -> Table {
     let rows: Vec<_> = study.orders.iter().filter(|one| !one.excitation.still.is_whole()).collect();
     let table = Table::of(rows).column("Order κ", |one| one.excitation.order.to_string());
     let table = study.modes.iter().enumerate().fold(table, |table, (index, mode)| {
-        table.column(phrase!("Mode {} at (1/min)", index + 1), move |one| {
+        table.column(phrase!("Mode {} at (rpm)", index + 1), move |one| {
             Number::Decimal(MountsStudy::critical(one.excitation.order, mode))
         })
     });

@@ -101,6 +101,8 @@ pub struct ResonanceOrder {
     pub peak: Option<(f64, f64)>,
     /// The speeds that IACS UR M68 bars around it, where a stress of all orders is larger there than permitted.
     pub barred: Option<[f64; 2]>,
+    /// Whether the stress is above the limit where no range may be barred, from 80 % of the rated speed on.
+    pub is_unbarred: bool,
 }
 
 /// Speeds at which the vibration stress of a shaft is larger than is permitted for continuous running.
@@ -230,7 +232,8 @@ impl TorsionStudy {
         let (shaft, torque) = self.largest_torque(&self.train, order, rpm);
         let rated = self.torsion().rated_speed.as_ref().map(float);
         let exceeds = |shaft: usize| self.stress_over_limit(shaft, rpm).is_some_and(|over| over > 0.0);
-        let barred = rated.filter(|_| (0..self.train.shafts).any(exceeds)).map(|rated| torsion::barred(rpm, rated));
+        let rated = rated.filter(|_| (0..self.train.shafts).any(exceeds));
+        let may_be_barred = |rated: &f64| rpm < torsion::UNBARRED * rated;
         Some(ResonanceOrder {
             mode: index,
             order,
@@ -240,7 +243,8 @@ impl TorsionStudy {
             shaft,
             torque,
             peak: is_inside.then_some(peak),
-            barred,
+            barred: rated.filter(may_be_barred).map(|rated| torsion::barred(rpm, rated)),
+            is_unbarred: rated.is_some_and(|rated| !may_be_barred(&rated)),
         })
     }
 

@@ -38,7 +38,7 @@ pub(super) fn shafts(study: &TorsionStudy, vibration: &Vibration) -> Table {
         .column(phrase!("Torque ({})", Unit::NEWTON_METRE), |(_, own, _)| torque(*own))
         .column_if(has_stress, phrase!("Stress ({})", Unit::MEGAPASCAL), |(index, own, _)| stress(*index, *own))
         .column_if(has_range, phrase!("Largest torque ({})", Unit::NEWTON_METRE), |(.., most)| torque(most.0))
-        .column_if(has_range, "At (1/min)", |(.., most)| Number::Decimal(most.1))
+        .column_if(has_range, "At (rpm)", |(.., most)| Number::Decimal(most.1))
         .column_if(has_range && has_stress, phrase!("Its stress ({})", Unit::MEGAPASCAL), |(index, _, most)| {
             stress(*index, most.0)
         })
@@ -83,7 +83,7 @@ pub(super) fn resonances(study: &TorsionStudy) -> Table {
     let rows = study.resonances();
     let table = first_columns(study, rows.iter())
         .column("By energy (°)", |one| Number::Decimal(one.energy.amplitude.to_degrees()))
-        .column("Peak at (1/min)", |one| one.peak.map_or_else(none, |peak| Number::Decimal(peak.0).into()))
+        .column("Peak at (rpm)", |one| one.peak.map_or_else(none, |peak| Number::Decimal(peak.0).into()))
         .column(phrase!("Peak ({})", Unit::NEWTON_METRE), |one| {
             one.peak.map_or_else(none, |peak| Text::measured(peak.1, Unit::NEWTON_METRE))
         });
@@ -111,7 +111,7 @@ fn first_columns<'a>(
     Table::of(rows)
         .column("Mode", |one| one.mode + 1)
         .column("Order κ", |one| one.order.to_string())
-        .column("Critical speed (1/min)", |one| Number::Decimal(one.rpm))
+        .column("Critical speed (rpm)", |one| Number::Decimal(one.rpm))
         .column("First disc (°)", |one| Number::Decimal(one.first.to_degrees()))
         .column(phrase!("Torque ({})", Unit::NEWTON_METRE), |one| Text::measured(one.torque, Unit::NEWTON_METRE))
         .column("Shaft", |one| shaft(study, one.shaft))

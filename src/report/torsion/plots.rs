@@ -39,7 +39,7 @@ pub(super) fn campbell(study: &TorsionStudy) -> Option<Picture> {
     if end <= 0.0 {
         return None;
     }
-    let x = Axis { range: Some((0.0, end)), ..Axis::linear("Speed in 1/min") };
+    let x = Axis { range: Some((0.0, end)), ..Axis::linear("Speed in rpm") };
     let shown = || study.modes.iter().take(MOST_MODES);
     let top = shown().next_back().map_or(0.0, |speeds| speeds.mode.hertz()) * BEYOND;
     let mut plot =
@@ -75,7 +75,7 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
     }
     let points =
         |of: &dyn Fn(&TwistAtSpeed) -> f64| -> Vec<(f64, f64)> { rows.iter().map(|at| (at.speed, of(at))).collect() };
-    let x = || Axis::linear("Speed in 1/min");
+    let x = || Axis::linear("Speed in rpm");
     let most = |shaft: usize| rows.iter().map(|at| at.torques[shaft]).fold(0.0, f64::max);
     let mut shafts: Vec<usize> = (0..study.train.shafts).collect();
     shafts.sort_by(|one, other| most(*other).total_cmp(&most(*one)));

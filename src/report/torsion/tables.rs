@@ -9,12 +9,12 @@ use crate::page::{Number, Table, Text, Unit, number, phrase};
 /// At most so many modes are beside each other.
 pub(super) const MOST_MODES: usize = 3;
 
-/// One row per mode: frequency, the same in 1/min, nodes.
+/// One row per mode: frequency, the same in rpm, nodes.
 pub(super) fn modes(study: &TorsionStudy) -> Table {
     Table::of(study.modes.iter().map(|speeds| &speeds.mode).enumerate())
         .column("Mode", |(index, _)| index + 1)
         .column("Frequency (Hz)", |(_, mode)| Number::Decimal(mode.hertz()))
-        .column("Frequency (1/min)", |(_, mode)| Number::Decimal(60.0 * mode.hertz()))
+        .column("Frequency (rpm)", |(_, mode)| Number::Decimal(60.0 * mode.hertz()))
         .column("Nodes", |(_, mode)| mode.nodes())
         .done()
 }
@@ -74,7 +74,7 @@ pub(super) fn critical(study: &TorsionStudy) -> Table {
     let shown = study.modes.iter().take(MOST_MODES).enumerate();
     let with_modes = shown.fold(table, |table, (index, speeds)| {
         table
-            .column(phrase!("Mode {} at (1/min)", index + 1), |(row, _)| Number::Decimal(speeds.orders[*row].rpm))
+            .column(phrase!("Mode {} at (rpm)", index + 1), |(row, _)| Number::Decimal(speeds.orders[*row].rpm))
             .column(phrase!("Star of mode {}", index + 1), |(row, _)| {
                 part(speeds.orders[*row].star.norm() / speeds.longest)
             })

@@ -37,7 +37,7 @@ const ALWAYS: [&str; 3] = [
 ];
 
 const FOUND: &str = "In a mode the deflections $\\Theta_i$ of the discs satisfy $k_i(\\Theta_{i+1} - \\Theta_i) = k_{i-1}(\\Theta_i - \\Theta_{i-1}) - J_i\\omega^2\\Theta_i$; \
-    order $\\kappa$ meets the frequency $f$ at the speed $n = 60 f/\\kappa$ in 1/min. A torque of order $\\kappa$ that all cylinders share works on the mode in proportion to \
+    order $\\kappa$ meets the frequency $f$ at the speed $n = 60 f/\\kappa$ in rpm. A torque of order $\\kappa$ that all cylinders share works on the mode in proportion to \
     $\\lvert\\sum_j \\Delta_j r_j e^{-i\\kappa\\varphi_j}\\rvert$, with $\\Delta_j$ the deflection of the cylinder's crankpin.";
 
 /// How the forced vibration is found.
@@ -62,7 +62,7 @@ pub(super) fn found(study: &TorsionStudy) -> Vec<Text> {
 
 /// How a permissible stress is found.
 const FOUND_CLASS: &str = "IACS Unified Requirement M68: for continuous running $\\tau_C = (\\sigma_B + 160)/18 \\cdot c_K c_D (3 - 2\\lambda^2)$ in MPa up to $\\lambda = 0.9$, then $1.38$ in place of the bracket up to $1.05$; $c_D = 0.35 + 0.93\\,d^{-0.2}$, $d$ in mm; \
-    $\\lambda$ is the speed over the rated speed. Passing quickly, below $\\lambda = 0.8$: $\\tau_T = 1.7\\,\\tau_C/\\sqrt{c_K}$. A barred range is $16 n_c/(18 - \\lambda)$ to $(18 - \\lambda) n_c/16$. Whether a shaft complies is for the class to say: it asks for misfiring and other loads too.";
+    $\\lambda$ is the speed over the rated speed. Passing quickly, below $\\lambda = 0.8$: $\\tau_T = 1.7\\,\\tau_C/\\sqrt{c_K}$. A barred range is $16 n_c/(18 - \\lambda)$ to $(18 - \\lambda) n_c/16$. From $\\lambda = 0.8$ on no range may be barred. The class decides, with misfiring and other loads.";
 
 /// How a damper is found.
 const FOUND_DAMPER: &str = "Best dampers (Den Hartog), $\\mu$ the inertia of the ring over $\\sum J \\Delta^2$ of the first mode, $\\Delta = 1$ at the damper: viscous $\\zeta = 1/\\sqrt{2(1 + \\mu)(2 + \\mu)}$; tuned $\\omega_a = \\omega_1/(1 + \\mu)$, $\\zeta^2 = 3\\mu/8(1 + \\mu)^3$; \
@@ -181,6 +181,13 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
         ));
     }
     for one in study.resonances() {
+        if one.is_unbarred {
+            lines.push(phrase!(
+                "At the critical speed {} of order {} the stress is above the limit, and so near the rated speed no range may be barred.",
+                rpm(one.rpm),
+                one.order.to_string()
+            ));
+        }
         if let Some([from, to]) = one.barred {
             lines.push(phrase!(
                 "Around the critical speed {} of order {} its formula bars {} to {}.",
