@@ -135,7 +135,14 @@ fn every_line_of_every_report_recomputes_as_printed() {
         let page = pages::document_of(&engine, open.as_deref());
         for format in [Format::GITHUB, Format::Latex] {
             let found = lines(&pages::text(&page, format));
-            assert!(found.len() > 4, "{} has only {} lines in {format:?}", folder.display(), found.len());
+            // An example of torsion alone gives no masses, and has no forces to compute.
+            let has_forces = engine.dimensions().mass.is_some();
+            assert!(
+                found.len() > 4 || !has_forces,
+                "{} has only {} lines in {format:?}",
+                folder.display(),
+                found.len()
+            );
             for (figures, result) in found {
                 let (worked_out, printed) = (Reader::value(&figures), Reader::value(&result));
                 assert!(agrees(worked_out, printed), "{}: {figures} is {worked_out}, not {result}", folder.display());

@@ -173,7 +173,7 @@ fn a_page_and_a_document_tell_the_firing_orders() {
     page.blocks = report::search_torsion(&front, &torsion);
     let text = page::write(&page, Format::GITHUB, &Options::default()).remove(0).text;
     assert!(
-        text.contains("**Star 1** has 4 firing orders. In 1-4-5-6-3-2 the strongest minor order is the weakest"),
+        text.contains("**Star 1** has 4 firing orders. 1-4-5-6-3-2 keeps the strongest minor order smallest"),
         "{text}"
     );
     let unknown: Vec<&str> = phrases(&page).into_iter().filter(|words| !Language::De.knows(words)).collect();

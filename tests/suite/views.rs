@@ -371,8 +371,12 @@ fn the_exact_zeros_of_an_open_angle_are_marked_on_its_axis() {
     let (figure, caption) = open_figure("[vee]\nbank_angle = \"phi\"\nthrows = [0, 120, 240]").expect("a drawing");
     assert_figure("open V6", &figure);
     let texts: Vec<String> = boxes(&figure).into_iter().map(|label| label.text).collect();
-    assert!(texts.contains(&"180°".to_owned()) && texts.contains(&"order 6".to_owned()), "{texts:?}");
-    assert!(caption.contains("force at 1, 2, 4") && caption.contains("moment at 6"), "{caption}");
+    assert!(texts.contains(&"180°".to_owned()) && texts.contains(&"order 2".to_owned()), "{texts:?}");
+    assert!(
+        caption.contains("zero for all angles: force at 1, 2, 4.") && caption.contains("force: force at 6."),
+        "{caption}"
+    );
+    assert!(caption.contains("zero for all angles: moment at 6."), "{caption}");
     let (split, _) =
         open_figure("[vee]\nbank_angle = 90\nthrows = [0]\npin_split = \"delta\"").expect("a drawing of the split");
     assert_figure("open split", &split);
