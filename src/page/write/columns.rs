@@ -33,10 +33,9 @@ pub(super) struct Letters {
 impl Letters {
     /// Of a text in which only spaces break lines.
     pub fn of(text: &str) -> Self {
-        Letters {
-            all: text.chars().count(),
-            longest: text.split(' ').map(|word| word.chars().count()).max().unwrap_or(0),
-        }
+        // Two of the widest letters take the room of three.
+        let width = |word: &str| word.chars().count() + word.matches(['M', 'W', 'm', 'w']).count() / 2;
+        Letters { all: text.chars().count(), longest: text.split(' ').map(width).max().unwrap_or(0) }
     }
 
     /// With so many more before it.
