@@ -1,7 +1,5 @@
 //! How large is it in newtons? Decimals only: the exact factor of the star times m r ω² c_k.
 
-use std::f64::consts::TAU;
-
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -92,7 +90,7 @@ pub(super) fn answer(
         (Quantity::MOMENT, LengthUnit::Spacing, Some(spacing)) => numbers::float(spacing),
         _ => 1.0,
     };
-    let omega = numbers::float(&numbers.speed) / 60.0 * TAU;
+    let omega = numbers::angular_speed(numbers::float(&numbers.speed));
     let scale = star
         * numbers::float(&numbers.reciprocating_mass)
         * numbers::float(&numbers.crank_radius)

@@ -59,7 +59,7 @@ impl Parts {
             radius: numbers::float(&(radius * &cylinder.crank_radius)),
             ratio,
             offset,
-            omega: dimensions.speed.as_ref().map(|speed| numbers::float(speed) / 60.0 * std::f64::consts::TAU),
+            omega: dimensions.speed.as_ref().map(|speed| numbers::angular_speed(numbers::float(speed))),
             masses: masses.map(|masses| masses.map(|mass| numbers::float(&mass))),
             gas: WithGas::new(engine),
         })

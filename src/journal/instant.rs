@@ -3,8 +3,6 @@
 //! Directions are those of textbooks: ways, velocities, accelerations and forces are positive towards the crankshaft. What the layout does
 //! not give is omitted: without a speed there is no velocity, without masses no inertia, without [gas] no gas.
 
-use std::f64::consts::TAU;
-
 use num_complex::Complex;
 
 use super::{Carried, PistonForces};
@@ -168,7 +166,7 @@ impl Instants {
             }
         };
         let period = classes.first().map_or(360.0, |class| class.gas.period().to_degrees().round());
-        let omega = dimensions.speed.as_ref().map(|speed| numbers::float(speed) / 60.0 * TAU);
+        let omega = dimensions.speed.as_ref().map(|speed| numbers::angular_speed(numbers::float(speed)));
         Ok(Instants { cylinders, bearings, omega, period })
     }
 

@@ -77,7 +77,7 @@ impl JournalOrder {
 
     /// Its value at a crank angle.
     pub fn at(&self, theta: f64) -> Complex<f64> {
-        let turning = Complex::cis(f64::from(self.order.halves()) / 2.0 * theta);
+        let turning = Complex::cis(self.order.value() * theta);
         let [direct, reverse] = self.total();
         direct * turning + reverse * turning.conj()
     }

@@ -45,7 +45,7 @@ impl LoadPeak {
             let [mean, _] = course.gas_order(&carried, &harmonics, 0, 0.0);
             let order = |index: usize| {
                 let order = CycleOrder::of_halves(u32::try_from(2 * index).ok()? / revolutions)?;
-                let kappa = f64::from(order.halves()) / 2.0;
+                let kappa = order.value();
                 Some((order, course.gas_order(&carried, &harmonics, index, kappa)))
             };
             Bearing { mean: mean * 2.0, orders: (1..=highest).filter_map(order).collect(), carried }
@@ -108,7 +108,7 @@ impl LoadPeak {
         let kept = bearing.orders.iter().take_while(|(order, _)| *order <= highest);
         let masses = self.course.carried_of_inertia(&bearing.carried, theta);
         kept.fold(masses + bearing.mean, |sum, (order, [direct, reverse])| {
-            let turning = Complex::cis(f64::from(order.halves()) / 2.0 * theta);
+            let turning = Complex::cis(order.value() * theta);
             sum + direct * turning + reverse * turning.conj()
         })
     }

@@ -1,11 +1,10 @@
 //! What turns multiples of m r ω² into newtons?
 
-use std::f64::consts::TAU;
-
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::engine::{Engine, LengthUnit};
+use crate::numbers;
 use crate::order;
 use crate::proof::Quantity;
 use crate::table::Unit;
@@ -24,7 +23,7 @@ pub struct Scale {
 impl Scale {
     /// Angular speed ω in radians a second.
     pub fn omega(&self) -> f64 {
-        self.speed.to_f64().unwrap_or(f64::INFINITY) / 60.0 * TAU
+        numbers::angular_speed(self.speed.to_f64().unwrap_or(f64::INFINITY))
     }
 
     /// m r ω² in newtons.

@@ -57,19 +57,15 @@ impl Still {
 impl OrderExcitation {
     /// Angular frequency at a speed in revolutions a minute, in radians a second.
     pub fn omega(&self, rpm: f64) -> f64 {
-        f64::from(self.order.halves()) / 2.0 * turning(rpm)
+        self.order.value() * numbers::angular_speed(rpm)
     }
 
     /// Force in newtons and moment in newton-metres at a speed in revolutions a minute.
     pub fn at(&self, rpm: f64) -> [Phasors; 2] {
-        let square = turning(rpm) * turning(rpm);
+        let square = numbers::angular_speed(rpm).powi(2);
         let [x, y, z] = self.moment.map(|part| part * square);
         [self.force.map(|part| part * square), [x, y, z + self.gas]]
     }
-}
-
-fn turning(rpm: f64) -> f64 {
-    rpm / 60.0 * std::f64::consts::TAU
 }
 
 /// The orders that are taken where none are asked for: those of forces and moments that matter, and with the gas all of its own, up to 6.

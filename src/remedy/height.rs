@@ -137,6 +137,6 @@ impl PairRoll {
 }
 
 fn square(rpm: f64) -> f64 {
-    let omega = rpm / 60.0 * std::f64::consts::TAU;
+    let omega = numbers::angular_speed(rpm);
     omega * omega
 }

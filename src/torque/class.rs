@@ -1,7 +1,5 @@
 //! Which cylinders are equal, but for when they fire and what their pistons weigh?
 
-use std::f64::consts::TAU;
-
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -73,7 +71,7 @@ impl Inertia {
 
 /// ω in radians a second; none where the speed is not known.
 pub(super) fn omega(engine: &Engine) -> Option<f64> {
-    engine.dimensions().speed.as_ref().map(|speed| numbers::float(speed) / 60.0 * TAU)
+    engine.dimensions().speed.as_ref().map(|speed| numbers::angular_speed(numbers::float(speed)))
 }
 
 /// The crank angle θ at which each cylinder fires, in turns of the cycle, from that of the first cylinder to fire.

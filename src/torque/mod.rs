@@ -98,7 +98,7 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, Missing> {
 /// The sum of the orders at an angle.
 fn series(orders: &[TorqueOrder], theta: f64) -> f64 {
     let at = |order: &TorqueOrder| {
-        let kappa = f64::from(order.order.halves()) / 2.0;
+        let kappa = order.order.value();
         (order.total() * num_complex::Complex::cis(kappa * theta)).re
     };
     orders.iter().filter(|order| !order.vanishes()).map(at).sum()

@@ -98,7 +98,7 @@ impl<'a> Peak<'a> {
 
     fn kept(&self, highest: CycleOrder) -> Vec<(f64, Complex<f64>)> {
         let kept = self.orders.iter().filter(|order| order.order <= highest && !order.gas_vanishes);
-        kept.map(|order| (f64::from(order.order.halves()) / 2.0, order.gas)).collect()
+        kept.map(|order| (order.order.value(), order.gas)).collect()
     }
 }
 

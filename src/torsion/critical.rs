@@ -53,11 +53,7 @@ pub fn critical_speeds(
             };
             firing.shots.iter().map(vector).sum()
         };
-        let critical = |&order: &CycleOrder| Critical {
-            order,
-            rpm: 60.0 * mode.hertz() * 2.0 / f64::from(order.halves()),
-            star: star(order),
-        };
+        let critical = |&order: &CycleOrder| Critical { order, rpm: order.rpm(mode.hertz()), star: star(order) };
         let orders = orders.iter().map(critical).collect();
         let longest = deflections.iter().enumerate().map(|(index, delta)| delta.abs() * radius(index)).sum();
         CriticalSpeeds { orders, longest, deflections, mode }

@@ -83,7 +83,7 @@ fn of_study<'a>(study: &'a AccuracyStudy, case: usize, load: &'a Study) -> impl 
 fn of_further(case: usize, load: &Further) -> impl Iterator<Item = Found> {
     load.rows.iter().map(move |row: &PeakRow| {
         let (method, setting) = match row.method {
-            PeakMethod::Orders(order) => ("orders", Some(f64::from(order.halves()) / 2.0)),
+            PeakMethod::Orders(order) => ("orders", Some(order.value())),
             PeakMethod::Samples(steps) => ("closed_form", Some(f64::from(steps))),
             PeakMethod::Refined => ("refined", None),
         };

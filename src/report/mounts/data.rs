@@ -166,9 +166,7 @@ fn critical(study: &MountsStudy) -> Table {
     let mut table = Filling::new("mounts.critical", &rows).keyed(2);
     table.whole("mode", |(number, ..)| *number);
     table.exact("order", Unit::NONE, |(.., one)| order(one));
-    table.decimal("speed_{unit}", Unit::PER_MINUTE, |(_, mode, one)| {
-        Some(MountsStudy::critical(one.excitation.order, mode))
-    });
+    table.decimal("speed_{unit}", Unit::PER_MINUTE, |(_, mode, one)| Some(one.excitation.order.rpm(mode.hertz())));
     table.truth("is_still", |(.., one)| Some(one.excitation.still.is_whole()));
     table.done()
 }

@@ -256,9 +256,4 @@ impl MountsStudy {
     fn still(&self) -> impl Iterator<Item = CycleOrder> {
         self.orders.iter().filter(|order| order.excitation.still.is_whole()).map(|order| order.excitation.order)
     }
-
-    /// The speed at which an order meets a mode, in revolutions a minute.
-    pub fn critical(order: CycleOrder, mode: &Mode) -> f64 {
-        120.0 * mode.hertz() / f64::from(order.halves())
-    }
 }

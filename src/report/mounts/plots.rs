@@ -35,7 +35,7 @@ fn name(order: usize, study: &MountsStudy) -> String {
 /// The response above the line of each order, over the speed, with a dot where the order meets a mode.
 fn map(study: &MountsStudy) -> Option<Picture> {
     let (from, to) = ends(study)?;
-    let kappa = |order: usize| f64::from(study.orders[order].excitation.order.halves()) / 2.0;
+    let kappa = |order: usize| study.orders[order].excitation.order.value();
     let count = study.orders.len();
     let steps = (1..count).map(|order| kappa(order) - kappa(order - 1));
     let step = steps.fold(f64::INFINITY, f64::min).min(1.0);
@@ -61,7 +61,7 @@ fn map(study: &MountsStudy) -> Option<Picture> {
             let curve = Curve::new(0, "", points.collect());
             plot.curves.push(Curve { ink: Ink::Blue, width: 0.35, ..curve });
             for mode in &study.modes {
-                let at = MountsStudy::critical(study.orders[order].excitation.order, mode);
+                let at = study.orders[order].excitation.order.rpm(mode.hertz());
                 if (from..=to).contains(&at) {
                     plot.marks.push(PointMark::dot((at, base), ""));
                 }

@@ -164,7 +164,7 @@ pub(super) fn critical(study: &MountsStudy) -> Table {
     let table = Table::of(rows).column("Order κ", |one| one.excitation.order.to_string());
     let table = study.modes.iter().enumerate().fold(table, |table, (index, mode)| {
         table.column(phrase!("Mode {} at (rpm)", index + 1), move |one| {
-            Number::Decimal(MountsStudy::critical(one.excitation.order, mode))
+            Number::Decimal(one.excitation.order.rpm(mode.hertz()))
         })
     });
     table.done()

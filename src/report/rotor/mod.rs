@@ -3,8 +3,6 @@
 mod data;
 mod page;
 
-use std::f64::consts::TAU;
-
 use super::question::Question;
 use crate::exact::PhasorSum;
 use crate::file::Rotor;
@@ -86,7 +84,7 @@ impl RotorStudy {
 
     /// ω² at the speed of the file.
     pub(in crate::report) fn omega_squared(&self) -> Option<f64> {
-        self.rotor.speed.as_ref().map(|speed| (numbers::float(speed) / 60.0 * TAU).powi(2))
+        self.rotor.speed.as_ref().map(|speed| numbers::angular_speed(numbers::float(speed)).powi(2))
     }
 }
 

@@ -148,7 +148,7 @@ pub enum HeatPlace {
 }
 
 fn omega(order: CycleOrder, speed: f64) -> f64 {
-    TAU * f64::from(order.halves()) / 2.0 * speed / 60.0
+    TAU * order.hertz(speed)
 }
 
 fn largest(torques: &[Complex<f64>]) -> (usize, f64) {
@@ -212,7 +212,7 @@ impl TorsionStudy {
         let mut rows = Vec::new();
         for (index, speeds) in self.modes.iter().enumerate() {
             for order in excited.orders() {
-                let rpm = 60.0 * speeds.mode.hertz() * 2.0 / f64::from(order.halves());
+                let rpm = order.rpm(speeds.mode.hertz());
                 if (from..=to).contains(&rpm) {
                     rows.extend(self.resonance(index, order, rpm));
                 }
@@ -223,10 +223,10 @@ impl TorsionStudy {
 
     fn resonance(&self, index: usize, order: CycleOrder, rpm: f64) -> Option<ResonanceOrder> {
         let hertz = |at: usize| self.modes.get(at).map(|speeds| speeds.mode.hertz());
-        let (own, kappa) = (hertz(index)?, f64::from(order.halves()) / 2.0);
+        let own = hertz(index)?;
         let below = index.checked_sub(1).and_then(hertz).map_or(0.5 * own, |other| 0.5 * (other + own));
         let above = hertz(index + 1).map_or(1.5 * own, |other| 0.5 * (other + own));
-        let [low, high] = [below, above].map(|hertz| 60.0 * hertz / kappa);
+        let [low, high] = [below, above].map(|hertz| order.rpm(hertz));
         let peak = highest(low, high, POINTS, &|speed| self.largest_torque(&self.train, order, speed).1);
         let is_inside = low + 1e-3 * (high - low) < peak.0 && peak.0 < high - 1e-3 * (high - low);
         let (shaft, torque) = self.largest_torque(&self.train, order, rpm);
@@ -354,7 +354,7 @@ impl TorsionStudy {
         let link = self.train.shafts + index;
         let Link { stiffness, damping, .. } = self.train.links[link];
         let found = self.most_work(bare).map(|order| {
-            let middle = 60.0 * in_mode.omega / TAU * 2.0 / f64::from(order.halves());
+            let middle = order.rpm(in_mode.omega / TAU);
             let above = torsion::modes(bare).get(1).map_or(1.5, |second| 0.5 * (1.0 + second.omega / in_mode.omega));
             let peak = |train: &Train| {
                 let torque = |speed: f64| self.largest_torque(train, order, speed).1;
@@ -372,7 +372,7 @@ impl TorsionStudy {
         let excited = self.damped()?;
         let range = self.range().unwrap_or([0.0, f64::INFINITY]);
         let work = |order: CycleOrder| {
-            let rpm = 60.0 * first.hertz() * 2.0 / f64::from(order.halves());
+            let rpm = order.rpm(first.hertz());
             let torques = excited.torques(order, rpm).filter(|_| (range[0]..=range[1]).contains(&rpm))?;
             Some((order, resonance(bare, &first, &torques).equilibrium))
         };

@@ -34,7 +34,7 @@ pub(super) fn forced(study: &TorsionStudy, speed: f64) -> Vec<ForcedTwist> {
     let Some(excited) = study.excited().filter(|_| speed > 0.0) else { return Vec::new() };
     let is_damped = study.torsion().is_damped();
     let of_order = |order: CycleOrder| {
-        let hertz = f64::from(order.halves()) / 2.0 * speed / 60.0;
+        let hertz = order.hertz(speed);
         let omega = TAU * hertz;
         let twist = forced_twist(train, &Excitation { omega, torques: excited.torques(order, speed)? });
         let loads: Vec<f64> = shaft_torques(train, omega, &twist).iter().map(|torque| torque.norm()).collect();

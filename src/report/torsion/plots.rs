@@ -45,7 +45,7 @@ pub(super) fn campbell(study: &TorsionStudy) -> Option<Picture> {
     let mut plot =
         Plot::new("Campbell diagram", x, Axis { range: Some((0.0, top)), ..Axis::linear("Frequency in Hz") });
     for critical in &strongest {
-        let slope = f64::from(critical.order.halves()) / 120.0;
+        let slope = critical.order.hertz(1.0);
         let far = end.min(top / slope);
         let ray = Curve::new(0, format!("order {}", critical.order), vec![(0.0, 0.0), (far, far * slope)]);
         plot.curves.push(Curve { ink: Ink::Grey, width: 0.3, ..ray });
