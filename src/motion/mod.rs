@@ -44,6 +44,6 @@ pub use enclosure::{Coefficient, Enclosure};
 pub use error::NoFullTurn;
 pub use fast::coefficients_fast;
 pub use linkage::Linkage;
-pub use section::golden_section;
+pub use section::{golden_section, golden_section_of_costly};
 pub use series::{Series, series};
 pub use tail::{SLACK, Tail};

@@ -1,7 +1,9 @@
 //! Where in the cycle is a value largest, and where smallest? On a grid, then by golden sections beside its tops.
 
-use crate::numbers;
 use std::f64::consts::TAU;
+
+use crate::motion::golden_section_of_costly;
+use crate::numbers;
 
 /// A largest or smallest value, and where it first stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +19,7 @@ const STEPS: usize = 720;
 /// A top of the grid lower than the highest by more than this part of the range is no highest value.
 const NEAR_TOP: f64 = 0.02;
 /// Sections after which a place is known to some billionths of half a degree.
-const SECTIONS: usize = 40;
+const SECTIONS: u32 = 40;
 
 /// Angles through a cycle of this length in radians, half a degree apart.
 pub fn angles(period: f64) -> impl Iterator<Item = f64> {
@@ -42,7 +44,8 @@ pub fn largest(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) ->
         let before = if index == 0 { grid[count - 1] - period } else { grid[index - 1] };
         let after = if index + 1 == count { grid[0] + period } else { grid[index + 1] };
         // A kink at the place itself has a slope of its own on each side.
-        let sides = [refined(before, grid[index], &value), refined(grid[index], after, &value)];
+        let sides = [(before, grid[index]), (grid[index], after)]
+            .map(|(from, to)| golden_section_of_costly(from, to, SECTIONS, &value));
         let place =
             sides.into_iter().fold(grid[index], |best, side| if value(side) > value(best) { side } else { best });
         let found = value(place);
@@ -58,25 +61,4 @@ pub fn extremes(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) -
     let opposite: Vec<f64> = values.iter().map(|value| -value).collect();
     let lowest = largest(period, grid, &opposite, |theta| -value(theta));
     [largest(period, grid, values, value), Extreme { value: -lowest.value, ..lowest }]
-}
-
-/// Where a function is largest between two places, by golden sections.
-fn refined(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
-    let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
-    let places = |low: f64, high: f64| (high - golden * (high - low), low + golden * (high - low));
-    let (mut left, mut right) = places(low, high);
-    let (mut at_left, mut at_right) = (value(left), value(right));
-    for _ in 0..SECTIONS {
-        // One of the two places is one of the next two as well.
-        if at_left < at_right {
-            (low, left, at_left) = (left, right, at_right);
-            right = places(low, high).1;
-            at_right = value(right);
-        } else {
-            (high, right, at_right) = (right, left, at_left);
-            left = places(low, high).0;
-            at_left = value(left);
-        }
-    }
-    (low + high) / 2.0
 }

@@ -6,6 +6,7 @@
 
 use super::{Mode, Train, modes};
 use crate::engine::{self, DamperValue};
+use crate::motion::golden_section_of_costly;
 use crate::numbers::float;
 
 /// The values of a damper.
@@ -66,7 +67,7 @@ pub(super) fn settings(bare: &Train, dampers: &[engine::Damper]) -> Vec<DamperSe
 }
 
 /// Steps of each search by golden sections: a bracket shrinks to its 10⁻⁷th part.
-const STEPS: usize = 34;
+const STEPS: u32 = 34;
 /// By so much the search goes beyond the formula, up and down.
 const FACTOR: f64 = 2.0;
 /// The same of the frequency of the ring.
@@ -81,37 +82,18 @@ pub fn search(train: &Train, link: usize, start: DamperSetting, peak: &dyn Fn(&T
     };
     let best_damping = |stiffness: f64| {
         let (low, high) = ((start.damping / FACTOR).ln(), (start.damping * FACTOR).ln());
-        let (damping, peak) = least(low, high, &mut |value| at(stiffness, value.exp()));
-        (damping.exp(), peak)
+        let damping = golden_section_of_costly(low, high, STEPS, |value| -at(stiffness, value.exp())).exp();
+        (damping, at(stiffness, damping))
     };
-    if start.stiffness == 0.0 {
-        let (damping, peak) = best_damping(0.0);
-        return (DamperSetting { stiffness: 0.0, damping }, peak);
-    }
-    let (low, high) = ((start.stiffness / TUNING).ln(), (start.stiffness * TUNING).ln());
-    let (stiffness, peak) = least(low, high, &mut |value| best_damping(value.exp()).1);
-    let stiffness = stiffness.exp();
-    (DamperSetting { stiffness, damping: best_damping(stiffness).0 }, peak)
-}
-
-/// The least value of a function with one valley, and where it is.
-pub(super) fn least(low: f64, high: f64, of: &mut dyn FnMut(f64) -> f64) -> (f64, f64) {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let (mut low, mut high) = (low, high);
-    let (mut one, mut other) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-    let (mut at_one, mut at_other) = (of(one), of(other));
-    for _ in 0..STEPS {
-        if at_one < at_other {
-            (high, other, at_other) = (other, one, at_one);
-            one = high - GOLDEN * (high - low);
-            at_one = of(one);
-        } else {
-            (low, one, at_one) = (one, other, at_other);
-            other = low + GOLDEN * (high - low);
-            at_other = of(other);
+    let stiffness = match start.stiffness {
+        0.0 => 0.0,
+        tuned => {
+            let (low, high) = ((tuned / TUNING).ln(), (tuned * TUNING).ln());
+            golden_section_of_costly(low, high, STEPS, |value| -best_damping(value.exp()).1).exp()
         }
-    }
-    if at_one < at_other { (one, at_one) } else { (other, at_other) }
+    };
+    let (damping, peak) = best_damping(stiffness);
+    (DamperSetting { stiffness, damping }, peak)
 }
 
 /// A peak whose points are lower than this part of the highest one is not refined.
@@ -128,8 +110,9 @@ pub fn highest(low: f64, high: f64, points: usize, of: &dyn Fn(f64) -> f64) -> (
         own >= value(index.wrapping_sub(1)) && own >= value(index + 1) && own >= top.min(LOWER * top)
     };
     let refined = |index: usize| {
-        let (place, value) = least(at(index.saturating_sub(1)), at((index + 1).min(points)), &mut |x| -of(x));
-        if -value >= values[index] { (place, -value) } else { (at(index), values[index]) }
+        let place = golden_section_of_costly(at(index.saturating_sub(1)), at((index + 1).min(points)), STEPS, of);
+        let value = of(place);
+        if value >= values[index] { (place, value) } else { (at(index), values[index]) }
     };
     let peaks = (0..=points).filter(is_peak).map(refined);
     peaks.fold((low, f64::NEG_INFINITY), |most, one| if one.1 > most.1 { one } else { most })
