@@ -232,10 +232,7 @@ impl Torsion {
     /// Whether anything damps it.
     pub fn is_damped(&self) -> bool {
         let of_shaft = |shaft: &ElasticShaft| shaft.loss_factor.is_positive() || shaft.damping.is_positive();
-        let of_damper = |damper: &Damper| match &damper.damping {
-            DamperValue::Best => true,
-            DamperValue::Given(value) => value.is_positive(),
-        };
+        let of_damper = |damper: &Damper| !matches!(&damper.damping, DamperValue::Given(value) if !value.is_positive());
         self.dampings.iter().any(Signed::is_positive)
             || self.shafts.iter().any(of_shaft)
             || self.dampers.iter().any(of_damper)
@@ -243,11 +240,8 @@ impl Torsion {
 
     /// Whether it says more than a row of discs: then amplitudes are asked for.
     pub fn has_forced(&self) -> bool {
-        let of_shaft = |shaft: &ElasticShaft| shaft.section.is_some();
-        !self.harmonics.is_empty()
-            || self.rated_speed.is_some()
-            || self.speeds.is_some()
-            || self.shafts.iter().any(of_shaft)
+        let has_section = self.shafts.iter().any(|shaft| shaft.section.is_some());
+        !self.harmonics.is_empty() || self.rated_speed.is_some() || self.speeds.is_some() || has_section
     }
 
     /// Whether its discs are a row without gears.

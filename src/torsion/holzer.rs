@@ -25,6 +25,16 @@ pub enum Node {
     Disc(usize),
 }
 
+impl Node {
+    /// The discs it is between, by their numbers from 0; twice the disc that it is at.
+    pub fn ends(&self, train: &Train) -> [usize; 2] {
+        match self {
+            Node::Shaft(link, _) => train.links[*link].ends,
+            Node::Disc(disc) => [*disc; 2],
+        }
+    }
+}
+
 /// A first disc that moves less than this part of the largest deflection is taken for a node.
 const NODE: f64 = 1e-9;
 

@@ -136,18 +136,18 @@ pub struct FoundDamper {
     pub peaks: [f64; 3],
 }
 
-/// Where heat becomes: at a disc, in a shaft, in a damper, each by its number from 0, with its power in watts.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Where vibration becomes heat: each by its number from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HeatPlace {
     /// At a disc that is held back.
-    Disc(usize, f64),
+    Disc(usize),
     /// In a shaft.
-    Shaft(usize, f64),
+    Shaft(usize),
     /// In a damper.
-    Damper(usize, f64),
+    Damper(usize),
 }
 
-fn omega(order: CycleOrder, speed: f64) -> f64 {
+pub(super) fn omega(order: CycleOrder, speed: f64) -> f64 {
     TAU * order.hertz(speed)
 }
 
@@ -163,7 +163,7 @@ impl TorsionStudy {
     }
 
     /// The twists by an order at a speed.
-    fn twists(&self, train: &Train, order: CycleOrder, speed: f64) -> Option<Vec<Complex<f64>>> {
+    pub(super) fn twists(&self, train: &Train, order: CycleOrder, speed: f64) -> Option<Vec<Complex<f64>>> {
         let torques = self.excited()?.torques(order, speed)?;
         Some(forced_twist(train, &Excitation { omega: omega(order, speed), torques }))
     }
@@ -175,8 +175,8 @@ impl TorsionStudy {
     }
 
     /// The vibration at the speed of the layout.
-    pub fn at_speed(&self) -> Option<Vibration> {
-        self.vibration(self.speed?)
+    pub fn at_speed(&self) -> Option<&Vibration> {
+        self.cached.at_speed.get_or_init(|| self.vibration(self.speed?)).as_ref()
     }
 
     /// The vibration at a speed; none without damping, without a torque, and at rest.
@@ -204,7 +204,7 @@ impl TorsionStudy {
 
     /// The orders of the torque that meet a mode in the range, the modes rising, and then the speeds falling.
     pub fn resonances(&self) -> &[ResonanceOrder] {
-        self.resonance_cache.get_or_init(|| self.find_resonances())
+        self.cached.resonances.get_or_init(|| self.find_resonances())
     }
 
     fn find_resonances(&self) -> Vec<ResonanceOrder> {
@@ -231,8 +231,10 @@ impl TorsionStudy {
         let is_inside = low + 1e-3 * (high - low) < peak.0 && peak.0 < high - 1e-3 * (high - low);
         let (shaft, torque) = self.largest_torque(&self.train, order, rpm);
         let rated = self.torsion().rated_speed.as_ref().map(float);
-        let exceeds = |shaft: usize| self.stress_over_limit(shaft, rpm).is_some_and(|over| over > 0.0);
-        let rated = rated.filter(|_| (0..self.train.shafts).any(exceeds));
+        let limited: Vec<usize> = (0..self.train.shafts).filter(|shaft| self.limit(*shaft).is_some()).collect();
+        let exceeds =
+            |at: &Vibration| limited.iter().any(|&shaft| self.over_limit(shaft, rpm, at.torque(shaft)) > Some(0.0));
+        let rated = rated.filter(|_| !limited.is_empty() && self.vibration(rpm).as_ref().is_some_and(exceeds));
         let may_be_barred = |rated: &f64| rpm < torsion::UNBARRED * rated;
         Some(ResonanceOrder {
             mode: index,
@@ -248,19 +250,12 @@ impl TorsionStudy {
         })
     }
 
-    /// Where the vibration at a speed becomes heat.
-    pub fn heat_places(&self, vibration: &Vibration) -> Vec<HeatPlace> {
+    /// Where the vibration at a speed becomes heat, with the power there in watts.
+    pub fn heat_places(&self, vibration: &Vibration) -> Vec<(HeatPlace, f64)> {
         let Heat { discs, links } = vibration.heat();
-        let discs = discs.into_iter().enumerate().map(|(disc, power)| HeatPlace::Disc(disc, power));
-        let link = |(link, power)| match usize::checked_sub(link, self.train.shafts) {
-            None => HeatPlace::Shaft(link, power),
-            Some(damper) => HeatPlace::Damper(damper, power),
-        };
-        let all = discs.chain(links.into_iter().enumerate().map(link));
-        let power = |place: &HeatPlace| match place {
-            HeatPlace::Disc(_, power) | HeatPlace::Shaft(_, power) | HeatPlace::Damper(_, power) => *power,
-        };
-        all.filter(|place| power(place) > 0.0).collect()
+        let link = |link: usize| link.checked_sub(self.train.shafts).map_or(HeatPlace::Shaft(link), HeatPlace::Damper);
+        let places = (0..discs.len()).map(HeatPlace::Disc).chain((0..links.len()).map(link));
+        places.zip(discs.iter().chain(&links).copied()).filter(|(_, power)| *power > 0.0).collect()
     }
 
     /// The stress limit of a shaft, where its steel is given.
@@ -280,9 +275,8 @@ impl TorsionStudy {
     }
 
     /// By how much the stress of all orders is larger than τ_C.
-    fn stress_over_limit(&self, shaft: usize, speed: f64) -> Option<f64> {
-        let permissible = self.permissible(shaft, speed)?;
-        Some(self.stress(shaft, self.vibration(speed)?.torque(shaft))? - permissible)
+    fn over_limit(&self, shaft: usize, speed: f64, torque: f64) -> Option<f64> {
+        Some(self.stress(shaft, torque)? - self.permissible(shaft, speed)?)
     }
 
     /// Speeds of the range, close beside resonances.
@@ -300,7 +294,7 @@ impl TorsionStudy {
 
     /// The vibration over the range, all orders together; nothing without damping.
     pub fn over_range(&self) -> &[TwistAtSpeed] {
-        self.range_cache.get_or_init(|| {
+        self.cached.range.get_or_init(|| {
             let at = |speed: f64| {
                 let vibration = self.vibration(speed)?;
                 let torques = (0..self.train.shafts).map(|shaft| vibration.torque(shaft)).collect();
@@ -311,11 +305,16 @@ impl TorsionStudy {
     }
 
     /// Where stresses of all orders are larger than τ_C, shaft by shaft, the ends found by halving.
-    pub fn excesses(&self) -> Vec<Excess> {
-        let speeds: Vec<f64> = self.over_range().iter().map(|at| at.speed).collect();
+    pub fn excesses(&self) -> &[Excess] {
+        self.cached.excesses.get_or_init(|| self.find_excesses())
+    }
+
+    fn find_excesses(&self) -> Vec<Excess> {
         let mut rows = Vec::new();
         for shaft in (0..self.train.shafts).filter(|shaft| self.limit(*shaft).is_some()) {
-            let over = |speed: f64| self.stress_over_limit(shaft, speed).is_some_and(|over| over > 0.0);
+            let over = |speed: f64| {
+                self.vibration(speed).and_then(|at| self.over_limit(shaft, speed, at.torque(shaft))) > Some(0.0)
+            };
             let edge = |mut low: f64, mut high: f64| {
                 let at_low = over(low);
                 for _ in 0..HALVINGS {
@@ -324,18 +323,21 @@ impl TorsionStudy {
                 }
                 0.5 * (low + high)
             };
-            let mut begin = speeds.first().copied().filter(|speed| over(*speed));
-            for pair in speeds.windows(2) {
-                match (over(pair[0]), over(pair[1]), begin) {
-                    (false, true, _) => begin = Some(edge(pair[0], pair[1])),
+            let at = |at: &TwistAtSpeed| (at.speed, self.over_limit(shaft, at.speed, at.torques[shaft]) > Some(0.0));
+            let range: Vec<(f64, bool)> = self.over_range().iter().map(at).collect();
+            let mut begin = range.first().filter(|(_, is_over)| *is_over).map(|(speed, _)| *speed);
+            for pair in range.windows(2) {
+                let [(low, at_low), (high, at_high)] = [pair[0], pair[1]];
+                match (at_low, at_high, begin) {
+                    (false, true, _) => begin = Some(edge(low, high)),
                     (true, false, Some(from)) => {
-                        rows.push(Excess { shaft, speeds: [from, edge(pair[0], pair[1])] });
+                        rows.push(Excess { shaft, speeds: [from, edge(low, high)] });
                         begin = None;
                     }
                     _ => {}
                 }
             }
-            if let (Some(from), Some(to)) = (begin, speeds.last()) {
+            if let (Some(from), Some((to, _))) = (begin, range.last()) {
                 rows.push(Excess { shaft, speeds: [from, *to] });
             }
         }
@@ -343,10 +345,12 @@ impl TorsionStudy {
     }
 
     /// The dampers with their best settings.
-    pub fn dampers(&self) -> Vec<DamperStudy> {
-        let bare = Train::bare(self.torsion());
-        let dampers = self.torsion().dampers.iter().enumerate();
-        dampers.filter_map(|(index, damper)| self.damper(&bare, index, damper)).collect()
+    pub fn dampers(&self) -> &[DamperStudy] {
+        self.cached.dampers.get_or_init(|| {
+            let bare = Train::bare(self.torsion());
+            let dampers = self.torsion().dampers.iter().enumerate();
+            dampers.filter_map(|(index, damper)| self.damper(&bare, index, damper)).collect()
+        })
     }
 
     fn damper(&self, bare: &Train, index: usize, damper: &engine::Damper) -> Option<DamperStudy> {

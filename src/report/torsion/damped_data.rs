@@ -18,7 +18,7 @@ pub(super) fn shafts(study: &TorsionStudy) -> Table {
     table.decimal("stiffness_{unit}", Unit::NEWTON_METRE_PER_RADIAN, |(_, one)| one.stiffness.to_f64());
     table.decimal("loss_factor", Unit::NONE, |(_, one)| one.loss_factor.to_f64());
     table.decimal("damping_{unit}", Unit::NEWTON_METRE_SECOND, |(_, one)| one.damping.to_f64());
-    let torque = |index: usize| vibration.as_ref().map(|vibration| vibration.torque(index));
+    let torque = |index: usize| vibration.map(|vibration| vibration.torque(index));
     table.decimal("torque_half_range_{unit}", Unit::NEWTON_METRE, |(index, _)| torque(*index));
     let stress = |index: usize| Some(MEGA * study.stress(index, torque(index)?)?);
     table.decimal("stress_half_range_{unit}", Unit::MEGAPASCAL, |(index, _)| stress(*index));
@@ -99,7 +99,7 @@ pub(super) fn speeds(study: &TorsionStudy) -> Option<Table> {
 }
 
 pub(super) fn excesses(study: &TorsionStudy) -> Option<Table> {
-    let rows: Vec<_> = study.excesses().into_iter().enumerate().collect();
+    let rows: Vec<_> = study.excesses().iter().enumerate().collect();
     if rows.is_empty() {
         return None;
     }
@@ -112,21 +112,21 @@ pub(super) fn excesses(study: &TorsionStudy) -> Option<Table> {
 }
 
 pub(super) fn heat(study: &TorsionStudy) -> Option<Table> {
-    let rows = study.heat_places(&study.at_speed()?);
-    let place = |one: &HeatPlace| match *one {
-        HeatPlace::Disc(disc, power) => ("disc", disc, power),
-        HeatPlace::Shaft(shaft, power) => ("shaft", shaft, power),
-        HeatPlace::Damper(damper, power) => ("damper", damper, power),
+    let rows = study.heat_places(study.at_speed()?);
+    let place = |place: HeatPlace| match place {
+        HeatPlace::Disc(disc) => ("disc", disc),
+        HeatPlace::Shaft(shaft) => ("shaft", shaft),
+        HeatPlace::Damper(damper) => ("damper", damper),
     };
     let mut table = Filling::new("torsion.heat", &rows).keyed(2);
-    table.words("place", |one| Some(place(one).0.to_owned()));
-    table.whole("number", |one| place(one).1 + 1);
-    table.decimal("heat_{unit}", Unit::WATT, |one| Some(place(one).2));
+    table.words("place", |(at, _)| Some(place(*at).0.to_owned()));
+    table.whole("number", |(at, _)| place(*at).1 + 1);
+    table.decimal("heat_{unit}", Unit::WATT, |(_, power)| Some(*power));
     Some(table.done())
 }
 
 pub(super) fn dampers(study: &TorsionStudy) -> Option<Table> {
-    let rows: Vec<_> = study.dampers().into_iter().enumerate().collect();
+    let rows: Vec<_> = study.dampers().iter().enumerate().collect();
     if rows.is_empty() {
         return None;
     }

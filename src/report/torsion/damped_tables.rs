@@ -63,12 +63,13 @@ pub(super) fn twists(study: &TorsionStudy, vibration: &Vibration) -> Table {
 
 /// One row per place: the power that becomes heat.
 pub(super) fn heat(study: &TorsionStudy, vibration: &Vibration) -> Table {
-    let row = |place: &HeatPlace| match *place {
-        HeatPlace::Disc(disc, power) => (phrase!("disc {}", disc + 1), power),
-        HeatPlace::Shaft(index, power) => (phrase!("shaft {}", shaft(study, index)), power),
-        HeatPlace::Damper(damper, power) => (phrase!("damper {}", damper + 1), power),
+    let place = |place: HeatPlace| match place {
+        HeatPlace::Disc(disc) => phrase!("disc {}", disc + 1),
+        HeatPlace::Shaft(index) => phrase!("shaft {}", shaft(study, index)),
+        HeatPlace::Damper(damper) => phrase!("damper {}", damper + 1),
     };
-    let mut rows: Vec<(Text, f64)> = study.heat_places(vibration).iter().map(row).collect();
+    let places = study.heat_places(vibration).into_iter();
+    let mut rows: Vec<(Text, f64)> = places.map(|(at, power)| (place(at), power)).collect();
     if rows.len() > 1 {
         rows.push(("together".into(), rows.iter().map(|(_, power)| power).sum()));
     }
@@ -124,10 +125,7 @@ pub(super) fn nodes(study: &TorsionStudy) -> Table {
         nodes.into_iter().map(move |node| (mode + 1, node))
     };
     let rows: Vec<(usize, Node)> = study.modes.iter().take(MOST_MODES).enumerate().flat_map(of_mode).collect();
-    let at = |node: &Node| match node {
-        Node::Shaft(link, _) => study.train.links[*link].ends.map(|disc| disc + 1),
-        Node::Disc(disc) => [disc + 1; 2],
-    };
+    let at = |node: &Node| node.ends(&study.train).map(|disc| disc + 1);
     Table::of(rows)
         .column("Mode", |(mode, _)| *mode)
         .column("Node from disc", |(_, node)| at(node)[0])
@@ -142,12 +140,12 @@ pub(super) fn nodes(study: &TorsionStudy) -> Table {
 /// One row per damper and setting: as written, by the formula, by the search.
 pub(super) fn dampers(study: &TorsionStudy) -> Table {
     let mut rows = Vec::new();
-    for (index, damper) in study.dampers().into_iter().enumerate() {
-        let found = damper.found.clone();
-        let peak = |at: usize| found.as_ref().map(|found| found.peaks[at]);
+    for (index, damper) in study.dampers().iter().enumerate() {
+        let found = damper.found.as_ref();
+        let peak = |at: usize| found.map(|found| found.peaks[at]);
         rows.push((index, Text::from("as in the layout"), damper.setting, peak(1)));
         rows.push((index, "by the formula".into(), damper.in_mode.best, None));
-        if let Some(found) = &found {
+        if let Some(found) = found {
             rows.push((index, "by the search".into(), found.best, peak(0)));
         }
     }

@@ -111,10 +111,7 @@ fn nodes(study: &TorsionStudy) -> Table {
     let mut table = Filling::new("torsion.nodes", &rows).keyed(2);
     table.whole("mode", |(mode, ..)| *mode);
     table.whole("node", |(_, node, _)| *node);
-    let ends = |place: &Node| match place {
-        Node::Shaft(link, _) => study.train.links[*link].ends.map(|disc| disc + 1),
-        Node::Disc(disc) => [disc + 1; 2],
-    };
+    let ends = |place: &Node| place.ends(&study.train).map(|disc| disc + 1);
     table.whole("from_disc", |(.., place)| ends(place)[0]);
     table.whole("to_disc", |(.., place)| ends(place)[1]);
     table.decimal("part", Unit::NONE, |(.., place)| match place {
@@ -136,6 +133,6 @@ fn forced(study: &TorsionStudy) -> Option<Table> {
     let far = |one: &crate::report::ForcedTwist, value: f64| one.near.is_none().then_some(value);
     table.decimal("free_end_zero_to_peak_{unit}", Unit::DEGREE, |one| far(one, one.free_end));
     table.decimal("shaft_torque_zero_to_peak_{unit}", Unit::NEWTON_METRE, |one| far(one, one.shaft));
-    table.whole("behind_disc", |one| one.behind);
+    table.whole("behind_disc", |one| study.behind(one));
     Some(table.done())
 }

@@ -1,10 +1,9 @@
 //! How far does each order of the torque twist the shaft at the speed of the layout? Without damping, away from critical speeds alone.
 
-use std::f64::consts::TAU;
-
 use super::TorsionStudy;
+use super::damped::omega;
 use crate::engine::CycleOrder;
-use crate::torsion::{CriticalSpeeds, Excitation, forced_twist, shaft_torques};
+use crate::torsion::{CriticalSpeeds, shaft_torques};
 
 /// Nearer to a natural frequency than this part of it, an undamped shaft says nothing of a real one.
 const NEAR: f64 = 0.05;
@@ -22,8 +21,6 @@ pub struct ForcedTwist {
     pub free_end: f64,
     /// The largest torque that it makes in the shaft, in newton-metres, zero to peak.
     pub shaft: f64,
-    /// Behind which disc that is, by its number from 1.
-    pub behind: usize,
     /// In which shaft, from 0.
     pub shaft_number: usize,
 }
@@ -31,13 +28,15 @@ pub struct ForcedTwist {
 /// The orders of a study at a speed; none where the layout lacks what the torque needs.
 pub(super) fn forced(study: &TorsionStudy, speed: f64) -> Vec<ForcedTwist> {
     let (modes, train) = (&study.modes, &study.train);
-    let Some(excited) = study.excited().filter(|_| speed > 0.0) else { return Vec::new() };
+    if study.excited().is_none() || speed <= 0.0 {
+        return Vec::new();
+    }
     let is_damped = study.torsion().is_damped();
     let of_order = |order: CycleOrder| {
         let hertz = order.hertz(speed);
-        let omega = TAU * hertz;
-        let twist = forced_twist(train, &Excitation { omega, torques: excited.torques(order, speed)? });
-        let loads: Vec<f64> = shaft_torques(train, omega, &twist).iter().map(|torque| torque.norm()).collect();
+        let twist = study.twists(train, order, speed)?;
+        let loads = shaft_torques(train, omega(order, speed), &twist);
+        let loads: Vec<f64> = loads.iter().map(|torque| torque.norm()).collect();
         let loads = &loads[..train.shafts];
         let largest = (0..loads.len()).max_by(|one, other| loads[*one].total_cmp(&loads[*other])).unwrap_or(0);
         let is_near = |mode: &CriticalSpeeds| !is_damped && (hertz / mode.mode.hertz() - 1.0).abs() < NEAR;
@@ -47,7 +46,6 @@ pub(super) fn forced(study: &TorsionStudy, speed: f64) -> Vec<ForcedTwist> {
             near: modes.iter().position(is_near).map(|mode| mode + 1),
             free_end: twist.first().map_or(0.0, |twist| twist.norm().to_degrees()),
             shaft: loads.get(largest).copied().unwrap_or_default(),
-            behind: study.torsion().shafts.get(largest).map_or(0, |shaft| shaft.ends[0]) + 1,
             shaft_number: largest,
         })
     };

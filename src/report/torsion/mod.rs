@@ -48,8 +48,17 @@ pub struct TorsionStudy {
     pub train: Train,
     /// What excites it, once that is asked for.
     excited: OnceLock<Option<Excited>>,
-    resonance_cache: OnceLock<Vec<ResonanceOrder>>,
-    range_cache: OnceLock<Vec<TwistAtSpeed>>,
+    cached: Cached,
+}
+
+/// What the page, the answer and several tables ask for, each computed once.
+#[derive(Clone, Debug, Default)]
+struct Cached {
+    at_speed: OnceLock<Option<Vibration>>,
+    resonances: OnceLock<Vec<ResonanceOrder>>,
+    range: OnceLock<Vec<TwistAtSpeed>>,
+    excesses: OnceLock<Vec<Excess>>,
+    dampers: OnceLock<Vec<DamperStudy>>,
 }
 
 /// Why there is no study.
@@ -105,15 +114,14 @@ impl TorsionStudy {
             speed,
             train,
             excited: OnceLock::new(),
-            resonance_cache: OnceLock::new(),
-            range_cache: OnceLock::new(),
+            cached: Cached::default(),
         })
     }
 
     /// The same at another speed than that of the layout, in revolutions a minute.
     #[must_use]
     pub fn at(self, speed: f64) -> Self {
-        TorsionStudy { speed: Some(speed), resonance_cache: OnceLock::new(), range_cache: OnceLock::new(), ..self }
+        TorsionStudy { speed: Some(speed), cached: Cached::default(), ..self }
     }
 
     /// Its shaft.
@@ -139,6 +147,11 @@ impl TorsionStudy {
     /// How far the orders twist the shaft at the speed of the layout; none where it lacks what the torque needs.
     pub fn forced(&self) -> Vec<ForcedTwist> {
         self.speed.map_or_else(Vec::new, |speed| forced::forced(self, speed))
+    }
+
+    /// Behind which disc the shaft with the largest torque is, by its number from 1.
+    fn behind(&self, twist: &ForcedTwist) -> usize {
+        self.torsion().shafts.get(twist.shaft_number).map_or(0, |shaft| shaft.ends[0]) + 1
     }
 
     /// The orders of a mode by the length of their stars, the longest first; of equally long ones the lowest order first. Those above

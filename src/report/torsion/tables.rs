@@ -61,7 +61,7 @@ pub(super) fn forced(study: &TorsionStudy, orders: &[ForcedTwist]) -> Table {
             far(twist, Text::measured(twist.shaft, Unit::NEWTON_METRE))
         });
     let table = match study.is_row() {
-        true => table.column("Behind disc", |twist| far(twist, twist.behind.into())),
+        true => table.column("Behind disc", |twist| far(twist, study.behind(twist).into())),
         false => table.column("Shaft", |twist| far(twist, shaft(study, twist.shaft_number).into())),
     };
     table.done()
