@@ -25,6 +25,13 @@ pub fn table(study: &MountsStudy, name: &str) -> Option<Table> {
     })
 }
 
+/// A column along or about each axis.
+fn axes<R>(table: &mut Filling<R>, pattern: &'static str, unit: Unit, of: impl Fn(&R, usize) -> Option<f64>) {
+    for (index, axis) in AXES.into_iter().enumerate() {
+        table.decimal((pattern, axis), unit, |row| of(row, index));
+    }
+}
+
 fn order(motion: &OrderMotion) -> Option<String> {
     Some(motion.excitation.order.exact().to_string())
 }
@@ -46,20 +53,10 @@ fn modes(study: &MountsStudy) -> Table {
     let mut table = Filling::new("mounts.modes", &rows);
     table.whole("mode", |(index, _)| index + 1);
     table.decimal("frequency_{unit}", Unit::HERTZ, |(_, mode)| Some(mode.hertz()));
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("share_{axis}_{unit}", name), Unit::PERCENT, |(_, mode)| Some(100.0 * mode.shares[index]));
-    }
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("share_turn_{axis}_{unit}", name), Unit::PERCENT, |(_, mode)| {
-            Some(100.0 * mode.shares[3 + index])
-        });
-    }
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("shape_{axis}", name), Unit::NONE, |(_, mode)| Some(mode.shape[index]));
-    }
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("shape_turn_{axis}", name), Unit::NONE, |(_, mode)| Some(mode.shape[3 + index]));
-    }
+    axes(&mut table, "share_{axis}_{unit}", Unit::PERCENT, |(_, mode), axis| Some(100.0 * mode.shares[axis]));
+    axes(&mut table, "share_turn_{axis}_{unit}", Unit::PERCENT, |(_, mode), axis| Some(100.0 * mode.shares[3 + axis]));
+    axes(&mut table, "shape_{axis}", Unit::NONE, |(_, mode), axis| Some(mode.shape[axis]));
+    axes(&mut table, "shape_turn_{axis}", Unit::NONE, |(_, mode), axis| Some(mode.shape[3 + axis]));
     table.done()
 }
 
@@ -70,22 +67,12 @@ fn orders(study: &MountsStudy) -> Table {
     table.truth("moment_is_zero", |one| Some(one.excitation.still.moment));
     table.truth("roll_is_zero", |one| Some(one.excitation.still.roll));
     table.truth("is_still", |one| Some(one.excitation.still.is_whole()));
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("force_{axis}_{unit}", name), Unit::NEWTON, |one| peak(one.load[0][index], 1.0));
-    }
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("moment_{axis}_{unit}", name), Unit::NEWTON_METRE, |one| peak(one.load[1][index], 1.0));
-    }
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("centre_{axis}_{unit}", name), Unit::MILLIMETRE, |one| {
-            peak(one.motion.as_ref()?.centre[index], 1e3)
-        });
-    }
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("turn_{axis}_{unit}", name), Unit::MILLIRADIAN, |one| {
-            peak(one.motion.as_ref()?.turned[index], 1e3)
-        });
-    }
+    axes(&mut table, "force_{axis}_{unit}", Unit::NEWTON, |one, axis| peak(one.load[0][axis], 1.0));
+    axes(&mut table, "moment_{axis}_{unit}", Unit::NEWTON_METRE, |one, axis| peak(one.load[1][axis], 1.0));
+    axes(&mut table, "centre_{axis}_{unit}", Unit::MILLIMETRE, |one, axis| {
+        peak(one.motion.as_ref()?.centre[axis], 1e3)
+    });
+    axes(&mut table, "turn_{axis}_{unit}", Unit::MILLIRADIAN, |one, axis| peak(one.motion.as_ref()?.turned[axis], 1e3));
     table.done()
 }
 
@@ -99,17 +86,13 @@ fn places(study: &MountsStudy) -> Table {
     let mut table = Filling::new("mounts.places", &rows).keyed(2);
     table.words("place", |(of, _)| place(*of));
     table.exact("order", Unit::NONE, |(_, one)| order(one));
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("displacement_{axis}_{unit}", name), Unit::MILLIMETRE, |(of, one)| {
-            peak(moved(of, one)?.0[index], 1e3)
-        });
-    }
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("velocity_{axis}_{unit}", name), Unit::MILLIMETRE_PER_SECOND, |(of, one)| {
-            let (moved, omega) = moved(of, one)?;
-            peak(moved[index], 1e3 * omega)
-        });
-    }
+    axes(&mut table, "displacement_{axis}_{unit}", Unit::MILLIMETRE, |(of, one), axis| {
+        peak(moved(of, one)?.0[axis], 1e3)
+    });
+    axes(&mut table, "velocity_{axis}_{unit}", Unit::MILLIMETRE_PER_SECOND, |(of, one), axis| {
+        let (moved, omega) = moved(of, one)?;
+        peak(moved[axis], 1e3 * omega)
+    });
     table.done()
 }
 
@@ -119,11 +102,9 @@ fn forces(study: &MountsStudy) -> Table {
     let mut table = Filling::new("mounts.forces", &rows).keyed(2);
     table.whole("mount", |(mount, _)| mount + 1);
     table.exact("order", Unit::NONE, |(_, one)| order(one));
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("force_{axis}_{unit}", name), Unit::NEWTON, |(mount, one)| {
-            peak(study.body.mount_force(*mount, one.motion.as_ref()?)[index], 1.0)
-        });
-    }
+    axes(&mut table, "force_{axis}_{unit}", Unit::NEWTON, |(mount, one), axis| {
+        peak(study.body.mount_force(*mount, one.motion.as_ref()?)[axis], 1.0)
+    });
     table.done()
 }
 
@@ -131,19 +112,11 @@ fn rms(study: &MountsStudy) -> Table {
     let rows = study.places();
     let mut table = Filling::new("mounts.rms", &rows);
     table.words("place", |of| place(*of));
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("displacement_{axis}_rms_{unit}", name), Unit::MILLIMETRE, |of| {
-            Some(study.rms(*of, 0)?[index] * 1e3)
-        });
-    }
-    for (index, name) in AXES.into_iter().enumerate() {
-        let unit = Unit::MILLIMETRE_PER_SECOND;
-        table.decimal(("velocity_{axis}_rms_{unit}", name), unit, |of| Some(study.rms(*of, 1)?[index] * 1e3));
-    }
-    for (index, name) in AXES.into_iter().enumerate() {
-        let unit = Unit::METRE_PER_SQUARE_SECOND;
-        table.decimal(("acceleration_{axis}_rms_{unit}", name), unit, |of| Some(study.rms(*of, 2)?[index]));
-    }
+    let rms = |of: &Place, derivative: i32, axis: usize| Some(study.rms(*of, derivative)?[axis]);
+    let (displacement, velocity) = (Unit::MILLIMETRE, Unit::MILLIMETRE_PER_SECOND);
+    axes(&mut table, "displacement_{axis}_rms_{unit}", displacement, |of, axis| Some(rms(of, 0, axis)? * 1e3));
+    axes(&mut table, "velocity_{axis}_rms_{unit}", velocity, |of, axis| Some(rms(of, 1, axis)? * 1e3));
+    axes(&mut table, "acceleration_{axis}_rms_{unit}", Unit::METRE_PER_SQUARE_SECOND, |of, axis| rms(of, 2, axis));
     table.done()
 }
 
@@ -174,9 +147,7 @@ fn critical(study: &MountsStudy) -> Table {
 fn axis(study: &MountsStudy) -> Option<Table> {
     let rows = [study.axis.as_ref()?];
     let mut table = Filling::new("mounts.axis", &rows).keyed(0);
-    for (index, name) in AXES.into_iter().enumerate() {
-        table.decimal(("direction_{axis}", name), Unit::NONE, |axis| Some(axis.direction[index]));
-    }
+    axes(&mut table, "direction_{axis}", Unit::NONE, |of, axis| Some(of.direction[axis]));
     table.decimal("from_crankshaft_{unit}", Unit::DEGREE, |axis| Some(axis.from_crankshaft));
     table.decimal("frequency_{unit}", Unit::HERTZ, |axis| Some(axis.hertz));
     table.decimal("coupling_{unit}", Unit::PERCENT, |axis| Some(100.0 * axis.coupling));

@@ -171,40 +171,38 @@ impl MountsStudy {
         orders.dedup();
         let Excitation { orders, has_gas } = excitation(&engine, mounting, &orders).map_err(NoMounts::Excitation)?;
         let body = Body::new(mounting);
-        let at = |excitation: &OrderExcitation, rpm: f64| {
+        let motion = |excitation: &OrderExcitation, rpm: f64| {
             let [force, moment] = excitation.at(rpm);
-            OrderMotion {
-                excitation: excitation.clone(),
-                load: [force, moment],
-                motion: body.motion(excitation.omega(rpm), force, moment),
-            }
+            body.motion(excitation.omega(rpm), force, moment)
+        };
+        let at_speed = |excitation: &OrderExcitation| OrderMotion {
+            excitation: excitation.clone(),
+            load: excitation.at(speed),
+            motion: motion(excitation, speed),
         };
         let mut study = MountsStudy {
             speed,
             modes: body.modes(),
             axis: roll_axis(&body),
             has_gas,
-            orders: orders.iter().map(|order| at(order, speed)).collect(),
+            orders: orders.iter().map(at_speed).collect(),
             range: Vec::new(),
             engine,
             body: body.clone(),
         };
         let speeds = (0..=SPEEDS).map(|step| from + (to - from) * f64::from(step) / f64::from(SPEEDS));
-        let watched = study.watched();
         study.range = speeds
             .flat_map(|rpm| orders.iter().enumerate().map(move |(place, order)| (rpm, place, order)))
             .map(|(rpm, place, order)| {
-                let motion = at(order, rpm).motion;
-                let mounts = || 0..study.body.mounts();
+                let motion = motion(order, rpm);
                 let force = |motion: &Motion| {
-                    mounts().map(|mount| largest(&study.body.mount_force(mount, motion))).fold(0.0, f64::max)
+                    let mounts = 0..study.body.mounts();
+                    mounts.map(|mount| largest(&study.body.mount_force(mount, motion))).fold(0.0, f64::max)
                 };
                 AtSpeed {
                     rpm,
                     order: place,
-                    velocity: motion
-                        .as_ref()
-                        .map(|motion| largest(&study.displacement(watched, motion)) * motion.omega),
+                    velocity: motion.as_ref().map(|motion| study.velocity(motion)),
                     force: motion.as_ref().map(force),
                 }
             })
@@ -237,6 +235,11 @@ impl MountsStudy {
         }
     }
 
+    /// The largest component of the velocity of the watched place, in metres a second, zero to peak.
+    fn velocity(&self, motion: &Motion) -> f64 {
+        largest(&self.displacement(self.watched(), motion)) * motion.omega
+    }
+
     /// `√(½ Σ (Ω^n q_k)²)` over the orders along x, y and z, whatever the phases are: displacement for n = 0, velocity, acceleration. None
     /// where an order meets a natural frequency without damping.
     pub fn rms(&self, place: Place, derivative: i32) -> Option<[f64; 3]> {
@@ -255,5 +258,10 @@ impl MountsStudy {
     /// The orders that leave the engine still on any mounts, proved.
     fn still(&self) -> impl Iterator<Item = CycleOrder> {
         self.orders.iter().filter(|order| order.excitation.still.is_whole()).map(|order| order.excitation.order)
+    }
+
+    /// The others, with their places among all.
+    fn moving(&self) -> impl Iterator<Item = (usize, &OrderMotion)> {
+        self.orders.iter().enumerate().filter(|(_, order)| !order.excitation.still.is_whole())
     }
 }

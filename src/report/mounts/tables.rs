@@ -60,8 +60,8 @@ fn moved(one: &OrderMotion, of: impl Fn(&crate::mounts::Motion) -> Text) -> Text
 
 /// One row per order that moves it: the centre of gravity and the rotation.
 pub(super) fn motions(study: &MountsStudy) -> Table {
-    let moving: Vec<&OrderMotion> = study.orders.iter().filter(|one| !one.excitation.still.is_whole()).collect();
-    let table = Table::of(moving).column("Order κ", |one| one.excitation.order.to_string());
+    let table =
+        Table::of(study.moving().map(|(_, one)| one)).column("Order κ", |one| one.excitation.order.to_string());
     let part = |value: Complex<f64>, scale: f64, unit| Text::measured(peak(&value) * scale, unit);
     let heads = [("x ({})", 0), ("y ({})", 1), ("z ({})", 2)];
     let table = heads.into_iter().fold(table, |table, (head, axis)| {
@@ -77,10 +77,7 @@ pub(super) fn motions(study: &MountsStudy) -> Table {
     });
     table
         .column(phrase!("Velocity, {} ({})", place(study.watched()), Unit::MILLIMETRE_PER_SECOND), |one| {
-            moved(one, |motion| {
-                let velocity = largest(&study.displacement(study.watched(), motion)) * motion.omega;
-                Text::measured(velocity * 1e3, Unit::MILLIMETRE_PER_SECOND)
-            })
+            moved(one, |motion| Text::measured(study.velocity(motion) * 1e3, Unit::MILLIMETRE_PER_SECOND))
         })
         .done()
 }
@@ -88,8 +85,7 @@ pub(super) fn motions(study: &MountsStudy) -> Table {
 /// One row per mount and order that moves the engine: the force along x, y and z.
 pub(super) fn forces(study: &MountsStudy) -> Table {
     let mounts = 0..study.body.mounts();
-    let moving = || study.orders.iter().filter(|one| !one.excitation.still.is_whole());
-    let rows: Vec<(usize, &OrderMotion)> = mounts.flat_map(|mount| moving().map(move |order| (mount, order))).collect();
+    let rows = mounts.flat_map(|mount| study.moving().map(move |(_, order)| (mount, order)));
     let force = |mount: usize, one: &OrderMotion, axis: usize| {
         moved(one, |motion| {
             let force: Phasors = study.body.mount_force(mount, motion);
@@ -130,7 +126,6 @@ pub(super) fn rms(study: &MountsStudy) -> Table {
 
 /// One row per order that moves the engine: where in the range it moves the watched place most, and the mounts.
 pub(super) fn range(study: &MountsStudy) -> Table {
-    let rows: Vec<_> = study.orders.iter().enumerate().filter(|(_, one)| !one.excitation.still.is_whole()).collect();
     let worst = |place: usize, of: fn(&super::AtSpeed) -> Option<f64>| {
         let at = study.range.iter().filter(|at| at.order == place);
         at.filter_map(|at| Some((of(at)?, at.rpm))).max_by(|one, other| one.0.total_cmp(&other.0))
@@ -139,29 +134,23 @@ pub(super) fn range(study: &MountsStudy) -> Table {
         None => ["–".into(), "–".into()],
         Some((value, speed)) => [Text::measured(value * scale, unit), rpm(speed)],
     };
-    let velocity = |place: usize| told(worst(place, |at| at.velocity), 1e3, Unit::MILLIMETRE_PER_SECOND);
-    let force = |place: usize| told(worst(place, |at| at.force), 1.0, Unit::NEWTON);
-    let second = |pair: [Text; 2]| {
-        let [_, speed] = pair;
-        speed
-    };
-    let first = |pair: [Text; 2]| {
-        let [value, _] = pair;
-        value
-    };
+    let rows = study.moving().map(|(place, one)| {
+        let velocity = told(worst(place, |at| at.velocity), 1e3, Unit::MILLIMETRE_PER_SECOND);
+        (one.excitation.order, velocity, told(worst(place, |at| at.force), 1.0, Unit::NEWTON))
+    });
     Table::of(rows)
-        .column("Order κ", |(_, one)| one.excitation.order.to_string())
-        .column(phrase!("Largest velocity ({})", Unit::MILLIMETRE_PER_SECOND), |(place, _)| first(velocity(*place)))
-        .column("at", |(place, _)| second(velocity(*place)))
-        .column(phrase!("Largest mount force ({})", Unit::NEWTON), |(place, _)| first(force(*place)))
-        .column("at", |(place, _)| second(force(*place)))
+        .column("Order κ", |(order, ..)| order.to_string())
+        .column(phrase!("Largest velocity ({})", Unit::MILLIMETRE_PER_SECOND), |(_, [value, _], _)| value.clone())
+        .column("at", |(_, [_, speed], _)| speed.clone())
+        .column(phrase!("Largest mount force ({})", Unit::NEWTON), |(.., [value, _])| value.clone())
+        .column("at", |(.., [_, speed])| speed.clone())
         .done()
 }
 
 /// The speeds at which an order that moves the engine meets a mode.
 pub(super) fn critical(study: &MountsStudy) -> Table {
-    let rows: Vec<_> = study.orders.iter().filter(|one| !one.excitation.still.is_whole()).collect();
-    let table = Table::of(rows).column("Order κ", |one| one.excitation.order.to_string());
+    let table =
+        Table::of(study.moving().map(|(_, one)| one)).column("Order κ", |one| one.excitation.order.to_string());
     let table = study.modes.iter().enumerate().fold(table, |table, (index, mode)| {
         table.column(phrase!("Mode {} at (rpm)", index + 1), move |one| {
             Number::Decimal(one.excitation.order.rpm(mode.hertz()))

@@ -1,6 +1,6 @@
 //! What is said of an engine on its mounts in words?
 
-use super::{MountsStudy, OrderMotion, Place, SOFTEST, largest};
+use super::{MountsStudy, OrderMotion, Place, SOFTEST};
 use crate::engine::CycleOrder;
 use crate::page::{Piece, Text, Unit, phrase};
 
@@ -47,7 +47,7 @@ pub(super) fn place(of: Place) -> Text {
 pub(super) fn answer(study: &MountsStudy) -> Vec<Text> {
     let frequencies = study.modes.iter().map(|mode| Text::measured(mode.hertz(), Unit::HERTZ)).collect::<Vec<_>>();
     let mut lines = vec![phrase!("Natural frequencies on the mounts, in Hz: {}.", Text::joined(frequencies, ", "))];
-    let moving: Vec<&OrderMotion> = study.orders.iter().filter(|one| !one.excitation.still.is_whole()).collect();
+    let moving: Vec<&OrderMotion> = study.moving().map(|(_, one)| one).collect();
     lines.push(match (list(study.still()), moving.is_empty()) {
         (none, _) if none.is_empty() => "Every order shown moves the engine: of none do force, moment and roll moment all vanish.".into(),
         (_, true) => "No order shown moves the engine, proved: force, moment and roll moment of each vanish.".into(),
@@ -65,11 +65,7 @@ pub(super) fn answer(study: &MountsStudy) -> Vec<Text> {
         lines.push(phrase!("By the roll moment alone it is moved at the orders {}.", roll_alone));
     }
     let watched = study.watched();
-    let velocity = |one: &&OrderMotion| {
-        let motion = one.motion.as_ref()?;
-        Some(largest(&study.displacement(watched, motion)) * motion.omega)
-    };
-    let fastest = moving.iter().filter_map(|one| Some((velocity(one)?, one.excitation.order)));
+    let fastest = moving.iter().filter_map(|one| Some((study.velocity(one.motion.as_ref()?), one.excitation.order)));
     if let Some((speed, order)) = fastest.max_by(|one, other| one.0.total_cmp(&other.0)) {
         lines.push(phrase!(
             "At {} order {} moves the {} most: {}, zero to peak along one axis.",
