@@ -47,6 +47,7 @@ struct Written {
 struct List {
     written: Written,
     patterns: Vec<Pattern<'static>>,
+    titles: BTreeMap<Untrusted, Untrusted>,
 }
 
 /// The lists are part of the program, so that a mistake in one is a mistake of ours.
@@ -65,7 +66,9 @@ fn read(file: &'static str) -> List {
     // The pattern that says the most comes first.
     labels.sort_by_key(|(key, _)| Reverse(key.len()));
     let patterns = labels.into_iter().map(|(key, words)| Pattern::new(owned(key), owned(words))).collect();
-    List { written, patterns }
+    let person = |text: &String| Untrusted::new(text.as_str());
+    let titles = written.titles.iter().map(|(title, own)| (person(title), person(own))).collect();
+    List { written, patterns, titles }
 }
 
 impl Language {
@@ -117,9 +120,7 @@ impl Language {
 
     /// The title of an engine of the catalogue; none of what somebody else wrote.
     pub fn title(self, english: &Untrusted) -> Option<Untrusted> {
-        let titles = &self.list().written.titles;
-        let known = titles.iter().find(|(title, _)| Untrusted::new(title.as_str()) == *english);
-        known.map(|(_, own)| Untrusted::new(own.as_str()))
+        self.list().titles.get(english).cloned()
     }
 
     /// A fixed word of the program.
