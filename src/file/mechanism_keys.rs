@@ -7,7 +7,7 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::measured::{Column, Reading};
-use super::quantities::misread;
+use super::quantities::{misread, not_negative, value};
 use super::units;
 use super::written::{self, Text, place};
 use crate::engine::{Cylinder, Dimensions, Given, Linear, Measure, Mechanism, Rod};
@@ -277,10 +277,7 @@ fn twice(first: &str, second: &str, list: &written::Column) -> LayoutError {
 /// Speed in revolutions a minute.
 pub(super) fn speed(text: &Text) -> Result<(BigRational, Given), LayoutError> {
     let written = &text.get_ref().0;
-    let value = units::speed(written).map_err(|right| misread("speed", written, right, text))?;
-    if value.is_negative() {
-        return Err(misread("speed", written, "a speed is 0 or more".to_owned(), text));
-    }
+    let value = not_negative(value(text, "speed", units::speed)?, "speed", text)?;
     let given = Given {
         quantity: Measure::Speed,
         cylinder: None,

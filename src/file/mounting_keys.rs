@@ -8,8 +8,7 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
-use super::number::parse_number;
-use super::quantities::{List, known_angle, mass, metres, misread};
+use super::quantities::{List, known_angle, mass, metres, plain, value};
 use super::units;
 use super::written::{Column, Table, Text, Values, place};
 use crate::engine::{Block, Convention, Mount, Mounting, NoMounting};
@@ -133,15 +132,7 @@ impl BlockKeys {
 
 impl MountKeys {
     fn read(&self, convention: Convention) -> Result<Mount, LayoutError> {
-        let loss_factor = |text: &Text| {
-            let written = &text.get_ref().0;
-            let value =
-                parse_number(written).map_err(|error| misread("loss factor", written, error.to_string(), text))?;
-            match units::has_a_size(&value) {
-                true => Ok(value),
-                false => Err(misread("loss factor", written, "out of range; such as 0.1".to_owned(), text)),
-            }
-        };
+        let loss_factor = |text: &Text| value(text, "loss factor", |text| plain(text, "0.1"));
         let turned = match &self.turned {
             None => Default::default(),
             Some(list) => three(list, "angle", known_angle)?,
@@ -163,8 +154,7 @@ impl MountKeys {
 }
 
 fn inertia(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    units::inertia(written).map_err(|right| misread("moment of inertia", written, right, text))
+    value(text, "moment of inertia", units::inertia)
 }
 
 /// x, y, z of a drawing, in the sense of rotation.
@@ -195,14 +185,9 @@ fn along(
 ) -> Result<Three, LayoutError> {
     match column.get_ref() {
         Values::One(written) => {
-            let at = Text::new(column.span(), written.clone());
-            let value = unit(&written.0).map_err(|right| misread(what, &written.0, right, &at))?;
-            Ok([value.clone(), value.clone(), value])
+            let one = value(&Text::new(column.span(), written.clone()), what, unit)?;
+            Ok([one.clone(), one.clone(), one])
         }
-        Values::Each(list) => {
-            let read =
-                |text: &Text| unit(&text.get_ref().0).map_err(|right| misread(what, &text.get_ref().0, right, text));
-            three(&List::new(column.span(), list.clone()), what, read)
-        }
+        Values::Each(list) => three(&List::new(column.span(), list.clone()), what, |text| value(text, what, unit)),
     }
 }

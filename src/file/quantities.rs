@@ -40,8 +40,23 @@ pub(super) fn angle(text: &Text) -> Result<Linear, LayoutError> {
 
 /// An angle without unknowns, in turns.
 pub(super) fn known_angle(text: &Text) -> Result<BigRational, LayoutError> {
+    value(text, "angle", units::angle)
+}
+
+/// A value in the units that `unit` reads.
+pub(super) fn value(
+    text: &Text,
+    what: &str,
+    unit: impl Fn(&str) -> Result<BigRational, String>,
+) -> Result<BigRational, LayoutError> {
     let written = &text.get_ref().0;
-    units::angle(written).map_err(|right| misread("angle", written, right, text))
+    unit(written).map_err(|right| misread(what, written, right, text))
+}
+
+/// A number without a unit, such as this one.
+pub(super) fn plain(text: &str, such: &str) -> Result<BigRational, String> {
+    let value = parse_number(text).map_err(|error| error.to_string())?;
+    if units::has_a_size(&value) { Ok(value) } else { Err(format!("out of range; such as {such}")) }
 }
 
 /// A length; a unit behind it makes the layout metric; symbols of one lower-case letter may be in it.
@@ -103,8 +118,7 @@ pub(super) fn whole(text: &Text, what: &str) -> Result<i64, LayoutError> {
 
 /// A mass in kilograms, 0 or more.
 pub(super) fn mass(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    not_negative(units::mass(written).map_err(|right| misread("mass", written, right, text))?, "mass", text)
+    not_negative(value(text, "mass", units::mass)?, "mass", text)
 }
 
 /// A mass times a radius in kilogram-metres, 0 or more, and whether it is written in multiples of m r, which is `unit`.
@@ -143,11 +157,7 @@ pub(super) fn factor(text: &Text) -> Result<BigRational, LayoutError> {
         );
         return Err(misread("balance factor", written, right, text));
     }
-    let value = parse_number(written).map_err(|error| misread("balance factor", written, error.to_string(), text))?;
-    if !units::has_a_size(&value) {
-        return Err(misread("balance factor", written, "out of range; such as 0.5".to_owned(), text));
-    }
-    not_negative(value, "balance factor", text)
+    not_negative(value(text, "balance factor", |text| plain(text, "0.5"))?, "balance factor", text)
 }
 
 /// A value that is 0 or more.

@@ -7,8 +7,7 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
-use super::number::parse_number;
-use super::quantities::{List, known_angle, metres, misread, whole};
+use super::quantities::{self, List, known_angle, metres, misread, value, whole};
 use super::units;
 use super::written::{Table, Text, place};
 use crate::engine::{
@@ -367,8 +366,7 @@ fn torque(text: &Text) -> Result<BigRational, LayoutError> {
 }
 
 fn plain(text: &str) -> Result<BigRational, String> {
-    let value = parse_number(text).map_err(|error| error.to_string())?;
-    if units::has_a_size(&value) { Ok(value) } else { Err("out of range; such as 0.02".to_owned()) }
+    quantities::plain(text, "0.02")
 }
 
 /// The numbers of two discs, from 1 in the file.
@@ -385,11 +383,6 @@ fn disc(text: &Text) -> Result<usize, LayoutError> {
 }
 
 type Unit = fn(&str) -> Result<BigRational, String>;
-
-fn value(text: &Text, what: &'static str, unit: Unit) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    unit(written).map_err(|right| misread(what, written, right, text))
-}
 
 fn positive(text: &Text, what: &'static str, unit: Unit) -> Result<BigRational, LayoutError> {
     let value = value(text, what, unit)?;
