@@ -44,21 +44,6 @@ impl CycleOrder {
         BigRational::new(self.halves.into(), 2.into())
     }
 
-    /// The same as a decimal, which is exact.
-    pub fn value(self) -> f64 {
-        f64::from(self.halves) / 2.0
-    }
-
-    /// Oscillations a second at a speed in revolutions a minute.
-    pub fn hertz(self, rpm: f64) -> f64 {
-        self.value() * rpm / 60.0
-    }
-
-    /// The speed in revolutions a minute at which it has a frequency in oscillations a second.
-    pub fn rpm(self, hertz: f64) -> f64 {
-        60.0 * hertz / self.value()
-    }
-
     /// Whether what repeats once per cycle has this order: every one in a four-stroke engine, whole ones in a two-stroke.
     pub fn exists_in(self, cycle: Cycle) -> bool {
         self.halves.is_multiple_of(cycle.lowest_order().halves)

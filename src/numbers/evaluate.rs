@@ -1,7 +1,6 @@
 //! Where does a sum point, and how long is it?
 
 use std::cell::RefCell;
-use std::f64::consts::TAU;
 
 use num_bigint::BigInt;
 use num_complex::Complex;
@@ -47,11 +46,6 @@ fn evaluated(sum: &PhasorSum) -> Complex<f64> {
 /// An exact number as a float; not a number where no float is near it.
 pub fn float(value: &BigRational) -> f64 {
     value.to_f64().unwrap_or(f64::NAN)
-}
-
-/// Revolutions a minute in radians a second.
-pub fn angular_speed(rpm: f64) -> f64 {
-    rpm / 60.0 * TAU
 }
 
 /// The length of a vector, with the same last digit on every machine.

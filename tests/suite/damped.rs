@@ -89,7 +89,7 @@ fn the_class_formula_gives_limits_barred_range_and_the_speeds_above_the_limit() 
     assert_prints(from, "64.392420");
     assert_prints(to, "76.567072");
     assert_eq!([from, to], barred(study.resonances()[0].rpm, 127.0));
-    let [excess] = &study.excesses()[..] else { panic!("one shaft, one range") };
+    let [excess] = study.excesses() else { panic!("one shaft, one range") };
     assert_prints(excess.speeds[0], "66.011105");
     assert_prints(excess.speeds[1], "74.291051");
 }
@@ -122,7 +122,7 @@ fn a_length_makes_a_stiffness() {
 fn a_six_with_a_viscous_ring_has_the_optimum_amplitudes_and_heat_of_the_table() {
     let study = study(AUTOMOTIVE);
     assert_prints(study.modes[0].mode.hertz(), "269.337708");
-    let [damper] = &study.dampers()[..] else { panic!("one damper") };
+    let [damper] = study.dampers() else { panic!("one damper") };
     assert_prints(0.02 / damper.in_mode.mass_ratio, "0.116316797");
     assert_prints(damper.in_mode.best.damping, "30.0015864");
     assert_eq!(damper.setting.damping, damper.in_mode.best.damping);

@@ -62,10 +62,10 @@ fn forced_twist(study: &TorsionStudy) -> Vec<Block> {
         let speed = || words::rpm(vibration.speed);
         section(
             phrase!("Shafts at {}, all orders together, and the largest in the range:", speed()),
-            Some(damped::shafts(study, &vibration)),
+            Some(damped::shafts(study, vibration)),
         );
-        section(phrase!("Discs at {}, all orders together:", speed()), Some(damped::twists(study, &vibration)));
-        section(phrase!("Heat at {}:", speed()), Some(damped::heat(study, &vibration)));
+        section(phrase!("Discs at {}, all orders together:", speed()), Some(damped::twists(study, vibration)));
+        section(phrase!("Heat at {}:", speed()), Some(damped::heat(study, vibration)));
     }
     section("Resonances in the range, each order by itself:".into(), Some(damped::resonances(study)));
     section("Dampers:".into(), Some(damped::dampers(study)));
