@@ -48,7 +48,7 @@
 //! page
 //! classroom
 //! claim  optimise
-//! journal  mounts
+//! flywheel  journal  mounts
 //! accuracy  remedy  sweep  search  torque  torsion
 //! loads  family  rotor
 //! firing
@@ -117,6 +117,8 @@ pub mod classroom;
 pub mod cli;
 #[allow(clippy::disallowed_types)]
 pub mod family;
+#[allow(clippy::disallowed_types)]
+pub mod flywheel;
 #[allow(clippy::disallowed_types)]
 pub mod gas;
 #[allow(clippy::disallowed_types)]

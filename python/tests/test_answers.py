@@ -171,6 +171,15 @@ def test_a_remedy_holds_and_its_layout_is_balanced():
     assert crankstar.verify(remedy.json).certificates > 0
 
 
+def test_weights_of_a_remedy_have_a_mass_at_the_radius_that_is_asked_for():
+    engine = Engine.read(EXAMPLES / "four.toml")
+    weights = engine.remedy([2], radius="100 mm").table()
+    for weight in weights:
+        assert weight["mass_kg"] == pytest.approx(weight["mass_radius_kg_m"] / 0.1)
+    with pytest.raises(CrankstarError, match="with its unit"):
+        engine.remedy([2], radius="100")
+
+
 def test_counterweights_of_a_balance_factor_are_part_of_a_remedy():
     remedy = Engine.named("I3").remedy([1], balance_factor=[0.5, "1/2", 0.5], planes=(1, -1))
     assert remedy.holds and len(remedy.columns["order"]) >= 3

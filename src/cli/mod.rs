@@ -13,6 +13,7 @@ mod exercise;
 mod failure;
 mod figure;
 mod firing;
+mod flywheel;
 mod folder;
 mod language;
 mod layouts;
@@ -108,6 +109,8 @@ enum Command {
     Bearings(bearings::Bearings),
     /// Compute the torque of gas and inertia, and the flywheel
     Torque(torque::Torque),
+    /// Find the flywheel that a turning-moment diagram needs
+    Flywheel(flywheel::Flywheel),
     /// Compute motion, forces and torque at crank angles
     Angle(angle::Angle),
     /// List external and guide-force moments, as a project guide does
@@ -242,6 +245,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> u8 {
         Command::Loads(loads) => loads.run().map(done),
         Command::Bearings(bearings) => bearings.run().map(done),
         Command::Torque(torque) => torque.run().map(done),
+        Command::Flywheel(flywheel) => flywheel.run().map(done),
         Command::Angle(angle) => angle.run().map(done),
         Command::Moments(moments) => moments.run().map(done),
         Command::Torsion(torsion) => torsion.run().map(done),

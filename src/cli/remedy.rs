@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crankstar::engine::{Engine, LengthUnit};
 use crankstar::exact::Turn;
-use crankstar::file::{FileResolver, Layout, parse_angle, parse_length, parse_number};
+use crankstar::file::{FileResolver, Layout, parse_angle, parse_length, parse_number, parse_radius};
 use crankstar::remedy::{self, Request};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -30,6 +30,9 @@ pub struct Remedy {
     /// Counterweights on each throw for all that rotates and this part of the reciprocating masses: one for all throws, or one per throw
     #[arg(long, value_name = "PARTS", value_delimiter = ',', conflicts_with = "balance_factor")]
     reciprocating: Vec<String>,
+    /// Tell the mass of each weight at this radius, such as "3.5 in"
+    #[arg(long, value_name = "LENGTH")]
+    radius: Option<String>,
     /// Write the layout file of the corrected engine, exact
     #[arg(long, value_name = "FILE")]
     write: Option<PathBuf>,
@@ -118,7 +121,11 @@ impl Remedy {
                 .map(Turn::new)
                 .map_err(|right| Failure::new(format!("--skew: cannot read `{text}`: {right}")))
         });
-        Ok(Request { orders, planes, factors, skews: skews.collect::<Result<_, _>>()? })
+        let radius = self.radius.as_deref().map(|text| {
+            parse_radius(text).map_err(|right| Failure::new(format!("--radius: cannot read `{text}`: {right}")))
+        });
+        let radius = radius.transpose()?;
+        Ok(Request { orders, planes, factors, skews: skews.collect::<Result<_, _>>()?, radius })
     }
 }
 

@@ -12,6 +12,7 @@ mod convention_keys;
 mod counterweight_keys;
 mod crankshaft_keys;
 mod cylinder_keys;
+mod diagram_keys;
 mod error;
 mod file_resolver;
 mod firing_order;
@@ -48,11 +49,12 @@ mod usual;
 pub(crate) mod written;
 
 pub use catalogue::{Entry, catalogue, find};
+pub use diagram_keys::{Diagram, Harmonic, Line, Torque, parse_diagram};
 pub use error::LayoutError;
 pub use file_resolver::FileResolver;
 pub use layout::{Layout, parse, parse_beside, parse_layout, parse_layout_beside};
 pub use number::{NumberError, parse_number};
-pub use quantities::{parse_angle, parse_length};
+pub use quantities::{parse_angle, parse_length, parse_radius};
 pub use replaced::with_value;
 pub use rewritten::{
     balancer_table, comment, counterweight_in_multiples, counterweight_table, exact_number, without_balancers,

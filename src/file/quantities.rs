@@ -28,6 +28,17 @@ pub fn parse_length(text: &str) -> Result<(BigRational, LengthUnit), String> {
     Ok((length.value, if length.has_unit { LengthUnit::Metre } else { LengthUnit::Spacing }))
 }
 
+/// Reads a radius above 0 in metres, which needs its unit.
+///
+/// # Errors
+/// What would be right.
+pub fn parse_radius(text: &str) -> Result<BigRational, String> {
+    match units::length(text)? {
+        units::Length { value, has_unit: true } if value.is_positive() => Ok(value),
+        _ => Err("a length above 0 with its unit, such as \"3.5 in\"".to_owned()),
+    }
+}
+
 /// A list with its place in the file.
 pub(super) type List = Spanned<Vec<Text>>;
 

@@ -22,6 +22,7 @@ struct File {
     title: Option<Text>,
     speed: Option<Text>,
     share: Option<Text>,
+    secondary: Option<bool>,
     mass: Option<Spanned<Vec<Spanned<Table<Keys>>>>>,
 }
 
@@ -63,6 +64,8 @@ pub struct Rotor {
     pub speed: Option<BigRational>,
     /// Which part of the reciprocating masses counts as if it turned.
     pub share: BigRational,
+    /// Whether the masses reciprocate on cranks, so that those of the second order count as well.
+    pub secondary: bool,
     /// The masses, in the order of the file.
     pub masses: Vec<RotorMass>,
 }
@@ -100,6 +103,11 @@ fn rotor(name: &str, file: File) -> Result<Rotor, LayoutError> {
             }
         },
     };
+    let reciprocating = tables.get_ref().iter().find_map(|table| table.get_ref().0.reciprocating_mass.as_ref());
+    if let (Some(true), Some(text)) = (file.secondary, reciprocating) {
+        let right = "with secondary = true every mass reciprocates: write it as mass, without a share";
+        return Err(LayoutError::new("a reciprocating mass beside masses that reciprocate", right, place(text)));
+    }
     let speed = file
         .speed
         .as_ref()
@@ -108,6 +116,7 @@ fn rotor(name: &str, file: File) -> Result<Rotor, LayoutError> {
         title: file.title.map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
         speed: speed.transpose()?,
         share,
+        secondary: file.secondary.unwrap_or_default(),
         masses,
     })
 }

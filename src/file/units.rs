@@ -53,6 +53,14 @@ const ANGLES: Units = &[
     ("°", (1, 360)),
 ];
 const LENGTHS: Units = &[("mm", (1, 1000)), ("cm", (1, 100)), ("in", (127, 5000)), ("ft", (381, 1250)), ("m", (1, 1))];
+const AREAS: Units = &[
+    ("mm²", (1, 1_000_000)),
+    ("mm2", (1, 1_000_000)),
+    ("cm²", (1, 10_000)),
+    ("cm2", (1, 10_000)),
+    ("in²", (16_129, 25_000_000)),
+    ("in2", (16_129, 25_000_000)),
+];
 const SPEEDS: Units = &[("rpm", (1, 1)), ("1/min", (1, 1)), ("rev/s", (60, 1)), ("Hz", (60, 1))];
 const MASS_RADII: Units = &[
     ("kg mm", (1, 1000)),
@@ -267,6 +275,63 @@ pub(crate) fn torque(text: &str) -> Result<BigRational, String> {
 /// A stress or a modulus in pascals, which is also what a number without a unit means.
 pub(crate) fn stress(text: &str) -> Result<BigRational, String> {
     in_units(text, STRESSES, "\"80 GPa\", \"560 MPa\" or \"560 N/mm²\"")
+}
+
+/// An area of a diagram of torque over angle.
+pub(crate) enum Area {
+    /// In square metres of the drawing.
+    Square(BigRational),
+    /// As the work that it stands for.
+    Joules(BigRational),
+}
+
+/// An area of a diagram, of the drawing or as a work; a number without a unit is neither.
+pub(crate) fn area(text: &str) -> Result<Area, String> {
+    const EXAMPLES: &str = "\"52 mm²\", \"-0.45 cm²\", \"1.2 in²\" or \"1400 J\"";
+    if let Ok((joules, Some(unit))) = with_unit(text, ENERGIES, EXAMPLES) {
+        return sized(in_base_units(&joules, unit)).map(Area::Joules);
+    }
+    match with_unit(text, AREAS, EXAMPLES)? {
+        (square, Some(unit)) => sized(in_base_units(&square, unit)).map(Area::Square),
+        (_, None) => Err(format!("with its unit, for instance {EXAMPLES}")),
+    }
+}
+
+/// What of a torque a metre of the drawing stands for.
+pub(crate) fn torque_scale(text: &str) -> Result<BigRational, String> {
+    per(text, torque, LENGTHS, "\"600 N m/mm\" or \"1 mm = 600 N m\"")
+}
+
+/// What of an angle, in turns, a metre of the drawing stands for.
+pub(crate) fn angle_scale(text: &str) -> Result<BigRational, String> {
+    per(text, angle, LENGTHS, "\"3°/mm\" or \"1 mm = 3°\"")
+}
+
+/// What of a work in joules a square metre of the drawing stands for.
+pub(crate) fn area_scale(text: &str) -> Result<BigRational, String> {
+    per(text, energy, AREAS, "\"1400 J/cm²\" or \"1 cm² = 1400 J\"")
+}
+
+/// `600 N m/mm`, `600 N m per mm`, `1 mm = 600 N m`: a quantity for one of these units.
+fn per(
+    text: &str,
+    of: impl Fn(&str) -> Result<BigRational, String>,
+    units: Units,
+    examples: &str,
+) -> Result<BigRational, String> {
+    let of_a_unit = |unit: &str| format!("1 {}", unit.trim());
+    let (above, below) = match (text.split_once('='), text.split_once(" per ")) {
+        (Some((below, above)), _) => (above, below.to_owned()),
+        (None, Some((above, below))) => (above, of_a_unit(below)),
+        (None, None) => text
+            .rsplit_once('/')
+            .map(|(above, below)| (above, of_a_unit(below)))
+            .ok_or_else(|| format!("such as {examples}"))?,
+    };
+    match with_unit(&below, units, examples)? {
+        (number, Some(unit)) if !number.is_zero() => sized(of(above)? / in_base_units(&number, unit)),
+        _ => Err(format!("such as {examples}")),
+    }
 }
 
 /// π, less than 10^-34 too small.

@@ -223,7 +223,8 @@ impl Engine {
     ///
     /// planes: two positions for counterweights and couples; the outermost throws where omitted.
     /// balance_factor, skew: counterweights on each throw with this factor, turned on by so many degrees; one for all, or a list.
-    #[pyo3(signature = (orders=None, *, planes=None, balance_factor=None, skew=None))]
+    /// radius: such as "3.5 in", at which the table tells the mass of each weight.
+    #[pyo3(signature = (orders=None, *, planes=None, balance_factor=None, skew=None, radius=None))]
     fn remedy<'py>(
         &self,
         py: Python<'py>,
@@ -231,12 +232,14 @@ impl Engine {
         planes: Option<&Bound<'_, PyAny>>,
         balance_factor: Option<&Bound<'_, PyAny>>,
         skew: Option<&Bound<'_, PyAny>>,
+        radius: Option<String>,
     ) -> PyResult<Bound<'py, Remedy>> {
         let wanted = Wanted {
             orders: self.orders(asked::orders(orders)?),
             planes: planes.map(asked::planes).transpose()?,
             factors: asked::factors(balance_factor)?,
             skews: asked::skews(skew)?,
+            radius,
         };
         let (question, remedy) = py.detach(|| questions::remedy(&self.engine, &self.source, &wanted))?;
         let answer = Answer::new(self.asked("remedy", &wanted.keywords()), question);

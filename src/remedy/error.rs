@@ -18,6 +18,8 @@ pub enum RemedyError {
     BeyondTheShaft(BigRational, Box<[BigRational; 2]>),
     /// Balance factors where a crankshaft turns otherwise than the first, whose throws they are about.
     Bays,
+    /// A mass at a radius of an engine without masses or a crank radius.
+    NoMass,
     /// Neither one value for all nor one per throw.
     TooMany {
         /// What is given.
@@ -46,6 +48,9 @@ impl fmt::Display for RemedyError {
             }
             RemedyError::Bays => f.write_str(
                 "balance factors are of crankshafts that all turn as the first one does; leave them out: then weights in two planes are proposed",
+            ),
+            RemedyError::NoMass => f.write_str(
+                "a mass at a radius needs the masses of the engine and its crank radius; give them below [mechanism]",
             ),
             RemedyError::TooMany { what, given, throws } => {
                 write!(f, "{given} {what} for {throws} throws; give one for all, or one per throw")

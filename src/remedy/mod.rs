@@ -49,6 +49,8 @@ pub struct Request {
     pub factors: Vec<BigRational>,
     /// How far the counterweights of each bay are turned on from opposite to their throw; 0 by default.
     pub skews: Vec<Turn>,
+    /// The radius in metres at which masses are told; none tells masses times radii alone.
+    pub radius: Option<BigRational>,
 }
 
 /// Weights that balance an engine up to the orders asked for.
@@ -67,6 +69,8 @@ pub struct Remedy {
     /// What would cancel less than [`LEAST`] of the load, all of an order together, and is omitted; these orders and senses keep what
     /// they have.
     pub left_out: Vec<Shaft>,
+    /// The radius in metres at which masses are told.
+    pub radius: Option<BigRational>,
     /// Heights at which the Lanchester pairs cancel the roll moment of their order too.
     pub heights: Vec<PairHeight>,
     /// The sums of the corrected engine.
@@ -99,6 +103,11 @@ impl Remedy {
         Some(bare + added + resized.sum::<Option<f64>>()?)
     }
 
+    /// The mass in kilograms of a weight at the radius that is asked for; none where none is.
+    pub fn mass(&self, weight: &Weight) -> Option<f64> {
+        Some(weight.mass_radius(&self.subject)? / self.radius.as_ref()?.to_f64()?)
+    }
+
     /// Whether every sum of the corrected engine is proved to be zero, but for those that are omitted.
     pub fn holds(&self) -> bool {
         self.corrected.iter().all(|sum| sum.vanishes() || self.leaves_out(sum.order, sum.sense))
@@ -126,6 +135,9 @@ impl Remedy {
 /// What is missing, or does not fit.
 pub fn remedy(engine: &Engine, wish: &Request) -> Result<Remedy, RemedyError> {
     let subject = ComparableEngine::new(engine).map_err(RemedyError::Missing)?;
+    if wish.radius.is_some() && subject.scale().is_none() {
+        return Err(RemedyError::NoMass);
+    }
     let count = throws(engine).len();
     for (what, given) in [("balance factors", wish.factors.len()), ("skew angles", wish.skews.len())] {
         if given > 1 && given != count {
@@ -169,6 +181,7 @@ pub fn remedy(engine: &Engine, wish: &Request) -> Result<Remedy, RemedyError> {
         crankshaft,
         shafts,
         left_out,
+        radius: wish.radius.clone(),
         heights,
         corrected: Vec::new(),
     };

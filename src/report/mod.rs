@@ -23,6 +23,7 @@ mod family_page;
 mod figures;
 mod firing;
 mod firmness;
+mod flywheel;
 mod journal;
 mod loads_document;
 mod moments;
@@ -91,6 +92,7 @@ pub use firing::{
     FiringStudy, OpenFiringStudy, firing_answer, firing_catalogue_answer, firing_catalogue_page, firing_document,
     firing_engine, firing_page, open_firing_answer, open_firing_page, run_as as run_in_cycle,
 };
+pub use flywheel::FlywheelStudy;
 pub use journal::{complete_bearings_answer, complete_bearings_page, without_gas};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use moments::{Amplitude, External, MomentsRow, MomentsStudy, NoMoments};

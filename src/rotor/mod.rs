@@ -4,6 +4,7 @@
 //! and whether what is wanted exists, is decided by exact sums; what is found is exact where a closed form is known.
 
 mod exact;
+mod secondary;
 mod solve;
 mod triangle;
 
@@ -12,6 +13,7 @@ use num_rational::BigRational;
 use crate::exact::{PhasorSum, Term};
 use crate::file::{Rotor, RotorMass};
 pub use exact::Real;
+pub use secondary::{Secondary, secondary};
 
 /// What is known of masses on a shaft.
 #[derive(Clone, Debug)]
@@ -74,7 +76,7 @@ impl std::fmt::Display for NotSolved {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(
             "these unknowns are not solved for; what may be omitted: mass (or radius) and angle of one or two masses; of one of them its position too; the masses of one \
-             or two whose angles are given, with or without their positions; mass and angle of one with the angles of three others, or of two of them",
+             or two whose angles are given, with or without their positions; mass and angle of one with the angles of three others, or of two of them; with secondary = true the angles of four cranks in planes symmetric about the middle and the masses of the inner two, the outer two being equal",
         )
     }
 }

@@ -4,14 +4,17 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::exact::{Real, across, along};
-use super::triangle;
 use super::{Answer, Found, NotSolved, Reason, Wanted};
+use super::{secondary, triangle};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::file::{Rotor, RotorMass};
 use crate::numbers;
 
 /// The answer, with `ΣU` and `ΣzU` of what is known.
 pub(super) fn solve(rotor: &Rotor, [force, couple]: [PhasorSum; 2]) -> Result<Answer, NotSolved> {
+    if secondary::is_wanted(rotor) {
+        return secondary::four_cranks(rotor);
+    }
     let wanted: Vec<(usize, Wanted)> =
         rotor.masses.iter().map(Wanted::of).enumerate().filter(|(_, wanted)| !wanted.is_none()).collect();
     let vector = |wanted: &Wanted| wanted.size && wanted.angle;

@@ -6,17 +6,18 @@ use std::fs;
 use std::path::Path;
 
 /// The rooms with their lines: what they have, and a little.
-const BUDGET: [(&str, usize); 34] = [
+const BUDGET: [(&str, usize); 35] = [
     ("accuracy", 1690),
     ("beam", 340),
     ("claim", 4936),
     ("classroom", 1790),
-    ("cli", 4660),
+    ("cli", 4710),
     ("engine", 3820),
     ("exact", 1700),
     ("family", 4146),
-    ("file", 7625),
+    ("file", 8140),
     ("firing", 440),
+    ("flywheel", 500),
     ("gas", 1000),
     ("journal", 1210),
     ("loads", 2100),
@@ -28,9 +29,9 @@ const BUDGET: [(&str, usize); 34] = [
     ("page", 6760),
     ("proof", 8617),
     ("python", 2560),
-    ("remedy", 1690),
-    ("report", 32130),
-    ("rotor", 540),
+    ("remedy", 1710),
+    ("report", 32560),
+    ("rotor", 680),
     ("search", 3600),
     ("shard", 680),
     ("stars", 670),

@@ -70,6 +70,7 @@ fn answer_all() -> Vec<Answered> {
     }
     all.push(tables::valued(&known(V8_GAS), "torque.cycle.mean"));
     all.push(tables::balanced(include_str!("../../examples/shaft.toml")));
+    all.push(tables::fluctuating(include_str!("../../examples/turning-moment.toml")));
     all.push(tables::swept(V6, &["vee.bank_angle=0..180:20"], &[1, 2], &["1", "3/2"]).1);
     all.push(tables::swept(V8_GAS, &["speed=1000..3000:1000"], &[1], &[]).1);
     let vee = Problem::vee(6, Cycle::FourStroke, Turn::fraction(1, 6), &[1, 2]);

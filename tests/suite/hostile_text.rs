@@ -302,6 +302,21 @@ fn no_text_of_a_file_of_masses_acts() {
 }
 
 #[test]
+fn no_text_of_a_turning_moment_diagram_acts() {
+    let file = scratch("hostile-diagram").join("diagram.toml");
+    let diagram = include_str!("../../examples/turning-moment.toml");
+    fs::write(&file, diagram.replace("\"Four strokes as triangles\"", &harm("of-title"))).expect("a file");
+    let file = file.to_str().expect("UTF-8");
+    let page = answered(&["flywheel", file, "--format", "markdown"]);
+    markdown_is_whole("flywheel", &page);
+    assert!(page.contains("of-title"), "{page}");
+    latex_is_whole("flywheel", &answered(&["flywheel", file, "--format", "latex"]));
+    html_is_whole("flywheel", &answered(&["flywheel", file, "--format", "html"]));
+    typst_is_whole("flywheel", &answered(&["flywheel", file, "--format", "typst"]));
+    csv_is_inert("flywheel", &answered(&["flywheel", file, "--format", "csv"]));
+}
+
+#[test]
 fn no_text_of_a_claims_file_acts() {
     let folder = scratch("hostile-claims");
     fs::write(folder.join("i3.toml"), layout_text()).expect("a file");
@@ -477,7 +492,7 @@ fn every_field_of_a_persons_text_is_tried_here() {
         "claim/handwritten.rs: text", "claim/star_marks.rs: written",
         "classroom/students.rs: name", "classroom/exercise.rs: name", "classroom/results.rs: files", "classroom/marking.rs: not_read",
         "report/values.rs: rows", "sweep/run.rs: title", "report/compare/mod.rs: name", "report/atlas/entry.rs: title", "report/moments/mod.rs: name",
-        "file/rotor_keys.rs: title", "file/rotor_keys.rs: name",
+        "file/diagram_keys.rs: title", "file/rotor_keys.rs: title", "file/rotor_keys.rs: name",
     ]);
     assert_eq!(found_in_source(field), known);
 }

@@ -195,10 +195,30 @@ fn masses_on_a_shaft_have_german_for_every_phrase() {
         wheel(0) + &angles,
         wheel(0) + &angles.replace("mass = 1", "mass = 100"),
         format!("speed = 300\nshare = 0.5\n{crank}{}{}", wheel(1), wheel(2)),
+        "secondary = true\n".to_owned() + &mass(known) + &wheel(1) + &wheel(2),
     ];
     for text in texts {
         let study =
             report::RotorStudy::new(file::parse_rotor("shaft.toml", &text).expect("masses")).expect("it is solved");
+        assert_known(&[study.answer(), study.page()]);
+    }
+}
+
+#[test]
+fn turning_moment_diagrams_have_german_for_every_phrase() {
+    let example = include_str!("../../examples/turning-moment.toml");
+    let texts = [
+        example.to_owned(),
+        example.replace("speed = \"300 rpm\"\n", ""),
+        "speed = 1800\ninertia = 1\ntorque_scale = '5 N m/mm'\nangle_scale = '1°/mm'\nareas = ['12 mm²', '-12 mm²']\n"
+            .to_owned(),
+        "speed = 1800\ninertia = 1\nirregularity = 0.01\nareas = ['12 J', '-12 J']\n".to_owned(),
+        "mean = 0\nharmonics = [{ order = 2, cos = 1, sin = 1 }]\n".to_owned(),
+        "speed = 300\ninertia = 1\npoints = [[0, 1], [360, 1]]\n".to_owned(),
+    ];
+    for text in texts {
+        let diagram = file::parse_diagram("diagram.toml", &text).expect("a diagram");
+        let study = report::FlywheelStudy::new(diagram).expect("it fits");
         assert_known(&[study.answer(), study.page()]);
     }
 }

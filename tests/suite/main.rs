@@ -57,6 +57,7 @@ mod firing;
 mod firing_documents;
 mod firing_pages;
 mod firmness;
+mod flywheel;
 mod formulas;
 mod fractions;
 mod fragments;

@@ -547,3 +547,22 @@ proptest! {
         prop_assert!(remedy.holds());
     }
 }
+
+/// A mass at 3.5 in is the mass times radius over 0.0889 m, in the table of data, on the page and in the terminal.
+#[test]
+fn masses_are_told_at_the_radius_that_is_asked_for() {
+    let layout = read(I3);
+    let radius = crankstar::file::parse_radius("3.5 in").expect("a length");
+    let asked = Request { radius: Some(radius), ..wish(&[1, 2]) };
+    let cured = remedy(&layout, &asked).expect("a remedy");
+    for weight in cured.weights() {
+        let expected = weight.mass_radius(&cured.subject).expect("masses") / 0.0889;
+        assert_near(cured.mass(&weight).expect("a radius"), expected);
+    }
+    let text =
+        page::write(&report::remedy_answer(&cured), page::Format::PLAIN, &page::Options::default()).remove(0).text;
+    assert!(text.contains("Mass at") && text.contains("88.9 mm"), "{text}");
+    assert_eq!(remedy(&layout, &wish(&[1])).expect("a remedy").mass(&cured.weights()[0]), None);
+    assert!(crankstar::file::parse_radius("3.5").is_err() && crankstar::file::parse_radius("-1 in").is_err());
+    assert_eq!(remedy(&engine("I3"), &asked).expect_err("no masses"), RemedyError::NoMass);
+}

@@ -17,7 +17,7 @@ const STOREYS: [&[&str]; 16] = [
     &["firing"],
     &["loads", "family", "rotor"],
     &["accuracy", "remedy", "sweep", "search", "torque", "torsion"],
-    &["journal", "mounts"],
+    &["flywheel", "journal", "mounts"],
     &["claim", "optimise"],
     &["classroom"],
     &["page"],

@@ -5,7 +5,7 @@ use crankstar::file::{Rotor, parse_rotor};
 use crankstar::numbers;
 use crankstar::page::{Format, Options};
 use crankstar::report::{Question, RotorStudy};
-use crankstar::rotor::{Answer, Found, Reason, balance, locomotive};
+use crankstar::rotor::{Answer, Found, Reason, balance, locomotive, secondary};
 use num_complex::Complex;
 use num_rational::BigRational;
 
@@ -308,4 +308,84 @@ fn what_may_be_turned_about_the_shaft_is_said_to_be() {
 #[test]
 fn a_study_of_the_example_has_one_solution() {
     assert_eq!(RotorStudy::new(rotor(SHAFT)).expect("it is solved").solutions().len(), 1);
+}
+
+/// Outer cranks of 400 kg at 0° and 120°, planes 450, 750 and 600 mm apart: the second order is not balanced.
+#[test]
+fn inner_cranks_leave_the_second_order_that_newtons_law_gives() {
+    let text = "secondary = true\n".to_owned()
+        + &file(&[
+            ["400", "1000", "0", "0"],
+            ["?", "1000", "?", "450"],
+            ["?", "1000", "?", "1200"],
+            ["400", "1000", "120", "1800"],
+        ]);
+    let rotor = rotor(&text);
+    let left = secondary(&rotor, &solved(&text)[0]).expect("all is known");
+    assert_near(left.sums[0].norm(), 1923.989_303, 1e-6);
+    assert_near(left.sums[1].norm(), 1899.509_359, 1e-6);
+    assert!(left.exact.iter().all(Option::is_none));
+    // All angles rational: exact sums.
+    let known = "secondary = true\n".to_owned()
+        + &file(&[
+            ["1", "10", "0", "0"],
+            ["1", "10", "180", "100"],
+            ["1", "10", "180", "200"],
+            ["1", "10", "0", "300"],
+        ]);
+    let study = RotorStudy::new(parse_rotor("shaft.toml", &known).expect("masses")).expect("it is solved");
+    let left = study.secondary.expect("all is known");
+    assert!(left.exact.iter().all(|sum| sum.as_ref().is_some_and(|sum| !sum.vanishes())));
+    assert_near(left.sums[0].norm(), 0.04, 1e-12);
+    let balanced = known.replace("angle = '180'", "angle = '90'");
+    let study = RotorStudy::new(parse_rotor("shaft.toml", &balanced).expect("masses")).expect("it is solved");
+    assert!(study.secondary.expect("all is known").exact[0].as_ref().expect("a sum").vanishes());
+}
+
+#[test]
+fn four_cranks_balance_the_secondary_force_where_schlicks_condition_holds() {
+    let mut dice = Dice::new(4);
+    for _ in 0..40 {
+        let inner = 100 + dice.below(700);
+        let outer = inner + 50 + dice.below(900);
+        let [z1, z2, z3, z4] = [1000 - outer as i64, 1000 - inner as i64, 1000 + inner as i64, 1000 + outer as i64];
+        let text = "secondary = true\n".to_owned()
+            + &file(&[
+                ["400", "1000", "?", &z1.to_string()],
+                ["?", "1000", "?", &z3.to_string()],
+                ["?", "1000", "?", &z2.to_string()],
+                ["400", "1000", "?", &z4.to_string()],
+            ]);
+        let solutions = solved(&text);
+        assert_eq!(solutions.len(), 2);
+        for solution in &solutions {
+            // Newton's law for order 1, with the outer masses in their found angles, and for the force of order 2.
+            let sum = |order: f64, arm: &dyn Fn(f64) -> f64| -> f64 {
+                let places = [z1, z3, z2, z4];
+                let terms = solution.iter().map(|one| {
+                    let at = arm(places[one.index] as f64 / 1000.0);
+                    Complex::from_polar(one.mass_radius.decimal * at, order * one.angle.to_radians())
+                });
+                terms.sum::<Complex<f64>>().norm()
+            };
+            assert!(sum(1.0, &|_| 1.0) < 1e-9 && sum(1.0, &|z| z) < 1e-9 && sum(2.0, &|_| 1.0) < 1e-9, "{text}");
+            let [alpha, beta] = [solution[0].angle - solution[3].angle, solution[2].angle - solution[1].angle]
+                .map(|between| between.to_radians() / 2.0);
+            assert_near((2.0 * alpha.cos() * beta.cos()).abs(), 1.0, 1e-9);
+            assert_near(
+                solution[1].mass_radius.exact.as_ref().expect("a root").to_float(),
+                solution[1].mass_radius.decimal,
+                1e-9,
+            );
+        }
+        let left = secondary(&rotor(&text), &solutions[0]).expect("all is known");
+        assert!(left.exact[0].as_ref().is_some_and(PhasorSum::vanishes) && left.sums[1].norm() > 1e-3);
+    }
+    let mixed = |rows: &[[&str; 4]]| balance(&rotor(&("secondary = true\n".to_owned() + &file(rows))));
+    let [a, b, c, d] = [["400", "1", "?", "0"], ["?", "1", "?", "3"], ["?", "1", "?", "7"], ["400", "1", "?", "10"]];
+    assert!(mixed(&[a, b, c, d]).is_ok());
+    assert!(mixed(&[a, b, c]).is_err() && mixed(&[a, b, c, ["401", "1", "?", "10"]]).is_err());
+    assert!(mixed(&[a, b, ["?", "1", "?", "8"], d]).is_err());
+    let both = "secondary = true\nshare = 1\n[[mass]]\nmass = 1\nreciprocating_mass = 1\n";
+    assert!(parse_rotor("shaft.toml", both).expect_err("a mistake").to_string().contains("every mass reciprocates"));
 }

@@ -204,6 +204,7 @@ fn documents() -> Vec<(&'static str, Value)> {
         ("moments", format!("moments {examples}/v8-gas/layout.toml --json")),
         ("mounts", format!("mounts {examples}/i4-mounts/layout.toml --json")),
         ("rotor", "rotor examples/shaft.toml --json".to_owned()),
+        ("flywheel", "flywheel examples/turning-moment.toml --json".to_owned()),
         ("angle", format!("angle {examples}/v8-gas/layout.toml --at 30 --json")),
     ]
     .map(|(name, line)| (name, line.split(' ').map(str::to_owned).collect()))

@@ -259,6 +259,7 @@ class Engine:
         planes: _Numbers | None = None,
         balance_factor: _Number | _Numbers | None = None,
         skew: _Number | _Numbers | None = None,
+        radius: str | None = None,
     ) -> Remedy: ...
     def firing(
         self,

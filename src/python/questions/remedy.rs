@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::engine::{Engine, LengthUnit};
 use crate::exact::Turn;
-use crate::file::{FileResolver, parse_length};
+use crate::file::{FileResolver, parse_length, parse_radius};
 use crate::python::again::Reduced;
 use crate::python::answer::{Answer, asked_again};
 use crate::python::asked::{in_turns, written};
@@ -20,6 +20,7 @@ pub(in crate::python) struct Wanted {
     pub planes: Option<[String; 2]>,
     pub factors: Vec<BigRational>,
     pub skews: Vec<Turn>,
+    pub radius: Option<String>,
 }
 
 impl Wanted {
@@ -32,6 +33,7 @@ impl Wanted {
             "planes": self.planes,
             "balance_factor": some(written(&self.factors)),
             "skew": some(skews),
+            "radius": self.radius,
         })
     }
 }
@@ -71,8 +73,13 @@ pub(in crate::python) fn remedy(
     let planes =
         wanted.planes.as_ref().map(|[first, second]| Ok::<_, PyErr>([plane(engine, first)?, plane(engine, second)?]));
     let Wanted { orders, factors, skews, .. } = wanted;
-    let wish =
-        Request { orders: orders.clone(), planes: planes.transpose()?, factors: factors.clone(), skews: skews.clone() };
+    let radius = wanted
+        .radius
+        .as_deref()
+        .map(|text| parse_radius(text).map_err(|right| told(format!("radius: cannot read `{text}`: {right}"))));
+    let radius = radius.transpose()?;
+    let (orders, factors, skews) = (orders.clone(), factors.clone(), skews.clone());
+    let wish = Request { orders, planes: planes.transpose()?, factors, skews, radius };
     let cured = remedy::remedy(engine, &wish).map_err(told)?;
     let read = |path: &str| source.beside(path);
     let layout = remedy::corrected_file(&cured, &source.name, FileResolver::new(&read))

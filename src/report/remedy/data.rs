@@ -26,6 +26,7 @@ pub fn table(remedy: &Remedy) -> Table {
     table.decimal("mass_radius_{unit}", Unit::MASS_RADIUS, |(_, weight)| polar(weight, 0));
     table.decimal("angle_{unit}", Unit::DEGREE, |(_, weight)| polar(weight, 1));
     table.decimal("mass_radius_{unit}", Unit::KILOGRAM_METRE, |(_, weight)| weight.mass_radius(&remedy.subject));
+    table.decimal("mass_{unit}", Unit::KILOGRAM, |(_, weight)| remedy.mass(weight));
     table.done()
 }
 

@@ -4,7 +4,7 @@ use super::super::residual;
 use crate::engine::{Engine, LengthUnit};
 use crate::numbers;
 use crate::order::Factor;
-use crate::page::number::{Amount, Bearing, given};
+use crate::page::number::{Amount, Bearing, given, given_with};
 use crate::page::{Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::remedy::{Built, Remedy, Weight};
@@ -26,7 +26,11 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
     };
     let before = ["Weight".into(), "Turns".into(), position].into_iter();
     let sizes = size_of.iter().copied().map(Text::from);
-    let mut table = Table::new(before.chain(sizes).chain(["Angle at θ = 0".into()]));
+    let radius = remedy.radius.as_ref().map(|radius| {
+        let millimetres = radius * BigRational::from_integer(1000.into());
+        phrase!("Mass at {}", given_with(&millimetres, Unit::MILLIMETRE))
+    });
+    let mut table = Table::new(before.chain(sizes).chain(radius).chain(["Angle at θ = 0".into()]));
     let mut told: Vec<Weight> = Vec::new();
     let mut add = |name: Text, weight: &Weight| {
         // Several parts of a remedy resize a weight together.
@@ -35,7 +39,8 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
         let weight = &weight;
         let before = [name, turns(weight), position_of(remedy.subject.engine(), weight)].into_iter();
         let sizes = in_numbers.then(|| in_short(remedy, weight)).into_iter().chain([size(remedy, weight)]);
-        table.push(before.chain(sizes).chain([direction(remedy, weight)]).collect());
+        let mass = remedy.mass(weight).map(|mass| Piece::Quantity(mass, Unit::KILOGRAM).into());
+        table.push(before.chain(sizes).chain(mass).chain([direction(remedy, weight)]).collect());
     };
     remedy.bays.iter().for_each(|weight| add("counterweight by balance factor".into(), weight));
     let on_the_crankshaft = remedy.crankshaft.iter().flat_map(|shaft| &shaft.weights);

@@ -51,16 +51,17 @@ fn masses(study: &RotorStudy) -> Table {
 }
 
 fn left(study: &RotorStudy) -> Table {
-    let rows: Vec<LeftOver> = study.left().into_iter().chain(study.of_locomotive()).collect();
+    let rows: Vec<LeftOver> =
+        study.left().into_iter().chain(study.of_second_order()).chain(study.of_locomotive()).collect();
     let mut table = Filling::new("rotor.left", &rows);
     table.words("what", |row| Some(row.column.to_owned()));
-    table.truth("vanishes", |row| Some(row.star.vanishes()));
+    table.truth("vanishes", |row| Some(row.vanishes()));
     let of = |is_couple: bool, by: f64| move |row: &LeftOver| (row.is_couple == is_couple).then(|| by * row.length());
     table.decimal("mass_radius_{unit}", Unit::KILOGRAM_METRE, of(false, 1.0));
     table.decimal("couple_{unit}", Unit::KILOGRAM_SQUARE_METRE, of(true, 1.0));
     let at_speed = |is_couple: bool| {
         let omega_squared = study.omega_squared();
-        move |row: &LeftOver| omega_squared.and_then(|by| of(is_couple, by)(row))
+        move |row: &LeftOver| omega_squared.filter(|_| !row.is_secondary).and_then(|by| of(is_couple, by)(row))
     };
     table.decimal("force_{unit}", Unit::NEWTON, at_speed(false));
     table.decimal("moment_{unit}", Unit::NEWTON_METRE, at_speed(true));

@@ -3,12 +3,14 @@
 mod data;
 mod page;
 
+use num_complex::Complex;
+
 use super::question::Question;
 use crate::exact::PhasorSum;
 use crate::file::Rotor;
 use crate::numbers;
 use crate::page::Document;
-use crate::rotor::{self, Answer, Found, Locomotive, NotSolved};
+use crate::rotor::{self, Answer, Found, Locomotive, NotSolved, Secondary};
 use crate::table::Table;
 use crate::text::Untrusted;
 
@@ -21,6 +23,8 @@ pub struct RotorStudy {
     pub answer: Answer,
     /// What a locomotive does, where its wheels carry the wanted masses.
     pub locomotive: Option<Locomotive>,
+    /// What cranks leave in the second order, where the file asks for it and all masses are known or found.
+    pub secondary: Option<Secondary>,
 }
 
 /// A star whose length matters: of forces, or of couples.
@@ -29,16 +33,33 @@ pub(in crate::report) struct LeftOver<'a> {
     pub column: &'static str,
     /// Its name on the page.
     pub name: &'static str,
-    /// The star, in kilogram-metres or kilogram square metres.
-    pub star: &'a PhasorSum,
+    /// The star, in kilogram-metres or kilogram square metres; none where it is known in decimals alone.
+    pub star: Option<&'a PhasorSum>,
+    /// Its sum.
+    pub sum: Complex<f64>,
+    /// Whether it is of order 2, to be multiplied by c₂ as well.
+    pub is_secondary: bool,
     /// Whether it is one of couples.
     pub is_couple: bool,
 }
 
-impl LeftOver<'_> {
+impl<'a> LeftOver<'a> {
+    fn new(column: &'static str, name: &'static str, star: &'a PhasorSum) -> Self {
+        LeftOver { column, name, star: Some(star), sum: numbers::evaluate(star), is_couple: false, is_secondary: false }
+    }
+
+    fn couple(self) -> Self {
+        LeftOver { is_couple: true, ..self }
+    }
+
+    /// Whether it is proved to be 0.
+    pub fn vanishes(&self) -> bool {
+        self.star.is_some_and(PhasorSum::vanishes)
+    }
+
     /// Its length; 0 where it is proved to be.
     pub fn length(&self) -> f64 {
-        if self.star.vanishes() { 0.0 } else { numbers::length(numbers::evaluate(self.star)) }
+        if self.vanishes() { 0.0 } else { numbers::length(self.sum) }
     }
 }
 
@@ -48,7 +69,15 @@ impl RotorStudy {
     /// # Errors
     /// Unknowns that are not solved for.
     pub fn new(rotor: Rotor) -> Result<Self, NotSolved> {
-        Ok(RotorStudy { answer: rotor::balance(&rotor)?, locomotive: rotor::locomotive(&rotor), rotor })
+        let answer = rotor::balance(&rotor)?;
+        // Mirrored solutions leave the same.
+        let first = match &answer {
+            Answer::Found(solutions) => solutions.first().map(Vec::as_slice),
+            Answer::Balanced | Answer::Left(_) => Some(&[][..]),
+            Answer::Never(_) | Answer::Many(_) => None,
+        };
+        let secondary = first.filter(|_| rotor.secondary).and_then(|found| rotor::secondary(&rotor, found));
+        Ok(RotorStudy { locomotive: rotor::locomotive(&rotor), answer, secondary, rotor })
     }
 
     /// All solutions.
@@ -64,8 +93,25 @@ impl RotorStudy {
         let Answer::Left(sums) = &self.answer else { return Vec::new() };
         let [force, couple] = &**sums;
         vec![
-            LeftOver { column: "force", name: "Force", star: force, is_couple: false },
-            LeftOver { column: "couple", name: "Couple about position 0", star: couple, is_couple: true },
+            LeftOver::new("force", "Force", force),
+            LeftOver::new("couple", "Couple about position 0", couple).couple(),
+        ]
+    }
+
+    /// What is left in the second order.
+    pub(in crate::report) fn of_second_order(&self) -> Vec<LeftOver<'_>> {
+        let Some(Secondary { sums: [force, couple], exact }) = &self.secondary else { return Vec::new() };
+        let row = |column, name, sum: &Complex<f64>, index: usize| LeftOver {
+            column,
+            name,
+            star: exact[index].as_ref(),
+            sum: *sum,
+            is_couple: index == 1,
+            is_secondary: true,
+        };
+        vec![
+            row("secondary_force", "Secondary force, times ω² c₂", force, 0),
+            row("secondary_couple", "Secondary couple about the first mass, times ω² c₂", couple, 1),
         ]
     }
 
@@ -73,12 +119,12 @@ impl RotorStudy {
     pub(in crate::report) fn of_locomotive(&self) -> Vec<LeftOver<'_>> {
         let Some(locomotive) = &self.locomotive else { return Vec::new() };
         let [one, other] = &locomotive.hammer_blow;
-        let row = |column, name, star| LeftOver { column, name, star, is_couple: false };
+        let row = LeftOver::new;
         vec![
             row("hammer_blow_1", "Hammer blow of the first wheel", one),
             row("hammer_blow_2", "Hammer blow of the second wheel", other),
             row("tractive", "Variation of the tractive force", &locomotive.tractive),
-            LeftOver { is_couple: true, ..row("swaying", "Swaying couple", &locomotive.swaying) },
+            row("swaying", "Swaying couple", &locomotive.swaying).couple(),
         ]
     }
 

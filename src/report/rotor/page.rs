@@ -9,12 +9,16 @@ use super::{LeftOver, RotorStudy};
 use crate::exact::PhasorSum;
 use crate::file::RotorMass;
 use crate::numbers::{self, Direction};
-use crate::page::number::{Amount, Number, given_with, turns};
+use crate::page::number::{Amount, Bearing, Number, given_with, turns};
 use crate::page::{Block, Document, Table, Text, Unit, phrase};
 use crate::rotor::{Answer, Found, Real, Reason};
 
 const FOUND: &str = "With $U = m r e^{i\\beta}$ the shaft is balanced where $\\sum U = 0$ and $\\sum z U = 0$: four real equations. Whether they hold, and whether a solution exists, is decided by exact sums; \
     a value after = is exact, after ≈ a decimal.";
+
+const SECONDARY: &str = "Every mass reciprocates on its crank, so that it adds its mass times radius at twice its angle; times ω² and the coefficient c₂ of the connecting rod, nearly crank radius over rod length, these are force and couple of the second order.";
+
+const SCHLICK: &str = "Four cranks whose outer masses are equal, in planes symmetric about the middle, have no force and couple of the first order where the outer cranks stand at $\\pm\\alpha$ and the inner ones at $180^\\circ \\pm \\beta$; the force of the second order vanishes too where $2\\cos\\alpha\\cos\\beta = 1$ (Schlick). With the ratio $\\rho$ of the outer distance to the inner one, $x = \\cos^2\\alpha$ is the positive root of $4x^2 + (\\rho^2-1)x - \\rho^2 = 0$, and the inner masses are $2x$ times the outer ones.";
 
 const LOCOMOTIVE: &str = "The shaft is balanced with this share of the reciprocating masses counted as if it turned. The vertical component of this share is the hammer blow. The rest varies the tractive force, and about the middle between the wheels it is the swaying couple. Only the first order is included, for a long rod; secondary forces are neglected.";
 
@@ -35,6 +39,9 @@ pub(super) fn page(study: &RotorStudy) -> Document {
     page.push(masses(study));
     page.push(Block::Heading(1, "How it was found".into()));
     page.push(Block::Paragraph(FOUND.into()));
+    if study.rotor.secondary {
+        page.push(Block::Paragraph(SCHLICK.into()));
+    }
     page
 }
 
@@ -97,6 +104,12 @@ fn found(study: &RotorStudy) -> Vec<Block> {
             "cos is that of the angle from the first mass whose angle is wanted, or whose angle alone is given: exact."
                 .into(),
         ));
+    }
+    let of_second_order = study.of_second_order();
+    if !of_second_order.is_empty() {
+        blocks.push(Block::Heading(1, "Second order".into()));
+        blocks.push(lengths(study, &of_second_order).into());
+        blocks.push(Block::Paragraph(SECONDARY.into()));
     }
     let of_locomotive = study.of_locomotive();
     if !of_locomotive.is_empty() {
@@ -170,7 +183,7 @@ fn table(study: &RotorStudy, solution: &[Found]) -> Table {
 
 /// Lengths of stars by name: with their exact values, and at the speed of the file.
 fn lengths(study: &RotorStudy, rows: &[LeftOver]) -> Table {
-    let omega_squared = study.omega_squared();
+    let omega_squared = study.omega_squared().filter(|_| rows.iter().all(|one| !one.is_secondary));
     let head = ["", "Mass times radius", "Direction at θ = 0"].map(Text::from);
     let mut table = Table::new(head.into_iter().chain(omega_squared.map(|_| Text::from("At the speed of the file"))));
     for one in rows {
@@ -178,10 +191,12 @@ fn lengths(study: &RotorStudy, rows: &[LeftOver]) -> Table {
             true => [Unit::KILOGRAM_SQUARE_METRE, Unit::NEWTON_METRE],
             false => [Unit::KILOGRAM_METRE, Unit::NEWTON],
         };
-        let zero = one.star.vanishes();
-        let length =
-            if zero { Text::zero() } else { phrase!("{} {}", Text::from(residual::modulus_of(one.star)), unit) };
-        let towards = if zero { "–".into() } else { residual::bearing(one.star).into() };
+        let zero = one.vanishes();
+        let modulus = || one.star.map_or(Amount { exact: None, decimal: one.length() }, residual::modulus_of);
+        let length = if zero { Text::zero() } else { phrase!("{} {}", Text::from(modulus()), unit) };
+        let bearing =
+            || one.star.map_or(Bearing { exact: None, decimal: numbers::degrees(one.sum) }, residual::bearing);
+        let towards = if zero { "–".into() } else { bearing().into() };
         let mut row = vec![one.name.into(), length, towards];
         if let Some(omega_squared) = omega_squared {
             row.push(if zero { Text::zero() } else { quantity(one.length() * omega_squared, at_speed) });

@@ -2,9 +2,9 @@
 
 use crankstar::data;
 use crankstar::engine::{CycleOrder, Engine};
-use crankstar::file::{Template, parse_rotor};
+use crankstar::file::{Template, parse_diagram, parse_rotor};
 use crankstar::proof::Quantity;
-use crankstar::report::{self, Compared, Question, RotorStudy, ValuesStudy};
+use crankstar::report::{self, Compared, FlywheelStudy, Question, RotorStudy, ValuesStudy};
 use crankstar::search::{Front, Options, Problem, search, torsion};
 use crankstar::sweep::{self, Geometry, Parameter, Sweep};
 use crankstar::table::{Table, Values};
@@ -86,6 +86,13 @@ pub fn balanced(text: &str) -> Answered {
     let study = RotorStudy::new(parse_rotor("shaft.toml", text).expect("masses")).expect("it is solved");
     let document = json_of(&study);
     Answered { question: "rotor", tables: study.tables(), document }
+}
+
+/// What a turning-moment diagram tells.
+pub fn fluctuating(text: &str) -> Answered {
+    let study = FlywheelStudy::new(parse_diagram("diagram.toml", text).expect("a diagram")).expect("it fits");
+    let document = json_of(&study);
+    Answered { question: "flywheel", tables: study.tables(), document }
 }
 
 pub fn swept(text: &str, parameters: &[&str], orders: &[u32], firing: &[&str]) -> (Sweep, Answered) {

@@ -1,0 +1,239 @@
+//! How far does a torque that is drawn swing the speed, and which flywheel holds it?
+//!
+//! Between two angles at which the torque crosses the load it gives an area of work. `ΔE` is the largest less the smallest running sum of these areas,
+//! `C_s = ΔE/(I ω²)` (docs/theory.md, section 12). Of straight lines and rational areas all of it is a rational number times a power of π.
+
+mod lobes;
+mod waves;
+
+use std::f64::consts::{FRAC_1_PI, PI, TAU};
+
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+
+use crate::file::{Diagram, Harmonic, Line, Torque};
+use crate::numbers::{self, Form};
+pub use lobes::Lobe;
+
+/// A number with a power of π: exact where its form is known.
+#[derive(Clone, Debug)]
+pub struct WithPi {
+    /// The number but for π, in closed form.
+    pub form: Option<Form>,
+    /// The power of π that it is multiplied by.
+    pub power: i32,
+    /// All of it in decimals.
+    pub decimal: f64,
+}
+
+impl WithPi {
+    fn new(form: Form, power: i32) -> Self {
+        WithPi { decimal: form.to_float() * PI.powi(power), form: Some(form), power }
+    }
+
+    fn rational(value: BigRational, power: i32) -> Self {
+        WithPi::new(Form::rational(value), power)
+    }
+
+    fn decimal(decimal: f64) -> Self {
+        WithPi { form: None, power: 0, decimal }
+    }
+
+    /// Times a rational number and a power of π.
+    fn times(&self, by: &BigRational, power: i32) -> Self {
+        let decimal = self.decimal * numbers::float(by) * PI.powi(power);
+        WithPi { form: self.form.as_ref().map(|form| form.scaled(by)), power: self.power + power, decimal }
+    }
+
+    fn over(&self, other: &WithPi) -> Self {
+        let form = self.form.as_ref().zip(other.form.as_ref()).and_then(|(above, below)| {
+            let below = below.as_rational().filter(|below| !below.is_zero())?;
+            Some(above.scaled(&below.recip()))
+        });
+        WithPi { form, power: self.power - other.power, decimal: self.decimal / other.decimal }
+    }
+}
+
+/// Values at an angle.
+#[derive(Clone, Debug)]
+pub struct AtAngle {
+    /// The crank angle in turns.
+    pub angle: BigRational,
+    /// The torque in N m.
+    pub torque: f64,
+    /// The load in N m.
+    pub load: f64,
+    /// The angular acceleration in rad/s², where there is an inertia.
+    pub acceleration: Option<f64>,
+}
+
+/// What a diagram tells of energy and speed.
+#[derive(Clone, Debug)]
+pub struct Fluctuation {
+    /// Mean torque in N m; none of areas, which do not tell it.
+    pub mean: Option<WithPi>,
+    /// Length of the cycle in turns.
+    pub cycle: Option<BigRational>,
+    /// Work of a cycle in joules.
+    pub work: Option<WithPi>,
+    /// ΔE in joules.
+    pub energy: WithPi,
+    /// ΔE over the work of a cycle; none where that is 0.
+    pub energy_coefficient: Option<WithPi>,
+    /// Crank angles in degrees where the speed is largest and smallest; none of areas.
+    pub fastest_and_slowest: Option<[f64; 2]>,
+    /// Areas between the crossings, with the running sums.
+    pub lobes: Vec<Lobe>,
+    /// `C_s` with the inertia of the file, at its speed.
+    pub irregularity: Option<WithPi>,
+    /// The inertia that the wanted `C_s` needs at the speed.
+    pub inertia: Option<WithPi>,
+    /// Its mass at the radius of gyration.
+    pub mass: Option<WithPi>,
+    /// Power in watts.
+    pub power: Option<WithPi>,
+    /// Values at the angles that are asked for.
+    pub angles: Vec<AtAngle>,
+}
+
+/// Why a diagram has no answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoFluctuation {
+    /// The load takes another work than the engine gives: in N m times turns.
+    Unequal,
+    /// The load is given for another cycle.
+    OtherCycle,
+    /// Angles are asked of a diagram that is areas alone.
+    NoAngles,
+}
+
+impl std::fmt::Display for NoFluctuation {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            NoFluctuation::Unequal => {
+                "the load takes another work in a cycle than the engine gives, so that no speed is kept: their means must be equal"
+            }
+            NoFluctuation::OtherCycle => "the load's points span another angle than the torque's",
+            NoFluctuation::NoAngles => "areas alone do not tell the torque at an angle: give points, triangles or harmonics",
+        })
+    }
+}
+
+impl std::error::Error for NoFluctuation {}
+
+/// The part of an answer that depends on how the torque is drawn.
+struct Drawn {
+    mean: Option<WithPi>,
+    cycle: Option<BigRational>,
+    energy: WithPi,
+    fastest_and_slowest: Option<[f64; 2]>,
+    lobes: Vec<Lobe>,
+}
+
+/// What a diagram tells.
+///
+/// # Errors
+/// A load that does not fit the torque; angles of areas.
+pub fn fluctuation(diagram: &Diagram) -> Result<Fluctuation, NoFluctuation> {
+    let Drawn { mean, cycle, energy, fastest_and_slowest, lobes } = match &diagram.torque {
+        Torque::Harmonics(mean, torque) => {
+            let load = match &diagram.load {
+                Some(Torque::Harmonics(_, load)) => load.as_slice(),
+                Some(Torque::Lines(_) | Torque::Areas(_)) | None => &[],
+            };
+            waves::drawn(mean, torque, load)
+        }
+        Torque::Lines(_) | Torque::Areas(_) => lobes::drawn(diagram)?,
+    };
+    let two = BigRational::from_integer(2.into());
+    let work = mean.as_ref().zip(cycle.as_ref()).map(|(mean, cycle)| mean.times(&(cycle * &two), 1));
+    // ω = π n/30.
+    let squared = diagram.speed.as_ref().map(|speed| {
+        let part = speed / BigRational::from_integer(30.into());
+        WithPi::rational(&part * &part, 2)
+    });
+    let per_speed = squared.map(|squared| energy.over(&squared));
+    let known = |value: &BigRational| WithPi::rational(value.clone(), 0);
+    let irregularity =
+        per_speed.as_ref().zip(diagram.inertia.as_ref()).map(|(part, inertia)| part.over(&known(inertia)));
+    let needed = per_speed.as_ref().zip(diagram.irregularity.as_ref()).map(|(part, wanted)| part.over(&known(wanted)));
+    let mass = needed.as_ref().zip(diagram.radius_of_gyration.as_ref());
+    let mass = mass.map(|(inertia, radius)| inertia.over(&known(&(radius * radius))));
+    let power = mean.as_ref().zip(diagram.speed.as_ref());
+    let power = power.map(|(mean, speed)| mean.times(&(speed / BigRational::from_integer(30.into())), 1));
+    // The given inertia turns the excess into an acceleration; without one that which is needed.
+    let inertia = diagram.inertia.as_ref().map(numbers::float).or(needed.as_ref().map(|one| one.decimal));
+    let course = match diagram.angles.is_empty() {
+        true => None,
+        false => Some(Course::new(diagram)?),
+    };
+    let at = |(angle, course): (&BigRational, &Course<'_>)| {
+        let [torque, load] = course.at(angle);
+        let acceleration = inertia.map(|inertia| (torque - load) / inertia);
+        AtAngle { angle: angle.clone(), torque, load, acceleration }
+    };
+    let angles = diagram.angles.iter().zip(course.iter().cycle()).map(at).collect();
+    Ok(Fluctuation {
+        energy_coefficient: work.as_ref().filter(|work| work.decimal != 0.0).map(|work| energy.over(work)),
+        angles,
+        mean,
+        cycle,
+        work,
+        energy,
+        fastest_and_slowest,
+        lobes,
+        irregularity,
+        inertia: needed,
+        mass,
+        power,
+    })
+}
+
+/// Torque and load through the cycle.
+#[derive(Clone, Debug)]
+pub enum Course<'a> {
+    /// Straight lines of all cylinders, the load, and what both are multiplied by.
+    Lines(Vec<Line>, Vec<Line>, f64),
+    /// A mean, and harmonics of torque and load.
+    Waves(f64, [&'a [Harmonic]; 2]),
+}
+
+impl<'a> Course<'a> {
+    /// That of a diagram.
+    ///
+    /// # Errors
+    /// Areas, which have none.
+    pub fn new(diagram: &'a Diagram) -> Result<Self, NoFluctuation> {
+        match (&diagram.torque, &diagram.load) {
+            (Torque::Harmonics(mean, torque), load) => {
+                let load = match load {
+                    Some(Torque::Harmonics(_, load)) => load.as_slice(),
+                    Some(Torque::Lines(_) | Torque::Areas(_)) | None => &[],
+                };
+                Ok(Course::Waves(numbers::float(mean), [torque, load]))
+            }
+            (Torque::Areas(_), _) => Err(NoFluctuation::NoAngles),
+            (Torque::Lines(_), load) => {
+                let torque = lobes::all_cylinders(diagram)?;
+                let load = match load {
+                    Some(Torque::Lines(load)) => load.clone(),
+                    Some(Torque::Harmonics(..) | Torque::Areas(_)) | None => vec![lobes::mean_line(&torque)],
+                };
+                Ok(Course::Lines(torque, load, if diagram.over_pi { FRAC_1_PI } else { 1.0 }))
+            }
+        }
+    }
+
+    /// Torque and load in N m at an angle in turns; at a step the values behind it.
+    pub fn at(&self, angle: &BigRational) -> [f64; 2] {
+        match self {
+            Course::Lines(torque, load, by) => {
+                [torque, load].map(|lines| numbers::float(&lobes::at_any(lines, angle)) * by)
+            }
+            Course::Waves(mean, both) => {
+                let theta = angle.to_f64().unwrap_or(f64::NAN) * TAU;
+                both.map(|waves| mean + waves::at(waves, theta))
+            }
+        }
+    }
+}

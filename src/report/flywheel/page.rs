@@ -1,0 +1,202 @@
+//! What is on the page of a turning-moment diagram, and on the terminal?
+
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+
+use super::super::torque::{angle, quantity};
+use super::FlywheelStudy;
+use crate::file::Torque;
+use crate::flywheel::{Course, WithPi};
+use crate::page::number::{Amount, Number, given, turns_in_decimals};
+use crate::page::plot::{Axis, Curve, Plot};
+use crate::page::{Block, Document, Picture, Piece, Table, Text, Unit, phrase};
+
+const FOUND: &str = "Between two crossings of torque and load the work is the area between them. The fluctuation of energy is the largest less the smallest running sum of these areas, $\\Delta E = \\max E - \\min E$; the coefficient of fluctuation of speed is $C_s = (\\omega_{max}-\\omega_{min})/\\omega = \\Delta E/(I\\omega^2)$, so that $\\pm 1\\,\\%$ is $C_s = 0.02$. The load is constant, at the mean of the torque, unless the file gives one.";
+
+const WAVES: &str = "The torque is a sum of harmonics. The fluctuation of energy is the range of the integral of torque less load; of one harmonic of the amplitude $R$ and the order $\\kappa$ it is $2R/\\kappa$.";
+
+/// Steps of a turn in which a torque of harmonics is drawn.
+const STEPS: i64 = 180;
+
+/// The short answer.
+pub(super) fn answer(study: &FlywheelStudy) -> Document {
+    let mut answer = Document::new("flywheel", &study.diagram.title);
+    for line in lines(study) {
+        answer.push(Block::Paragraph(line));
+    }
+    answer.blocks.extend(tables(study));
+    answer
+}
+
+/// The page.
+pub(super) fn page(study: &FlywheelStudy) -> Document {
+    let mut page = Document::new("flywheel", phrase!("{}: turning-moment diagram", &study.diagram.title));
+    page.push(Block::Answer(lines(study)));
+    page.blocks.extend(picture(study).map(|picture| Block::Pictures(vec![picture])));
+    page.blocks.extend(tables(study));
+    page.push(Block::Heading(1, "How it was found".into()));
+    page.push(Block::Paragraph(FOUND.into()));
+    if matches!(study.diagram.torque, Torque::Harmonics(..)) {
+        page.push(Block::Paragraph(WAVES.into()));
+    }
+    page
+}
+
+/// A value with its closed form before it, where that can be read.
+fn value(value: &WithPi, unit: Unit) -> Text {
+    let decimal = match unit {
+        Unit::NONE => Number::Decimal(value.decimal).into(),
+        unit => quantity(value.decimal, unit),
+    };
+    let amount = value.form.clone().map(|form| Amount { decimal: form.to_float(), exact: Some(form) });
+    match (amount.map(|amount| amount.number()), value.power, unit) {
+        (Some(Number::Zero), ..) => Text::zero(),
+        (Some(Number::Exact(exact)), 0, Unit::NONE) => Number::Exact(exact).into(),
+        (Some(Number::Exact(exact)), 0, unit) => Text::from(Piece::Exactly(exact, unit)).and(" ").and(unit),
+        (Some(Number::Closed(form, _)), 0, _) => phrase!("{} ≈ {}", Piece::Form(form), decimal),
+        (Some(number), power @ (1 | -1 | -2), _) => {
+            let form = match number {
+                Number::Exact(_) | Number::Closed(..) => value.form.clone().map(Piece::Form),
+                Number::Zero | Number::Decimal(_) => None,
+            };
+            match (form, power) {
+                (Some(form), 1) => phrase!("π · {} ≈ {}", form, decimal),
+                (Some(form), -1) => phrase!("1/π · {} ≈ {}", form, decimal),
+                (Some(form), _) => phrase!("1/π² · {} ≈ {}", form, decimal),
+                (None, _) => decimal,
+            }
+        }
+        _ => decimal,
+    }
+}
+
+/// The lines of the box.
+fn lines(study: &FlywheelStudy) -> Vec<Text> {
+    let (diagram, found) = (&study.diagram, &study.fluctuation);
+    let mut lines = vec![phrase!("**Fluctuation of energy.** ΔE is {}.", value(&found.energy, Unit::JOULE))];
+    lines.extend(found.fastest_and_slowest.map(|[fastest, slowest]| {
+        phrase!("The crank is fastest at {}, and slowest at {}.", angle(fastest), angle(slowest))
+    }));
+    lines.extend(found.mean.as_ref().zip(found.work.as_ref()).map(|(mean, work)| {
+        phrase!(
+            "**Mean torque.** {}; the work of a cycle is {}.",
+            value(mean, Unit::NEWTON_METRE),
+            value(work, Unit::JOULE)
+        )
+    }));
+    lines.extend(found.energy_coefficient.as_ref().map(|part| {
+        phrase!("Coefficient of fluctuation of energy, ΔE over the work of a cycle: {}.", value(part, Unit::NONE))
+    }));
+    let Some(speed) = &diagram.speed else {
+        lines.push(
+            "The file gives no speed: power, coefficient of fluctuation of speed and flywheel are omitted.".into(),
+        );
+        return lines;
+    };
+    lines.extend(found.power.as_ref().map(|power| {
+        phrase!("**Power.** At {} rpm: {}.", given(speed), quantity(power.decimal / 1e3, Unit::KILOWATT))
+    }));
+    lines.extend(found.irregularity.as_ref().zip(diagram.inertia.as_ref()).map(|(part, inertia)| {
+        let inertia = quantity(inertia.to_f64().unwrap_or(f64::NAN), Unit::KILOGRAM_SQUARE_METRE);
+        let percent = Number::Decimal(part.decimal * 50.0);
+        phrase!(
+            "**Speed.** With an inertia of {} the coefficient of fluctuation of speed at {} rpm is {}, that is ± {} % of the mean.",
+            inertia,
+            given(speed),
+            value(part, Unit::NONE),
+            percent
+        )
+    }));
+    lines.extend(found.inertia.as_ref().zip(diagram.irregularity.as_ref()).map(|(inertia, wanted)| {
+        phrase!(
+            "**Flywheel.** For a coefficient of fluctuation of {} at {} rpm the inertia has to be {}.",
+            given(wanted),
+            given(speed),
+            value(inertia, Unit::KILOGRAM_SQUARE_METRE)
+        )
+    }));
+    lines.extend(found.mass.as_ref().map(|mass| {
+        phrase!("At the given radius of gyration its mass is {}.", quantity(mass.decimal, Unit::KILOGRAM))
+    }));
+    lines
+}
+
+fn tables(study: &FlywheelStudy) -> Vec<Block> {
+    let found = &study.fluctuation;
+    let mut blocks = Vec::new();
+    if !found.lobes.is_empty() {
+        let has_angles = found.lobes.iter().any(|lobe| lobe.from.is_some());
+        let work = |work: &WithPi| value(work, Unit::JOULE);
+        blocks.push(Block::Heading(1, "Areas between torque and load".into()));
+        blocks.push(
+            Table::of(found.lobes.iter().enumerate())
+                .column("Area", |(index, _)| Text::label((index + 1).to_string()))
+                .column_if(has_angles, "from θ", |(_, lobe)| {
+                    lobe.from.as_ref().map_or_else(Text::default, exact_angle)
+                })
+                .column("Work", |(_, lobe)| work(&lobe.work))
+                .column("Sum up to its end", |(_, lobe)| work(&lobe.sum))
+                .done()
+                .into(),
+        );
+    }
+    if !found.angles.is_empty() {
+        blocks.push(Block::Heading(1, "Values at an angle".into()));
+        let torque = |newton_metres: f64| quantity(newton_metres, Unit::NEWTON_METRE);
+        let accelerates = found.angles.iter().any(|at| at.acceleration.is_some());
+        blocks.push(
+            Table::of(found.angles.iter())
+                .column(Text::label("θ"), |at| exact_angle(&at.angle))
+                .column("Torque", |at| torque(at.torque))
+                .column("Load", |at| torque(at.load))
+                .column_if(accelerates, "Angular acceleration in rad/s²", |at| {
+                    at.acceleration.map_or_else(Text::default, |alpha| Number::Decimal(alpha).into())
+                })
+                .done()
+                .into(),
+        );
+    }
+    blocks
+}
+
+/// An angle in turns that is known exactly.
+fn exact_angle(turns: &BigRational) -> Text {
+    Text::label(turns_in_decimals(turns))
+}
+
+/// Torque and load over a cycle; none of areas, which do not tell them.
+fn picture(study: &FlywheelStudy) -> Option<Picture> {
+    let diagram = &study.diagram;
+    let cycle = study.fluctuation.cycle.as_ref()?;
+    let mut turns: Vec<BigRational> = match &diagram.torque {
+        // Beside a corner or a step on both sides.
+        Torque::Lines(lines) if diagram.cylinders.0 == 1 => {
+            let near = BigRational::new(1.into(), 1_000_000.into());
+            let ends = lines.iter().flat_map(|line| [line.from.clone(), (&line.to - &near).max(line.from.clone())]);
+            ends.collect()
+        }
+        _ => {
+            let step = BigRational::new(1.into(), STEPS.into());
+            let count = (cycle / &step).floor().to_integer().to_i64()?;
+            (0..count).map(|index| &step * BigRational::from_integer(index.into())).collect()
+        }
+    };
+    turns.push(cycle - BigRational::new(1.into(), 1_000_000.into()));
+    turns.retain(|at| *at >= BigRational::zero());
+    turns.sort();
+    let degrees = |turns: &BigRational| turns.to_f64().unwrap_or(f64::NAN) * 360.0;
+    let course = Course::new(diagram).ok()?;
+    let values: Vec<(f64, [f64; 2])> = turns.iter().map(|at| (degrees(at), course.at(at))).collect();
+    let curve = |index: usize| values.iter().map(|(at, both)| (*at, both[index])).collect();
+    let x = Axis { range: Some((0.0, degrees(cycle))), ..Axis::linear("Crank angle θ in °") };
+    let mut plot = Plot::new("Torque", x, Axis::amplitude("Torque in {}").counted_in(Unit::NEWTON_METRE));
+    plot.curves.push(Curve::new(0, "torque", curve(0)));
+    plot.curves.push(Curve::new(1, "load", curve(1)));
+    Some(Picture {
+        name: "turning-moment".to_owned(),
+        caption: phrase!(
+            "The torque through a cycle, and the load. Where the torque is above the load the speed rises."
+        ),
+        figure: plot.figure(),
+    })
+}
