@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::decide;
-use super::sum::Term;
+use super::term::Term;
 use super::turn::Turn;
 use super::words::Words;
 

@@ -10,42 +10,10 @@
 //! So the cost depends on the number of terms, and not on the conductor: it is never factored. Over small conductors a
 //! product says the same sooner ([`super::dense`]).
 
-use std::ops::{AddAssign, SubAssign};
-
-use num_bigint::{BigInt, BigUint};
-use num_integer::Integer;
-use num_traits::{Signed, ToPrimitive};
 use smallvec::SmallVec;
 
 use super::dense;
-
-/// Whole numbers that can be an exponent: machine words where they fit, big integers where they do not.
-pub trait Exponent: Clone + Integer + From<u32> + ToPrimitive + Into<BigUint> {}
-impl Exponent for u64 {}
-impl Exponent for BigUint {}
-
-/// Whole numbers that can be a weight.
-pub trait Weight: Clone + Integer + Signed + AddAssign + SubAssign + Into<BigInt> {
-    /// The remainder modulo a prime, from 0 on.
-    fn modulo(&self, prime: u64) -> u64;
-}
-
-impl Weight for i64 {
-    fn modulo(&self, prime: u64) -> u64 {
-        let remainder = self.unsigned_abs() % prime;
-        if *self < 0 && remainder > 0 { prime - remainder } else { remainder }
-    }
-}
-
-impl Weight for BigInt {
-    fn modulo(&self, prime: u64) -> u64 {
-        let remainder = self.mod_floor(&BigInt::from(prime)).to_u64();
-        remainder.unwrap_or_else(|| unreachable!("a remainder is below its modulus"))
-    }
-}
-
-/// Terms `(exponent, weight)`; engines of up to 16 cylinders stay on the stack.
-pub(super) type Terms<E, W> = SmallVec<[(E, W); 16]>;
+use super::terms::{Exponent, Terms, Weight};
 
 /// Whether `Σ weight · e^{2πi·exponent/conductor}` is zero.
 ///

@@ -5,7 +5,7 @@
 
 use smallvec::SmallVec;
 
-use super::decide::{Exponent, Weight};
+use super::terms::{Exponent, Weight};
 
 /// Conductors up to this one are decided by the product: above, sorting the few terms costs less than all the coefficients.
 const LARGEST: usize = 16;

@@ -1,8 +1,9 @@
 //! What proves the decision? Polygons where the sum is zero; a residue, or a splitting, where it is not.
 
 use super::collected::IntegerSum;
-use super::decide::{Exponent, Weight, collect, vanishes};
+use super::decide::{collect, vanishes};
 use super::sum::PhasorSum;
+use super::terms::{Exponent, Weight};
 use super::words::Words;
 use super::{fewest, polygons, residue, splitting};
 use crate::proof::Certificate;

@@ -11,8 +11,8 @@
 
 use smallvec::SmallVec;
 
-use super::decide::{Exponent, Terms, Weight, primes_up_to};
-use super::polygons::classes;
+use super::decide::primes_up_to;
+use super::terms::{Exponent, Terms, Weight, classes};
 
 /// Sums of more vectors are not searched.
 pub(super) const MOST_VECTORS: usize = 12;

@@ -12,7 +12,8 @@ use std::fmt;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::sum::{PhasorSum, Term};
+use super::sum::PhasorSum;
+use super::term::Term;
 use super::turn::Turn;
 
 /// Stars of more vectors are not made.

@@ -14,11 +14,14 @@ mod polygons;
 mod residue;
 mod splitting;
 mod sum;
+mod term;
+mod terms;
 mod turn;
 mod words;
 
 pub use collected::IntegerSum;
 pub use decide::vanishes;
 pub use minimal::{MOST_VECTORS, MinimalStar, StarClass, StarPart, minimal_stars, taken_apart};
-pub use sum::{PhasorSum, Term};
+pub use sum::PhasorSum;
+pub use term::Term;
 pub use turn::Turn;

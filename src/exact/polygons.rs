@@ -8,8 +8,9 @@ use std::collections::BTreeMap;
 use num_bigint::BigUint;
 use num_rational::BigRational;
 
-use super::decide::{Exponent, Terms, Weight, collect, corner_in_class, primes_up_to};
+use super::decide::{collect, corner_in_class, primes_up_to};
 use super::fewest;
+use super::terms::{Exponent, Terms, Weight, classes};
 use crate::proof::Polygon;
 
 /// Weights of polygons by (sides, exponent of the first corner).
@@ -161,15 +162,6 @@ fn split_squarefree<E: Exponent, W: Weight>(terms: &[(E, W)], primes: &[u32], co
         add(&mut found, largest, exponent * prime.clone(), weight, conductor);
     }
     found
-}
-
-/// The terms by the remainder of their exponent.
-pub(super) fn classes<E: Exponent, W: Weight>(terms: &[(E, W)], modulus: &E) -> BTreeMap<E, Terms<E, W>> {
-    let mut classes: BTreeMap<E, Terms<E, W>> = BTreeMap::new();
-    for (exponent, weight) in terms {
-        classes.entry(exponent.clone() % modulus.clone()).or_default().push((exponent.clone(), weight.clone()));
-    }
-    classes
 }
 
 /// Adds a polygon under its least corner, so that like polygons meet.

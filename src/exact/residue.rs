@@ -7,7 +7,7 @@ use num_integer::Integer;
 use num_traits::{ToPrimitive, Zero};
 use smallvec::SmallVec;
 
-use super::decide::{Exponent, Weight};
+use super::terms::{Exponent, Weight};
 use crate::proof::Residue;
 
 /// Conductors from here on are answered by a splitting: the search for a prime grows with the conductor.

@@ -9,7 +9,8 @@ use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::decide::{Exponent, Weight, collect, corner_in_class, primes_up_to, vanishes};
+use super::decide::{collect, corner_in_class, primes_up_to, vanishes};
+use super::terms::{Exponent, Weight};
 use crate::proof::Step;
 
 type Terms = Vec<(BigUint, BigInt)>;

@@ -10,18 +10,10 @@ use num_traits::{Signed, Zero};
 use super::collected::IntegerSum;
 use super::decide;
 use super::fraction;
+use super::term::Term;
 use super::turn::Turn;
 use super::words::Words;
 use crate::proof::Vector;
-
-/// One rotating vector: `weight · e^{2πi·angle}`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Term {
-    /// Direction of the vector.
-    pub angle: Turn,
-    /// Length of the vector, of either sign, without unit.
-    pub weight: BigRational,
-}
 
 /// The sum `Σ weight · e^{2πi·angle}`, with its terms as they were given.
 ///

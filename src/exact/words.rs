@@ -5,8 +5,8 @@ use num_integer::Integer;
 use num_traits::Signed;
 use smallvec::SmallVec;
 
-use super::decide::Terms;
-use super::sum::Term;
+use super::term::Term;
+use super::terms::Terms;
 
 /// The sum `Σ weight · e^{2πi·exponent/conductor}`, scaled by `scale` to whole weights; like directions not collected.
 pub(super) struct Words {

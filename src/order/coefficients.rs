@@ -6,8 +6,9 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 
 use super::corrected::Corrected;
+use super::crank::crank_of;
 use super::factor::Factor;
-use crate::engine::{Mechanism, Rod};
+use crate::engine::Rod;
 use crate::motion::{Coefficient, CorrectedLinkage, Enclosure, SliderCrank};
 use crate::proof::Sense;
 
@@ -74,19 +75,6 @@ impl Coefficients {
 
     fn crank(&self, rod: &Rod, value: impl Fn(&SliderCrank) -> Coefficient) -> Coefficient {
         value(self.cranks.borrow_mut().entry(rod.clone()).or_insert_with(|| crank_of(rod)))
-    }
-}
-
-/// The motion of a crank with a rod of its own that an engine has: it turns round. None of a link.
-pub fn crank(mechanism: &Mechanism) -> Option<SliderCrank> {
-    mechanism.rod().map(crank_of)
-}
-
-/// The motion of a crank with this rod.
-pub fn crank_of(rod: &Rod) -> SliderCrank {
-    match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
-        Ok(crank) => crank,
-        Err(_) => unreachable!("an engine's mechanisms turn round"),
     }
 }
 

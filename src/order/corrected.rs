@@ -11,11 +11,10 @@
 //! exactly. That such a part is not zero is no theorem: an enclosure has to show it.
 
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
-use super::factor::Factor;
 use crate::engine::Link;
-use crate::exact::{Term, Turn};
+use crate::exact::Turn;
 use crate::motion::{Component, CorrectedLinkage};
 
 /// A link with a corrected knuckle angle as far as its number h_k goes, which tells Δ from −Δ and ε from −ε by signs alone.
@@ -65,30 +64,4 @@ impl Corrected {
         };
         order > 0 && !self.ratio.is_zero() && is_there
     }
-}
-
-/// What the vector of a link's piston in the direct star stands before: numbers of the motion, each with a part and the angle it
-/// is turned by; the other way in the reverse star.
-pub(super) fn parts_of(link: &Link, order: u32) -> Vec<(Factor, Term)> {
-    let one = BigRational::one();
-    let half = &link.knuckle / BigRational::from_integer(2.into());
-    let term = |angle: Turn, weight: &BigRational| Term { angle, weight: weight.clone() };
-    let mut parts = Vec::new();
-    if order == 1 {
-        parts.push((Factor::One, term(Turn::zero(), &one)));
-        parts.push((Factor::One, term(&link.angle - &link.correction, &half)));
-        parts.push((Factor::One, term(&link.angle + &link.correction, &-&half)));
-    } else if order.is_multiple_of(2) {
-        let master = Factor::Motion(link.master_rod());
-        let with_it = link.angle.times(order.into());
-        parts.push((master.clone(), term(&with_it + &link.correction, &half)));
-        parts.push((master, term(&with_it - &link.correction, &half)));
-    }
-    let own = Corrected::of(link);
-    let (is_behind, is_taken_back) = (own.apart != link.angle, own.correction != link.correction);
-    let sign = if is_behind != is_taken_back && !order.is_multiple_of(2) { -one } else { one };
-    let quarter = if is_behind { Turn::fraction(3, 4) } else { Turn::fraction(1, 4) };
-    parts.push((Factor::Corrected(own.clone(), Component::Real), term(Turn::zero(), &sign)));
-    parts.push((Factor::Corrected(own, Component::Imaginary), term(quarter, &sign)));
-    parts
 }

@@ -3,11 +3,11 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::coefficients::crank_of;
 use super::corrected::Corrected;
-use super::link::{Linkage, parts_of};
-use crate::engine::{Engine, Mechanism, Rod};
-use crate::exact::{Term, Turn};
+use super::crank::crank_of;
+use super::link::Linkage;
+use crate::engine::{Mechanism, Rod};
+use crate::exact::Turn;
 use crate::motion::Component;
 use crate::proof::Quantity;
 
@@ -43,32 +43,6 @@ pub enum Factor {
 }
 
 impl Factor {
-    /// What the force of a cylinder with this mechanism stands before: numbers of the motion, each with a part of the vector in the
-    /// direct star and the angle that this part is turned by; it is turned the other way in the reverse star.
-    pub fn parts_of_force(engine: &Engine, mechanism: Option<&Mechanism>, order: u32) -> Vec<(Factor, Term)> {
-        match mechanism {
-            None => Factor::parts_of_rod(engine, None, order),
-            Some(Mechanism::SliderCrank(rod)) => Factor::parts_of_rod(engine, Some(rod), order),
-            Some(Mechanism::Link(link)) => parts_of(link, order),
-        }
-    }
-
-    /// The same of a piston that has a rod on the crankpin.
-    pub fn parts_of_rod(engine: &Engine, rod: Option<&Rod>, order: u32) -> Vec<(Factor, Term)> {
-        if let Some(rod) = rod.filter(|rod| order == 1 && !rod.offset.is_zero())
-            && engine.mechanisms().len() > 1
-        {
-            let one = BigRational::one();
-            let weight = if rod.offset.is_negative() { -one.clone() } else { one.clone() };
-            return vec![
-                (Factor::One, Term { angle: Turn::zero(), weight: one }),
-                (Factor::Quadrature(rod.unsigned()), Term { angle: Turn::fraction(1, 4), weight }),
-            ];
-        }
-        let (factor, weight) = Factor::of_rod(rod, order);
-        vec![(factor, Term { angle: Turn::zero(), weight })]
-    }
-
     /// What the force of a piston stands before that has a rod on the crankpin, as one number, and with which sign. A rod of which
     /// nothing is known is centric.
     ///

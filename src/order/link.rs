@@ -14,14 +14,11 @@
 //! master's piston does, and (1−ζ)μ on the crankpin: 2μ along the throw, −2μκ turned from it by γ, which is Δ where it is not corrected
 //! ([`corrected`](super::corrected)).
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
-use super::corrected;
-use super::factor::Factor;
 use crate::engine::{Cylinder, Engine, Link};
-use crate::exact::{Term, Turn};
+use crate::exact::Turn;
 use crate::motion;
 
 /// A link as far as its number g_k goes, which does not tell Δ from −Δ.
@@ -55,33 +52,6 @@ impl Linkage {
     pub fn exists(&self, order: u32) -> bool {
         order > 0 && order.is_multiple_of(2) && !self.ratio.is_zero()
     }
-}
-
-/// What the vector of a link's piston in the direct star stands before: numbers of the motion, each with a part and the angle it is
-/// turned by; the other way in the reverse star.
-pub(super) fn parts_of(link: &Link, order: u32) -> Vec<(Factor, Term)> {
-    if link.is_corrected() {
-        return corrected::parts_of(link, order);
-    }
-    let one = BigRational::one();
-    if order == 1 {
-        return vec![(Factor::One, Term { angle: Turn::zero(), weight: one })];
-    }
-    let master = Factor::Motion(link.master_rod());
-    let with_the_master = Term { angle: link.angle.times(order.into()), weight: link.knuckle.clone() };
-    if !order.is_multiple_of(2) {
-        // Neither number is there: one stands for both.
-        return vec![(master, with_the_master)];
-    }
-    let own = Factor::Linkage(Linkage::of(link));
-    let mut weight = one;
-    let powers = (0..=i64::from(order)).map(|u| {
-        let term = Term { angle: link.angle.times(u), weight: weight.clone() };
-        // C(k,u+1) = C(k,u) (k−u)/(u+1).
-        weight *= -&link.knuckle * BigRational::new(BigInt::from(i64::from(order) - u), BigInt::from(u + 1));
-        (own.clone(), term)
-    });
-    std::iter::once((master, with_the_master)).chain(powers).collect()
 }
 
 /// The mass at the knuckle pin of a cylinder's link, times the crank radius, in multiples of m r; none where there is none.

@@ -5,9 +5,8 @@
 
 use num_traits::Zero;
 
-use super::roll::of_turning;
 use super::source::Source;
-use super::turning::{TurningMass, turning_masses};
+use super::turning::{TurningMass, of_turning, turning_masses};
 use crate::engine::{AxisLeftOut, Engine};
 use crate::exact::{PhasorSum, Term};
 

@@ -8,12 +8,14 @@ mod coefficients;
 mod comparable;
 mod contribution;
 mod corrected;
+mod crank;
 mod factor;
 mod group;
 mod lengths;
 mod link;
 mod masses;
 mod missing_arm;
+mod parts;
 mod path;
 mod phase;
 mod pin;
@@ -23,12 +25,13 @@ mod sum;
 mod turning;
 
 pub use crate::proof::Masses;
-pub use coefficients::{Coefficients, crank, crank_of, exactly_one};
+pub use coefficients::{Coefficients, exactly_one};
 pub use comparable::{NotComparable, comparable};
 pub use contribution::{
     Contribution, Sources, all_masses, contributions, groups_of, lever, masses_as_built, roll, star, torque,
 };
 pub use corrected::Corrected;
+pub use crank::{crank, crank_of};
 pub use factor::Factor;
 pub use group::{Group, OrderTerms};
 

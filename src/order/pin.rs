@@ -13,8 +13,8 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::coefficients::crank_of;
 use super::contribution::{Contribution, Sources};
+use super::crank::crank_of;
 use super::factor::Factor;
 use super::masses::MassGroup;
 use super::phase::phase;

@@ -17,7 +17,7 @@ use super::contribution::{Contribution, Sources, power};
 use super::factor::Factor;
 use super::phase::phase;
 use super::source::Source;
-use super::turning::{TurningMass, mass_radius};
+use super::turning::{mass_radius, of_turning};
 use crate::engine::{Cylinder, Engine};
 use crate::exact::{Term, Turn};
 use crate::proof::Sense;
@@ -44,17 +44,6 @@ impl Sources<'_> {
         });
         pistons.chain(turning).collect()
     }
-}
-
-/// Of a mass that turns about an axis there.
-pub(super) fn of_turning(mass: &TurningMass, axis: &Term) -> Term {
-    let square = BigRational::from_integer((u64::from(mass.order) * u64::from(mass.order)).into());
-    let ahead = &(&mass.angle - &axis.angle) - &Turn::fraction(1, 4);
-    let angle = match mass.sense {
-        Sense::Direct => ahead,
-        Sense::Reverse => -&ahead,
-    };
-    Term { angle, weight: square * &mass.mass_radius * &axis.weight }
 }
 
 /// Of the order of its own motion.

@@ -28,7 +28,7 @@ pub struct TurningMass {
     /// Where it stands along the crankshaft.
     pub position: BigRational,
     /// Where the axis that it turns about is in the plane across the crankshaft, in crank radii: the sum of these; none in the
-    /// middle, and where the file leaves it out ([`roll_lacks`](super::roll_lacks)).
+    /// middle, and where the file leaves it out ([`roll_lacks`](crate::order::roll_lacks)).
     pub axis: Vec<Term>,
     /// Which crankshaft it turns with, where it is on one of several.
     pub crank: Option<usize>,
@@ -162,4 +162,15 @@ pub fn unit_mass(engine: &Engine) -> BigRational {
 /// The crank radius in metres, or 1 where it is not known: then only masses at the crankpins are, which it cancels from.
 pub fn unit_radius(engine: &Engine) -> BigRational {
     engine.unit_radius()
+}
+
+/// Of a mass that turns about an axis there.
+pub(super) fn of_turning(mass: &TurningMass, axis: &Term) -> Term {
+    let square = BigRational::from_integer((u64::from(mass.order) * u64::from(mass.order)).into());
+    let ahead = &(&mass.angle - &axis.angle) - &Turn::fraction(1, 4);
+    let angle = match mass.sense {
+        Sense::Direct => ahead,
+        Sense::Reverse => -&ahead,
+    };
+    Term { angle, weight: square * &mass.mass_radius * &axis.weight }
 }
