@@ -20,6 +20,13 @@ pub struct Harmonic {
     pub reverse: Complex<f64>,
 }
 
+impl Harmonic {
+    /// The largest part of its vectors.
+    fn longest(&self) -> f64 {
+        [self.direct, self.reverse].iter().flat_map(|vector| [vector.re.abs(), vector.im.abs()]).fold(0.0, f64::max)
+    }
+}
+
 /// A vector that repeats with every revolution; only orders that do not vanish are kept.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Waveform {
@@ -60,14 +67,16 @@ impl Circle {
     }
 }
 
+const ZERO: Complex<f64> = Complex::new(0.0, 0.0);
+
 /// Angles of a revolution at which a peak is first looked for; more for high orders.
 const STEPS: usize = 720;
 
 impl Waveform {
     /// The waveform of these orders; vectors that are zero are omitted.
     pub fn new(harmonics: impl IntoIterator<Item = Harmonic>) -> Self {
-        let is_left = |harmonic: &Harmonic| harmonic.direct.norm_sqr() > 0.0 || harmonic.reverse.norm_sqr() > 0.0;
-        Waveform { harmonics: harmonics.into_iter().filter(is_left).collect() }
+        let is_residual = |harmonic: &Harmonic| harmonic.direct != ZERO || harmonic.reverse != ZERO;
+        Waveform { harmonics: harmonics.into_iter().filter(is_residual).collect() }
     }
 
     /// The orders, each with its two vectors.
@@ -177,15 +186,24 @@ impl Waveform {
 
     fn peak_by(&self, size: impl Fn(Complex<f64>) -> f64) -> Peak {
         if let [only] = self.harmonics.as_slice()
-            && (only.direct.norm_sqr() == 0.0 || only.reverse.norm_sqr() == 0.0)
+            && (only.direct == ZERO || only.reverse == ZERO)
             && size(Complex::i()) > 0.0
         {
             let vector = only.direct + only.reverse;
             return Peak { value: vector.norm(), angle: None, vector };
         }
         let Some(highest) = self.harmonics.iter().map(|harmonic| harmonic.order).max() else {
-            return Peak { value: 0.0, angle: None, vector: Complex::new(0.0, 0.0) };
+            return Peak { value: 0.0, angle: None, vector: ZERO };
         };
+        // Squares of very short vectors would be 0: they are compared at lengths near 1. A power of two changes no digit.
+        let (_, exponent) = libm::frexp(self.harmonics.iter().map(Harmonic::longest).fold(0.0, f64::max));
+        let near_one = self.scaled(libm::scalbn(1.0, -exponent));
+        let peak = near_one.peak_of_samples(highest, size);
+        let back = |length: f64| libm::scalbn(length, exponent);
+        Peak { value: back(peak.value), vector: Complex::new(back(peak.vector.re), back(peak.vector.im)), ..peak }
+    }
+
+    fn peak_of_samples(&self, highest: u32, size: impl Fn(Complex<f64>) -> f64) -> Peak {
         let circle = Circle::new(STEPS.max(32 * highest as usize));
         let sizes: Vec<f64> = self.sample(&circle).into_iter().map(&size).collect();
         let step = TAU / circle.steps() as f64;
@@ -194,7 +212,7 @@ impl Waveform {
         // Equal peaks differ by roundings; the first of them is named, so that it is the same on every machine.
         let equal = tops.into_iter().filter(|top| size(top.vector) >= largest * (1.0 - 1e-9));
         let first = equal.min_by(|a, b| a.angle.partial_cmp(&b.angle).unwrap_or(Ordering::Equal));
-        first.unwrap_or(Peak { value: 0.0, angle: None, vector: Complex::new(0.0, 0.0) })
+        first.unwrap_or(Peak { value: 0.0, angle: None, vector: ZERO })
     }
 
     /// The largest value within one step of a place, by golden sections.

@@ -497,3 +497,13 @@ fn auto_says_nothing_of_pistons_without_mass() {
     assert!(needed.left.force.is_none_or(|bound| bound.most < 1e-9), "{needed:?}");
     assert_eq!((needed.kept, needed.dropped, needed.reached), (vec![1], vec![], true));
 }
+
+#[test]
+fn a_force_too_short_to_be_squared_has_its_peak_all_the_same() {
+    let text = "speed = 6000\n[vee]\nbank_angle = 90\nthrows = [0, 270, 90, 180]\n[mechanism]\nreciprocating_mass = 0.65\n\
+                crank_radius = 0.045\nrod_ratio = 1e-99\noffset_ratio = 0.01\n";
+    let needed = needed_orders(&engine(text), 1e-3).expect("orders");
+    assert!(needed.reached);
+    assert_eq!(needed.looked_at, 12);
+    assert!(needed.left.force.is_none_or(|force| force.peak > 0.0));
+}
