@@ -1,4 +1,4 @@
-//! `verify`: does all that a document says hold?
+//! `verify`: does all that documents say hold?
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -15,8 +15,9 @@ use super::{layouts, write};
 /// Arguments of `verify`.
 #[derive(clap::Args)]
 pub struct Verify {
-    /// The JSON file, or - for standard input
-    file: PathBuf,
+    /// The JSON files, or - for standard input
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
     /// Compare the document's engine with this layout: a name of the catalogue, or the path of a layout file; of a comparison once for each engine, in their order
     #[arg(long, value_name = "LAYOUT")]
     engine: Vec<PathBuf>,
@@ -25,11 +26,32 @@ pub struct Verify {
 impl Verify {
     /// Checks a document that `classify`, `remedy`, `loads` or `compare` printed as JSON.
     pub fn run(&self) -> Result<(), Failure> {
-        let name = match self.file == Path::new("-") {
+        if let [only] = self.files.as_slice() {
+            return write::to_stdout(&self.checked(only)?);
+        }
+        let mut refused = 0;
+        for file in &self.files {
+            match self.checked(file) {
+                Ok(summary) => write::to_stdout(&format!("{}: {summary}", file.display()))?,
+                Err(failure) => {
+                    write::to_stderr(&failure.to_string());
+                    refused += 1;
+                }
+            }
+        }
+        match refused {
+            0 => Ok(()),
+            _ => Err(Failure::new(format!("{refused} of {} documents are refused", self.files.len()))),
+        }
+    }
+
+    /// What holds of one document.
+    fn checked(&self, file: &Path) -> Result<String, Failure> {
+        let name = match file == Path::new("-") {
             true => "standard input".to_owned(),
-            false => format!("`{}`", self.file.display()),
+            false => format!("`{}`", file.display()),
         };
-        let json = self.read().map_err(|error| Failure::new(format!("cannot read {name}: {error}")))?;
+        let json = read(file).map_err(|error| Failure::new(format!("cannot read {name}: {error}")))?;
         let document = read_document(&json).map_err(|error| unreadable(&name, &error))?;
         let checked = document.check().map_err(|fault| Failure::new(format!("{name}: {fault}")))?;
         let engine = match self.engine.as_slice() {
@@ -40,19 +62,19 @@ impl Verify {
                 format!("the engine: that of {}", shown.join(", "))
             }
         };
-        write::to_stdout(&summary(&document, &checked, &engine))
+        Ok(summary(&document, &checked, &engine))
     }
+}
 
-    /// One byte more than is read of a document tells that it is too large.
-    fn read(&self) -> std::io::Result<Vec<u8>> {
-        let mut json = Vec::new();
-        let most = LARGEST_DOCUMENT as u64 + 1;
-        match self.file == Path::new("-") {
-            true => std::io::stdin().take(most).read_to_end(&mut json)?,
-            false => std::fs::File::open(&self.file)?.take(most).read_to_end(&mut json)?,
-        };
-        Ok(json)
-    }
+/// One byte more than is read of a document tells that it is too large.
+fn read(file: &Path) -> std::io::Result<Vec<u8>> {
+    let mut json = Vec::new();
+    let most = LARGEST_DOCUMENT as u64 + 1;
+    match file == Path::new("-") {
+        true => std::io::stdin().take(most).read_to_end(&mut json)?,
+        false => std::fs::File::open(file)?.take(most).read_to_end(&mut json)?,
+    };
+    Ok(json)
 }
 
 fn unreadable(name: &str, error: &Unreadable) -> Failure {

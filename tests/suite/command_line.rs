@@ -147,6 +147,22 @@ fn verify_refuses_a_changed_verdict_and_says_where() {
 }
 
 #[test]
+fn verify_checks_each_of_several_files_and_counts_those_that_are_refused() {
+    let folder = scratch("verify-several");
+    let json = succeeds(&["classify", "I4", "--json"]);
+    let changed = json.replacen("\"vanishes\": true", "\"vanishes\": false", 1);
+    let [good, bad, other] = ["good", "bad", "other"].map(|name| folder.join(name));
+    for (file, text) in [(&good, &json), (&bad, &changed), (&other, &succeeds(&["classify", "I6", "--json"]))] {
+        fs::write(file, text).expect("a file");
+    }
+    assert_eq!(succeeds(&["verify", text(&good), text(&other)]).matches("certificates hold").count(), 2);
+    let message = fails(&["verify", text(&good), text(&bad), text(&other)], 1);
+    assert!(message.contains("verdicts[0]") && message.contains("1 of 3 documents are refused"), "{message}");
+    let message = fails(&["verify", "--engine", "I4", text(&good), text(&other)], 1);
+    assert!(message.contains("is not that of I4") && message.contains("1 of 2 documents are refused"), "{message}");
+}
+
+#[test]
 fn verify_refuses_what_is_no_json_output() {
     let folder = scratch("verify-other");
     for (name, bytes) in [
