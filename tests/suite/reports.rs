@@ -10,7 +10,7 @@ use crankstar::engine::Engine;
 use crankstar::family;
 use crankstar::file::{self, Layout};
 use crankstar::page::{Document, Format};
-use crankstar::report;
+use crankstar::report::{self, Question};
 
 use crate::studies::catalogue;
 use crate::support::{golden, pages};
@@ -103,6 +103,41 @@ fn reports_on_examples_with_numbers_are_as_stored() {
     compare_layouts("examples");
 }
 
+/// A page of each question that the report of an engine leaves out, by its folder.
+#[test]
+fn pages_of_other_questions_are_as_stored() {
+    let read = |place: &str| fs::read_to_string(golden::reports().join("../examples").join(place)).expect("an example");
+    let engine = |name: &str| {
+        let text = fs::read_to_string(golden::reports().join("examples").join(name).join("layout.toml"));
+        file::parse("layout.toml", &text.expect("a layout file")).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let moments = ["marine-six", "marine-i4"].map(|name| {
+        let engine = engine(name);
+        (engine.title().clone(), engine)
+    });
+    let at = report::AnglesAsked { at: vec![30.0, 125.0], ..Default::default() };
+    let asked: [Box<dyn Question>; 5] = [
+        Box::new(report::AngleStudy::new(&engine("v8-gas"), &at).expect("angles")),
+        Box::new(
+            report::FlywheelStudy::new(
+                file::parse_diagram("diagram.toml", &read("turning-moment.toml")).expect("a diagram"),
+            )
+            .expect("it fits"),
+        ),
+        Box::new(report::MomentsStudy::new(&moments).expect("moments")),
+        Box::new(report::MountsStudy::new(&engine("i4-mounts"), &Default::default()).expect("mounts")),
+        Box::new(
+            report::RotorStudy::new(file::parse_rotor("shaft.toml", &read("shaft.toml")).expect("masses"))
+                .expect("solved"),
+        ),
+    ];
+    for question in asked {
+        let files = pages::files(&question.page(), Format::GITHUB);
+        let files = files.into_iter().map(|file| (file.name, file.text)).collect();
+        golden::compare(&golden::reports().join("questions").join(question.command()), &files);
+    }
+}
+
 #[test]
 #[ignore = "`.ci/run` writes every page in every format"]
 fn reports_in_formats_without_pictures_of_their_own_are_what_the_digests_say() {
@@ -160,6 +195,7 @@ fn the_index_is_as_stored_and_every_folder_is_an_engine() {
                 "claims",
                 "engines",
                 "examples",
+                "questions",
                 "families",
                 "firing",
                 "forms",

@@ -61,7 +61,7 @@ const READ: [&str; 3] = [
     "Rotating: a vector of constant length that turns with the crank; counter-rotating: against it; planar: it swings along a line; elliptical: neither.",
 ];
 
-const BESIDE: [(&str, &str, &str); 16] = [
+const BESIDE: [(&str, &str, &str); 17] = [
     (
         "atlas/README.md",
         "Atlas",
@@ -74,6 +74,11 @@ const BESIDE: [(&str, &str, &str); 16] = [
     ),
     ("families", "Families", "{}: engines with open angles and lengths."),
     ("examples", "Examples", "{}: engines with numbers, in newtons."),
+    (
+        "questions",
+        "Questions",
+        "{}: a page of each question beside the report: values at an angle, a flywheel, a project guide's moments, an engine on its mounts, masses on a shaft.",
+    ),
     (
         "engines/README.md",
         "Engines of the world",

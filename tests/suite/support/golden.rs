@@ -17,7 +17,7 @@ pub fn reports() -> PathBuf {
 /// The families of the catalogue that stand there, in Markdown and in LaTeX.
 const READ: [&str; 9] = ["I2-", "I3/", "I4", "I5-", "I6", "V4-", "V6-", "V8-", "radial-9/"];
 /// Folders beside the catalogue whose Markdown stands there with its pictures; of the engines of the world one for each kind of engine.
-const BESIDE: [&str; 14] = [
+const BESIDE: [&str; 15] = [
     "atlas/",
     "engines/bmw-six/",
     "engines/commer-ts3/",
@@ -31,6 +31,7 @@ const BESIDE: [&str; 14] = [
     "engines/yamaha-r1/",
     "examples/",
     "families/",
+    "questions/",
     "stars/",
 ];
 /// A page in each format that stands there in no other place.
