@@ -1,7 +1,7 @@
 //! How far does a torque that is drawn swing the speed, and which flywheel holds it?
 //!
 //! Between two angles at which the torque crosses the load it gives an area of work. `ΔE` is the largest less the smallest running sum of these areas,
-//! `C_s = ΔE/(I ω²)` (docs/theory.md, section 12). Of straight lines and rational areas all of it is a rational number times a power of π.
+//! `C_s = ΔE/(I ω²)` (theory, section 12). Of straight lines and rational areas all of it is a rational number times a power of π.
 
 mod lobes;
 mod waves;

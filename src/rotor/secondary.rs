@@ -3,7 +3,7 @@
 //! Of four cranks with their outer masses equal, all at one radius, in planes symmetric about the middle, force and couple of order 1 make the engine symmetric: the outer cranks at ±α, the inner
 //! ones at 180° ± β, their masses `m₂`. With `ρ = a/b` of the outer and inner arms force and couple are `M cos α = m₂ cos β`, `ρ M sin α = m₂ sin β`, and the
 //! force of order 2 vanishes where `2 cos α cos β = 1` (Schlick 1900), so that `4x² + (ρ² − 1)x − ρ² = 0` for `x = cos² α`, which has one
-//! positive root, and `m₂ = 2xM` (docs/theory.md, section 7).
+//! positive root, and `m₂ = 2xM` (theory, section 7).
 
 use num_complex::Complex;
 use num_rational::BigRational;

@@ -2,7 +2,7 @@
 //!
 //! J. P. Den Hartog, Mechanical Vibrations, chapter 3: μ is the inertia of the ring over that of the mode, `ΣJΔ²` with Δ = 1 at the
 //! damper; ζ = c / (2 J_d ω₁), and f is the frequency of the ring alone over ω₁. With the frequency of the ring in place of ω₁ the
-//! formula of a tuned damper is √(3μ / 8(1+μ)): both are in use.
+//! formula of a tuned damper is √(3μ / 8(1+μ)): both are in use. Theory, section 13.
 
 use super::{Mode, Train, modes};
 use crate::engine::{self, DamperValue};

@@ -2,6 +2,7 @@
 //!
 //! J. P. Den Hartog, Mechanical Vibrations, chapter 5; E. J. Nestorides, A Handbook on Torsional Vibration, 1958: in the shape of the
 //! undamped mode, the work of the torque is what the damping takes. It holds at the natural frequency alone.
+//! The formula is that of theory, section 13.
 
 use num_complex::Complex;
 

@@ -1,4 +1,4 @@
-//! How far does an exciting torque twist the train, how hard are its shafts twisted, and where does the power go?
+//! How far does an exciting torque twist the train, how hard are its shafts twisted, and where does the power go? By the equations of theory, section 13.
 
 use num_complex::Complex;
 

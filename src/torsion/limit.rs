@@ -1,7 +1,7 @@
 //! Which vibration stress does a classification society permit in a shaft, and which speeds are barred?
 //!
 //! IACS Unified Requirement M68 (2012, revised 2015): Dimensions of propulsion shafts and their permissible torsional vibration
-//! stresses. Stresses in pascals, as amplitudes; λ is the speed over the rated speed.
+//! stresses. Stresses in pascals, as amplitudes; λ is the speed over the rated speed. Theory, section 13.
 
 use crate::engine::{Section, Steel};
 use crate::numbers::float;
