@@ -172,11 +172,10 @@ def test_a_remedy_holds_and_its_layout_is_balanced():
 
 
 def test_weights_of_a_remedy_have_a_mass_at_the_radius_that_is_asked_for():
-    engine = Engine.read(EXAMPLES / "four.toml")
-    weights = engine.remedy([2], radius="100 mm").table()
-    for weight in weights:
-        assert weight["mass_kg"] == pytest.approx(weight["mass_radius_kg_m"] / 0.1)
-    with pytest.raises(CrankstarError, match="with its unit"):
+    engine = Engine.read(Path(__file__).parents[2] / "examples/four.toml")
+    weights = engine.remedy([2], radius="100 mm").columns
+    assert list(weights["mass_kg"]) == pytest.approx(list(weights["mass_radius_kg_m"] / 0.1))
+    with pytest.raises(crankstar.CrankstarError, match="with its unit"):
         engine.remedy([2], radius="100")
 
 
@@ -212,6 +211,24 @@ def test_a_shaft_that_twists_has_its_frequencies_in_columns() -> None:
     modes = six.torsion(["1/2", 3]).tables["modes"]
     assert list(modes["mode"][:2]) == [1, 2] and modes["frequency_Hz"][0] < modes["frequency_Hz"][1]
     assert set(six.torsion([3]).tables["critical"]["order"]) == {"3"}
+
+
+def test_a_damped_shaft_has_its_resonances_and_its_heat_in_columns() -> None:
+    six = Engine.read(Path(__file__).parents[2] / "reports/examples/marine-six-torsion/layout.toml")
+    tables = six.torsion([6]).tables
+    assert abs(tables["resonances"]["speed_rpm"][0] - 70.2163732) < 1e-6
+    assert set(tables["torques"]["order"]) == {"6"} and all(tables["torques"]["torque_zero_to_peak_N_m"] > 0)
+
+
+def test_masses_on_a_shaft_and_a_turning_moment_diagram_are_asked_of_a_text() -> None:
+    examples = Path(__file__).parents[2] / "examples"
+    masses = crankstar.rotor((examples / "shaft.toml").read_text()).tables["masses"]
+    assert abs(masses["mass_kg"][0] - 352.972118655) < 1e-8
+    diagram = (examples / "turning-moment.toml").read_text()
+    values = crankstar.flywheel(diagram).tables["values"]
+    assert values["energy_exact"][0] == "π·(244205/192)" and abs(values["inertia_kg_m2"][0] - 202.429338) < 1e-6
+    with pytest.raises(crankstar.LayoutError, match="speeed"):
+        crankstar.flywheel("speeed = 3\n" + diagram)
 
 
 def test_an_engine_on_its_mounts_has_modes_and_orders_in_columns() -> None:

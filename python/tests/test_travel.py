@@ -38,6 +38,8 @@ MADE: list[Callable[[], Any]] = [
     lambda: Engine.named("V6-60-even").sweep({"vee.bank_angle": (60, 90, 10)}, orders=[1, 2], firing_orders=[0.5, 1]),
     lambda: crankstar.search(6, "two-stroke"),
     lambda: crankstar.search(8, "four-stroke", bank_angle=90, minor_orders=[0.5], torsion=True),
+    lambda: crankstar.rotor("[[mass]]\nmass = 1\nradius = 1\nangle = 0\nposition = 0"),
+    lambda: crankstar.flywheel("points = [[0, 300], [180, 0], [360, 300]]"),
     lambda: Engine.named("I3").remedy(),
     lambda: Engine.named("I4").remedy([2], balance_factor=0.5, skew=10),
 ]

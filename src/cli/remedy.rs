@@ -33,6 +33,9 @@ pub struct Remedy {
     /// Tell the mass of each weight at this radius, such as "3.5 in"
     #[arg(long, value_name = "LENGTH")]
     radius: Option<String>,
+    /// Place the shafts of a pair for the least squares of the roll moment over these speeds in rpm, with the gas of the layout
+    #[arg(long, value_name = "SPEEDS", value_delimiter = ',')]
+    speeds: Vec<String>,
     /// Write the layout file of the corrected engine, exact
     #[arg(long, value_name = "FILE")]
     write: Option<PathBuf>,
@@ -125,7 +128,18 @@ impl Remedy {
             parse_radius(text).map_err(|right| Failure::new(format!("--radius: cannot read `{text}`: {right}")))
         });
         let radius = radius.transpose()?;
-        Ok(Request { orders, planes, factors, skews: skews.collect::<Result<_, _>>()?, radius })
+        let speeds = self.speeds.iter().map(|text| match parse_number(text) {
+            Ok(speed) if speed.is_positive() => Ok(speed),
+            _ => Err(Failure::new(format!("--speeds: cannot read `{text}`: a speed above 0 in rpm, such as 3000"))),
+        });
+        Ok(Request {
+            orders,
+            planes,
+            factors,
+            skews: skews.collect::<Result<_, _>>()?,
+            radius,
+            speeds: speeds.collect::<Result<_, _>>()?,
+        })
     }
 }
 

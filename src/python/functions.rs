@@ -15,7 +15,7 @@ use super::interrupt::interruptible;
 use super::questions::{self, Checked};
 use super::{asked, error, keys};
 use crate::file;
-use crate::report::{CompareStudy, Compared, MomentsStudy, ValueName, ValuesStudy};
+use crate::report::{CompareStudy, Compared, FlywheelStudy, MomentsStudy, RotorStudy, ValueName, ValuesStudy};
 use crate::search::Problem;
 
 /// The names of the engines that are known, as `Engine.named` takes them.
@@ -162,6 +162,26 @@ pub(super) fn moments(py: Python<'_>, engines: Vec<PyRef<'_, Engine>>) -> PyResu
     let named: Vec<_> = engines.iter().map(|one| (one.engine.title().clone(), one.engine.clone())).collect();
     let study = py.detach(|| MomentsStudy::new(&named)).map_err(told)?;
     Ok(Answer::new(Asked::function("moments", sources, &json!({})), study))
+}
+
+/// The masses that balance a shaft, exactly, or the reason why none do.
+///
+/// text: a file of [[mass]] tables, as `crankstar rotor` reads it; what it omits is found.
+#[pyfunction]
+pub(super) fn rotor(py: Python<'_>, text: String) -> PyResult<Answer> {
+    let asked = Asked::function("rotor", Vec::new(), &json!({ "text": text }));
+    let shaft = file::parse_rotor("shaft.toml", &text).map_err(|error| error::layout(&error))?;
+    Ok(Answer::new(asked, py.detach(|| RotorStudy::new(shaft)).map_err(told)?))
+}
+
+/// The fluctuation of energy of a turning-moment diagram, and its flywheel.
+///
+/// text: a file with the diagram, as `crankstar flywheel` reads it.
+#[pyfunction]
+pub(super) fn flywheel(py: Python<'_>, text: String) -> PyResult<Answer> {
+    let asked = Asked::function("flywheel", Vec::new(), &json!({ "text": text }));
+    let diagram = file::parse_diagram("diagram.toml", &text).map_err(|error| error::layout(&error))?;
+    Ok(Answer::new(asked, py.detach(|| FlywheelStudy::new(diagram)).map_err(told)?))
 }
 
 /// Any values of any question, by their names, for each engine: a column each, and one that says why an engine has none.

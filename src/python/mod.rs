@@ -46,6 +46,8 @@ fn _crankstar(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(functions::catalogue, module)?)?;
     module.add_function(wrap_pyfunction!(functions::compare, module)?)?;
     module.add_function(wrap_pyfunction!(functions::moments, module)?)?;
+    module.add_function(wrap_pyfunction!(functions::rotor, module)?)?;
+    module.add_function(wrap_pyfunction!(functions::flywheel, module)?)?;
     module.add_function(wrap_pyfunction!(functions::values, module)?)?;
     module.add_function(wrap_pyfunction!(functions::search, module)?)?;
     #[cfg(feature = "cli")]

@@ -51,6 +51,8 @@ pub struct Request {
     pub skews: Vec<Turn>,
     /// The radius in metres at which masses are told; none tells masses times radii alone.
     pub radius: Option<BigRational>,
+    /// Speeds in revolutions a minute over which the shafts of a pair are to stand best.
+    pub speeds: Vec<BigRational>,
 }
 
 /// Weights that balance an engine up to the orders asked for.
@@ -71,6 +73,8 @@ pub struct Remedy {
     pub left_out: Vec<Shaft>,
     /// The radius in metres at which masses are told.
     pub radius: Option<BigRational>,
+    /// Speeds in revolutions a minute over which the shafts of a pair are to stand best.
+    pub speeds: Vec<BigRational>,
     /// Heights at which the Lanchester pairs cancel the roll moment of their order too.
     pub heights: Vec<PairHeight>,
     /// The sums of the corrected engine.
@@ -182,6 +186,7 @@ pub fn remedy(engine: &Engine, wish: &Request) -> Result<Remedy, RemedyError> {
         shafts,
         left_out,
         radius: wish.radius.clone(),
+        speeds: wish.speeds.clone(),
         heights,
         corrected: Vec::new(),
     };

@@ -566,3 +566,17 @@ fn masses_are_told_at_the_radius_that_is_asked_for() {
     assert!(crankstar::file::parse_radius("3.5").is_err() && crankstar::file::parse_radius("-1 in").is_err());
     assert_eq!(remedy(&engine("I3"), &asked).expect_err("no masses"), RemedyError::NoMass);
 }
+
+/// The best height over four speeds is told in the terminal, where speeds are asked for.
+#[test]
+fn the_height_of_a_pair_over_several_speeds_is_told_where_it_is_asked_for() {
+    let engine = read(&format!("{FOUR}{GAS}"));
+    let speeds = [2000, 3000, 4000, 6000].map(|speed| BigRational::from_integer(speed.into())).to_vec();
+    let told = |speeds: Vec<BigRational>| {
+        let cured = remedy(&engine, &Request { speeds, ..wish(&[2]) }).expect("a remedy");
+        let text = page::write(&report::remedy_answer(&cured), page::Format::PLAIN, &page::Options::default());
+        text[0].text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    assert!(told(speeds).contains("lies 65.6 mm higher than the other"));
+    assert!(!told(Vec::new()).contains("sum of squares"));
+}

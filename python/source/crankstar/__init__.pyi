@@ -24,7 +24,9 @@ __all__ = [
     "__version__",
     "catalogue",
     "compare",
+    "flywheel",
     "moments",
+    "rotor",
     "search",
     "values",
     "verify",
@@ -281,7 +283,7 @@ class Engine:
         speeds, from a tenth of its end to the speed where omitted.
         """
     def torsion(self, orders: _Number | _Numbers | None = None) -> Answer:
-        """The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout."""
+        """Natural frequencies, critical speeds, and with damping what every order twists; needs `[torsion]` in the layout."""
     def angle(
         self,
         at: Iterable[float] | None = None,
@@ -331,6 +333,10 @@ def catalogue() -> list[str]: ...
 def compare(engines: Sequence[Engine], orders: _Orders | None = None) -> Answer: ...
 def moments(engines: Sequence[Engine]) -> Answer:
     """External moments and guide-force moments in kN m, as a maker's project guide lists them."""
+def rotor(text: str) -> Answer:
+    """The masses that balance a shaft, of a file of [[mass]] tables; what it omits is found."""
+def flywheel(text: str) -> Answer:
+    """The fluctuation of energy of a turning-moment diagram, and its flywheel."""
 def values(engines: Sequence[Engine], names: Sequence[str]) -> Answer: ...
 def search(
     cylinders: int,

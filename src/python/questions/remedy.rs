@@ -79,7 +79,7 @@ pub(in crate::python) fn remedy(
         .map(|text| parse_radius(text).map_err(|right| told(format!("radius: cannot read `{text}`: {right}"))));
     let radius = radius.transpose()?;
     let (orders, factors, skews) = (orders.clone(), factors.clone(), skews.clone());
-    let wish = Request { orders, planes: planes.transpose()?, factors, skews, radius };
+    let wish = Request { orders, planes: planes.transpose()?, factors, skews, radius, ..Request::default() };
     let cured = remedy::remedy(engine, &wish).map_err(told)?;
     let read = |path: &str| source.beside(path);
     let layout = remedy::corrected_file(&cured, &source.name, FileResolver::new(&read))

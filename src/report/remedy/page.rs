@@ -18,7 +18,7 @@ const UNITS: [&str; 2] = [
 pub fn remedy_answer(remedy: &Remedy) -> Document {
     let mut answer = Document::new("remedy", remedy.subject.engine().title());
     weights::table(remedy).into_iter().for_each(|table| answer.push(table));
-    let lines = words::remedy_cures(remedy).into_iter().chain(words::notes(remedy));
+    let lines = words::remedy_cures(remedy).into_iter().chain(words::notes(remedy)).chain(ranked::over_speeds(remedy));
     let drawn = differs(remedy.subject.engine().convention());
     answer.blocks.extend(lines.chain(drawn).map(Block::Paragraph));
     answer

@@ -3,7 +3,8 @@
 use num_traits::ToPrimitive;
 
 use crate::loads::{Scale, scale};
-use crate::page::{Block, Piece, Table, Text, Unit, phrase};
+use crate::numbers;
+use crate::page::{Block, Piece, Table, Text, Unit, number, phrase};
 use crate::proof::Sense;
 use crate::remedy::{Cure, Kind, PairRoll, Remedy, cures};
 
@@ -87,6 +88,35 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
 
 /// Where the shafts of a pair belong so that the roll moment of its order vanishes too, at the speed of the layout, with the gas.
 fn pairs(remedy: &Remedy) -> Vec<Text> {
+    at_its_speed(remedy).into_iter().chain(over_speeds(remedy)).collect()
+}
+
+/// Where they stand best over the speeds that are asked for, the moment of each counted alike.
+pub(super) fn over_speeds(remedy: &Remedy) -> Vec<Text> {
+    let speeds: Vec<f64> = remedy.speeds.iter().map(numbers::float).collect();
+    let place = |height: &crate::remedy::PairHeight| {
+        let roll = PairRoll::new(remedy.subject.engine(), height.order)?;
+        let [up, sideways] = roll.best_place(&speeds)?;
+        let millimetres = |value: f64| Piece::Quantity(value * 1e3, Unit::MILLIMETRE);
+        let largest = |place: [f64; 2]| {
+            let moment = speeds.iter().map(|rpm| roll.peak(*rpm, place)).fold(0.0, f64::max);
+            Piece::Quantity(moment, Unit::NEWTON_METRE)
+        };
+        Some(phrase!(
+            "Over {} rpm the roll moment of order {} has the least sum of squares where the shaft that turns with the crank lies {} higher than the other and the offsets of both add up to {}: {} at most, {} at the height for the masses alone, {} with both at one height.",
+            Text::joined(remedy.speeds.iter().map(number::given), ", "),
+            height.order,
+            millimetres(up),
+            millimetres(sideways),
+            largest([up, sideways]),
+            largest([height.metres?, 0.0]),
+            largest([0.0; 2])
+        ))
+    };
+    remedy.heights.iter().filter_map(place).collect()
+}
+
+fn at_its_speed(remedy: &Remedy) -> Vec<Text> {
     let engine = remedy.subject.engine();
     let speed = engine.dimensions().speed.as_ref().and_then(ToPrimitive::to_f64).filter(|speed| *speed > 0.0);
     let Some(speed) = speed.filter(|_| engine.gas().is_some()) else { return Vec::new() };
