@@ -9,13 +9,13 @@ use crankstar::engine::{self, CycleOrder};
 use crankstar::exact::Turn;
 use crankstar::file::{parse_angle, parse_number};
 use crankstar::report::{SearchStudy, search_theorems};
-use crankstar::search::{self, Front, Options, Pieces, Problem, Progress, SearchError, Way};
+use crankstar::search::{self, Front, Limit, Options, Pieces, Problem, Progress, SearchError, Sizes, Way};
 use crankstar::shard::Shard;
 
 use super::answer::Answer;
 use super::failure::Failure;
 use super::firing::ModeShape;
-use super::layouts::shown;
+use super::layouts::{self, shown};
 use super::{pieces, progress, write};
 
 /// Arguments of `search`.
@@ -52,6 +52,12 @@ pub struct Search {
     /// mode shape
     #[arg(long, value_delimiter = ',')]
     minor_orders: Vec<CycleOrder>,
+    /// Keep the stars whose moment of this order is no larger, in m r ω² c a or in newton-metres: 2=1.5, "2=30 kN m"
+    #[arg(long, value_name = "ORDER=MOMENT", value_delimiter = ',')]
+    limit: Vec<String>,
+    /// Tell moments in newton-metres too, with the masses, the rod, the spacing and the speed of this in-line layout
+    #[arg(long, value_name = "LAYOUT")]
+    sizes: Option<PathBuf>,
     /// List the firing orders of each star, by their minor orders in that mode
     #[arg(long)]
     torsion: bool,
@@ -115,7 +121,14 @@ impl Search {
             return pieces::merge(&self.merge, &question, one);
         }
         self.answer.give("search", self.json, || {
-            let front = self.front(&problem)?;
+            let limits = self
+                .limit
+                .iter()
+                .map(|text| Limit::parse(text).map_err(|right| Failure::new(format!("--limit `{text}`: {right}"))));
+            let limits = limits.collect::<Result<Vec<_>, _>>()?;
+            let sizes = |layout: &PathBuf| Sizes::new(&layouts::known(layout, "--sizes needs")?).map_err(Failure::new);
+            let sizes = self.sizes.as_ref().map(sizes).transpose()?;
+            let front = self.front(&problem)?.limited(limits, sizes).map_err(Failure::new)?;
             let torsion = self.torsion.then(|| search::torsion(&front, shape)).transpose().map_err(Failure::new)?;
             Ok(SearchStudy { front, torsion })
         })

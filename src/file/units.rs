@@ -272,6 +272,12 @@ pub(crate) fn torque(text: &str) -> Result<BigRational, String> {
     in_units(text, TORQUES, "\"100\", \"100 N m\" or \"63.6 kN m\"")
 }
 
+/// A number, or a moment in N m where a unit is behind it, with which of both it is.
+pub(crate) fn moment(text: &str) -> Result<(BigRational, bool), String> {
+    let (number, unit) = with_unit(text, TORQUES, "\"1.5\" or \"30 kN m\"")?;
+    Ok((sized(in_base_units(&number, unit.unwrap_or((1, 1))))?, unit.is_some()))
+}
+
 /// A stress or a modulus in pascals, which is also what a number without a unit means.
 pub(crate) fn stress(text: &str) -> Result<BigRational, String> {
     in_units(text, STRESSES, "\"80 GPa\", \"560 MPa\" or \"560 N/mm²\"")

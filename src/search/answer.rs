@@ -7,6 +7,7 @@ use num_bigint::BigUint;
 use super::found::{self, FoundStar, Standing};
 use super::front::{Census, StarValues};
 use super::judged;
+use super::limit::Limits;
 use super::piece::{self, Counts};
 use super::problem::{Problem, ProblemError};
 use super::space::Space;
@@ -27,6 +28,8 @@ pub struct Front {
     pub judged: u64,
     /// Starts omitted with all their completions.
     pub cut: u64,
+    /// The limits that its stars keep, and the sizes of their moments.
+    pub limits: Limits,
     /// How its one star was made, where a theorem gave it and nothing was searched.
     pub described: Option<By>,
     pub(super) points: Vec<StarValues>,
@@ -99,5 +102,5 @@ pub(super) fn answer(problem: &Problem, space: &Space, mut points: Vec<StarValue
     points.sort_by(StarValues::rank);
     let stars = points.iter().map(|point| FoundStar::new(problem, point)).collect();
     let (all, judged, cut) = (space.count(), counts.judged, counts.cut);
-    Front { problem: problem.clone(), stars, all, judged, cut, described: None, points }
+    Front { problem: problem.clone(), stars, all, judged, cut, limits: Limits::default(), described: None, points }
 }

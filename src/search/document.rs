@@ -49,6 +49,9 @@ pub struct FrontDocument {
     /// Whether a theorem gave the star of the front, and nothing was searched.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub by_theorem: bool,
+    /// The limits that its stars keep: `2=1.5` in m r ω² c a, `2=30000 N m`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<String>,
     /// The front.
     pub stars: Vec<StarDocument>,
 }
@@ -181,6 +184,7 @@ pub fn document(front: &Front) -> FrontDocument {
         impossible: theorems.never.into_iter().map(|never| never.orders).collect(),
         stars_that_lose_all: theorems.count.map(|count| count.stars.to_string()),
         by_theorem: front.described.is_some(),
+        limits: front.limits.limits.iter().map(ToString::to_string).collect(),
         stars: front.stars.iter().map(star).collect(),
     }
 }

@@ -124,6 +124,7 @@ mod schemas;
 mod search;
 mod search_aims;
 mod search_join;
+mod search_limits;
 mod search_published;
 mod search_shards;
 mod search_torsion;

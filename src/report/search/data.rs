@@ -24,6 +24,12 @@ fn stars(front: &Front, document: &FrontDocument) -> Table {
     table.exact("throws_turns", Unit::NONE, |(_, known, _)| Some(known.throws.join(" ")));
     for (place, first) in front.stars.first().iter().flat_map(|star| star.moments.iter().enumerate()) {
         moments(&mut table, place, first);
+        if let Some(sizes) = &front.limits.sizes {
+            let size = sizes.newton_metres(first.order);
+            table.decimal(("moment_{order}_{unit}", first.order), Unit::NEWTON_METRE, |(.., star)| {
+                star.moments.get(place).map(|moment| length(&moment.sum, moment.decimal).decimal * size)
+            });
+        }
     }
     for (place, (order, _)) in front.stars.first().iter().flat_map(|star| star.minor.iter().enumerate()) {
         let order = order.exact().to_string();

@@ -4,9 +4,10 @@ use super::front::front_picture;
 use super::pictures::pictures;
 use super::table::{firing_order, left, stars, throws};
 use crate::engine::Cycle;
-use crate::page::{Block, Document, Fold, Number, Text, number, phrase};
+use crate::numbers;
+use crate::page::{Block, Document, Fold, Number, Piece, Text, Unit, number, phrase};
 use crate::report::stars;
-use crate::search::{self, Front, Problem};
+use crate::search::{self, Front, Limit, Problem};
 use crate::text::Untrusted;
 
 /// So many stars are drawn.
@@ -83,10 +84,17 @@ fn title(front: &Front) -> Text {
 
 /// How many are best, and the first of them.
 fn best(front: &Front) -> Vec<Text> {
-    let all = front.all.to_string();
+    let (all, limits) = (front.all.to_string(), &front.limits.limits);
     let orders: Vec<String> = front.problem.orders.iter().map(u32::to_string).collect();
     let orders = phrase!("Compared: the moments of these orders: {}.", orders.join(", "));
     let how_many = match front.stars.len() {
+        0 if !limits.is_empty() => phrase!("**No crank star keeps these limits:** {}.", limits_of(front)),
+        kept if !limits.is_empty() => phrase!(
+            "**{} crank stars of the {} of the front keep these limits:** {}. They are the best of all that do.",
+            kept,
+            front.limits.of,
+            limits_of(front)
+        ),
         0 => phrase!("None of the {} crank stars has balanced first-order force.", all),
         1 if front.stars.iter().all(|star| star.classes.is_none()) => {
             phrase!("**None of the {} crank stars is better** than this one in any value compared.", all)
@@ -123,6 +131,15 @@ fn best(front: &Front) -> Vec<Text> {
     let minor = (!minor.is_empty())
         .then(|| phrase!("Also compared: these minor orders of torsional vibration: {}.", minor.join(", ")));
     [how_many].into_iter().chain(first).chain([orders]).chain(minor).collect()
+}
+
+/// `order 2: 30 kN·m`.
+fn limits_of(front: &Front) -> Text {
+    let limit = |limit: &Limit| match limit.in_newton_metres {
+        true => phrase!("order {}: {}", limit.order, Piece::Quantity(numbers::float(&limit.most), Unit::NEWTON_METRE)),
+        false => phrase!("order {}: {} $m\\,r\\,\\omega^2 c\\,a$", limit.order, number::given(&limit.most)),
+    };
+    Text::joined(front.limits.limits.iter().map(limit), ", ")
 }
 
 fn legend(front: &Front) -> Vec<Text> {

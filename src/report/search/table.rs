@@ -1,10 +1,10 @@
 //! What is said of a star that was found? Its throws, its firing order, the moments that it leaves.
 
-use crate::page::{Table, Text, number, phrase};
+use crate::page::{Table, Text, Unit, number, phrase};
 use crate::proof::Sense;
 use crate::report::residual;
 use crate::report::typeset::Amount;
-use crate::search::{FoundStar, Front, Moment};
+use crate::search::{FoundStar, Front, Moment, Sizes};
 
 /// A row a star, the best of the first order first.
 pub(super) fn stars(front: &Front) -> Table {
@@ -15,6 +15,10 @@ pub(super) fn stars(front: &Front) -> Table {
         .column("Throws in °", |(_, star)| throws(star));
     for (place, moment) in first.iter().flat_map(|star| star.moments.iter().enumerate()) {
         table = table.column(heading(moment), |(_, star)| amount(&star.moments[place]));
+        if let Some(sizes) = &front.limits.sizes {
+            table = table
+                .column(phrase!("in {}", Unit::NEWTON_METRE), |(_, star)| newton_metres(&star.moments[place], sizes));
+        }
     }
     for (place, (order, _)) in first.iter().flat_map(|star| star.minor.iter().enumerate()) {
         table = table.column(phrase!("Order {}", order.to_string()), |(_, star)| match &star.minor[place].1 {
@@ -43,6 +47,13 @@ fn amount(moment: &Moment) -> Text {
     match moment.sum.vanishes() {
         true => Text::zero(),
         false => Amount { exact: moment.modulus(), decimal: moment.decimal }.into(),
+    }
+}
+
+fn newton_metres(moment: &Moment, sizes: &Sizes) -> Text {
+    match moment.sum.vanishes() {
+        true => Text::zero(),
+        false => Text::measured(moment.decimal * sizes.newton_metres(moment.order), Unit::NEWTON_METRE),
     }
 }
 
