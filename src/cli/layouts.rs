@@ -139,6 +139,11 @@ fn not_found(layout: &str, error: &std::io::Error) -> Failure {
     if looks_like_path || error.kind() != std::io::ErrorKind::NotFound {
         return Failure::new(format!("cannot read `{layout}`: {error}"));
     }
+    // Who asks has not looked it up there.
+    if file::find(layout).is_some() {
+        let words = "is an engine of the catalogue, and this command reads a file of its own";
+        return Failure::new(format!("`{layout}` {words}"));
+    }
     let hint = near(layout).unwrap_or_else(|| "`crankstar list` shows the names".to_owned());
     Failure::new(format!("`{layout}` is neither an engine of the catalogue nor a file; {hint}"))
 }

@@ -147,6 +147,13 @@ fn verify_refuses_a_changed_verdict_and_says_where() {
 }
 
 #[test]
+fn a_command_that_reads_files_of_its_own_says_so_of_an_engine_of_the_catalogue() {
+    for command in ["rotor", "flywheel"] {
+        assert!(fails(&[command, "I4"], 1).contains("`I4` is an engine of the catalogue"), "{command}");
+    }
+}
+
+#[test]
 fn verify_checks_each_of_several_files_and_counts_those_that_are_refused() {
     let folder = scratch("verify-several");
     let json = succeeds(&["classify", "I4", "--json"]);

@@ -105,7 +105,7 @@ fn harmonics_have_their_energy_as_a_root_and_the_acceleration_at_an_angle() {
 fn strokes_by_areas_of_a_known_work_have_a_mean_with_one_over_pi() {
     let found = found(
         "speed = 200\nirregularity = '1/100'\narea_scale = '1400 J/cm²'\n\
-         triangles = [{ width = 180, area = '-0.45 cm²' }, { width = 180, area = '-1.7 cm²' }, { width = 180, area = '6.8 cm²' }, { width = 180, area = '-0.65 cm²' }]\n",
+         triangles = [{ width = 180, area = '-0.45 cm^2' }, { width = 180, area = '-1.7 cm²' }, { width = 180, area = '6.8 cm²' }, { width = 180, area = '-0.65 cm²' }]\n",
     );
     // 4 cm² of 1400 J in two turns.
     assert_eq!(before_pi(found.work.as_ref().expect("a work"), 0), fraction(5600, 1));
