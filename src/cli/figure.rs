@@ -21,7 +21,7 @@ use super::{EngineAndOrders, classified, folder, layouts, write};
 
 /// Arguments of `figure`.
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, mut_arg("digits", |digits| digits.hide(true)))]
 pub struct Figure {
     #[command(flatten)]
     about: EngineAndOrders,
@@ -71,6 +71,11 @@ enum Format {
 impl Figure {
     /// Lists the drawings, or writes the one that is named.
     pub fn run(&self) -> Result<(), Failure> {
+        if self.reader.measures().are_digits_given() {
+            return Err(Failure::misuse(
+                "--digits has no effect on a drawing, whose labels have the figures that they have room for; omit it",
+            ));
+        }
         let figures = self.figures()?;
         let names = || figures.iter().map(|figure| figure.name.as_str()).collect::<Vec<_>>();
         let Some(name) = &self.name else { return write::to_stdout(&(names().join("\n") + "\n")) };

@@ -22,7 +22,7 @@ const STANDARD_INPUT: (&str, &str) = ("-", "standard input");
 /// Reads the engine of this name or path; what is odd about its quantities is reported on standard error.
 pub fn read(layout: &Path) -> Result<Layout, Failure> {
     let (name, text) = source(layout)?;
-    let read = file::parse_layout_beside(&name, &text, FileResolver::new(&|path| beside(layout, path)))?;
+    let read = file::parse_layout_beside(&name, &text, resolver(layout, &|path| beside(layout, path)))?;
     warn(&name, &text, &read);
     Ok(read)
 }
@@ -52,6 +52,11 @@ fn warn(name: &str, text: &str, layout: &Layout) {
             write::warn(&warning.to_string());
         }
     }
+}
+
+/// Where a layout lies, whose neighbours this reads.
+pub fn resolver<'a>(layout: &Path, read: &'a (dyn Fn(&str) -> Result<String, String> + Sync)) -> FileResolver<'a> {
+    FileResolver::new(read).of_catalogue(named(layout).is_some())
 }
 
 /// The text of a file that a layout file names beside itself; what is wrong with it in one line.

@@ -36,7 +36,7 @@ mod run {
     use std::collections::BTreeMap;
     use std::sync::Mutex;
 
-    use crankstar::file::{FileResolver, Layout};
+    use crankstar::file::Layout;
     use crankstar::optimise::Request;
     use crankstar::page::File;
     use crankstar::report::OptimiseStudy;
@@ -66,7 +66,8 @@ mod run {
                     Ok(text)
                 };
                 let wish = Request { couple, points: self.points, orders };
-                let study = OptimiseStudy::new(&engine, wish, FileResolver::new(&read)).map_err(Failure::new)?;
+                let study = OptimiseStudy::new(&engine, wish, layouts::resolver(&self.about.layout, &read))
+                    .map_err(Failure::new)?;
                 let named = named.into_inner().unwrap_or_default();
                 Ok(OptimiseStudy {
                     files: named.into_iter().map(|(name, text)| File { name, text }).collect(),

@@ -74,6 +74,11 @@ impl Measures {
         Options { units: self.units(), figures, language, ..Options::default() }
     }
 
+    /// Whether figures are asked for.
+    pub fn are_digits_given(&self) -> bool {
+        self.digits.is_some()
+    }
+
     /// The units.
     pub fn units(&self) -> Units {
         match self.units {
@@ -84,6 +89,11 @@ impl Measures {
 }
 
 impl Reader {
+    /// In which units and to how many figures a page is to be.
+    pub fn measures(&self) -> &Measures {
+        &self.measures
+    }
+
     /// The notation and the language, and the stamp where it is asked for.
     pub fn options(&self) -> Result<Options, Failure> {
         let stamp = self.stamp.then(|| format!("crankstar {}", env!("CARGO_PKG_VERSION")));

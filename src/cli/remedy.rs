@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crankstar::engine::{Engine, LengthUnit};
 use crankstar::exact::Turn;
-use crankstar::file::{FileResolver, Layout, parse_angle, parse_length, parse_number, parse_radius};
+use crankstar::file::{Layout, parse_angle, parse_length, parse_number, parse_radius};
 use crankstar::remedy::{self, Request};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -75,8 +75,8 @@ impl Remedy {
     fn write_corrected(&self, remedy: &remedy::Remedy, file: &Path) -> Result<String, Failure> {
         let layout = &self.about.layout;
         let beside = |path: &str| layouts::beside(layout, path);
-        let corrected =
-            remedy::corrected_file(remedy, &layouts::shown(file), FileResolver::new(&beside)).map_err(Failure::new)?;
+        let corrected = remedy::corrected_file(remedy, &layouts::shown(file), layouts::resolver(layout, &beside))
+            .map_err(Failure::new)?;
         if file.exists() && layout.canonicalize().ok() == file.canonicalize().ok() {
             return Err(Failure::new("--write names the layout file itself, which stays as it is; name another file"));
         }

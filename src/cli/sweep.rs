@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crankstar::engine::{CycleOrder, Engine};
-use crankstar::file::{FileResolver, Template};
+use crankstar::file::Template;
 use crankstar::report::{ValueName, values_of};
 use crankstar::shard::Question;
 use crankstar::sweep::{self, Geometry, Observer, Parameter, Stream};
@@ -88,7 +88,7 @@ impl Sweep {
         layouts::warn_of(&self.layout);
         let (name, text) = layouts::source(&self.layout)?;
         let read = |path: &str| layouts::beside(&self.layout, path);
-        let template = Template::new(&name, &text)?.with_beside(FileResolver::new(&read));
+        let template = Template::new(&name, &text)?.with_beside(layouts::resolver(&self.layout, &read));
         let parameters = self.ranges.parameters(&template)?;
         let (orders, firing) = (rising(&self.orders), rising(&self.firing_orders));
         let stream = Stream::new(&template, &parameters, &orders, &firing, &Geometry::default());
@@ -124,7 +124,7 @@ impl Ranges {
         layouts::warn_of(layout);
         let (name, text) = layouts::source(layout)?;
         let read = |path: &str| layouts::beside(layout, path);
-        let template = Template::new(&name, &text)?.with_beside(FileResolver::new(&read));
+        let template = Template::new(&name, &text)?.with_beside(layouts::resolver(layout, &read));
         let parameters = self.parameters(&template)?;
         let orders = rising(orders);
         progress::doing("sweeping");

@@ -1,7 +1,8 @@
 //! Which engines are known by name? One layout file each, in the folder `catalogue`.
 
 use super::error::LayoutError;
-use super::layout::parse;
+use super::file_resolver::FileResolver;
+use super::layout::parse_beside;
 use crate::engine::Engine;
 
 /// A layout file of the catalogue.
@@ -19,7 +20,7 @@ impl Entry {
     /// # Errors
     /// None in a released catalogue: the tests read every entry.
     pub fn engine(&self) -> Result<Engine, LayoutError> {
-        parse(self.name, self.text)
+        parse_beside(self.name, self.text, FileResolver::nothing().of_catalogue(true))
     }
 }
 
@@ -34,6 +35,11 @@ pub fn catalogue() -> Result<Vec<(Entry, Engine)>, LayoutError> {
         ENTRIES.iter().map(|entry| Ok((*entry, entry.engine()?))).collect::<Result<Vec<_>, LayoutError>>()?;
     engines.sort_by_key(|(entry, layout)| (layout.form(), layout.cylinders().len(), entry.name));
     Ok(engines)
+}
+
+/// Whether this is a file of the catalogue, as it stands there.
+pub fn is_of_catalogue(name: &str, text: &str) -> bool {
+    find(name).is_some_and(|entry| entry.text == text)
 }
 
 /// The entry of this name, in upper or lower case.

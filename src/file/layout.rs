@@ -189,7 +189,10 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
     let given_bearings = file.bearings.as_ref();
     let bearings = given_bearings.map(|list| bearings::read(list, &mut length_unit, expanded.positions_given));
     let draft = Draft {
-        title: file.title.as_ref().map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
+        title: file
+            .title
+            .as_ref()
+            .map_or_else(|| Untrusted::new(name), |title| beside.title(title.get_ref().untrusted())),
         source: file.source.as_ref().map(|source| source.get_ref().untrusted()),
         form: expanded.form,
         convention,

@@ -48,7 +48,7 @@ pub(crate) mod units;
 mod usual;
 pub(crate) mod written;
 
-pub use catalogue::{Entry, catalogue, find};
+pub use catalogue::{Entry, catalogue, find, is_of_catalogue};
 pub use diagram_keys::{Diagram, Harmonic, Line, Torque, parse_diagram};
 pub use error::LayoutError;
 pub use file_resolver::FileResolver;

@@ -70,7 +70,9 @@ impl Source {
             found.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), text.clone());
             Ok(text)
         };
-        let layout = file::parse_layout_beside(&self.name, &self.text, FileResolver::new(&read));
+        let is_ours = self.folder.is_none() && file::is_of_catalogue(&self.name, &self.text);
+        let beside = FileResolver::new(&read).of_catalogue(is_ours);
+        let layout = file::parse_layout_beside(&self.name, &self.text, beside);
         self.files = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         match layout.map_err(|error| error::layout(&error))? {
             Layout::Known(engine, family) => Ok((*engine, family.map(|family| *family))),

@@ -26,7 +26,11 @@ pub use xml::xml;
 
 /// A text that a person wrote: a title, a name, a source, a path.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Untrusted(String);
+pub struct Untrusted {
+    text: String,
+    /// Whether it stands in a file of the catalogue, whose titles have translations.
+    of_catalogue: bool,
+}
 
 /// Where a text is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,7 +48,18 @@ pub enum Format {
 impl Untrusted {
     /// A person's text.
     pub fn new(text: impl Into<String>) -> Self {
-        Untrusted(text.into())
+        Untrusted { text: text.into(), of_catalogue: false }
+    }
+
+    /// The same text in a file of the catalogue: what it is read from decides this, never how it sounds.
+    #[must_use]
+    pub fn of_catalogue(self) -> Self {
+        Untrusted { of_catalogue: true, ..self }
+    }
+
+    /// Whether it stands in a file of the catalogue.
+    pub fn is_of_catalogue(&self) -> bool {
+        self.of_catalogue
     }
 
     /// The text in one line, with nothing in it that the format would obey.
@@ -56,7 +71,7 @@ impl Untrusted {
     /// assert_eq!(title.escaped(Format::Markdown), "&lt;b&gt;\\[U+001B\\]\\[31m four");
     /// ```
     pub fn escaped(&self, format: Format) -> String {
-        let plain = harmless(&self.0);
+        let plain = harmless(&self.text);
         match format {
             Format::Markdown => markdown(&plain),
             Format::Latex => latex::quoted(&plain),
@@ -67,12 +82,12 @@ impl Untrusted {
 
     /// The text as it was written, for what compares, reads or serialises it.
     pub fn written(&self) -> &str {
-        &self.0
+        &self.text
     }
 }
 
 impl PartialEq<&str> for Untrusted {
     fn eq(&self, other: &&str) -> bool {
-        self.0 == *other
+        self.text == *other
     }
 }

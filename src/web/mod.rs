@@ -20,7 +20,7 @@ use serde_json::{Value, json};
 
 use crate::engine::{Engine, Family};
 use crate::family::{self, OpenOrder};
-use crate::file::{self, Layout};
+use crate::file::{self, FileResolver, Layout};
 use crate::loads;
 use crate::page::Language;
 use crate::verdict::{self, Judgement};
@@ -76,7 +76,9 @@ impl Written {
         if self.text.len() > LARGEST {
             return Err(Mistake::plain("the layout is larger than 1 MiB", "a layout file is a page or two"));
         }
-        file::parse_layout(&self.name, &self.text).map_err(|error| Mistake::in_layout(&error, &self.text))
+        let beside = FileResolver::nothing().of_catalogue(file::is_of_catalogue(&self.name, &self.text));
+        file::parse_layout_beside(&self.name, &self.text, beside)
+            .map_err(|error| Mistake::in_layout(&error, &self.text))
     }
 
     fn judged(&self) -> Result<Judged, Mistake> {

@@ -251,12 +251,13 @@
       captions[2].textContent = isLeft ? `${counted(size(whole), order.coefficient || [1])} ${words.at} θ = ${theta}°` : words.zero;
       if (!panels[3]) return;
       axes(panels[3]);
-      if (traced.largest > 0) {
-        const by = RADIUS / traced.largest;
+      const isZero = felt.every((of) => of[quantity].senses.every((sense) => outcome(sense) === "zero"));
+      if (!isZero) {
+        const by = RADIUS / (traced.largest || 1);
         path(panels[3], "path", line(...traced.points.map((point) => times(point, by))));
         path(panels[3], "sum", arrow(CENTRE, times(total(theta), by), 12));
       } else draw(panels[3], "text", { "font-size": 40 }, "0");
-      captions[3].textContent = `${counted(size(total(theta)))}, ${words.largest} ${counted(traced.largest)}`;
+      captions[3].textContent = isZero ? words.zero : `${counted(size(total(theta)))}, ${words.largest} ${counted(traced.largest)}`;
     };
 
     // What is said: finished words, or those of the list.

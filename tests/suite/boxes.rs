@@ -32,8 +32,12 @@ fn judged(engine: &Engine) -> Judgement {
 }
 
 fn lines(engine: &Engine, weighing: &Weighing) -> Vec<String> {
-    let answer = report::engine_answer_weighed(engine, &judged(engine), weighing);
-    let Some(Block::Answer(lines)) = answer.blocks.into_iter().next() else { panic!("no box") };
+    let judged = judged(engine);
+    let block = match weighing == Weighing::usual() {
+        true => report::engine_summary(engine, &judged),
+        false => report::engine_answer_weighed(engine, &judged, weighing).blocks.swap_remove(0),
+    };
+    let Block::Answer(lines) = block else { panic!("no box") };
     lines.iter().map(|line| line.plain()).collect()
 }
 

@@ -108,3 +108,10 @@ fn the_ending_of_the_file_says_the_format() {
     succeeds(&["figure", "I4", "star:2", "--output", &path("whole.tex"), "--standalone"]);
     assert!(fs::read_to_string(path("whole.tex")).expect("a drawing").starts_with("\\documentclass"));
 }
+
+#[test]
+fn digits_are_refused_where_they_would_change_nothing() {
+    assert!(fails(&["figure", "I4", "star:2", "--digits", "6"], 2).contains("--digits has no effect on a drawing"));
+    assert!(!succeeds(&["figure", "--help"]).contains("--digits"));
+    assert!(succeeds(&["figure", "I4", "star:2", "--units", "inch"]).contains("<svg"));
+}

@@ -141,6 +141,7 @@ mod studies;
 mod sweep;
 mod sweep_firing;
 mod symbols;
+mod terminal;
 mod theorems;
 mod theory;
 mod thesis;

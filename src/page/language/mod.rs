@@ -47,7 +47,6 @@ struct Written {
 struct List {
     written: Written,
     patterns: Vec<Pattern<'static>>,
-    titles: BTreeMap<Untrusted, Untrusted>,
 }
 
 /// The lists are part of the program, so that a mistake in one is a mistake of ours.
@@ -66,9 +65,7 @@ fn read(file: &'static str) -> List {
     // The pattern that says the most comes first.
     labels.sort_by_key(|(key, _)| Reverse(key.len()));
     let patterns = labels.into_iter().map(|(key, words)| Pattern::new(owned(key), owned(words))).collect();
-    let person = |text: &String| Untrusted::new(text.as_str());
-    let titles = written.titles.iter().map(|(title, own)| (person(title), person(own))).collect();
-    List { written, patterns, titles }
+    List { written, patterns }
 }
 
 impl Language {
@@ -120,7 +117,8 @@ impl Language {
 
     /// The title of an engine of the catalogue; none of what somebody else wrote.
     pub fn title(self, english: &Untrusted) -> Option<Untrusted> {
-        self.list().titles.get(english).cloned()
+        let own = self.list().written.titles.get(english.written()).filter(|_| english.is_of_catalogue());
+        own.map(|own| Untrusted::new(own.as_str()))
     }
 
     /// A fixed word of the program.

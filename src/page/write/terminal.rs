@@ -37,7 +37,7 @@ impl Terminal {
         table.set_content_arrangement(ContentArrangement::Dynamic);
         table.set_width(u16::try_from(self.width).unwrap_or(u16::MAX));
         colour(&mut table, self.colour);
-        table.lines().map(|line| line.trim_end().to_owned()).collect::<Vec<_>>().join("\n")
+        table.lines().map(|line| line.replace('\u{a0}', " ").trim_end().to_owned()).collect::<Vec<_>>().join("\n")
     }
 
     fn joined(&self, formula: String) -> String {
@@ -71,6 +71,11 @@ fn colour(table: &mut Table, wanted: bool) {
 fn colour(_table: &mut Table, _wanted: bool) {}
 
 impl Writer for Terminal {
+    fn digit_space(&self) -> Option<&'static str> {
+        // At the begin of a cell an ordinary space would be lost.
+        Some("\u{a0}")
+    }
+
     fn ending(&self) -> &'static str {
         "txt"
     }

@@ -3,7 +3,7 @@
 use super::super::calculation::{books_line, percent};
 use super::super::{residual, stars, table};
 use super::weighing::{Rest, Weighed, WeighedParts, Weighing, circumstances, sizes};
-use super::{articulated, conventions, cures, geared};
+use super::{articulated, at_speed, conventions, cures, geared};
 use crate::engine::{DOES_NOT_EXIST, Engine};
 use crate::order::{self, Masses};
 use crate::page::{Block, Document, Text, phrase};
@@ -18,23 +18,25 @@ pub(super) fn lines(
     weighed: &WeighedParts,
 ) -> Vec<Text> {
     let existing: Vec<&OrderVerdict> = judged.orders.iter().filter(|order| order.exists()).collect();
-    let WeighedParts { as_judged, pistons: of_pistons } = weighed;
-    let weighed = as_judged.as_ref();
+    let parts = weighed;
+    let weighed = parts.as_judged.as_ref();
     let mut lines = vec![shaking(&existing, weighed)];
-    lines.extend(cures::line(engine, judged, &existing, weighed));
+    lines.extend(cures::Cures::new(engine, judged, &existing, weighed).line());
     lines.extend(balanced(&judged.orders, &existing));
     lines.extend(others(&existing, weighed, theorem.filter(|theorem| theorem.masses() == judged.masses)));
-    let pistons = judged.pistons.as_ref().map(|pistons| {
-        let existing: Vec<&OrderVerdict> = pistons.iter().filter(|order| order.exists()).collect();
-        let left = left(&existing, of_pistons.as_ref());
-        match left.is_empty() {
-            true => "**The pistons alone.** No force or moment at these orders.".into(),
-            false => phrase!("**The pistons alone.** {}", Text::joined(left, " ")),
-        }
-    });
     // There is room for one of them: balancer shafts and counterweights say more of an engine than rods that it may not have.
-    lines.extend(pistons.or_else(|| articulated::hidden(engine)));
+    lines.extend(pistons(judged, parts).or_else(|| articulated::hidden(engine)));
     lines
+}
+
+/// What shakes of the pistons alone, where the verdicts are on more.
+fn pistons(judged: &Judgement, weighed: &WeighedParts) -> Option<Text> {
+    let existing: Vec<&OrderVerdict> = judged.pistons.as_ref()?.iter().filter(|order| order.exists()).collect();
+    let left = left(&existing, weighed.pistons.as_ref());
+    Some(match left.is_empty() {
+        true => "**The pistons alone.** No force or moment at these orders.".into(),
+        false => phrase!("**The pistons alone.** {}", Text::joined(left, " ")),
+    })
 }
 
 /// Whether the verdicts are about what the numbers are about.
@@ -117,7 +119,7 @@ fn of_one_sum(order: &OrderVerdict, quantity: Planar) -> Option<Text> {
 
 /// What the force or the moment of an order is called.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Name {
+pub(super) enum Name {
     Vertical,
     Horizontal,
     RotatingForce,
@@ -135,7 +137,7 @@ enum Name {
 const ALONG: f64 = 1e-6;
 
 impl Name {
-    fn of(order: &OrderVerdict, quantity: Planar, shape: Shape, weighed: Option<&Weighed>) -> Self {
+    pub fn of(order: &OrderVerdict, quantity: Planar, shape: Shape, weighed: Option<&Weighed>) -> Self {
         let direction = || weighed.and_then(|weighed| weighed.path(order.order, quantity)?.1);
         let is_at = |angle: f64| direction().is_some_and(|direction| (direction.abs() - angle).abs() < ALONG);
         match (quantity, shape) {
@@ -150,6 +152,23 @@ impl Name {
             (_, Shape::Planar) if is_at(0.0) => Name::Pitching,
             (_, Shape::Planar) if is_at(90.0) => Name::Yawing,
             _ => Name::Couple,
+        }
+    }
+
+    /// In a table.
+    pub fn label(self) -> &'static str {
+        match self {
+            Name::Vertical => "Vertical force",
+            Name::Horizontal => "Horizontal force",
+            Name::RotatingForce => "Rotating force",
+            Name::CounterRotatingForce => "Counter-rotating force",
+            Name::Force => "Free force",
+            Name::Pitching => "Pitching couple",
+            Name::Yawing => "Yawing couple",
+            Name::RotatingCouple => "Rotating couple",
+            Name::CounterRotatingCouple => "Counter-rotating couple",
+            Name::Couple => "Pitching and yawing couple",
+            Name::Moment => "Moment about the reference plane",
         }
     }
 
@@ -301,23 +320,41 @@ pub(super) fn why_several(engine: &Engine) -> Option<Text> {
 
 /// The short answer: what is left of each order, in newtons where the file gives numbers, and exactly.
 pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
-    engine_answer_weighed(engine, judged, Weighing::usual())
-}
-
-/// The same, with what is reported one by one and what together.
-pub fn engine_answer_weighed(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Document {
     let mut page = Document::new("verdicts", engine.title());
-    let theorem = super::theorem_of(engine, judged);
-    let weighed = WeighedParts::new(engine, judged, weighing);
-    page.push(Block::Answer(lines(engine, judged, theorem.as_ref().ok(), &weighed)));
-    page.blocks.extend(tables(engine, judged, weighing, &weighed));
+    let theorem = super::theorem_of(engine, judged).ok();
+    let weighed = WeighedParts::new(engine, judged, Weighing::usual());
+    page.push(Block::Answer(lines(engine, judged, theorem.as_ref(), &weighed)));
+    page.blocks.extend(tables(judged, Weighing::usual(), &weighed));
+    page.blocks.extend(notes(engine, judged, weighed.as_judged.as_ref(), true));
     page
 }
 
-/// The tables of verdicts, with what they mean.
-fn tables(engine: &Engine, judged: &Judgement, weighing: &Weighing, weighed: &WeighedParts) -> Vec<Block> {
-    let WeighedParts { as_judged, pistons: of_pistons } = weighed;
+/// The short answer of a terminal, with what is reported one by one and what together: one table where masses and speed are given; what is
+/// exact follows it where all is asked for.
+pub fn engine_answer_weighed(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Document {
     let mut page = Document::new("verdicts", engine.title());
+    let theorem = super::theorem_of(engine, judged).ok();
+    let weighed = WeighedParts::new(engine, judged, weighing);
+    let as_judged = weighed.as_judged.as_ref();
+    let at_speed = as_judged.and_then(|weighed| Some((weighed, weighed.speed()?)));
+    let is_exact = at_speed.is_none() || weighing.all;
+    match at_speed {
+        None => page.push(Block::Answer(lines(engine, judged, theorem.as_ref(), &weighed))),
+        Some((sized, speed)) => {
+            page.push(at_speed::table(engine, judged, theorem.as_ref(), sized, speed));
+            page.push(Block::Note(at_speed::legend()));
+            page.blocks.extend(pistons(judged, &weighed).map(Block::Paragraph));
+        }
+    }
+    page.blocks.extend(is_exact.then(|| tables(judged, weighing, &weighed)).into_iter().flatten());
+    page.blocks.extend(notes(engine, judged, as_judged, is_exact));
+    page
+}
+
+/// The tables of exact verdicts.
+fn tables(judged: &Judgement, weighing: &Weighing, weighed: &WeighedParts) -> Vec<Block> {
+    let WeighedParts { as_judged, pistons: of_pistons } = weighed;
+    let mut page = Document::new("verdicts", Text::default());
     page.blocks.extend(judged.pistons.as_ref().map(|_| Block::Paragraph("As built:".into())));
     page.push(table::verdicts(&judged.orders, as_judged.as_ref()));
     if let Some(pistons) = &judged.pistons {
@@ -326,18 +363,25 @@ fn tables(engine: &Engine, judged: &Judgement, weighing: &Weighing, weighed: &We
     }
     let sums = table::sums(&judged.orders).filter(|_| weighing.all || as_judged.is_none());
     page.blocks.extend(sums.map(Block::Table));
+    page.blocks
+}
+
+/// What is to be known of an answer; of its exact numbers, where it has any.
+fn notes(engine: &Engine, judged: &Judgement, as_judged: Option<&Weighed>, is_exact: bool) -> Vec<Block> {
+    let mut page = Document::new("verdicts", Text::default());
     page.blocks.extend(stars::cited(engine).map(Block::Note));
-    page.blocks.extend(sizes(as_judged.as_ref()).map(Block::Note));
+    page.blocks.extend(sizes(as_judged).filter(|_| is_exact).map(Block::Note));
     // What books say of rods that are assumed nobody asks.
-    let given = as_judged.as_ref().filter(|weighed| weighed.assumed.is_none());
+    let given = as_judged.filter(|weighed| weighed.assumed.is_none());
     page.blocks.extend(given.and_then(|weighed| books_line(engine, &weighed.loads)).map(Block::Note));
-    page.push(Block::Note(residual::LEGEND.into()));
+    page.blocks.extend(is_exact.then(|| Block::Note(residual::LEGEND.into())));
     page.blocks.extend(conventions::rows(engine).into_iter().map(|words| Block::Note(words.into())));
     page.blocks.extend(articulated::hidden(engine).map(Block::Note));
-    page.blocks.extend((!engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
+    page.blocks
+        .extend((is_exact && !engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
     page.blocks.extend(geared::roll_asked_of(engine).map(Block::Note));
-    page.blocks.extend(engine.faster_crank().map(|_| Block::Note(residual::SPEED_LEGEND.into())));
-    page.blocks.extend(residual::turning_unit(judged).map(|words| Block::Note(words.into())));
+    page.blocks.extend(engine.faster_crank().filter(|_| is_exact).map(|_| Block::Note(residual::SPEED_LEGEND.into())));
+    page.blocks.extend(residual::turning_unit(judged).filter(|_| is_exact).map(|words| Block::Note(words.into())));
     let missing =
         |order: &OrderVerdict| !order.exists() || order.torque.as_ref().is_some_and(|torque| !torque.exists());
     if judged.orders.iter().any(missing) {

@@ -20,26 +20,53 @@ const USUALLY_CURED: u32 = 2;
 /// Sizes that differ by less than this part are printed alike.
 const ALIKE: f64 = 1e-6;
 
-/// What cancels what is left; none where nothing is.
-pub(super) fn line(
-    engine: &Engine,
-    judged: &Judgement,
-    orders: &[&OrderVerdict],
-    weighed: Option<&Weighed>,
-) -> Option<Text> {
-    let told: Vec<&OrderVerdict> = orders.iter().copied().filter(|order| is_worth_it(order, weighed)).collect();
-    let is_cured = |order: &&OrderVerdict| order.order <= USUALLY_CURED || weighed.is_some_and(Weighed::asks_for_all);
-    let (low, high): (Vec<&OrderVerdict>, Vec<&OrderVerdict>) = told.into_iter().partition(is_cured);
-    let wish = Request { orders: low.iter().map(|order| order.order).collect(), ..Request::default() };
-    let is_sized = is_as_built(engine, judged) || judged.masses == crate::order::Masses::Reciprocating;
-    let remedy = weighed.filter(|_| is_sized).and_then(|weighed| remedy::remedy(&weighed.engine, &wish).ok());
-    let told = RefCell::default();
-    let mut cures: Vec<Text> = low
-        .iter()
-        .filter_map(|order| Cure { order, told: &told, weighed, remedy: remedy.as_ref() }.sentence())
-        .collect();
-    cures.extend(usually_left(&high));
-    (!cures.is_empty()).then(|| phrase!("**What cures it.** {}", Text::joined(cures, " ")))
+/// What cancels what is left.
+pub(super) struct Cures<'a> {
+    cured: Vec<&'a OrderVerdict>,
+    accepted: Vec<&'a OrderVerdict>,
+    weighed: Option<&'a Weighed<'a>>,
+    remedy: Option<Remedy>,
+    /// The distances of weights that are reported already.
+    told: RefCell<Vec<BigRational>>,
+}
+
+impl<'a> Cures<'a> {
+    pub fn new(engine: &Engine, judged: &Judgement, orders: &[&'a OrderVerdict], weighed: Option<&'a Weighed>) -> Self {
+        let worth_it: Vec<&OrderVerdict> = orders.iter().copied().filter(|order| is_worth_it(order, weighed)).collect();
+        let is_cured =
+            |order: &&OrderVerdict| order.order <= USUALLY_CURED || weighed.is_some_and(Weighed::asks_for_all);
+        let (cured, accepted): (Vec<&OrderVerdict>, Vec<&OrderVerdict>) = worth_it.into_iter().partition(is_cured);
+        let wish = Request { orders: cured.iter().map(|order| order.order).collect(), ..Request::default() };
+        let is_sized = is_as_built(engine, judged) || judged.masses == crate::order::Masses::Reciprocating;
+        let remedy = weighed.filter(|_| is_sized).and_then(|weighed| remedy::remedy(&weighed.engine, &wish).ok());
+        Cures { cured, accepted, weighed, remedy, told: RefCell::default() }
+    }
+
+    /// A sentence each; none where nothing is left.
+    pub fn line(&self) -> Option<Text> {
+        let mut cures: Vec<Text> = self.cured.iter().filter_map(|order| self.of(order).sentence()).collect();
+        cures.extend(usually_left(&self.accepted));
+        (!cures.is_empty()).then(|| phrase!("**What cures it.** {}", Text::joined(cures, " ")))
+    }
+
+    /// What cures an order, a step after the other, and which of its vectors each step leaves.
+    pub fn steps(&self, order: &OrderVerdict) -> Vec<(Text, [bool; 2])> {
+        match self.cured.iter().any(|cured| cured.order == order.order) {
+            true => {
+                self.of(order).steps().into_iter().map(|(means, kept)| (self.of(order).named(means), kept)).collect()
+            }
+            false => Vec::new(),
+        }
+    }
+
+    /// Whether an order stands out, and is usually left as it is.
+    pub fn is_accepted(&self, order: &OrderVerdict) -> bool {
+        self.accepted.iter().any(|accepted| accepted.order == order.order)
+    }
+
+    fn of<'b>(&'b self, order: &'b OrderVerdict) -> Cure<'b> {
+        Cure { order, told: &self.told, weighed: self.weighed, remedy: self.remedy.as_ref() }
+    }
 }
 
 /// Whether an order is left, and large enough for a shaft.
@@ -71,59 +98,89 @@ struct Cure<'a> {
     remedy: Option<&'a Remedy>,
 }
 
+/// One step of a cure.
+#[derive(Clone, Copy)]
+enum Means {
+    Counterweights,
+    /// One that turns with the crank, or against it, at the speed of the order.
+    Shaft(Sense),
+    /// Two alike, or of sizes that are not known, one each way.
+    Pair,
+}
+
 impl Cure<'_> {
+    /// The steps, each with which vectors are kept after it: what is too small for a shaft is left.
+    fn steps(&self) -> Vec<(Means, [bool; 2])> {
+        const NOTHING: [bool; 2] = [false, false];
+        const DIRECT: [bool; 2] = [true, false];
+        const REVERSE: [bool; 2] = [false, true];
+        let shaft = |sense| match sense {
+            Sense::Direct => (Means::Shaft(Sense::Direct), REVERSE),
+            Sense::Reverse => (Means::Shaft(Sense::Reverse), DIRECT),
+        };
+        let last = |sense| (Means::Shaft(sense), NOTHING);
+        match (self.order.order, self.needed()) {
+            (_, [false, false]) => Vec::new(),
+            (1, [true, false]) => vec![(Means::Counterweights, REVERSE)],
+            (1, [true, true]) => vec![(Means::Counterweights, REVERSE), last(Sense::Reverse)],
+            (_, [true, false]) => vec![shaft(Sense::Direct)],
+            (_, [false, true]) => vec![shaft(Sense::Reverse)],
+            (_, [true, true]) => {
+                let [with, against] = [REVERSE, DIRECT].map(|rest| self.decimal_left(rest));
+                let is_sized = self.remedy.is_some() && Sense::BOTH.into_iter().all(|sense| self.has_size(sense));
+                // The one that cancels more stands first.
+                match is_sized && (with - against).abs() >= ALIKE {
+                    false => vec![(Means::Pair, NOTHING)],
+                    true if with < against => vec![shaft(Sense::Direct), last(Sense::Reverse)],
+                    true => vec![shaft(Sense::Reverse), last(Sense::Direct)],
+                }
+            }
+        }
+    }
+
+    /// A step in a few words.
+    fn named(&self, means: Means) -> Text {
+        match means {
+            Means::Counterweights => self.counterweights(),
+            Means::Shaft(sense) => self.shaft(sense),
+            Means::Pair => match self.size(Sense::Direct) {
+                Some(size) => {
+                    phrase!("two shafts at {} crank speed, one each way (each {})", times(self.order.order), size)
+                }
+                None => phrase!("two shafts at {} crank speed, one each way", times(self.order.order)),
+            },
+        }
+    }
+
     fn sentence(&self) -> Option<Text> {
         let order = self.order.order;
-        // What is too small for a shaft is left.
-        let [direct, reverse] = self.needed();
         let leaves = |kept: [bool; 2]| self.part_left(kept);
-        Some(match (order, direct, reverse) {
-            (_, false, false) => return None,
-            (1, true, false) => phrase!("Order 1: {} leave {}.", self.counterweights(), leaves([false, true])),
-            (1, true, true) => phrase!(
-                "Order 1: {} leave {}; with {}, nothing.",
-                self.counterweights(),
-                leaves([false, true]),
-                self.shaft(Sense::Reverse)
-            ),
-            (_, true, false) => {
-                phrase!("Order {}: {} leaves {}.", order, self.shaft(Sense::Direct), leaves([false, true]))
+        Some(match *self.steps().as_slice() {
+            [(Means::Counterweights, kept)] => phrase!("Order 1: {} leave {}.", self.counterweights(), leaves(kept)),
+            [(Means::Counterweights, kept), (Means::Shaft(sense), _)] => {
+                let counterweights = self.counterweights();
+                phrase!("Order 1: {} leave {}; with {}, nothing.", counterweights, leaves(kept), self.shaft(sense))
             }
-            (_, false, true) => {
-                phrase!("Order {}: {} leaves {}.", order, self.shaft(Sense::Reverse), leaves([true, false]))
+            [(Means::Shaft(sense), kept)] => phrase!("Order {}: {} leaves {}.", order, self.shaft(sense), leaves(kept)),
+            [(Means::Shaft(sense), kept), ..] => {
+                let (words, other) = match sense {
+                    Sense::Direct => (WITH, Sense::Reverse),
+                    Sense::Reverse => (AGAINST, Sense::Direct),
+                };
+                let left = percent(self.decimal_left(kept));
+                let [first, second] = [sense, other].map(|sense| self.size(sense).unwrap_or_default());
+                phrase!(words, order, times(order), first, left, second)
             }
-            (_, true, true) => self.pair(),
+            [(Means::Pair, _), ..] => phrase!("Order {}: {}, leave nothing.", order, self.named(Means::Pair)),
+            [(Means::Counterweights, _), ..] | [] => return None,
         })
     }
 
-    /// What takes both vectors of an order above 1 away.
-    fn pair(&self) -> Text {
-        let (order, speed) = (self.order.order, || times(self.order.order));
-        let [with, against] = [[false, true], [true, false]].map(|rest| self.decimal_left(rest));
-        let [one, other] = Sense::BOTH.map(|sense| self.size(sense));
-        let is_alike = (with - against).abs() < ALIKE;
-        match (one, other) {
-            (Some(one), Some(_)) if is_alike => {
-                phrase!(
-                    "Order {}: two shafts at {} crank speed, one each way (each {}), leave nothing.",
-                    order,
-                    speed(),
-                    one
-                )
-            }
-            // The one that cancels more stands first.
-            (Some(one), Some(other)) => {
-                let (sense, left, other) = match with < against {
-                    true => (WITH, with, [one, other]),
-                    false => (AGAINST, against, [other, one]),
-                };
-                let [first, second] = other;
-                phrase!(sense, order, speed(), first, percent(left), second)
-            }
-            (None, _) | (_, None) => {
-                phrase!("Order {}: two shafts at {} crank speed, one each way, leave nothing.", order, speed())
-            }
-        }
+    /// Whether it is known how large what takes a vector away is.
+    fn has_size(&self, sense: Sense) -> bool {
+        // What is told of distances is told by the sentence itself.
+        let told = RefCell::default();
+        Cure { told: &told, ..*self }.size(sense).is_some()
     }
 
     /// Which of both vectors are left, and large enough for a weight.

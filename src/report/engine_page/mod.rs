@@ -2,6 +2,7 @@
 
 mod answer;
 mod articulated;
+mod at_speed;
 mod conventions;
 mod corrected;
 mod cures;

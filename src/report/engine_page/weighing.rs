@@ -185,9 +185,20 @@ impl<'a> Weighed<'a> {
         unit
     }
 
+    /// The unit in which the orders of a quantity are read best, one beside the other.
+    pub fn unit_of_tables(&self, quantity: Planar) -> Unit {
+        self.unit(quantity.into()).for_values_up_to(self.most(quantity.into()))
+    }
+
+    /// The speed in rpm, where masses and speed are given and the crankshaft turns.
+    pub fn speed(&self) -> Option<Text> {
+        let speed = &self.loads.scale.as_ref()?.speed;
+        (!speed.is_zero()).then(|| super::super::typeset::short(speed).into())
+    }
+
     /// What stands over the column of a quantity, and the size of an order in it: 0 is proved, all else is rounded.
     pub fn column(&self, quantity: Planar) -> (Unit, impl Fn(&OrderVerdict) -> Text) {
-        let unit = self.unit(quantity.into()).for_values_up_to(self.most(quantity.into()));
+        let unit = self.unit_of_tables(quantity);
         let cell = move |order: &OrderVerdict| {
             let whole = order.whole(quantity);
             let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some());
@@ -243,6 +254,18 @@ impl<'a> Weighed<'a> {
     /// order where it is one, else an amount.
     pub fn rest(&self, quantity: impl Into<Quantity>) -> (Vec<u32>, Option<Rest>) {
         let quantity = quantity.into();
+        let (small, most) = self.rest_in_multiples(quantity);
+        let largest = self.most(quantity);
+        let rest = most.and_then(|most| match most < largest {
+            true => Some(Rest::Part(most / largest)),
+            false => self.amount(most, quantity).map(Rest::Amount),
+        });
+        (small, rest)
+    }
+
+    /// The same in multiples of m r ω².
+    pub fn rest_in_multiples(&self, quantity: impl Into<Quantity>) -> (Vec<u32>, Option<f64>) {
+        let quantity = quantity.into();
         let small: Vec<(u32, f64)> = self
             .sizes(quantity)
             .into_iter()
@@ -261,15 +284,9 @@ impl<'a> Weighed<'a> {
         };
         let doubt: f64 = small.iter().map(|(order, _)| doubt(*order)).sum();
         let most = (small.iter().map(|(_, size)| size).sum::<f64>() + beyond + doubt).next_up();
-        let largest = self.most(quantity);
-        let rest = match small.is_empty() && bound.is_none() {
-            true => None,
-            false if !most.is_finite() => None,
-            false if most < NOTHING * largest => None,
-            false if most < largest => Some(Rest::Part(most / largest)),
-            false => self.amount(most, quantity).map(Rest::Amount),
-        };
-        (small.into_iter().map(|(order, _)| order).collect(), rest)
+        let is_worth_a_word = most.is_finite() && most >= NOTHING * self.most(quantity);
+        let is_some = !(small.is_empty() && bound.is_none());
+        (small.into_iter().map(|(order, _)| order).collect(), (is_some && is_worth_a_word).then_some(most))
     }
 }
 

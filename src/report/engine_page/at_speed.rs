@@ -1,0 +1,176 @@
+//! What does an engine with masses do at its speed, in one table: how large is each order, what cures it, and what does that leave?
+
+use super::super::calculation::Unit;
+use super::super::residual;
+use super::answer::Name;
+use super::cures::Cures;
+use super::weighing::Weighed;
+use crate::engine::{DOES_NOT_EXIST, Engine};
+use crate::page::{Piece, Setting, Table, Text, number, phrase};
+use crate::proof::{Axial, Planar, Quantity};
+use crate::verdict::{EveryOrderTheorem, Judgement, NextLeft, OrderVerdict};
+
+/// What the sizes are.
+pub(super) fn legend() -> Text {
+    phrase!(
+        "Sizes are the largest values through a revolution, rounded; 0 is proved. {} adds the exact numbers.",
+        Text::from(Piece::Code("--all".to_owned()))
+    )
+}
+
+/// A row per order of force and of couple that stands out, with what it comes to: then the rolling torque, the small orders, and the zeros.
+pub(super) fn table(
+    engine: &Engine,
+    judged: &Judgement,
+    theorem: Option<&EveryOrderTheorem>,
+    weighed: &Weighed,
+    speed: Text,
+) -> Table {
+    let orders: Vec<&OrderVerdict> = judged.orders.iter().filter(|order| order.exists()).collect();
+    let cures = Cures::new(engine, judged, &orders, Some(weighed));
+    let mut table =
+        Table::new([phrase!("At {} rpm", speed), "Order".into(), "Size".into(), "Cure".into(), "Leaves".into()]);
+    for order in &orders {
+        let mut is_cured = false;
+        for quantity in Planar::BOTH {
+            for row in of_order(order, quantity, weighed, &cures, is_cured) {
+                is_cured = true;
+                table.push(row);
+            }
+        }
+    }
+    for row in about_the_axis(weighed).into_iter().chain(small(&orders, weighed, theorem)).chain(zeros(judged, &orders))
+    {
+        table.push(row);
+    }
+    // Where nothing is cured nothing is said of cures.
+    if table.rows.iter().all(|row| row[COLUMNS - 2..].iter().all(|cell| cell.plain().is_empty())) {
+        [&mut table.header].into_iter().chain(&mut table.rows).for_each(|row| row.truncate(COLUMNS - 2));
+    }
+    table
+}
+
+/// Quantity, order, size, cure, and what that leaves.
+const COLUMNS: usize = 5;
+
+/// The rows of force or moment of an order: one per step of its cure.
+fn of_order(
+    order: &OrderVerdict,
+    quantity: Planar,
+    weighed: &Weighed,
+    cures: &Cures,
+    is_cured: bool,
+) -> Vec<Vec<Text>> {
+    let whole = order.whole(quantity);
+    let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some());
+    if whole.is_balanced() || is_known && !weighed.is_told(order.order, quantity) {
+        return Vec::new();
+    }
+    let unit = weighed.unit_of_tables(quantity);
+    let name: Text = Name::of(order, quantity, whole.shape, Some(weighed)).label().into();
+    if !is_known {
+        return vec![vec![name, order.order.into(), residual::whole_text(whole), Text::default(), Text::default()]];
+    }
+    let mut steps = cures.steps(order);
+    if is_cured && let Some(last) = steps.pop() {
+        steps = vec![("the same".into(), last.1)];
+    }
+    let left = |kept: [bool; 2]| {
+        let lengths = weighed.lengths(order.order, quantity).into_iter().zip(kept).zip(&whole.outcomes);
+        let kept: Vec<f64> =
+            lengths.filter(|((_, kept), of)| *kept && of.vanishes() == Some(false)).map(|((one, _), _)| one).collect();
+        if kept.is_empty() { Text::zero() } else { size(kept.into_iter().sum(), unit) }
+    };
+    let mut first = [name, order.order.into(), size(weighed.size(order.order, quantity), unit)].to_vec();
+    let accepted = || cures.is_accepted(order).then(|| "usually accepted".into()).unwrap_or_default();
+    if steps.is_empty() {
+        return vec![[first, vec![accepted(), Text::default()]].concat()];
+    }
+    let row = |(cure, kept): (Text, [bool; 2])| {
+        let named = std::mem::replace(&mut first, vec![Text::default(); 3]);
+        [named, vec![cure, left(kept)]].concat()
+    };
+    steps.into_iter().map(row).collect()
+}
+
+fn size(value: f64, unit: Unit) -> Text {
+    with_unit(Piece::Measured(value * unit.factor, unit.unit, Setting::Usual(number::decimal)), unit)
+}
+
+fn with_unit(value: Piece, unit: Unit) -> Text {
+    phrase!("{}\u{202f}{}", Text::from(value), unit.label())
+}
+
+/// The orders of the torque, and of the roll moment where it is another, that stand out.
+fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
+    let (roll, torque) = (weighed.loads.roll.is_some(), weighed.loads.torque.is_some());
+    let shown = [
+        (Axial::Roll, "Rolling torque", roll),
+        (Axial::Torque, if roll { "Inertia torque" } else { "Rolling torque" }, torque),
+    ];
+    let mut rows = Vec::new();
+    for (quantity, name, _) in shown.into_iter().filter(|(.., is_there)| *is_there) {
+        let orders = weighed.about_the_axis(quantity);
+        let most = orders.iter().map(|(_, size)| *size).fold(0.0, f64::max);
+        let unit = weighed.unit(Quantity::Axial(quantity)).for_values_up_to(most);
+        for (order, value) in orders {
+            if value > 0.0 && weighed.is_told(order, Quantity::Axial(quantity)) {
+                rows.push(vec![name.into(), order.into(), size(value, unit), Text::default(), Text::default()]);
+            }
+        }
+    }
+    rows
+}
+
+/// And all orders that were not looked at.
+const MORE: &str = "…";
+
+/// The orders that are not told one by one: what they and all that were not looked at add up to, at most.
+fn small(orders: &[&OrderVerdict], weighed: &Weighed, theorem: Option<&EveryOrderTheorem>) -> Vec<Vec<Text>> {
+    let looked_at: Vec<u32> = orders.iter().map(|order| order.order).collect();
+    let next = theorem.map_or(NextLeft::NotKnown, |theorem| theorem.next_left(&looked_at));
+    let of = |(quantity, name): (Planar, &'static str)| {
+        let (small, most) = weighed.rest_in_multiples(quantity);
+        let unit = weighed.unit_of_tables(quantity);
+        let mut named: Vec<String> = small.iter().map(u32::to_string).collect();
+        match next {
+            NextLeft::None => {}
+            NextLeft::Order(next) if small.is_empty() => named.extend([next.to_string(), MORE.to_owned()]),
+            NextLeft::Order(_) | NextLeft::NotKnown => named.push(MORE.to_owned()),
+        }
+        let most = Piece::Measured(most? * unit.factor, unit.unit, Setting::Fixed(bound));
+        let named = Text::label(named.join(", "));
+        Some(vec![name.into(), named, phrase!("≤ {}", with_unit(most, unit)), Text::default(), Text::default()])
+    };
+    [(Planar::Force, "All other forces"), (Planar::Moment, "All other moments")].into_iter().filter_map(of).collect()
+}
+
+/// The orders that are zero, and those that are not there.
+fn zeros(judged: &Judgement, existing: &[&OrderVerdict]) -> Vec<Vec<Text>> {
+    let of = |is_zero: &dyn Fn(&OrderVerdict) -> bool| -> Vec<String> {
+        existing.iter().filter(|order| is_zero(order)).map(|order| order.order.to_string()).collect()
+    };
+    let [forces, moments] = [of(&|order| order.force.is_balanced()), of(&|order| order.moment.is_balanced())];
+    let missing: Vec<String> =
+        judged.orders.iter().filter(|order| !order.exists()).map(|order| order.order.to_string()).collect();
+    let rows = match forces == moments {
+        true => vec![("Force and moment", forces, Text::zero())],
+        false => vec![("Force", forces, Text::zero()), ("Moment", moments, Text::zero())],
+    };
+    rows.into_iter()
+        .chain([("Force and moment", missing, DOES_NOT_EXIST.into())])
+        .filter(|(_, orders, _)| !orders.is_empty())
+        .map(|(name, orders, size)| {
+            vec![name.into(), Text::label(orders.join(", ")), size, Text::default(), Text::default()]
+        })
+        .collect()
+}
+
+/// No less than a value, to two figures.
+fn bound(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let unit = 10_f64.powi(value.log10().floor() as i32 - 1);
+    number::sensible((value / unit).ceil() * unit)
+}
