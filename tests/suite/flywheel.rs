@@ -61,7 +61,7 @@ fn triangles_give_mean_energy_and_inertia_exactly() {
     let found = found(TRIANGLES);
     assert_eq!(before_pi(found.mean.as_ref().expect("a mean"), 0), fraction(475, 2));
     assert_eq!(before_pi(&found.energy, 1), fraction(244_205, 192));
-    assert_near(found.energy.decimal, 3995.794_969, 1e-6);
+    assert_near(found.energy.decimal, 3_995.794_969, 1e-6);
     let inertia = found.inertia.expect("an irregularity");
     assert_near(inertia.decimal, 202.429_338, 1e-6);
     assert_near(found.mass.expect("a radius").decimal, 202.429_338 / 0.81, 1e-5);
@@ -76,8 +76,8 @@ fn three_cylinders_240_degrees_apart_add_up_exactly() {
     assert_eq!(before_pi(found.mean.as_ref().expect("a mean"), 0), fraction(1425, 2));
     // Degrees are π/180.
     assert_eq!(before_pi(&found.energy, 1), fraction(484_260_825, 4256 * 180));
-    assert_near(found.energy.decimal, 1985.889_529, 1e-6);
-    assert_near(sampled(&diagram(&text), 2.0), 1985.889_529, 0.1);
+    assert_near(found.energy.decimal, 1_985.889_529, 1e-6);
+    assert_near(sampled(&diagram(&text), 2.0), 1_985.889_529, 0.1);
 }
 
 #[test]
@@ -88,11 +88,11 @@ fn harmonics_have_their_energy_as_a_root_and_the_acceleration_at_an_angle() {
     assert_near(one.energy.decimal, 11078.8086, 1e-4);
     assert_near(one.power.expect("a speed").decimal, 376_991.118, 1e-3);
     let inertia = one.inertia.expect("wanted").decimal;
-    assert_near(inertia, 3118.105_558, 1e-6);
+    assert_near(inertia, 3_118.105_558, 1e-6);
     assert_near(one.angles[0].acceleration.expect("an inertia"), 3.046_721_743, 1e-9);
     let two =
         found("mean = 5000\nharmonics = [{ order = 3, sin = 1500 }]\nload_harmonics = [{ order = 1, sin = 600 }]\n");
-    assert_near(two.energy.decimal, 1656.502_339, 1e-6);
+    assert_near(two.energy.decimal, 1_656.502_339, 1e-6);
     assert_near(two.energy.decimal, 280.0 * 35f64.sqrt(), 1e-8);
     let half = found("mean = 10\nharmonics = [{ order = '1/2', cos = 3, sin = 4 }]\n");
     assert_eq!(before_pi(&half.energy, 0), fraction(20, 1));
