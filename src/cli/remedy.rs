@@ -6,11 +6,13 @@ use crankstar::engine::{Engine, LengthUnit};
 use crankstar::exact::Turn;
 use crankstar::file::{Layout, parse_angle, parse_length, parse_number, parse_radius};
 use crankstar::remedy::{self, Request};
+use crankstar::report;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::answer::Answer;
 use super::failure::Failure;
+use super::weigh::Above;
 use super::{EngineAndOrders, layouts, write};
 
 /// Arguments of `remedy`.
@@ -42,6 +44,8 @@ pub struct Remedy {
     /// Print the remedy as JSON with its certificates, for `verify`
     #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
+    #[command(flatten)]
+    above: Above,
     #[command(flatten)]
     answer: Answer,
 }
@@ -132,8 +136,10 @@ impl Remedy {
             Ok(speed) if speed.is_positive() => Ok(speed),
             _ => Err(Failure::new(format!("--speeds: cannot read `{text}`: a speed above 0 in rpm, such as 3000"))),
         });
+        let (orders, small) = report::worth_curing(engine, orders, &self.above.read(self.about.are_asked()));
         Ok(Request {
             orders,
+            small,
             planes,
             factors,
             skews: skews.collect::<Result<_, _>>()?,

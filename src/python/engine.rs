@@ -221,6 +221,7 @@ impl Engine {
 
     /// The counterweights and balancer shafts that make all vectors of these orders vanish, proved on the corrected engine.
     ///
+    /// orders: where omitted, 1, 2 and those of at least a hundredth of the largest.
     /// planes: two positions for counterweights and couples; the outermost throws where omitted.
     /// balance_factor, skew: counterweights on each throw with this factor, turned on by so many degrees; one for all, or a list.
     /// radius: such as "3.5 in", at which the table tells the mass of each weight.
@@ -235,7 +236,7 @@ impl Engine {
         radius: Option<String>,
     ) -> PyResult<Bound<'py, Remedy>> {
         let wanted = Wanted {
-            orders: self.orders(asked::orders(orders)?),
+            orders: asked::orders(orders)?,
             planes: planes.map(asked::planes).transpose()?,
             factors: asked::factors(balance_factor)?,
             skews: asked::skews(skew)?,

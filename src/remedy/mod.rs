@@ -37,11 +37,22 @@ use crate::engine::{Engine, GearedCrank, throws};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
+/// Orders that are too small for weights of their own, unless these are asked for.
+#[derive(Clone, Debug, Default)]
+pub struct SmallOrders {
+    /// They are below this part of the largest order.
+    pub below: f64,
+    /// The orders, rising.
+    pub orders: Vec<u32>,
+}
+
 /// What is asked of a remedy.
 #[derive(Clone, Debug, Default)]
 pub struct Request {
     /// The orders that are to vanish, rising.
     pub orders: Vec<u32>,
+    /// Those that the remedy names and does not cancel.
+    pub small: SmallOrders,
     /// Planes of counterweights and couples; the outermost throws by default.
     pub planes: Option<[BigRational; 2]>,
     /// Balance factors of the throws for counterweights bay by bay, one for all or one per throw; none for a correction in
@@ -62,6 +73,8 @@ pub struct Remedy {
     pub subject: ComparableEngine,
     /// The orders that were asked for.
     pub orders: Vec<u32>,
+    /// Those that are named only.
+    pub small: SmallOrders,
     /// Counterweights bay by bay, where balance factors are given.
     pub bays: Vec<Weight>,
     /// Counterweights on the crankshaft that cancel what is left of the direct first order.
@@ -181,6 +194,7 @@ pub fn remedy(engine: &Engine, wish: &Request) -> Result<Remedy, RemedyError> {
     let mut remedy = Remedy {
         subject,
         orders: wish.orders.clone(),
+        small: wish.small.clone(),
         bays,
         crankshaft,
         shafts,

@@ -80,7 +80,7 @@ pub use document::document;
 pub use engine_cells::firing as firing_cell;
 pub use engine_page::{
     Contents, Weighing, engine_answer, engine_answer_weighed, engine_at_a_glance, engine_page, engine_proofs,
-    engine_summary,
+    engine_summary, worth_curing,
 };
 pub use example::worked as worked_example;
 pub use family_page::{

@@ -7,16 +7,18 @@ use serde_json::{Value, json};
 use crate::engine::{Engine, LengthUnit};
 use crate::exact::Turn;
 use crate::file::{FileResolver, parse_length, parse_radius};
+use crate::loads;
 use crate::python::again::Reduced;
 use crate::python::answer::{Answer, asked_again};
-use crate::python::asked::{in_turns, written};
+use crate::python::asked::{in_turns, rising, written};
 use crate::python::error::told;
 use crate::python::reading::Source;
-use crate::remedy::{self, Request};
+use crate::remedy::{self, Request, SmallOrders};
+use crate::report::{self, Weighing};
 
 /// What is wanted of a remedy, as it was written.
 pub(in crate::python) struct Wanted {
-    pub orders: Vec<u32>,
+    pub orders: Option<Vec<u32>>,
     pub planes: Option<[String; 2]>,
     pub factors: Vec<BigRational>,
     pub skews: Vec<Turn>,
@@ -78,8 +80,12 @@ pub(in crate::python) fn remedy(
         .as_deref()
         .map(|text| parse_radius(text).map_err(|right| told(format!("radius: cannot read `{text}`: {right}"))));
     let radius = radius.transpose()?;
-    let (orders, factors, skews) = (orders.clone(), factors.clone(), skews.clone());
-    let wish = Request { orders, planes: planes.transpose()?, factors, skews, radius, ..Request::default() };
+    let (orders, small) = match orders {
+        Some(orders) => (rising(orders.clone()), SmallOrders::default()),
+        None => report::worth_curing(engine, loads::usual_orders(engine), Weighing::usual()),
+    };
+    let (factors, skews) = (factors.clone(), skews.clone());
+    let wish = Request { orders, small, planes: planes.transpose()?, factors, skews, radius, ..Request::default() };
     let cured = remedy::remedy(engine, &wish).map_err(told)?;
     let read = |path: &str| source.beside(path);
     let layout = remedy::corrected_file(&cured, &source.name, FileResolver::new(&read))

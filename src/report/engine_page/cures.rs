@@ -7,11 +7,12 @@ use num_rational::BigRational;
 use super::super::calculation::percent;
 use super::super::typeset::short;
 use super::answer::{is_as_built, left_vectors};
-use super::weighing::Weighed;
+use super::weighing::{Weighed, Weighing};
 use crate::engine::{Engine, LengthUnit};
+use crate::order;
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::proof::{Planar, Sense};
-use crate::remedy::{self, Remedy, Request, Shaft, Weight};
+use crate::remedy::{self, Remedy, Request, Shaft, SmallOrders, Weight};
 use crate::verdict::{Judgement, OrderVerdict};
 
 /// Orders above this are usually left as they are.
@@ -67,6 +68,21 @@ impl<'a> Cures<'a> {
     fn of<'b>(&'b self, order: &'b OrderVerdict) -> Cure<'b> {
         Cure { order, told: &self.told, weighed: self.weighed, remedy: self.remedy.as_ref() }
     }
+}
+
+/// Of these orders those that weights are proposed for, and those that are too small: above the second one an order counts from the threshold
+/// on, unless it was asked for. One that vanishes is never too small: that is proved of the corrected engine too.
+pub fn worth_curing(engine: &Engine, orders: Vec<u32>, weighing: &Weighing) -> (Vec<u32>, SmallOrders) {
+    let weighed = Weighed::new(engine, order::masses_as_built(engine), &orders, weighing);
+    let is_small = |weighed: &Weighed, order: u32| {
+        let sizes = Planar::BOTH.map(|quantity| (weighed.size(order, quantity), quantity));
+        sizes.iter().any(|(size, _)| *size > 0.0) && !sizes.iter().any(|(size, of)| weighed.is_worth_it(*size, *of))
+    };
+    let weighed = weighed.filter(|_| !weighing.tells_all(engine));
+    let (small, worth): (Vec<u32>, Vec<u32>) = orders
+        .into_iter()
+        .partition(|&order| order > USUALLY_CURED && weighed.as_ref().is_some_and(|weighed| is_small(weighed, order)));
+    (worth, SmallOrders { below: weighing.above(engine), orders: small })
 }
 
 /// Whether an order is left, and large enough for a shaft.

@@ -14,6 +14,7 @@ mod weighing;
 
 pub use answer::{engine_answer, engine_answer_weighed};
 pub(super) use conventions::{ASSUMED, CENTRES, FIRES, reference_plane};
+pub use cures::worth_curing;
 pub(super) use orders::symbol;
 pub use weighing::Weighing;
 pub(super) use weighing::{Rest, Weighed, WeighedParts, circumstances};

@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use super::super::calculation::percent;
 use super::super::typeset;
 use super::weights;
 use crate::engine::GearedCrank;
@@ -247,8 +248,16 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
             count
         )),
     };
+    let small = &remedy.small;
+    let small = (!small.orders.is_empty()).then(|| {
+        phrase!(
+            "Weights are proposed for orders 1 and 2 and for orders of at least {} % of the largest force or moment. Smaller, and cancelled only where asked for: {}.",
+            percent(small.below),
+            Text::joined(small.orders.iter().map(|order| (*order).into()), ", ")
+        )
+    });
     let half_speed = fewest.is_some().then(|| HALF_SPEED.into());
-    let lines = fewest.into_iter().chain(half_speed);
+    let lines = small.into_iter().chain(fewest).chain(half_speed);
     lines.chain(remedy.heights.iter().map(height)).chain(of_the_crankshaft(remedy)).collect()
 }
 
