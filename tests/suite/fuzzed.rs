@@ -164,14 +164,7 @@ fn seeds_of_documents_and_states_are_what_the_program_writes_today() {
         "family.json",
         &json(&report::open_document(&family, &family::classify(&family, &[2]).expect("orders"))),
     );
-    let wish = Request {
-        orders: vec![1, 2],
-        planes: None,
-        factors: Vec::new(),
-        skews: Vec::new(),
-        radius: None,
-        speeds: Vec::new(),
-    };
+    let wish = Request { orders: vec![1, 2], ..Request::default() };
     let remedy = remedy::remedy(&engine("I3"), &wish).expect("a remedy");
     assert_golden("document", "remedy.json", &json(&report::remedy_document(&remedy)));
     let path = std::env::temp_dir().join(format!("crankstar-seed-{}.shard", std::process::id()));
