@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::exact::Turn;
-use crate::motion::{CorrectedLinkage, Linkage};
+use crate::motion::{CorrectedLinkage, LinkMotion, Linkage, PistonMotion, SliderCrank};
 
 /// What moves the piston of a cylinder: the harmonics of its motion are the coefficients c_k and t_k.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -73,6 +73,17 @@ impl Mechanism {
         }
     }
 
+    /// The motion of its piston, in decimals.
+    pub fn piston(&self) -> PistonMotion {
+        match self {
+            Mechanism::SliderCrank(rod) => match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
+                Ok(crank) => PistonMotion::Crank(crank),
+                Err(_) => unreachable!("an engine's mechanisms turn round"),
+            },
+            Mechanism::Link(link) => PistonMotion::Link(link.motion()),
+        }
+    }
+
     /// Whether the crank can turn round.
     pub fn turns_round(&self) -> bool {
         match self {
@@ -112,6 +123,11 @@ impl Link {
     /// Whether its knuckle pin is elsewhere than at the angle of its cylinder.
     pub fn is_corrected(&self) -> bool {
         self.correction != Turn::zero()
+    }
+
+    /// Its motion, in decimals.
+    pub fn motion(&self) -> LinkMotion {
+        LinkMotion::new([&self.ratio, &self.knuckle, &self.master], [self.angle.turns(), self.correction.turns()])
     }
 
     /// The part of its motion that the master rod does not give it, where its knuckle angle is not corrected.

@@ -6,20 +6,18 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::error::NoGas;
-use crate::engine::{Engine, Mechanism};
-use crate::motion::SliderCrank;
+use crate::engine::Engine;
+use crate::motion::PistonMotion;
 
 /// Crank, rod and bore of a cylinder, in SI units.
 #[derive(Clone, Debug)]
 pub struct Geometry {
-    crank: SliderCrank,
-    ratio: f64,
-    offset: f64,
+    motion: PistonMotion,
     /// Crank radius r.
     pub radius: f64,
     /// Area A of the piston.
     pub area: f64,
-    /// Angle at which the piston is farthest out: `sin ψ = δ/(1 + λ)`.
+    /// Angle at which the piston is farthest out: of a rod on the crankpin `sin ψ = δ/(1 + λ)`.
     pub outermost: f64,
     /// Angle at which it is farthest in, in (π/2, 3π/2).
     pub innermost: f64,
@@ -31,55 +29,50 @@ impl Geometry {
     /// That of a cylinder, without clearance.
     pub(super) fn new(engine: &Engine, index: usize, bore: &BigRational) -> Result<Self, NoGas> {
         let cylinder = &engine.cylinders()[index];
-        let Some(Mechanism::SliderCrank(rod)) = &cylinder.mechanism else { return Err(NoGas::Rods) };
+        let Some(mechanism) = &cylinder.mechanism else { return Err(NoGas::Rods) };
         let Some(radius) = engine.dimensions().crank_radius.as_ref() else { return Err(NoGas::Radius) };
-        let crank = match SliderCrank::new(rod.ratio.clone(), rod.offset.clone()) {
-            Ok(crank) => crank,
-            Err(_) => unreachable!("an engine's mechanisms turn round"),
-        };
+        let motion = mechanism.piston();
         let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
-        let (ratio, offset, bore) = (float(&rod.ratio), float(&rod.offset), float(bore));
+        let bore = float(bore);
+        let [outermost, innermost] = motion.dead_centres();
         Ok(Geometry {
-            crank,
-            ratio,
-            offset,
             radius: float(&(radius * &cylinder.crank_radius)),
             area: PI / 4.0 * bore * bore,
-            outermost: (offset / (1.0 + ratio)).asin(),
-            innermost: PI + (offset / (1.0 - ratio)).asin(),
+            outermost,
+            innermost,
             clearance: 0.0,
+            motion,
         })
     }
 
     /// The volume that the piston sweeps.
     pub fn swept(&self) -> f64 {
-        self.area * self.radius * (self.crank.position(self.outermost) - self.crank.position(self.innermost))
+        self.area * self.radius * (self.motion.position(self.outermost) - self.motion.position(self.innermost))
     }
 
     /// The volume of the cylinder.
     pub fn volume(&self, psi: f64) -> f64 {
-        let way = self.crank.position(self.outermost) - self.crank.position(psi);
+        let way = self.motion.position(self.outermost) - self.motion.position(psi);
         self.clearance + self.area * self.radius * way
     }
 
     /// `dV/dψ`.
     pub fn volume_slope(&self, psi: f64) -> f64 {
-        -self.area * self.radius * self.crank.velocity(psi)
+        -self.area * self.radius * self.motion.velocity(psi)
     }
 
     /// `s'/r`: the lever of the piston effort, with its sign changed.
     pub fn lever(&self, psi: f64) -> f64 {
-        -self.crank.velocity(psi)
+        -self.motion.velocity(psi)
     }
 
     /// `d(−s'/r)/dψ`.
     pub(super) fn lever_slope(&self, psi: f64) -> f64 {
-        -self.crank.acceleration(psi)
+        -self.motion.acceleration(psi)
     }
 
     /// `tan β`, the slope of the rod.
     pub fn slope(&self, psi: f64) -> f64 {
-        let x = self.ratio * psi.sin() - self.offset;
-        x / ((1.0 - x) * (1.0 + x)).sqrt()
+        self.motion.slope(psi)
     }
 }

@@ -1,5 +1,7 @@
 //! Where is the piston at an angle, how fast, and how fast does that change? Closed forms in floats.
 
+use std::f64::consts::PI;
+
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
@@ -61,5 +63,16 @@ impl ClosedForm {
     pub fn acceleration(&self, psi: f64) -> f64 {
         let Place { sin, cos, slant, root } = self.place(psi);
         -cos - self.ratio * (cos / root) * (cos / root) / root + slant * sin / root
+    }
+
+    /// tan β of the rod.
+    pub fn slope(&self, psi: f64) -> f64 {
+        let sine = self.ratio * psi.sin() - self.offset;
+        sine / ((1.0 - sine) * (1.0 + sine)).sqrt()
+    }
+
+    /// Where the piston is farthest out, and where farthest in.
+    pub fn dead_centres(&self) -> [f64; 2] {
+        [(self.offset / (1.0 + self.ratio)).asin(), PI + (self.offset / (1.0 - self.ratio)).asin()]
     }
 }

@@ -184,6 +184,16 @@ impl SliderCrank {
         self.closed.acceleration(psi)
     }
 
+    /// tan β of the rod at an angle, positive on the crankpin's side of ψ = 90°.
+    pub fn rod_slope(&self, psi: f64) -> f64 {
+        self.closed.slope(psi)
+    }
+
+    /// The angles at which the piston is farthest out, `sin ψ = δ/(1 + λ)`, and farthest in, in radians.
+    pub fn dead_centres(&self) -> [f64; 2] {
+        self.closed.dead_centres()
+    }
+
     /// The inertia torque `T/(m r² ω²) = −s's''/r²`, positive in the sense of rotation.
     pub fn torque(&self, psi: f64) -> f64 {
         -self.velocity(psi) * self.acceleration(psi)

@@ -21,7 +21,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("gas", 1000),
     ("journal", 1210),
     ("loads", 2100),
-    ("motion", 1830),
+    ("motion", 2110),
     ("mounts", 520),
     ("numbers", 2150),
     ("optimise", 1430),
