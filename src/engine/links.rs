@@ -29,10 +29,8 @@ pub(super) fn check(engine: &Engine) -> Result<(), BuildError> {
     };
     let effects = engine.effects();
     let asked = [
-        (effects.torque, "the inertia torque"),
+        (effects.torque, "the proof of the inertia torque"),
         (!engine.geared_cranks().is_empty(), "several crankshafts"),
-        (engine.gas().is_some() || effects.gas, "the torque of the gas"),
-        (engine.torsion().is_some(), "the torsional vibration"),
         (!engine.bearings().is_empty(), "the load of the main bearings"),
         (
             engine.crankshaft().balancers.iter().any(of_link),

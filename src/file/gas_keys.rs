@@ -94,6 +94,7 @@ pub(super) fn read(
     table: &Spanned<Table<Keys>>,
     cylinders: &[Cylinder<Linear, Linear>],
     cycle: Option<Cycle>,
+    has_links: bool,
     beside: FileResolver<'_>,
 ) -> Result<Gas, LayoutError> {
     let all = &table.get_ref().0;
@@ -122,9 +123,17 @@ pub(super) fn read(
             Some(of_table) => of_table,
             None => known[slot].insert(layers.chambers((cycle, &names), beside, &mut laws)?),
         };
-        if layers.pick(|keys| &keys.dead_centre).is_none() && cylinder.mechanism.as_ref().is_some_and(is_offset) {
+        let is_offset = cylinder.mechanism.as_ref().is_some_and(is_offset);
+        if layers.pick(|keys| &keys.dead_centre).is_none() && (has_links || is_offset) {
             let right = "dead_centre = \"crank\", where the crank points along the axis, or \"piston\", where the piston is farthest out";
-            let message = "with an offset the crank and the piston have dead centres of their own, and angles count from one of them";
+            let message = match has_links {
+                true => {
+                    "with articulated rods the crank and a piston have dead centres of their own, and angles count from one of them"
+                }
+                false => {
+                    "with an offset the crank and the piston have dead centres of their own, and angles count from one of them"
+                }
+            };
             return Err(LayoutError::new(message, right, layers.span));
         }
         // A table of pressures may have a column of each cylinder.

@@ -156,7 +156,6 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
     let mut expanded = expand(&file, &above)?;
     if !expanded.geared.is_empty() {
         let given = [
-            ("gas", file.gas.as_ref().and_then(place)),
             ("main bearings", file.bearings.as_ref().and_then(place)),
             ("a torsional model", file.torsion.as_ref().and_then(place)),
         ];
@@ -185,7 +184,11 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
         let value = file.values.iter().flatten().next().map(|(_, text)| text);
         return Err(quantities::among_spacings(file.reference_plane.as_ref().or(value).and_then(place)));
     }
-    let gas = file.gas.as_ref().map(|table| gas_keys::read(table, &expanded.cylinders, cycle, beside)).transpose()?;
+    let gas = file
+        .gas
+        .as_ref()
+        .map(|table| gas_keys::read(table, &expanded.cylinders, cycle, file.articulated.is_some(), beside))
+        .transpose()?;
     let given_bearings = file.bearings.as_ref();
     let bearings = given_bearings.map(|list| bearings::read(list, &mut length_unit, expanded.positions_given));
     let draft = Draft {

@@ -9,6 +9,7 @@ use num_complex::Complex;
 
 use super::cylinder::CylinderGas;
 use super::quadrature::points;
+use crate::engine::CycleOrder;
 
 /// The harmonics of one cylinder, by its own cycle angle: a mean, and `Re Σ h_n e^{inψ/R}`, R the revolutions of a cycle.
 #[derive(Clone, Debug)]
@@ -72,6 +73,13 @@ impl Harmonics {
     /// The order of a harmonic.
     pub fn order(&self, index: usize) -> f64 {
         index as f64 / f64::from(self.revolutions)
+    }
+
+    /// An order of the torque; zero where there is none, and above those that were computed.
+    pub fn torque_at(&self, order: CycleOrder) -> Complex<f64> {
+        let index = order.halves() * self.revolutions / 2;
+        let exists = index * 2 == order.halves() * self.revolutions;
+        self.torque.get(index as usize).copied().filter(|_| exists).unwrap_or_default()
     }
 
     /// No harmonic of the torque from this order on is larger, in newton-metres.

@@ -6,13 +6,14 @@
 use num_complex::Complex;
 
 use super::{Carried, PistonForces};
-use crate::engine::Engine;
+use crate::engine::{Cylinder, Engine, Mechanism};
 use crate::gas::{CylinderGas, NoGas};
 use crate::loads::{self, Method, Missing};
-use crate::motion::SliderCrank;
+use crate::motion::PistonMotion;
 use crate::numbers;
 use crate::order::{self, Source};
-use crate::torque;
+use crate::proof::Sense;
+use crate::torque::{self, Bodies, Inertia};
 
 /// An engine whose values are asked for at crank angles.
 #[derive(Clone, Debug)]
@@ -26,9 +27,17 @@ pub struct Instants {
 /// One cylinder in SI units.
 #[derive(Clone, Debug)]
 struct Moving {
-    crank: SliderCrank,
-    ratio: f64,
-    offset: f64,
+    motion: PistonMotion,
+    /// How far out the piston comes, in crank radii.
+    outermost: f64,
+    /// λ of a rod on an axis without an offset, for what textbooks put.
+    ratio: Option<f64>,
+    /// The mass at the knuckle pin of a link, where it is known.
+    knuckle: Option<Inertia>,
+    /// Whether links hang on its rod, which then is no strut between two pins.
+    carries: bool,
+    /// Whether it is a link.
+    hangs: bool,
     radius: f64,
     mass: Option<f64>,
     gas: Option<CylinderGas>,
@@ -38,6 +47,8 @@ struct Moving {
     weight: Option<f64>,
     axis: Complex<f64>,
     throw: Complex<f64>,
+    /// 1 where its crank turns with the first one, −1 where against it.
+    sense: f64,
     /// What the rotating part of its rod pulls the pin outward with.
     rotating: f64,
 }
@@ -65,6 +76,10 @@ pub struct PistonAt {
     pub weight: Option<f64>,
     /// tan β, the slope of the rod.
     pub slope: f64,
+    /// Torque of the mass at the knuckle pin of a link, in newton-metres; none where there is none.
+    pub knuckle: Option<f64>,
+    /// Whether its rod is loaded at its two ends alone: no links hang on it.
+    pub is_strut: bool,
     /// What the effort turns the crank with, in metres: `−ds/dψ`.
     pub lever: f64,
     /// Load of the crankpin by rod and piston, seen from the engine, in newtons; none where no force is known.
@@ -89,19 +104,19 @@ impl PistonAt {
         self.forces().map(|forces| forces.effort())
     }
 
-    /// The force along the rod, positive where it is pressed.
+    /// The force along the rod, positive where it is pressed; none of a rod on which links hang.
     pub fn rod(&self) -> Option<f64> {
-        self.forces().map(|forces| forces.rod())
+        self.forces().filter(|_| self.is_strut).map(|forces| forces.rod())
     }
 
-    /// The side force of the wall on the piston.
+    /// The side force of the wall on the piston; none where links hang on its rod.
     pub fn side(&self) -> Option<f64> {
-        self.forces().map(|forces| forces.side())
+        self.forces().filter(|_| self.is_strut).map(|forces| forces.side())
     }
 
-    /// What the thrust of the rod turns the crank with, in newton-metres.
+    /// What it turns the crank with, in newton-metres, the mass at its knuckle pin with it.
     pub fn torque(&self) -> Option<f64> {
-        self.effort().map(|effort| effort * self.lever)
+        self.effort().map(|effort| effort * self.lever + self.knuckle.unwrap_or_default())
     }
 }
 
@@ -110,18 +125,25 @@ fn calm(value: f64, size: f64) -> f64 {
     if value.abs() <= 1e-13 * size { 0.0 } else { value }
 }
 
+/// Whether the link of a cylinder hangs on the rod of another.
+fn hangs_on(cylinder: &Cylinder, master: &Cylinder) -> bool {
+    let on_it = |link: &crate::engine::Link| {
+        master.mechanism.as_ref() == Some(&Mechanism::SliderCrank(link.master_rod()))
+            && (cylinder.pin, &cylinder.throw, &cylinder.position) == (master.pin, &master.throw, &master.position)
+            && &master.bank + &link.angle == cylinder.bank
+    };
+    cylinder.link().is_some_and(on_it)
+}
+
 impl Instants {
-    /// An engine with rods of its own on one crankshaft; with the weight of the reciprocating mass where a gravity is given, in metres a
+    /// An engine whose crankshafts turn equally fast; with the weight of the reciprocating mass where a gravity is given, in metres a
     /// square second, direction 0 being up.
     ///
     /// # Errors
     /// What the layout lacks.
     pub fn new(engine: &Engine, gravity: Option<f64>) -> Result<Self, Missing> {
-        if engine.has_links() {
-            return Err(Missing::ArticulatedRods("values at an angle"));
-        }
-        if !engine.geared_cranks().is_empty() {
-            return Err(Missing::SeveralCrankshafts);
+        if engine.faster_crank().is_some() {
+            return Err(Missing::FasterCrank("values at an angle"));
         }
         let classes = if engine.gas().is_some() { torque::classes(engine)? } else { Vec::new() };
         let scale = loads::scale(engine);
@@ -132,9 +154,12 @@ impl Instants {
         let dimensions = engine.dimensions();
         let radius = dimensions.crank_radius.as_ref().ok_or(NoGas::Radius)?;
         let turning = order::turning_masses(engine);
+        let knuckles: Vec<Bodies> = torque::bodies(engine).into_iter().filter(|of| !of.is_of_pistons).collect();
         let mut cylinders = Vec::new();
         for (index, cylinder) in engine.cylinders().iter().enumerate() {
-            let crank = cylinder.mechanism.as_ref().and_then(order::crank).ok_or(Missing::Rods)?;
+            let mechanism = cylinder.mechanism.as_ref().ok_or(Missing::Rods)?;
+            let motion = mechanism.piston();
+            let ratio = cylinder.rod().filter(|rod| rod.is_centric()).map(|rod| numbers::float(&rod.ratio));
             let class = classes.iter().find_map(|class| {
                 let place = class.cylinders.iter().position(|&of| of == index)?;
                 Some((class.gas.clone(), &class.fires[place]))
@@ -145,20 +170,25 @@ impl Instants {
             let axis = numbers::direction(&cylinder.bank);
             let own = turning.iter().filter(|mass| mass.source == Source::BigEnd(index));
             cylinders.push(Moving {
-                ratio: numbers::float(crank.ratio()),
-                offset: numbers::float(crank.offset()),
+                outermost: motion.position(motion.dead_centres()[0]),
+                ratio,
+                knuckle: knuckles.iter().find_map(|of| of.of_cylinder(index)),
+                carries: engine.cylinders().iter().any(|other| hangs_on(other, cylinder)),
+                hangs: cylinder.link().is_some(),
                 radius: numbers::float(&(radius * &cylinder.crank_radius)),
                 weight: gravity.and_then(|gravity| Some(mass? * gravity * axis.re)),
                 mass,
                 gas: class.map(|(gas, _)| gas),
                 zero: numbers::float(&zero) * 360.0,
-                throw: numbers::direction(&cylinder.throw),
+                throw: numbers::direction(&engine.pin_angle(cylinder)),
+                sense: if engine.sense_of(cylinder) == Sense::Direct { 1.0 } else { -1.0 },
                 rotating: own.map(|mass| numbers::float(&mass.mass_radius) * newtons.unwrap_or_default()).sum(),
-                crank,
+                motion,
                 axis,
             });
         }
-        let bearings = match newtons.filter(|_| !engine.bearings().is_empty()) {
+        let is_plain = engine.geared_cranks().is_empty() && !engine.has_links();
+        let bearings = match newtons.filter(|_| !engine.bearings().is_empty() && is_plain) {
             None => Vec::new(),
             Some(newtons) => {
                 let all = super::carried(engine, Method::Continuous, newtons)?;
@@ -194,35 +224,40 @@ impl Instants {
         let own = &self.cylinders[index];
         let degrees = (theta - own.zero).rem_euclid(self.period);
         let (psi, r) = (degrees.to_radians(), own.radius);
-        let outermost = (own.offset / (1.0 + own.ratio)).asin();
-        let x = own.ratio * psi.sin() - own.offset;
-        let lever = calm(-own.crank.velocity(psi) * r, r);
-        let towards = -own.crank.acceleration(psi);
+        let lever = calm(-own.motion.velocity(psi) * r, r);
+        let towards = -own.motion.acceleration(psi);
         let acceleration = self.omega.map(|omega| calm(towards * r * omega * omega, r * omega * omega));
-        let is_centric = own.offset == 0.0;
         let mut piston = PistonAt {
             cylinder: index,
             psi: degrees,
-            way: calm((own.crank.position(outermost) - own.crank.position(psi)) * r, r),
+            way: calm((own.outermost - own.motion.position(psi)) * r, r),
             velocity: self.omega.map(|omega| lever * omega),
             acceleration,
-            textbook: self.omega.filter(|_| is_centric).map(|omega| {
-                let [v, a] =
-                    [psi.sin() + own.ratio / 2.0 * (2.0 * psi).sin(), psi.cos() + own.ratio * (2.0 * psi).cos()];
+            textbook: self.omega.zip(own.ratio).map(|(omega, ratio)| {
+                let [v, a] = [psi.sin() + ratio / 2.0 * (2.0 * psi).sin(), psi.cos() + ratio * (2.0 * psi).cos()];
                 [calm(r * omega * v, r * omega), calm(r * omega * omega * a, r * omega * omega)]
             }),
             gas: own.gas.as_ref().map(|gas| gas.force(psi)),
             inertia: own.mass.zip(acceleration).map(|(mass, acceleration)| -mass * acceleration),
             weight: own.weight,
-            slope: calm(x / ((1.0 - x) * (1.0 + x)).sqrt(), 1.0),
+            slope: calm(own.motion.slope(psi), 1.0),
+            knuckle: own.knuckle.as_ref().map(|mass| mass.torque(psi)),
+            is_strut: !own.carries,
             lever,
             pin: None,
             pin_on_the_crank: None,
         };
-        let turned = own.throw * Complex::cis(theta.to_radians());
-        piston.pin =
-            piston.effort().map(|effort| turned * own.rotating - own.axis * Complex::new(1.0, -piston.slope) * effort);
-        piston.pin_on_the_crank = piston.pin.map(|pin| pin * turned.conj());
+        // What links hand on to the crankpin is no single force along its master rod.
+        if own.carries || own.hangs {
+            return piston;
+        }
+        let turned = own.throw * Complex::cis(own.sense * theta.to_radians());
+        let across = Complex::new(1.0, -own.sense * piston.slope);
+        piston.pin = piston.effort().map(|effort| turned * own.rotating - own.axis * across * effort);
+        piston.pin_on_the_crank = piston.pin.map(|pin| {
+            let seen = pin * turned.conj();
+            Complex::new(seen.re, own.sense * seen.im)
+        });
         piston
     }
 }

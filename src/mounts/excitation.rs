@@ -1,10 +1,11 @@
 //! Which forces and moments does each order have about the centre of gravity, and which vanish exactly?
 
 use num_complex::Complex;
+use num_rational::BigRational;
 
 use super::{NoExcitation, Phasors};
-use crate::engine::{CycleOrder, Engine, Mounting};
-use crate::loads::{Arm, Swing, loads_at, roll_moments, scale};
+use crate::engine::{CycleOrder, Engine, Mechanism, Mounting, ReferencePlane};
+use crate::loads::{Arm, Missing, Swing, loads_at, roll_moments, scale};
 use crate::numbers;
 use crate::order;
 use crate::torque;
@@ -92,24 +93,26 @@ pub fn excitation(engine: &Engine, mounting: &Mounting, orders: &[CycleOrder]) -
     if let Some(arm) = order::roll_lacks(engine) {
         return Err(NoExcitation::Arm(arm));
     }
-    let gas = engine.gas().map(|_| torque::classes(engine).map(|classes| torque::orders(&classes))).transpose()?;
-    if let Some(&beyond) = orders.iter().find(|order| gas.is_some() && order.halves() > 2 * torque::HIGHEST) {
+    let gas = engine.gas().map(|_| torque::classes(engine)).transpose()?;
+    let is_numerical = gas.is_some() || engine.has_links();
+    if let Some(&beyond) = orders.iter().find(|order| is_numerical && order.halves() > 2 * torque::HIGHEST) {
         return Err(NoExcitation::Order(beyond));
     }
     let whole: Vec<u32> = orders.iter().filter(|order| order.is_whole()).map(|order| order.halves() / 2).collect();
     let planar = loads_at(engine, &whole, &[])?.orders;
-    let rolls = roll_moments(engine, &whole)?;
+    let linked = engine.has_links().then(|| torque::bodies(engine));
+    let turning = linked.as_ref().map(|_| without_pistons(engine)).transpose()?;
+    let rolls = roll_moments(turning.as_ref().unwrap_or(engine), &whole)?;
     let [mass, radius] = [&scale.mass, &scale.crank_radius].map(numbers::float);
     let centre = Centre::new(engine, mounting);
     let of_order = |&order: &CycleOrder| {
-        let fired = gas.iter().flatten().find(|torque| torque.order == order);
-        let gas_vanishes = fired.is_none_or(|torque| torque.gas_vanishes);
+        let fired = gas.as_ref().and_then(|classes| torque::roll_of_gas(engine, classes, order));
         let mut excitation = OrderExcitation {
             order,
             force: Default::default(),
             moment: Default::default(),
-            gas: fired.filter(|_| !gas_vanishes).map_or_else(Complex::default, |torque| -torque.gas),
-            still: Still { force: true, moment: true, roll: gas_vanishes },
+            gas: fired.unwrap_or_default(),
+            still: Still { force: true, moment: true, roll: fired.is_none() },
         };
         let is_this = |number: u32| order.halves() == 2 * number;
         if let Some(loads) = planar.iter().find(|loads| is_this(loads.order)) {
@@ -117,7 +120,12 @@ pub fn excitation(engine: &Engine, mounting: &Mounting, orders: &[CycleOrder]) -
             let [cx, cy] = components(&loads.moment).map(|part| part * (mass * radius));
             // C = Σ z F is arm times force; the axial vector is that, turned by 90°.
             let roll = rolls.iter().find(|roll| is_this(roll.order));
-            let about_axis = roll.map_or_else(Complex::default, |roll| roll.vector.value * (mass * radius * radius));
+            let mut about_axis =
+                roll.map_or_else(Complex::default, |roll| roll.vector.value * (mass * radius * radius));
+            if let Some(roll) = linked.as_ref().map(|bodies| torque::roll_of(bodies, order)) {
+                about_axis += roll.unwrap_or_default();
+                excitation.still.roll &= roll.is_none();
+            }
             excitation.force = [force[0], force[1], Complex::default()];
             excitation.moment = centre.moved([-cy, cx, about_axis], force);
             excitation.still.force = loads.force.vanishes();
@@ -127,6 +135,21 @@ pub fn excitation(engine: &Engine, mounting: &Mounting, orders: &[CycleOrder]) -
         excitation
     };
     Ok(Excitation { orders: orders.iter().map(of_order).collect(), has_gas: gas.is_some() })
+}
+
+/// The engine with the masses that turn alone, which have a roll moment of closed form: that of links is numerical.
+fn without_pistons(engine: &Engine) -> Result<Engine, NoExcitation> {
+    let mut draft = engine.clone().into_draft();
+    draft.reference_plane = ReferencePlane::Named(engine.reference_plane().clone());
+    (draft.gas, draft.torsion, draft.bearings) = (None, None, Vec::new());
+    for cylinder in &mut draft.cylinders {
+        if let Some(link) = cylinder.link() {
+            cylinder.mechanism = Some(Mechanism::SliderCrank(link.master_rod()));
+        }
+        cylinder.reciprocating_mass = BigRational::default();
+        cylinder.knuckle_mass = BigRational::default();
+    }
+    draft.build().map_err(|why| NoExcitation::Missing(Missing::Motion(why.to_string())))
 }
 
 /// Both vectors as phasors along x and y: `½(P⁺ + P̄⁻)` and `−½i(P⁺ − P̄⁻)`.

@@ -14,7 +14,7 @@ pub enum NoExcitation {
     Scale,
     /// Positions in spacings, while the mounts stand in metres.
     Positions,
-    /// An order that the torque of the gas is not computed at.
+    /// An order that the torque of the gas, or of articulated rods, is not computed at.
     Order(CycleOrder),
     /// A length that the roll moment hangs on.
     Arm(MissingArm),
@@ -33,7 +33,7 @@ impl fmt::Display for NoExcitation {
             ),
             NoExcitation::Order(order) => write!(
                 f,
-                "order {order}: the torque of the gas is computed up to order {}; ask for lower orders",
+                "order {order}: the torque of the gas, and that of articulated rods, is computed up to order {}; ask for lower orders",
                 torque::HIGHEST
             ),
             NoExcitation::Arm(MissingArm::EndlessRod) => {

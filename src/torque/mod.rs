@@ -3,6 +3,7 @@
 //! Each cylinder gives the torque of its gas and of its inertia, by its own angle ψ = θ − φ_j, φ_j where it fires. Equal cylinders
 //! are one class: the order κ of a class is `Re t_κ S_κ e^{iκθ}`, its star `S_κ = Σ e^{−iκφ_j}` exact (theory, section 12).
 
+mod bodies;
 mod class;
 mod curve;
 mod evenness;
@@ -12,12 +13,13 @@ mod order;
 mod peak;
 
 pub use crate::loads::PeakMethod;
-pub use class::{Class, Inertia, classes, warnings};
+pub use bodies::{Bodies, Inertia, bodies};
+pub use class::{Class, classes, warnings};
 pub use curve::TorqueCurve;
 pub use evenness::{Evenness, evenness};
 pub use extreme::{Extreme, angles, extremes, largest};
 pub use guide::{GuideMoments, guide_moments};
-pub use order::{TorqueOrder, orders};
+pub use order::{TorqueOrder, orders, roll_of, roll_of_gas};
 pub use peak::Peak;
 
 use crate::engine::Engine;
@@ -29,6 +31,8 @@ use crate::loads::Missing;
 pub struct EngineTorque {
     /// The classes of equal cylinders.
     pub classes: Vec<Class>,
+    /// The masses that move, by their motion.
+    pub bodies: Vec<Bodies>,
     /// Through the cycle.
     pub course: TorqueCurve,
     /// Orders of the cycle, rising; halves in a four-stroke.
@@ -41,8 +45,10 @@ pub struct EngineTorque {
     pub highest: Extreme,
     /// The smallest, which may be negative.
     pub lowest: Extreme,
-    /// The largest and the smallest roll moment on the frame, without that of balancer shafts.
-    pub roll: [Extreme; 2],
+    /// The largest and the smallest roll moment on the frame, without that of masses that turn; none where an arm is not known.
+    pub roll: Option<[Extreme; 2]>,
+    /// The torque on each of several crankshafts that are geared together; none where there is one.
+    pub shafts: Vec<ShaftTorque>,
     /// How much the series up to the highest order misses of the torque, at most.
     pub missed: f64,
     /// Power at the speed in watts; none where no speed is given.
@@ -51,6 +57,18 @@ pub struct EngineTorque {
     pub evenness: Option<Evenness>,
     /// What is odd about a pressure, by class.
     pub warnings: Vec<(usize, Warning)>,
+}
+
+/// The torque on one of several crankshafts, positive in the sense in which it turns. With the flywheel at the first crankshaft the gears
+/// carry that of the others to it; where each has a flywheel of its own, their means alone.
+#[derive(Clone, Debug)]
+pub struct ShaftTorque {
+    /// Which of them.
+    pub shaft: usize,
+    /// Its mean in newton-metres.
+    pub mean: f64,
+    /// The largest and the smallest.
+    pub extremes: [Extreme; 2],
 }
 
 /// Orders of the torque are computed up to this one.
@@ -62,8 +80,9 @@ pub const HIGHEST: u32 = 12;
 /// What the layout lacks.
 pub fn torque(engine: &Engine) -> Result<EngineTorque, Missing> {
     let classes = classes(engine)?;
-    let course = TorqueCurve::new(&classes);
-    let orders = orders(&classes);
+    let bodies = bodies(engine);
+    let course = TorqueCurve::new(engine, &classes, &bodies);
+    let orders = orders(&classes, &bodies);
     let each = |of: &dyn Fn(&Class) -> f64| -> f64 {
         classes.iter().map(|class| of(class) * class.cylinders.len() as f64).sum()
     };
@@ -74,7 +93,7 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, Missing> {
     // Roundings are those of the reciprocating mass within a cycle.
     let moved = |gas: &CylinderGas| (gas.peak_pressure().0 + gas.crankcase()) * gas.geometry().swept();
     let moved: f64 = classes.iter().map(|class| moved(&class.gas)).sum();
-    let omega = class::omega(engine);
+    let omega = bodies::omega(engine);
     let warnings = warnings(engine, &classes);
     let [highest, lowest] = course.extremes(|theta| course.total(theta));
     let missed =
@@ -84,7 +103,9 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, Missing> {
         balance: (mean * course.period() - work).abs() / work.abs().max(1e-3 * moved),
         highest,
         lowest,
-        roll: course.extremes(|theta| course.roll(theta)),
+        roll: course.roll(0.0).map(|_| course.extremes(|theta| course.roll(theta).unwrap_or_default())),
+        shafts: (0..engine.geared_cranks().len()).map(|shaft| on_shaft(&course, shaft)).collect(),
+        bodies,
         missed,
         power: omega.map(|omega| mean * omega),
         evenness: omega.filter(|omega| *omega > 0.0).map(|omega| evenness(engine, &course, omega)),
@@ -93,6 +114,10 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, Missing> {
         orders,
         warnings,
     })
+}
+
+fn on_shaft(course: &TorqueCurve, shaft: usize) -> ShaftTorque {
+    ShaftTorque { shaft, mean: course.mean_on(shaft), extremes: course.extremes(|theta| course.on_shaft(shaft, theta)) }
 }
 
 /// The sum of the orders at an angle.
@@ -118,6 +143,6 @@ impl EngineTorque {
 
     /// Whether the masses' inertia is in it.
     pub fn has_inertia(&self) -> bool {
-        self.classes.iter().all(|class| class.inertia.is_some())
+        self.bodies.iter().all(|of| of.inertia.is_some())
     }
 }

@@ -4,10 +4,12 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::One;
 
+use super::bodies::Bodies;
 use super::class::Class;
-use crate::engine::CycleOrder;
+use crate::engine::{CycleOrder, Engine};
 use crate::exact::{PhasorSum, Term};
 use crate::numbers;
+use crate::proof::Sense;
 
 /// One order: `Re(vector · e^{iκθ})`, in newton-metres.
 #[derive(Clone, Debug)]
@@ -22,7 +24,7 @@ pub struct TorqueOrder {
     pub stars: Vec<PhasorSum>,
     /// Whether all of these are zero: then that of the gas is, proved, for every pressure that the cylinders of a class share.
     pub gas_vanishes: bool,
-    /// Whether that of the inertia is zero, proved: its stars `Σ m_j e^{−iκφ_j}` are, one for all cylinders of one crank and rod.
+    /// Whether that of the inertia is zero, proved: its stars `Σ m_j e^{−iκφ_j}` are, one for all masses that move alike.
     pub inertia_vanishes: bool,
 }
 
@@ -38,92 +40,100 @@ impl TorqueOrder {
     }
 }
 
-/// The stars of an order of a kind of force, each cylinder weighed: `Σ w_j e^{−iκφ_j}`.
-pub(super) struct Stars<'a>(Vec<(&'a Class, PhasorSum)>);
+/// The stars of an order of what is alike in several cylinders, each weighed: `Σ w_j e^{−iκφ_j}`.
+pub(super) struct Stars<'a, T>(Vec<(&'a T, PhasorSum)>);
 
-impl<'a> Stars<'a> {
-    /// Those of the gas, one a class; a weight by the class and the place of the cylinder in it.
-    pub fn of_gas(classes: &'a [Class], order: CycleOrder, weight: impl Fn(&Class, usize) -> BigRational) -> Self {
+impl<'a> Stars<'a, Class> {
+    /// Those of the gas, one a class; a weight by the cylinder.
+    pub fn of_gas(classes: &'a [Class], order: CycleOrder, weight: impl Fn(usize) -> BigRational) -> Self {
         let star = |class: &Class| {
-            let term = |(place, fires)| Term { angle: order.phase(fires), weight: weight(class, place) };
-            PhasorSum::new(class.fires.iter().enumerate().map(term).collect())
+            let cylinders = class.cylinders.iter().zip(&class.fires);
+            let term = |(&cylinder, fires)| Term { angle: order.phase(fires), weight: weight(cylinder) };
+            PhasorSum::new(cylinders.map(term).collect())
         };
         Stars(classes.iter().map(|class| (class, star(class))).collect())
     }
 
     /// Those of the gas, each cylinder with the weight 1.
     pub fn each_once(classes: &'a [Class], order: CycleOrder) -> Self {
-        Stars::of_gas(classes, order, |_, _| BigRational::one())
+        Stars::of_gas(classes, order, |_| BigRational::one())
     }
+}
 
-    /// Those of the inertia, one for all classes that move alike: each cylinder is weighed by its mass as well.
-    pub fn of_inertia(classes: &'a [Class], order: CycleOrder, weight: impl Fn(&Class, usize) -> BigRational) -> Self {
-        let heavy = Stars::of_gas(classes, order, |class, place| weight(class, place) * &class.masses[place]);
-        let moving = classes.iter().enumerate().filter(|(first, class)| class.same_motion == *first);
-        let star = |first: usize| {
-            let alike = heavy.0.iter().filter(|(class, _)| class.same_motion == first);
-            alike.fold(PhasorSum::new(Vec::new()), |sum, (_, star)| sum.plus(star))
+impl<'a> Stars<'a, Bodies> {
+    /// Those of the inertia, one for all masses that move alike: each is weighed by itself as well.
+    pub fn of_inertia(bodies: &'a [Bodies], order: CycleOrder, weight: impl Fn(usize) -> BigRational) -> Self {
+        let star = |of: &Bodies| {
+            let masses = of.cylinders.iter().zip(&of.tops).zip(&of.weights);
+            let term = |((&cylinder, top), mass): ((&usize, &BigRational), &BigRational)| Term {
+                angle: order.phase(top),
+                weight: weight(cylinder) * mass,
+            };
+            PhasorSum::new(masses.map(term).collect())
         };
-        Stars(moving.map(|(first, class)| (class, star(first))).collect())
+        Stars(bodies.iter().map(|of| (of, star(of))).collect())
     }
+}
 
+impl<T> Stars<'_, T> {
     /// Whether all are zero.
     pub fn vanish(&self) -> bool {
         self.0.iter().all(|(_, star)| star.vanishes())
     }
 
-    /// The sum of a value of each class times its star: exactly 0 where the star is. None where a class has no value.
-    pub fn sum(&self, value: impl Fn(&Class) -> Option<Complex<f64>>) -> Option<Complex<f64>> {
-        let product = |(class, star): &(&Class, PhasorSum)| {
-            let value = value(class)?;
+    /// The sum of a value of each times its star: exactly 0 where the star is. None where one has no value.
+    pub fn sum(&self, value: impl Fn(&T) -> Option<Complex<f64>>) -> Option<Complex<f64>> {
+        let product = |(one, star): &(&T, PhasorSum)| {
+            let value = value(one)?;
             Some(if star.vanishes() { Complex::default() } else { value * numbers::evaluate(star) })
         };
         self.0.iter().map(product).sum()
     }
 }
 
-/// The orders of these classes, from the first on.
-pub fn orders(classes: &[Class]) -> Vec<TorqueOrder> {
+/// The orders of these classes and moving masses, from the first on.
+pub fn orders(classes: &[Class], bodies: &[Bodies]) -> Vec<TorqueOrder> {
     let Some(first) = classes.first() else { return Vec::new() };
-    let revolutions = first.harmonics.revolutions;
-    (1..first.harmonics.torque.len()).filter_map(|index| order(classes, index, revolutions as usize)).collect()
-}
-
-fn order(classes: &[Class], index: usize, revolutions: usize) -> Option<TorqueOrder> {
-    let order = CycleOrder::of_halves(u32::try_from(2 * index / revolutions).ok()?)?;
-    let gas = Stars::each_once(classes, order);
-    let inertia = Stars::of_inertia(classes, order, |_, _| BigRational::one());
-    Some(TorqueOrder {
-        gas: gas.sum(|class| Some(class.harmonics.torque[index])).unwrap_or_default(),
-        inertia: inertia.sum(|class| class.inertia_at(index, revolutions)),
-        gas_vanishes: gas.vanish(),
-        inertia_vanishes: !order.is_whole() || inertia.vanish(),
-        stars: gas.0.into_iter().map(|(_, star)| star).collect(),
-        order,
-    })
+    let revolutions = first.harmonics.revolutions as usize;
+    let order = |index: usize| {
+        let order = CycleOrder::of_halves(u32::try_from(2 * index / revolutions).ok()?)?;
+        let gas = Stars::each_once(classes, order);
+        let inertia = Stars::of_inertia(bodies, order, |_| BigRational::one());
+        Some(TorqueOrder {
+            gas: gas.sum(|class| Some(class.harmonics.torque[index])).unwrap_or_default(),
+            inertia: inertia.sum(|of| Some(of.inertia.as_ref()?.at(order)[0])),
+            gas_vanishes: gas.vanish(),
+            inertia_vanishes: !order.is_whole() || inertia.vanish(),
+            stars: gas.0.into_iter().map(|(_, star)| star).collect(),
+            order,
+        })
+    };
+    (1..first.harmonics.torque.len()).filter_map(order).collect()
 }
 
 impl Class {
-    /// Order κ of the torque of the cylinder at this place of the class, by its own angle: gas, and inertia where that is known.
+    /// Order κ of the torque of the cylinder at this place of the class, by its own angle: of gas and piston, where that is known.
     pub fn torque_of_one(&self, place: usize, order: CycleOrder) -> Complex<f64> {
-        let [gas, inertia] = self.torques_of_one(place, order);
-        gas + inertia
+        let inertia = self.inertia.as_ref().map_or_else(Complex::default, |inertia| inertia.at(order)[0]);
+        self.harmonics.torque_at(order) + inertia * numbers::float(&self.masses[place])
     }
+}
 
-    /// The same, gas and inertia each by itself.
-    pub fn torques_of_one(&self, place: usize, order: CycleOrder) -> [Complex<f64>; 2] {
-        let revolutions = self.harmonics.revolutions as usize;
-        let index = order.halves() as usize * revolutions / 2;
-        let gas = self.harmonics.torque.get(index).copied().unwrap_or_default();
-        [gas, self.inertia_at(index, revolutions).unwrap_or_default() * numbers::float(&self.masses[place])]
-    }
+/// An order of the roll moment of these masses on the frame over ω², in kilograms times square metres: the opposite of their torque, and what
+/// changes their angular momentum. None where it vanishes, proved, or no scale is known.
+pub fn roll_of(bodies: &[Bodies], order: CycleOrder) -> Option<Complex<f64>> {
+    let stars = Stars::of_inertia(bodies, order, |_| BigRational::one());
+    let felt = |of: &Bodies| Some(of.inertia.as_ref()?.over_square(order).iter().sum());
+    stars.sum(felt).filter(|_| !stars.vanish()).map(|moment: Complex<f64>| -moment)
+}
 
-    /// The inertia's harmonic at the n-th of the cycle, of a mass of 1: zero at halves.
-    pub(super) fn inertia_at(&self, index: usize, revolutions: usize) -> Option<Complex<f64>> {
-        let inertia = self.inertia.as_ref()?;
-        Some(match index % revolutions {
-            0 => inertia.harmonics.get(index / revolutions - 1).copied().unwrap_or_default(),
-            _ => Complex::new(0.0, 0.0),
-        })
-    }
+/// An order of the roll moment of the gas on the frame, in newton-metres: the opposite of the torque on each crankshaft, in the sense in which
+/// that turns. None where it vanishes, proved.
+pub fn roll_of_gas(engine: &Engine, classes: &[Class], order: CycleOrder) -> Option<Complex<f64>> {
+    let sense = |cylinder: usize| match engine.sense_of(&engine.cylinders()[cylinder]) {
+        Sense::Direct => -BigRational::one(),
+        Sense::Reverse => BigRational::one(),
+    };
+    let stars = Stars::of_gas(classes, order, sense);
+    stars.sum(|class| Some(class.harmonics.torque_at(order))).filter(|_| !stars.vanish())
 }

@@ -34,7 +34,7 @@ impl<'a> Peak<'a> {
             class.harmonics = class.gas.harmonics(PeakMethod::HIGHEST * revolutions);
         }
         let rest = classes.iter().map(rest).sum();
-        Peak { largest: torque.largest(), torque, orders: orders(&classes), rest }
+        Peak { largest: torque.largest(), torque, orders: orders(&classes, &[]), rest }
     }
 
     /// The methods that are compared: every order that is left up to 6, some higher ones, and samples.

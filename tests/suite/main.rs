@@ -147,6 +147,7 @@ mod theory;
 mod thesis;
 mod torque;
 mod torque_conventions;
+mod torque_of_mechanisms;
 mod torsion;
 mod two_angles;
 mod usual_quantities;

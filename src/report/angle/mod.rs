@@ -84,6 +84,12 @@ impl Instant {
         self.pistons.iter().map(of).sum()
     }
 
+    /// The torque of the inertia of all pistons, and of the masses at knuckle pins.
+    pub fn torque_of_inertia(&self) -> Option<f64> {
+        let pistons = self.torque_of(|piston| piston.inertia)?;
+        Some(pistons + self.pistons.iter().filter_map(|piston| piston.knuckle).sum::<f64>())
+    }
+
     /// The torque of one kind of force, of all cylinders.
     pub fn torque_of(&self, force: impl Fn(&PistonAt) -> Option<f64>) -> Option<f64> {
         self.sum(|piston| Some(force(piston)? * piston.lever))

@@ -14,6 +14,10 @@ const FOUND: &str = "The piston is at $s = r\\cos\\psi + l\\sqrt{1-(\\lambda\\si
     $-s''\\omega^2$, the closed forms without a series. The effort $F$ is the gas $(p-p_c)A$, the inertia $m\\,s''\\omega^2$ and the weight where it is asked for; the rod feels $F/\\cos\\beta$, the wall \
     $F\\tan\\beta$, the crank $-F s'$, and the crankpin the rod with its rotating mass. All values are decimals.";
 
+const LINKS: &str = "A piston on a link is at $s = \\mathrm{Re}\\,K + \\sqrt{L^2 - \\mathrm{Im}^2 K}$, K its knuckle pin on the master rod, seen along the axis. Its torque is again $-F s'$, and the mass μ at the knuckle pin adds $-\\tfrac12 \\mu\\,(|K'|^2)'\\,\\omega^2$. A rod on which links hang is loaded by them too: its thrust, the side force of its piston and the load of the crankpin are not given here.";
+
+const GEARED: &str = "The torque of each piston is positive in the sense in which its own crankshaft turns; that of all cylinders is the torque at the first crankshaft, to which the others are geared.";
+
 const TEXTBOOK: &str = "By the textbook: $v \\approx r\\omega(\\sin\\psi+\\tfrac{\\lambda}{2}\\sin 2\\psi)$ and $a \\approx r\\omega^2(\\cos\\psi+\\lambda\\cos 2\\psi)$, the first terms of series in λ, beside \
     the values of the mechanism itself.";
 
@@ -35,6 +39,8 @@ pub(super) fn page(study: &AngleStudy) -> Document {
     page.blocks.extend(values(study));
     page.push(Block::Heading(1, "How it was found".into()));
     page.push(Block::Paragraph(FOUND.into()));
+    page.blocks.extend(study.engine.has_links().then(|| Block::Paragraph(LINKS.into())));
+    page.blocks.extend((!study.engine.geared_cranks().is_empty()).then(|| Block::Paragraph(GEARED.into())));
     page.push(Block::Paragraph(DIRECTIONS.into()));
     if study.pistons().any(|(_, piston)| piston.textbook.is_some()) {
         page.push(Block::Paragraph(TEXTBOOK.into()));

@@ -80,11 +80,8 @@ pub(super) fn torque(study: &AngleStudy) -> Table {
         phrase!("Torque in {}", Unit::NEWTON_METRE),
     ]);
     for instant in study.instants.iter().take(MOST_SHOWN) {
-        let parts = [
-            instant.torque_of(|piston| piston.gas),
-            instant.torque_of(|piston| piston.inertia),
-            instant.sum(PistonAt::torque),
-        ];
+        let parts =
+            [instant.torque_of(|piston| piston.gas), instant.torque_of_inertia(), instant.sum(PistonAt::torque)];
         table
             .push([degrees(instant.theta)].into_iter().chain(parts.map(|one| cell(one, Unit::NEWTON_METRE))).collect());
     }

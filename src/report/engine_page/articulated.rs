@@ -56,7 +56,7 @@ const THEOREM: &str = "Order 1 is therefore exactly that of rods on the crankpin
 const TERMS: &str = "So each order is made of exact sums, one multiplied by $c_k$ and one by each $g_k$: they are decided separately. Where all are zero the order is, proved; where some remain, bounds from below and above decide. Rows that name $\\Delta$ count in $g_k$ where others count in $c_k$.";
 const KNUCKLES: &str = "A knuckle pin moves as $(1-\\zeta)$ times the crankpin and $\\zeta$ times the piston pin of the master, $\\zeta = \\kappa e^{i\\Delta}$. So its mass, with the \
                         big end of the link, is exactly a mass on each of them: terms of the sums of the master and of what turns with the crank.";
-const NOT_JUDGED: &str = "Each rod is two masses, which is exact for forces and moments. The inertia torque, the loads of pins and bearings, and the gas are not decided of an engine with articulated rods.";
+const NOT_JUDGED: &str = "Each rod is two masses, which is exact for forces and moments. The orders of the inertia torque are not decided of an engine with articulated rods; the command torque computes them, with the gas.";
 
 /// The links, with what they hang on.
 fn links(engine: &Engine) -> Table {

@@ -176,7 +176,7 @@ fn external(engine: &Engine, order: &OrderLoads, quantity: Planar, newtons: f64)
 pub(super) fn guides(engine: &Engine) -> Result<(Vec<GuideMoments>, Option<f64>), String> {
     let torque = torque::torque(engine).map_err(|lack| lack.to_string())?;
     let moments = torque::guide_moments(engine, &torque)
-        .ok_or("they are known for rods of a finite length on axes without an offset")?;
+        .ok_or("they are known for rods of a finite length on axes without an offset, of one crankshaft")?;
     Ok((moments, torque.power))
 }
 

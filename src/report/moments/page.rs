@@ -4,6 +4,7 @@ use super::{Amplitude, External, MomentsRow, MomentsStudy};
 use crate::engine::CycleOrder;
 use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, phrase};
 use crate::report::engine_cells;
+use crate::report::torque::LINKED_GUIDES;
 
 const CONVENTION: &str = "V is along direction 0, upright in an in-line engine, H across it; amplitudes are zero to peak, moments about the reference plane. **0** is proved. Forces and moments are \
     proportional to the square of the speed, $(n/n_1)^2$; the guide-force moments are not, for the gas has part in them.";
@@ -63,6 +64,8 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
     let has_guides = study.rows.iter().any(|row| row.guides.is_ok());
     if has_guides {
         blocks.push(Block::Paragraph(GUIDES.into()));
+        let has_links = study.rows.iter().any(|row| row.engine.has_links());
+        blocks.extend(has_links.then(|| Block::Paragraph(LINKED_GUIDES.into())));
         blocks.push(guides(study, "H, {}", |row, order| row.guide(order).map(|moments| moments.rocking)).into());
         blocks.push(guides(study, "X, {}", |row, order| row.guide(order).map(|moments| moments.twisting)).into());
         if study.rows.iter().any(|row| row.per_kilowatt().is_some()) {

@@ -19,6 +19,7 @@ pub fn table(study: &TorqueStudy, name: &str) -> Option<Table> {
         "classes" => classes(torque),
         "guides" => guides(&study.engine, torque)?,
         "theta" => theta(torque),
+        "shafts" => shafts(&study.engine, torque)?,
         _ => return None,
     })
 }
@@ -28,16 +29,16 @@ fn cycle(torque: &EngineTorque) -> Table {
     let mut table = Filling::new("torque.cycle", &rows).keyed(0);
     let moment = Unit::NEWTON_METRE;
     table.decimal("mean_{unit}", moment, |torque| Some(torque.mean));
-    type Pick = fn(&EngineTorque) -> Extreme;
+    type Pick = fn(&EngineTorque) -> Option<Extreme>;
     let extremes: [([&str; 2], Pick); 4] = [
-        (["highest_{unit}", "highest_theta_{unit}"], |torque| torque.highest),
-        (["lowest_{unit}", "lowest_theta_{unit}"], |torque| torque.lowest),
-        (["roll_highest_{unit}", "roll_highest_theta_{unit}"], |torque| torque.roll[0]),
-        (["roll_lowest_{unit}", "roll_lowest_theta_{unit}"], |torque| torque.roll[1]),
+        (["highest_{unit}", "highest_theta_{unit}"], |torque| Some(torque.highest)),
+        (["lowest_{unit}", "lowest_theta_{unit}"], |torque| Some(torque.lowest)),
+        (["roll_highest_{unit}", "roll_highest_theta_{unit}"], |torque| torque.roll.map(|roll| roll[0])),
+        (["roll_lowest_{unit}", "roll_lowest_theta_{unit}"], |torque| torque.roll.map(|roll| roll[1])),
     ];
     for ([value, angle], of) in extremes {
-        table.decimal(value, moment, |torque| Some(of(torque).value));
-        table.decimal(angle, Unit::DEGREE, |torque| Some(of(torque).angle));
+        table.decimal(value, moment, |torque| of(torque).map(|one| one.value));
+        table.decimal(angle, Unit::DEGREE, |torque| of(torque).map(|one| one.angle));
     }
     table.decimal("unevenness", Unit::NONE, |torque| torque.unevenness());
     table.decimal("power_{unit}", Unit::WATT, |torque| torque.power);
@@ -123,12 +124,29 @@ fn guides(engine: &Engine, torque: &EngineTorque) -> Option<Table> {
     Some(table.done())
 }
 
+fn shafts(engine: &Engine, torque: &EngineTorque) -> Option<Table> {
+    if torque.shafts.is_empty() {
+        return None;
+    }
+    let mut table = Filling::new("torque.shafts", &torque.shafts);
+    let moment = Unit::NEWTON_METRE;
+    table.words("crankshaft", |one| Some(engine.geared_cranks()[one.shaft].name.clone()));
+    table.decimal("mean_{unit}", moment, |one| Some(one.mean));
+    for (place, [value, angle]) in
+        [["highest_{unit}", "highest_theta_{unit}"], ["lowest_{unit}", "lowest_theta_{unit}"]].into_iter().enumerate()
+    {
+        table.decimal(value, moment, move |one| Some(one.extremes[place].value));
+        table.decimal(angle, Unit::DEGREE, move |one| Some(one.extremes[place].angle));
+    }
+    Some(table.done())
+}
+
 fn theta(torque: &EngineTorque) -> Table {
     let rows: Vec<u32> = (0..torque.course.period().to_degrees().round() as u32).collect();
     let mut table = Filling::new("torque.theta", &rows);
     let radians = |degree: &u32| f64::from(*degree).to_radians();
     table.decimal("theta_{unit}", Unit::DEGREE, |degree| Some(f64::from(*degree)));
     table.decimal("torque_{unit}", Unit::NEWTON_METRE, |degree| Some(torque.course.total(radians(degree))));
-    table.decimal("roll_{unit}", Unit::NEWTON_METRE, |degree| Some(torque.course.roll(radians(degree))));
+    table.decimal("roll_{unit}", Unit::NEWTON_METRE, |degree| torque.course.roll(radians(degree)));
     table.done()
 }

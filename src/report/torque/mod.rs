@@ -8,7 +8,7 @@ mod study;
 mod tables;
 mod words;
 
-pub(super) use page::{has_assumed, torque_section};
+pub(super) use page::{LINKED_GUIDES, has_assumed, torque_section};
 pub use page::{torque_answer, torque_page};
 pub use study::TorqueStudy;
 pub(super) use words::{angle, assumptions, names, quantity, warning};

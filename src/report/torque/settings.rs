@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::words::cylinders;
+use super::words::names;
 use crate::engine::{Engine, Heat, PressureLaw, Setting};
 use crate::page::{Table, Text, Unit, number};
 use crate::torque::EngineTorque;
@@ -27,16 +27,25 @@ const SHOWN: [Setting; 14] = [
 
 /// Every value of the gas, with the cylinders that it holds for.
 pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
-    // One class needs no names.
-    let named = torque.classes.len() > 1;
+    let Some(gas) = engine.gas() else { return Table::new(["Value", "", "Given or assumed"]) };
+    // Classes that differ in their rods alone have their settings in common.
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for class in &torque.classes {
+        let chamber = &gas.chambers[class.cylinders[0]];
+        match groups.iter_mut().find(|group| gas.chambers[group[0]] == *chamber) {
+            Some(group) => group.extend(&class.cylinders),
+            None => groups.push(class.cylinders.clone()),
+        }
+    }
+    // One group needs no names.
+    let named = groups.len() > 1;
     let header = ["Cylinders", "Value", "", "Given or assumed"];
     let mut table = Table::new(header.into_iter().skip(usize::from(!named)));
-    let Some(gas) = engine.gas() else { return table };
-    for (index, class) in torque.classes.iter().enumerate() {
-        let chamber = &gas.chambers[class.cylinders[0]];
+    for group in &groups {
+        let chamber = &gas.chambers[group[0]];
         let mut row = |name: Text, value: Text, assumed: bool| {
             let how = if assumed { "**assumed**" } else { "given" };
-            let names = named.then(|| cylinders(engine, torque, index));
+            let names = named.then(|| names(engine, group));
             table.push(names.into_iter().chain([name, value, how.into()]).collect());
         };
         row("bore".into(), in_unit(&chamber.bore, 1000, Unit::MILLIMETRE), false);

@@ -71,6 +71,17 @@ pub(super) fn orders(torque: &EngineTorque) -> Table {
         .done()
 }
 
+/// The torque on each of several crankshafts.
+pub(super) fn shafts(engine: &Engine, torque: &EngineTorque) -> Table {
+    let moment = |value: f64| Text::measured(value, Unit::NEWTON_METRE);
+    Table::of(torque.shafts.iter())
+        .column("Crankshaft", |one| Text::label(engine.geared_cranks()[one.shaft].name.clone()))
+        .column(phrase!("Mean in {}", Unit::NEWTON_METRE), |one| moment(one.mean))
+        .column(phrase!("Largest in {}", Unit::NEWTON_METRE), |one| moment(one.extremes[0].value))
+        .column(phrase!("Smallest in {}", Unit::NEWTON_METRE), |one| moment(one.extremes[1].value))
+        .done()
+}
+
 /// What the flywheel does, and how well that is known.
 pub(super) fn flywheel(evenness: &Evenness) -> Table {
     let inertia = |value: f64| quantity(value, Unit::KILOGRAM_SQUARE_METRE);

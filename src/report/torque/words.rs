@@ -1,5 +1,7 @@
 //! What is said of the torque first, and what has to be known of it?
 
+use num_traits::Zero;
+
 use crate::engine::{Engine, Heat, PressureLaw};
 use crate::gas::Warning;
 use crate::page::{Number, Piece, Setting, Text, Unit, number, phrase};
@@ -84,7 +86,24 @@ fn left_out(engine: &Engine, torque: &EngineTorque) -> Option<Text> {
 
 /// What the frame feels.
 pub(super) fn roll(engine: &Engine, torque: &EngineTorque) -> Text {
-    let [highest, lowest] = torque.roll.map(|extreme| quantity(extreme.value, Unit::NEWTON_METRE));
+    let Some(roll) = torque.roll else {
+        return "The roll moment of the frame is not given: the layout does not say where the axis of a crankshaft stands.".into();
+    };
+    let [highest, lowest] = roll.map(|extreme| quantity(extreme.value, Unit::NEWTON_METRE));
+    if !engine.geared_cranks().is_empty() {
+        return phrase!(
+            "The frame takes the opposite of the torque of each crankshaft, in the sense in which that turns, and the shaking forces at their arms: together a roll moment from {} to {}, without that of masses that turn. Assumed: each crankshaft has its own flywheel, and the mean torque of all leaves at the first. The gas causes no shaking force: it acts on the cylinder head as much as on the piston.",
+            lowest,
+            highest
+        );
+    }
+    if engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero()) {
+        return phrase!(
+            "The frame takes the opposite of the torque as a roll moment, and that of the masses at the knuckle pins, whose angular momentum changes: together from {} to {}. The gas causes no shaking force: it acts on the cylinder head as much as on the piston.",
+            lowest,
+            highest
+        );
+    }
     match engine.has_offset() {
         false => phrase!(
             "The frame takes the opposite of the torque as a roll moment, from {} to {}. The gas causes no shaking force: it acts on the cylinder head as much as on the piston.",

@@ -48,15 +48,18 @@ impl Excited {
             return Some(Excited { orders, speed: None, twist_alone });
         }
         let speed = engine.dimensions().speed.as_ref().map(float)?;
-        let classes = torque::classes(engine).ok()?;
+        let (classes, bodies) = (torque::classes(engine).ok()?, torque::bodies(engine));
         let of_order = |order: CycleOrder| {
             let (mut gas, mut inertia) = (nothing(), nothing());
             for class in &classes {
-                for (place, (&cylinder, fires)) in class.cylinders.iter().zip(&class.fires).enumerate() {
-                    let direction = numbers::direction(&order.phase(fires));
-                    let own = class.torques_of_one(place, order);
-                    gas[disc(cylinder)] += own[0] * direction;
-                    inertia[disc(cylinder)] += own[1] * direction;
+                for (&cylinder, fires) in class.cylinders.iter().zip(&class.fires) {
+                    gas[disc(cylinder)] += class.harmonics.torque_at(order) * numbers::direction(&order.phase(fires));
+                }
+            }
+            for of in &bodies {
+                let Some(own) = of.inertia.as_ref().map(|inertia| inertia.at(order)[0]) else { continue };
+                for ((&cylinder, top), mass) in of.cylinders.iter().zip(&of.tops).zip(&of.weights) {
+                    inertia[disc(cylinder)] += own * float(mass) * numbers::direction(&order.phase(top));
                 }
             }
             ExcitedOrder { order, gas, inertia }
@@ -65,7 +68,7 @@ impl Excited {
         let orders = all.filter(|order| engine.cycle().is_none_or(|cycle| order.exists_in(cycle)));
         let orders: Vec<ExcitedOrder> = orders.map(of_order).collect();
         let twist_alone = match classes.as_slice() {
-            [class] if class.masses.windows(2).all(|pair| pair[0] == pair[1]) => {
+            [class] if !engine.has_links() && class.masses.windows(2).all(|pair| pair[0] == pair[1]) => {
                 let shots: Vec<_> = class.cylinders.iter().map(|&one| disc(one)).zip(&class.fires).collect();
                 orders.iter().map(|one| one.order).filter(|order| twists_alone(*order, &shots)).collect()
             }

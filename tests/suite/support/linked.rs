@@ -70,7 +70,7 @@ impl Linked {
 pub type Body = (f64, Box<dyn Fn(f64) -> Complex<f64>>);
 
 /// The second derivative, from nine points: of eighth order.
-fn second_derivative(way: &dyn Fn(f64) -> Complex<f64>, at: f64) -> Complex<f64> {
+pub fn second_derivative(way: &dyn Fn(f64) -> Complex<f64>, at: f64) -> Complex<f64> {
     const WEIGHTS: [f64; 5] = [-205.0 / 72.0, 8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0, -1.0 / 560.0];
     let step = 0.012;
     let pair = |n: usize| way(at + n as f64 * step) + way(at - n as f64 * step);
