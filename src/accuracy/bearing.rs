@@ -40,13 +40,13 @@ const STEPS: [u32; 3] = [36, 360, 3600];
 /// Golden sections of the step beside the largest of the finest angles.
 const SECTIONS: u32 = 60;
 
-/// The largest load of all main bearings of a continuous beam, by all methods; none where the engine has no main bearings, or
-/// nothing moves.
+/// The largest load of all main bearings of a continuous beam, by all methods; none where the engine has no main bearings, several
+/// crankshafts, or nothing moves.
 ///
 /// # Errors
 /// What the engine lacks for numbers.
 pub fn bearings(engine: &Engine, timing: Timing) -> Result<Option<Vec<PeakRow>>, Missing> {
-    if engine.bearings().is_empty() || engine.mechanisms().is_empty() {
+    if engine.bearings().is_empty() || engine.mechanisms().is_empty() || !engine.geared_cranks().is_empty() {
         return Ok(None);
     }
     if !turning_masses(engine).iter().all(TurningMass::turns_with_the_crank) {

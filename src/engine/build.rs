@@ -197,7 +197,7 @@ impl<A, L: Length> Draft<A, L> {
             if let Some(crank) = self.geared_cranks.iter().find(|crank| !ORDERS.contains(&crank.speed)) {
                 return Err(BuildError::Speed { crank: crank.name.clone(), speed: crank.speed });
             }
-            let lacking = [("main bearings", !self.bearings.is_empty()), ("a torsional model", self.torsion.is_some())];
+            let lacking = [("a torsional model", self.torsion.is_some())];
             if let Some((what, _)) = lacking.into_iter().find(|(_, given)| *given) {
                 return Err(BuildError::OneCrankshaftAlone(what));
             }

@@ -66,7 +66,7 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub gas: Option<Gas>,
     /// What is known, or wanted, of the flywheel.
     pub flywheel: Flywheel,
-    /// Positions of the main bearings; none where nothing is known of them.
+    /// Positions of the main bearings, of each crankshaft where several are geared together; none where nothing is known of them.
     pub bearings: Vec<BigRational>,
     /// What the engine measures and weighs.
     pub dimensions: Dimensions,

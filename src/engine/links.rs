@@ -31,7 +31,6 @@ pub(super) fn check(engine: &Engine) -> Result<(), BuildError> {
     let asked = [
         (effects.torque, "the proof of the inertia torque"),
         (!engine.geared_cranks().is_empty(), "several crankshafts"),
-        (!engine.bearings().is_empty(), "the load of the main bearings"),
         (
             engine.crankshaft().balancers.iter().any(of_link),
             "a shaft with the coefficient of a link, which has several,",

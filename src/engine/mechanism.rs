@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::exact::Turn;
-use crate::motion::{CorrectedLinkage, LinkMotion, Linkage, PistonMotion, SliderCrank};
+use crate::motion::{CorrectedLinkage, HungLink, LinkMotion, Linkage, PistonMotion, SliderCrank};
 
 /// What moves the piston of a cylinder: the harmonics of its motion are the coefficients c_k and t_k.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -123,6 +123,11 @@ impl Link {
     /// Whether its knuckle pin is elsewhere than at the angle of its cylinder.
     pub fn is_corrected(&self) -> bool {
         self.correction != Turn::zero()
+    }
+
+    /// What it hands on to the crankpin of its master rod, in decimals.
+    pub fn hung(&self) -> HungLink {
+        HungLink::new([&self.ratio, &self.knuckle, &self.master], [self.angle.turns(), self.correction.turns()])
     }
 
     /// Its motion, in decimals.

@@ -138,7 +138,7 @@ impl<A, L> Engine<A, L> {
         &self.draft.flywheel
     }
 
-    /// Positions of the main bearings; none where nothing is known of them.
+    /// Positions of the main bearings, of each crankshaft where several are geared together; none where nothing is known of them.
     pub fn bearings(&self) -> &[BigRational] {
         &self.draft.bearings
     }

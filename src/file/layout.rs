@@ -155,10 +155,7 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
         SharedKeys { order: file.firing_order.as_ref(), angles: file.firing_angles.as_ref(), cycle, convention };
     let mut expanded = expand(&file, &above)?;
     if !expanded.geared.is_empty() {
-        let given = [
-            ("main bearings", file.bearings.as_ref().and_then(place)),
-            ("a torsional model", file.torsion.as_ref().and_then(place)),
-        ];
+        let given = [("a torsional model", file.torsion.as_ref().and_then(place))];
         if let Some((what, span)) = given.into_iter().find(|(_, span)| span.is_some()) {
             let message = format!("{what} in an engine with several crankshafts");
             return Err(LayoutError::new(message, "leave it out: it is known of one crankshaft alone so far", span));

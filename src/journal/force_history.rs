@@ -8,8 +8,10 @@ use num_rational::BigRational;
 use super::Carried;
 use crate::engine::{self, Engine};
 use crate::gas::Harmonics;
+use crate::loads::HungRod;
 use crate::numbers;
 use crate::order::{self, MassGroup, Source};
+use crate::proof::Sense;
 use crate::torque::Class;
 
 /// The forces over the crank angle θ, in radians and newtons.
@@ -29,10 +31,22 @@ struct Cylinder {
     mass: f64,
     /// The direction of its axis.
     axis: Complex<f64>,
-    /// That of its throw at θ = 0.
+    /// That of its crankpin at θ = 0.
     throw: Complex<f64>,
+    /// How many times its crank turns while the reference turns once; below 0 against it.
+    turns: f64,
+    /// What it does by its master rod, where its rod is a link.
+    hung: Option<Hung>,
     /// What the rotating part of its rod pulls the pin outward with.
     rotating: f64,
+}
+
+/// A link, with what `m r ω²` of its piston is, and of the engine, in newtons.
+#[derive(Clone, Debug)]
+struct Hung {
+    rod: HungRod,
+    piston: f64,
+    unit: f64,
 }
 
 /// The forces along and across the axis of one cylinder.
@@ -67,7 +81,7 @@ impl PistonForces {
         Complex::new(1.0, -self.slope) / self.slope.hypot(1.0)
     }
 
-    /// What a force towards the crank loads the crankpin with, in the frame of the axis.
+    /// What a force towards the crank loads the pin of the rod with, in the frame of the axis.
     fn on_the_pin(&self, effort: f64) -> Complex<f64> {
         -effort * Complex::new(1.0, -self.slope)
     }
@@ -78,7 +92,7 @@ impl ForceHistory {
         let turning = order::turning_masses(engine);
         let rotating = |index: usize| {
             let own = turning.iter().filter(|mass| mass.source == Source::BigEnd(index));
-            own.map(|mass| numbers::float(&mass.mass_radius) * newtons).sum()
+            own.map(|mass| numbers::float(&mass.mass_radius) * newtons).sum::<f64>()
         };
         let fires = |index: usize| {
             classes.iter().enumerate().find_map(|(class, of)| {
@@ -86,11 +100,19 @@ impl ForceHistory {
                 Some((class, numbers::float(&of.fires[place]) * TAU))
             })
         };
+        let rods = HungRod::all(engine);
+        let hung = |index: usize| {
+            let rod = rods.iter().find(|rod| rod.cylinder == index)?.clone();
+            let piston = numbers::float(&order::mass_radius(engine, &engine.cylinders()[index])) * newtons;
+            Some(Hung { rod, piston, unit: newtons })
+        };
         let mass = |cylinder: &engine::Cylinder| numbers::float(&cylinder.reciprocating_mass);
         let cylinders = engine.cylinders().iter().enumerate().map(|(index, cylinder)| {
             let Some((class, fires)) = fires(index) else { unreachable!("every cylinder belongs to a class") };
-            let [axis, throw] = [&cylinder.bank, &cylinder.throw].map(numbers::direction);
-            Cylinder { class, fires, mass: mass(cylinder), axis, throw, rotating: rotating(index) }
+            let [axis, throw] = [&cylinder.bank, &engine.pin_angle(cylinder)].map(numbers::direction);
+            let turns = turns_of(engine, cylinder.crank);
+            let (mass, rotating, hung) = (mass(cylinder), rotating(index) * turns * turns, hung(index));
+            Cylinder { class, fires, mass, axis, throw, turns, rotating, hung }
         });
         let cylinders = cylinders.collect();
         ForceHistory { cylinders, period: classes.first().map_or(TAU, |class| class.gas.period()), classes }
@@ -120,7 +142,7 @@ impl ForceHistory {
     pub fn alike(&self) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = Vec::new();
         for (index, cylinder) in self.cylinders.iter().enumerate() {
-            let felt = |one: &Cylinder| (one.class, one.mass, one.rotating);
+            let felt = |one: &Cylinder| (one.class, one.mass, one.rotating, one.turns);
             let is_alike = |other: &Cylinder| felt(other) == felt(cylinder);
             match groups.iter_mut().find(|group| is_alike(&self.cylinders[group[0]])) {
                 Some(group) => group.push(index),
@@ -137,6 +159,11 @@ impl ForceHistory {
         })
     }
 
+    /// The direction of the axis of a cylinder.
+    pub(super) fn axis(&self, index: usize) -> Complex<f64> {
+        self.cylinders[index].axis
+    }
+
     /// The forces in a cylinder, by its index.
     pub fn forces(&self, index: usize, theta: f64) -> PistonForces {
         self.forces_with(index, theta, |class, psi| class.gas.force(psi))
@@ -146,11 +173,64 @@ impl ForceHistory {
         let cylinder = &self.cylinders[index];
         let class = &self.classes[cylinder.class];
         let psi = theta - cylinder.fires;
-        PistonForces {
-            gas: gas(class, psi),
-            inertia: class.inertia.as_ref().map_or(0.0, |inertia| cylinder.mass * inertia.force(psi)),
-            slope: class.gas.geometry().slope(psi),
+        let gas = gas(class, psi);
+        match &cylinder.hung {
+            Some(hung) => {
+                PistonForces { gas, inertia: -hung.piston * hung.rod.acceleration(theta), slope: hung.rod.slope(theta) }
+            }
+            None => PistonForces {
+                gas,
+                inertia: class.inertia.as_ref().map_or(0.0, |inertia| cylinder.mass * inertia.force(psi)),
+                // The rod of a crank that turns against the reference stands as that of the equivalent crank in a mirror.
+                slope: class.gas.geometry().slope(psi) * cylinder.turns.signum(),
+            },
         }
+    }
+
+    /// What the knuckle pin of a link feels, seen from the engine: of the masses, and of the gas; none where the rod is on the crankpin.
+    pub fn knuckle_parts(&self, index: usize, theta: f64) -> Option<[Complex<f64>; 2]> {
+        self.knuckle_parts_of(index, theta, self.forces(index, theta))
+    }
+
+    fn knuckle_parts_of(&self, index: usize, theta: f64, forces: PistonForces) -> Option<[Complex<f64>; 2]> {
+        let Hung { rod, unit, .. } = self.cylinders[index].hung.as_ref()?;
+        Some([rod.on_the_knuckle(theta, forces.inertia, *unit), rod.on_the_knuckle(theta, -forces.gas, 0.0)])
+    }
+
+    /// The same of the masses alone, for which no pressure is found.
+    pub(super) fn knuckle_of_inertia(&self, index: usize, theta: f64) -> Option<Complex<f64>> {
+        let still = self.forces_with(index, theta, |_, _| 0.0);
+        self.knuckle_parts_of(index, theta, still).map(|[inertia, _]| inertia)
+    }
+
+    /// The direction from the crankpin to the knuckle pin of a link.
+    pub fn knuckle_direction(&self, index: usize, theta: f64) -> Option<Complex<f64>> {
+        self.cylinders[index].hung.as_ref().map(|hung| hung.rod.outward(theta))
+    }
+
+    /// The cylinder whose rod a link hangs on.
+    pub fn master_of(&self, index: usize) -> Option<usize> {
+        self.cylinders[index].hung.as_ref().map(|hung| hung.rod.master)
+    }
+
+    /// The cylinders whose links hang on a rod.
+    pub fn links_of(&self, index: usize) -> impl Iterator<Item = usize> {
+        (0..self.cylinders.len()).filter(move |&link| self.master_of(link) == Some(index))
+    }
+
+    /// The side force of the wall on a piston, a quarter turn anticlockwise from the axis outward: on a master's with what its links put
+    /// on it.
+    pub fn side(&self, index: usize, theta: f64) -> f64 {
+        self.side_of(index, theta, self.forces(index, theta))
+    }
+
+    pub(super) fn side_of(&self, index: usize, theta: f64, forces: PistonForces) -> f64 {
+        let of_link = |link: usize| {
+            let hung = self.cylinders[link].hung.as_ref();
+            let load = self.knuckle_parts(link, theta).map_or_else(Complex::default, |[inertia, gas]| inertia + gas);
+            hung.map_or(0.0, |hung| hung.rod.side(theta, load))
+        };
+        forces.side() + self.links_of(index).map(of_link).sum::<f64>()
     }
 
     /// What a rod loads its crankpin with, seen from the engine: of the masses, and of the gas.
@@ -160,7 +240,10 @@ impl ForceHistory {
 
     pub(super) fn pin_parts_of(&self, index: usize, theta: f64, forces: PistonForces) -> [Complex<f64>; 2] {
         let cylinder = &self.cylinders[index];
-        let rotating = cylinder.throw * Complex::cis(theta) * cylinder.rotating;
+        if let (Some(hung), Some(knuckle)) = (&cylinder.hung, self.knuckle_parts_of(index, theta, forces)) {
+            return knuckle.map(|load| hung.rod.on_the_crankpin(theta, load));
+        }
+        let rotating = cylinder.throw * Complex::cis(cylinder.turns * theta) * cylinder.rotating;
         let on_the_pin = |effort: f64| forces.on_the_pin(effort) * cylinder.axis;
         [on_the_pin(-forces.inertia) + rotating, on_the_pin(forces.gas)]
     }
@@ -184,18 +267,22 @@ impl ForceHistory {
 
     /// A force seen from the crank of a cylinder.
     pub(super) fn seen_from_the_crank(&self, index: usize, force: Complex<f64>, theta: f64) -> Complex<f64> {
-        force * (self.cylinders[index].throw * Complex::cis(theta)).conj()
+        let cylinder = &self.cylinders[index];
+        force * (cylinder.throw * Complex::cis(cylinder.turns * theta)).conj()
     }
 
-    /// The pull of the big end on its pin along the rod, towards the piston: the bolts of its cap bear it, less what the cap itself makes.
+    /// The pull of the big end on its pin along the rod, towards the piston: the bolts of its cap bear it, less what the cap itself makes. A
+    /// master rod pulls with all its links, a link on its knuckle pin.
     pub fn pull(&self, index: usize, theta: f64) -> f64 {
         self.pull_of(index, theta, self.forces(index, theta))
     }
 
     pub(super) fn pull_of(&self, index: usize, theta: f64, forces: PistonForces) -> f64 {
         let along = forces.rod_direction() * self.cylinders[index].axis;
-        let [inertia, gas] = self.pin_parts_of(index, theta, forces);
-        ((inertia + gas) * along.conj()).re
+        let own = self.knuckle_parts_of(index, theta, forces);
+        let [inertia, gas] = own.unwrap_or_else(|| self.pin_parts_of(index, theta, forces));
+        let of_links: Complex<f64> = self.links_of(index).map(|link| self.pin(link, theta)).sum();
+        ((inertia + gas + of_links) * along.conj()).re
     }
 
     /// Order κ of the gas of what a place carries, with the harmonics of each class at their index: what turns with the crank, and against
@@ -210,7 +297,7 @@ impl ForceHistory {
         let zero = Complex::new(0.0, 0.0);
         self.cylinders.iter().zip(&carried.parts).fold([zero, zero], |[direct, reverse], (cylinder, part)| {
             let own = &harmonics[cylinder.class];
-            let (force, side) = (own.force[index], own.side[index]);
+            let (force, side) = (own.force[index], own.side[index] * cylinder.turns.signum());
             let along = cylinder.axis * (-part / 2.0);
             let turned = Complex::cis(kappa * cylinder.fires);
             [
@@ -222,7 +309,7 @@ impl ForceHistory {
 
     /// What a place carries of masses and of gas.
     pub fn carried_parts(&self, carried: &Carried, theta: f64) -> [Complex<f64>; 2] {
-        let shaft = [carried.shaft * Complex::cis(theta), Complex::new(0.0, 0.0)];
+        let shaft = [carried.of_shaft(theta), Complex::new(0.0, 0.0)];
         let loads = carried.parts.iter().enumerate().filter(|(_, part)| **part != 0.0);
         loads.fold(shaft, |[inertia, gas], (index, part)| {
             let [of_inertia, of_gas] = self.pin_parts(index, theta);
@@ -233,7 +320,7 @@ impl ForceHistory {
     /// What it carries of the masses alone.
     pub(super) fn carried_of_inertia(&self, carried: &Carried, theta: f64) -> Complex<f64> {
         let loads = carried.parts.iter().enumerate().filter(|(_, part)| **part != 0.0);
-        let shaft = carried.shaft * Complex::cis(theta);
+        let shaft = carried.of_shaft(theta);
         loads.fold(shaft, |sum, (index, part)| sum + self.pin_of_inertia(index, theta) * part)
     }
 
@@ -247,6 +334,7 @@ impl ForceHistory {
 /// What a bearing carries: these parts of the pins, and those of the masses of the crankshaft itself.
 pub(super) fn carried_by(
     engine: &Engine,
+    crank: usize,
     parts: &[BigRational],
     part: impl Fn(&BigRational) -> BigRational,
     newtons: f64,
@@ -256,9 +344,21 @@ pub(super) fn carried_by(
         // Rods load the pins, and a balancer shaft is in bearings of its own.
         MassGroup::Reciprocating | MassGroup::Rotating | MassGroup::Balancers => false,
     };
-    let turning = order::turning_masses(engine).into_iter().filter(|mass| is_own(mass.source.group()));
+    let turns = turns_of(engine, crank);
+    let speed = turns * turns;
+    let turning = order::turning_masses(engine).into_iter();
+    let turning = turning.filter(|mass| is_own(mass.source.group()) && mass.crank.is_none_or(|own| own == crank));
     let shaft = turning.map(|mass| {
-        numbers::direction(&mass.angle) * numbers::float(&(&mass.mass_radius * part(&mass.position))) * newtons
+        numbers::direction(&mass.angle) * numbers::float(&(&mass.mass_radius * part(&mass.position))) * newtons * speed
     });
-    Carried { shaft: shaft.sum(), parts: parts.iter().map(numbers::float).collect() }
+    Carried { shaft: shaft.sum(), turns, parts: parts.iter().map(numbers::float).collect() }
+}
+
+/// How many times a crankshaft turns while the reference turns once; below 0 against it.
+fn turns_of(engine: &Engine, crank: usize) -> f64 {
+    match engine.geared_cranks().get(crank) {
+        Some(crank) if crank.sense == Sense::Reverse => -f64::from(crank.speed),
+        Some(crank) => f64::from(crank.speed),
+        None => 1.0,
+    }
 }

@@ -212,9 +212,9 @@ impl Instants {
 
     /// What every main bearing feels of these, as a continuous beam: none without bearings, masses or a speed.
     pub fn bearings(&self, theta: f64, pistons: &[PistonAt]) -> Vec<Complex<f64>> {
-        let turned = Complex::cis(theta.to_radians());
         let felt = |carried: &Carried| {
             let pins = carried.parts.iter().zip(pistons);
+            let turned = Complex::cis(carried.turns * theta.to_radians());
             pins.fold(carried.shaft * turned, |sum, (part, piston)| sum + piston.pin.unwrap_or_default() * *part)
         };
         self.bearings.iter().map(felt).collect()

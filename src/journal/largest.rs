@@ -33,7 +33,8 @@ pub struct CylinderPeaks {
     pub rod: [Extreme; 2],
     /// The largest pull of the big end on its pin along the rod, its rotating part with it; not below 0.
     pub pull: Extreme,
-    /// The largest and the smallest force of the wall on the piston, a quarter turn anticlockwise from the axis outward.
+    /// The largest and the smallest force of the wall on the piston, a quarter turn anticlockwise from the axis outward; of a master's with
+    /// what its links put on it.
     pub side: [Extreme; 2],
     /// The largest load of the crankpin.
     pub pin: CyclePeak,
@@ -70,7 +71,7 @@ impl Samples {
     /// The largest load of a place: of all, and of the masses alone.
     pub fn peaks_of(&self, course: &ForceHistory, carried: &Carried) -> [CyclePeak; 2] {
         let at = |(step, theta): (usize, &f64)| {
-            let shaft = [carried.shaft * Complex::cis(*theta), Complex::new(0.0, 0.0)];
+            let shaft = [carried.of_shaft(*theta), Complex::new(0.0, 0.0)];
             carried.parts.iter().zip(&self.pins).fold(shaft, |[inertia, gas], (part, row)| {
                 let [of_inertia, of_gas] = row[step];
                 [inertia + of_inertia * part, gas + of_gas * part]
@@ -105,6 +106,17 @@ impl Samples {
     }
 }
 
+impl Samples {
+    /// The largest load of the knuckle pin of a link: of all, and of the masses alone; none where the rod is on the crankpin.
+    pub fn knuckle_peaks(&self, course: &ForceHistory, index: usize) -> Option<[CyclePeak; 2]> {
+        let known = self.grid.iter().map(|&theta| course.knuckle_parts(index, theta));
+        let known: Vec<[Complex<f64>; 2]> = known.collect::<Option<_>>()?;
+        let parts = |theta: f64| course.knuckle_parts(index, theta).unwrap_or_default();
+        let inertia = |theta: f64| course.knuckle_of_inertia(index, theta).unwrap_or_default();
+        Some(self.two(course, &known, (parts, inertia)))
+    }
+}
+
 impl CylinderPeaks {
     pub(super) fn new(course: &ForceHistory, samples: &Samples, index: usize) -> Self {
         let extremes = |value: &dyn Fn(f64, PistonForces) -> f64| {
@@ -118,7 +130,7 @@ impl CylinderPeaks {
         CylinderPeaks {
             rod: extremes(&|_, forces| forces.rod()),
             pull,
-            side: extremes(&|_, forces| forces.side()),
+            side: extremes(&|theta, forces| course.side_of(index, theta, forces)),
             pin,
             pin_of_inertia,
         }

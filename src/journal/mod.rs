@@ -20,12 +20,14 @@ pub use shared::SharedPin;
 
 use num_complex::Complex;
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use crate::engine::Engine;
 use crate::gas::Warning;
 use crate::loads::{self, Method, Missing, Scale, Shares, bearing_loads, pin_loads};
 use crate::torque::{self, Class, HIGHEST};
 use largest::Samples;
+use order::HandedOn;
 
 /// The complete loads of an engine through its cycle, in newtons.
 #[derive(Clone, Debug)]
@@ -34,6 +36,8 @@ pub struct CycleLoads {
     pub course: ForceHistory,
     /// What each cylinder loads its wall, its rod and its crankpin with, in the order of the layout.
     pub cylinders: Vec<CylinderLoads>,
+    /// What the knuckle pins of links feel, in the order of their cylinders.
+    pub knuckles: Vec<KnuckleLoads>,
     /// What crankpins feel on which several rods work, in the order of the throws.
     pub shared_pins: Vec<SharedPin>,
     /// What the main bearings feel, as a continuous beam and by the determinate approximation; none where the file gives no bearings.
@@ -53,6 +57,19 @@ pub struct CylinderLoads {
     pub pin: Series,
 }
 
+/// What the knuckle pin of a link feels.
+#[derive(Clone, Debug)]
+pub struct KnuckleLoads {
+    /// The cylinder of the link, by its index.
+    pub cylinder: usize,
+    /// That whose rod it hangs on.
+    pub master: usize,
+    /// The largest load in a cycle, seen from the engine.
+    pub peak: CyclePeak,
+    /// The largest load of the masses alone.
+    pub inertia: CyclePeak,
+}
+
 /// What all main bearings feel.
 #[derive(Clone, Debug)]
 pub struct CycleBearings {
@@ -67,6 +84,10 @@ pub struct CycleBearings {
 /// What one main bearing feels: the force in the direction of the load, not the one that it answers with.
 #[derive(Clone, Debug)]
 pub struct CycleBearing {
+    /// What it is called: its number, beside the name of its crankshaft where there are several.
+    pub name: String,
+    /// Which crankshaft it carries, where several are geared together; else 0.
+    pub crank: usize,
     /// Where it stands, in the unit of the layout's positions.
     pub position: BigRational,
     /// What it carries of a unit load on each crankpin: exact.
@@ -88,6 +109,15 @@ pub struct Carried {
     pub parts: Vec<f64>,
     /// What the masses of the crankshaft itself pull there with at θ = 0, in newtons; it turns with the crank.
     pub shaft: Complex<f64>,
+    /// How many times that turns while the reference turns once; below 0 against it.
+    pub turns: f64,
+}
+
+impl Carried {
+    /// What the masses of the crankshaft pull there with.
+    pub(super) fn of_shaft(&self, theta: f64) -> Complex<f64> {
+        self.shaft * Complex::cis(self.turns * theta)
+    }
 }
 
 /// A load by orders of the cycle.
@@ -146,37 +176,52 @@ pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, Missing> {
     let warnings = warnings.into_iter().map(|(class, warning)| (classes[class].cylinders.clone(), warning)).collect();
     let course = ForceHistory::new(engine, classes, scale.force());
     let samples = Samples::new(&course);
+    let handed = order::handed_on(engine, &course);
     let cylinders = engine.cylinders().iter().enumerate().zip(&pins.pins).map(|((index, cylinder), pin)| {
         let own = |of: usize| BigRational::from_integer(i32::from(of == index).into());
         let inertia = pin.orders.iter().map(|order| (order.order, &order.swing));
         CylinderLoads {
             position: cylinder.position.clone(),
             peaks: CylinderPeaks::new(&course, &samples, index),
-            pin: order::series(engine, course.classes(), own, inertia, scale.force()),
+            pin: order::series(engine, &handed, own, inertia, scale.force()),
         }
     });
     let cylinders = cylinders.collect();
     let bearings = match engine.bearings().is_empty() {
         true => None,
         false => {
-            let solve = |method| bearings(engine, &course, &samples, (method, scale.force()));
+            let solve = |method| bearings(engine, &course, (&samples, &handed), (method, scale.force()));
             Some([solve(Method::Continuous)?, solve(Method::Determinate)?])
         }
     };
     let shared_pins = SharedPin::of(engine, &course, &samples);
-    Ok(CycleLoads { cylinders, shared_pins, bearings, course, warnings })
+    let knuckle = |cylinder: usize| {
+        let [peak, inertia] = samples.knuckle_peaks(&course, cylinder)?;
+        Some(KnuckleLoads { cylinder, master: course.master_of(cylinder)?, peak, inertia })
+    };
+    let knuckles = (0..course.cylinders()).filter_map(knuckle).collect();
+    Ok(CycleLoads { cylinders, knuckles, shared_pins, bearings, course, warnings })
 }
 
 /// What each main bearing carries of a unit load on each crankpin, and of all forces.
 fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<BigRational>, Carried)>, Missing> {
     let shares = Shares::of(engine, method)?;
-    let bearing = |index: usize| {
+    let bearing = |crank: usize, index: usize| {
         let part = |position: &BigRational| shares.part(index, position);
-        let parts: Vec<BigRational> = engine.cylinders().iter().map(|cylinder| part(&cylinder.position)).collect();
-        let carried = force_history::carried_by(engine, &parts, part, newtons);
+        // A bearing carries its own crankshaft.
+        let parts = engine.cylinders().iter().map(|cylinder| match cylinder.crank == crank {
+            true => part(&cylinder.position),
+            false => BigRational::zero(),
+        });
+        let parts: Vec<BigRational> = parts.collect();
+        let carried = force_history::carried_by(engine, crank, &parts, part, newtons);
         (parts, carried)
     };
-    Ok((0..engine.bearings().len()).map(bearing).collect())
+    let cranks = 0..engine.geared_cranks().len().max(1);
+    Ok(cranks
+        .flat_map(|crank| (0..engine.bearings().len()).map(move |index| (crank, index)))
+        .map(|(crank, index)| bearing(crank, index))
+        .collect())
 }
 
 /// What the main bearings carry of the forces, in the order of the file, as a continuous beam.
@@ -210,7 +255,7 @@ pub fn worst(peaks: impl Iterator<Item = f64> + Clone) -> usize {
 fn bearings(
     engine: &Engine,
     course: &ForceHistory,
-    samples: &Samples,
+    (samples, handed): (&Samples, &[HandedOn]),
     (method, newtons): (Method, f64),
 ) -> Result<CycleBearings, Missing> {
     let whole: Vec<u32> = (1..=HIGHEST).collect();
@@ -220,10 +265,12 @@ fn bearings(
         let inertia = moving.orders.iter().map(|order| (order.order, &order.swing));
         let [peak, inertia_alone] = samples.peaks_of(course, &carried);
         CycleBearing {
+            name: moving.name.clone(),
+            crank: moving.crank,
             position: moving.position.clone(),
             peak,
             inertia: inertia_alone,
-            series: order::series(engine, course.classes(), |of| parts[of].clone(), inertia, newtons),
+            series: order::series(engine, handed, |of| parts[of].clone(), inertia, newtons),
             carried,
             parts,
         }

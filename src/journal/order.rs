@@ -4,13 +4,16 @@
 //! `−½ (f_κ* − i h_κ*) Σ ρ_j e^{i(α_j + κφ_j)}`, f and h the harmonics of force and side force, ρ_j the parts that are carried: exact stars
 //! (theory, section 12).
 
+use std::f64::consts::TAU;
+
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::Series;
+use super::{ForceHistory, Series};
 use crate::engine::{CycleOrder, Engine};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::loads::Swing;
+use crate::motion::harmonic;
 use crate::numbers;
 use crate::proof::Sense;
 use crate::torque::Class;
@@ -83,10 +86,70 @@ impl JournalOrder {
     }
 }
 
+/// Equal cylinders whose gas loads their crankpins alike: those of a class on crankshafts that turn the same way.
+pub(super) struct HandedOn {
+    /// Which cylinders, by index, and where each fires in turns of the cycle.
+    cylinders: Vec<(usize, BigRational)>,
+    /// For each order, twice what turns with the crank and against it, towards the crank in the frame of the axis; once for the mean.
+    vectors: Vec<[Complex<f64>; 2]>,
+    revolutions: u32,
+}
+
+/// Angles of a revolution at which the gas of a link is looked at.
+const STEPS: usize = 4096;
+
+/// What the gas of each cylinder hands on to its crankpin, by orders.
+pub(super) fn handed_on(engine: &Engine, course: &ForceHistory) -> Vec<HandedOn> {
+    let mut all = Vec::new();
+    for class in course.classes() {
+        for sense in Sense::BOTH {
+            let known = class.cylinders.iter().copied().zip(class.fires.iter().cloned());
+            let of_sense = |(index, _): &(usize, BigRational)| engine.sense_of(&engine.cylinders()[*index]) == sense;
+            let cylinders: Vec<(usize, BigRational)> = known.filter(of_sense).collect();
+            let Some((first, fires)) = cylinders.first() else { continue };
+            let vectors = match engine.cylinders()[*first].link() {
+                Some(_) => by_samples(course, class, *first, numbers::float(fires)),
+                None => by_harmonics(class, sense),
+            };
+            all.push(HandedOn { cylinders, vectors, revolutions: class.harmonics.revolutions });
+        }
+    }
+    all
+}
+
+/// From the harmonics of force and side force; of a crank that turns against the reference the side force has the other sign.
+fn by_harmonics(class: &Class, sense: Sense) -> Vec<[Complex<f64>; 2]> {
+    let sign = if sense == Sense::Direct { 1.0 } else { -1.0 };
+    let both = class.harmonics.force.iter().zip(&class.harmonics.side);
+    let vectors = |(force, side): (&Complex<f64>, &Complex<f64>)| {
+        [(*force, *side), (force.conj(), side.conj())].map(|(force, side)| force - quarter_turned(side) * sign)
+    };
+    both.map(vectors).collect()
+}
+
+/// From the forces themselves: what a link hands on by its master rod has no harmonics of its own.
+fn by_samples(course: &ForceHistory, class: &Class, index: usize, fires: f64) -> Vec<[Complex<f64>; 2]> {
+    let steps = STEPS * class.harmonics.revolutions as usize;
+    let start = fires * TAU;
+    let axis = course.axis(index);
+    let samples: Vec<Complex<f64>> = (0..steps)
+        .map(|step| {
+            let theta = start + course.period() * step as f64 / steps as f64;
+            let [_, gas] = course.pin_parts(index, theta);
+            -gas * axis.conj()
+        })
+        .collect();
+    let both = |order: usize| {
+        let twice = if order == 0 { 1.0 } else { 2.0 };
+        [harmonic(&samples, order) * twice, harmonic(&samples, (steps - order) % steps) * twice]
+    };
+    (0..class.harmonics.force.len()).map(both).collect()
+}
+
 /// The series of a load that carries these parts of the pins, with what the masses add.
 pub(super) fn series<'a>(
     engine: &Engine,
-    classes: &[Class],
+    classes: &[HandedOn],
     part: impl Fn(usize) -> BigRational,
     inertia: impl Iterator<Item = (u32, &'a Swing)>,
     newtons: f64,
@@ -96,17 +159,17 @@ pub(super) fn series<'a>(
     let vectors =
         |order: u32| swing(order).map_or_else(Default::default, |swing| swing.amplitudes().map(|one| one * newtons));
     let vanishes = |order: u32| swing(order).is_none_or(Swing::vanishes);
-    let revolutions = classes.first().map_or(1, |class| class.harmonics.revolutions);
-    let count = classes.first().map_or(0, |class| class.harmonics.force.len());
+    let revolutions = classes.first().map_or(1, |class| class.revolutions);
+    let count = classes.first().map_or(0, |class| class.vectors.len());
     let mean = {
         let stars: Vec<PhasorSum> = classes.iter().map(|class| star(engine, class, &part, |_| Turn::zero())).collect();
-        let gas = classes.iter().zip(&stars).map(|(class, star)| -pushed(class, 0) * numbers::evaluate(star)).sum();
+        let gas = classes.iter().zip(&stars).map(|(class, star)| -class.vectors[0][0] * numbers::evaluate(star)).sum();
         let [direct, reverse]: [Complex<f64>; 2] = vectors(0);
         CycleMean { gas, inertia: direct + reverse, vanishes: vanishes(0) && stars.iter().all(PhasorSum::vanishes) }
     };
     let order = |index: usize| {
         let order = CycleOrder::of_halves(u32::try_from(2 * index).ok()? / revolutions)?;
-        let turned = |class: &Class, sense: Sense| {
+        let turned = |class: &HandedOn, sense: Sense| {
             star(engine, class, &part, |fires| match sense {
                 Sense::Direct => order.phase(fires),
                 Sense::Reverse => order.times(fires),
@@ -116,14 +179,14 @@ pub(super) fn series<'a>(
             .iter()
             .map(|class| GasStars { direct: turned(class, Sense::Direct), reverse: turned(class, Sense::Reverse) })
             .collect();
-        let with = |value: &dyn Fn(&Class, &GasStars) -> Complex<f64>| {
+        let with = |value: &dyn Fn(&HandedOn, &GasStars) -> Complex<f64>| {
             classes.iter().zip(&stars).map(|(class, stars)| value(class, stars)).sum()
         };
         let whole = order.is_whole().then(|| order.halves() / 2);
         Some(JournalOrder {
             gas: [
-                with(&|class, stars| -pushed(class, index) / 2.0 * numbers::evaluate(&stars.direct)),
-                with(&|class, stars| -pulled(class, index) / 2.0 * numbers::evaluate(&stars.reverse)),
+                with(&|class, stars| -class.vectors[index][0] / 2.0 * numbers::evaluate(&stars.direct)),
+                with(&|class, stars| -class.vectors[index][1] / 2.0 * numbers::evaluate(&stars.reverse)),
             ],
             inertia: whole.map_or_else(Default::default, vectors),
             gas_vanishes: stars.iter().all(|stars| stars.direct.vanishes() && stars.reverse.vanishes()),
@@ -135,16 +198,6 @@ pub(super) fn series<'a>(
     Series { mean, orders: (1..count).filter_map(order).collect() }
 }
 
-/// `f_κ − i h_κ`.
-fn pushed(class: &Class, index: usize) -> Complex<f64> {
-    class.harmonics.force[index] - quarter_turned(class.harmonics.side[index])
-}
-
-/// `f_κ* − i h_κ*`.
-fn pulled(class: &Class, index: usize) -> Complex<f64> {
-    class.harmonics.force[index].conj() - quarter_turned(class.harmonics.side[index].conj())
-}
-
 /// A vector times i.
 fn quarter_turned(vector: Complex<f64>) -> Complex<f64> {
     Complex::new(-vector.im, vector.re)
@@ -153,13 +206,13 @@ fn quarter_turned(vector: Complex<f64>) -> Complex<f64> {
 /// The parts of a class along the axes of its cylinders, each turned.
 fn star(
     engine: &Engine,
-    class: &Class,
+    class: &HandedOn,
     part: impl Fn(usize) -> BigRational,
     turned: impl Fn(&BigRational) -> Turn,
 ) -> PhasorSum {
-    let term = |(&index, fires): (&usize, &BigRational)| Term {
-        angle: &engine.cylinders()[index].bank + &turned(fires),
-        weight: part(index),
+    let term = |(index, fires): &(usize, BigRational)| Term {
+        angle: &engine.cylinders()[*index].bank + &turned(fires),
+        weight: part(*index),
     };
-    PhasorSum::new(class.cylinders.iter().zip(&class.fires).map(term).collect())
+    PhasorSum::new(class.cylinders.iter().map(term).collect())
 }

@@ -32,7 +32,7 @@ impl SharedPin {
         let pin = |(index, throw): (usize, Throw)| {
             let of = |cylinder: usize| if throw.cylinders.contains(&cylinder) { 1.0 } else { 0.0 };
             let parts = (0..course.cylinders()).map(of).collect();
-            let carried = Carried { parts, shaft: Complex::new(0.0, 0.0) };
+            let carried = Carried { parts, shaft: Complex::new(0.0, 0.0), turns: 1.0 };
             let [peak, inertia] = samples.peaks_of(course, &carried);
             SharedPin { throw: index, cylinders: throw.cylinders, position: throw.position, peak, inertia, carried }
         };

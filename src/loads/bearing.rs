@@ -32,7 +32,7 @@ pub enum Method {
 pub struct BearingLoads {
     /// How loads are shared.
     pub method: Method,
-    /// The bearings, in the order of the file.
+    /// The bearings, in the order of the file; where several crankshafts are geared together those of each in turn.
     pub bearings: Vec<BearingLoad>,
     /// The part that each bearing carries of a unit load, by the load's position: exact.
     pub parts: BTreeMap<BigRational, Vec<BigRational>>,
@@ -45,6 +45,10 @@ pub struct BearingLoads {
 /// What one main bearing feels: the force in the direction of the load, not the one that it answers with.
 #[derive(Clone, Debug)]
 pub struct BearingLoad {
+    /// What it is called: its number, beside the name of its crankshaft where there are several.
+    pub name: String,
+    /// Which crankshaft it carries, where several are geared together; else 0.
+    pub crank: usize,
     /// Where it stands, in the unit of the layout's positions.
     pub position: BigRational,
     /// The orders, rising; from 0, a constant force, where there is one.
@@ -75,22 +79,34 @@ const EQUAL: f64 = 1e-12;
 
 /// Computes what the main bearings of an engine feel at these orders.
 ///
-/// Every order is checked, exactly, against the loads of crankpins and shaft and their moment: the reactions sum to both. Order 0,
-/// a constant force, stands before the others where pistons have an offset.
+/// Every order is checked, exactly, against the loads of crankpins and shaft and their moment: the reactions of a crankshaft sum to both.
+/// Order 0, a constant force, stands before the others where pistons have an offset. Of several crankshafts each has bearings at the
+/// positions that the engine gives.
 ///
 /// # Errors
 /// What the layout lacks.
 pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<BearingLoads, Missing> {
-    if engine.has_links() {
-        return Err(Missing::ArticulatedRods("the loads of the main bearings"));
-    }
     let shares = Shares::of(engine, method)?;
     engine::are_orders(orders)?;
     let motion = Motion::new(engine)?;
+    let of_crank = |crank: usize| of_crankshaft(engine, &motion, &shares, (crank, orders));
+    let bearings: Vec<BearingLoad> = (0..engine.geared_cranks().len().max(1)).flat_map(of_crank).collect();
+    let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
+    let is_worst = |&index: &usize| largest > 0.0 && bearings[index].peak.value >= largest * (1.0 - EQUAL);
+    let worst = (0..bearings.len()).filter(is_worst).collect();
+    Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(engine) })
+}
+
+fn of_crankshaft(
+    engine: &Engine,
+    motion: &Motion,
+    shares: &Shares,
+    (crank, orders): (usize, &[u32]),
+) -> Vec<BearingLoad> {
     let mut by_bearing: Vec<Vec<BearingOrder>> = engine.bearings().iter().map(|_| Vec::new()).collect();
     for order in with_constant(engine, orders) {
         let [direct, reverse] = Sense::BOTH.map(|sense| {
-            let forces = order::shaft_contributions(engine, order, sense);
+            let forces = order::shaft_contributions(engine, crank, order, sense);
             let sum = |weighing: &dyn Fn(&BigRational) -> BigRational| {
                 OrderSum::new(forces.iter().map(|force: &Contribution| force.weighed(weighing)))
             };
@@ -107,18 +123,22 @@ pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<
             loads.push(BearingOrder { order, sums: [direct, reverse], swing });
         }
     }
-    let bearings: Vec<BearingLoad> =
-        engine.bearings().iter().zip(by_bearing).map(|(at, orders)| BearingLoad::new(at.clone(), orders)).collect();
-    let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
-    let is_worst = |&index: &usize| largest > 0.0 && bearings[index].peak.value >= largest * (1.0 - EQUAL);
-    let worst = (0..bearings.len()).filter(is_worst).collect();
-    Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(engine) })
+    let places = engine.bearings().iter().enumerate().zip(by_bearing);
+    places
+        .map(|((place, at), orders)| {
+            let name = match engine.geared_cranks().get(crank) {
+                Some(shaft) => format!("{} {}", shaft.name, place + 1),
+                None => (place + 1).to_string(),
+            };
+            BearingLoad::new((name, crank), at.clone(), orders)
+        })
+        .collect()
 }
 
 impl BearingLoad {
-    fn new(position: BigRational, orders: Vec<BearingOrder>) -> Self {
+    fn new((name, crank): (String, usize), position: BigRational, orders: Vec<BearingOrder>) -> Self {
         let waveform = Waveform::new(orders.iter().map(|order| super::harmonic(order.order, &order.swing)));
         let [along, across] = [1.0.into(), Complex::i()].map(|direction| waveform.component_peak(direction));
-        BearingLoad { position, orders, peak: waveform.peak(), along, across, waveform }
+        BearingLoad { name, crank, position, orders, peak: waveform.peak(), along, across, waveform }
     }
 }

@@ -62,7 +62,7 @@ impl fmt::Display for Missing {
                 "{what} are not available for an engine with articulated rods: with links on a master rod only the shaking forces and moments are computed"
             ),
             Missing::SeveralCrankshafts => {
-                f.write_str("the loads of pins and bearings are known of one crankshaft alone; this engine has several")
+                f.write_str("values at an angle are known of one crankshaft alone; this engine has several")
             }
             Missing::FasterCrank(what) => {
                 write!(f, "{what} are not available for an engine with a crankshaft that turns faster than the reference")

@@ -5,6 +5,7 @@
 mod always;
 mod bearing;
 mod coefficients;
+mod hung_rod;
 mod missing;
 mod needed;
 mod needed_bearings;
@@ -22,6 +23,7 @@ mod waveform;
 pub use always::vanishes_at_every_order;
 pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
 use coefficients::Motion;
+pub use hung_rod::{HungRod, KnuckleLoad, LinkLoads, MasterLoad, link_loads};
 pub use missing::Missing;
 use needed::usual_torque_orders;
 pub use needed::{Bound, LeftOut, Needed, left_out, needed_orders, usual_orders};

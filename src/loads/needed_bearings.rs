@@ -82,11 +82,12 @@ pub fn left_out_of_bearings(engine: &Engine, loads: &BearingLoads) -> Result<Opt
 /// What the orders of the pistons above this one add to the load of a bearing at most.
 fn rest(engine: &Engine, tails: &Tails, loads: &BearingLoads, bearing: usize, order: u32) -> f64 {
     let zero = num_rational::BigRational::zero();
-    // Whatever moves a pin has a part of each bearing; without one it adds nothing to any order.
-    let parts = engine
-        .cylinders()
-        .iter()
-        .map(|cylinder| loads.parts.get(&cylinder.position).map_or(&zero, |parts| &parts[bearing]));
+    let (crank, place) = (loads.bearings[bearing].crank, bearing % engine.bearings().len());
+    // Whatever moves a pin has a part of each bearing of its crankshaft; without one it adds nothing to any order.
+    let parts = engine.cylinders().iter().map(|cylinder| match loads.parts.get(&cylinder.position) {
+        Some(parts) if cylinder.crank == crank => &parts[place],
+        Some(_) | None => &zero,
+    });
     tails.of_pins_above(engine, parts, order)
 }
 

@@ -58,16 +58,14 @@ pub struct PinOrder {
 /// What the layout lacks.
 pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
     engine::are_orders(orders)?;
-    if engine.has_links() {
-        return Err(Missing::ArticulatedRods("the loads of the crankpins"));
-    }
-    if !engine.geared_cranks().is_empty() {
-        return Err(Missing::SeveralCrankshafts);
-    }
     let motion = Motion::new(engine)?;
     let mut by_pin: Vec<Vec<PinOrder>> = engine.cylinders().iter().map(|_| Vec::new()).collect();
     for order in with_constant(engine, orders) {
-        let contributions = Sense::BOTH.map(|sense| order::pin_contributions(engine, order, sense));
+        let cranks = 0..engine.geared_cranks().len().max(1);
+        let contributions = Sense::BOTH.map(|sense| {
+            let all = cranks.clone().flat_map(|crank| order::pin_contributions(engine, crank, order, sense));
+            all.collect::<Vec<_>>()
+        });
         for (index, loads) in by_pin.iter_mut().enumerate() {
             let sums = contributions.each_ref().map(|of_sense| {
                 let own = of_sense.iter().filter(|one| is_of(one.source, index));
@@ -79,7 +77,11 @@ pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
     }
     let pins = engine.cylinders().iter().zip(by_pin).map(|(cylinder, orders)| {
         let waveform = Waveform::new(orders.iter().map(|order| super::harmonic(order.order, &order.swing)));
-        let on_the_crank = waveform.seen_from_the_crank(numbers::direction(&cylinder.throw));
+        let turns = match engine.sense_of(cylinder) {
+            Sense::Direct => i64::from(engine.speed_of(cylinder)),
+            Sense::Reverse => -i64::from(engine.speed_of(cylinder)),
+        };
+        let on_the_crank = waveform.seen_from_the_crank(numbers::direction(&engine.pin_angle(cylinder)), turns);
         let [along, across] = [1.0.into(), Complex::i()].map(|direction| on_the_crank.component_peak(direction));
         PinLoad {
             position: cylinder.position.clone(),
@@ -102,12 +104,13 @@ pub(super) fn with_constant(engine: &Engine, orders: &[u32]) -> Vec<u32> {
 
 /// Whether the rod of a cylinder hands on the force of this source.
 fn is_of(source: Source, cylinder: usize) -> bool {
-    matches!(source, Source::Piston(index) | Source::BigEnd(index) if index == cylinder)
+    matches!(source, Source::Piston(index) | Source::BigEnd(index) | Source::Knuckle(index) if index == cylinder)
 }
 
 impl Waveform {
-    /// The vectors in a frame that turns with a throw, which is in this direction at θ = 0.
-    pub fn seen_from_the_crank(&self, throw: Complex<f64>) -> Self {
-        self.turned(throw.conj()).one_order_back()
+    /// The vectors in a frame that turns with a throw, which is in this direction at θ = 0 and turns so many times while the reference
+    /// turns once, below 0 against it.
+    pub fn seen_from_the_crank(&self, throw: Complex<f64>, turns: i64) -> Self {
+        self.turned(throw.conj()).orders_back(turns)
     }
 }

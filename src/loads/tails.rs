@@ -7,7 +7,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Missing, Motion};
 use crate::engine::{Engine, Mechanism};
-use crate::motion::{Coefficient, CorrectedTail, SLACK, SliderCrank, Tail};
+use crate::motion::{Coefficient, CorrectedTail, HungLink, LinkMass, SLACK, SliderCrank, Tail};
 use crate::order::{self, Factor, mass_radius};
 use crate::proof::Quantity;
 
@@ -23,6 +23,8 @@ pub struct Tails {
 struct Parts {
     cranks: Vec<(f64, Tail)>,
     corrected: Option<CorrectedTail>,
+    /// What a link hands on to the crankpin of its master rod.
+    hung: Option<HungLink>,
 }
 
 impl Parts {
@@ -69,7 +71,7 @@ impl Tails {
         let rods = motion
             .cranks
             .iter()
-            .map(|(rod, crank)| (rod.clone(), Parts { cranks: vec![(1.0, tail(crank))], corrected: None }));
+            .map(|(rod, crank)| (rod.clone(), Parts { cranks: vec![(1.0, tail(crank))], corrected: None, hung: None }));
         let links = motion.links.iter().filter_map(|link| {
             let master = order::crank_of(&link.master_rod());
             let mut cranks = vec![(rounded_up(&link.knuckle), tail(&master))];
@@ -81,7 +83,7 @@ impl Tails {
                     None
                 }
             };
-            Some((Mechanism::Link(link.clone()), Parts { cranks, corrected }))
+            Some((Mechanism::Link(link.clone()), Parts { cranks, corrected, hung: Some(link.hung()) }))
         });
         Tails { by_mechanism: rods.chain(links).collect() }
     }
@@ -133,6 +135,7 @@ impl Tails {
             | Factor::Side(_)
             | Factor::Linkage(_)
             | Factor::Corrected(..)
+            | Factor::OnPin(..)
             | Factor::Open
             | Factor::OpenTorque
             | Factor::Geared(..) => f64::INFINITY,
@@ -150,17 +153,29 @@ impl Tails {
     /// cylinder.
     pub fn of_pins_above<'a>(&self, engine: &Engine, parts: impl Iterator<Item = &'a BigRational>, order: u32) -> f64 {
         let pins = engine.cylinders().iter().zip(parts).map(|(cylinder, part)| {
-            let weight = (mass_radius(engine, cylinder) * part).abs();
-            let bound = cylinder
-                .mechanism
-                .as_ref()
-                .and_then(|rod| self.by_mechanism.get(rod))
-                .map(|parts| parts.of_rod(|tail| tail.pin(order)));
-            match bound.unwrap_or(f64::INFINITY) {
-                _ if weight.is_zero() => 0.0,
-                0.0 => 0.0,
-                bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
-            }
+            let speed = engine.speed_of(cylinder);
+            let faster = BigRational::from_integer(speed.into());
+            let faster = &faster * &faster * part.abs();
+            let known = cylinder.mechanism.as_ref().and_then(|rod| self.by_mechanism.get(rod));
+            let bound = |mass: LinkMass| match (known, order / speed.max(1)) {
+                // A crank that turns faster has had so few of its own orders up to this one.
+                (None, _) | (_, 0) => f64::INFINITY,
+                // Decimals: a link's numbers are summed, and nothing is proved of them.
+                (Some(Parts { hung: Some(link), .. }), own) => link.above(mass, own),
+                (Some(parts), own) => parts.of_rod(|tail| tail.pin(own)),
+            };
+            let masses = [
+                (LinkMass::Piston, mass_radius(engine, cylinder)),
+                (LinkMass::Knuckle, &cylinder.knuckle_mass * &cylinder.crank_radius),
+            ];
+            let of_mass = |(mass, weight): (LinkMass, BigRational)| {
+                let weight = weight.abs() * &faster;
+                match weight.is_zero().then_some(0.0).unwrap_or_else(|| bound(mass)) {
+                    0.0 => 0.0,
+                    bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
+                }
+            };
+            masses.map(of_mass).iter().sum::<f64>()
         });
         pins.sum::<f64>() * SLACK
     }

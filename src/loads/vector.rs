@@ -15,6 +15,8 @@ pub enum Outcome {
     Zero,
     /// Not zero, proved: one exact sum with a coefficient that is not zero, or an enclosure that excludes zero.
     NotZero,
+    /// Not zero by its decimals, which are farther from it than their roundings: computed, not proved.
+    Computed,
     /// Only the coefficients could make it cancel, and they do so to this length, in the unit of the vector.
     Undecided {
         /// The vector is shorter than this.
@@ -28,7 +30,7 @@ impl Outcome {
         match self {
             Outcome::Zero => Some(true),
             Outcome::NotZero => Some(false),
-            Outcome::Undecided { .. } => None,
+            Outcome::Computed | Outcome::Undecided { .. } => None,
         }
     }
 }
@@ -49,7 +51,12 @@ impl Vector {
     pub(super) fn new(sum: &OrderSum, coefficient: impl Fn(&Factor) -> Coefficient) -> Self {
         let nonzero = !sum.parts().keys().any(Factor::may_be_zero);
         let pairs: Vec<_> = sum.parts().iter().map(|(factor, sum)| (coefficient(factor), sum)).collect();
-        Self::of(&pairs, nonzero)
+        let vector = Self::of(&pairs, nonzero);
+        // Decimals prove nothing.
+        match vector.outcome == Outcome::NotZero && sum.parts().keys().any(Factor::is_decimal) {
+            true => Vector { outcome: Outcome::Computed, ..vector },
+            false => vector,
+        }
     }
 
     /// The vector `Σ coefficient · sum` of sums that do not vanish.

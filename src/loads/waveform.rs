@@ -25,6 +25,11 @@ impl Harmonic {
     fn longest(&self) -> f64 {
         [self.direct, self.reverse].iter().flat_map(|vector| [vector.re.abs(), vector.im.abs()]).fold(0.0, f64::max)
     }
+
+    /// Whether both vectors are zero.
+    pub(super) fn is_none(&self) -> bool {
+        self.direct == ZERO && self.reverse == ZERO
+    }
 }
 
 /// A vector that repeats with every revolution; only orders that do not vanish are kept.
@@ -75,8 +80,7 @@ const STEPS: usize = 720;
 impl Waveform {
     /// The waveform of these orders; vectors that are zero are omitted.
     pub fn new(harmonics: impl IntoIterator<Item = Harmonic>) -> Self {
-        let is_residual = |harmonic: &Harmonic| harmonic.direct != ZERO || harmonic.reverse != ZERO;
-        Waveform { harmonics: harmonics.into_iter().filter(is_residual).collect() }
+        Waveform { harmonics: harmonics.into_iter().filter(|harmonic| !harmonic.is_none()).collect() }
     }
 
     /// The orders, each with its two vectors.
@@ -99,13 +103,13 @@ impl Waveform {
         }))
     }
 
-    /// Every vector times `e^{−iθ}`: what turns with the crank once stands still.
-    pub(super) fn one_order_back(&self) -> Self {
+    /// Every vector times `e^{−inθ}`: what turns so many times stands still.
+    pub(super) fn orders_back(&self, turns: i64) -> Self {
         let mut turning: BTreeMap<i64, Complex<f64>> = BTreeMap::new();
         for harmonic in &self.harmonics {
             let order = i64::from(harmonic.order);
-            *turning.entry(order - 1).or_default() += harmonic.direct;
-            *turning.entry(-order - 1).or_default() += harmonic.reverse;
+            *turning.entry(order - turns).or_default() += harmonic.direct;
+            *turning.entry(-order - turns).or_default() += harmonic.reverse;
         }
         let orders: BTreeSet<u64> = turning.keys().map(|order| order.unsigned_abs()).collect();
         let of = |order: i64| turning.get(&order).copied().unwrap_or_default();

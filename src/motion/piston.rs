@@ -81,13 +81,13 @@ impl LinkMotion {
     }
 
     /// tan β of the link.
-    fn slope(&self, psi: f64) -> f64 {
+    pub fn slope(&self, psi: f64) -> f64 {
         let sine = self.knuckle(psi)[1].value * self.ratio;
         sine / ((1.0 - sine) * (1.0 + sine)).sqrt()
     }
 
     /// The piston along its axis, but for a constant.
-    fn piston(&self, psi: f64) -> Jet {
+    pub fn piston(&self, psi: f64) -> Jet {
         let [along, across] = self.knuckle(psi);
         if self.ratio == 0.0 {
             return along;

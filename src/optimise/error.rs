@@ -12,6 +12,8 @@ use crate::text::harmless;
 pub enum OptimiseError {
     /// What the engine lacks for the loads of its bearings.
     Missing(Missing),
+    /// Several crankshafts, whose counterweights are chosen for one alone.
+    SeveralCrankshafts,
     /// No counterweights, so no planes for them.
     NoPlaces,
     /// All counterweights in one plane, where they make no couple.
@@ -42,6 +44,9 @@ impl fmt::Display for OptimiseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             OptimiseError::Missing(missing) => missing.fmt(f),
+            OptimiseError::SeveralCrankshafts => f.write_str(
+                "counterweights are optimised for one crankshaft alone; this engine has several that are geared together",
+            ),
             OptimiseError::NoPlaces => f.write_str(
                 "the layout has no counterweights whose planes and radii could be taken; below [crankshaft], give balance_factor (any), counterweight_radius and web_offset, or list [[counterweight]] tables",
             ),

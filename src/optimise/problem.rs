@@ -42,6 +42,9 @@ pub(super) struct Problem {
 
 impl Problem {
     pub fn new(engine: &Engine, places: &[Place], wish: &Request) -> Result<Self, OptimiseError> {
+        if !engine.geared_cranks().is_empty() {
+            return Err(OptimiseError::SeveralCrankshafts);
+        }
         match places {
             [] => return Err(OptimiseError::NoPlaces),
             [only] => return Err(OptimiseError::OnePlane(only.position.to_string())),

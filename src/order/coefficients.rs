@@ -8,8 +8,8 @@ use num_rational::BigRational;
 use super::corrected::Corrected;
 use super::crank::crank_of;
 use super::factor::Factor;
-use crate::engine::Rod;
-use crate::motion::{Coefficient, CorrectedLinkage, Enclosure, SliderCrank};
+use crate::engine::{Link, Rod};
+use crate::motion::{Coefficient, CorrectedLinkage, Enclosure, HungLink, SliderCrank};
 use crate::proof::Sense;
 
 /// The values of factors that were asked for.
@@ -17,6 +17,7 @@ use crate::proof::Sense;
 pub struct Coefficients {
     cranks: RefCell<BTreeMap<Rod, SliderCrank>>,
     corrected: RefCell<BTreeMap<Corrected, CorrectedLinkage>>,
+    hung: RefCell<BTreeMap<Link, HungLink>>,
     known: RefCell<BTreeMap<(Factor, u32), Coefficient>>,
 }
 
@@ -43,6 +44,10 @@ impl Coefficients {
             Factor::Side(rod) => self.crank(rod, |crank| crank.side_part(order)),
             Factor::Torque(mechanism) => self.crank(mechanism.rod()?, |crank| crank.torque_coefficient(order)),
             Factor::Linkage(linkage) => Coefficient { re: linkage.motion().number(order), im: Enclosure::zero() },
+            Factor::OnPin(link, mass, sense) => {
+                let mut links = self.hung.borrow_mut();
+                links.entry(link.clone()).or_insert_with(|| link.hung()).number(*mass, order, *sense == Sense::Reverse)
+            }
             Factor::Corrected(corrected, component) => {
                 let mut corrected_ones = self.corrected.borrow_mut();
                 let motion = corrected_ones.entry(corrected.clone()).or_insert_with(|| corrected.motion());

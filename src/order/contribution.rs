@@ -63,6 +63,12 @@ impl<'a> Sources<'a> {
         Sources { engine, masses, turning }
     }
 
+    /// Those of the turning masses that are on one of several crankshafts, by its index, or on the only one.
+    pub(super) fn of_crankshaft(mut self, crank: usize) -> Self {
+        self.turning.retain(|mass| mass.crank.is_none_or(|own| own == crank));
+        self
+    }
+
     /// The engine.
     pub fn engine(&self) -> &'a Engine {
         self.engine
@@ -172,7 +178,7 @@ pub(super) fn power(speed: u32, exponent: usize) -> BigRational {
 }
 
 /// What a crank of this speed does, from what one at the reference speed would do.
-fn geared(part: BigRational, speed: u32, exponent: usize) -> BigRational {
+pub(super) fn geared(part: BigRational, speed: u32, exponent: usize) -> BigRational {
     if speed == 1 { part } else { part * power(speed, exponent) }
 }
 

@@ -6,10 +6,10 @@ use num_traits::{One, Signed, Zero};
 use super::corrected::Corrected;
 use super::crank::crank_of;
 use super::link::Linkage;
-use crate::engine::{Mechanism, Rod};
+use crate::engine::{Link, Mechanism, Rod};
 use crate::exact::Turn;
-use crate::motion::Component;
-use crate::proof::Quantity;
+use crate::motion::{Component, LinkMass};
+use crate::proof::{Quantity, Sense};
 
 /// The number that a sum stands before in an order.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,6 +33,8 @@ pub enum Factor {
     Linkage(Linkage),
     /// A part of h_k of a link with a corrected knuckle angle ([`crate::motion::CorrectedLinkage`]), a real number.
     Corrected(Corrected, Component),
+    /// What the crankpin of a master rod feels of a mass of this link, in sums of this sense: a decimal ([`crate::motion::HungLink`]).
+    OnPin(Link, LinkMass, Sense),
     /// c_k of the rods of an engine that names none: they are centric and alike.
     Open,
     /// t_k of such rods.
@@ -102,11 +104,16 @@ impl Factor {
         matches!(self, Factor::Linkage(_) | Factor::Corrected(..))
     }
 
+    /// Whether it is a decimal without an exact or an enclosed value.
+    pub fn is_decimal(&self) -> bool {
+        matches!(self, Factor::OnPin(..))
+    }
+
     /// Whether it is not zero in an order: whether the order exists. One that [may be zero](Factor::may_be_zero) exists where nothing says
     /// that it is.
     pub fn exists(&self, order: u32) -> bool {
         match self {
-            Factor::One | Factor::OpenTorque => true,
+            Factor::One | Factor::OpenTorque | Factor::OnPin(..) => true,
             Factor::Motion(rod) => rod.has_order(Quantity::FORCE, order),
             Factor::Quadrature(rod) => order == 1 && !rod.offset.is_zero(),
             Factor::Torque(mechanism) => mechanism.has_order(Quantity::TORQUE, order),
@@ -133,14 +140,16 @@ impl Factor {
                 let (own, own_order) = self.own(order);
                 own.is_negative(own_order)
             }
-            Factor::Torque(_) | Factor::Side(_) | Factor::Corrected(..) | Factor::OpenTorque => None,
+            Factor::Torque(_) | Factor::Side(_) | Factor::Corrected(..) | Factor::OnPin(..) | Factor::OpenTorque => {
+                None
+            }
         }
     }
 
     /// Whether it may be zero even where it exists, so that only an enclosure tells: there is no theorem on it.
     pub fn may_be_zero(&self) -> bool {
         match self {
-            Factor::Corrected(..) => true,
+            Factor::Corrected(..) | Factor::OnPin(..) => true,
             Factor::Geared(_, factor) => factor.may_be_zero(),
             Factor::One
             | Factor::Motion(_)
@@ -176,6 +185,7 @@ impl Factor {
             | Factor::Side(_)
             | Factor::Linkage(_)
             | Factor::Corrected(..)
+            | Factor::OnPin(..)
             | Factor::Open
             | Factor::OpenTorque => vec![(self.clone(), Turn::zero())],
         }

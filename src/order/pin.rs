@@ -9,11 +9,14 @@
 //!
 //! exact sums before c_k, 1 and u_k. Where u_k is rational but for a quarter turn it is part of the terms before 1. Order 0,
 //! which pistons with an offset alone have, is a constant force: `−u_0/2` in both sums.
+//!
+//! The rod of a crank that turns against the reference is the mirror image, in the axis of its cylinder, of that of the equivalent crank
+//! ([`crate::engine::GearedCrank`]): the side force changes its sign, so that the two lines change places.
 
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::contribution::{Contribution, Sources};
+use super::contribution::{Contribution, Sources, geared};
 use super::crank::crank_of;
 use super::factor::Factor;
 use super::masses::MassGroup;
@@ -22,84 +25,112 @@ use super::source::Source;
 use super::turning::mass_radius;
 use crate::engine::{Engine, Mechanism, Rod};
 use crate::exact::{Term, Turn};
+use crate::motion::LinkMass;
 use crate::proof::{Masses, Sense};
 
 /// What the rods of an engine that names them hand on to their crankpins in one order and sense: inertia of the piston with its
-/// side force, and the rotating part of the rod; several terms per cylinder. A link loads no crankpin but a master rod, which is not
-/// computed: nothing is asked of an engine that has one.
-pub fn pin_contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
-    let cylinders = engine.cylinders().iter().enumerate();
-    let known = cylinders.filter_map(|(index, cylinder)| Some((index, cylinder, cylinder.rod()?)));
-    let of_pistons = known.flat_map(|(index, cylinder, rod)| {
-        let weight = mass_radius(engine, cylinder);
-        of_piston(engine, rod, order, sense).into_iter().map(move |(factor, part, turned)| Contribution {
+/// side force, and the rotating part of the rod; several terms per cylinder. A link loads the crankpin of its master rod by decimals alone,
+/// [`Factor::OnPin`], with its piston and with the mass at its knuckle pin.
+///
+/// They are those of one crankshaft, by its index: 0 where there is one alone.
+pub fn pin_contributions(engine: &Engine, crank: usize, order: u32, sense: Sense) -> Vec<Contribution> {
+    let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| cylinder.crank == crank);
+    let known = cylinders
+        .filter_map(|(index, cylinder)| Some((index, cylinder, cylinder.rod()?, engine.own_order(cylinder, order)?)));
+    let of_pistons = known.flat_map(|(index, cylinder, rod, own)| {
+        let speed = engine.speed_of(cylinder);
+        let weight = geared(mass_radius(engine, cylinder), speed, 2);
+        let with_its_crank = sense == engine.sense_of(cylinder);
+        let parts = of_piston(engine, rod, own, (sense, with_its_crank)).into_iter();
+        parts.map(move |(factor, part, turned)| Contribution {
             source: Source::Piston(index),
             position: cylinder.position.clone(),
-            factor,
-            term: Term { angle: &phase(cylinder, order, Some(sense)) + &turned, weight: &weight * part },
+            factor: factor.geared(speed),
+            term: Term { angle: &phase(cylinder, own, Some(sense)) + &turned, weight: &weight * part },
         })
     });
-    of_pistons.chain(turning(engine, order, sense, |group| group == MassGroup::Rotating)).collect()
+    // What the masses at knuckle pins do is all in the numbers of their links.
+    let of_rods = |source| matches!(source, Source::BigEnd(_));
+    let links = of_links(engine, order, sense);
+    of_pistons.chain(links).chain(turning(engine, crank, (order, sense), of_rods)).collect()
 }
 
-/// What the bearings have to carry in one order and sense: the loads of the crankpins, and the masses of the crankshaft itself.
-pub fn shaft_contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
-    let own = |group| match group {
+/// What the links hand on by their master rods; an engine that has some has one crankshaft.
+fn of_links(engine: &Engine, order: u32, sense: Sense) -> impl Iterator<Item = Contribution> {
+    let cylinders = engine.cylinders().iter().enumerate();
+    let links = cylinders.filter_map(|(index, cylinder)| Some((index, cylinder, cylinder.link()?)));
+    links.flat_map(move |(index, cylinder, link)| {
+        let masses = [
+            (Source::Piston(index), LinkMass::Piston, mass_radius(engine, cylinder)),
+            (Source::Knuckle(index), LinkMass::Knuckle, &cylinder.knuckle_mass * &cylinder.crank_radius),
+        ];
+        masses.into_iter().filter(|(_, _, weight)| !weight.is_zero()).map(move |(source, mass, weight)| Contribution {
+            source,
+            position: cylinder.position.clone(),
+            factor: Factor::OnPin(link.clone(), mass, sense),
+            term: Term { angle: phase(cylinder, order, Some(sense)), weight },
+        })
+    })
+}
+
+/// What the bearings of a crankshaft have to carry in one order and sense: the loads of its crankpins, and its own masses.
+pub fn shaft_contributions(engine: &Engine, crank: usize, order: u32, sense: Sense) -> Vec<Contribution> {
+    let own = |source: Source| match source.group() {
         MassGroup::Crankshaft | MassGroup::Counterweights => true,
         // A balancer shaft is in bearings of its own; the others load the pins.
         MassGroup::Reciprocating | MassGroup::Rotating | MassGroup::Balancers => false,
     };
-    let mut all = pin_contributions(engine, order, sense);
-    all.extend(turning(engine, order, sense, own));
+    let mut all = pin_contributions(engine, crank, order, sense);
+    all.extend(turning(engine, crank, (order, sense), own));
     all
 }
 
-/// Whether some piston has an offset and a rod of finite length, so that its crankpin feels a constant force.
+/// Whether some piston has an offset and a rod of finite length, or a link, so that its crankpin may feel a constant force.
 pub fn has_constant_pin_loads(engine: &Engine) -> bool {
-    engine.mechanisms().into_iter().filter_map(Mechanism::rod).any(|rod| crank_of(rod).has_side_part(0))
+    engine.has_links()
+        || engine.mechanisms().into_iter().filter_map(Mechanism::rod).any(|rod| crank_of(rod).has_side_part(0))
 }
 
-fn turning(engine: &Engine, order: u32, sense: Sense, is_meant: impl Fn(MassGroup) -> bool) -> Vec<Contribution> {
-    let sources = Sources::new(engine, Masses::All);
-    sources.of_turning(order, sense).filter(|one| is_meant(one.source.group())).collect()
+fn turning(
+    engine: &Engine,
+    crank: usize,
+    (order, sense): (u32, Sense),
+    is_meant: impl Fn(Source) -> bool,
+) -> Vec<Contribution> {
+    let sources = Sources::new(engine, Masses::All).of_crankshaft(crank);
+    sources.of_turning(order, sense).filter(|one| is_meant(one.source)).collect()
 }
 
 /// What the vector of a piston in the star of the force stands before: numbers of the motion, each with its part and the angle it
-/// is turned by.
-fn of_piston(engine: &Engine, rod: &Rod, order: u32, sense: Sense) -> Vec<(Factor, BigRational, Turn)> {
+/// is turned by; `turns` says whether it turns as the crank of the piston does.
+fn of_piston(
+    engine: &Engine,
+    rod: &Rod,
+    order: u32,
+    (sense, turns): (Sense, bool),
+) -> Vec<(Factor, BigRational, Turn)> {
     let whole = |number: i64| BigRational::from_integer(number.into());
     let mut parts = Vec::new();
     let of_force = if order > 0 { Factor::parts_of_rod(engine, Some(rod), order) } else { Vec::new() };
     for (factor, Term { angle, weight }) in of_force.into_iter().filter(|(factor, _)| factor.exists(order)) {
         let k = i64::from(order);
-        parts.push(match sense {
-            Sense::Direct => (factor, BigRational::new((k - 1).into(), k.into()) * weight, angle),
-            Sense::Reverse => (factor, BigRational::new((k + 1).into(), k.into()) * weight, -&angle),
-        });
+        let part = BigRational::new(if turns { k - 1 } else { k + 1 }.into(), k.into());
+        let angle = if sense == Sense::Direct { angle } else { -&angle };
+        parts.push((factor, part * weight, angle));
     }
     if order == 1 {
-        let part = match sense {
-            Sense::Direct => whole(1),
-            Sense::Reverse => whole(-1),
-        };
-        parts.push((Factor::One, part, Turn::zero()));
+        parts.push((Factor::One, whole(if turns { 1 } else { -1 }), Turn::zero()));
     }
     let crank = crank_of(rod);
     if crank.has_side_part(order) {
-        // −u_k = −i (−i)^k E and u_k* = −i i^k E.
-        let quarters = match sense {
-            Sense::Direct => -1 - i64::from(order),
-            Sense::Reverse => i64::from(order) - 1,
-        };
+        // −u_k = −i (−i)^k E and u_k* = −i i^k E; of a crank that turns against the reference their opposites.
+        let of_order = if sense == Sense::Direct { -i64::from(order) } else { i64::from(order) };
+        let quarters = if turns == (sense == Sense::Direct) { of_order - 1 } else { of_order + 1 };
         match crank.rational_side_part(order) {
             Some(number) => parts.push((Factor::One, number, Turn::fraction(quarters.rem_euclid(4), 4))),
             None => {
                 let (factor, sign) = Factor::of_side(rod, order);
-                let part = match sense {
-                    Sense::Direct => -sign,
-                    Sense::Reverse => sign,
-                };
-                parts.push((factor, part, Turn::zero()));
+                parts.push((factor, if turns { -sign } else { sign }, Turn::zero()));
             }
         }
     }

@@ -223,9 +223,12 @@ fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, 
     let one = BigRational::from_integer(1.into());
     match factor {
         // Weights against what links leave are not written by their terms, and against what faster cranks leave not at all.
-        Factor::One | Factor::Quadrature(_) | Factor::Linkage(_) | Factor::Corrected(..) | Factor::Geared(..) => {
-            (None, one)
-        }
+        Factor::One
+        | Factor::Quadrature(_)
+        | Factor::Linkage(_)
+        | Factor::Corrected(..)
+        | Factor::OnPin(..)
+        | Factor::Geared(..) => (None, one),
         Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
             let is_plain = |cylinder: &Cylinder| cylinder.link().is_none() && engine.speed_of(cylinder) == 1;
             let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| is_plain(cylinder));

@@ -139,6 +139,7 @@ pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
     match factor {
         Factor::One => Coefficient::One,
         Factor::Open | Factor::OpenTorque => Coefficient::Common,
+        Factor::OnPin(..) => unreachable!("no force of the engine has a number of a crankpin"),
         Factor::Motion(rod) | Factor::Side(rod) => Coefficient::Rod(rod_claim(rod)),
         Factor::Torque(mechanism) => match mechanism.rod() {
             Some(rod) => Coefficient::Rod(rod_claim(rod)),

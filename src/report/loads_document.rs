@@ -309,7 +309,7 @@ fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swin
         vanishes: vector.outcome.vanishes(),
         below: match vector.outcome {
             Outcome::Undecided { below } => Some(below / 2.0 * factor),
-            Outcome::Zero | Outcome::NotZero => None,
+            Outcome::Zero | Outcome::NotZero | Outcome::Computed => None,
         },
     };
     let (direct, reverse) = (vector(&swing.direct), vector(&swing.reverse));

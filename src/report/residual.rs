@@ -95,7 +95,7 @@ fn class_words(class: &Class, order: u32) -> String {
             };
             format!(", Δ = ±{apart}, ε = ±{correction}, {part}")
         }
-        Factor::One | Factor::Open | Factor::OpenTorque | Factor::Geared(..) => String::new(),
+        Factor::One | Factor::OnPin(..) | Factor::Open | Factor::OpenTorque | Factor::Geared(..) => String::new(),
     };
     let own = (own_order != order).then(|| format!("order {own_order} of its own crankshaft"));
     let named: Vec<String> = [class_sources(class)].into_iter().chain(own).collect();
@@ -198,7 +198,7 @@ fn is_of_torque(factor: &Factor) -> bool {
         Factor::Geared(_, own) => is_of_torque(own),
         Factor::Torque(_) | Factor::OpenTorque => true,
         Factor::One | Factor::Motion(_) | Factor::Quadrature(_) | Factor::Side(_) | Factor::Open => false,
-        Factor::Linkage(_) | Factor::Corrected(..) => false,
+        Factor::Linkage(_) | Factor::Corrected(..) | Factor::OnPin(..) => false,
     }
 }
 

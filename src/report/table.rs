@@ -287,7 +287,7 @@ pub(super) fn whole_star(engine: &Engine, stars: &WholeStars, order: u32) -> Tab
     for (name, quantity) in [("**Σ force**", Planar::Force), ("**Σ moment**", Planar::Moment)] {
         let sum = |sense| match stars.resultant(quantity, order, sense) {
             (_, loads::Outcome::Zero) => Text::zero(),
-            (value, loads::Outcome::NotZero) => vector(value),
+            (value, loads::Outcome::NotZero | loads::Outcome::Computed) => vector(value),
             (_, loads::Outcome::Undecided { .. }) => "not decided".into(),
         };
         table.push(vec![name.into(), Text::default(), sum(Sense::Direct), sum(Sense::Reverse)]);

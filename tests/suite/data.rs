@@ -33,11 +33,14 @@ const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 const TWO_RODS: &str = include_str!("../../reports/examples/i6-two-rods/layout.toml");
 const V6: &str =
     "cycle = 'four-stroke'\nfiring_order = '1-4-3-6-2-5'\nvee = { bank_angle = 60, throws = [0, 240, 120] }";
+const LINKED: &str = "speed = 3000\neffects = ['gas']\ncycle = 'four-stroke'\nfiring_order = '1-3-2'\nbearings = [0.1, -0.1]\n[radial]\ncylinders = 3\n[articulated]\nmaster = 1\nknuckle_ratio = 0.2\nknuckle_mass = '0.1 kg'\n\
+    [mechanism]\nreciprocating_mass = '0.5 kg'\ncrank_radius = '40 mm'\nrod_ratio = 0.25\n\
+    [gas]\nbore = '90 mm'\ndead_centre = 'crank'\nprocess = 'spark-ignition'\ncompression_ratio = 9\nheat = '900 J'\n";
 const SILENT_V6: &str = "vee = { bank_angle = 60, throws = [0, 240, 120] }";
 /// Two singles side by side that turn against each other, with gas.
 const U2_GAS: &str = "cycle = 'four-stroke'\nfiring_order = '1-2'\nspeed = 3000\n[u]\nsense = 'against'\ndistance = '200 mm'\nthrows = [0]\nspacing = '100 mm'\n\
     [mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.5 kg'\n[gas]\nbore = '80 mm'\nprocess = 'spark-ignition'\ncompression_ratio = 8\nheat = '400 J'\n";
-const GEARED: &str = "speed = 3000\neffects = ['torque']\n[u]\nsense = 'against'\nphase = 0\ndistance = '200 mm'\nthrows = [0, 180]\nspacing = '100 mm'\n\
+const GEARED: &str = "speed = 3000\nbearings = [0.1, -0.1]\neffects = ['torque']\n[u]\nsense = 'against'\nphase = 0\ndistance = '200 mm'\nthrows = [0, 180]\nspacing = '100 mm'\n\
     [mechanism]\nreciprocating_mass = '0.5 kg'\ncrank_radius = '40 mm'\nrod_ratio = 0.25\n";
 
 #[track_caller]
@@ -68,7 +71,7 @@ fn every_answer() -> &'static [Answered] {
 
 fn answer_all() -> Vec<Answered> {
     let mut all = Vec::new();
-    for text in [V8_GAS, I3, TWO_RODS, GEARED, U2_GAS, V6, I6_TORSION, I4_MOUNTS, MARINE_TORSION, I6_DAMPER] {
+    for text in [V8_GAS, I3, TWO_RODS, GEARED, LINKED, U2_GAS, V6, I6_TORSION, I4_MOUNTS, MARINE_TORSION, I6_DAMPER] {
         all.extend(tables::of_engine(&known(text), &[1, 2, 4]));
     }
     all.push(tables::valued(&known(V8_GAS), "torque.cycle.mean"));

@@ -427,7 +427,6 @@ fn mistakes_about_crankshafts_get_a_message_at_their_place() {
         ),
         (two.replace("offset = 4", "distance = 4") + &cylinder("crankshaft = 'a'"), "not given in one way"),
         (format!("{two}[inline]\nthrows = [0]"), "short form has its own"),
-        (format!("bearings = [1, -1]\n{two}{}", cylinder("crankshaft = 'a'")), "main bearings"),
         ("cycle = 'two-stroke'\nfiring_order = '1-2'\n[opposed_piston]\nthrows = [0]\nlead = 9".into(), "two pistons"),
         ("[delta]\nrows = [0]\ncircumradius = 6\nagainst = ['D']".into(), "\"B\" or \"C\""),
         ("[delta]\nrows = [0]\ncircumradius = 6\nagainst = ['A', 'B', 'C']".into(), "leave one corner out"),

@@ -8,6 +8,7 @@ mod arguments;
 mod articulated;
 mod atlas;
 mod beam;
+mod bearing_bodies;
 mod bearings;
 mod book_lengths;
 mod book_words;

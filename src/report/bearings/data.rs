@@ -3,12 +3,13 @@
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::gas_data;
+use super::{gas_data, links};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::{
     Arm, BearingLoad, BearingLoads, Circle, Peak, PinLoads, Swing, Vector, left_out_of_bearings, pin_loads,
 };
+use crate::motion::LinkMass;
 use crate::numbers;
 use crate::order::{Factor, OrderSum};
 use crate::report::BearingsStudy;
@@ -39,6 +40,7 @@ pub fn table(study: &BearingsStudy, name: &str) -> Option<Table> {
         "pins" => pins(study, units)?,
         "pin_orders" => pin_orders(study, units)?,
         "parts" => parts(study),
+        "knuckles" | "masters" => links::table(&study.engine, units, name)?,
         _ => return gas_data::table(&study.engine, study.with_gas()?, name),
     })
 }
@@ -63,6 +65,7 @@ fn of_bearings(study: &BearingsStudy, units: Units) -> Table {
     let mut table = Filling::new("bearings.bearings", &rows).keyed(2);
     table.words("method", |(method, ..)| Some((*method).to_owned()));
     table.whole("bearing", |(_, number, _)| *number);
+    crankshafts(&mut table, &study.engine, |(.., bearing)| bearing.crank);
     let unit = position_unit(&study.engine);
     table.exact("position_{unit}", unit, |(.., bearing)| Some(exact_number(&bearing.position)));
     type PeakOf = fn(&BearingLoad) -> &Peak;
@@ -81,8 +84,21 @@ fn of_bearings(study: &BearingsStudy, units: Units) -> Table {
     table.done()
 }
 
+/// Which crankshaft a row is about, where several are geared together.
+pub(super) fn crankshafts<R>(table: &mut Filling<R>, engine: &Engine, of: impl Fn(&R) -> usize) {
+    let cranks = engine.geared_cranks();
+    if !cranks.is_empty() {
+        table.words("crankshaft", |row| cranks.get(of(row)).map(|crank| crank.name.clone()));
+    }
+}
+
 /// A largest value, and the crank angle where it is.
-fn peak<R>(table: &mut Filling<R>, [size, angle]: [&'static str; 2], units: Units, of: impl Fn(&R) -> &Peak) {
+pub(super) fn peak<R>(
+    table: &mut Filling<R>,
+    [size, angle]: [&'static str; 2],
+    units: Units,
+    of: impl Fn(&R) -> &Peak,
+) {
     table.decimal(size, units.force, |row| Some(of(row).value * units.newtons));
     table.decimal(angle, Unit::DEGREE, |row| of(row).angle.filter(|_| of(row).value > 0.0));
 }
@@ -194,6 +210,14 @@ fn coefficient(factor: &Factor) -> String {
         Factor::Side(rod) => ("u_k", rod),
         Factor::Geared(speed, own) => return format!("{} of order k/{speed}", coefficient(own)),
         Factor::Linkage(linkage) => return format!("g_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
+        Factor::OnPin(link, mass, _) => {
+            let of = match mass {
+                LinkMass::Piston => "piston",
+                LinkMass::Knuckle => "knuckle",
+            };
+            let angle = link.angle.degrees();
+            return format!("p_k of the {of} of the link at Δ = {angle}°, decimal");
+        }
         Factor::Corrected(linkage, _) => return format!("h_k of r/L = {}, κ = {}", linkage.ratio, linkage.knuckle),
     };
     format!("{letter} of λ = {}, δ = {}", rod.ratio, rod.offset)
@@ -236,6 +260,7 @@ fn pins(study: &BearingsStudy, units: Units) -> Option<Table> {
     let rows: Vec<_> = study.engine.cylinders().iter().zip(&loads.pins).collect();
     let mut table = Filling::new("bearings.pins", &rows);
     table.person("cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
+    crankshafts(&mut table, &study.engine, |(cylinder, _)| cylinder.crank);
     table.exact("position_{unit}", position_unit(&study.engine), |(_, pin)| Some(exact_number(&pin.position)));
     let force = ["force_zero_to_peak_{unit}", "theta_{unit}"];
     peak(&mut table, force, units, |(_, pin)| &pin.peak);

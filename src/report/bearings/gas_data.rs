@@ -2,7 +2,7 @@
 
 use num_complex::Complex;
 
-use super::data::{components, position_unit};
+use super::data::{components, crankshafts, position_unit};
 use crate::engine::Engine;
 use crate::journal::{CycleBearing, CycleBearings, CycleLoads, CyclePeak, CylinderLoads, JournalOrder, SharedPin};
 use crate::report::data::Filling;
@@ -16,6 +16,7 @@ pub(super) fn table(engine: &Engine, loads: &CycleLoads, name: &str) -> Option<T
     Some(match name {
         "gas_bearings" => of_bearings(engine, loads),
         "gas_cylinders" => of_cylinders(engine, loads),
+        "gas_knuckles" => of_knuckles(engine, loads)?,
         "gas_pins" => shared_pins(engine, loads),
         "gas_orders" => orders(loads),
         "gas_pin_orders" => pin_orders(engine, loads),
@@ -40,6 +41,7 @@ fn of_bearings(engine: &Engine, loads: &CycleLoads) -> Table {
     let mut table = Filling::new("bearings.gas_bearings", &rows).keyed(2);
     table.words("method", |row| Some(row.0.to_owned()));
     table.whole("bearing", |row| row.1 + 1);
+    crankshafts(&mut table, engine, |row| row.4.crank);
     table.exact("position_{unit}", position_unit(engine), |row| Some(exact_number(&row.4.position)));
     peak(&mut table, WITH_GAS, |row| &row.4.peak);
     gas(&mut table, |row| &row.4.peak);
@@ -89,6 +91,17 @@ fn of_cylinders(engine: &Engine, loads: &CycleLoads) -> Table {
         table.decimal(angle, Unit::DEGREE, |(_, loads)| Some(of(loads).angle));
     }
     table.done()
+}
+
+fn of_knuckles(engine: &Engine, loads: &CycleLoads) -> Option<Table> {
+    let person = |index: usize| Some(Untrusted::new(&*engine.cylinders()[index].name));
+    let mut table = Filling::new("bearings.gas_knuckles", &loads.knuckles);
+    table.person("cylinder", |knuckle| person(knuckle.cylinder));
+    table.person("master", |knuckle| person(knuckle.master));
+    peak(&mut table, WITH_GAS, |knuckle| &knuckle.peak);
+    gas(&mut table, |knuckle| &knuckle.peak);
+    peak(&mut table, WITHOUT_GAS, |knuckle| &knuckle.inertia);
+    (!loads.knuckles.is_empty()).then(|| table.done())
 }
 
 fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {

@@ -3,6 +3,7 @@
 mod amounts;
 mod data;
 mod gas_data;
+mod links;
 mod page;
 mod plots;
 mod study;

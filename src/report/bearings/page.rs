@@ -1,7 +1,7 @@
 //! What is on the page of the main bearings, and on the terminal?
 
 use super::super::calculation::{self, percent};
-use super::{amounts, plots, tables};
+use super::{amounts, links, plots, tables};
 use crate::engine::Engine;
 use crate::loads::{BearingLoads, left_out_of_bearings, pin_loads};
 use crate::page::{Block, Document, Text, phrase};
@@ -9,13 +9,18 @@ use crate::page::{Block, Document, Text, phrase};
 /// The bearings with the largest peak: `bearing 3 with ≈ 18746 N`; none where no bearing feels anything.
 pub(in crate::report) fn worst(loads: &BearingLoads) -> Option<Text> {
     let unit = amounts::unit_of(loads);
-    let numbers: Vec<String> = loads.worst.iter().map(|index| (index + 1).to_string()).collect();
+    let numbers = names(loads);
     let peak = loads.worst.first().map(|index| &loads.bearings[*index].peak)?;
     let size = amounts::size(peak, unit);
     Some(match numbers.as_slice() {
         [only] => phrase!("bearing {} with {} {}", only.clone(), size, unit.label()),
         several => phrase!("bearings {} with {} {}", several.join(", "), size, unit.label()),
     })
+}
+
+/// What the bearings with the largest peak are called.
+fn names(loads: &BearingLoads) -> Vec<String> {
+    loads.worst.iter().map(|index| loads.bearings[*index].name.clone()).collect()
 }
 
 /// What stands first: the largest force, and what the tables count in.
@@ -39,7 +44,7 @@ const SIGNS: &str = "R is the force on the bearing, y its component in the refer
 pub(in crate::report) fn peaks_in_words(loads: &BearingLoads) -> Text {
     let unit = amounts::unit_of(loads);
     let peaks = Text::joined(loads.bearings.iter().map(|bearing| amounts::size(&bearing.peak, unit)), ", ");
-    let numbers: Vec<String> = loads.worst.iter().map(|index| (index + 1).to_string()).collect();
+    let numbers = names(loads);
     let worst = match numbers.as_slice() {
         [] => Text::from("none is loaded"),
         [only] => phrase!("bearing {} is the worst", only.clone()),
@@ -89,6 +94,7 @@ pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: 
     answer_page.push(tables::peaks(engine, continuous, determinate));
     answer_page.push(tables::orders(continuous));
     answer_page.blocks.extend(answer(continuous, determinate).map(Block::Paragraph));
+    answer_page.blocks.extend(links::answer(engine).map(Block::Paragraph));
     answer_page.blocks.extend(left_out(engine, continuous).map(Block::Paragraph));
     answer_page
 }
@@ -97,13 +103,13 @@ pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: 
 pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Document {
     let mut page = Document::new("bearings", phrase!("{}: main bearings", engine.title()));
     let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
-    page.push(Block::Answer(answer(continuous, determinate).to_vec()));
+    page.push(Block::Answer(answer(continuous, determinate).into_iter().chain(links::answer(engine)).collect()));
     page.push(tables::peaks(engine, continuous, determinate));
     section(&mut page, "Order by order");
     page.blocks.extend(by_orders(engine, continuous));
     section(&mut page, "Through a revolution");
-    for (index, pictures) in plots::drawings(engine.convention(), continuous).into_iter().enumerate() {
-        page.push(Block::Heading(2, phrase!("Bearing {}", index + 1)));
+    for (bearing, pictures) in continuous.bearings.iter().zip(plots::drawings(engine.convention(), continuous)) {
+        page.push(Block::Heading(2, phrase!("Bearing {}", bearing.name.clone())));
         page.push(Block::Pictures(pictures.into()));
     }
     let pins = pin_loads(engine, &orders_of(continuous));
@@ -112,6 +118,7 @@ pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &B
         page.push(Block::Paragraph(PINS.into()));
         page.push(tables::pins(engine, &pins));
     }
+    page.blocks.extend(links::blocks(engine));
     section(&mut page, "Parts of a load");
     page.blocks.extend(parts_of_a_load(engine, continuous));
     section(&mut page, "Assumptions");

@@ -29,8 +29,8 @@ pub(in crate::report) fn drawings(convention: Convention, loads: &BearingLoads) 
     let all: Vec<Tips> = loads.bearings.iter().map(tips).collect();
     let largest = farthest(all.iter().flatten());
     let draw = |(index, (bearing, tips)): (usize, (&BearingLoad, Tips))| {
-        let over_angle = over_crank_angle(index + 1, &tips, largest, unit);
-        [over_angle, polar(convention, index + 1, bearing, tips, largest, unit)]
+        let over_angle = over_crank_angle((index + 1, bearing), &tips, largest, unit);
+        [over_angle, polar(convention, (index + 1, bearing), tips, largest, unit)]
     };
     loads.bearings.iter().zip(all).enumerate().map(draw).collect()
 }
@@ -40,14 +40,19 @@ pub(in crate::report) fn farthest<'a>(tips: impl Iterator<Item = &'a (f64, f64)>
     tips.map(|(right, up)| right.hypot(*up)).fold(0.0, f64::max)
 }
 
-fn over_crank_angle(number: usize, tips: &[(f64, f64)], largest: f64, unit: Unit) -> Picture {
+fn over_crank_angle(
+    (number, bearing): (usize, &BearingLoad),
+    tips: &[(f64, f64)],
+    largest: f64,
+    unit: Unit,
+) -> Picture {
     let caption = phrase!(
         "Bearing {}: components of the force through a revolution, y upwards in direction 0 (solid), x to the right (dashed)",
-        number
+        bearing.name.clone()
     );
     let x = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
     let y = Axis::linear("Force in {}").counted_in(unit.unit).covering(&[-largest, largest]);
-    let mut plot = Plot::new(format!("Main bearing {number}"), x, y);
+    let mut plot = Plot::new(format!("Main bearing {}", bearing.name), x, y);
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
         let point = |(step, tip): (usize, &(f64, f64))| (step as f64 * 360.0 / STEPS as f64, value(tip));
         Curve::new(place, name, tips.iter().enumerate().map(point).collect())
@@ -65,15 +70,14 @@ const PATH: [&str; 2] = [
 
 fn polar(
     convention: Convention,
-    number: usize,
-    bearing: &BearingLoad,
+    (number, bearing): (usize, &BearingLoad),
     tips: Vec<(f64, f64)>,
     largest: f64,
     unit: Unit,
 ) -> Picture {
-    let caption = phrase!(said(convention, PATH), number);
+    let caption = phrase!(said(convention, PATH), bearing.name.clone());
     let label = "Force in {}; 0° is the reference direction";
-    let mut polar = Polar::new(format!("Main bearing {number}"), label, vec![Curve::new(0, "", tips.clone())])
+    let mut polar = Polar::new(format!("Main bearing {}", bearing.name), label, vec![Curve::new(0, "", tips.clone())])
         .counted_in(unit.unit);
     polar.reach = largest;
     polar.mark_quarters(&tips, STEPS);

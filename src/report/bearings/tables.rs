@@ -21,7 +21,7 @@ pub(in crate::report) fn peaks(engine: &Engine, continuous: &BearingLoads, deter
         if loads.worst.contains(&index) { phrase!("{}, worst", size) } else { size }
     };
     Table::of(continuous.bearings.iter().enumerate())
-        .column("Bearing", |(index, _)| index + 1)
+        .column("Bearing", |(_, bearing)| bearing.name.clone())
         .column(table::position_heading(engine), |(_, bearing)| table::position(engine, &bearing.position))
         .column(phrase!("Peak of R in {}", unit.label()), |(index, _)| marked(continuous, *index))
         .column("at θ", |(_, bearing)| amounts::angle(&bearing.peak))
@@ -37,9 +37,9 @@ pub(in crate::report) fn orders(loads: &BearingLoads) -> Table {
     let orders = loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders);
     let heading = |order: u32| phrase!("Order {} in {}", order, unit.label());
     let mut table = Table::new([Text::from("Bearing")].into_iter().chain(orders.iter().map(|o| heading(o.order))));
-    for (index, bearing) in loads.bearings.iter().enumerate() {
+    for bearing in &loads.bearings {
         let cells = bearing.orders.iter().map(|order| amounts::largest(&order.swing, unit));
-        table.push([Text::from(index + 1)].into_iter().chain(cells).collect());
+        table.push([Text::from(bearing.name.clone())].into_iter().chain(cells).collect());
     }
     table
 }
@@ -48,11 +48,10 @@ pub(in crate::report) fn orders(loads: &BearingLoads) -> Table {
 pub(super) fn vectors(loads: &BearingLoads) -> Table {
     let unit = amounts::unit_of(loads);
     let count = loads.bearings.first().map_or(0, |bearing| bearing.orders.len());
-    let of_order =
-        |place: usize| loads.bearings.iter().enumerate().map(move |(index, one)| (index, &one.orders[place]));
+    let of_order = |place: usize| loads.bearings.iter().map(move |one| (&one.name, &one.orders[place]));
     Table::of((0..count).flat_map(of_order))
         .column("Order", |(_, order)| order.order)
-        .column("Bearing", |(index, _)| index + 1)
+        .column("Bearing", |(name, _)| name.to_string())
         .column("Direct, exact", |(_, order)| exact(&order.sums[0], order.order))
         .column(phrase!("Direct in {}", unit.label()), |(_, order)| amounts::vector(&order.swing.direct, unit))
         .column("Reverse, exact", |(_, order)| exact(&order.sums[1], order.order))
@@ -64,6 +63,9 @@ pub(super) fn vectors(loads: &BearingLoads) -> Table {
 fn exact(sum: &OrderSum, order: u32) -> Text {
     if sum.vanishes() {
         return Text::zero();
+    }
+    if sum.parts().keys().any(Factor::is_decimal) {
+        return "decimal only".into();
     }
     let rods: BTreeSet<&Rod> = sum.parts().keys().filter_map(rod).collect();
     if rods.len() > 1 {
@@ -82,7 +84,12 @@ fn exact(sum: &OrderSum, order: u32) -> Text {
 /// The rod whose motion a sum stands before.
 fn rod(factor: &Factor) -> Option<&Rod> {
     match factor {
-        Factor::One | Factor::Open | Factor::OpenTorque | Factor::Linkage(_) | Factor::Corrected(..) => None,
+        Factor::One
+        | Factor::Open
+        | Factor::OpenTorque
+        | Factor::Linkage(_)
+        | Factor::Corrected(..)
+        | Factor::OnPin(..) => None,
         Factor::Motion(rod) | Factor::Side(rod) | Factor::Quadrature(rod) => Some(rod),
         Factor::Torque(mechanism) => mechanism.rod(),
         Factor::Geared(_, own) => rod(own),
@@ -101,6 +108,7 @@ pub(in crate::report) fn before(factor: &Factor) -> Option<char> {
         Factor::Linkage(_) => Some('g'),
         Factor::Geared(_, own) => before(own),
         Factor::Corrected(..) => Some('h'),
+        Factor::OnPin(..) => Some('p'),
     }
 }
 
@@ -139,7 +147,7 @@ pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Table {
 
 /// The part of a unit load that each bearing carries: a row a position of a load.
 pub(super) fn parts(engine: &Engine, loads: &BearingLoads) -> Table {
-    let bearings = (1..=loads.bearings.len()).map(|number| phrase!("Bearing {}", number));
+    let bearings = (1..=engine.bearings().len()).map(|number| phrase!("Bearing {}", number));
     let mut rows = Table::new([table::load_heading(engine)].into_iter().chain(bearings));
     for (position, parts) in loads.parts.iter().rev() {
         let cells = parts.iter().map(|part| Number::exact(part).into());

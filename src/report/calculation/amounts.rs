@@ -100,14 +100,15 @@ pub(crate) fn largest(swing: &Swing, unit: Unit) -> Text {
 
 /// Whether one of its vectors is proved not to be zero.
 pub(super) fn is_left(swing: &Swing) -> bool {
-    [&swing.direct, &swing.reverse].iter().any(|vector| vector.outcome == Outcome::NotZero)
+    let is_told = |vector: &&&Vector| matches!(vector.outcome, Outcome::NotZero | Outcome::Computed);
+    [&swing.direct, &swing.reverse].iter().any(|vector| is_told(&vector))
 }
 
 /// How little vectors that are not decided are known to be below.
 fn bounded(vectors: &[&Vector], unit: Unit) -> Text {
     let bound = |vector: &&Vector| match vector.outcome {
         Outcome::Undecided { below } => below,
-        Outcome::Zero | Outcome::NotZero => 0.0,
+        Outcome::Zero | Outcome::NotZero | Outcome::Computed => 0.0,
     };
     undecided(vectors.iter().map(bound).sum::<f64>() / 2.0, unit)
 }
@@ -125,8 +126,8 @@ pub(crate) fn vector(vector: &Vector, unit: Unit) -> Text {
     match vector.outcome {
         Outcome::Zero => Text::zero(),
         // At rest no force points anywhere.
-        Outcome::NotZero | Outcome::Undecided { .. } if unit.factor == 0.0 => Text::zero(),
-        Outcome::NotZero => {
+        Outcome::NotZero | Outcome::Computed | Outcome::Undecided { .. } if unit.factor == 0.0 => Text::zero(),
+        Outcome::NotZero | Outcome::Computed => {
             let angle = super::expression::rounded(numbers::degrees(vector.value), DIGITS);
             // Half a turn has two names.
             let angle = if angle == -180.0 { 180.0 } else { angle };

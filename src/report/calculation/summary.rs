@@ -118,7 +118,7 @@ pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> T
     match (engine.pistons_have_order(Quantity::TORQUE, order.order), &order.vector.outcome) {
         (false, _) => DOES_NOT_EXIST.into(),
         (true, Outcome::Zero) => Text::zero(),
-        (true, Outcome::NotZero) => amount(order.vector.value.norm(), unit),
+        (true, Outcome::NotZero | Outcome::Computed) => amount(order.vector.value.norm(), unit),
         (true, Outcome::Undecided { below }) => amounts::undecided(*below, unit),
     }
 }
@@ -129,7 +129,7 @@ pub(super) fn roll_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Tex
     match &order.vector.outcome {
         Outcome::Zero if !exists => DOES_NOT_EXIST.into(),
         Outcome::Zero => Text::zero(),
-        Outcome::NotZero => amount(order.vector.value.norm(), unit),
+        Outcome::NotZero | Outcome::Computed => amount(order.vector.value.norm(), unit),
         Outcome::Undecided { below } => amounts::undecided(*below, unit),
     }
 }

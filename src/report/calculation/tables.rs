@@ -133,12 +133,14 @@ fn about_the_crank(orders: &[TorqueOrder], unit: Unit, amplitude: impl Fn(&Torqu
         .column(phrase!("Amplitude in {}", unit.label()), |order| amplitude(order))
         .column("Phase at θ = 0", |order| match order.vector.outcome {
             Outcome::Zero | Outcome::Undecided { .. } => "–".into(),
-            Outcome::NotZero => phrase!("≈ {}°", number::decimal(numbers::degrees(order.vector.value))),
+            Outcome::NotZero | Outcome::Computed => {
+                phrase!("≈ {}°", number::decimal(numbers::degrees(order.vector.value)))
+            }
         })
         .column("In m r² ω²", |order| match order.vector.outcome {
             Outcome::Zero => Text::zero(),
             Outcome::Undecided { .. } => "not decided".into(),
-            Outcome::NotZero => Number::Decimal(order.vector.value.norm()).into(),
+            Outcome::NotZero | Outcome::Computed => Number::Decimal(order.vector.value.norm()).into(),
         })
         .done()
 }

@@ -14,6 +14,8 @@ const PINS: &str = "Load of each crankpin by the rod of each cylinder through th
 
 const SHARED: &str = "Load of a crankpin by all its rods, at each crank angle the sum of their forces. The rods peak at different times, so that the pin carries less than the sum of their largest loads; the bearing of each rod carries its own. The mass of the pin itself adds nothing.";
 
+const KNUCKLES: &str = "A link pushes its knuckle pin along itself, and the mass at the knuckle pin moves with the master rod. The crankpin carries all of it; what the knuckle pins, which stand beside the master rod, turn the rod with presses the master's piston against the wall: its side force below includes this. The loads are computed from the exact motion, to the roundings of decimals.";
+
 const ORDERS: &str = "The largest value of each order of the load, gas and masses together, zero to peak. Order κ of the gas is a harmonic of one cylinder times the stars $\\sum_j \\rho_j e^{i(\\alpha_j \\mp \\kappa\\varphi_j)}$, $\\rho_j$ the part that the bearing carries, $\\alpha_j$ the axis and $\\varphi_j$ the crank angle at which cylinder j fires: where both are 0, exactly, and the masses add nothing, the order is **0** for every pressure common to all cylinders. At whole orders gas and masses add as vectors; half orders are of the gas only.";
 
 const FOUND: &str = "The piston pushes its rod with $F = F_g - F_{in}$ towards the crank, $F_g = (p - p_c)\\,A$ the gas and $F_{in} = -m\\ddot s$ the inertia; the rod is askew by β and pushes its crankpin with $-F\\,(1 - i\\tan\\beta)\\,e^{i\\alpha}$, the piston the wall with $F\\tan\\beta$. Each bearing carries its parts of the pins, and of what turns with the shaft. Head, walls and bearings together take the shaking force of the masses alone: the gas adds none.";
@@ -70,6 +72,12 @@ pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &Bear
         page.push(tables::shared_pins(engine, loads));
         page.push(Block::Pictures(plots::shared_pins(engine, loads)));
     }
+    if !loads.knuckles.is_empty() {
+        section(&mut page, "Articulated rods");
+        page.push(Block::Paragraph(KNUCKLES.into()));
+        page.push(tables::knuckles(engine, loads));
+        page.push(Block::Pictures(plots::knuckles(engine, loads)));
+    }
     section(&mut page, "Rods and side forces");
     page.push(Block::Paragraph(RODS.into()));
     page.push(tables::rods(engine, loads));
@@ -92,8 +100,8 @@ pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &Bear
 }
 
 fn bearings_drawn(page: &mut Document, convention: Convention, loads: &CycleLoads, bearings: &CycleBearings) {
-    for (index, pictures) in plots::bearings(convention, loads, bearings).into_iter().enumerate() {
-        page.push(Block::Heading(2, phrase!("Bearing {}", index + 1)));
+    for (bearing, pictures) in bearings.bearings.iter().zip(plots::bearings(convention, loads, bearings)) {
+        page.push(Block::Heading(2, phrase!("Bearing {}", bearing.name.clone())));
         page.push(Block::Pictures(pictures.into()));
     }
 }

@@ -10,7 +10,7 @@ use super::super::torque::names;
 use crate::engine::{Convention, Engine};
 use crate::journal::{CycleBearing, CycleBearings, CycleLoads, ForceHistory, SharedPin};
 use crate::page::plot::{Axis, Curve, Plot, PointMark, Polar};
-use crate::page::{Picture, Unit, phrase};
+use crate::page::{Picture, Text, Unit, phrase};
 
 /// The tips of a force through the cycle, to the right and up.
 type Tips = Vec<(f64, f64)>;
@@ -23,6 +23,8 @@ const MOST_PINS: usize = 3;
 const MOST_SHARED: usize = 8;
 /// ... with the paths of its rods where they are no more than these.
 const MOST_RODS: usize = 3;
+/// Knuckle pins of a master rod that are drawn.
+const MOST_LINKS: usize = 4;
 
 /// Angles through the cycle, both ends among them.
 fn angles(course: &ForceHistory) -> Vec<f64> {
@@ -48,17 +50,22 @@ pub(super) fn bearings(convention: Convention, loads: &CycleLoads, bearings: &Cy
     let known: Vec<[Tips; 2]> = bearings.bearings.iter().map(forces).collect();
     let largest = farthest(known.iter().flatten().flatten());
     let draw = |(index, (bearing, [all, inertia])): (usize, (&CycleBearing, [Tips; 2]))| {
-        let over_angle = over_crank_angle(index + 1, &angles, &all, largest);
-        [over_angle, polar(convention, index + 1, bearing, [all, inertia], largest)]
+        let over_angle = over_crank_angle((index + 1, bearing), &angles, &all, largest);
+        [over_angle, polar(convention, (index + 1, bearing), [all, inertia], largest)]
     };
     bearings.bearings.iter().zip(known).enumerate().map(draw).collect()
 }
 
-fn over_crank_angle(number: usize, angles: &[f64], tips: &[(f64, f64)], largest: f64) -> Picture {
+fn over_crank_angle(
+    (number, bearing): (usize, &CycleBearing),
+    angles: &[f64],
+    tips: &[(f64, f64)],
+    largest: f64,
+) -> Picture {
     let last = angles.last().map_or(360.0, |theta| theta.to_degrees().round());
     let x = Axis::angle("Crank angle θ in °", 0.0, last, 90);
     let y = Axis::linear("Force in {}").counted_in(Unit::NEWTON).covering(&[-largest, largest]);
-    let mut plot = Plot::new(format!("Main bearing {number}"), x, y);
+    let mut plot = Plot::new(format!("Main bearing {}", bearing.name), x, y);
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
         Curve::new(place, name, angles.iter().zip(tips).map(|(theta, tip)| (theta.to_degrees(), value(tip))).collect())
     };
@@ -67,7 +74,7 @@ fn over_crank_angle(number: usize, angles: &[f64], tips: &[(f64, f64)], largest:
         name: format!("bearing-{number}-cycle"),
         caption: phrase!(
             "Bearing {}: components of the force of gas and masses through the cycle, y upwards in direction 0 (solid), x to the right (dashed).",
-            number
+            bearing.name.clone()
         ),
         figure: plot.figure(),
     }
@@ -80,19 +87,18 @@ const PATH: [&str; 2] = [
 
 fn polar(
     convention: Convention,
-    number: usize,
-    bearing: &CycleBearing,
+    (number, bearing): (usize, &CycleBearing),
     [all, inertia]: [Vec<(f64, f64)>; 2],
     largest: f64,
 ) -> Picture {
     let label = "Force in {}; 0° is the reference direction";
     let curves = vec![Curve::new(0, "with gas", all), Curve::new(2, "without gas", inertia)];
-    let mut polar = Polar::new(format!("Main bearing {number}"), label, curves).counted_in(Unit::NEWTON);
+    let mut polar = Polar::new(format!("Main bearing {}", bearing.name), label, curves).counted_in(Unit::NEWTON);
     polar.reach = largest;
     polar.marks.push(PointMark::dot(tip(bearing.peak.vector), format!("largest, θ ≈ {:.0}°", bearing.peak.angle)));
     Picture {
         name: format!("bearing-{number}-cycle-polar"),
-        caption: phrase!(said(convention, PATH), number),
+        caption: phrase!(said(convention, PATH), bearing.name.clone()),
         figure: polar.figure(),
     }
 }
@@ -136,6 +142,39 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         ]
     };
     course.alike().iter().take(MOST_PINS).flat_map(draw).collect()
+}
+
+/// The paths of the loads of the knuckle pins of every master rod, seen from it, as many as are told apart.
+pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
+    let course = &loads.course;
+    let angles = angles(course);
+    let mut masters: Vec<usize> = loads.knuckles.iter().map(|knuckle| knuckle.master).collect();
+    masters.sort_unstable();
+    masters.dedup();
+    let draw = |master: usize| {
+        let path = |link: usize| {
+            let seen = |theta: &f64| {
+                let [inertia, gas] = course.knuckle_parts(link, *theta)?;
+                Some(tip((inertia + gas) * course.knuckle_direction(link, *theta)?.conj()))
+            };
+            angles.iter().filter_map(seen).collect::<Vec<_>>()
+        };
+        let name = |index: usize| engine.cylinders()[index].name.clone();
+        let links = course.links_of(master).take(MOST_LINKS).enumerate();
+        let curves = links.map(|(place, link)| Curve::new(place, format!("link {}", name(link)), path(link))).collect();
+        let label = "Force in {}; 0° is away from the crankpin";
+        let polar = Polar::new(format!("Knuckle pins of master rod {}", name(master)), label, curves);
+        Picture {
+            name: format!("master-{}-knuckles-cycle", master + 1),
+            caption: phrase!(
+                "Knuckle pins of master rod {}, {} at most: paths of the tips of their loads of gas and masses through the cycle, seen from the master rod, away from the crankpin upwards.",
+                Text::label(name(master)),
+                MOST_LINKS
+            ),
+            figure: polar.counted_in(Unit::NEWTON).figure(),
+        }
+    };
+    masters.into_iter().map(draw).collect()
 }
 
 /// The path of the load of every crankpin that rods share, seen from the crank, with those of its rods where they are few.

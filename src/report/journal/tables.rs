@@ -19,7 +19,7 @@ pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearin
         if bearings.worst == index { phrase!("{}, worst", size) } else { size }
     };
     Table::of(continuous.bearings.iter().enumerate())
-        .column("Bearing", |(index, _)| index + 1)
+        .column("Bearing", |(_, bearing)| bearing.name.clone())
         .column(table::position_heading(engine), |(_, bearing)| table::position(engine, &bearing.position))
         .column(phrase!("Largest load in {}", Unit::NEWTON), |(index, _)| marked(continuous, *index))
         .column("at θ", |(_, bearing)| angle(bearing.peak.angle))
@@ -62,6 +62,18 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
         .done()
 }
 
+/// The largest load of the knuckle pin of every link, with and without gas.
+pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Table {
+    Table::of(&loads.knuckles)
+        .column("Link of cylinder", |knuckle| name(engine, knuckle.cylinder))
+        .column("Master rod", |knuckle| name(engine, knuckle.master))
+        .column(phrase!("Load of the knuckle pin in {}", Unit::NEWTON), |knuckle| size(knuckle.peak.value))
+        .column("at θ", |knuckle| angle(knuckle.peak.angle))
+        .column(phrase!("Gas in it in {}", Unit::NEWTON), |knuckle| size(knuckle.peak.gas_along()))
+        .column(phrase!("Without gas in {}", Unit::NEWTON), |knuckle| size(knuckle.inertia.value))
+        .done()
+}
+
 /// How far every rod is pressed and pulled, what its bolts bear, and the side force of its piston.
 pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
     // What never is says nothing of an angle.
@@ -84,7 +96,8 @@ pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
 
 /// The largest value of each order of each bearing: a row an order, a column a bearing.
 pub(super) fn orders(bearings: &CycleBearings) -> Table {
-    let heads = (1..=bearings.bearings.len()).map(|number| phrase!("Bearing {} in {}", number, Unit::NEWTON));
+    let named = bearings.bearings.iter().map(|bearing| bearing.name.clone());
+    let heads = named.map(|name| phrase!("Bearing {} in {}", name, Unit::NEWTON));
     let mut table = Table::new([Text::from("Order κ")].into_iter().chain(heads));
     let row = |name: Text, cells: &mut dyn Iterator<Item = Text>| [name].into_iter().chain(cells).collect();
     let means = bearings.bearings.iter().map(|bearing| &bearing.series.mean);

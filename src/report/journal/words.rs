@@ -15,6 +15,7 @@ pub(super) fn answer(engine: &Engine, loads: &CycleLoads, [continuous, determina
     let mut lines = vec![largest(continuous), others(continuous, determinate)];
     lines.extend(pins(engine, loads));
     lines.extend(shared_pins(engine, loads));
+    lines.extend(knuckles(engine, loads));
     lines.extend(rods(engine, loads));
     lines.push(SIGNS.into());
     lines
@@ -24,7 +25,8 @@ const SIGNS: &str = "Largest values are those of the forces themselves, through 
 
 fn largest(bearings: &CycleBearings) -> Text {
     let peak = &bearings.bearings[bearings.worst].peak;
-    let (number, size, at) = (bearings.worst + 1, newtons(peak.value), angle(peak.angle));
+    let number = bearings.bearings[bearings.worst].name.clone();
+    let (size, at) = (newtons(peak.value), angle(peak.angle));
     let gas = peak.gas_along();
     if gas < 0.0 {
         phrase!(
@@ -64,8 +66,8 @@ fn others(continuous: &CycleBearings, determinate: &CycleBearings) -> Text {
     phrase!(
         "**Without gas** the largest is {} on bearing {}. By the determinate approximation the most loaded is bearing {}, with {}.",
         newtons(largest),
-        alone + 1,
-        determinate.worst + 1,
+        continuous.bearings[alone].name.clone(),
+        determinate.bearings[determinate.worst].name.clone(),
         newtons(other.value)
     )
 }
@@ -96,6 +98,19 @@ fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
         names(engine, &pin.cylinders),
         newtons(pin.peak.value),
         angle(pin.peak.angle)
+    ))
+}
+
+fn knuckles(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
+    let most = loads.knuckles.iter().map(|knuckle| knuckle.peak.value).fold(f64::NEG_INFINITY, f64::max);
+    let knuckle = loads.knuckles.iter().find(|knuckle| knuckle.peak.value >= most - 1e-9 * most.abs())?;
+    let name = |index: usize| Text::label(engine.cylinders()[index].name.clone());
+    Some(phrase!(
+        "**Knuckle pins.** That of the link of cylinder {} on master rod {} carries most, {} at crank angle {}.",
+        name(knuckle.cylinder),
+        name(knuckle.master),
+        newtons(knuckle.peak.value),
+        angle(knuckle.peak.angle)
     ))
 }
 

@@ -124,6 +124,7 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
                 Factor::Motion(_)
                 | Factor::Torque(_)
                 | Factor::Side(_)
+                | Factor::OnPin(..)
                 | Factor::Open
                 | Factor::OpenTorque
                 | Factor::Geared(..) => {

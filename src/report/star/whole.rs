@@ -92,7 +92,7 @@ impl<'a> WholeStars<'a> {
 fn sum((value, outcome): (Complex<f64>, Outcome)) -> (String, String) {
     let words = match outcome {
         Outcome::Zero => "sum = 0",
-        Outcome::NotZero => return rounded_sum(value.norm()),
+        Outcome::NotZero | Outcome::Computed => return rounded_sum(value.norm()),
         Outcome::Undecided { .. } => "sum not decided",
     };
     (words.to_owned(), words.to_owned())

@@ -1,0 +1,170 @@
+//! What do knuckle pins, master rods and their pistons feel, as a person reads it? Tables, polar diagrams, columns.
+
+use super::super::calculation::Unit;
+use super::super::plot::{Curve, PointMark, Polar};
+use super::super::torque::names;
+use super::amounts;
+use super::data::peak;
+use crate::engine::Engine;
+use crate::loads::{self, Circle, KnuckleLoad, LinkLoads, MasterLoad, Waveform, link_loads};
+use crate::page::{self, Block, Picture, Text, phrase};
+use crate::report::calculation::data::Units;
+use crate::report::data::Filling;
+use crate::table::Table;
+use crate::text::Untrusted;
+
+/// Steps of a revolution: half a degree each.
+const STEPS: usize = 720;
+/// Of more links on a master rod those of one side are drawn, as many as these.
+const MOST_LINKS: usize = 4;
+
+const LINKS: &str = "Each rod is two masses at its ends: a link pushes its knuckle pin along itself, and the mass at the knuckle pin (the pin and the big end of the link) moves with the master rod. The crankpin carries all knuckle pins and the master's piston; the knuckle pins stand beside the master rod, so that its piston is pressed against the wall until the moments on the rod cancel. These loads have no closed form: they are computed from the exact motion, to the roundings of decimals.";
+
+/// Tables and drawings; none where no rod is a link.
+pub(in crate::report) fn blocks(engine: &Engine) -> Vec<Block> {
+    let Some(links) = link_loads(engine) else { return Vec::new() };
+    let unit = Unit::of_force(loads::scale(engine).as_ref());
+    vec![
+        Block::Heading(1, "Articulated rods".into()),
+        Block::Paragraph(LINKS.into()),
+        masters(engine, &links, unit).into(),
+        knuckles(engine, &links, unit).into(),
+        Block::Pictures(drawings(engine, &links, unit)),
+    ]
+}
+
+fn name(engine: &Engine, index: usize) -> Text {
+    Text::label(engine.cylinders()[index].name.clone())
+}
+
+/// What stands first of the master rods.
+pub(in crate::report) fn answer(engine: &Engine) -> Option<Text> {
+    let links = link_loads(engine)?;
+    let unit = Unit::of_force(loads::scale(engine).as_ref());
+    let most = |one: &&MasterLoad, other: &&MasterLoad| one.crankpin.value.total_cmp(&other.crankpin.value);
+    let master = links.masters.iter().max_by(most)?;
+    let knuckle = links.knuckles.iter().max_by(|one, other| one.peak.value.total_cmp(&other.peak.value))?;
+    Some(phrase!(
+        "Articulated rods: master rod {} with its links loads its crankpin with up to {} {}, the knuckle pin of cylinder {} carries up to {} {}, and the wall presses on the master's piston with up to {} {}, without links {} {}.",
+        name(engine, master.cylinder),
+        amounts::size(&master.crankpin, unit),
+        unit.label(),
+        name(engine, knuckle.cylinder),
+        amounts::size(&knuckle.peak, unit),
+        unit.label(),
+        amounts::size(&master.side, unit),
+        unit.label(),
+        amounts::size(&master.own_side, unit),
+        unit.label()
+    ))
+}
+
+fn masters(engine: &Engine, links: &LinkLoads, unit: Unit) -> page::Table {
+    page::Table::of(&links.masters)
+        .column("Master rod", |master| name(engine, master.cylinder))
+        .column("Links of cylinders", |master| names(engine, &master.links))
+        .column(phrase!("Load of the crankpin in {}", unit.label()), |master| amounts::size(&master.crankpin, unit))
+        .column("at θ", |master| amounts::angle(&master.crankpin))
+        .column(phrase!("Side force in {}", unit.label()), |master| amounts::size(&master.side, unit))
+        .column("at θ", |master| amounts::angle(&master.side))
+        .column(phrase!("Without links in {}", unit.label()), |master| amounts::size(&master.own_side, unit))
+        .done()
+}
+
+fn knuckles(engine: &Engine, links: &LinkLoads, unit: Unit) -> page::Table {
+    page::Table::of(&links.knuckles)
+        .column("Link of cylinder", |knuckle| name(engine, knuckle.cylinder))
+        .column("Master rod", |knuckle| name(engine, knuckle.master))
+        .column(phrase!("Load of the knuckle pin in {}", unit.label()), |knuckle| amounts::size(&knuckle.peak, unit))
+        .column("at θ", |knuckle| amounts::angle(&knuckle.peak))
+        .column(phrase!("Side force on the master's piston in {}", unit.label()), |knuckle| {
+            amounts::size(&knuckle.side, unit)
+        })
+        .column("at θ", |knuckle| amounts::angle(&knuckle.side))
+        .done()
+}
+
+fn drawings(engine: &Engine, links: &LinkLoads, unit: Unit) -> Vec<Picture> {
+    links.masters.iter().flat_map(|master| drawn(engine, links, master, unit)).collect()
+}
+
+/// The path of a load, and its tip where it is largest.
+fn path(load: &Waveform, unit: Unit) -> (Vec<(f64, f64)>, PointMark) {
+    let tip = |force: num_complex::Complex<f64>| (-force.im * unit.factor, force.re * unit.factor);
+    let mut tips: Vec<(f64, f64)> = load.sample(&Circle::new(STEPS)).into_iter().map(tip).collect();
+    tips.extend(tips.first().copied());
+    let peak = load.peak();
+    (tips, PointMark::dot(tip(peak.vector), format!("largest, θ ≈ {:.0}°", peak.angle.unwrap_or_default())))
+}
+
+fn drawn(engine: &Engine, links: &LinkLoads, master: &MasterLoad, unit: Unit) -> [Picture; 2] {
+    let called = &engine.cylinders()[master.cylinder].name;
+    let (tips, largest) = path(&master.on_the_crank, unit);
+    let mut pin = Polar::new(
+        format!("Crankpin of master rod {called}"),
+        "Force in {}; 0° is outward along the throw",
+        vec![Curve::new(0, "", tips.clone())],
+    )
+    .counted_in(unit.unit);
+    pin.mark_quarters(&tips, STEPS);
+    pin.marks.push(largest);
+    let own = links.knuckles.iter().filter(|knuckle| knuckle.master == master.cylinder).take(MOST_LINKS);
+    let curve = |(place, knuckle): (usize, &KnuckleLoad)| {
+        let (tips, _) = path(&knuckle.on_the_rod, unit);
+        Curve::new(place, format!("link {}", engine.cylinders()[knuckle.cylinder].name), tips)
+    };
+    let pins = Polar::new(
+        format!("Knuckle pins of master rod {called}"),
+        "Force in {}; 0° is away from the crankpin",
+        own.enumerate().map(curve).collect(),
+    )
+    .counted_in(unit.unit);
+    [
+        Picture {
+            name: format!("master-{}-crankpin", master.cylinder + 1),
+            caption: phrase!(
+                "Crankpin of master rod {}: path of the tip of its load by all rods through a revolution, of the masses, seen from the crank, outward along the throw upwards. Rings mark crank angles, the dot the largest force.",
+                name(engine, master.cylinder)
+            ),
+            figure: pin.figure(),
+        },
+        Picture {
+            name: format!("master-{}-knuckles", master.cylinder + 1),
+            caption: phrase!(
+                "Knuckle pins of master rod {}, {} at most: paths of the tips of their loads through a revolution, of the masses, seen from the master rod, away from the crankpin upwards.",
+                name(engine, master.cylinder),
+                MOST_LINKS
+            ),
+            figure: pins.figure(),
+        },
+    ]
+}
+
+/// The tables `knuckles` and `masters`.
+pub(super) fn table(engine: &Engine, units: Units, called: &str) -> Option<Table> {
+    let links = link_loads(engine)?;
+    let person = |index: usize| Some(Untrusted::new(&*engine.cylinders()[index].name));
+    let load = ["force_zero_to_peak_{unit}", "theta_{unit}"];
+    let side = ["side_zero_to_peak_{unit}", "side_theta_{unit}"];
+    Some(match called {
+        "knuckles" => {
+            let mut table = Filling::new("bearings.knuckles", &links.knuckles);
+            table.person("cylinder", |knuckle| person(knuckle.cylinder));
+            table.person("master", |knuckle| person(knuckle.master));
+            peak(&mut table, load, units, |knuckle| &knuckle.peak);
+            peak(&mut table, side, units, |knuckle| &knuckle.side);
+            table.done()
+        }
+        _ => {
+            let mut table = Filling::new("bearings.masters", &links.masters);
+            table.person("cylinder", |master| person(master.cylinder));
+            table.whole("links", |master| master.links.len());
+            peak(&mut table, load, units, |master| &master.crankpin);
+            peak(&mut table, side, units, |master| &master.side);
+            peak(&mut table, ["own_side_zero_to_peak_{unit}", "own_side_theta_{unit}"], units, |master| {
+                &master.own_side
+            });
+            table.done()
+        }
+    })
+}
