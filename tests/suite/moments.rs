@@ -213,3 +213,52 @@ fn the_command_makes_a_row_of_each_firing_order() {
     let wrong = call(&["moments", layout, "--firing-order", "1-1-2"]);
     assert!(!wrong.status.success() && String::from_utf8_lossy(&wrong.stderr).contains("with the firing order 1-1-2"));
 }
+
+/// X of order κ times the rod length, over the torque of one cylinder and the spacing, is the sum of the firing angles with their arms: a number
+/// of the firing order alone, as project guides of large two-strokes have it.
+#[test]
+fn the_twisting_moments_of_project_guides_are_the_arms_of_their_firing_orders() {
+    let guides = |text: &str| {
+        let one = study(text).rows[0].guides.clone().expect("gas").0;
+        move |order: u32| one.iter().find(|moment| moment.order.halves() == 2 * order).expect("an order").clone()
+    };
+    let root = |inside: f64| inside.sqrt();
+    let cases: [(&str, &[f64]); 7] = [
+        ("1-4-3-2-5", &[0.449027977, 4.979796570]),
+        ("1-5-3-4-2-6", &[0.0, 2.0 * root(3.0), 9.0]),
+        ("1-7-2-5-4-3-6", &[0.267253751, 1.005598110, 9.844660880]),
+        ("1-8-3-4-7-2-5-6", &[0.896683058, 0.0, root(80.0 + 56.0 * root(2.0)), 4.0]),
+        ("1-6-7-3-5-8-2-4-9", &[0.921604985, 1.130515875, 9.0 * root(3.0), 4.987241530]),
+        (
+            "1-8-5-7-2-9-4-6-3-10",
+            &[
+                root(45.0 - 20.0 * root(5.0)),
+                root(5.0 - 2.0 * root(5.0)),
+                root(45.0 + 20.0 * root(5.0)),
+                root(5.0 + 2.0 * root(5.0)),
+                25.0,
+            ],
+        ),
+        ("1-8-12-4-2-9-10-5-3-7-11-6", &[0.0, 0.0, 9.0 * root(10.0), 4.0 * root(3.0), 0.0, 0.0]),
+    ];
+    for (order, arms) in cases {
+        let several = guides(&two_stroke(order));
+        let of_all = torque(&engine(&two_stroke(order))).expect("gas");
+        let of_one =
+            |order: u32| of_all.classes[0].torque_of_one(0, CycleOrder::of_halves(2 * order).expect("an order")).norm();
+        let count = order.split('-').count() as u32;
+        for (kappa, arm) in (1..).zip(arms) {
+            let found = several(kappa).twisting.unwrap_or(0.0) * 2.05 / (of_one(kappa) * 0.85);
+            assert_near(found, *arm, 2e-9 * (1.0 + arm));
+            assert_eq!(several(kappa).twisting.is_none(), *arm == 0.0, "{order}, order {kappa}");
+            // The mirrored order has the same arms, and that of all cylinders none.
+            if count - kappa <= 12 {
+                let mirrored = several(count - kappa).twisting.unwrap_or(0.0);
+                assert_near(mirrored * 2.05 / (of_one(count - kappa) * 0.85), *arm, 2e-9 * (1.0 + arm));
+            }
+        }
+        if count <= 12 {
+            assert_eq!(several(count).twisting, None, "{order}");
+        }
+    }
+}

@@ -358,19 +358,28 @@ fn heights_with_gas_come_out_at_a_speed_and_for_several() {
 /// `theory-trade`, section 2: V twins on a common pin, the part of the second-order peak that one shaft cancels.
 #[test]
 fn one_shaft_cancels_the_longer_vector_and_leaves_the_other() {
-    let best = |angle: u32| {
+    let best = |angle: f64| {
         let text = format!("vee = {{ bank_angle = {angle}, throws = [0] }}\nmechanism.rod_ratio = 0.3\n");
         let subject = ComparableEngine::new(&read(&text)).expect("an engine");
         cures(&subject, &[2]).into_iter().find(|cure| cure.shafts == 1).expect("one shaft")
     };
-    let cases = [(54, 85.0651), (66, 84.2796), (72, 72.3607), (90, 50.0), (120, 66.6667)];
+    // 97 % is cured at two angles beside 60°.
+    let cases = [
+        (54.0, 85.0651),
+        (58.9715, 97.0),
+        (61.0179, 97.0),
+        (66.0, 84.2796),
+        (72.0, 72.3607),
+        (90.0, 50.0),
+        (120.0, 66.6667),
+    ];
     for (angle, right) in cases {
         let cure = best(angle);
-        assert!((100.0 * cure.removed - right).abs() < 6e-5, "{angle}: {} for {right}", 100.0 * cure.removed);
-        assert_eq!(cure.is_exact, angle == 90, "{angle}");
-        assert_eq!(cure.senses == [Sense::Reverse], angle == 120, "{angle}");
+        assert!((100.0 * cure.removed - right).abs() < 3e-4, "{angle}: {} for {right}", 100.0 * cure.removed);
+        assert_eq!(cure.is_exact, angle == 90.0, "{angle}");
+        assert_eq!(cure.senses == [Sense::Reverse], angle == 120.0, "{angle}");
     }
-    let sixty = best(60);
+    let sixty = best(60.0);
     assert!(sixty.is_exact && sixty.removed == 1.0 && sixty.peak[1] == 0.0);
     // In line the force swings along a line: half, proved, at every order; both shafts remove all.
     let subject = ComparableEngine::new(&read(FOUR)).expect("an engine");
