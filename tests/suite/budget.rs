@@ -25,7 +25,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("mounts", 520),
     ("numbers", 2150),
     ("optimise", 1430),
-    ("order", 1780),
+    ("order", 1790),
     ("page", 6780),
     ("proof", 8617),
     ("python", 2610),
