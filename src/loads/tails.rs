@@ -170,7 +170,7 @@ impl Tails {
             ];
             let of_mass = |(mass, weight): (LinkMass, BigRational)| {
                 let weight = weight.abs() * &faster;
-                match weight.is_zero().then_some(0.0).unwrap_or_else(|| bound(mass)) {
+                match if weight.is_zero() { 0.0 } else { bound(mass) } {
                     0.0 => 0.0,
                     bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
                 }

@@ -322,8 +322,8 @@ fn inner_cranks_leave_the_second_order_that_newtons_law_gives() {
         ]);
     let rotor = rotor(&text);
     let left = secondary(&rotor, &solved(&text)[0]).expect("all is known");
-    assert_near(left.sums[0].norm(), 1923.989_303, 1e-6);
-    assert_near(left.sums[1].norm(), 1899.509_359, 1e-6);
+    assert_near(left.sums[0].norm(), 1_923.989_303, 1e-6);
+    assert_near(left.sums[1].norm(), 1_899.509_359, 1e-6);
     assert!(left.exact.iter().all(Option::is_none));
     // All angles rational: exact sums.
     let known = "secondary = true\n".to_owned()

@@ -68,7 +68,7 @@ fn every_answer_fits_eighty_columns() {
     let mut calls: Vec<Vec<String>> = Vec::new();
     let mut ask = |layout: &str, command: &[&str], index: usize| {
         let [name, options @ ..] = command else { unreachable!("a command has a name") };
-        let language = ["--lang", if index % 2 == 0 { "en" } else { "de" }];
+        let language = ["--lang", if index.is_multiple_of(2) { "en" } else { "de" }];
         let call = [*name, layout].into_iter().chain(options.iter().copied()).chain(language);
         calls.push(call.map(str::to_owned).collect());
     };
