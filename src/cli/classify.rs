@@ -77,7 +77,7 @@ impl Classify {
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
         if self.torque && engine.has_links() {
-            return Err(Failure::new(loads::Missing::ArticulatedRods("the inertia torque")));
+            return Err(Failure::new(loads::Missing::ArticulatedRods("verdicts on the inertia torque")));
         }
         let quantities = verdict::quantities(&engine, self.torque);
         let judged = self.masses.judge(&engine, &orders, &quantities)?;

@@ -26,8 +26,6 @@ pub enum Missing {
     Order(NotAnOrder),
     /// What is not computed of an engine with articulated rods.
     ArticulatedRods(&'static str),
-    /// Several crankshafts that are geared together.
-    SeveralCrankshafts,
     /// What is not computed where a crankshaft turns faster than the reference.
     FasterCrank(&'static str),
     /// No main bearings.
@@ -57,15 +55,9 @@ impl fmt::Display for Missing {
             }
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Order(number) => number.fmt(f),
-            Missing::ArticulatedRods(what) => write!(
-                f,
-                "{what} are not available for an engine with articulated rods: with links on a master rod only the shaking forces and moments are computed"
-            ),
-            Missing::SeveralCrankshafts => {
-                f.write_str("values at an angle are known of one crankshaft alone; this engine has several")
-            }
+            Missing::ArticulatedRods(what) => write!(f, "not available for an engine with articulated rods: {what}"),
             Missing::FasterCrank(what) => {
-                write!(f, "{what} are not available for an engine with a crankshaft that turns faster than the reference")
+                write!(f, "not available for an engine with a crankshaft that turns faster than the reference: {what}")
             }
             Missing::Bearings => f.write_str(
                 "the layout gives no main bearings; above the first table, give their positions: bearings = [0.15, 0.05, -0.05, -0.15]",
