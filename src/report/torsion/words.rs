@@ -27,8 +27,12 @@ pub(super) fn assumed(study: &TorsionStudy) -> Vec<Text> {
         });
     }
     lines.extend(ALWAYS.map(Text::from));
+    lines.extend(study.engine.has_links().then(|| LINKS.into()));
     lines
 }
+
+const LINKS: &str =
+    "With links on a master rod the cylinders do not all give the same torque, so that the stars are approximate.";
 
 const ALWAYS: [&str; 3] = [
     "Frequencies and modes are decimals, by Holzer's residuals and a bisection down to neighbouring numbers; the stars of the modes are decimals too.",
