@@ -76,7 +76,7 @@ pub(in crate::report) fn orders_of(loads: &BearingLoads) -> Vec<u32> {
 pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Option<Text> {
     let unit = amounts::unit_of(loads);
     let bound = left_out_of_bearings(engine, loads).ok()??;
-    Some(match bound.part() {
+    let words = match bound.part() {
         Some(part) => {
             phrase!("The orders that are not shown add at most {} % of the largest load to any bearing.", percent(part))
         }
@@ -85,6 +85,11 @@ pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Opti
             calculation::bound(bound.most, unit),
             unit.label()
         ),
+    };
+    // What links add has no bound in closed form.
+    Some(match engine.has_links() {
+        true => phrase!("{} With links on a master rod this bound is computed, not proved.", words),
+        false => words,
     })
 }
 
