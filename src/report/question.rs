@@ -80,6 +80,35 @@ pub trait Question: Send + Sync {
     }
 }
 
+/// The question of a study whose tables are made by `data::table` of its room, the two documents by `page::answer` and `page::page`.
+macro_rules! question_of_its_room {
+    ($study:ty, $command:literal, $title:expr) => {
+        impl $crate::report::Question for $study {
+            fn command(&self) -> &'static str {
+                $command
+            }
+
+            fn title(&self) -> Option<&$crate::text::Untrusted> {
+                let title: fn(&Self) -> Option<&$crate::text::Untrusted> = $title;
+                title(self)
+            }
+
+            fn table(&self, name: &str) -> Option<$crate::table::Table> {
+                data::table(self, name)
+            }
+
+            fn answer(&self) -> $crate::page::Document {
+                page::answer(self)
+            }
+
+            fn page(&self) -> $crate::page::Document {
+                page::page(self)
+            }
+        }
+    };
+}
+pub(super) use question_of_its_room;
+
 #[derive(Serialize)]
 struct Answer<'a> {
     format: String,

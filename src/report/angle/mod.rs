@@ -8,13 +8,10 @@ use std::fmt;
 
 use num_complex::Complex;
 
-use super::question::Question;
+use super::question::question_of_its_room;
 use crate::engine::Engine;
 use crate::journal::{Instants, PistonAt};
 use crate::loads::Missing;
-use crate::page::Document;
-use crate::table::Table;
-use crate::text::Untrusted;
 
 /// So many rows are computed at most: an angle of a cylinder is one.
 const MOST_ROWS: f64 = 100_000.0;
@@ -152,24 +149,4 @@ impl AngleStudy {
     }
 }
 
-impl Question for AngleStudy {
-    fn command(&self) -> &'static str {
-        "angle"
-    }
-
-    fn title(&self) -> Option<&Untrusted> {
-        Some(self.engine.title())
-    }
-
-    fn table(&self, name: &str) -> Option<Table> {
-        data::table(self, name)
-    }
-
-    fn answer(&self) -> Document {
-        page::answer(self)
-    }
-
-    fn page(&self) -> Document {
-        page::page(self)
-    }
-}
+question_of_its_room!(AngleStudy, "angle", |study| Some(study.engine.title()));

@@ -3,12 +3,9 @@
 mod data;
 mod page;
 
-use super::question::Question;
+use super::question::question_of_its_room;
 use crate::file::Diagram;
 use crate::flywheel::{self, Fluctuation, NoFluctuation};
-use crate::page::Document;
-use crate::table::Table;
-use crate::text::Untrusted;
 
 /// A turning-moment diagram with what it tells.
 #[derive(Clone, Debug)]
@@ -29,24 +26,4 @@ impl FlywheelStudy {
     }
 }
 
-impl Question for FlywheelStudy {
-    fn command(&self) -> &'static str {
-        "flywheel"
-    }
-
-    fn title(&self) -> Option<&Untrusted> {
-        Some(&self.diagram.title)
-    }
-
-    fn table(&self, name: &str) -> Option<Table> {
-        data::table(self, name)
-    }
-
-    fn answer(&self) -> Document {
-        page::answer(self)
-    }
-
-    fn page(&self) -> Document {
-        page::page(self)
-    }
-}
+question_of_its_room!(FlywheelStudy, "flywheel", |study| Some(&study.diagram.title));

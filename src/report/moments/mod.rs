@@ -8,13 +8,11 @@ mod page;
 
 use std::fmt;
 
-use super::question::Question;
+use super::question::question_of_its_room;
 use crate::engine::{Crankshaft, CycleOrder, Engine};
 use crate::loads::{self, Arm, Missing, OrderLoads};
 use crate::order;
-use crate::page::Document;
 use crate::proof::{Planar, Sense};
-use crate::table::Table;
 use crate::text::{self, Untrusted};
 use crate::torque::{self, GuideMoments};
 
@@ -180,24 +178,4 @@ pub(super) fn guides(engine: &Engine) -> Result<(Vec<GuideMoments>, Option<f64>)
     Ok((moments, torque.power))
 }
 
-impl Question for MomentsStudy {
-    fn command(&self) -> &'static str {
-        "moments"
-    }
-
-    fn title(&self) -> Option<&Untrusted> {
-        None
-    }
-
-    fn table(&self, name: &str) -> Option<Table> {
-        data::table(self, name)
-    }
-
-    fn answer(&self) -> Document {
-        page::answer(self)
-    }
-
-    fn page(&self) -> Document {
-        page::page(self)
-    }
-}
+question_of_its_room!(MomentsStudy, "moments", |_| None);

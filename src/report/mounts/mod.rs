@@ -3,7 +3,6 @@
 mod data;
 mod page;
 mod plots;
-mod study;
 mod tables;
 mod words;
 
@@ -12,6 +11,7 @@ use std::fmt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use super::question::question_of_its_room;
 use crate::engine::{CycleOrder, Dimensions, Draft, Engine, Mounting};
 use crate::mounts::{
     Body, Excitation, Mode, Motion, NoExcitation, OrderExcitation, Phasors, RollAxis, excitation, roll_axis,
@@ -265,3 +265,5 @@ impl MountsStudy {
         self.orders.iter().enumerate().filter(|(_, order)| !order.excitation.still.is_whole())
     }
 }
+
+question_of_its_room!(MountsStudy, "mounts", |study| Some(study.engine.title()));

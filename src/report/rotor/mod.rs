@@ -5,14 +5,11 @@ mod page;
 
 use num_complex::Complex;
 
-use super::question::Question;
+use super::question::question_of_its_room;
 use crate::exact::PhasorSum;
 use crate::file::Rotor;
 use crate::numbers;
-use crate::page::Document;
 use crate::rotor::{self, Answer, Found, Locomotive, NotSolved, Secondary};
-use crate::table::Table;
-use crate::text::Untrusted;
 
 /// Masses on a shaft with what balances them.
 #[derive(Clone, Debug)]
@@ -134,24 +131,4 @@ impl RotorStudy {
     }
 }
 
-impl Question for RotorStudy {
-    fn command(&self) -> &'static str {
-        "rotor"
-    }
-
-    fn title(&self) -> Option<&Untrusted> {
-        Some(&self.rotor.title)
-    }
-
-    fn table(&self, name: &str) -> Option<Table> {
-        data::table(self, name)
-    }
-
-    fn answer(&self) -> Document {
-        page::answer(self)
-    }
-
-    fn page(&self) -> Document {
-        page::page(self)
-    }
-}
+question_of_its_room!(RotorStudy, "rotor", |study| Some(&study.rotor.title));
