@@ -18,9 +18,9 @@ use super::collected::{Collected, collect};
 use super::decimals::{enclose, scale};
 use super::when::Part;
 
-/// Enclosures have so many bits.
+/// Bits of enclosures.
 const BITS: u32 = 64;
-/// s and t may enter so many times.
+/// The largest multiple of s and of t.
 const HIGHEST_TIMES: i64 = 512;
 /// A box is no narrower than this power of two of a turn.
 const FINEST: u32 = 40;

@@ -27,7 +27,7 @@ pub struct Checked {
     pub wholes: usize,
     /// How many of them are left open: what is not decided, or whose rods are not known.
     pub open_wholes: usize,
-    /// Shapes of what is left.
+    /// Shapes of the residuals.
     pub shapes: usize,
     /// Statements on every order.
     pub theorems: usize,

@@ -47,7 +47,7 @@ pub struct CircleClaim {
     /// Where the arcs are not about the sum itself: the factor that they are about.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub divided: Option<DividedClaim>,
-    /// Enclosures with so many bits show what the arcs say.
+    /// Bits of the enclosures that show what the arcs claim.
     pub bits: u32,
     /// Where an arc is `monotone` or a `crossing`: evidence that the sum, turned back by half of its degree, stays on one line.
     pub mirrored: Vec<Certificate>,

@@ -9,7 +9,7 @@ use super::knuckle::{KnuckleClaim, Part};
 use super::link::{LinkClaim, LinkageClaim};
 use super::verdict::Vector;
 
-/// What stands before a sum.
+/// What a sum is multiplied by.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
 pub enum Coefficient {
@@ -31,7 +31,7 @@ pub enum Coefficient {
     /// t_k of this rod.
     #[serde(skip)]
     Torque(RodClaim),
-    /// One of these of a crank that turns so many times, at least twice, while the reference turns once: that of its own order, the order
+    /// One of these of a crank that turns this many times, at least twice, while the reference turns once: that of its own order, the order
     /// divided by this.
     Geared(GearedClaim),
 }
@@ -100,7 +100,7 @@ impl Coefficient {
         }
     }
 
-    /// The same of a crank that turns so many times while the reference turns once; 1 stays 1.
+    /// The same of a crank that turns this many times while the reference turns once; 1 stays 1.
     pub(super) fn geared(self, speed: u32) -> Self {
         match (speed, self) {
             (_, Coefficient::One) => Coefficient::One,

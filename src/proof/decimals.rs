@@ -28,7 +28,7 @@ pub(super) fn length_in_range<S: Serializer>(length: &Decimal, serializer: S) ->
 
 /// A correct decimal is off by less than this power of two of itself: a few units in the last place.
 const ACCURACY: u32 = 50;
-/// Directions nearer than this power of two of a turn are not told apart.
+/// Directions nearer than this power of two of a turn are not distinguished.
 const FINEST_TURN: u32 = 150;
 /// Bits behind the point at the first attempt, and at the last.
 const FIRST_BITS: u32 = 256;

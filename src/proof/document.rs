@@ -40,7 +40,7 @@ pub struct Document {
     pub verdicts: Vec<VerdictClaim>,
     /// One statement per order, quantity and sense that has sums before several coefficients, in this order.
     pub wholes: Vec<WholeClaim>,
-    /// The shape of what is left, one per order of force and moment.
+    /// The shape of the residual, one per order of force and moment.
     pub shapes: Vec<ShapeClaim>,
     /// The statements on every order, one per quantity and sense, where they were asked for.
     pub theorems: Vec<TheoremClaim>,

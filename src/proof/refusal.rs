@@ -54,7 +54,7 @@ impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Refusal::WrongKind => write!(f, "`vanishes` and the kind of the certificate contradict each other"),
-            Refusal::NoPolygon(sides) => write!(f, "a polygon has {sides} sides, it needs two at least"),
+            Refusal::NoPolygon(sides) => write!(f, "a polygon has {sides} sides; it needs at least two"),
             Refusal::EmptyPolygon => write!(f, "a polygon has the weight 0"),
             Refusal::TooManyCorners => write!(f, "the polygons have more than {MOST_CORNERS} corners"),
             Refusal::PolygonsDiffer(differ) => {
@@ -68,19 +68,19 @@ impl fmt::Display for Refusal {
             Refusal::WrongOrder(root) => {
                 write!(
                     f,
-                    "the multiplicative order of the root {root} is not the conductor, or not by every factor of the modulus"
+                    "the multiplicative order of the root {root} is not the conductor, or not modulo every factor of the modulus"
                 )
             }
             Refusal::AngleNotWhole(angle) => write!(f, "the angle {angle} times the conductor is not whole"),
             Refusal::WeightNotWhole(weight) => write!(f, "the weight {weight} times a positive scale is not whole"),
-            Refusal::WrongResidue(found) => write!(f, "the sum is {found} by the modulus, not the residue claimed"),
+            Refusal::WrongResidue(found) => write!(f, "the residue of the sum is {found}, not the one claimed"),
             Refusal::ZeroResidue => write!(f, "the residue is 0, which proves nothing"),
             Refusal::ClassNotForced(step, prime) => {
                 write!(f, "step {step}: {prime} divides the conductor and must divide the modulus of the class")
             }
             Refusal::ModulusNotPositive(step) => write!(f, "step {step}: the modulus of a class is positive"),
             Refusal::NoSuchClasses(step) => {
-                write!(f, "step {step}: needs a prime up to a million and two different classes below it")
+                write!(f, "step {step}: it needs a prime up to a million and two different classes below that prime")
             }
             Refusal::PrimeSquared(step, prime) => write!(f, "step {step}: {prime} divides the conductor twice"),
             Refusal::NotOneVector(left) => write!(f, "the splitting ends in {left} vectors instead of one"),
