@@ -220,6 +220,14 @@ def test_a_damped_shaft_has_its_resonances_and_its_heat_in_columns() -> None:
     assert set(tables["torques"]["order"]) == {"6"} and all(torque > 0 for torque in tables["torques"]["torque_zero_to_peak_N_m"])
 
 
+def test_a_cylinder_that_does_not_fire_changes_the_twist_and_an_unknown_one_is_refused() -> None:
+    six = Engine.read(Path(__file__).parents[2] / "reports/examples/i6-damper/layout.toml")
+    firing, misfire = (six.torsion(misfire=name).tables["torques"] for name in (None, "2"))
+    assert firing["torque_zero_to_peak_N_m"][0] != misfire["torque_zero_to_peak_N_m"][0]
+    with pytest.raises(crankstar.CrankstarError, match="no cylinder `7`"):
+        six.torsion(misfire="7")
+
+
 def test_masses_on_a_shaft_and_a_turning_moment_diagram_are_asked_of_a_text() -> None:
     examples = Path(__file__).parents[2] / "examples"
     masses = crankstar.rotor((examples / "shaft.toml").read_text()).tables["masses"]
@@ -229,6 +237,45 @@ def test_masses_on_a_shaft_and_a_turning_moment_diagram_are_asked_of_a_text() ->
     assert values["energy_exact"][0] == "π·(244205/192)" and abs(values["inertia_kg_m2"][0] - 202.429338) < 1e-6
     with pytest.raises(crankstar.LayoutError, match="speeed"):
         crankstar.flywheel("speeed = 3\n" + diagram)
+
+
+def test_values_of_engines_shafts_and_diagrams_are_one_table() -> None:
+    examples = Path(__file__).parents[2] / "examples"
+    files = [(examples / name).read_text() for name in ("shaft.toml", "turning-moment.toml")]
+    names = ["rotor.masses.1.X.mass", "flywheel.values.inertia", "classify.orders.2.force_vanishes"]
+    columns = crankstar.values([Engine.named("I6")], names, files=files).columns
+    assert columns["engine"][1] == "Four masses and two planes"
+    assert abs(columns["rotor_masses_1_X_mass_kg"][1] - 352.972118655) < 1e-8
+    assert abs(columns["flywheel_values_inertia_kg_m2"][2] - 202.429338) < 1e-6
+    assert columns["classify_orders_2_force_vanishes"][0] and "masses on a shaft" in columns["rotor_masses_1_X_mass_missing"][0]
+    assert len(crankstar.values([], names[:1], files=files[:1]).columns["engine"]) == 1
+    with pytest.raises(ValueError, match="neither masses"):
+        crankstar.values([], names, files=["title = 'nothing'"])
+
+
+def test_a_sweep_has_values_of_any_question_beside_its_points() -> None:
+    six = Engine.read(Path(__file__).parents[2] / "reports/examples/marine-six/layout.toml")
+    name = "loads.largest.moment"
+    columns = six.sweep(speed="100..120:10", values=[name]).columns
+    assert len(columns["loads_largest_moment_N_m"]) == 3
+    assert abs(columns["loads_largest_moment_N_m"][2] / columns["loads_largest_moment_N_m"][0] - 1.44) < 1e-9
+    with pytest.raises(ValueError, match="there are orders"):
+        six.sweep(speed="100..120:10", values=["loads.weather.rain"])
+
+
+def test_a_search_keeps_limits_in_newton_metres() -> None:
+    six = Engine.read(Path(__file__).parents[2] / "reports/examples/marine-six/layout.toml")
+    everything = crankstar.search(7, "two-stroke", sizes=six).columns
+    moments = everything["moment_2_N_m"]
+    most = sorted(moments)[0]
+    kept = crankstar.search(7, "two-stroke", limits={2: f"{most * 1.001} N m"}, sizes=six).columns
+    assert 0 < len(kept["moment_2_N_m"]) < len(moments)
+    assert all(moment <= most * 1.001 for moment in kept["moment_2_N_m"])
+    assert len(crankstar.search(6, "two-stroke", limits={1: 0}).columns["star"]) > 0
+    with pytest.raises(ValueError, match="sizes"):
+        crankstar.search(6, "two-stroke", limits={2: "30 kN m"})
+    with pytest.raises(ValueError, match="limits: cannot read `2=much`"):
+        crankstar.search(6, "two-stroke", limits={2: "much"})
 
 
 def test_an_engine_on_its_mounts_has_modes_and_orders_in_columns() -> None:

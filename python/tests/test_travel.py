@@ -3,6 +3,7 @@
 import copy
 import pickle
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,10 @@ def four() -> Engine:
     return Engine("Four", **FOUR)  # type: ignore[arg-type]
 
 
+def marine() -> Engine:
+    return Engine.read(Path(__file__).parents[2] / "reports/examples/marine-six/layout.toml")
+
+
 MADE: list[Callable[[], Any]] = [
     four,
     lambda: Engine.named("V8-crossplane"),
@@ -37,6 +42,9 @@ MADE: list[Callable[[], Any]] = [
     lambda: Engine.named("V6-60-even").sweep(bank_angle="60..120:5"),
     lambda: Engine.named("V6-60-even").sweep({"vee.bank_angle": (60, 90, 10)}, orders=[1, 2], firing_orders=[0.5, 1]),
     lambda: crankstar.search(6, "two-stroke"),
+    lambda: crankstar.search(6, "two-stroke", limits={2: "4000 kN m"}, sizes=marine()),
+    lambda: marine().sweep(speed="100..120:10", values=["loads.largest.moment"]),
+    lambda: crankstar.values([], ["rotor.left.force.vanishes"], files=["[[mass]]\nmass = 1\nradius = 1\nangle = 0\nposition = 0"]),
     lambda: crankstar.search(8, "four-stroke", bank_angle=90, minor_orders=[0.5], torsion=True),
     lambda: crankstar.rotor("[[mass]]\nmass = 1\nradius = 1\nangle = 0\nposition = 0"),
     lambda: crankstar.flywheel("points = [[0, 300], [180, 0], [360, 300]]"),

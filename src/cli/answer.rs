@@ -59,7 +59,9 @@ impl ValueEnum for DataFormat {
             DataFormat::Table(table::Format::Csv) => ("csv", "Tables of comma-separated values"),
             DataFormat::Table(table::Format::Xlsx) => ("xlsx", "A workbook for spreadsheets, a sheet a table"),
             DataFormat::Table(table::Format::Parquet) => ("parquet", "Tables for notebooks and databases"),
-            DataFormat::Json => ("json", "The output of --json, or for a sweep the points and the exact zeros"),
+            DataFormat::Table(table::Format::Json) | DataFormat::Json => {
+                ("json", "The output of --json, or for a sweep the points and the exact zeros")
+            }
         };
         Some(PossibleValue::new(name).help(help))
     }
@@ -109,7 +111,8 @@ impl Answer {
     pub fn wanted(&self, question: &'static str) -> Result<Option<Wanted<'_>>, Failure> {
         let format = match self.format {
             Some(Format::Data(DataFormat::Table(format))) => Some(format),
-            Some(Format::Data(DataFormat::Json) | Format::Page(_)) | None => None,
+            Some(Format::Data(DataFormat::Json)) => self.tables.json(),
+            Some(Format::Page(_)) | None => None,
         };
         self.tables.wanted(question, format, self.page.measures(), self.page.folder())
     }
@@ -131,6 +134,11 @@ impl Answer {
             ))),
             (None, None) => Err(Failure::misuse(format!("{flag} needs a file for its pieces: --output NAME.shard"))),
         }
+    }
+
+    /// Whether `--format json` asks for the document, not for a table of data.
+    pub fn is_document(&self) -> bool {
+        self.is_json() && self.tables.json().is_none()
     }
 
     /// Whether JSON is asked for.
@@ -227,7 +235,8 @@ impl DataAnswer {
     pub fn wanted(&self, question: &'static str, measures: &Measures) -> Result<Option<Wanted<'_>>, Failure> {
         let format = match self.format {
             Some(VerdictFormat::Data(DataFormat::Table(format))) => Some(format),
-            Some(VerdictFormat::Data(DataFormat::Json) | VerdictFormat::Coq) | None => None,
+            Some(VerdictFormat::Data(DataFormat::Json)) => self.tables.json(),
+            Some(VerdictFormat::Coq) | None => None,
         };
         if self.format.is_none() && self.output.is_some() {
             return Err(Failure::misuse("--output is for data; add --format csv, xlsx, parquet, json or coq"));

@@ -37,6 +37,12 @@ pub fn known(layout: &Path, needs: &str) -> Result<Engine, Failure> {
     }
 }
 
+/// The same engine, in which a cylinder may misfire.
+pub fn firing(layout: &Path, needs: &str, misfire: Option<&str>) -> Result<Engine, Failure> {
+    let engine = known(layout, needs)?;
+    misfire.map_or(Ok(engine.clone()), |name| engine.misfiring(name).map_err(Failure::new))
+}
+
 /// The warnings alone, of a layout that is read in another way.
 pub fn warn_of(layout: &Path) {
     // What is wrong with it is reported by whoever reads it.

@@ -95,7 +95,7 @@ impl Pieces {
                     let rows = text(merged.read(piece).map_err(Failure::new)?)?;
                     Ok(match wanted.format() {
                         Format::Csv => Made::Rows(rows),
-                        Format::Parquet | Format::Xlsx => Made::Table(of_rows(&like, &rows)?),
+                        Format::Parquet | Format::Xlsx | Format::Json => Made::Table(of_rows(&like, &rows)?),
                     })
                 };
                 in_order(self.threads(), &all, &read, &mut |_, made| add(file, made))
@@ -107,7 +107,7 @@ impl Pieces {
                 let table = points(stream, &like, piece)?;
                 Ok(match wanted.format() {
                     Format::Csv => Made::Rows(table::rows(&table)),
-                    Format::Parquet | Format::Xlsx => Made::Table(table),
+                    Format::Parquet | Format::Xlsx | Format::Json => Made::Table(table),
                 })
             };
             in_order(self.threads(), &all, &make, &mut |_, made| {

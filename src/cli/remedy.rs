@@ -54,6 +54,10 @@ pub struct Remedy {
 const ROUNDED: &str = "The weights against what links on a master rod leave have no exact size: in the file they are decimals, and leave less than 10^-6 of \
                        the load.\n";
 
+/// What is said where masses are asked for of the document.
+const NO_MASSES: &str =
+    "the document holds what `verify` checks, without masses at a radius; --format json --table weights has them";
+
 impl Remedy {
     /// Prints the remedy, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
@@ -66,6 +70,9 @@ impl Remedy {
             let remedy = remedy::remedy(&engine, &self.wish(&engine, orders)?).map_err(Failure::new)?;
             if let Some(file) = &self.write {
                 written = self.write_corrected(&remedy, file)?;
+            }
+            if self.radius.is_some() && (self.json || self.answer.is_document()) {
+                write::warn(NO_MASSES);
             }
             Ok(remedy)
         })?;

@@ -33,6 +33,11 @@ pub struct Wanted<'a> {
 const ENDINGS: [&str; 4] = ["csv", "xlsx", "parquet", "json"];
 
 impl Tables {
+    /// JSON as a format of tables, where one of them is named; else it is the document of the answer.
+    pub fn json(&self) -> Option<Format> {
+        self.table.as_ref().map(|_| Format::Json)
+    }
+
     /// The tables of a question in a format, where one is named.
     ///
     /// # Errors
@@ -48,7 +53,7 @@ impl Tables {
         let Some(format) = format else {
             return match table {
                 None => Ok(None),
-                Some(_) => Err(Failure::misuse("--table is for data; add --format csv, xlsx or parquet")),
+                Some(_) => Err(Failure::misuse("--table is for data; add --format csv, xlsx, parquet or json")),
             };
         };
         format.is_built().map_err(Failure::new)?;
@@ -74,7 +79,7 @@ impl Tables {
                 is_of(path, ending)?;
                 Ok(Some(Wanted { question, format, table, output }))
             }
-            (Format::Csv, None) => Ok(Some(Wanted { question, format, table, output })),
+            (Format::Csv | Format::Json, None) => Ok(Some(Wanted { question, format, table, output })),
         }
     }
 }
@@ -85,7 +90,7 @@ impl Wanted<'_> {
         let is_one_file = self.output.is_none_or(|path| ends_in(path, self.format.ending()));
         let grows = match self.format {
             Format::Csv | Format::Parquet => true,
-            Format::Xlsx => false,
+            Format::Xlsx | Format::Json => false,
         };
         grows && is_one_file && self.table.is_none_or(|table| table == main)
     }

@@ -13,6 +13,9 @@ use super::layouts;
 pub struct Torque {
     /// The path of a layout file with [gas]
     layout: PathBuf,
+    /// The name of a cylinder that does not fire
+    #[arg(long, value_name = "CYLINDER")]
+    misfire: Option<String>,
     /// Print the torque as JSON
     #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
@@ -24,7 +27,8 @@ impl Torque {
     /// Prints the answer, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("torque", self.json, || {
-            TorqueStudy::new(&layouts::known(&self.layout, "the torque needs")?).map_err(Failure::new)
+            let engine = layouts::firing(&self.layout, "the torque needs", self.misfire.as_deref())?;
+            TorqueStudy::new(&engine).map_err(Failure::new)
         })
     }
 }

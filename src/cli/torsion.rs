@@ -20,6 +20,9 @@ pub struct Torsion {
     /// The speed at which the forced vibration is shown, such as 70 [default: that of the layout]
     #[arg(long, value_parser = speed)]
     speed: Option<f64>,
+    /// The name of a cylinder that does not fire
+    #[arg(long, value_name = "CYLINDER")]
+    misfire: Option<String>,
     /// Print modes and critical speeds as JSON
     #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
@@ -31,7 +34,7 @@ impl Torsion {
     /// Prints the critical speeds, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("torsion", self.json, || {
-            let engine = layouts::known(&self.layout, "a torsional model needs")?;
+            let engine = layouts::firing(&self.layout, "a torsional model needs", self.misfire.as_deref())?;
             let study = TorsionStudy::new(&engine, &self.orders).map_err(Failure::new)?;
             Ok(match self.speed {
                 Some(speed) => study.at(speed),

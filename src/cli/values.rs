@@ -1,11 +1,11 @@
-//! `values`: which values have these engines, each by its name?
+//! `values`: which values have these engines, shafts and diagrams, each by its name?
 
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::thread;
 
 use crankstar::file::Layout;
-use crankstar::report::{ValueName, ValuesStudy};
+use crankstar::report::{ValueName, Valued, ValuesStudy, values_of};
 use crankstar::table::Single;
 use crankstar::text::Untrusted;
 
@@ -16,7 +16,7 @@ use super::layouts;
 /// Arguments of `values`.
 #[derive(clap::Args)]
 pub struct Values {
-    /// Names of the catalogue, or paths of layout files
+    /// Names of the catalogue, or paths of layout files; of shafts and diagrams for values of rotor and flywheel
     #[arg(required = true)]
     layouts: Vec<PathBuf>,
     /// A value by its name: question, table, the keys of a row, column; docs/data.md lists them: torsion.modes.1.frequency
@@ -51,8 +51,12 @@ impl Values {
     }
 
     fn of(&self, layout: &Path) -> Result<Vec<Result<Single, String>>, Failure> {
+        let (name, text) = layouts::source(layout)?;
+        if let Some(valued) = Valued::of_file(&name, &text).map_err(Failure::new)? {
+            return Ok(valued.values(&self.value));
+        }
         match layouts::read(layout)? {
-            Layout::Known(engine, _) => Ok(ValuesStudy::row(&engine, &self.value)),
+            Layout::Known(engine, _) => Ok(values_of(&engine, &self.value)),
             Layout::Open(_) => {
                 let why = "the layout has unknowns; give them values below [values]";
                 Ok(self.value.iter().map(|_| Err(why.to_owned())).collect())

@@ -104,11 +104,12 @@ impl Engine {
         Some(self.dimensions().crank_radius.as_ref()? * &throw.crank_radius)
     }
 
-    /// Rotating and reciprocating mass of a cylinder in kilograms; `None` where the layout gives no masses.
+    /// Rotating and reciprocating mass of a cylinder in kilograms; `None` where the layout gives no masses. A knuckle mass counts as
+    /// rotating at the crankpin: the master rod carries it round with the pin.
     fn masses_of(&self, cylinder: usize) -> Option<[BigRational; 2]> {
         let unit = self.dimensions().mass.as_ref()?;
         let cylinder = &self.cylinders()[cylinder];
-        Some([cylinder.rotating_mass.clone(), unit * &cylinder.reciprocating_mass])
+        Some([&cylinder.rotating_mass + unit * &cylinder.knuckle_mass, unit * &cylinder.reciprocating_mass])
     }
 
     /// The mass in kilograms that all masses can be counted in: m, or one kilogram where m is 0 or not known.

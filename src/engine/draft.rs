@@ -64,6 +64,8 @@ pub struct Draft<A = Turn, L = BigRational> {
     pub above: Option<BigRational>,
     /// What presses on the pistons; none where nothing is known of it.
     pub gas: Option<Gas>,
+    /// The cylinder that was kept from firing, by its index.
+    pub misfire: Option<usize>,
     /// What is known, or wanted, of the flywheel.
     pub flywheel: Flywheel,
     /// Positions of the main bearings, of each crankshaft where several are geared together; none where nothing is known of them.
@@ -114,6 +116,7 @@ impl<A, L> Draft<A, L> {
             firing: None,
             open_firing: None,
             gas: None,
+            misfire: None,
             flywheel: Flywheel::default(),
             bearings: Vec::new(),
             dimensions: Dimensions::default(),
@@ -148,6 +151,7 @@ impl<A, L> Draft<A, L> {
             firing: self.firing.clone(),
             open_firing: self.open_firing.clone(),
             gas: self.gas.clone(),
+            misfire: self.misfire,
             flywheel: self.flywheel.clone(),
             bearings: self.bearings.clone(),
             dimensions: self.dimensions.clone(),

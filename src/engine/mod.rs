@@ -19,6 +19,7 @@ mod length;
 mod linear;
 mod links;
 mod mechanism;
+mod misfire;
 mod model;
 mod mounting;
 mod open_firing;
@@ -39,13 +40,14 @@ pub use firing::{Cycle, Firing, Shot};
 pub use flywheel::Flywheel;
 pub use form::Form;
 pub use gas::{
-    At, Chamber, CompressorStage, DeadCentre, Gas, GasMistake, Heat, IdealCycle, Ignition, MOST_ROWS, PressureLaw,
-    PressureTable, Setting,
+    At, Below, Chamber, CompressorStage, DeadCentre, Gas, GasMistake, Heat, IdealCycle, Ignition, MOST_ROWS,
+    PressureLaw, PressureTable, Setting,
 };
 pub use geared::{AxisLeftOut, GearedCrank};
 pub use length::{Length, LengthUnit};
 pub use linear::Linear;
 pub use mechanism::{Link, Mechanism, Rod};
+pub use misfire::NoMisfire;
 pub use model::{Effects, Engine};
 pub use mounting::{Block, MOST_MOUNTS, Mount, Mounting, NoMounting};
 pub use open_firing::{End, FiringSpan, NoSpans, OpenFiring};

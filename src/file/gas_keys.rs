@@ -14,7 +14,7 @@ use super::gas_table::{self, Reading, Rows};
 use super::quantities::misread;
 use super::units;
 use super::written::{Table, Text, place};
-use crate::engine::{At, Chamber, Cycle, Cylinder, DeadCentre, Gas, GasMistake, Linear, Mechanism, PressureLaw};
+use crate::engine::{At, Below, Chamber, Cycle, Cylinder, DeadCentre, Gas, GasMistake, Linear, Mechanism, PressureLaw};
 
 /// `[gas]` and `[[gas.cylinder]]`.
 #[derive(Deserialize)]
@@ -28,6 +28,9 @@ pub(super) struct Keys {
     pub pressure: Option<Rows>,
     pub unit: Option<Text>,
     pub reading: Option<Text>,
+    pub below_table: Option<Text>,
+    pub below_pressure: Option<Rows>,
+    pub piston_rod: Option<Text>,
     pub process: Option<Text>,
     pub compression_ratio: Option<Text>,
     pub intake_pressure: Option<Text>,
@@ -198,17 +201,67 @@ impl Layers<'_> {
             crankcase: crankcase.unwrap_or(assumed),
             law: 0,
             zero: self.pick(|keys| &keys.dead_centre).map_or(Ok(DeadCentre::Crank), dead_centre)?,
+            below: None,
         };
-        let mut chambers = Vec::new();
-        for law in self.laws((cycle, names), beside, &ambient)? {
+        let mut known = |law: PressureLaw| {
             law.check(cycle).map_err(|mistake| self.told(mistake))?;
             let index = laws.iter().position(|known| *known == law).unwrap_or(laws.len());
             if index == laws.len() {
                 laws.push(law);
             }
-            chambers.push(Chamber { law: index, ..chamber.clone() });
+            Ok::<_, LayoutError>(index)
+        };
+        let above = self.laws((cycle, names), beside, &ambient)?;
+        let above = above.into_iter().map(&mut known).collect::<Result<Vec<_>, _>>()?;
+        let below = self.below((cycle, names), beside, &ambient, &chamber.bore)?;
+        let below = below.into_iter().map(|(rod, law)| Ok(Below { law: known(law)?, rod }));
+        let below = below.collect::<Result<Vec<_>, LayoutError>>()?;
+        let one = |index: usize| Chamber {
+            law: above[index % above.len()],
+            below: (!below.is_empty()).then(|| below[index % below.len()].clone()),
+            ..chamber.clone()
+        };
+        Ok((0..above.len().max(below.len())).map(one).collect())
+    }
+
+    /// The diameter of the piston rod with the pressure below the piston: none of a single-acting cylinder, one of all, or one of each.
+    fn below(
+        &self,
+        of: (Cycle, &[String]),
+        beside: FileResolver<'_>,
+        ambient: &BigRational,
+        bore: &BigRational,
+    ) -> Result<Vec<(BigRational, PressureLaw)>, LayoutError> {
+        let (keys, rod) = (self.says(is_double_acting), self.pick(|keys| &keys.piston_rod));
+        let (Some(keys), Some(rod)) = (keys, rod) else {
+            let right = "a double-acting cylinder has both: piston_rod = \"50 mm\", and below_table or below_pressure = [[0, \"1.5 bar\"], [360, \"1.5 bar\"]]";
+            return match (keys, rod) {
+                (Some(_), _) => Err(LayoutError::new(
+                    "a pressure below the piston without the diameter of the piston rod",
+                    right,
+                    self.span.clone(),
+                )),
+                (_, Some(rod)) => {
+                    Err(LayoutError::new("a piston rod without a pressure below the piston", right, place(rod)))
+                }
+                (None, None) => Ok(Vec::new()),
+            };
+        };
+        let metres = super::quantities::positive_metres(rod)?;
+        if metres >= *bore {
+            return Err(misread("piston rod", &rod.get_ref().0, "a diameter below that of the bore".to_owned(), rod));
         }
-        Ok(chambers)
+        let reading = self.reading(ambient)?;
+        let tables = match (&keys.below_table, &keys.below_pressure) {
+            (Some(path), None) => gas_table::beside(path, beside, &reading, of)?,
+            (None, Some(rows)) => vec![gas_table::inline(rows, &reading, of.0)?],
+            (_, rows) => {
+                let right = "one of below_table and below_pressure is enough";
+                let span = rows.as_ref().and_then(place);
+                return Err(LayoutError::new("the pressure below the piston is given twice", right, span));
+            }
+        };
+        Ok(tables.into_iter().map(|table| (metres.clone(), PressureLaw::Table(table))).collect())
     }
 
     fn laws(
@@ -240,7 +293,7 @@ impl Layers<'_> {
             }
             (None, None, Some(process)) => {
                 for (key, text) in [("unit", self.pick(|k| &k.unit)), ("reading", self.pick(|k| &k.reading))] {
-                    if let Some(text) = text {
+                    if let Some(text) = text.filter(|_| self.says(is_double_acting).is_none()) {
                         let message = format!("{key} beside a process");
                         let right = "it is of tables; the pressures of a process are absolute, each with its unit";
                         return Err(LayoutError::new(message, right, place(text)));
@@ -296,6 +349,11 @@ impl Layers<'_> {
         };
         LayoutError::new(mistake.message, mistake.right, span.or_else(|| self.span.clone()))
     }
+}
+
+/// Whether it says what presses on the inner side of the piston.
+fn is_double_acting(keys: &Keys) -> bool {
+    keys.below_table.is_some() || keys.below_pressure.is_some()
 }
 
 fn dead_centre(text: &Text) -> Result<DeadCentre, LayoutError> {

@@ -208,6 +208,7 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
         firing: None,
         open_firing: None,
         gas,
+        misfire: None,
         flywheel: file.flywheel.as_ref().map_or_else(|| Ok(Default::default()), |table| table.0.read())?,
         bearings: bearings.transpose()?.unwrap_or_default(),
         dimensions,

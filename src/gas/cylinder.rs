@@ -13,11 +13,27 @@ use crate::engine::{Cycle, DeadCentre, Engine, PressureLaw};
 #[derive(Clone, Debug)]
 pub struct CylinderGas {
     geometry: Geometry,
-    law: Law,
+    /// The outer side of the piston, and the inner one where it is double-acting.
+    sides: Vec<Side>,
     crankcase: f64,
     cycle: Cycle,
     heat: Option<f64>,
     zero: f64,
+}
+
+/// A side of a piston.
+#[derive(Clone, Debug)]
+pub(super) struct Side {
+    pub law: Law,
+    /// The area that its pressure acts on towards the crank: below 0 on the inner side.
+    pub area: f64,
+}
+
+impl Side {
+    fn pressure(&self, geometry: &Geometry, psi: f64) -> f64 {
+        let (piece, psi) = self.law.at(psi);
+        piece.pressure(geometry, psi)
+    }
 }
 
 impl CylinderGas {
@@ -45,7 +61,12 @@ impl CylinderGas {
                 (stage::law(stage, &geometry)?, None)
             }
         };
-        let gas = CylinderGas { geometry, law, crankcase: float(&chamber.crankcase), cycle, heat, zero };
+        let mut sides = vec![Side { law, area: geometry.area }];
+        if let Some((below, PressureLaw::Table(table))) = chamber.below.as_ref().map(|one| (one, &gas.laws[one.law])) {
+            let area = Geometry::disc(float(&below.rod)) - geometry.area;
+            sides.push(Side { law: Law::table(table, cycle, zero), area });
+        }
+        let gas = CylinderGas { geometry, sides, crankcase: float(&chamber.crankcase), cycle, heat, zero };
         let is_shown = |value: f64| value.is_finite() && value.abs() < 1e150;
         match is_shown(gas.work()) && is_shown(gas.peak_pressure().0) {
             true => Ok(gas),
@@ -58,11 +79,11 @@ impl CylinderGas {
         &self.geometry
     }
 
-    pub(super) fn law(&self) -> &Law {
-        &self.law
+    pub(super) fn sides(&self) -> &[Side] {
+        &self.sides
     }
 
-    /// Absolute pressure on the other side of the piston.
+    /// Absolute pressure on the other side of the piston, of a double-acting one on the section of its rod.
     pub fn crankcase(&self) -> f64 {
         self.crankcase
     }
@@ -92,13 +113,24 @@ impl CylinderGas {
 
     /// Absolute pressure in pascals.
     pub fn pressure(&self, psi: f64) -> f64 {
-        let (piece, psi) = self.law.at(psi);
-        piece.pressure(&self.geometry, psi)
+        self.sides[0].pressure(&self.geometry, psi)
     }
 
-    /// Force F_g on the piston, towards the crank, in newtons.
+    /// The same on the inner side of a double-acting piston.
+    pub fn pressure_below(&self, psi: f64) -> Option<f64> {
+        Some(self.sides.get(1)?.pressure(&self.geometry, psi))
+    }
+
+    /// The volume on the inner side of a double-acting piston, without clearance.
+    pub fn volume_below(&self, psi: f64) -> f64 {
+        let geometry = &self.geometry;
+        let above = geometry.volume(geometry.innermost) - geometry.volume(psi);
+        self.sides.get(1).map_or(0.0, |side| above * (-side.area / geometry.area))
+    }
+
+    /// Force F_g on the piston, towards the crank, in newtons: `p₁A − p₂(A − a) − p_c a`.
     pub fn force(&self, psi: f64) -> f64 {
-        (self.pressure(psi) - self.crankcase) * self.geometry.area
+        self.sides.iter().map(|side| (side.pressure(&self.geometry, psi) - self.crankcase) * side.area).sum()
     }
 
     /// Force `F_g tan β` of the wall on the piston, in newtons.
@@ -111,24 +143,30 @@ impl CylinderGas {
         self.force(psi) * self.geometry.radius * self.geometry.lever(psi)
     }
 
-    /// The largest pressure, and the angle at which it stands.
+    /// The largest pressure on the outer side, and the angle at which it stands.
     pub fn peak_pressure(&self) -> (f64, f64) {
-        self.law.peak(&self.geometry)
+        self.sides[0].law.peak(&self.geometry)
     }
 
-    /// Indicated work of a cycle in joules: the area of the loop.
+    /// Indicated work of a cycle in joules: the area of the loop, of both sides together.
     pub fn work(&self) -> f64 {
-        self.law.work(&self.geometry)
+        self.sides.iter().map(|side| side.law.work(&self.geometry) * (side.area / self.geometry.area)).sum()
     }
 
-    /// Mean indicated pressure in pascals.
+    /// Mean indicated pressure in pascals: the work over the volume that the outer side sweeps.
     pub fn mean_pressure(&self) -> f64 {
         self.work() / self.geometry.swept()
     }
 
     /// Angles at which the pressure has a kink, in the cycle that begins with the first of them.
     pub fn kinks(&self) -> impl Iterator<Item = f64> {
-        self.law.pieces.iter().map(|piece| piece.from)
+        let begins = |side: &Side| side.law.pieces.iter().map(|piece| piece.from).collect::<Vec<_>>();
+        let mut kinks = begins(&self.sides[0]);
+        let first = kinks[0];
+        let others = self.sides[1..].iter().flat_map(begins);
+        kinks.extend(others.map(|psi| first + (psi - first).rem_euclid(self.period())));
+        kinks.sort_by(f64::total_cmp);
+        kinks.into_iter()
     }
 
     /// The harmonics up to the n-th of the cycle.

@@ -37,12 +37,17 @@ impl Geometry {
         let [outermost, innermost] = motion.dead_centres();
         Ok(Geometry {
             radius: float(&(radius * &cylinder.crank_radius)),
-            area: PI / 4.0 * bore * bore,
+            area: Geometry::disc(bore),
             outermost,
             innermost,
             clearance: 0.0,
             motion,
         })
+    }
+
+    /// The area of a disc of this diameter.
+    pub(super) fn disc(diameter: f64) -> f64 {
+        PI / 4.0 * diameter * diameter
     }
 
     /// The volume that the piston sweeps.

@@ -7,7 +7,7 @@
 
 use num_complex::Complex;
 
-use super::cylinder::CylinderGas;
+use super::cylinder::{CylinderGas, Side};
 use super::quadrature::points;
 use crate::engine::CycleOrder;
 
@@ -105,25 +105,25 @@ fn largest_change(one: &[Complex<f64>], other: &[Complex<f64>]) -> f64 {
 }
 
 fn sums(gas: &CylinderGas, highest: usize, halvings: u32) -> Sums {
-    let (geometry, law) = (gas.geometry(), gas.law());
+    let geometry = gas.geometry();
     let zero = Complex::new(0.0, 0.0);
     let mut sums = [const { Vec::new() }; 3].map(|_: Vec<Complex<f64>>| vec![zero; highest + 1]);
     // Each part has sums of its own, which are then added: fewer terms are rounded one after the other.
     let mut of_part = sums.clone();
     let (mut sizes, mut parts) = ([0.0; 3], 0.0);
     let base = 1.0 / f64::from(gas.revolutions());
-    for piece in &law.pieces {
+    for (side, piece) in gas.sides().iter().flat_map(|side| side.law.pieces.iter().map(move |piece| (side, piece))) {
         let width = piece.to - piece.from;
         let phase = width * base * highest as f64;
         let count = (width / WIDEST).max(phase / MOST_PHASE).ceil().max(1.0) as usize;
         for edge in piece.edges(count << halvings).windows(2) {
             for (psi, weight) in points(edge[0], edge[1]) {
                 let pressure = piece.pressure(geometry, psi);
-                let force = (pressure - gas.crankcase()) * geometry.area * weight;
+                let force = (pressure - gas.crankcase()) * side.area * weight;
                 let (slope, lever) = (geometry.slope(psi), geometry.radius * geometry.lever(psi));
                 let values = [force, force * slope, force * lever];
                 // Pressures that nearly cancel, and the lever and slope that are small at the dead centres, keep the roundings of what they were made of.
-                let size = (pressure + gas.crankcase()) * geometry.area * weight;
+                let size = (pressure + gas.crankcase()) * side.area.abs() * weight;
                 for (sum, factor) in sizes.iter_mut().zip([1.0, 1.0 + slope.abs(), geometry.radius + lever.abs()]) {
                     *sum += size * factor;
                 }
@@ -142,7 +142,7 @@ fn sums(gas: &CylinderGas, highest: usize, halvings: u32) -> Sums {
             parts += 1.0;
         }
     }
-    let period = law.period;
+    let period = gas.period();
     for sum in &mut sums {
         for (index, value) in sum.iter_mut().enumerate() {
             *value *= if index == 0 { 1.0 } else { 2.0 } / period;
@@ -153,15 +153,20 @@ fn sums(gas: &CylinderGas, highest: usize, halvings: u32) -> Sums {
     Sums { harmonics: sums, roundings: sizes.map(|size| size * part) }
 }
 
-/// The total variation of `dT/dψ`: within the pieces, and its jumps between them.
+/// The total variation of `dT/dψ`, or more where two sides of a piston have a part in it.
 fn variation(gas: &CylinderGas) -> f64 {
-    let (geometry, law) = (gas.geometry(), gas.law());
+    gas.sides().iter().map(|side| variation_of(gas, side)).sum()
+}
+
+/// That of one side: within the pieces, and its jumps between them.
+fn variation_of(gas: &CylinderGas, side: &Side) -> f64 {
+    let geometry = gas.geometry();
     let mut slopes = Vec::new();
-    for piece in &law.pieces {
+    for piece in &side.law.pieces {
         let steps = ((piece.to - piece.from) / 0.02).ceil().clamp(2.0, STEPS as f64 * 8.0) as usize;
         slopes.extend(piece.edges(steps).into_iter().map(|psi| {
-            let force = (piece.pressure(geometry, psi) - gas.crankcase()) * geometry.area;
-            let slope = piece.slope(geometry, psi) * geometry.area;
+            let force = (piece.pressure(geometry, psi) - gas.crankcase()) * side.area;
+            let slope = piece.slope(geometry, psi) * side.area;
             geometry.radius * (slope * geometry.lever(psi) + force * geometry.lever_slope(psi))
         }));
     }

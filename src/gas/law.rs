@@ -178,7 +178,7 @@ impl Law {
             let Some(top) = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b])) else { continue };
             let (low, high) = (edges[top.saturating_sub(1)], edges[(top + 1).min(count)]);
             let psi = golden_section(low, high, 60, |psi| piece.pressure(geometry, psi));
-            for psi in [psi, edges[top]] {
+            for psi in [edges[top], psi] {
                 let value = piece.pressure(geometry, psi);
                 if value > best.0 {
                     best = (value, psi);

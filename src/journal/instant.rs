@@ -6,9 +6,9 @@
 use num_complex::Complex;
 
 use super::{Carried, PistonForces};
-use crate::engine::{Cylinder, Engine, Mechanism};
+use crate::engine::Engine;
 use crate::gas::{CylinderGas, NoGas};
-use crate::loads::{self, Method, Missing};
+use crate::loads::{self, HungRod, Method, Missing};
 use crate::motion::PistonMotion;
 use crate::numbers;
 use crate::order::{self, Source};
@@ -19,6 +19,10 @@ use crate::torque::{self, Bodies, Inertia};
 #[derive(Clone, Debug)]
 pub struct Instants {
     cylinders: Vec<Moving>,
+    /// The links on master rods.
+    links: Vec<HungRod>,
+    /// One m r ω² in newtons, where it is known.
+    newtons: Option<f64>,
     bearings: Vec<Carried>,
     omega: Option<f64>,
     period: f64,
@@ -34,10 +38,6 @@ struct Moving {
     ratio: Option<f64>,
     /// The mass at the knuckle pin of a link, where it is known.
     knuckle: Option<Inertia>,
-    /// Whether links hang on its rod, which then is no strut between two pins.
-    carries: bool,
-    /// Whether it is a link.
-    hangs: bool,
     radius: f64,
     mass: Option<f64>,
     gas: Option<CylinderGas>,
@@ -51,6 +51,13 @@ struct Moving {
     sense: f64,
     /// What the rotating part of its rod pulls the pin outward with.
     rotating: f64,
+}
+
+impl Moving {
+    /// The direction of its crankpin at a crank angle in degrees.
+    fn throw_at(&self, theta: f64) -> Complex<f64> {
+        self.throw * Complex::cis(self.sense * theta.to_radians())
+    }
 }
 
 /// What one piston does at a crank angle.
@@ -74,17 +81,19 @@ pub struct PistonAt {
     pub inertia: Option<f64>,
     /// Weight of the reciprocating mass, where it is asked for.
     pub weight: Option<f64>,
-    /// tan β, the slope of the rod.
+    /// tan β, the slope of the rod, anticlockwise.
     pub slope: f64,
     /// Torque of the mass at the knuckle pin of a link, in newton-metres; none where there is none.
     pub knuckle: Option<f64>,
-    /// Whether its rod is loaded at its two ends alone: no links hang on it.
-    pub is_strut: bool,
+    /// The side force that links put on it which hang on its rod.
+    pub side_of_links: f64,
     /// What the effort turns the crank with, in metres: `−ds/dψ`.
     pub lever: f64,
-    /// Load of the crankpin by rod and piston, seen from the engine, in newtons; none where no force is known.
+    /// Load of the pin that its big end is on, seen from the engine, in newtons; none where no force is known. That is the crankpin, by the rod
+    /// with all links that hang on it; of a link the knuckle pin, with the mass there.
     pub pin: Option<Complex<f64>>,
-    /// The same seen from the crank: the real part is outward along the throw, the imaginary part in the sense of rotation.
+    /// The same seen from the crank: the real part is outward along the throw, the imaginary part in the sense of rotation. Of a link seen from
+    /// the master rod: away from the crankpin, and a quarter turn anticlockwise from there.
     pub pin_on_the_crank: Option<Complex<f64>>,
 }
 
@@ -104,14 +113,16 @@ impl PistonAt {
         self.forces().map(|forces| forces.effort())
     }
 
-    /// The force along the rod, positive where it is pressed; none of a rod on which links hang.
+    /// The force along the rod, positive where it is pressed; of a rod on which links hang, in its small end.
     pub fn rod(&self) -> Option<f64> {
-        self.forces().filter(|_| self.is_strut).map(|forces| forces.rod())
+        // The part along the rod of effort and side force: the effort over cos β where no links put a side force on the piston.
+        let across = self.side_of_links * self.slope / self.slope.hypot(1.0);
+        self.forces().map(|forces| forces.rod() + across)
     }
 
-    /// The side force of the wall on the piston; none where links hang on its rod.
+    /// The side force of the wall on the piston, anticlockwise from the axis outward, with what links put on it.
     pub fn side(&self) -> Option<f64> {
-        self.forces().filter(|_| self.is_strut).map(|forces| forces.side())
+        self.forces().map(|forces| forces.side() + self.side_of_links)
     }
 
     /// What it turns the crank with, in newton-metres, the mass at its knuckle pin with it.
@@ -123,16 +134,6 @@ impl PistonAt {
 /// A value that is nothing but rounding, beside what it is measured by, is 0.
 fn calm(value: f64, size: f64) -> f64 {
     if value.abs() <= 1e-13 * size { 0.0 } else { value }
-}
-
-/// Whether the link of a cylinder hangs on the rod of another.
-fn hangs_on(cylinder: &Cylinder, master: &Cylinder) -> bool {
-    let on_it = |link: &crate::engine::Link| {
-        master.mechanism.as_ref() == Some(&Mechanism::SliderCrank(link.master_rod()))
-            && (cylinder.pin, &cylinder.throw, &cylinder.position) == (master.pin, &master.throw, &master.position)
-            && &master.bank + &link.angle == cylinder.bank
-    };
-    cylinder.link().is_some_and(on_it)
 }
 
 impl Instants {
@@ -173,8 +174,6 @@ impl Instants {
                 outermost: motion.position(motion.dead_centres()[0]),
                 ratio,
                 knuckle: knuckles.iter().find_map(|of| of.of_cylinder(index)),
-                carries: engine.cylinders().iter().any(|other| hangs_on(other, cylinder)),
-                hangs: cylinder.link().is_some(),
                 radius: numbers::float(&(radius * &cylinder.crank_radius)),
                 weight: gravity.and_then(|gravity| Some(mass? * gravity * axis.re)),
                 mass,
@@ -187,8 +186,7 @@ impl Instants {
                 axis,
             });
         }
-        let is_plain = engine.geared_cranks().is_empty() && !engine.has_links();
-        let bearings = match newtons.filter(|_| !engine.bearings().is_empty() && is_plain) {
+        let bearings = match newtons.filter(|_| !engine.bearings().is_empty()) {
             None => Vec::new(),
             Some(newtons) => {
                 let all = super::carried(engine, Method::Continuous, newtons)?;
@@ -197,7 +195,7 @@ impl Instants {
         };
         let period = classes.first().map_or(360.0, |class| class.gas.period().to_degrees().round());
         let omega = dimensions.speed.as_ref().map(|speed| numbers::angular_speed(numbers::float(speed)));
-        Ok(Instants { cylinders, bearings, omega, period })
+        Ok(Instants { cylinders, links: HungRod::all(engine), newtons, bearings, omega, period })
     }
 
     /// Length of the cycle in degrees.
@@ -207,15 +205,38 @@ impl Instants {
 
     /// What every piston does at a crank angle in degrees.
     pub fn pistons(&self, theta: f64) -> Vec<PistonAt> {
-        (0..self.cylinders.len()).map(|index| self.piston(index, theta)).collect()
+        let mut pistons: Vec<PistonAt> = (0..self.cylinders.len()).map(|index| self.piston(index, theta)).collect();
+        for rod in &self.links {
+            self.hang(rod, theta.to_radians(), &mut pistons);
+        }
+        for (piston, own) in pistons.iter_mut().zip(&self.cylinders) {
+            let throw = own.throw_at(theta);
+            let seen = |pin: Complex<f64>| Complex::new((pin * throw.conj()).re, own.sense * (pin * throw.conj()).im);
+            piston.pin_on_the_crank = piston.pin_on_the_crank.or(piston.pin.map(seen));
+        }
+        pistons
+    }
+
+    /// What a link does to its knuckle pin, and to the piston and the crankpin of its master rod; θ is in radians.
+    fn hang(&self, rod: &HungRod, theta: f64, pistons: &mut [PistonAt]) {
+        let Some(effort) = pistons[rod.cylinder].effort() else { return };
+        let knuckle = rod.on_the_knuckle(theta, -effort, self.newtons.unwrap_or_default());
+        pistons[rod.cylinder].pin = Some(knuckle);
+        pistons[rod.cylinder].pin_on_the_crank = Some(knuckle * rod.outward(theta).conj());
+        pistons[rod.master].side_of_links += rod.side(theta, knuckle);
+        if let Some(pin) = &mut pistons[rod.master].pin {
+            *pin += rod.on_the_crankpin(theta, knuckle);
+        }
     }
 
     /// What every main bearing feels of these, as a continuous beam: none without bearings, masses or a speed.
     pub fn bearings(&self, theta: f64, pistons: &[PistonAt]) -> Vec<Complex<f64>> {
         let felt = |carried: &Carried| {
-            let pins = carried.parts.iter().zip(pistons);
-            let turned = Complex::cis(carried.turns * theta.to_radians());
-            pins.fold(carried.shaft * turned, |sum, (part, piston)| sum + piston.pin.unwrap_or_default() * *part)
+            // The load of a crankpin is that of the rod on it, with its links.
+            let is_link = |piston: &PistonAt| self.links.iter().any(|rod| rod.cylinder == piston.cylinder);
+            let pins = carried.parts.iter().zip(pistons).filter(|(_, piston)| !is_link(piston));
+            let shaft = carried.of_shaft(theta.to_radians());
+            pins.fold(shaft, |sum, (part, piston)| sum + piston.pin.unwrap_or_default() * *part)
         };
         self.bearings.iter().map(felt).collect()
     }
@@ -240,24 +261,15 @@ impl Instants {
             gas: own.gas.as_ref().map(|gas| gas.force(psi)),
             inertia: own.mass.zip(acceleration).map(|(mass, acceleration)| -mass * acceleration),
             weight: own.weight,
-            slope: calm(own.motion.slope(psi), 1.0),
+            slope: calm(own.motion.slope(psi), 1.0) * own.sense,
             knuckle: own.knuckle.as_ref().map(|mass| mass.torque(psi)),
-            is_strut: !own.carries,
+            side_of_links: 0.0,
             lever,
             pin: None,
             pin_on_the_crank: None,
         };
-        // What links hand on to the crankpin is no single force along its master rod.
-        if own.carries || own.hangs {
-            return piston;
-        }
-        let turned = own.throw * Complex::cis(own.sense * theta.to_radians());
-        let across = Complex::new(1.0, -own.sense * piston.slope);
-        piston.pin = piston.effort().map(|effort| turned * own.rotating - own.axis * across * effort);
-        piston.pin_on_the_crank = piston.pin.map(|pin| {
-            let seen = pin * turned.conj();
-            Complex::new(seen.re, own.sense * seen.im)
-        });
+        let along = own.axis * Complex::new(1.0, -piston.slope);
+        piston.pin = piston.effort().map(|effort| own.throw_at(theta) * own.rotating - along * effort);
         piston
     }
 }

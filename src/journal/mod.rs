@@ -77,8 +77,8 @@ pub struct CycleBearings {
     pub method: Method,
     /// The bearings, in the order of the file.
     pub bearings: Vec<CycleBearing>,
-    /// Index of the one with the largest peak, the first of equal ones.
-    pub worst: usize,
+    /// Indices of those with the largest peak.
+    pub worst: Vec<usize>,
 }
 
 /// What one main bearing feels: the force in the direction of the load, not the one that it answers with.
@@ -246,10 +246,12 @@ pub fn bearing_peaks(engine: &Engine) -> Result<Vec<[CyclePeak; 2]>, Missing> {
     Ok(carried.iter().map(|carried| samples.peaks_of(&course, carried)).collect())
 }
 
-/// The first of those with the largest peak. Peaks closer than this are equal: the roundings of decimals could not tell them apart.
-pub fn worst(peaks: impl Iterator<Item = f64> + Clone) -> usize {
+/// Those with the largest peak, by their indices; none where nothing loads. Peaks closer than this are equal: the roundings of decimals
+/// could not tell them apart.
+pub fn worst(peaks: impl Iterator<Item = f64> + Clone) -> Vec<usize> {
     let largest = peaks.clone().fold(0.0, f64::max);
-    peaks.into_iter().position(|peak| peak >= largest * (1.0 - 1e-9)).unwrap_or(0)
+    let is_worst = |(_, peak): &(usize, f64)| largest > 0.0 && *peak >= largest * (1.0 - 1e-9);
+    peaks.enumerate().filter(is_worst).map(|(index, _)| index).collect()
 }
 
 fn bearings(

@@ -88,7 +88,7 @@ pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Desi
             let found = bearing_peaks(engine).map_err(|lack| OptimiseError::Gas(lack.to_string()))?;
             let peaks: Vec<f64> = found.iter().map(|[all, _]| all.value / newtons).collect();
             let worst = journal::worst(peaks.iter().copied());
-            (peaks, vec![worst])
+            (peaks, worst)
         }
     };
     let couple_scale = if Arm::of(engine) == Arm::Metre { newtons } else { 1.0 };

@@ -62,6 +62,12 @@ impl Asked {
         match (self.of, engines.as_slice()) {
             (Of::Engine, [engine, ..]) => engine.call_method(self.name.as_str(), (), keywords),
             (Of::Engine | Of::Module, []) => py.import("crankstar")?.call_method(self.name.as_str(), (), keywords),
+            // A search takes an engine for the sizes of its moments.
+            (Of::Module, [sizes]) if self.name == "search" => {
+                let keywords =
+                    keywords.map(|keywords| keywords.set_item("sizes", sizes).map(|()| keywords)).transpose()?;
+                py.import("crankstar")?.call_method(self.name.as_str(), (), keywords)
+            }
             (Of::Module, _) => py.import("crankstar")?.call_method(self.name.as_str(), (engines,), keywords),
         }
     }

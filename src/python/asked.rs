@@ -13,7 +13,8 @@ use crate::exact::Turn;
 use crate::file::{parse_angle, parse_number};
 use crate::firing::Weights;
 use crate::order::Masses;
-use crate::search;
+use crate::report::ValueName;
+use crate::search::{self, Limit};
 
 /// Orders of force and moment: whole numbers, in a list or an array; none where they are omitted.
 pub(super) fn orders(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<u32>>> {
@@ -114,6 +115,20 @@ pub(super) fn skews(value: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Turn>> {
 pub(super) fn angle(name: &str, text: &str) -> PyResult<Turn> {
     let turns = parse_angle(text).map_err(|right| told(format!("{name}: cannot read `{text}`: {right}")))?;
     Ok(Turn::new(turns))
+}
+
+/// The largest moments that a search allows: {2: 1.5}, {2: "30 kN m"}.
+pub(super) fn limits(value: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<Limit>> {
+    let read = |(order, most): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let text = format!("{}={}", keys::number(&order)?, keys::number(&most)?);
+        Limit::parse(&text).map_err(|right| told(format!("limits: cannot read `{text}`: {right}")))
+    };
+    value.into_iter().flat_map(|limits| limits.iter()).map(read).collect()
+}
+
+/// Names of values.
+pub(super) fn value_names(keyword: &str, names: &[String]) -> PyResult<Vec<ValueName>> {
+    names.iter().map(|name| name.parse().map_err(|why| told(format!("{keyword}: {why}")))).collect()
 }
 
 /// The angle between the banks of a V that is searched.

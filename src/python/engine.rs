@@ -61,6 +61,11 @@ impl Engine {
         Ok(Engine { engine, family, source })
     }
 
+    /// The engine, in which a cylinder may misfire.
+    fn fired(&self, misfire: Option<&str>) -> PyResult<engine::Engine> {
+        misfire.map_or(Ok(self.engine.clone()), |name| self.engine.misfiring(name).map_err(told))
+    }
+
     fn asked(&self, name: &str, keywords: &Value) -> Asked {
         Asked::of(&self.source, name, keywords)
     }
@@ -268,9 +273,13 @@ impl Engine {
     }
 
     /// The torque of gas and inertia, power and flywheel; needs `[gas]` in the layout.
-    fn torque(&self, py: Python<'_>) -> PyResult<Answer> {
-        let study = py.detach(|| TorqueStudy::new(&self.engine)).map_err(told)?;
-        Ok(Answer::new(self.asked("torque", &json!({})), study))
+    ///
+    /// misfire: the name of a cylinder that does not fire.
+    #[pyo3(signature = (*, misfire=None))]
+    fn torque(&self, py: Python<'_>, misfire: Option<&str>) -> PyResult<Answer> {
+        let engine = self.fired(misfire)?;
+        let study = py.detach(|| TorqueStudy::new(&engine)).map_err(told)?;
+        Ok(Answer::new(self.asked("torque", &json!({ "misfire": misfire })), study))
     }
 
     /// Motion, forces and torque of every piston at crank angles, and what the main bearings feel.
@@ -292,12 +301,13 @@ impl Engine {
 
     /// The natural frequencies of the crankshaft and its critical speeds; needs `[torsion]` in the layout.
     ///
-    /// orders: such as [0.5, 1, "3/2"]; those up to 12 where omitted.
-    #[pyo3(signature = (orders=None))]
-    fn torsion(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
-        let orders = asked::cycle_orders(orders)?;
-        let study = py.detach(|| TorsionStudy::new(&self.engine, &orders)).map_err(told)?;
-        Ok(Answer::new(self.asked("torsion", &json!({ "orders": written(&orders) })), study))
+    /// orders: such as [0.5, 1, "3/2"]; those up to 12 where omitted. misfire: the name of a cylinder that does not fire.
+    #[pyo3(signature = (orders=None, *, misfire=None))]
+    fn torsion(&self, py: Python<'_>, orders: Option<&Bound<'_, PyAny>>, misfire: Option<&str>) -> PyResult<Answer> {
+        let (orders, engine) = (asked::cycle_orders(orders)?, self.fired(misfire)?);
+        let study = py.detach(|| TorsionStudy::new(&engine, &orders)).map_err(told)?;
+        let keywords = json!({ "orders": written(&orders), "misfire": misfire });
+        Ok(Answer::new(self.asked("torsion", &keywords), study))
     }
 
     /// The engine on its mounts: modes, what each order moves and what the mounts pass on, the torque-roll axis; needs `[block]` and
@@ -358,9 +368,10 @@ impl Engine {
     /// How the balance changes with one value of the layout, or with two; exact zeros where the value is an angle.
     ///
     /// A range is "0..180:10", "80..120:5 mm", or a tuple (from, to, step). `ranges` takes any keys of the layout:
-    /// {"vee.bank_offset": "0..20:1 mm"}. firing_orders: judge the firing stars of these orders too. An interrupt from the keyboard stops it.
+    /// {"vee.bank_offset": "0..20:1 mm"}. firing_orders: judge the firing stars of these orders too.
+    /// values: columns with values of any question beside each point, ["bearings.worst.force"], as `values` names them. An interrupt from the keyboard stops it.
     #[pyo3(signature = (ranges=None, *, bank_angle=None, pin_split=None, spacing=None, rod_ratio=None, balance_factor=None, speed=None,
-                        orders=None, firing_orders=None))]
+                        orders=None, firing_orders=None, values=None))]
     #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
     fn sweep(
         &self,
@@ -374,6 +385,7 @@ impl Engine {
         speed: Option<&Bound<'_, PyAny>>,
         orders: Option<&Bound<'_, PyAny>>,
         firing_orders: Option<&Bound<'_, PyAny>>,
+        values: Option<Vec<String>>,
     ) -> PyResult<Answer> {
         let short_cuts = [
             ("bank_angle", bank_angle),
@@ -385,9 +397,11 @@ impl Engine {
         ];
         let ranges = asked::ranges(short_cuts, ranges)?;
         let (orders, firing) = (asked::orders(orders)?, asked::cycle_orders(firing_orders)?);
-        let asked = self.asked("sweep", &ranges.keywords(orders.as_deref(), &firing));
+        let values = asked::value_names("values", &values.unwrap_or_default())?;
+        let asked = self.asked("sweep", &ranges.keywords(orders.as_deref(), &firing, &values));
         let (source, orders) = (self.source.clone(), asked::rising(orders.unwrap_or_default()));
-        let question = interruptible(py, move |stop| questions::sweep(&source, &ranges, &orders, &firing, stop))?;
+        let question =
+            interruptible(py, move |stop| questions::sweep(&source, &ranges, &orders, &firing, &values, stop))?;
         Ok(Answer::new(asked, question))
     }
 

@@ -1,9 +1,10 @@
 //! What is asked of several engines, or of none: a comparison, values, the catalogue, a search, a document to be checked?
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyString};
+use pyo3::types::{PyBytes, PyDict, PyString};
 use serde_json::json;
 
 use super::again::Asked;
@@ -15,8 +16,8 @@ use super::interrupt::interruptible;
 use super::questions::{self, Checked};
 use super::{asked, error, keys};
 use crate::file;
-use crate::report::{CompareStudy, Compared, FlywheelStudy, MomentsStudy, RotorStudy, ValueName, ValuesStudy};
-use crate::search::Problem;
+use crate::report::{CompareStudy, Compared, FlywheelStudy, MomentsStudy, RotorStudy, Valued, ValuesStudy};
+use crate::search::{Limit, Problem, Sizes};
 
 /// The names of the engines that are known, as `Engine.named` takes them.
 #[pyfunction]
@@ -63,10 +64,12 @@ pub(super) fn _program(py: Python<'_>, arguments: Vec<std::ffi::OsString>) -> u8
 /// pin_split: the pin of bank 2 is so many degrees ahead. bank_offset: bank 1 is so many spacings towards the free end of bank 2.
 /// minor_orders: compare firing orders too, by these orders of a mode of torsional vibration, `mode_shape` or one that falls evenly.
 /// torsion: list the firing orders of each star in that mode.
+/// limits: the stars whose moments are no larger, {2: 1.5} in m r ω² c a, or {2: "30 kN m"}; sizes: an engine in line that gives newton-metres.
 /// resume: a file that keeps finished pieces. threads: one per core where omitted. An interrupt from the keyboard stops it.
 #[pyfunction]
 #[pyo3(signature = (cylinders, cycle, *, orders=None, bank_angle=None, directions=None, grid=None, neighbours=false, pin_split=None,
-                    bank_offset=None, minor_orders=None, torsion=false, mode_shape=None, resume=None, threads=None))]
+                    bank_offset=None, minor_orders=None, torsion=false, mode_shape=None, limits=None, sizes=None, resume=None,
+                    threads=None))]
 #[expect(clippy::too_many_arguments, reason = "they are the keywords of Python")]
 pub(super) fn search(
     py: Python<'_>,
@@ -82,6 +85,8 @@ pub(super) fn search(
     minor_orders: Option<&Bound<'_, PyAny>>,
     torsion: bool,
     mode_shape: Option<&Bound<'_, PyAny>>,
+    limits: Option<&Bound<'_, PyDict>>,
+    sizes: Option<PyRef<'_, Engine>>,
     resume: Option<PathBuf>,
     threads: Option<u16>,
 ) -> PyResult<Answer> {
@@ -97,6 +102,7 @@ pub(super) fn search(
             "mode_shape weighs the firing stars of firing orders; give torsion=True or minor_orders",
         ));
     }
+    let limits = asked::limits(limits)?;
     let (cycle_name, cycle) = (cycle, asked::cycle(cycle)?);
     let orders = asked::rising(asked::orders(orders)?.unwrap_or_else(|| vec![1, 2]));
     let mode_shape = shape.clone();
@@ -124,10 +130,14 @@ pub(super) fn search(
         "minor_orders": written(&problem.minor_orders),
         "torsion": torsion,
         "mode_shape": shape.as_deref().map(written),
+        "limits": limits.iter().map(Limit::parts).collect::<BTreeMap<_, _>>(),
     });
     let torsion = torsion.then_some(shape);
-    let question = interruptible(py, move |stop| questions::search(&problem, torsion, resume, threads, stop))?;
-    Ok(Answer::new(Asked::function("search", Vec::new(), &keywords), question))
+    let source = sizes.as_ref().map(|engine| engine.source.clone());
+    let sizes = sizes.map(|engine| Sizes::new(&engine.engine)).transpose().map_err(told)?;
+    let wanted = questions::Wish { torsion, limits, sizes };
+    let question = interruptible(py, move |stop| questions::search(&problem, wanted, resume, threads, stop))?;
+    Ok(Answer::new(Asked::function("search", source.into_iter().collect(), &keywords), question))
 }
 
 /// Engines side by side: what each leaves by order, remedy, firing, main bearings. They are called by their titles.
@@ -187,15 +197,32 @@ pub(super) fn flywheel(py: Python<'_>, text: String) -> PyResult<Answer> {
 /// Any values of any question, by their names, for each engine: a column each, and one that says why an engine has none.
 ///
 /// names: such as ["bearings.worst.force", "torsion.modes.1.frequency"]: question, table, the keys of a row, column; docs/data.md lists them.
+/// files: texts of shafts and turning-moment diagrams, as `rotor` and `flywheel` take them; their rows follow those of the engines.
 #[pyfunction]
-pub(super) fn values(py: Python<'_>, engines: Vec<PyRef<'_, Engine>>, names: Vec<String>) -> PyResult<Answer> {
-    let read = |name: &String| name.parse().map_err(|why| told(format!("names: {why}")));
-    let values: Vec<ValueName> = names.iter().map(read).collect::<PyResult<_>>()?;
+#[pyo3(signature = (engines, names, *, files=None))]
+pub(super) fn values(
+    py: Python<'_>,
+    engines: Vec<PyRef<'_, Engine>>,
+    names: Vec<String>,
+    files: Option<Vec<String>>,
+) -> PyResult<Answer> {
+    let files = files.unwrap_or_default();
+    let values = asked::value_names("names", &names)?;
     let sources = engines.iter().map(|engine| engine.source.clone()).collect();
     let engines: Vec<crate::engine::Engine> = engines.iter().map(|engine| engine.engine.clone()).collect();
-    let asked = Asked::function("values", sources, &json!({ "names": names }));
+    let mut keywords = json!({ "names": names, "files": files });
+    if engines.is_empty() {
+        keywords["engines"] = json!([]);
+    }
+    let asked = Asked::function("values", sources, &keywords);
+    let of_file = |text: &String| match Valued::of_file("file.toml", text).map_err(told)? {
+        Some(Valued::File(study)) => Ok(Valued::File(study)),
+        Some(Valued::Engine(_)) | None => Err(told("files: neither masses on a shaft nor a turning-moment diagram")),
+    };
     let rows = py.detach(|| {
-        engines.iter().map(|engine| (engine.title().clone(), ValuesStudy::row(engine, &values))).collect::<Vec<_>>()
-    });
+        let of_engines = engines.iter().map(|engine| Ok(Valued::Engine(engine)));
+        let all = of_engines.chain(files.iter().map(of_file));
+        all.map(|one| one.map(|one| (one.title(), one.values(&values)))).collect::<PyResult<Vec<_>>>()
+    })?;
     Ok(Answer::new(asked, ValuesStudy { names: values, rows }))
 }

@@ -121,5 +121,5 @@ pub use torsion::{
     DamperStudy, Excess, ForcedTwist, FoundDamper, HeatPlace, NoTorsion, ResonanceOrder, TorsionStudy, TwistAtSpeed,
     Vibration, VibrationOrder, torsion_answer, torsion_page,
 };
-pub use value::{ValueName, values_of};
+pub use value::{ValueName, Valued, values_of};
 pub use values::ValuesStudy;

@@ -166,6 +166,14 @@ fn arm_heading(engine: &Engine) -> Text {
     }
 }
 
+/// The name of a row of moments. Arms are shown in millimetres or inches; a moment's exact sum stays in metres, and says so.
+fn sum_of_moments(engine: &Engine) -> &'static str {
+    match engine.length_unit() {
+        LengthUnit::Metre => "**Σ moment** (m)",
+        LengthUnit::Spacing => "**Σ moment**",
+    }
+}
+
 /// One period of orders: zero or not, direct and reverse.
 pub(super) fn period(theorem: &Theorem) -> Table {
     let mut table = Table::new(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
@@ -229,7 +237,7 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
         }
     }
     let blank = table.header.len() - 3;
-    for (name, balance) in [("**Σ force**", &order.force), ("**Σ moment**", &order.moment)] {
+    for (name, balance) in [("**Σ force**", &order.force), (sum_of_moments(engine), &order.moment)] {
         let mut add = |name: &'static str, cell: fn(&Verdict) -> Text| {
             let cells = balance.verdicts().map(cell);
             table.push([Text::from(name)].into_iter().chain(vec![Text::default(); blank]).chain(cells).collect());
@@ -258,7 +266,7 @@ fn term_by_term(engine: &Engine, order: &OrderBalance) -> Table {
             ]);
         }
     }
-    for (name, balance) in [("**Σ force**", &order.force), ("**Σ moment**", &order.moment)] {
+    for (name, balance) in [("**Σ force**", &order.force), (sum_of_moments(engine), &order.moment)] {
         for (verdict, sense) in balance.verdicts().into_iter().zip(["direct", "reverse"]) {
             let angle = if verdict.vanishes() { Text::default() } else { angle_cell(verdict) };
             table.push(vec![name.into(), Text::default(), sense.into(), residual::modulus(verdict).into(), angle]);

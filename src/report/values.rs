@@ -2,8 +2,7 @@
 
 use super::data;
 use super::question::Question;
-use super::value::{ValueName, values_of};
-use crate::engine::Engine;
+use super::value::ValueName;
 use crate::page::{Block, Document, Number, Piece, Table as Shown, Text, phrase};
 use crate::table::{Single, Table, Unit, Value};
 use crate::text::Untrusted;
@@ -17,11 +16,6 @@ pub struct ValuesStudy {
 }
 
 impl ValuesStudy {
-    /// The values of an engine.
-    pub fn row(engine: &Engine, names: &[ValueName]) -> Vec<Result<Single, String>> {
-        values_of(engine, names)
-    }
-
     fn shown(&self) -> Shown {
         let mut table = Shown::new([Text::from("Engine")].into_iter().chain(self.names.iter().map(|name| {
             let unit = self.unit(name);

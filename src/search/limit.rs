@@ -40,9 +40,17 @@ impl Limit {
     }
 }
 
+impl Limit {
+    /// The order, and the largest moment as it is read again.
+    pub fn parts(&self) -> (u32, String) {
+        (self.order, format!("{}{}", self.most, if self.in_newton_metres { " N m" } else { "" }))
+    }
+}
+
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}={}{}", self.order, self.most, if self.in_newton_metres { " N m" } else { "" })
+        let (order, most) = self.parts();
+        write!(f, "{order}={most}")
     }
 }
 

@@ -102,8 +102,15 @@ impl Single {
 pub enum NotNamed {
     /// No column is called so: those that there are.
     Column(String, Vec<String>),
-    /// No row has this key: those that there are, of the first key that fits none.
-    Row(String, Vec<String>),
+    /// No row has this key.
+    Row {
+        /// The name of the first key that fits none.
+        key: String,
+        /// What was asked for.
+        asked: String,
+        /// Those that there are.
+        there: Vec<String>,
+    },
     /// More or fewer keys than the table has: their names.
     Keys(Vec<String>),
 }
@@ -121,10 +128,12 @@ impl fmt::Display for NotNamed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             NotNamed::Column(asked, there) => write!(f, "no column `{}`; there are {}", harmless(asked), listed(there)),
-            NotNamed::Row(asked, there) if there.is_empty() => {
+            NotNamed::Row { asked, there, .. } if there.is_empty() => {
                 write!(f, "no row `{}`; the table is empty", harmless(asked))
             }
-            NotNamed::Row(asked, there) => write!(f, "no row `{}`; there are {}", harmless(asked), listed(there)),
+            NotNamed::Row { asked, there, .. } => {
+                write!(f, "no row `{}`; there are {}", harmless(asked), listed(there))
+            }
             NotNamed::Keys(keys) if keys.is_empty() => write!(f, "the table has one row; name a column alone"),
             NotNamed::Keys(keys) => write!(f, "a row is named by {}, then a column", keys.join(", then ")),
         }
@@ -149,39 +158,62 @@ impl Column {
 }
 
 impl Table {
-    /// The value that a name means: the keys of its row, then the name of its column, with its unit or without.
+    /// The value that a name means: the keys of its row, then the name of its column, with its unit or without. A key that has points of
+    /// its own, such as 22.5 or `No. 1`, may come in several parts.
     ///
     /// # Errors
     /// What there is in its place.
     pub fn named(&self, keys: &[&str], column: &str) -> Result<Single, NotNamed> {
         let row = self.row(keys)?;
         let is_meant = |other: &&Column| other.name() == column || other.stem() == column;
-        let found = self.columns().iter().find(is_meant).ok_or_else(|| {
-            let names = self.columns()[self.keys()..].iter().map(Column::stem);
-            NotNamed::Column(column.to_owned(), names.collect())
-        })?;
+        let (keys, values) = self.columns().split_at(self.keys());
+        let found = values
+            .iter()
+            .chain(keys)
+            .find(is_meant)
+            .ok_or_else(|| NotNamed::Column(column.to_owned(), values.iter().map(Column::stem).collect()))?;
         Ok(Single { unit: found.unit(), about: found.about(), values: found.values().alone(row) })
     }
 
     /// The place of the row with these keys.
     fn row(&self, keys: &[&str]) -> Result<usize, NotNamed> {
         let columns = &self.columns()[..self.keys()];
-        if keys.len() != columns.len() {
-            return Err(NotNamed::Keys(columns.iter().map(Column::stem).collect()));
+        let more = keys.len().checked_sub(columns.len()).filter(|more| *more == 0 || !columns.is_empty());
+        let more = more.ok_or_else(|| NotNamed::Keys(columns.iter().map(Column::stem).collect()))?;
+        let all = || (0..self.rows()).collect::<Vec<usize>>();
+        if let Some(row) = fitting(columns, keys, all()).and_then(|rows| rows.first().copied()) {
+            return Ok(row);
         }
-        let mut fitting: Vec<usize> = (0..self.rows()).collect();
-        for (column, key) in columns.iter().zip(keys) {
-            let value = |row: usize| column.values().get(row);
-            let text = |row: usize| value(row).map(|value| value.to_string()).unwrap_or_default();
-            let is_meant = |row: &usize| value(*row).is_some_and(|value| value.is(key));
-            let (fit, others) = fitting.into_iter().partition::<Vec<usize>, _>(is_meant);
+        // Which key fits no row is told of the first way to read them: what is too much belongs to the first key.
+        let first = keys.get(..=more).unwrap_or_default().join(".");
+        let keys = [first.as_str()].into_iter().chain(keys.iter().skip(more + 1).copied());
+        let mut rows = all();
+        for (column, asked) in columns.iter().zip(keys) {
+            let fit = having(column, asked, &rows);
             if fit.is_empty() {
-                let mut there: Vec<String> = others.into_iter().map(text).collect();
+                let text = |row: &usize| column.values().get(*row).map(|value| value.to_string()).unwrap_or_default();
+                let mut there: Vec<String> = rows.iter().map(text).collect();
                 there.dedup();
-                return Err(NotNamed::Row((*key).to_owned(), there));
+                return Err(NotNamed::Row { key: column.stem(), asked: asked.to_owned(), there });
             }
-            fitting = fit;
+            rows = fit;
         }
-        fitting.first().copied().ok_or_else(|| NotNamed::Row(String::new(), Vec::new()))
+        Err(NotNamed::Row { key: String::new(), asked: String::new(), there: Vec::new() })
     }
+}
+
+/// Those of the rows whose value in this column a key means.
+fn having(column: &Column, key: &str, rows: &[usize]) -> Vec<usize> {
+    let is_meant = |row: &&usize| column.values().get(**row).is_some_and(|value| value.is(key));
+    rows.iter().filter(is_meant).copied().collect()
+}
+
+/// Those of the rows that all keys mean, each of one part or more.
+fn fitting(columns: &[Column], parts: &[&str], rows: Vec<usize>) -> Option<Vec<usize>> {
+    let Some((column, others)) = columns.split_first() else { return parts.is_empty().then_some(rows) };
+    (1..=parts.len().checked_sub(others.len())?).find_map(|count| {
+        let (key, rest) = parts.split_at(count);
+        let fit = having(column, &key.join("."), &rows);
+        if fit.is_empty() { None } else { fitting(others, rest, fit) }
+    })
 }

@@ -30,7 +30,7 @@ impl<W: Write + Send> Stream<W> {
     /// Begins a file with the columns of a table, whose rows do not matter.
     ///
     /// # Errors
-    /// A format that is not built in, or a workbook, which is written whole; what `sink` does not take.
+    /// A format that is not built in, or one that is written whole; what `sink` does not take.
     pub fn new(format: Format, like: Table, sink: W) -> Result<Self, Unwritable> {
         format.is_built()?;
         let file = match format {
@@ -43,7 +43,7 @@ impl<W: Write + Send> Stream<W> {
             Format::Parquet => File::Parquet(super::parquet::Groups::new(&like, sink).map_err(refused)?),
             #[cfg(not(feature = "parquet"))]
             Format::Parquet => return Err(Unwritable::NotBuilt("parquet")),
-            Format::Xlsx => return Err(refused("a workbook is written whole")),
+            Format::Xlsx | Format::Json => return Err(refused("a workbook is written whole, and so is JSON")),
         };
         Ok(Stream { like, file })
     }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Table, csv};
+use super::{Named, Table, csv};
 
 /// What tables are written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +13,8 @@ pub enum Format {
     Xlsx,
     /// Parquet: a file a table.
     Parquet,
+    /// JSON: an object with the tables below their names, each an array of its rows.
+    Json,
 }
 
 /// Why tables cannot be written.
@@ -58,13 +60,14 @@ impl Format {
             Format::Csv => "csv",
             Format::Xlsx => "xlsx",
             Format::Parquet => "parquet",
+            Format::Json => "json",
         }
     }
 
     /// Whether a file holds several tables.
     pub fn holds_several(self) -> bool {
         match self {
-            Format::Xlsx => true,
+            Format::Xlsx | Format::Json => true,
             Format::Csv | Format::Parquet => false,
         }
     }
@@ -77,7 +80,7 @@ impl Format {
         match self {
             Format::Xlsx if !cfg!(feature = "xlsx") => Err(Unwritable::NotBuilt("xlsx")),
             Format::Parquet if !cfg!(feature = "parquet") => Err(Unwritable::NotBuilt("parquet")),
-            Format::Csv | Format::Xlsx | Format::Parquet => Ok(()),
+            Format::Csv | Format::Xlsx | Format::Parquet | Format::Json => Ok(()),
         }
     }
 
@@ -90,6 +93,9 @@ impl Format {
             (Format::Csv, [only]) => Ok(csv(only).into_bytes()),
             (Format::Parquet, [only]) => parquet(only),
             (Format::Xlsx, several) => xlsx(several),
+            (Format::Json, several) => {
+                serde_json::to_vec_pretty(&Named(several)).map_err(|error| Unwritable::Failed(error.to_string()))
+            }
             (Format::Csv | Format::Parquet, several) => {
                 Err(Unwritable::Failed(format!("{} tables are not in one file", several.len())))
             }

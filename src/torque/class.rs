@@ -92,5 +92,7 @@ pub fn warnings(engine: &Engine, classes: &[Class]) -> Vec<(usize, Warning)> {
         let law = &gas.laws[gas.chambers[class.cylinders[0]].law];
         class.gas.warnings(law, cycle).into_iter().map(move |warning| (index, warning)).collect::<Vec<_>>()
     };
-    classes.iter().enumerate().flat_map(of_class).collect()
+    // What a cylinder does that was kept from firing is as it should be.
+    let fires = |(_, class): &(usize, &Class)| engine.misfire() != Some(class.cylinders[0]);
+    classes.iter().enumerate().filter(fires).flat_map(of_class).collect()
 }

@@ -11,6 +11,7 @@ mod energy;
 mod forced;
 mod holzer;
 mod limit;
+mod mesh;
 mod synthesis;
 mod train;
 
@@ -20,5 +21,6 @@ pub use energy::{Resonance, resonance};
 pub use forced::{Excitation, Heat, forced_twist, heat, shaft_torques};
 pub use holzer::{Mode, Node, modes};
 pub use limit::{HIGHEST as HIGHEST_SPEED, StressLimit, UNBARRED, barred, stress};
+pub use mesh::mesh_torques;
 pub use synthesis::half_range;
 pub use train::{Disc, Link, Train};

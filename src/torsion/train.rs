@@ -49,6 +49,8 @@ pub struct Train {
     pub links: Vec<Link>,
     /// How many of the links are shafts.
     pub shafts: usize,
+    /// The discs that are in mesh.
+    pub gears: Vec<[usize; 2]>,
     pub(super) inertias: Vec<f64>,
     /// The nodes, each before the one that it hangs on; the last hangs on none.
     pub(super) order: Vec<usize>,
@@ -102,6 +104,7 @@ impl Train {
             discs: torsion.inertias.iter().enumerate().map(disc).collect(),
             links: torsion.shafts.iter().map(link).collect(),
             shafts: torsion.shafts.len(),
+            gears: torsion.gears.iter().map(|gear| gear.ends).collect(),
             inertias: vec![0.0; nodes.len()],
             order: Vec::new(),
             parents: Vec::new(),
@@ -123,6 +126,7 @@ impl Train {
             discs: inertias.iter().enumerate().map(disc).collect(),
             links: stiffnesses.iter().enumerate().map(link).collect(),
             shafts: stiffnesses.len(),
+            gears: Vec::new(),
             inertias: vec![0.0; inertias.len()],
             order: Vec::new(),
             parents: Vec::new(),

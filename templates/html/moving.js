@@ -204,7 +204,8 @@
       const beyond = (ray) => Math.max((ray.length * scale) / 2, 2 * sense.rays.length) + 0.9 * letters;
       const at = (ray, by) => {
         const [x, y] = polar(beyond(ray), ray.degrees + ray.turns * moved() + by);
-        return [x * (1 + (0.27 * letters * ray.label.length) / (size([x, y]) || 1)), y];
+        const most = 110 - 0.31 * letters * (ray.label.length + 1); // inside of the panel
+        return [Math.max(-most, Math.min(most, x * (1 + (0.27 * letters * ray.label.length) / (size([x, y]) || 1)))), y];
       };
       const turns = Array.from({ length: 24 }, (_, step) => 15 * step);
       const all = sense.rays.map((ray) => ({ text: ray.label, at: (by) => at(ray, by), places: turns.map((by) => at(ray, by)) }));

@@ -11,7 +11,7 @@ use crankstar::proof::{Vector, check_certificate};
 use crankstar::report;
 use crankstar::text::Untrusted;
 
-use crate::support::program::scratch;
+use crate::support::program::{self, scratch};
 
 fn claims(text: &str) -> Result<Claims, LayoutError> {
     parse_claims("claims.toml", text, &|name| match file::find(name) {
@@ -266,4 +266,26 @@ fn every_row_that_is_counted_as_a_source_s_claim_names_its_place_in_few_words() 
         }
     }
     assert!(quoted > 100);
+}
+
+#[test]
+fn moments_of_a_layout_in_metres_are_told_to_be_in_metres() {
+    let folder = scratch("claims-in-metres");
+    let says = "says = 'first-order moment = √3'";
+    let told = |spacing: &str| {
+        std::fs::write(
+            folder.join("three.toml"),
+            format!("inline = {{ throws = [0, 240, 120], spacing = {spacing} }}"),
+        )
+        .expect("a file");
+        std::fs::write(folder.join("claims.toml"), format!("[[claim]]\nlayout = 'three.toml'\n{says}\n"))
+            .expect("a file");
+        let out = program::call(&["check".as_ref(), folder.join("claims.toml").as_os_str()]);
+        let printed = String::from_utf8(out.stdout).expect("a text");
+        (out.status.code(), printed.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    let (status, metres) = told("'100 mm'");
+    assert!(status == Some(1) && metres.contains("are in metres"), "{metres}");
+    let (status, spacings) = told("1");
+    assert!(status == Some(0) && !spacings.contains("are in metres"), "{spacings}");
 }

@@ -153,7 +153,7 @@ fn largest_loads_with_gas_are_those_of_the_bearings_page() {
     let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
     let peaks = || loads.cylinders.iter().map(|cylinder| &cylinder.peaks);
     for (what, value) in [
-        ("main-bearing load", bearings.bearings[bearings.worst].peak.value),
+        ("main-bearing load", bearings.bearings[bearings.worst[0]].peak.value),
         ("crankpin load", most(&mut peaks().map(|peaks| peaks.pin.value))),
         ("rod force", most(&mut peaks().map(|peaks| peaks.rod[0].value))),
         ("side force", most(&mut peaks().map(|peaks| peaks.side[0].value.max(-peaks.side[1].value)))),

@@ -214,6 +214,23 @@ fn bob_weights_are_those_of_the_workshop() {
     assert_eq!(read("inline.throws = [0]").bob_weight(0, &half), None);
 }
 
+/// Workshops hang the whole big end of a master rod on the pin, with its knuckle pins and the big ends of the links, and half of all pistons.
+#[test]
+fn the_bob_weight_of_a_radial_holds_its_knuckle_masses() {
+    let nine = "[radial]\ncylinders = 9\n[articulated]\nmaster = 1\nknuckle_radius = '70 mm'\nknuckle_mass = '0.8 kg'\n\
+        [mechanism]\nstroke = '160 mm'\nrod_length = '320 mm'\nreciprocating_mass = '3 kg'\nrotating_mass = ['5 kg', 0, 0, 0, 0, 0, 0, 0, 0]\n";
+    let engine = read(nine);
+    let bob = engine.bob_weight(0, &fraction(1, 2)).expect("masses");
+    assert_eq!(bob.per_throw, fraction(5000 + 8 * 800 + 9 * 1500, 1000));
+    assert_eq!(engine.crankshaft_mass().as_ref(), Some(&bob.per_throw), "no pin, no webs");
+    // What half the reciprocating masses leave of the exact counterweight hangs on the obliquity of the rods alone: below 1 %.
+    let weighed = read(&format!(
+        "{nine}[crankshaft]\ncounterweights = {{ rotating = 1, reciprocating = 0.5 }}\ncounterweight_radius = '150 mm'\n"
+    ));
+    let first = |engine: &Engine| loads(engine, &[1]).expect("numbers").orders[0].force.largest();
+    assert!(first(&weighed) < 0.01 * first(&engine), "{} of {}", first(&weighed), first(&engine));
+}
+
 #[test]
 fn what_cannot_be_compared_is_missing() {
     let weight = "[[counterweight]]\nthrow = 1\nmass = 1\nradius = 0.05\n";

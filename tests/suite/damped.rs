@@ -383,7 +383,7 @@ fn what_cannot_damp_is_refused_at_its_place() {
     }
 }
 
-const TREE: &str = "cycle = \"four-stroke\"\nfiring_order = \"1\"\n[inline]\nthrows = [0]\n\
+pub const TREE: &str = "cycle = \"four-stroke\"\nfiring_order = \"1\"\n[inline]\nthrows = [0]\n\
                     [torsion]\ninertias = [20, 1, 30, 400]\nstiffnesses = [\"0.5 MN m/rad\"]\nspeed_range = [100, 2000]\n\
                     [[torsion.gear]]\nbetween = [2, 3]\nratio = \"-1/3\"\n\
                     [[torsion.shaft]]\nbetween = [3, 4]\nstiffness = \"4 MN m/rad\"\ndamping = 100\n\

@@ -71,7 +71,9 @@ fn every_answer() -> &'static [Answered] {
 
 fn answer_all() -> Vec<Answered> {
     let mut all = Vec::new();
-    for text in [V8_GAS, I3, TWO_RODS, GEARED, LINKED, U2_GAS, V6, I6_TORSION, I4_MOUNTS, MARINE_TORSION, I6_DAMPER] {
+    let train = format!("speed = 600\n{}", crate::damped::TREE);
+    let torsion = [I6_TORSION, MARINE_TORSION, I6_DAMPER, &train];
+    for text in [V8_GAS, I3, TWO_RODS, GEARED, LINKED, U2_GAS, V6, I4_MOUNTS].into_iter().chain(torsion) {
         all.extend(tables::of_engine(&known(text), &[1, 2, 4]));
     }
     all.push(tables::valued(&known(V8_GAS), "torque.cycle.mean"));
@@ -586,6 +588,27 @@ fn a_table_goes_to_standard_output_a_file_or_a_folder() {
     assert_eq!(fs::read_to_string(all.join("loads-theta.csv")).expect("the file"), theta);
     let json = printed(&["loads", layout, "--format", "json"]);
     assert_eq!(json, printed(&["loads", layout, "--json"]));
+    // One table as JSON is that of the document of tables, or one that a certified document does not have.
+    let table = |arguments: &[&str], name: &str| -> serde_json::Value {
+        let text = printed(&[arguments, &["--format", "json", "--table", name]].concat());
+        let all: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(all.as_object().expect("an object").len(), 1, "{text}");
+        all[name].clone()
+    };
+    assert_eq!(table(&["loads", layout], "theta").as_array().expect("rows").len(), 360);
+    let shown = printed(&["angle", layout, "--at", "30", "--json"]);
+    let document: serde_json::Value = serde_json::from_str(&shown).expect("JSON");
+    assert_eq!(table(&["angle", layout, "--at", "30"], "pistons"), document["pistons"]);
+    let weights = table(&["remedy", layout, "--radius", "80 mm"], "weights");
+    for weight in weights.as_array().expect("rows") {
+        let [mass, radius, both] =
+            ["mass_kg", "radius_m", "mass_radius_kg_m"].map(|name| weight[name].as_f64().expect("a number"));
+        assert!(radius == 0.08 && (mass * radius / both - 1.0).abs() < 1e-14, "{weight}");
+    }
+    // The document of the remedy has no masses, and says where they are.
+    let document = call(&["remedy", layout, "--radius", "80 mm", "--json"]);
+    assert!(String::from_utf8_lossy(&document.stderr).contains("--format json --table weights"));
+    assert_eq!(document.stdout, call(&["remedy", layout, "--json"]).stdout);
     // An answer in German has the same tables.
     assert_eq!(printed(&["loads", layout, "--format", "csv", "--lang", "de"]), main);
 }

@@ -239,3 +239,11 @@ fn findings_of_series_have_german_for_every_phrase() {
         assert!(missing.is_empty(), "no German for {missing:#?}");
     }
 }
+
+#[test]
+fn a_claim_that_no_force_remains_is_answered_with_its_orders() {
+    let statement = parse_statement("F = 0").expect("a claim");
+    let text = report::claim_finding(&statement, &claim::answer(&engine("I6"), &statement, None));
+    let told = crankstar::page::text_in(&text, crankstar::page::Format::PLAIN);
+    assert!(told.contains("orders 1 and 2"), "{told}");
+}

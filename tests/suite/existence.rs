@@ -25,7 +25,7 @@ fn the_order_that_an_in_line_three_has_not_is_told_alike_everywhere() {
         assert_eq!(shape.as_object().expect("an object").len(), 3, "nothing is compared");
     }
     let csv = told(&[&asked[..], &["--format", "csv"]].concat());
-    assert!(csv.contains("3,false,true,does not exist,0,0,true,does not exist,0,0,true"), "{csv}");
+    assert!(csv.contains("3,reciprocating,,false,true,does not exist,0,0,true,does not exist,0,0,true"), "{csv}");
     assert!(told(&asked).contains(" 3       does not exist    does not exist"));
     let compare: Value =
         serde_json::from_str(&told(&["compare", "I3", "I4", "--orders", "3", "--json"])).expect("JSON");

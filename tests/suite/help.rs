@@ -133,6 +133,7 @@ fn links_of_the_readme_and_of_docs_lead_somewhere() {
         "docs/proved.md",
         "reports/speed/README.md",
         "docs/theory.md",
+        "docs/walkthroughs.md",
     ] {
         let page = text(file);
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
@@ -158,9 +159,15 @@ fn links_of_the_readme_and_of_docs_lead_somewhere() {
 #[test]
 fn the_console_examples_of_the_readme_and_of_docs_are_what_the_program_prints() {
     let mut found = 0;
-    for file in
-        ["README.md", "CONTRIBUTING.md", "docs/classroom.md", "docs/commands.md", "docs/data.md", "docs/theory.md"]
-    {
+    for file in [
+        "README.md",
+        "CONTRIBUTING.md",
+        "docs/classroom.md",
+        "docs/commands.md",
+        "docs/data.md",
+        "docs/theory.md",
+        "docs/walkthroughs.md",
+    ] {
         for example in console::examples(&text(file)) {
             let printed = example.run();
             assert!(

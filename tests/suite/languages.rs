@@ -32,7 +32,7 @@ fn formulas(words: &str) -> BTreeSet<&str> {
     words.split('$').skip(1).step_by(2).collect()
 }
 
-fn assert_known(documents: &[Document]) {
+pub fn assert_known(documents: &[Document]) {
     let phrases = documents.iter().flat_map(phrases);
     let missing: BTreeSet<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "no German for {missing:#?}");

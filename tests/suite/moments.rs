@@ -262,3 +262,21 @@ fn the_twisting_moments_of_project_guides_are_the_arms_of_their_firing_orders() 
         }
     }
 }
+
+#[test]
+fn the_answer_states_the_speed_and_each_reason_for_missing_guide_force_moments_once() {
+    let folder = scratch("moments-without-gas");
+    let layout = folder.join("low.toml");
+    std::fs::write(&layout, two_stroke("1-4-3-2-5").replace(GAS, "")).expect("a file");
+    let path = layout.display().to_string();
+    let asked = |arguments: &[&str]| {
+        let printed = String::from_utf8(call(arguments).stdout).expect("a text");
+        printed.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let answer = asked(&["moments", &path, "--firing-order", "1-4-3-2-5,1-5-3-4-2-6"]);
+    assert_eq!(answer.matches("says nothing of the gas").count(), 1, "{answer}");
+    assert!(answer.contains("Without guide-force moments: 1-4-3-2-5, 1-5-3-4-2-6;"), "{answer}");
+    assert!(answer.contains("Speed,") && answer.contains(" 127 "), "{answer}");
+    let table = asked(&["moments", &path, "--format", "csv"]);
+    assert!(table.contains(",speed_rpm,"), "{table}");
+}

@@ -494,7 +494,7 @@ fn with_gas_the_least_load_is_that_of_gas_and_masses_and_no_other_crankshaft_com
         for (peak, bearing) in point.design.peaks.iter().zip(&bearings.bearings) {
             assert_close(peak * scale, bearing.peak.value, 1e-12, "one truth");
         }
-        assert_eq!(point.design.worst, [bearings.worst]);
+        assert_eq!(point.design.worst, bearings.worst);
         assert_eq!((point.design.force, point.design.couple), (Residual::Zero, Residual::Zero));
         assert!(point.least <= point.design.peak() && point.least > 0.999 * point.design.peak());
     }

@@ -15,6 +15,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
 
+use crate::support::program::{call, scratch};
 use crate::support::weights::with_counterweights;
 use crate::support::written::{engine as read, fraction, of_catalogue as engine};
 
@@ -588,4 +589,39 @@ fn the_height_of_a_pair_over_several_speeds_is_told_where_it_is_asked_for() {
     };
     assert!(told(speeds).contains("lies 65.6 mm higher than the other"));
     assert!(!told(Vec::new()).contains("sum of squares"));
+}
+
+/// The twin of the walkthrough: half of √2 m r ω² turns against the crank, 0.33 kg at 33 mm and 8000 rpm.
+#[test]
+fn a_shaft_rolls_the_engine_with_its_force_times_its_distance() {
+    let text = include_str!("../../examples/twin.toml");
+    let omega = std::f64::consts::TAU * 8000.0 / 60.0;
+    let force = std::f64::consts::SQRT_2 / 2.0 * 0.33 * 0.033 * omega * omega;
+    let folder = scratch("rolling-shaft");
+    let (layout, fixed) = (folder.join("twin.toml"), folder.join("fixed.toml"));
+    std::fs::write(&layout, text).expect("a file");
+    let out = call(&[
+        "remedy".as_ref(),
+        layout.as_os_str(),
+        "--orders".as_ref(),
+        "1".as_ref(),
+        "--write".as_ref(),
+        fixed.as_os_str(),
+    ]);
+    let printed = String::from_utf8(out.stdout).expect("a text");
+    let told = printed.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains(&format!("shaft 1 with {force:.0} N.")), "{force}: {told}");
+    // So it does where loads adds it up, the inertia torque of order 1 aside.
+    let roll = |distance: &str| {
+        let placed = std::fs::read_to_string(&fixed)
+            .expect("it is written")
+            .replace("sense = \"against\"", &format!("sense = \"against\"\nheight = \"{distance}\""));
+        let engine = read(&placed.replace("cycle = ", "effects = [\"torque\"]\ncycle = "));
+        let found = loads(&engine, &[1]).expect("numbers");
+        let roll = found.roll.as_ref().expect("a height");
+        let first = roll.orders.iter().find(|order| order.order == 1).expect("order 1");
+        first.vector.value * found.scale.as_ref().expect("a speed").force() * 0.033
+    };
+    let grown = (roll("2 m") - roll("1 m")).norm();
+    assert!((grown - force).abs() < 1e-6 * force, "{grown} instead of {force}");
 }

@@ -8,6 +8,10 @@ use crankstar::table::{Single, Table, Value};
 use crate::support::dice::Dice;
 use crate::support::every_form;
 use crate::support::program::{call, scratch};
+use crate::support::written::assert_near;
+
+const SHAFT: &str = include_str!("../../examples/shaft.toml");
+const DIAGRAM: &str = include_str!("../../examples/turning-moment.toml");
 
 const V8_GAS: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
 
@@ -32,9 +36,6 @@ fn every_name(question: &str, table: &Table) -> Vec<(String, Option<String>)> {
             .iter()
             .map(|column| column.values().get(row).expect("a key").to_string())
             .collect();
-        if keys.iter().any(|key| key.contains('.')) {
-            continue;
-        }
         for column in &table.columns()[table.keys()..] {
             let path: Vec<&str> = [question, table.name()]
                 .into_iter()
@@ -95,7 +96,7 @@ fn a_value_is_named_with_its_unit_or_without() {
 fn a_wrong_name_is_told_what_there_is() {
     let engine = engine(V8_GAS);
     let told = |name: &str| named(&engine, name).expect_err("no such value");
-    assert!(told("weather.today.rain").contains("there are loads, bearings"));
+    assert!(told("weather.today.rain").contains("there are classify, loads, bearings"));
     assert!(told("torque.weather.rain").contains("there are orders, cycle, flywheel"));
     assert!(told("torque.cycle").contains("which column"));
     assert!(told("torque.cycle.rain").contains("there are mean"));
@@ -103,6 +104,87 @@ fn a_wrong_name_is_told_what_there_is() {
     assert!(told("torque.orders.gas").contains("a row is named by order"));
     assert!(told("torque.cycle.1.mean").contains("one row"));
     assert!(told("torsion.modes.1.frequency").contains("[torsion]"));
+}
+
+#[track_caller]
+fn decimal(single: Result<Single, String>) -> f64 {
+    match single.unwrap_or_else(|why| panic!("{why}")).value() {
+        Some(Value::Decimal(value)) => value,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn an_order_or_an_angle_that_a_question_does_not_tell_by_itself_is_asked_for() {
+    let engine = engine(V8_GAS);
+    let usual = report::ask("loads", &engine, &[]).expect("a question").expect("loads");
+    let orders = usual.table("orders").expect("a table");
+    assert!(!(0..orders.rows()).any(|row| orders.columns()[0].values().get(row) == Some(Value::Integer(12))));
+    let twelve = report::LoadsStudy::new(&engine, &[12], None).expect("loads").table("orders").expect("a table");
+    let expected = twelve.named(&["12"], "force").expect("a force");
+    assert_eq!(named(&engine, "loads.orders.12.force").expect("a force"), expected);
+    assert!(decimal(named(&engine, "firing.orders.8.length")) > 0.0);
+    // The torque at 22.5°: between the values of the table, whose steps are whole degrees.
+    let at = |angle: &str| decimal(named(&engine, &format!("angle.torque.{angle}.torque")));
+    assert!((at("22") - at("22.5")) * (at("22.5") - at("23")) > 0.0);
+    assert_near(
+        decimal(named(&engine, "angle.pistons.22.5.1.torque")),
+        decimal(named(&engine, "angle.pistons.45/2.1.torque")),
+        0.0,
+    );
+    // What no order is, or no engine has, is told with what there is.
+    let told = |name: &str| named(&engine, name).expect_err("no such value");
+    assert!(
+        told("loads.orders.3/2.force").contains("no row `3/2`; there are 1, 2"),
+        "{}",
+        told("loads.orders.3/2.force")
+    );
+    assert!(told("angle.pistons.22.5.99.rod").contains("there are 0, 10, 20"));
+}
+
+#[test]
+fn the_verdicts_have_names() {
+    let engine = engine(V8_GAS);
+    let value =
+        |name: &str| named(&engine, name).unwrap_or_else(|why| panic!("{why}")).value().map(|one| one.to_string());
+    assert_eq!(value("classify.orders.2.force_vanishes").as_deref(), Some("true"));
+    assert_eq!(value("classify.orders.2.masses").as_deref(), Some("all"));
+    assert_eq!(value("classify.sums.1.direct.force_vanishes").as_deref(), Some("true"));
+    assert_eq!(value("classify.orders.44.moment_shape").as_deref(), Some("balanced"));
+    assert_eq!(value("classify.torque.4.torque_vanishes").as_deref(), Some("false"));
+}
+
+#[test]
+fn shafts_and_diagrams_have_values_and_say_which_file_another_question_reads() {
+    let folder = scratch("values-files");
+    let path = |name: &str, text: &str| {
+        let path = folder.join(name);
+        std::fs::write(&path, text).expect("a file");
+        path.to_str().expect("a path").to_owned()
+    };
+    let (shaft, diagram) = (path("shaft.toml", SHAFT), path("diagram.toml", DIAGRAM));
+    let asked =
+        ["values", &shaft, &diagram, "I4", "--value", "rotor.masses.1.X.mass", "--value", "flywheel.values.inertia"];
+    let output = call(&asked.iter().copied().chain(["--format", "json"]).collect::<Vec<_>>());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let cell = |row: usize, column: &str| json["values"][row][column].clone();
+    let kilograms = cell(0, "rotor_masses_1_X_mass_kg").as_f64().expect("a mass");
+    // Rattan, Theory of Machines: the masses X and Y of the shaft with four masses; computed twice, 1e-14.
+    assert_near(kilograms, 352.972_118_655, 1e-9);
+    // The triangles of 200, 600, 3000 and 300 N m at 300 rpm and C_s 0.02: 244205π/192 J, I = ΔE/C_s ω².
+    assert_near(cell(1, "flywheel_values_inertia_kg_m2").as_f64().expect("an inertia"), 202.429_338, 1e-6);
+    let why = |row: usize, column: &str| cell(row, column).as_str().unwrap_or_default().to_owned();
+    assert!(why(1, "rotor_masses_1_X_mass_missing").contains("masses on a shaft"));
+    assert!(why(2, "rotor_masses_1_X_mass_missing").contains("masses on a shaft"));
+    assert!(why(2, "flywheel_values_inertia_missing").contains("torque.flywheel.inertia"));
+    let output = call(&["values", &shaft, "--value", "loads.largest.force", "--format", "csv"]);
+    assert!(String::from_utf8_lossy(&output.stdout).contains("the layout of an engine"));
+    // A mistake in the file stops, with its place.
+    let wrong = path("wrong.toml", "[[mass]]\nmass = 'heavy'\n");
+    let output = call(&["values", &wrong, "--value", "rotor.masses.1.A.mass"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("wrong.toml"));
 }
 
 #[test]

@@ -282,8 +282,11 @@ class Engine:
         orders: such as [0.5, 1, 2]; those up to 6 where omitted. speed: in place of that of the layout, in rpm; start and end: the range of
         speeds, from a tenth of its end to the speed where omitted.
         """
-    def torsion(self, orders: _Number | _Numbers | None = None) -> Answer:
-        """Natural frequencies, critical speeds, and with damping what every order twists; needs `[torsion]` in the layout."""
+    def torsion(self, orders: _Number | _Numbers | None = None, *, misfire: str | None = None) -> Answer:
+        """Natural frequencies, critical speeds, and with damping what every order twists; needs `[torsion]` in the layout.
+
+        misfire: the name of a cylinder that does not fire.
+        """
     def angle(
         self,
         at: Iterable[float] | None = None,
@@ -292,8 +295,11 @@ class Engine:
         gravity: float | None = None,
     ) -> Answer:
         """Motion, forces and torque of every piston at crank angles, in degrees; each tenth where none is named."""
-    def torque(self) -> Answer:
-        """The torque of gas and inertia in N m; needs `[gas]` in the layout."""
+    def torque(self, *, misfire: str | None = None) -> Answer:
+        """The torque of gas and inertia in N m; needs `[gas]` in the layout.
+
+        misfire: the name of a cylinder that does not fire.
+        """
     def accuracy(self, rod_ratios: _Number | _Numbers | None = None, *, timing: bool = True) -> Answer:
         """The largest loads by several methods, each with error, guarantee and time."""
     def optimise(self, orders: _Orders | None = None, *, couple: _Number | None = None, points: int = 9) -> Answer:
@@ -310,6 +316,7 @@ class Engine:
         speed: _Range | None = None,
         orders: _Orders | None = None,
         firing_orders: _Number | _Numbers | None = None,
+        values: Sequence[str] | None = None,
     ) -> Answer: ...
     def report(
         self,
@@ -337,7 +344,7 @@ def rotor(text: str) -> Answer:
     """The masses that balance a shaft, of a file of [[mass]] tables; what it omits is found."""
 def flywheel(text: str) -> Answer:
     """The fluctuation of energy of a turning-moment diagram, and its flywheel."""
-def values(engines: Sequence[Engine], names: Sequence[str]) -> Answer: ...
+def values(engines: Sequence[Engine], names: Sequence[str], *, files: Sequence[str] | None = None) -> Answer: ...
 def search(
     cylinders: int,
     cycle: Literal["two-stroke", "four-stroke"],
@@ -352,6 +359,8 @@ def search(
     minor_orders: _Number | _Numbers | None = None,
     torsion: bool = False,
     mode_shape: _Numbers | None = None,
+    limits: dict[int, _Number] | None = None,
+    sizes: Engine | None = None,
     resume: str | PathLike[str] | None = None,
     threads: int | None = None,
 ) -> Answer: ...

@@ -86,7 +86,11 @@ impl IdealCycle {
             Setting::Heat => match &self.heat {
                 Heat::Released(value) | Heat::PeakPressure(value) | Heat::MeanPressure(value) => value,
             },
-            Setting::Bore | Setting::Crankcase | Setting::DeliveryPressure | Setting::Clearance => return None,
+            Setting::Bore
+            | Setting::Crankcase
+            | Setting::PistonRod
+            | Setting::DeliveryPressure
+            | Setting::Clearance => return None,
         })
     }
 

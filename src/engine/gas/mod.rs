@@ -32,7 +32,7 @@ pub struct Gas {
 pub struct Chamber {
     /// Bore in metres.
     pub bore: BigRational,
-    /// Absolute pressure on the other side of the piston, in pascals.
+    /// Absolute pressure on the other side of the piston, in pascals; of a double-acting one on the section of its rod.
     pub crankcase: BigRational,
     /// Whether that pressure was not given, but assumed.
     pub crankcase_assumed: bool,
@@ -40,6 +40,17 @@ pub struct Chamber {
     pub law: usize,
     /// Which dead centre its angles count from.
     pub zero: DeadCentre,
+    /// What presses on the inner side of a double-acting piston.
+    pub below: Option<Below>,
+}
+
+/// The inner side of a double-acting piston.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Below {
+    /// Which of the engine's laws holds there: a table, by the angles of the outer side.
+    pub law: usize,
+    /// Diameter of the piston rod in metres.
+    pub rod: BigRational,
 }
 
 /// The absolute pressure of a cylinder through its cycle.
@@ -78,6 +89,20 @@ impl PressureLaw {
     }
 }
 
+impl Below {
+    fn check(&self, chamber: &Chamber, laws: &[PressureLaw]) -> Result<(), GasMistake> {
+        setting::above_zero(&self.rod, Setting::PistonRod)?;
+        if self.rod >= chamber.bore {
+            let at = At::Setting(Setting::PistonRod);
+            return Err(GasMistake::new("a piston rod as wide as the bore", "a diameter below that of the bore", at));
+        }
+        match laws.get(self.law) {
+            Some(PressureLaw::Table(_)) => Ok(()),
+            _ => Err(GasMistake::new("no table of the pressure below the piston", "one for each side", At::All)),
+        }
+    }
+}
+
 impl Gas {
     /// Whether it fits an engine of so many cylinders.
     ///
@@ -97,6 +122,9 @@ impl Gas {
             setting::above_zero(&chamber.crankcase, Setting::Crankcase)?;
             if self.laws.get(chamber.law).is_none() {
                 return Err(GasMistake::new("a cylinder without a pressure", "one law for each", At::All));
+            }
+            if let Some(below) = &chamber.below {
+                below.check(chamber, &self.laws)?;
             }
         }
         self.laws.iter().try_for_each(|law| law.check(cycle))

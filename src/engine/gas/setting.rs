@@ -12,6 +12,8 @@ pub enum Setting {
     Bore,
     /// Pressure in the crankcase, or under the piston.
     Crankcase,
+    /// Diameter of the piston rod of a double-acting cylinder.
+    PistonRod,
     /// Compression ratio ε.
     CompressionRatio,
     /// Pressure at which the fresh gas is taken in.
@@ -48,6 +50,7 @@ impl Setting {
         match self {
             Setting::Bore => "bore",
             Setting::Crankcase => "crankcase",
+            Setting::PistonRod => "piston_rod",
             Setting::CompressionRatio => "compression_ratio",
             Setting::IntakePressure => "intake_pressure",
             Setting::ExhaustPressure => "exhaust_pressure",

@@ -226,6 +226,24 @@ impl Figure {
     }
 }
 
+/// Letters on a screen are not smaller than this in pixels.
+const READABLE: f64 = 11.0;
+/// Half of a printed page in millimetres, and the least size of letters there.
+const HALF_A_PAGE: f64 = 83.0;
+const PRINTED: f64 = 2.2;
+
+impl Figure {
+    /// How wide it is on a screen at least, so that its letters are read.
+    pub fn least_pixels(&self) -> f64 {
+        (READABLE * self.width / self.letters).ceil()
+    }
+
+    /// Whether its letters are too small where two drawings stand beside each other.
+    pub fn is_spread(&self) -> bool {
+        self.letters * HALF_A_PAGE < PRINTED * self.width
+    }
+}
+
 /// Heads are not drawn smaller than this, in millimetres: they would round to nothing.
 const SMALLEST_HEAD: f64 = 0.05;
 

@@ -8,8 +8,8 @@ use super::number::text_width;
 
 /// Width of a plot in millimetres.
 ///
-/// A line of text is readable where it is shown 390 pixels wide.
-pub(super) const WIDTH: f64 = 112.0;
+/// Its letters have eleven pixels on a screen of 390, the margins of the page left out.
+pub(super) const WIDTH: f64 = 96.0;
 /// Air at the edges of the page.
 pub(super) const EDGE: f64 = 2.0;
 /// From the frame down to the numbers of its axis, and to its label.

@@ -28,7 +28,7 @@ pub struct Polar {
 }
 
 /// The page in millimetres: its width, the radius of the outer circle, the room around it for names.
-const WIDTH: f64 = 110.0;
+const WIDTH: f64 = 96.0;
 const RADIUS: f64 = 38.0;
 const ROOM: f64 = 6.5;
 /// About so many circles.
@@ -67,7 +67,7 @@ impl Polar {
         self.marks.extend(marks.into_iter().filter(|_| farthest > 0.0).map(mark));
     }
 
-    /// The drawing, 110 mm wide and about as high.
+    /// The drawing, 96 mm wide and about as high.
     pub fn figure(&self) -> Figure {
         let axis = Axis { unit: self.unit, ..Axis::linear(self.label.clone()) };
         let in_inches = axis.in_inches().map(|(factor, axis)| {

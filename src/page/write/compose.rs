@@ -214,7 +214,13 @@ impl<'a> Composer<'a> {
             self.files.extend(file.filter(|file| self.files.iter().all(|other| other.name != file.name)));
             let label = self.labels.label("fig", &picture.name);
             let caption = self.text(&picture.caption);
-            drawn.push(Drawn { body, short: short(&caption).map(str::to_owned), caption, label });
+            drawn.push(Drawn {
+                body,
+                short: short(&caption).map(str::to_owned),
+                caption,
+                label,
+                spread: renamed.figure.is_spread(),
+            });
         }
         self.fill("pictures", &Beside { pictures: drawn })
     }

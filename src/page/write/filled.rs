@@ -51,6 +51,8 @@ pub(super) struct Drawn {
     pub short: Option<String>,
     /// The label of a fragment.
     pub label: Option<String>,
+    /// Whether its letters are too small in half of a page.
+    pub spread: bool,
 }
 
 /// The name of a heading, as code-hosting pages make it.

@@ -72,7 +72,8 @@ impl Writer for Html {
     }
 
     fn picture(&self, picture: &Picture, caption: &str) -> (String, Option<File>) {
-        (svg(&picture.figure, caption), None)
+        let least = format!("<svg style=\"--least:{:.0}px\" ", picture.figure.least_pixels());
+        (svg(&picture.figure, caption).replacen("<svg ", &least, 1), None)
     }
 }
 

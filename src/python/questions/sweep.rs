@@ -6,12 +6,13 @@ use std::sync::atomic::AtomicBool;
 use pyo3::prelude::*;
 use serde_json::{Map, Value, json};
 
-use crate::engine::CycleOrder;
+use crate::engine::{CycleOrder, Engine};
 use crate::file::{FileResolver, Template};
 use crate::python::asked::written;
 use crate::python::error::{self, told};
 use crate::python::reading::Source;
-use crate::sweep::{self, Geometry, Parameter, Sweep};
+use crate::report::{ValueName, values_of};
+use crate::sweep::{self, Geometry, Observer, Parameter, Sweep};
 
 /// The values that are swept: keywords and keys of the file, each with its range.
 pub(in crate::python) struct Ranges {
@@ -23,12 +24,13 @@ pub(in crate::python) struct Ranges {
 
 impl Ranges {
     /// All that a sweep is asked, as the keywords of Python.
-    pub fn keywords(&self, orders: Option<&[u32]>, firing: &[CycleOrder]) -> Value {
+    pub fn keywords(&self, orders: Option<&[u32]>, firing: &[CycleOrder], values: &[ValueName]) -> Value {
         let ranges: Map<String, Value> = self.keys.iter().map(|(key, range)| (key.clone(), json!(range))).collect();
         let mut keywords = Map::from_iter(self.flags.iter().map(|(name, range)| ((*name).to_owned(), json!(range))));
         keywords.insert("ranges".to_owned(), Value::Object(ranges));
         keywords.insert("orders".to_owned(), json!(orders));
         keywords.insert("firing_orders".to_owned(), json!(written(firing)));
+        keywords.insert("values".to_owned(), json!(written(values)));
         Value::Object(keywords)
     }
 }
@@ -39,6 +41,7 @@ pub(in crate::python) fn sweep(
     ranges: &Ranges,
     orders: &[u32],
     firing: &[CycleOrder],
+    values: &[ValueName],
     stop: &AtomicBool,
 ) -> PyResult<Sweep> {
     let read = |path: &str| source.beside(path);
@@ -52,6 +55,12 @@ pub(in crate::python) fn sweep(
     if !firing.is_empty() {
         let firing: Vec<CycleOrder> = firing.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
         sweep.firing = Some(sweep::firing_stars(&template, &sweep, &firing).map_err(told)?);
+    }
+    if !values.is_empty() {
+        let names: Vec<String> = values.iter().map(ValueName::column).collect();
+        let find = |engine: &Engine| values_of(engine, values);
+        sweep.observed =
+            Some(sweep::observed(&template, &sweep, &Observer { names: &names, find: &find }).map_err(told)?);
     }
     Ok(sweep)
 }

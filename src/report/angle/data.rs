@@ -2,6 +2,7 @@
 
 use crate::journal::PistonAt;
 use crate::report::angle::{AngleStudy, Instant};
+use crate::report::bearings::crankshafts;
 use crate::report::data::Filling;
 use crate::table::{Table, Unit};
 
@@ -62,6 +63,7 @@ fn bearings(study: &AngleStudy) -> Option<Table> {
     let mut table = Filling::new("angle.bearings", &rows).keyed(2);
     table.decimal("theta_{unit}", Unit::DEGREE, |row| Some(row.0));
     table.whole("bearing", |row| row.1);
+    crankshafts(&mut table, &study.engine, |row| study.crank_of(row.1));
     table.decimal("force_{unit}", Unit::NEWTON, |row| Some(row.2.norm()));
     table.decimal("force_y_{unit}", Unit::NEWTON, |row| Some(row.2.re));
     table.decimal("force_x_{unit}", Unit::NEWTON, |row| Some(0.0 - row.2.im));

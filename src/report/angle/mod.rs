@@ -117,6 +117,20 @@ impl AngleStudy {
             .flat_map(|instant| (1..).zip(&instant.bearings).map(|(number, force)| (instant.theta, number, *force)))
     }
 
+    /// The crankshaft of a main bearing, from 0, by its number.
+    fn crank_of(&self, bearing: usize) -> usize {
+        (bearing - 1) / self.engine.bearings().len().max(1)
+    }
+
+    /// What a main bearing is called: its number, beside the name of its crankshaft where there are several.
+    fn bearing_name(&self, bearing: usize) -> String {
+        let place = (bearing - 1) % self.engine.bearings().len().max(1) + 1;
+        match self.engine.geared_cranks().get(self.crank_of(bearing)) {
+            Some(shaft) => format!("{} {place}", shaft.name),
+            None => place.to_string(),
+        }
+    }
+
     /// The values at these angles.
     ///
     /// # Errors

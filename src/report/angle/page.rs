@@ -1,6 +1,6 @@
 //! What is on the page of values at crank angles, and on the terminal?
 
-use super::super::torque::quantity;
+use super::super::torque::{double_acting, quantity};
 use super::{AngleStudy, Instant, tables};
 use crate::journal::PistonAt;
 use crate::page::plot::{Axis, Curve, Plot, Rule};
@@ -14,7 +14,7 @@ const FOUND: &str = "The piston is at $s = r\\cos\\psi + l\\sqrt{1-(\\lambda\\si
     $-s''\\omega^2$, the closed forms without a series. The effort $F$ is the gas $(p-p_c)A$, the inertia $m\\,s''\\omega^2$ and the weight where it is asked for; the rod feels $F/\\cos\\beta$, the wall \
     $F\\tan\\beta$, the crank $-F s'$, and the crankpin the rod with its rotating mass. All values are decimals.";
 
-const LINKS: &str = "A piston on a link is at $s = \\mathrm{Re}\\,K + \\sqrt{L^2 - \\mathrm{Im}^2 K}$, K its knuckle pin on the master rod, seen along the axis. Its torque is again $-F s'$, and the mass μ at the knuckle pin adds $-\\tfrac12 \\mu\\,(|K'|^2)'\\,\\omega^2$. A rod on which links hang is loaded by them too: its thrust, the side force of its piston and the load of the crankpin are not given here.";
+const LINKS: &str = "A piston on a link is at $s = \\mathrm{Re}\\,K + \\sqrt{L^2 - \\mathrm{Im}^2 K}$, K its knuckle pin on the master rod, seen along the axis. Its torque is again $-F s'$, and the mass μ at the knuckle pin adds $-\\tfrac12 \\mu\\,(|K'|^2)'\\,\\omega^2$. A link loads its knuckle pin along itself, and the mass there with its inertia; the wall at the piston of the master rod bears the moment of these loads about the crankpin, so that its side force is not $F\\tan\\beta$ alone. The thrust of a rod on which links hang is that in its small end; the pin of a link is its knuckle pin, and the crankpin feels the master rod with all its links.";
 
 const GEARED: &str = "The torque of each piston is positive in the sense in which its own crankshaft turns; that of all cylinders is the torque at the first crankshaft, to which the others are geared.";
 
@@ -39,6 +39,7 @@ pub(super) fn page(study: &AngleStudy) -> Document {
     page.blocks.extend(values(study));
     page.push(Block::Heading(1, "How it was found".into()));
     page.push(Block::Paragraph(FOUND.into()));
+    page.blocks.extend(double_acting(&study.engine).map(Block::Paragraph));
     page.blocks.extend(study.engine.has_links().then(|| Block::Paragraph(LINKS.into())));
     page.blocks.extend((!study.engine.geared_cranks().is_empty()).then(|| Block::Paragraph(GEARED.into())));
     page.push(Block::Paragraph(DIRECTIONS.into()));

@@ -56,6 +56,7 @@ pub(super) fn motion(study: &AngleStudy) -> Table {
 
 /// What acts on piston, rod, wall and crankpin.
 pub(super) fn forces(study: &AngleStudy) -> Table {
+    let pin = if study.engine.has_links() { "Crankpin or knuckle pin in {}" } else { "Crankpin in {}" };
     pistons(
         study,
         &[
@@ -65,7 +66,7 @@ pub(super) fn forces(study: &AngleStudy) -> Table {
             ("Piston effort in {}", Unit::NEWTON, &PistonAt::effort),
             ("Rod thrust in {}", Unit::NEWTON, &PistonAt::rod),
             ("Side force in {}", Unit::NEWTON, &PistonAt::side),
-            ("Crankpin in {}", Unit::NEWTON, &|piston| piston.pin.map(|pin| pin.norm())),
+            (pin, Unit::NEWTON, &|piston| piston.pin.map(|pin| pin.norm())),
             ("Torque in {}", Unit::NEWTON_METRE, &PistonAt::torque),
         ],
     )
@@ -95,7 +96,7 @@ pub(super) fn bearings(study: &AngleStudy) -> Table {
     for (theta, number, force) in study.bearings().take(MOST_SHOWN) {
         table.push(vec![
             degrees(theta),
-            number.into(),
+            Text::label(study.bearing_name(number)),
             Text::measured(force.norm(), Unit::NEWTON),
             if force.norm() == 0.0 { "–".into() } else { angle(force.arg().to_degrees()) },
         ]);

@@ -85,7 +85,7 @@ fn of_bearings(study: &BearingsStudy, units: Units) -> Table {
 }
 
 /// Which crankshaft a row is about, where several are geared together.
-pub(super) fn crankshafts<R>(table: &mut Filling<R>, engine: &Engine, of: impl Fn(&R) -> usize) {
+pub(in crate::report) fn crankshafts<R>(table: &mut Filling<R>, engine: &Engine, of: impl Fn(&R) -> usize) {
     let cranks = engine.geared_cranks();
     if !cranks.is_empty() {
         table.words("crankshaft", |row| cranks.get(of(row)).map(|crank| crank.name.clone()));
@@ -110,9 +110,10 @@ fn worst(study: &BearingsStudy, units: Units) -> Option<Table> {
         let peak = &study.continuous.bearings[index].peak;
         Some((index, peak.value * units.newtons, peak.angle))
     };
-    let of_all = study.with_gas().and_then(|loads| loads.bearings.as_ref()).map(|[continuous, _]| {
-        let peak = &continuous.bearings[continuous.worst].peak;
-        (continuous.worst, peak.value, Some(peak.angle))
+    let of_all = study.with_gas().and_then(|loads| loads.bearings.as_ref()).and_then(|[continuous, _]| {
+        let index = *continuous.worst.first()?;
+        let peak = &continuous.bearings[index].peak;
+        Some((index, peak.value, Some(peak.angle)))
     });
     let with_gas = of_all.is_some();
     let rows = [of_all.or_else(of_masses)?];

@@ -49,7 +49,7 @@ fn of_bearings(engine: &Engine, loads: &CycleLoads) -> Table {
     let mean = |bearing: &CycleBearing| bearing.series.mean.total();
     table.decimal("mean_y_{unit}", Unit::NEWTON, |row| Some(mean(row.4).re));
     table.decimal("mean_x_{unit}", Unit::NEWTON, |row| Some(0.0 - mean(row.4).im));
-    table.truth("worst", |row| Some(row.2.worst == row.1));
+    table.truth("worst", |row| Some(row.2.worst.contains(&row.1)));
     table.decimal("missed_{unit}", Unit::NEWTON, |row| Some(row.3));
     table.done()
 }

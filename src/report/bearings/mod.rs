@@ -9,8 +9,11 @@ mod plots;
 mod study;
 mod tables;
 
-pub(super) use page::{ASSUMPTIONS, answer, by_orders, left_out, orders_of, parts_of_a_load, peaks_in_words, worst};
+pub(super) use data::crankshafts;
+pub(super) use page::{
+    ASSUMPTIONS, answer, by_orders, called, left_out, orders_of, parts_of_a_load, peaks_in_words, worst,
+};
 pub use page::{bearings_answer, bearings_page};
-pub(super) use plots::{drawings, farthest};
+pub(super) use plots::{drawings, farthest, style};
 pub use study::BearingsStudy;
 pub(super) use tables::{before, orders, peaks};

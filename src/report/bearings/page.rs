@@ -12,10 +12,15 @@ pub(in crate::report) fn worst(loads: &BearingLoads) -> Option<Text> {
     let numbers = names(loads);
     let peak = loads.worst.first().map(|index| &loads.bearings[*index].peak)?;
     let size = amounts::size(peak, unit);
-    Some(match numbers.as_slice() {
-        [only] => phrase!("bearing {} with {} {}", only.clone(), size, unit.label()),
-        several => phrase!("bearings {} with {} {}", several.join(", "), size, unit.label()),
-    })
+    Some(phrase!("{} with {} {}", called(&numbers), size, unit.label()))
+}
+
+/// Bearings by their names: `bearing 3`, `bearings 2, 4`.
+pub(in crate::report) fn called(names: &[String]) -> Text {
+    match names {
+        [only] => phrase!("bearing {}", only.clone()),
+        several => phrase!("bearings {}", several.join(", ")),
+    }
 }
 
 /// What the bearings with the largest peak are called.

@@ -14,6 +14,22 @@ type Tips = Vec<(f64, f64)>;
 /// Steps of a revolution: half a degree each.
 const STEPS: usize = 720;
 
+/// What a style of line means in every drawing of bearings and pins: numbers of [`Curve::new`].
+pub(in crate::report) mod style {
+    /// The path of a whole load.
+    pub const WHOLE: usize = 0;
+    /// Its component across direction 0.
+    pub const ACROSS: usize = 1;
+    /// The path of the load of the masses alone.
+    pub const WITHOUT_GAS: usize = 2;
+    /// Its component along direction 0.
+    pub const ALONG: usize = 4;
+    /// The paths of the rods of a crankpin that share it, all broken lines.
+    pub const RODS: [usize; 3] = [3, 5, 6];
+    /// The paths of the links of a master rod.
+    pub const LINKS: [usize; 4] = [7, 9, 10, 11];
+}
+
 /// The two drawings of each bearing, in the order of the file.
 pub(in crate::report) fn drawings(convention: Convention, loads: &BearingLoads) -> Vec<[Picture; 2]> {
     let unit = unit_of(loads);
@@ -27,7 +43,8 @@ pub(in crate::report) fn drawings(convention: Convention, loads: &BearingLoads) 
         tips
     };
     let all: Vec<Tips> = loads.bearings.iter().map(tips).collect();
-    let largest = farthest(all.iter().flatten());
+    let largest_of_all = loads.bearings.iter().map(|bearing| bearing.peak.value * unit.factor);
+    let largest = largest_of_all.fold(farthest(all.iter().flatten()), f64::max);
     let draw = |(index, (bearing, tips)): (usize, (&BearingLoad, Tips))| {
         let over_angle = over_crank_angle((index + 1, bearing), &tips, largest, unit);
         [over_angle, polar(convention, (index + 1, bearing), tips, largest, unit)]
@@ -57,7 +74,10 @@ fn over_crank_angle(
         let point = |(step, tip): (usize, &(f64, f64))| (step as f64 * 360.0 / STEPS as f64, value(tip));
         Curve::new(place, name, tips.iter().enumerate().map(point).collect())
     };
-    plot.curves = vec![curve(0, "y, along direction 0", |tip| tip.1), curve(1, "x, to the right", |tip| tip.0)];
+    plot.curves = vec![
+        curve(style::ALONG, "y, along direction 0", |tip| tip.1),
+        curve(style::ACROSS, "x, to the right", |tip| tip.0),
+    ];
     Picture { name: format!("bearing-{number}"), caption, figure: plot.figure() }
 }
 
@@ -77,8 +97,9 @@ fn polar(
 ) -> Picture {
     let caption = phrase!(said(convention, PATH), bearing.name.clone());
     let label = "Force in {}; 0° is the reference direction";
-    let mut polar = Polar::new(format!("Main bearing {}", bearing.name), label, vec![Curve::new(0, "", tips.clone())])
-        .counted_in(unit.unit);
+    let mut polar =
+        Polar::new(format!("Main bearing {}", bearing.name), label, vec![Curve::new(style::WHOLE, "", tips.clone())])
+            .counted_in(unit.unit);
     polar.reach = largest;
     polar.mark_quarters(&tips, STEPS);
     let tip = bearing.peak.vector * unit.factor;

@@ -43,7 +43,7 @@ const FORCE_PATH: [&str; 3] = [
     "Path of the tip of the force in a revolution, seen from the flywheel, direction 0 upwards; rings mark crank angles.",
 ];
 const MOMENT_PATH: [&str; 3] = [
-    "Path of the moment, arm times force, in a revolution",
+    "Path of the moment in a revolution",
     "Path of the tip of the moment, arm times force, in a revolution, seen from the free end, direction 0 upwards; rings mark crank angles.",
     "Path of the tip of the moment, arm times force, in a revolution, seen from the flywheel, direction 0 upwards; rings mark crank angles.",
 ];

@@ -5,7 +5,9 @@ use super::evidence::evidence;
 use super::finding::{claim_finding, claim_status};
 use super::student;
 use crate::claim::{Answer, Claim, Claims, Provenance, Published, Quote, Statement, Status, Topic};
+use crate::engine::{Engine, LengthUnit};
 use crate::page::{Block, Document, Fold, Table, Text, phrase};
+use crate::proof::Quantity;
 use crate::text::Untrusted;
 
 /// A claim with its answer.
@@ -21,6 +23,7 @@ pub fn claims_answer(claims: &Claims) -> Document {
         page.push(narrow(&answered));
     }
     page.blocks.extend(tables(claims));
+    page.blocks.extend(of_moments(claims));
     page
 }
 
@@ -31,6 +34,7 @@ pub fn claims_page(claims: &Claims) -> Document {
     page.blocks.extend(exceptions(claims));
     page.push(Block::Paragraph(HOW.into()));
     page.blocks.extend(of_forces(claims));
+    page.blocks.extend(of_moments(claims));
     for published in &claims.statements {
         page.blocks.extend(statement(published));
     }
@@ -75,6 +79,18 @@ fn of_forces(claims: &Claims) -> Option<Block> {
 }
 
 const FORMULAS: &str = "A formula is about the first cylinder of its layout, at its own crank angle θ from the dead centre on the cylinder's axis. The program compares its own result with the formula at every half degree of the cycle: **true** is a formula that differs nowhere by more than 10⁻⁹ of the largest value, after ≈ by no more than the stated part of it. Forces are positive towards the crank, on the frame outward; across, in the sense of rotation.";
+
+/// What moments are counted in, where some answer tells one of an engine with positions in metres.
+fn of_moments(claims: &Claims) -> Option<Block> {
+    let in_metres = |engine: &Engine| engine.length_unit() == LengthUnit::Metre;
+    let is_moment = |statement: &Statement| matches!(statement, Statement::Order { subject, .. } if subject.quantity == Quantity::MOMENT);
+    let mut all = claims.statements.iter().flat_map(|statement| &statement.claims);
+    let is_told = all.any(|claim| in_metres(&claim.layout) && is_moment(&claim.statement))
+        || claims.tables.iter().any(|table| in_metres(&table.layout));
+    is_told.then(|| Block::Note(METRES.into()))
+}
+
+const METRES: &str = "Where a layout gives its positions in a unit of length, moments without a unit of their own are in metres, times m r ω² c_k: divided by the spacing in metres they are the multiples that books print.";
 
 fn answered<'a>(claims: impl Iterator<Item = &'a Claim>) -> Vec<Answered<'a>> {
     claims.map(|claim| (claim, claim.answer())).collect()

@@ -11,7 +11,7 @@ use crate::page::{Text, phrase};
 /// Each term with what is said of it.
 pub(super) fn found(terms: &[Term]) -> Text {
     match terms.is_empty() {
-        true => "The pistons make no force at these orders.".into(),
+        true => "The pistons make no force of orders 1 and 2; the series claims no other.".into(),
         false => Text::joined(terms.iter().map(sentence), " "),
     }
 }

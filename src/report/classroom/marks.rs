@@ -56,10 +56,13 @@ fn marked<'a>(results: &'a [StudentResult]) -> impl Iterator<Item = &'a MarkedSh
 
 /// Mean and spread of the points.
 fn spread(points: &Distribution) -> Text {
+    // 2831/59 tells a lecturer nothing.
+    let hundredfold = &points.mean * BigRational::from_integer(100.into());
+    let mean = hundredfold.is_integer().then(|| Form::rational(points.mean.clone()));
     let no_spread = points.variance.is_zero().then(|| Form::rational(BigRational::zero()));
     phrase!(
         "Points: mean {} of {}, standard deviation {}. Sheets: {}.",
-        Amount { exact: Some(Form::rational(points.mean.clone())), decimal: numbers::float(&points.mean) },
+        Amount { exact: mean, decimal: numbers::float(&points.mean) },
         super::student::points(&points.possible),
         Amount { exact: no_spread, decimal: numbers::float(&points.variance).sqrt() },
         points.sheets

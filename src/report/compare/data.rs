@@ -31,6 +31,7 @@ fn orders(engines: &[Compared], document: &CompareDocument) -> Table {
     let moments: Vec<Unit> = [Unit::OPEN_SPACING, Unit::OPEN_METRE].into_iter().filter(used).collect();
     let mut table = Filling::new("compare.orders", &rows);
     table.person("engine", |row| Some(row.name.clone()));
+    table.whole("order", |row| row.order.order as usize);
     of_orders(&mut table, |row| row.order, &moments, |row| row.moment);
     if document.engines.iter().any(|entry| entry.newtons.is_some()) {
         let newtons = |row: &Row, of: fn(&Newtons) -> f64| {

@@ -156,8 +156,8 @@ fn engine(engine: &Compared) -> EngineEntry {
         remedy: engine_cells::remedy(&engine.remedy).plain(),
         newtons: newtons(engine),
         worst_bearings: engine.bearings.as_ref().ok().map(worst),
-        worst_bearing_with_gas: engine.worst_with_gas().map(|(index, peak)| Worst {
-            bearings: vec![index + 1],
+        worst_bearing_with_gas: engine.worst_with_gas().map(|(worst, peak)| Worst {
+            bearings: worst.iter().map(|index| index + 1).collect(),
             peak: peak.value,
             unit: "N",
         }),

@@ -83,11 +83,12 @@ impl Compared {
         self.judged.differing().find(|judged| judged.order == order)
     }
 
-    /// The main bearing with the largest load of gas and masses, from 0, and that load; none where there is none.
-    fn worst_with_gas(&self) -> Option<(usize, CyclePeak)> {
+    /// The main bearings with the largest load of gas and masses, by their indices, and that load; none where there is none.
+    fn worst_with_gas(&self) -> Option<(Vec<usize>, CyclePeak)> {
         let peaks = self.with_gas.as_ref()?.as_ref().ok()?;
         let worst = journal::worst(peaks.iter().map(|[all, _]| all.value));
-        peaks.get(worst).map(|[all, _]| (worst, *all))
+        let peak = peaks[*worst.first()?][0];
+        Some((worst, peak))
     }
 
     /// Whether force and moment come out in N and N·m.

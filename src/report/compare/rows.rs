@@ -169,10 +169,11 @@ fn worst_with_gas(engine: &Compared) -> Text {
         (Some(Err(Missing::Bearings)), _) => "none given".into(),
         (Some(Err(_)), _) => "not computed".into(),
         (Some(Ok(_)), None) => "none given".into(),
-        (Some(Ok(_)), Some((index, peak))) => {
+        (Some(Ok(_)), Some((worst, peak))) => {
+            let numbers: Vec<String> = worst.iter().map(|index| (index + 1).to_string()).collect();
             phrase!(
-                "bearing {} with {} {}",
-                (index + 1).to_string(),
+                "{} with {} {}",
+                bearings::called(&numbers),
                 Text::measured(peak.value, page::Unit::NEWTON),
                 page::Unit::NEWTON
             )

@@ -47,6 +47,7 @@ fn orders(engine: &Engine, judged: &Judgement) -> Table {
     let rows: Vec<Row> = rows.collect();
     let [_, moment] = units(engine);
     let mut table = Filling::new("classify.orders", &rows);
+    table.whole("order", |row| row.order.order as usize);
     table.words("masses", |row| Some(row.masses.to_owned()));
     table.words("of", |row| row.of.clone());
     of_orders(&mut table, |row| &row.order, &[moment], |_| moment);
@@ -64,7 +65,7 @@ fn masses_name(masses: Masses) -> &'static str {
 
 /// A row a vector of an order: the direct, the reverse, of each class of sources.
 fn sums(engine: &Engine, rows: &[[&VerdictClaim; 2]]) -> Table {
-    let mut table = Filling::new("classify.sums", rows);
+    let mut table = Filling::new("classify.sums", rows).keyed(2);
     table.whole("order", |[force, _]| force.order as usize);
     table.words("sense", |[force, _]| force.sense.map(|sense| sense_name(sense).to_owned()));
     of(&mut table, |[force, _]| force);

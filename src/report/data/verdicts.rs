@@ -16,14 +16,13 @@ pub fn units(engine: &Engine) -> [Unit; 2] {
     }
 }
 
-/// Adds what is left of force and moment, in moments of this unit; those of other rows are omitted.
+/// Adds to the number of an order what is left of force and moment, in moments of this unit; those of other rows are omitted.
 pub fn of_orders<R>(
     table: &mut Filling<R>,
     order: impl Fn(&R) -> &Order,
     moment_units: &[Unit],
     moment_unit: impl Fn(&R) -> Unit,
 ) {
-    table.whole("order", |row| order(row).order as usize);
     table.truth("exists", |row| Some(order(row).exists));
     let force = |row: &R| order(row).force.clone();
     let moment = |row: &R| order(row).moment.clone();

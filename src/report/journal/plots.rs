@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use super::super::bearings::farthest;
+use super::super::bearings::{farthest, style};
 use super::super::convention::said;
 use super::super::torque::names;
 use crate::engine::{Convention, Engine};
@@ -21,10 +21,10 @@ const STEPS: usize = 360;
 const MOST_PINS: usize = 3;
 /// Of shared pins more are drawn, for each has firing intervals of its own, ...
 const MOST_SHARED: usize = 8;
-/// ... with the paths of its rods where they are no more than these.
-const MOST_RODS: usize = 3;
+/// ... with the paths of its rods where they are no more than there are styles of line.
+const MOST_RODS: usize = style::RODS.len();
 /// Knuckle pins of a master rod that are drawn.
-const MOST_LINKS: usize = 4;
+const MOST_LINKS: usize = style::LINKS.len();
 
 /// Angles through the cycle, both ends among them.
 fn angles(course: &ForceHistory) -> Vec<f64> {
@@ -48,7 +48,8 @@ pub(super) fn bearings(convention: Convention, loads: &CycleLoads, bearings: &Cy
         [all, known.iter().map(|[inertia, _]| tip(*inertia)).collect()]
     };
     let known: Vec<[Tips; 2]> = bearings.bearings.iter().map(forces).collect();
-    let largest = farthest(known.iter().flatten().flatten());
+    let peaks = bearings.bearings.iter().map(|bearing| bearing.peak.value);
+    let largest = peaks.fold(farthest(known.iter().flatten().flatten()), f64::max);
     let draw = |(index, (bearing, [all, inertia])): (usize, (&CycleBearing, [Tips; 2]))| {
         let over_angle = over_crank_angle((index + 1, bearing), &angles, &all, largest);
         [over_angle, polar(convention, (index + 1, bearing), [all, inertia], largest)]
@@ -69,7 +70,10 @@ fn over_crank_angle(
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
         Curve::new(place, name, angles.iter().zip(tips).map(|(theta, tip)| (theta.to_degrees(), value(tip))).collect())
     };
-    plot.curves = vec![curve(0, "y, along direction 0", |tip| tip.1), curve(1, "x, to the right", |tip| tip.0)];
+    plot.curves = vec![
+        curve(style::ALONG, "y, along direction 0", |tip| tip.1),
+        curve(style::ACROSS, "x, to the right", |tip| tip.0),
+    ];
     Picture {
         name: format!("bearing-{number}-cycle"),
         caption: phrase!(
@@ -92,7 +96,8 @@ fn polar(
     largest: f64,
 ) -> Picture {
     let label = "Force in {}; 0° is the reference direction";
-    let curves = vec![Curve::new(0, "with gas", all), Curve::new(2, "without gas", inertia)];
+    let curves =
+        vec![Curve::new(style::WHOLE, "with gas", all), Curve::new(style::WITHOUT_GAS, "without gas", inertia)];
     let mut polar = Polar::new(format!("Main bearing {}", bearing.name), label, curves).counted_in(Unit::NEWTON);
     polar.reach = largest;
     polar.marks.push(PointMark::dot(tip(bearing.peak.vector), format!("largest, θ ≈ {:.0}°", bearing.peak.angle)));
@@ -112,9 +117,12 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         let name = engine.cylinders()[index].name.as_str();
         let path = |law: &dyn Fn(f64) -> Complex<f64>| angles.iter().map(|theta| tip(law(*theta))).collect::<Vec<_>>();
         let picture = |end: &str, label: &str, tips: Vec<(f64, f64)>| {
-            let mut polar =
-                Polar::new(format!("Crankpin of cylinder {name}"), label, vec![Curve::new(0, "", tips.clone())])
-                    .counted_in(Unit::NEWTON);
+            let mut polar = Polar::new(
+                format!("Crankpin of cylinder {name}"),
+                label,
+                vec![Curve::new(style::WHOLE, "", tips.clone())],
+            )
+            .counted_in(Unit::NEWTON);
             polar.mark_quarters(&tips, STEPS);
             (format!("pin-{}-{end}", index + 1), polar.figure())
         };
@@ -160,8 +168,8 @@ pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
             angles.iter().filter_map(seen).collect::<Vec<_>>()
         };
         let name = |index: usize| engine.cylinders()[index].name.clone();
-        let links = course.links_of(master).take(MOST_LINKS).enumerate();
-        let curves = links.map(|(place, link)| Curve::new(place, format!("link {}", name(link)), path(link))).collect();
+        let links = style::LINKS.into_iter().zip(course.links_of(master));
+        let curves = links.map(|(style, link)| Curve::new(style, format!("link {}", name(link)), path(link))).collect();
         let label = "Force in {}; 0° is away from the crankpin";
         let polar = Polar::new(format!("Knuckle pins of master rod {}", name(master)), label, curves);
         Picture {
@@ -185,10 +193,11 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         let path = |law: &dyn Fn(f64) -> Complex<f64>| angles.iter().map(|theta| tip(law(*theta))).collect::<Vec<_>>();
         let number = pin.throw + 1;
         let few = if pin.cylinders.len() <= MOST_RODS { pin.cylinders.as_slice() } else { &[] };
-        let mut curves = vec![Curve::new(0, "all rods", path(&|theta| pin.load_on_the_crank(course, theta)))];
-        curves.extend(few.iter().enumerate().map(|(place, &index)| {
+        let mut curves =
+            vec![Curve::new(style::WHOLE, "all rods", path(&|theta| pin.load_on_the_crank(course, theta)))];
+        curves.extend(style::RODS.into_iter().zip(few).map(|(style, &index)| {
             let name = format!("cylinder {}", engine.cylinders()[index].name);
-            Curve::new(place + 1, name, path(&|theta| course.pin_on_the_crank(index, theta)))
+            Curve::new(style, name, path(&|theta| course.pin_on_the_crank(index, theta)))
         }));
         let label = "Force in {}; 0° is outward along the throw";
         let mut polar = Polar::new(format!("Crankpin {number}"), label, curves).counted_in(Unit::NEWTON);
@@ -197,7 +206,7 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         Picture {
             name: format!("shared-pin-{number}-crank"),
             caption: phrase!(
-                "Crankpin {}, with the rods of cylinders {}: path of the tip of its load through the cycle, seen from the crank, outward along the throw upwards. Solid, all rods together; dashed, each of them alone where they are few. The dot is the largest load.",
+                "Crankpin {}, with the rods of cylinders {}: path of the tip of its load through the cycle, seen from the crank, outward along the throw upwards. Solid, all rods together; broken, each of them alone where they are few. The dot is the largest load.",
                 number,
                 names(engine, &pin.cylinders)
             ),

@@ -12,11 +12,11 @@ fn size(value: f64) -> Text {
     if value == 0.0 { Text::zero() } else { Text::measured(value, Unit::NEWTON) }
 }
 
-/// The largest load of every bearing, with and without gas; the worst is marked.
+/// The largest load of every bearing, with and without gas; the worst are marked.
 pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearings; 2]) -> Table {
     let marked = |bearings: &CycleBearings, index: usize| {
         let size = size(bearings.bearings[index].peak.value);
-        if bearings.worst == index { phrase!("{}, worst", size) } else { size }
+        if bearings.worst.contains(&index) { phrase!("{}, worst", size) } else { size }
     };
     Table::of(continuous.bearings.iter().enumerate())
         .column("Bearing", |(_, bearing)| bearing.name.clone())

@@ -1,9 +1,9 @@
 //! What is said of the complete loads: first, and at the end?
 
-use super::super::bearings;
+use super::super::bearings::{self, called};
 use super::super::torque::{angle, assumptions as of_the_gas, names, quantity};
 use crate::engine::Engine;
-use crate::journal::{CycleBearings, CycleLoads, CyclePeak};
+use crate::journal::{self, CycleBearings, CycleLoads, CyclePeak};
 use crate::page::{Text, Unit, phrase};
 
 pub(super) fn newtons(value: f64) -> Text {
@@ -12,7 +12,7 @@ pub(super) fn newtons(value: f64) -> Text {
 
 /// The lines of the box.
 pub(super) fn answer(engine: &Engine, loads: &CycleLoads, [continuous, determinate]: &[CycleBearings; 2]) -> Vec<Text> {
-    let mut lines = vec![largest(continuous), others(continuous, determinate)];
+    let mut lines: Vec<Text> = largest(continuous).into_iter().chain(others(continuous, determinate)).collect();
     lines.extend(pins(engine, loads));
     lines.extend(shared_pins(engine, loads));
     lines.extend(knuckles(engine, loads));
@@ -23,53 +23,60 @@ pub(super) fn answer(engine: &Engine, loads: &CycleLoads, [continuous, determina
 
 const SIGNS: &str = "Largest values are those of the forces themselves, through the whole cycle and with all orders; the load is the force on bearing or pin, and the part of the gas is its component along the load.";
 
-fn largest(bearings: &CycleBearings) -> Text {
-    let peak = &bearings.bearings[bearings.worst].peak;
-    let number = bearings.bearings[bearings.worst].name.clone();
-    let (size, at) = (newtons(peak.value), angle(peak.angle));
-    let gas = peak.gas_along();
-    if gas < 0.0 {
+/// What the bearings with the largest load are called, and that load.
+fn worst(bearings: &CycleBearings) -> Option<(Text, f64)> {
+    let names: Vec<String> = bearings.worst.iter().map(|index| bearings.bearings[*index].name.clone()).collect();
+    let peak = bearings.bearings[*bearings.worst.first()?].peak.value;
+    Some((called(&names), peak))
+}
+
+fn largest(bearings: &CycleBearings) -> Option<Text> {
+    let (names, size) = worst(bearings)?;
+    let peaks = bearings.worst.iter().map(|index| &bearings.bearings[*index].peak);
+    let at = Text::joined(peaks.clone().map(|peak| angle(peak.angle)), ", ");
+    let gas = peaks.clone().next()?.gas_along();
+    Some(if gas < 0.0 {
         phrase!(
-            "**Largest load.** Bearing {} carries {} at crank angle {}, by the masses; the gas reduces it by {}.",
-            number,
-            size,
+            "**Largest load:** {} on {}, at crank angle {}, by the masses; the gas reduces it by {}.",
+            newtons(size),
+            names,
             at,
             newtons(-gas)
         )
-    } else if gas > peak.value {
+    } else if gas > size {
         phrase!(
-            "**Largest load.** Bearing {} carries {} at crank angle {}: {} by the gas, less {} by the masses.",
-            number,
-            size,
+            "**Largest load:** {} on {}, at crank angle {}: {} by the gas, less {} by the masses.",
+            newtons(size),
+            names,
             at,
             newtons(gas),
-            newtons(gas - peak.value)
+            newtons(gas - size)
         )
     } else {
         phrase!(
-            "**Largest load.** Bearing {} carries {} at crank angle {}: {} by the gas and {} by the masses.",
-            number,
-            size,
+            "**Largest load:** {} on {}, at crank angle {}: {} by the gas and {} by the masses.",
+            newtons(size),
+            names,
             at,
             newtons(gas),
-            newtons(peak.value - gas)
+            newtons(size - gas)
         )
-    }
+    })
 }
 
 /// The masses alone, and the other way to share the loads.
-fn others(continuous: &CycleBearings, determinate: &CycleBearings) -> Text {
-    let sizes: Vec<f64> = continuous.bearings.iter().map(|bearing| bearing.inertia.value).collect();
-    let largest = sizes.iter().copied().fold(0.0, f64::max);
-    let alone = sizes.iter().position(|size| *size == largest).unwrap_or(0);
-    let other = &determinate.bearings[determinate.worst].peak;
-    phrase!(
-        "**Without gas** the largest is {} on bearing {}. By the determinate approximation the most loaded is bearing {}, with {}.",
-        newtons(largest),
-        continuous.bearings[alone].name.clone(),
-        determinate.bearings[determinate.worst].name.clone(),
-        newtons(other.value)
-    )
+fn others(continuous: &CycleBearings, determinate: &CycleBearings) -> Option<Text> {
+    let sizes = continuous.bearings.iter().map(|bearing| bearing.inertia.value);
+    let alone = journal::worst(sizes.clone());
+    let names: Vec<String> = alone.iter().map(|index| continuous.bearings[*index].name.clone()).collect();
+    let (determinate, load) = worst(determinate)?;
+    Some(phrase!(
+        "**Without gas** the largest load is {} on {}. By the determinate approximation, with gas, it is {} on {}.",
+        newtons(sizes.fold(0.0, f64::max)),
+        called(&names),
+        newtons(load),
+        determinate
+    ))
 }
 
 /// The cylinder that is first in something.

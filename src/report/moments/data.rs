@@ -28,6 +28,7 @@ fn external(study: &MomentsStudy) -> Table {
     table.person("engine", |row| Some(row.name.clone()));
     table.whole("cylinders", |row| row.engine.cylinders().len());
     table.words("firing_order", |row| row.engine.firing_order());
+    table.decimal("speed_{unit}", Unit::PER_MINUTE, |row| row.engine.dimensions().speed.as_ref()?.to_f64());
     type Pick = fn(&MomentsRow) -> &[External];
     let kinds: [(Pick, Unit, [[&'static str; 2]; 2]); 2] = [
         (

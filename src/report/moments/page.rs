@@ -2,7 +2,7 @@
 
 use super::{Amplitude, External, MomentsRow, MomentsStudy};
 use crate::engine::CycleOrder;
-use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, phrase};
+use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, number, phrase};
 use crate::report::engine_cells;
 use crate::report::torque::LINKED_GUIDES;
 
@@ -21,6 +21,7 @@ const PER_KILOWATT: &str = "Moment over power (PRU) is the engine makers' measur
 pub(super) fn answer(study: &MomentsStudy) -> Document {
     let mut answer = Document::new("moments", "External forces and moments, guide-force moments");
     answer.blocks.extend(tables(study));
+    answer.push(Block::Paragraph(CONVENTION.into()));
     answer
 }
 
@@ -72,16 +73,27 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
             blocks.push(Block::Paragraph(PER_KILOWATT.into()));
         }
     }
+    blocks.extend(without_guides(study));
+    blocks
+}
+
+/// Which engines have no guide-force moments, and why: one line a reason, however many it holds for.
+fn without_guides(study: &MomentsStudy) -> impl Iterator<Item = Block> {
+    let mut reasons: Vec<(&str, Vec<Text>)> = Vec::new();
     for row in study.rows.iter().filter(|row| !row.is_bare) {
-        if let Err(why) = &row.guides {
-            blocks.push(Block::Note(phrase!(
-                "{} has no guide-force moments: {}.",
-                &row.name,
-                Text::label(why.clone())
-            )));
+        let Err(why) = &row.guides else { continue };
+        match reasons.iter_mut().find(|(reason, _)| reason == why) {
+            Some((_, names)) => names.push((&row.name).into()),
+            None => reasons.push((why, vec![(&row.name).into()])),
         }
     }
-    blocks
+    reasons.into_iter().map(|(why, names)| {
+        Block::Note(phrase!(
+            "Without guide-force moments: {}; {}.",
+            Text::joined(names, ", "),
+            Text::label(why.to_owned())
+        ))
+    })
 }
 
 fn name(row: &MomentsRow) -> Text {
@@ -99,7 +111,8 @@ fn amount(value: Amplitude, unit: Unit) -> Text {
 fn external(study: &MomentsStudy, unit: Unit, of: fn(&MomentsRow) -> &[External], is_moment: bool) -> Table {
     let sign = if is_moment { "M{}{}, {}" } else { "F{}{}, {}" };
     let mut columns: Vec<(usize, usize)> = Vec::new();
-    let mut head: Vec<Text> = vec!["Engine".into(), "Cylinders".into(), "Firing".into()];
+    let mut head: Vec<Text> =
+        vec!["Engine".into(), "Cylinders".into(), "Firing".into(), phrase!("Speed, {}", Unit::PER_MINUTE)];
     for (place, order) in super::ORDERS.into_iter().enumerate() {
         for (component, letter) in ["V", "H"].into_iter().enumerate() {
             let is_there =
@@ -119,7 +132,9 @@ fn external(study: &MomentsStudy, unit: Unit, of: fn(&MomentsRow) -> &[External]
     }
     let mut table = Table::new(head);
     for row in &study.rows {
-        let mut cells = vec![name(row), row.engine.cylinders().len().into(), engine_cells::firing(row.engine.firing())];
+        let speed = row.engine.dimensions().speed.as_ref().map_or_else(Text::default, number::given);
+        let mut cells =
+            vec![name(row), row.engine.cylinders().len().into(), engine_cells::firing(row.engine.firing()), speed];
         cells.extend(
             columns
                 .iter()

@@ -3,14 +3,14 @@
 use super::{MountsStudy, plots, tables, words};
 use crate::page::{Block, Document, Text, phrase};
 
-/// The short answer: frequencies, orders, motions.
+/// The short answer: what shakes, then orders, motions and modes.
 pub(super) fn answer(study: &MountsStudy) -> Document {
     let mut answer = Document::new("mounts", study.engine.title());
-    answer.push(tables::modes(study));
-    answer.push(tables::orders(study));
-    answer.push(tables::motions(study));
     answer.blocks.extend(words::answer(study).into_iter().map(Block::Paragraph));
     answer.blocks.extend(words::notes(study).into_iter().map(Block::Note));
+    answer.push(tables::orders_that_move(study));
+    answer.push(tables::motions(study));
+    answer.push(tables::modes(study));
     answer
 }
 

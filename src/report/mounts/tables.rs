@@ -27,11 +27,20 @@ fn zero_or(vanishes: bool, value: Text) -> Text {
 
 /// One row per order: what shakes, and whether it vanishes exactly.
 pub(super) fn orders(study: &MountsStudy) -> Table {
+    orders_of(study.orders.iter())
+}
+
+/// The same without those that leave the engine still, for a terminal.
+pub(super) fn orders_that_move(study: &MountsStudy) -> Table {
+    orders_of(study.moving().map(|(_, one)| one))
+}
+
+fn orders_of<'a>(orders: impl Iterator<Item = &'a OrderMotion>) -> Table {
     let moment = |one: &OrderMotion| {
         let [mx, my, _] = one.load[1];
         largest(&[mx, my, Complex::default()])
     };
-    Table::of(&study.orders)
+    Table::of(orders)
         .column("Order κ", |one| one.excitation.order.to_string())
         .column(phrase!("Force ({})", Unit::NEWTON), |one| {
             zero_or(one.excitation.still.force, Text::measured(largest(&one.load[0]), Unit::NEWTON))

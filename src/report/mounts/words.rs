@@ -1,6 +1,6 @@
 //! What is said of an engine on its mounts in words?
 
-use super::{MountsStudy, OrderMotion, Place, SOFTEST};
+use super::{MountsStudy, OrderMotion, Place, SOFTEST, largest};
 use crate::engine::CycleOrder;
 use crate::page::{Piece, Text, Unit, phrase};
 
@@ -43,16 +43,15 @@ pub(super) fn place(of: Place) -> Text {
     }
 }
 
-/// The short answer.
+/// The short answer: what is passed on and what moves, which orders do not, where the natural frequencies are.
 pub(super) fn answer(study: &MountsStudy) -> Vec<Text> {
-    let frequencies = study.modes.iter().map(|mode| Text::measured(mode.hertz(), Unit::HERTZ)).collect::<Vec<_>>();
-    let mut lines = vec![phrase!("Natural frequencies on the mounts, in Hz: {}.", Text::joined(frequencies, ", "))];
     let moving: Vec<&OrderMotion> = study.moving().map(|(_, one)| one).collect();
+    let mut lines: Vec<Text> = resonance(study).into_iter().chain(force(study)).chain(velocity(study)).collect();
     lines.push(match (list(study.still()), moving.is_empty()) {
         (none, _) if none.is_empty() => "Every order shown moves the engine: of none do force, moment and roll moment all vanish.".into(),
         (_, true) => "No order shown moves the engine, proved: force, moment and roll moment of each vanish.".into(),
         (still, false) => phrase!(
-            "These orders leave the engine still on any mounts, proved: {}. Force, moment and roll moment of each vanish.",
+            "These orders do not move the engine on any mounts, proved: {}. Force, moment and roll moment of each vanish.",
             still
         ),
     });
@@ -64,25 +63,63 @@ pub(super) fn answer(study: &MountsStudy) -> Vec<Text> {
     if !roll_alone.is_empty() {
         lines.push(phrase!("By the roll moment alone it is moved at the orders {}.", roll_alone));
     }
-    let watched = study.watched();
-    let fastest = moving.iter().filter_map(|one| Some((study.velocity(one.motion.as_ref()?), one.excitation.order)));
-    if let Some((speed, order)) = fastest.max_by(|one, other| one.0.total_cmp(&other.0)) {
-        lines.push(phrase!(
-            "At {} order {} moves the {} most: {}, zero to peak along one axis.",
-            rpm(study.speed),
-            order.to_string(),
-            place(watched),
-            Piece::Quantity(speed * 1e3, Unit::MILLIMETRE_PER_SECOND)
-        ));
-    }
-    if let Some(axis) = &study.axis {
-        lines.push(phrase!(
-            "The torque-roll axis is inclined to the crankshaft by {}; the mounts couple a rotation about it with other motions by {}.",
-            Piece::Quantity(axis.from_crankshaft, Unit::DEGREE),
-            Piece::Quantity(100.0 * axis.coupling, Unit::PERCENT)
-        ));
-    }
+    lines.push(frequencies(study));
     lines
+}
+
+/// The largest force along one axis that a mount passes on, its mount and its order.
+pub(super) fn passed_on(study: &MountsStudy) -> Option<(f64, usize, CycleOrder)> {
+    let moving = study.moving().filter_map(|(_, one)| Some((one.excitation.order, one.motion.as_ref()?)));
+    let of_mounts = moving.flat_map(|(order, motion)| {
+        let mounts = 0..study.body.mounts();
+        mounts.map(move |mount| (largest(&study.body.mount_force(mount, motion)), mount, order))
+    });
+    of_mounts.max_by(|one, other| one.0.total_cmp(&other.0))
+}
+
+fn resonance(study: &MountsStudy) -> Option<Text> {
+    let orders = list(study.moving().filter(|(_, one)| one.motion.is_none()).map(|(_, one)| one.excitation.order));
+    (!orders.is_empty()).then(|| {
+        phrase!("**Resonance.** At {} without damping the motion has no bound in order {}.", rpm(study.speed), orders)
+    })
+}
+
+fn force(study: &MountsStudy) -> Option<Text> {
+    let (force, mount, order) = passed_on(study)?;
+    Some(phrase!(
+        "**What is passed on** at {}: at most {} along one axis, by mount {} at order {}.",
+        rpm(study.speed),
+        Piece::Quantity(force, Unit::NEWTON),
+        mount + 1,
+        order.to_string()
+    ))
+}
+
+fn velocity(study: &MountsStudy) -> Option<Text> {
+    let moving = study.moving().filter_map(|(_, one)| Some((study.velocity(one.motion.as_ref()?), one)));
+    let (speed, fastest) = moving.max_by(|one, other| one.0.total_cmp(&other.0))?;
+    Some(phrase!(
+        "**What moves** the {} most is order {}: {} along one axis, zero to peak.",
+        place(study.watched()),
+        fastest.excitation.order.to_string(),
+        Piece::Quantity(speed * 1e3, Unit::MILLIMETRE_PER_SECOND)
+    ))
+}
+
+/// All natural frequencies, and the highest speed at which an order that moves the engine meets one.
+fn frequencies(study: &MountsStudy) -> Text {
+    let all = study.modes.iter().map(|mode| Piece::Quantity(mode.hertz(), Unit::HERTZ).into());
+    let all = Text::joined(all, ", ");
+    let lowest = study.moving().map(|(_, one)| one.excitation.order).next();
+    match (lowest, study.modes.last()) {
+        (Some(order), Some(highest)) => phrase!(
+            "**Natural frequencies** on the mounts: {}. Order {} meets the highest of them at {}.",
+            all,
+            order.to_string(),
+            rpm(order.rpm(highest.hertz()))
+        ),
+        _ => phrase!("**Natural frequencies** on the mounts: {}.", all),
+    }
 }
 
 /// The torque-roll axis.
@@ -90,7 +127,8 @@ pub(super) fn axis(study: &MountsStudy) -> Option<Text> {
     let axis = study.axis.as_ref()?;
     let direction = axis.direction.map(|part| Text::measured(part, Unit::NONE));
     Some(phrase!(
-        "Here its direction is ({}); a rotation about it alone has the frequency {}, and the mounts couple it with other motions by {}.",
+        "Here it is inclined to the crankshaft by {}, its direction is ({}); a rotation about it alone has the frequency {}, and the mounts couple it with other motions by {}.",
+        Piece::Quantity(axis.from_crankshaft, Unit::DEGREE),
         Text::joined(direction, "; "),
         Piece::Quantity(axis.hertz, Unit::HERTZ),
         Piece::Quantity(100.0 * axis.coupling, Unit::PERCENT)

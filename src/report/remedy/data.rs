@@ -1,5 +1,6 @@
 //! Which columns hold what balances an engine? A row a weight.
 
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::engine::LengthUnit;
@@ -26,6 +27,8 @@ pub fn table(remedy: &Remedy) -> Table {
     table.decimal("mass_radius_{unit}", Unit::MASS_RADIUS, |(_, weight)| polar(weight, 0));
     table.decimal("angle_{unit}", Unit::DEGREE, |(_, weight)| polar(weight, 1));
     table.decimal("mass_radius_{unit}", Unit::KILOGRAM_METRE, |(_, weight)| weight.mass_radius(&remedy.subject));
+    let radius = remedy.radius.as_ref().and_then(BigRational::to_f64);
+    table.decimal("radius_{unit}", Unit::METRE, |_| radius);
     table.decimal("mass_{unit}", Unit::KILOGRAM, |(_, weight)| remedy.mass(weight));
     table.done()
 }

@@ -6,7 +6,7 @@ use crate::loads::{Scale, scale};
 use crate::numbers;
 use crate::page::{Block, Piece, Table, Text, Unit, number, phrase};
 use crate::proof::Sense;
-use crate::remedy::{Cure, Kind, PairRoll, Remedy, cures};
+use crate::remedy::{Cure, Kind, PairRoll, Remedy, Shaft, cures};
 
 const RANKED: &str = "Each cure by itself, those first that remove most of the peak for each balancer shaft, then for each weight. One shaft at best removes the longer of the two vectors of an order; the residual has the length of the \
     other and turns the other way: of a force that swings along a line one shaft removes half, never more.";
@@ -84,6 +84,30 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
         })
         .column("Removed per shaft", |cure| cure.per_shaft().map_or_else(|| "–".into(), |value| amount(cure, value)))
         .done()
+}
+
+/// With which force each shaft rolls the engine, times the distance of its axis; of a pair its heights are told. Nothing without a speed, and
+/// where the layout has shafts already: its weights are then parts of theirs.
+pub(super) fn rolling_shafts(remedy: &Remedy) -> Option<Text> {
+    let engine = remedy.subject.engine();
+    let (scale, speed) = (scale(engine)?, engine.dimensions().speed.as_ref()?);
+    if !engine.crankshaft().balancers.is_empty() || !engine.geared_cranks().is_empty() {
+        return None;
+    }
+    let pulls = |(index, shaft): (usize, &Shaft)| {
+        let sum = remedy.subject.force(shaft.order, shaft.sense);
+        let vector = remedy.subject.value(&sum, shaft.order, shaft.sense)?;
+        let newtons = Piece::Quantity(numbers::length(vector) / 2.0 * scale.force(), Unit::NEWTON);
+        (!shaft.lanchester && shaft.kind != Kind::Couple).then(|| phrase!("shaft {} with {}", index + 1, newtons))
+    };
+    let all: Vec<Text> = remedy.shafts.iter().enumerate().filter_map(pulls).collect();
+    (!all.is_empty()).then(|| {
+        phrase!(
+            "Force and moment cancel wherever the axis of a shaft lies; the roll moment does not. At {} a shaft adds to it, zero to peak, its force times the distance of its axis from the crankshaft's: {}.",
+            number::given_with(speed, Unit::PER_MINUTE),
+            Text::joined(all, ", ")
+        )
+    })
 }
 
 /// Where the shafts of a pair belong so that the roll moment of its order vanishes too, at the speed of the layout, with the gas.

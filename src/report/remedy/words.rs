@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 
 use super::super::calculation::percent;
 use super::super::typeset;
-use super::weights;
+use super::{ranked, weights};
 use crate::engine::GearedCrank;
 use crate::page::{Number, Piece, Text, Unit, phrase};
 use crate::proof::Sense;
@@ -257,7 +257,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
         )
     });
     let half_speed = fewest.is_some().then(|| HALF_SPEED.into());
-    let lines = small.into_iter().chain(fewest).chain(half_speed);
+    let lines = small.into_iter().chain(fewest).chain(half_speed).chain(ranked::rolling_shafts(remedy));
     lines.chain(remedy.heights.iter().map(height)).chain(of_the_crankshaft(remedy)).collect()
 }
 
@@ -330,13 +330,15 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
     }
     let half = BigRational::new(1.into(), 2.into());
     if let Some(bob) = engine.bob_weight(0, &half) {
-        let one = bob.per_cylinder.first().map_or(f64::NAN, |mass| mass.to_f64().unwrap_or(f64::NAN));
-        let all = bob.per_throw.to_f64().unwrap_or(f64::NAN);
-        lines.push(phrase!(
-            "Bob weight of throw 1 with half the reciprocating masses: {} per cylinder, {} for the throw.",
-            kilograms(one),
-            kilograms(all)
-        ));
+        let all = kilograms(bob.per_throw.to_f64().unwrap_or(f64::NAN));
+        lines.push(match bob.per_cylinder.as_slice() {
+            [one, others @ ..] if others.iter().all(|other| other == one) => phrase!(
+                "Bob weight of throw 1 with half the reciprocating masses: {} per cylinder, {} for the throw.",
+                kilograms(one.to_f64().unwrap_or(f64::NAN)),
+                all
+            ),
+            _ => phrase!("Bob weight of throw 1 with half the reciprocating masses: {}.", all),
+        });
     }
     lines
 }

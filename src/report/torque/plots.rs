@@ -71,7 +71,17 @@ pub(super) fn pressure(engine: &Engine, torque: &EngineTorque) -> [Picture; 2] {
             at.clone().map(|psi| (psi.to_degrees(), bar(psi))).collect(),
         ));
         let volume = |psi: f64| class.gas.geometry().volume(psi) * 1e6;
-        loops.curves.push(Curve::new(index, name(class), at.map(|psi| (volume(psi), bar(psi))).collect()));
+        loops.curves.push(Curve::new(index, name(class), at.clone().map(|psi| (volume(psi), bar(psi))).collect()));
+        let below = |psi: f64| class.gas.pressure_below(psi).map(|pressure| pressure / 1e5);
+        let drawn = |volume: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
+            at.clone().filter_map(|psi| Some((volume(psi), below(psi)?))).collect()
+        };
+        if below(0.0).is_some() {
+            let name = if torque.classes.len() == 1 { "below".to_owned() } else { format!("below {}", name(class)) };
+            let number = index + torque.classes.len().min(MOST_CURVES);
+            over_angle.curves.push(Curve::new(number, name.clone(), drawn(&f64::to_degrees)));
+            loops.curves.push(Curve::new(number, name, drawn(&|psi| class.gas.volume_below(psi) * 1e6)));
+        }
     }
     [
         Picture {

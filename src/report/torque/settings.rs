@@ -50,7 +50,16 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
         };
         row("bore".into(), in_unit(&chamber.bore, 1000, Unit::MILLIMETRE), false);
         row("pressure in the crankcase".into(), bar(&chamber.crankcase), chamber.crankcase_assumed);
+        if let Some(below) = &chamber.below {
+            row("diameter of the piston rod".into(), in_unit(&below.rod, 1000, Unit::MILLIMETRE), false);
+            if let PressureLaw::Table(rows) = &gas.laws[below.law] {
+                row("rows of the table of pressures below the piston".into(), rows.rows().len().into(), false);
+            }
+        }
         match &gas.laws[chamber.law] {
+            PressureLaw::Table(_) if engine.misfire() == Some(group[0]) => {
+                row("pressure".into(), "that of the crankcase".into(), true);
+            }
             PressureLaw::Table(rows) => {
                 row("rows of the table of pressures".into(), rows.rows().len().into(), false);
             }
@@ -91,6 +100,7 @@ fn name(setting: Setting, heat: &Heat) -> Text {
     match setting {
         Setting::Bore => "bore",
         Setting::Crankcase => "pressure in the crankcase",
+        Setting::PistonRod => "diameter of the piston rod",
         Setting::CompressionRatio => "compression ratio",
         Setting::IntakePressure => "pressure of the intake",
         Setting::ExhaustPressure => "pressure of the exhaust",
@@ -115,7 +125,7 @@ fn name(setting: Setting, heat: &Heat) -> Text {
 
 fn shown(setting: Setting, heat: &Heat, value: &BigRational) -> Text {
     match setting {
-        Setting::Bore => in_unit(value, 1000, Unit::MILLIMETRE),
+        Setting::Bore | Setting::PistonRod => in_unit(value, 1000, Unit::MILLIMETRE),
         Setting::Crankcase | Setting::IntakePressure | Setting::ExhaustPressure | Setting::DeliveryPressure => {
             bar(value)
         }

@@ -17,17 +17,39 @@ pub(in crate::report) fn angle(degrees: f64) -> Text {
     phrase!("≈ {}°", number::decimal(degrees))
 }
 
+/// Which cylinder does not fire, and what its gas does.
+pub(in crate::report) fn misfire(engine: &Engine) -> Option<Text> {
+    let index = engine.misfire()?;
+    let name = names(engine, &[index]);
+    let law = engine.gas().map(|gas| &gas.laws[gas.chambers[index].law]);
+    Some(match law {
+        Some(PressureLaw::Table(_)) => phrase!(
+            "**Misfire.** Cylinder {} does not fire: no pressure difference acts on its piston, since a table of pressures does not tell that of compression alone.",
+            name
+        ),
+        Some(_) => phrase!(
+            "**Misfire.** Cylinder {} does not fire: its charge is compressed, and expands with the same exponent.",
+            name
+        ),
+        None => phrase!(
+            "**Misfire.** Cylinder {} does not fire: it gives no torque, neither of gas nor of inertia, since harmonics do not tell that of compression alone.",
+            name
+        ),
+    })
+}
+
 /// The lines of the box.
 pub(super) fn answer(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
     let newton_metres = |value: f64| quantity(value, Unit::NEWTON_METRE);
-    let mut lines = vec![phrase!(
+    let mut lines: Vec<Text> = misfire(engine).into_iter().collect();
+    lines.push(phrase!(
         "**Torque.** The mean is {}, the largest {} at θ {}, the smallest {} at θ {}.",
         newton_metres(torque.mean),
         newton_metres(torque.highest.value),
         angle(torque.highest.angle),
         newton_metres(torque.lowest.value),
         angle(torque.lowest.angle)
-    )];
+    ));
     lines.extend(torque.unevenness().map(|part| {
         phrase!("**Unevenness.** The largest less the smallest is {} times the mean.", Number::Decimal(part))
     }));
@@ -172,6 +194,9 @@ pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
         "A connecting rod is two masses, at its eyes; the torque of its remaining moment of inertia is neglected.".into(),
         "Crank angles θ are those of the other reports; a cylinder's own angle ψ is 0 where its crank points along its axis and it fires.".into(),
     ];
+    if let Some(sides) = double_acting(engine) {
+        list.extend([sides, "The mean pressure of a double-acting cylinder is the work of both sides over the volume that the outer side sweeps.".into()]);
+    }
     let laws = engine.gas().map_or(&[][..], |gas| &gas.laws);
     if laws.iter().any(is_ideal) {
         list.push("The ideal cycle: polytropic compression; heat by the Wiebe function, a = ln 1000, at a constant exponent and without loss to the walls; half a cosine where the pressure falls to that of the exhaust and, in 20°, to that of the intake.".into());
@@ -180,6 +205,12 @@ pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
         list.push("The heat is computed from the given pressure.".into());
     }
     list
+}
+
+/// What presses on double-acting pistons.
+pub(in crate::report) fn double_acting(engine: &Engine) -> Option<Text> {
+    let has_two = engine.gas()?.chambers.iter().any(|chamber| chamber.below.is_some());
+    has_two.then(|| "On a double-acting piston $F_g = p_1 A - p_2 (A - a) - p_c a$: $p_2$ is the pressure below it, by the angles of the outer side, $a$ the section of its rod, $p_c$ the pressure of the crankcase.".into())
 }
 
 fn is_ideal(law: &PressureLaw) -> bool {

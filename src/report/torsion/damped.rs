@@ -10,7 +10,7 @@ use crate::engine::{self, CycleOrder};
 use crate::numbers::float;
 use crate::torsion::{
     self, DamperInMode, DamperSetting, Excitation, HIGHEST_SPEED, Heat, Link, Resonance, StressLimit, Train,
-    forced_twist, half_range, heat, highest, resonance, shaft_torques,
+    forced_twist, half_range, heat, highest, mesh_torques, resonance, shaft_torques,
 };
 
 /// A range is divided into so many speeds.
@@ -35,6 +35,8 @@ pub struct VibrationOrder {
     pub twists: Vec<Complex<f64>>,
     /// The torque in each shaft, then in the dampers, in newton-metres.
     pub torques: Vec<Complex<f64>>,
+    /// The torque in the teeth of each gear, as its first disc feels it, in newton-metres.
+    pub meshes: Vec<Complex<f64>>,
     /// The power that becomes heat.
     pub heat: Heat,
 }
@@ -52,6 +54,11 @@ impl Vibration {
     /// The torque in a shaft of all orders together, half its range.
     pub fn torque(&self, link: usize) -> f64 {
         half_range(&self.orders.iter().map(|one| (one.order, one.torques[link])).collect::<Vec<_>>())
+    }
+
+    /// The torque in the teeth of a gear, as its first disc feels it, of all orders together, half its range.
+    pub fn mesh(&self, gear: usize) -> f64 {
+        half_range(&self.orders.iter().map(|one| (one.order, one.meshes[gear])).collect::<Vec<_>>())
     }
 
     /// The twist of a disc of all orders together, half its range, in radians.
@@ -78,6 +85,8 @@ pub struct TwistAtSpeed {
     pub first: f64,
     /// The torque in each shaft in newton-metres.
     pub torques: Vec<f64>,
+    /// The torque in the teeth of each gear, as its first disc feels it.
+    pub meshes: Vec<f64>,
 }
 
 /// An order at a natural frequency.
@@ -184,10 +193,12 @@ impl TorsionStudy {
         let excited = self.damped().filter(|_| speed > 0.0)?;
         let of_order = |order: CycleOrder| {
             let omega = omega(order, speed);
-            let twists = self.twists(&self.train, order, speed)?;
+            let excitation = Excitation { omega, torques: excited.torques(order, speed)? };
+            let twists = forced_twist(&self.train, &excitation);
             let torques = shaft_torques(&self.train, omega, &twists);
+            let meshes = mesh_torques(&self.train, &excitation, &twists, &torques);
             let heat = heat(&self.train, omega, &twists);
-            Some(VibrationOrder { order, hertz: omega / TAU, twists, torques, heat })
+            Some(VibrationOrder { order, hertz: omega / TAU, twists, torques, meshes, heat })
         };
         Some(Vibration { speed, orders: excited.orders().filter_map(of_order).collect() })
     }
@@ -298,7 +309,8 @@ impl TorsionStudy {
             let at = |speed: f64| {
                 let vibration = self.vibration(speed)?;
                 let torques = (0..self.train.shafts).map(|shaft| vibration.torque(shaft)).collect();
-                Some(TwistAtSpeed { speed, first: vibration.twist(0), torques })
+                let meshes = (0..self.train.gears.len()).map(|gear| vibration.mesh(gear)).collect();
+                Some(TwistAtSpeed { speed, first: vibration.twist(0), torques, meshes })
             };
             self.speeds().into_iter().filter_map(at).collect()
         })

@@ -1,13 +1,11 @@
 //! Which tables tell of a train with damping? Its shafts, discs, heat, resonances, dampers.
 
-use super::tables::MOST_MODES;
+use super::tables::{MOST_MODES, MOST_ROWS};
 use super::words::{rpm, shaft};
 use super::{HeatPlace, ResonanceOrder, TorsionStudy, Vibration};
 use crate::page::{Columns, Number, Table, Text, Unit, phrase};
 use crate::torsion::{CriticalSpeeds, Node};
 
-/// So many resonances stand on a terminal.
-const MOST_RESONANCES: usize = 8;
 const MEGA: f64 = 1e-6;
 
 fn none() -> Text {
@@ -102,7 +100,7 @@ pub(super) fn resonances(study: &TorsionStudy) -> Table {
 pub(super) fn strongest(study: &TorsionStudy) -> Table {
     let mut rows: Vec<&ResonanceOrder> = study.resonances().iter().collect();
     rows.sort_by(|one, other| other.torque.total_cmp(&one.torque));
-    first_columns(study, rows.into_iter().take(MOST_RESONANCES)).done()
+    first_columns(study, rows.into_iter().take(MOST_ROWS)).done()
 }
 
 fn first_columns<'a>(
@@ -153,7 +151,9 @@ pub(super) fn dampers(study: &TorsionStudy) -> Table {
         .column("Damper", |(index, ..)| index + 1)
         .column("Setting", |(_, words, ..)| words.clone())
         .column(phrase!("Stiffness ({})", Unit::NEWTON_METRE_PER_RADIAN), |(.., setting, _)| {
-            Text::measured(setting.stiffness, Unit::NEWTON_METRE_PER_RADIAN)
+            // A viscous damper has no spring.
+            let has_spring = setting.stiffness > 0.0;
+            if has_spring { Text::measured(setting.stiffness, Unit::NEWTON_METRE_PER_RADIAN) } else { "none".into() }
         })
         .column(phrase!("Damping ({})", Unit::NEWTON_METRE_SECOND), |(.., setting, _)| {
             Text::measured(setting.damping, Unit::NEWTON_METRE_SECOND)

@@ -2,7 +2,7 @@
 
 use num_traits::ToPrimitive;
 
-use super::damped_data as damped;
+use super::{damped_data as damped, gears};
 use crate::report::TorsionStudy;
 use crate::report::data::Filling;
 use crate::table::{Table, Unit};
@@ -23,6 +23,9 @@ pub fn table(study: &TorsionStudy, name: &str) -> Option<Table> {
         "response" => damped::response(study)?,
         "torques" => damped::torques(study)?,
         "speeds" => damped::speeds(study)?,
+        "gears" => gears::data(study)?,
+        "meshes" => gears::data_of_orders(study)?,
+        "mesh_speeds" => gears::data_of_speeds(study)?,
         "excesses" => damped::excesses(study)?,
         "heat" => damped::heat(study)?,
         "dampers" => damped::dampers(study)?,

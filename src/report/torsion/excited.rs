@@ -4,7 +4,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::One;
 
-use crate::engine::{CycleOrder, Engine, Torsion};
+use crate::engine::{CycleOrder, Engine, Shot, Torsion};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::firing;
 use crate::numbers::{self, float};
@@ -33,17 +33,18 @@ impl Excited {
         let disc = |cylinder: usize| torsion.pins[engine.cylinders()[cylinder].pin];
         let nothing = || vec![Complex::default(); torsion.inertias.len()];
         if !torsion.harmonics.is_empty() {
-            let firing = firing::firing_of(engine).ok()?;
+            let fires = |shot: &&Shot| engine.misfire() != Some(shot.cylinder);
+            let shots: Vec<&Shot> = firing::firing_of(engine).ok()?.shots.iter().filter(fires).collect();
             let of_order = |harmonic: &crate::engine::Harmonic| {
                 let own = numbers::direction(&Turn::new(harmonic.phase.clone())) * float(&harmonic.torque);
                 let mut gas = nothing();
-                for shot in &firing.shots {
+                for shot in &shots {
                     gas[disc(shot.cylinder)] += own * numbers::direction(&harmonic.order.phase(&shot.angle));
                 }
                 ExcitedOrder { order: harmonic.order, gas, inertia: nothing() }
             };
             let orders: Vec<ExcitedOrder> = torsion.harmonics.iter().map(of_order).collect();
-            let shots = firing.shots.iter().map(|shot| (disc(shot.cylinder), &shot.angle)).collect::<Vec<_>>();
+            let shots = shots.iter().map(|shot| (disc(shot.cylinder), &shot.angle)).collect::<Vec<_>>();
             let twist_alone = orders.iter().map(|one| one.order).filter(|order| twists_alone(*order, &shots)).collect();
             return Some(Excited { orders, speed: None, twist_alone });
         }

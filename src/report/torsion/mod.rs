@@ -6,6 +6,7 @@ mod damped_tables;
 mod data;
 mod excited;
 mod forced;
+mod gears;
 mod page;
 mod plots;
 mod study;

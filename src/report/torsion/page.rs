@@ -1,19 +1,30 @@
 //! What is on the page of a shaft that twists, and on the terminal?
 
-use super::{TorsionStudy, damped_tables as damped, plots, tables, words};
+use super::{TorsionStudy, damped_tables as damped, gears, plots, tables, words};
 use crate::engine::Engine;
 use crate::page::{Block, Document, Fold, Picture, Table, Text, phrase};
 
-/// The short answer: frequencies and critical speeds.
+/// The short answer: what shakes, then the first modes and the strongest orders.
 pub fn torsion_answer(study: &TorsionStudy) -> Document {
     let mut answer_page = Document::new("torsion", study.engine.title());
-    answer_page.push(tables::modes(study));
-    answer_page.push(tables::critical(study));
+    answer_page.blocks.extend(words::answer(study).into_iter().map(Block::Paragraph));
     let resonances = damped::strongest(study);
     if !resonances.rows.is_empty() {
         answer_page.push(resonances);
     }
-    answer_page.blocks.extend(words::answer(study).into_iter().map(Block::Paragraph));
+    answer_page.push(tables::modes(study, tables::MOST_ROWS));
+    let (critical, orders) = tables::strongest(study);
+    let shown = critical.rows.len();
+    answer_page.push(critical);
+    if shown < orders {
+        let command = Text::code("crankstar torsion --output");
+        answer_page.push(Block::Note(phrase!(
+            "{} orders of {} are shown, those with the longest stars in the first mode: {} writes all of them.",
+            shown,
+            orders,
+            command
+        )));
+    }
     answer_page
 }
 
@@ -64,6 +75,16 @@ fn forced_twist(study: &TorsionStudy) -> Vec<Block> {
             phrase!("Shafts at {}, all orders together, and the largest in the range:", speed()),
             Some(damped::shafts(study, vibration)),
         );
+        if !study.train.gears.is_empty() {
+            section(
+                phrase!("Teeth of gears at {}, all orders together, and the largest in the range:", speed()),
+                Some(gears::gears(study)),
+            );
+            section(
+                phrase!("Teeth of gears at {}, order by order, at the first disc of each, zero to peak:", speed()),
+                Some(gears::orders(study, vibration)),
+            );
+        }
         section(phrase!("Discs at {}, all orders together:", speed()), Some(damped::twists(study, vibration)));
         section(phrase!("Heat at {}:", speed()), Some(damped::heat(study, vibration)));
     }
@@ -83,7 +104,7 @@ pub fn torsion_page(study: &TorsionStudy) -> Document {
     page.push(Block::Answer(words::answer(study)));
     page.push(Block::Pictures(pictures(study)));
     section(&mut page, "Natural frequencies");
-    page.push(tables::modes(study));
+    page.push(tables::modes(study, usize::MAX));
     if study.torsion().is_damped() || !study.is_row() {
         page.push(Block::Paragraph("Nodes of the first modes:".into()));
         page.push(damped::nodes(study));

@@ -4,14 +4,17 @@ use super::super::typeset;
 use super::ForcedTwist;
 use super::TorsionStudy;
 use super::words::{part, shaft};
+use crate::engine::CycleOrder;
 use crate::page::{Number, Table, Text, Unit, number, phrase};
 
 /// At most so many modes are beside each other.
 pub(super) const MOST_MODES: usize = 3;
+/// At most so many rows of a table stand on a terminal.
+pub(super) const MOST_ROWS: usize = 8;
 
-/// One row per mode: frequency, the same in rpm, nodes.
-pub(super) fn modes(study: &TorsionStudy) -> Table {
-    Table::of(study.modes.iter().map(|speeds| &speeds.mode).enumerate())
+/// One row per mode, of the first so many: frequency, the same in rpm, nodes.
+pub(super) fn modes(study: &TorsionStudy, most: usize) -> Table {
+    Table::of(study.modes.iter().map(|speeds| &speeds.mode).take(most).enumerate())
         .column("Mode", |(index, _)| index + 1)
         .column("Frequency (Hz)", |(_, mode)| Number::Decimal(mode.hertz()))
         .column("Frequency (rpm)", |(_, mode)| Number::Decimal(60.0 * mode.hertz()))
@@ -69,8 +72,24 @@ pub(super) fn forced(study: &TorsionStudy, orders: &[ForcedTwist]) -> Table {
 
 /// One row per order: the critical speed of each mode, and the star as a part of the longest.
 pub(super) fn critical(study: &TorsionStudy) -> Table {
+    critical_of(study, |_| true)
+}
+
+/// The same for the orders with the longest stars in the first mode, for a terminal; and of how many these are.
+pub(super) fn strongest(study: &TorsionStudy) -> (Table, usize) {
+    let Some(first) = study.modes.first() else { return (critical(study), 0) };
+    let count = first.orders.len();
+    if count <= MOST_ROWS {
+        return (critical(study), count);
+    }
+    let strongest: Vec<CycleOrder> = study.strongest(first).into_iter().map(|one| one.order).take(MOST_ROWS).collect();
+    (critical_of(study, |order| strongest.contains(&order)), count)
+}
+
+fn critical_of(study: &TorsionStudy, is_shown: impl Fn(CycleOrder) -> bool) -> Table {
     let orders = study.modes.first().map(|speeds| speeds.orders.as_slice()).unwrap_or_default();
-    let table = Table::of(orders.iter().enumerate()).column("Order κ", |(_, first)| first.order.to_string());
+    let rows = orders.iter().enumerate().filter(|(_, first)| is_shown(first.order));
+    let table = Table::of(rows).column("Order κ", |(_, first)| first.order.to_string());
     let shown = study.modes.iter().take(MOST_MODES).enumerate();
     let with_modes = shown.fold(table, |table, (index, speeds)| {
         table

@@ -1,7 +1,8 @@
 //! What is said first of a shaft that twists, and what it rests on?
 
-use super::TorsionStudy;
+use super::super::torque::misfire;
 use super::tables::MOST_MODES;
+use super::{TorsionStudy, gears};
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::torsion::CriticalSpeeds;
 
@@ -54,6 +55,7 @@ pub(super) fn found(study: &TorsionStudy) -> Vec<Text> {
     let mut paragraphs = vec![Text::from(FOUND)];
     if study.excited().is_some() && study.torsion().is_damped() {
         paragraphs.push(FOUND_DAMPED.into());
+        paragraphs.extend((!study.train.gears.is_empty()).then(|| gears::FOUND.into()));
     }
     if (0..study.train.shafts).any(|shaft| study.limit(shaft).is_some()) {
         paragraphs.push(FOUND_CLASS.into());
@@ -97,8 +99,25 @@ pub(super) fn part(value: f64) -> Text {
     Piece::Quantity(100.0 * value, Unit::PERCENT).into()
 }
 
-/// The frequencies, and the strongest critical speed.
+const MISFIRE: &str = "Amplitudes, torques, stresses and heat are those of the misfire, in decimals. The stars are those of all cylinders firing alike; which orders vanish is not decided for a misfire.";
+
+/// What shakes where the torque is known, the frequencies, and the strongest critical speed.
 pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
+    let mut lines: Vec<Text> = misfire(&study.engine).into_iter().collect();
+    lines.extend(study.engine.misfire().map(|_| MISFIRE.into()));
+    lines.extend(forced_answer(study));
+    lines.extend(frequencies(study));
+    lines.extend(at_rest(study));
+    if !study.torsion().is_damped() && study.torsion().has_forced() {
+        lines.push("Nothing damps the shaft: at a critical speed the amplitude is infinite.".into());
+    }
+    if study.torsion().is_damped() && study.excited().is_none() {
+        lines.push("No amplitudes: they need the torque, from [gas] with a speed or from [[torsion.harmonic]].".into());
+    }
+    lines
+}
+
+fn frequencies(study: &TorsionStudy) -> Vec<Text> {
     let mut lines = Vec::new();
     let Some(first) = study.modes.first() else { return lines };
     lines.push(match study.modes.get(1) {
@@ -128,7 +147,6 @@ pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
             part(critical.star.norm() / first.longest)
         ),
     });
-    lines.extend(forced_answer(study));
     lines
 }
 
@@ -138,7 +156,7 @@ pub(super) fn shaft(study: &TorsionStudy, shaft: usize) -> String {
     format!("{}–{}", one + 1, other + 1)
 }
 
-fn torque(value: f64) -> Text {
+pub(super) fn torque(value: f64) -> Text {
     Piece::Quantity(value, Unit::NEWTON_METRE).into()
 }
 
@@ -146,15 +164,9 @@ fn damping(value: f64) -> Text {
     Piece::Quantity(value, Unit::NEWTON_METRE_SECOND).into()
 }
 
-/// The forced vibration with damping: at the speed, at the strongest resonance, stresses, dampers, and what is exact.
+/// The forced vibration with damping: at the speed, at the strongest resonance, stresses, dampers.
 fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
     let mut lines = Vec::new();
-    if !study.torsion().is_damped() && study.torsion().has_forced() {
-        lines.push("Nothing damps the shaft: at a critical speed the amplitude is infinite.".into());
-    }
-    if study.torsion().is_damped() && study.excited().is_none() {
-        lines.push("No amplitudes: they need the torque, from [gas] with a speed or from [[torsion.harmonic]].".into());
-    }
     if let Some(vibration) = study.at_speed() {
         let torques = (0..study.train.shafts).map(|shaft| (shaft, vibration.torque(shaft)));
         let (most, value) = torques.fold((0, 0.0), |most, one| if one.1 > most.1 { one } else { most });
@@ -165,6 +177,7 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
             Some(stress) => phrase!("At {} the first disc swings by {} to each side, and the largest vibration torque is {}, in shaft {}: a stress of {}.", rpm(vibration.speed), swings, torque(value), where_it_is, Piece::Quantity(1e-6 * stress, Unit::MEGAPASCAL)),
         });
     }
+    lines.extend(gears::answer(study));
     let strongest = study.resonances().iter().max_by(|one, other| one.torque.total_cmp(&other.torque));
     if let Some(one) = strongest {
         lines.push(phrase!(
@@ -216,7 +229,6 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
             ));
         }
     }
-    lines.extend(at_rest(study));
     lines
 }
 
@@ -224,13 +236,17 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
 fn at_rest(study: &TorsionStudy) -> Option<Text> {
     let torsion = study.torsion();
     let orders = &study.excited().filter(|_| torsion.is_damped())?.twist_alone;
-    if orders.is_empty() || torsion.dampings.iter().any(num_traits::Signed::is_positive) || !torsion.gears.is_empty() {
+    if orders.is_empty()
+        || study.engine.misfire().is_some()
+        || torsion.dampings.iter().any(num_traits::Signed::is_positive)
+        || !torsion.gears.is_empty()
+    {
         return None;
     }
     let named = Text::joined(orders.iter().map(|order| order.to_string().into()), ", ");
     let which = if orders.len() == 1 { phrase!("order {}", named) } else { phrase!("orders {}", named) };
     Some(phrase!(
-        "The firing star is zero at {}: $\\sum J\\Theta = 0$ exactly, whatever stiffness and damping the shafts have, and the train does not roll as a whole. Yet what the torque has of such an order twists it.",
+        "The firing star is zero at {}: the train does not roll as a whole, $\\sum J\\Theta = 0$ exactly, whatever the stiffness and damping of the shafts. The torque of such an order still twists it.",
         which
     ))
 }

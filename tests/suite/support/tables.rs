@@ -75,7 +75,7 @@ pub fn asked(question: &'static str, engine: &Engine, orders: &[u32]) -> Option<
 /// A value of an engine, by its name.
 pub fn valued(engine: &Engine, name: &str) -> Answered {
     let names = vec![name.parse().expect("a name")];
-    let row = (Untrusted::new("one"), ValuesStudy::row(engine, &names));
+    let row = (Untrusted::new("one"), report::values_of(engine, &names));
     let study = ValuesStudy { names, rows: vec![row] };
     let document = json_of(&study);
     Answered { question: "values", tables: study.tables(), document }
