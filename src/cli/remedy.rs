@@ -32,7 +32,7 @@ pub struct Remedy {
     /// Counterweights on each throw for all that rotates and this part of the reciprocating masses: one for all throws, or one per throw
     #[arg(long, value_name = "PARTS", value_delimiter = ',', conflicts_with = "balance_factor")]
     reciprocating: Vec<String>,
-    /// Tell the mass of each weight at this radius, such as "3.5 in"
+    /// Show the mass of each weight at this radius, such as "3.5 in"
     #[arg(long, value_name = "LENGTH")]
     radius: Option<String>,
     /// Place the shafts of a pair for the least squares of the roll moment over these speeds in rpm, with the gas of the layout

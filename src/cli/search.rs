@@ -55,7 +55,7 @@ pub struct Search {
     /// Keep the stars whose moment of this order is no larger, in m r ω² c a or in newton-metres: 2=1.5, "2=30 kN m"
     #[arg(long, value_name = "ORDER=MOMENT", value_delimiter = ',')]
     limit: Vec<String>,
-    /// Tell moments in newton-metres too, with the masses, the rod, the spacing and the speed of this in-line layout
+    /// Show moments in newton-metres too, with the masses, the rod, the spacing and the speed of this in-line layout
     #[arg(long, value_name = "LAYOUT")]
     sizes: Option<PathBuf>,
     /// List the firing orders of each star, by their minor orders in that mode

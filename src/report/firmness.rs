@@ -50,7 +50,7 @@ pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
         phrase!("**{}:** {}", heading, meaning)
     };
     vec![
-        Block::Heading(1, "Firm and accidental zeros".into()),
+        Block::Heading(1, "Robust and accidental zeros".into()),
         Block::Paragraph(INTRODUCTION.into()),
         table.into(),
         Block::List(Disturbance::ALL.map(meaning).into()),

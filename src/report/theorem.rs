@@ -42,7 +42,7 @@ fn next(judged: &[OrderVerdict], theorem: &EveryOrderTheorem) -> Option<Block> {
     let told: Vec<u32> = judged.iter().map(|order| order.order).collect();
     match theorem.next_left(&told) {
         NextLeft::None => Some(Block::Paragraph("No other order remains.".into())),
-        NextLeft::Order(next) => Some(Block::Paragraph(phrase!("The next order that remains is {}.", next))),
+        NextLeft::Order(next) => Some(Block::Paragraph(phrase!("The next non-zero order is {}.", next))),
         NextLeft::NotKnown => None,
     }
 }

@@ -184,7 +184,7 @@ fn argued(engine: &Engine, quantity: Quantity, order: u32, sense: usize) -> Stri
 fn opposite_directions_are_collected_before_it_is_argued() {
     assert_eq!(
         argued(&named("radial-18"), Quantity::MOMENT, 1, 0),
-        "With like and opposite directions collected one vector remains, 9 at 0°: it is not zero."
+        "After vectors on one line are combined, one vector remains, 9 at 0°: it is not zero."
     );
 }
 

@@ -280,7 +280,7 @@ fn the_verdicts_in_a_terminal_cite_the_theorem_after_their_proof_and_only_where_
         String::from_utf8(output.stdout).expect("a text").split_whitespace().collect::<Vec<_>>().join(" ")
     };
     for (engine, cited) in [
-        ("I5-12453", "No star of 5 throws is without the moment of order 1, in any order of its throws"),
+        ("I5-12453", "No star of 5 throws is free of the first-order couple, in any order of its throws"),
         ("V8-crossplane", "No order of the 4 pins, and no bank angle, removes the moment of order 1"),
     ] {
         let text = shown(engine);

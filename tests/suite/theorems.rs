@@ -69,7 +69,7 @@ fn the_in_line_six_keeps_the_orders_that_six_divides() {
         &six,
         &[
             "The next order that remains is 12.",
-            "- **Force.** Zero exactly at the orders $k$ that 6 does not divide ($6 \\nmid k$). Direct and reverse vector alike.",
+            "- **Force.** Zero exactly at the orders $k$ that 6 does not divide ($6 \\nmid k$). This holds for both the direct and the reverse vector.",
             "- **Moment.** Zero at every order.",
             "| 2, 8, … | **0** | **0** | **0** | **0** |",
             "| 6, 12, … | not 0 | not 0 | **0** | **0** |",
@@ -106,7 +106,7 @@ fn the_flat_twelve_on_shared_pins_keeps_nothing() {
 
 #[test]
 fn each_kind_of_statement_has_its_sentence() {
-    let alike = "Direct and reverse vector alike.";
+    let alike = "This holds for both the direct and the reverse vector.";
     for (name, line) in [
         ("I1", format!("- **Force.** Zero at no order. {alike}")),
         ("I4", format!("- **Force.** Zero at order 1 and at no other. {alike}")),
@@ -145,7 +145,7 @@ fn many_classes_are_listed_by_their_residues() {
     assert_eq!(theorem.force.survivors(), survivors(true, 72, &left));
     let section = text(&engine, pages::DOLLARS);
     let line = "Zero at the orders that are 4, 6, 12, 20, 24, 28, 30, 36, 42, 44, 48, 52, 60, 66, 68 modulo 72, and \
-                at no other. Direct and reverse vector alike.";
+                at no other. This holds for both the direct and the reverse vector.";
     assert!(section.contains(line) && !section.contains("Force, direct"), "no table of 37 rows");
 }
 

@@ -36,7 +36,7 @@ const page = async () => {
     document.title = `${$("title").textContent} · crankstar`;
     $("verdicts").innerHTML = verdicts;
     $("summary").innerHTML = summary;
-    $("state").textContent = `Judged in ${took < 10 ? took.toFixed(1) : Math.round(took)} ms.`;
+    $("state").textContent = `Computed in ${took < 10 ? took.toFixed(1) : Math.round(took)} ms.`;
     stars.put(scenes, small, state.isOther);
     state.isOther = false;
     speak(`${$("title").textContent}. ${spoken}`);

@@ -11,7 +11,7 @@ use crate::verdict::{Component, Size};
 /// One vector is left.
 pub(super) fn one(vector: &Term) -> Text {
     phrase!(
-        "With like and opposite directions collected one vector remains, {} at {}: it is not zero.",
+        "After vectors on one line are combined, one vector remains, {} at {}: it is not zero.",
         Number::exact(&vector.weight),
         angle(&vector.angle)
     )

@@ -22,7 +22,7 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
     notes
 }
 
-const SIZES: &str = "Sizes are the largest values through a revolution, rounded; 0 is proved. An order has a row where it is above 1 % of the largest in one of the engines; the others add up to at most what is stated, – is less than a millionth of the largest, or not known. Cures are those of orders 1 and 2, or of all orders where neither is compared.";
+const SIZES: &str = "Sizes are the largest values through a revolution, rounded; 0 is proved. An order has a row where it is above 1 % of the largest in one of the engines; the others add up to at most what is stated, – means below a millionth of the largest, or unknown. Cures are those of orders 1 and 2, or of all orders where neither is compared.";
 
 const FIRST_LEFT: &str = "Force from order, moment from order: the lowest of all orders at which it is not zero. All values are for the engines as built, with all masses of their layouts; where rotating masses contribute to an order, the pistons alone are below it.";
 

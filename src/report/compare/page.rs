@@ -81,7 +81,7 @@ fn furthest(engines: &[Compared]) -> Option<Text> {
     match (best.len(), highest) {
         (several, _) if several == engines.len() => None,
         (_, u32::MAX) => Some(phrase!("Balanced at every order: {}.", names)),
-        (_, order) => Some(phrase!("Best balanced: {}, with neither force nor moment below order {}.", names, order)),
+        (_, order) => Some(phrase!("Best balanced: {}, with no free force or moment below order {}.", names, order)),
     }
 }
 

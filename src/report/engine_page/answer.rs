@@ -269,7 +269,7 @@ fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&
     Some(match (small.as_slice(), next) {
         ([], NextLeft::None) => "**All other orders.** Zero.".into(),
         _ if bounds().is_empty() => match next {
-            NextLeft::Order(next) => phrase!("**All other orders.** The next that remains is {}.", next),
+            NextLeft::Order(next) => phrase!("**All other orders.** The next non-zero order is {}.", next),
             NextLeft::None | NextLeft::NotKnown => return None,
         },
         ([], NextLeft::Order(next)) => {
@@ -303,7 +303,7 @@ pub(super) fn why_several(engine: &Engine) -> Option<Text> {
     let links = engine.cylinders().iter().filter(|cylinder| cylinder.link().is_some()).count();
     Some(match (links, engine.has_offset(), engine.faster_crank().is_some()) {
         (1.., ..) => phrase!(
-            "The {} link pistons do not move alike, nor like a master piston: each kind of link has its own coefficient.",
+            "The {} link pistons move differently from one another and from the master piston: each kind of link has its own coefficient.",
             links
         ),
         (0, true, _) => {

@@ -91,5 +91,5 @@ const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones
 
 pub(in crate::report) const CENTRES: &str =
     "Crankpin j is at θ + β, the axis of cylinder j points to α; its piston is at top dead centre where θ + β = α.";
-pub(in crate::report) const FIRES: &str = "A cylinder that fires later has its throw behind: β − α decreases by the firing angle. (Books where it increases draw the mirror image: verdicts and lengths are the same, directions have the opposite sign.) The pin of the second bank of a V is at the throw plus the pin split.";
+pub(in crate::report) const FIRES: &str = "A cylinder that fires later has a lagging throw: β − α is smaller by the firing angle. (Books where it increases draw the mirror image: verdicts and lengths are the same, directions have the opposite sign.) The pin of the second bank of a V is at the throw plus the pin split.";
 pub(in crate::report) const ASSUMED: &str = "Assumed: a rigid crankshaft at constant speed, equal rods and no pin offset, rods in the plane of their cylinder; in a radial all rods on the crankpin itself. Orders of a centric engine are 1 and the even ones.";

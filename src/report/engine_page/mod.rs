@@ -193,7 +193,7 @@ fn results(engine: &Engine, judged: &Judgement, weighed: &WeighedParts) -> Vec<B
     let sums: Vec<Block> = sums.map(Block::Table).collect();
     if !sums.is_empty() {
         blocks.extend(answer::why_several(engine).map(Block::Paragraph));
-        blocks.push(Block::Folded(Fold { summary: "The exact sums that each order is made of".into(), blocks: sums }));
+        blocks.push(Block::Folded(Fold { summary: "Exact sums behind each order".into(), blocks: sums }));
     }
     blocks
 }

@@ -74,7 +74,7 @@ pub(super) fn why(found: &Boxes) -> Text {
         }
         (None, false) => "So it vanishes nowhere, except perhaps in the boxes left open.".into(),
     };
-    let open = open(found).map(|open| phrase!("Left open: {}: the step limit was reached.", open));
+    let open = open(found).map(|open| phrase!("Free parameters: {}: the step limit was reached.", open));
     Text::joined([lead, so].into_iter().chain(open), " ")
 }
 

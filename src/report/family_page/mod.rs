@@ -24,7 +24,7 @@ use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
 use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::{Planar, Sense};
 
-const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a moment that vanishes does so for all lengths. Angles are those \
+const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a vanishing moment vanishes for all lengths. Angles are those \
                       in (0°, 360°), exact and complete; ≡ is modulo 360°.";
 
 /// The report of a family.
@@ -105,7 +105,7 @@ fn even_firing(family: &Family) -> Option<Text> {
 pub(super) fn left_open(family: &Family) -> Text {
     let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
     let unknowns = unknowns.join(", ").replace(PHI, "φ").replace("delta", "δ");
-    phrase!("Left open: {}.", unknowns)
+    phrase!("Free parameters: {}.", unknowns)
 }
 
 /// The amplitude of each order over the one open angle, with its exact zeros.

@@ -110,7 +110,7 @@ pub(super) fn so(circle: &Circle, zeros: Option<Text>, u: &str) -> Text {
 
 /// As a sentence of its own.
 fn ended(open: Text) -> Text {
-    phrase!("Left open: {}: the step limit was reached.", open)
+    phrase!("Free parameters: {}: the step limit was reached.", open)
 }
 
 /// `0 where φ ≡ 90° and δ ≡ 45°, or φ ≈ 30° and δ ≈ 75.52°`.

@@ -38,7 +38,7 @@ pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
 pub(super) fn even_firing_words(angles: &BTreeSet<Turn>) -> Text {
     match angles.is_empty() {
         true => "It cannot fire evenly at any bank angle.".into(),
-        false => phrase!("It can fire evenly exactly at φ = {}.", list(angles)),
+        false => phrase!("It fires evenly only at φ = {}.", list(angles)),
     }
 }
 

@@ -18,7 +18,7 @@ const KNUCKLES: &str = "A link pushes its knuckle pin along itself, and the mass
 
 const ORDERS: &str = "The largest value of each order of the load, gas and masses together, zero to peak. Order κ of the gas is a harmonic of one cylinder times the stars $\\sum_j \\rho_j e^{i(\\alpha_j \\mp \\kappa\\varphi_j)}$, $\\rho_j$ the part that the bearing carries, $\\alpha_j$ the axis and $\\varphi_j$ the crank angle at which cylinder j fires: where both are 0, exactly, and the masses add nothing, the order is **0** for every pressure common to all cylinders. At whole orders gas and masses add as vectors; half orders are of the gas only.";
 
-const FOUND: &str = "The piston pushes its rod with $F = F_g - F_{in}$ towards the crank, $F_g = (p - p_c)\\,A$ the gas and $F_{in} = -m\\ddot s$ the inertia; the rod is askew by β and pushes its crankpin with $-F\\,(1 - i\\tan\\beta)\\,e^{i\\alpha}$, the piston the wall with $F\\tan\\beta$. Each bearing carries its parts of the pins, and of what turns with the shaft. Head, walls and bearings together take the shaking force of the masses alone: the gas adds none.";
+const FOUND: &str = "The piston pushes its rod with $F = F_g - F_{in}$ towards the crank, $F_g = (p - p_c)\\,A$ the gas and $F_{in} = -m\\ddot s$ the inertia; the rod is inclined by β and pushes its crankpin with $-F\\,(1 - i\\tan\\beta)\\,e^{i\\alpha}$, the piston the wall with $F\\tan\\beta$. Each bearing carries its parts of the pins, and of what turns with the shaft. Head, walls and bearings together take the shaking force of the masses alone: the gas adds none.";
 
 const ALONE: &str = "The following is about the masses alone, order by order, exactly: the largest of their sum in one revolution is “without gas” above.";
 

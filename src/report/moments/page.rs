@@ -7,7 +7,7 @@ use crate::report::engine_cells;
 use crate::report::torque::LINKED_GUIDES;
 
 const CONVENTION: &str = "V is along direction 0, upright in an in-line engine, H across it; amplitudes are zero to peak, moments about the reference plane. **0** is proved. Forces and moments are \
-    proportional to the square of the speed, $(n/n_1)^2$; the guide-force moments are not, for the gas has part in them.";
+    proportional to the square of the speed, $(n/n_1)^2$; the guide-force moments are not, since the gas contributes.";
 
 const COUNTERED: &str = "M1 with counterweights is the residual where counterweights cancel all that turns with the crank at order 1: as large along as across. Second-order compensators, balancer shafts at twice the speed, can cancel all of M2; the command remedy gives the masses of both.";
 

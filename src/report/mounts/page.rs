@@ -43,7 +43,7 @@ pub(super) fn page(study: &MountsStudy) -> Document {
     page.push(Block::Paragraph("All orders shown together, rms:".into()));
     page.push(tables::rms(study));
     section(&mut page, "Mount forces");
-    page.push(Block::Paragraph(phrase!("What each mount passes on at {}:", words::rpm(study.speed))));
+    page.push(Block::Paragraph(phrase!("Force transmitted by each mount at {}:", words::rpm(study.speed))));
     page.push(tables::forces(study));
     section(&mut page, "Over the speed");
     page.push(Block::Paragraph(phrase!(

@@ -87,7 +87,7 @@ fn resonance(study: &MountsStudy) -> Option<Text> {
 fn force(study: &MountsStudy) -> Option<Text> {
     let (force, mount, order) = passed_on(study)?;
     Some(phrase!(
-        "**What is passed on** at {}: at most {} along one axis, by mount {} at order {}.",
+        "**Force transmitted** at {}: at most {} along one axis, by mount {} at order {}.",
         rpm(study.speed),
         Piece::Quantity(force, Unit::NEWTON),
         mount + 1,

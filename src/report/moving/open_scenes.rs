@@ -51,7 +51,7 @@ fn held(fixed: &Values) -> Option<String> {
     let symbol = |name: &str| name.replace(PHI, "φ").replace(DELTA, "δ");
     let one = |(name, value): (&String, &BigRational)| format!("{} = {}", symbol(name), typeset::turns(value));
     let all: Vec<String> = fixed.iter().map(one).collect();
-    (!all.is_empty()).then(|| format!("Held here: {}. The zeros are those at this value.", all.join(", ")))
+    (!all.is_empty()).then(|| format!("Held here: {}. The zeros shown hold for this value.", all.join(", ")))
 }
 
 /// Which lengths the moment is drawn with.

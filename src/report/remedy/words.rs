@@ -251,7 +251,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let small = &remedy.small;
     let small = (!small.orders.is_empty()).then(|| {
         phrase!(
-            "Weights are proposed for orders 1 and 2 and for orders of at least {} % of the largest force or moment. Smaller, and cancelled only where asked for: {}.",
+            "Weights are proposed for orders 1 and 2 and for orders of at least {} % of the largest force or moment. Smaller orders, cancelled only on request: {}.",
             percent(small.below),
             Text::joined(small.orders.iter().map(|order| (*order).into()), ", ")
         )
@@ -262,7 +262,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
 }
 
 const HALF_SPEED: &str =
-    "A shaft at half the crank speed is never among them, because no inertia force of the cranks has order 1/2.";
+    "A shaft at half the crank speed is never needed, because no inertia force of the cranks has order 1/2.";
 
 fn height(height: &PairHeight) -> Text {
     let radii = Number::Decimal(height.in_crank_radii.abs());
@@ -270,20 +270,20 @@ fn height(height: &PairHeight) -> Text {
     let Some(metres) = height.metres else {
         let words = match higher {
             true => {
-                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii higher than the other, the pair cancels the inertia torque of the order too; half the height cancels half."
+                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii higher than the other, the pair cancels the inertia torque of the order too; at half the height it cancels half."
             }
             false => {
-                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii lower than the other, the pair cancels the inertia torque of the order too; half the height cancels half."
+                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii lower than the other, the pair cancels the inertia torque of the order too; at half the height it cancels half."
             }
         };
         return phrase!(words, height.order, radii);
     };
     let words = match higher {
         true => {
-            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} higher than the other ({} crank radii), the pair cancels the inertia torque of the order too; half the height cancels half."
+            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} higher than the other ({} crank radii), the pair cancels the inertia torque of the order too; at half the height it cancels half."
         }
         false => {
-            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} lower than the other ({} crank radii), the pair cancels the inertia torque of the order too; half the height cancels half."
+            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} lower than the other ({} crank radii), the pair cancels the inertia torque of the order too; at half the height it cancels half."
         }
     };
     phrase!(words, height.order, Piece::Quantity(metres.abs() * 1000.0, Unit::MILLIMETRE), radii)

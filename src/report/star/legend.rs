@@ -68,7 +68,7 @@ pub(super) fn legend(drawn: &[(Quantity, Star, Scale)]) -> Text {
     words.extend(counted.map(|count| phrase!("({} ×): {} equal vectors drawn as one.", count, count)));
     words.extend(short_names(drawn.iter().flat_map(|(_, star, _)| labelled(star))));
     if any(&|_, star| star.rays.len() > MOST_LABELS) {
-        words.push("Stars of so many directions have no names; the table has them.".into());
+        words.push("Stars with this many directions are not labelled; the table has them.".into());
     }
     Text::joined(words, " ")
 }

@@ -38,7 +38,7 @@ pub(in crate::report) fn cited(engine: &Engine) -> Option<Text> {
     let Fate::Never(Obstruction { prime, .. }) = stars::fate(Pins::once(throws), &[1]) else { return None };
     (is_full && is_even && is_spaced && throws > 2).then(|| match in_banks {
         1 => phrase!(
-            "**No star of {} throws is without the moment of order 1**, in any order of its throws: {} is a power of the prime {} (page of stars, {}).",
+            "**No star of {} throws is free of the first-order couple**, in any order of its throws: {} is a power of the prime {} (page of stars, {}).",
             throws,
             throws,
             prime,

@@ -8,7 +8,7 @@ use crate::report::data::Filling;
 use crate::table;
 
 /// How the torque in the teeth is found.
-pub(super) const FOUND: &str = "The teeth of gears do not give way: a gear carries what the discs behind it need, $T = \\frac{1}{\\nu_1} \\sum \\nu_i \\left((i\\Omega c_i - \\Omega^2 J_i)\\,\\Theta_i - M_i + \\ldots\\right)$, the sum over the discs that turn with its second disc, the dots for what their shafts take; the second disc feels $1/\\nu$ of it, $\\nu$ the ratio. \
+pub(super) const FOUND: &str = "Gear teeth are rigid: a gear carries what the discs behind it need, $T = \\frac{1}{\\nu_1} \\sum \\nu_i \\left((i\\Omega c_i - \\Omega^2 J_i)\\,\\Theta_i - M_i + \\ldots\\right)$, the sum over the discs that turn with its second disc, the dots for what their shafts take; the second disc feels $1/\\nu$ of it, $\\nu$ the ratio. \
     This is the vibration alone: where it is larger than the mean torque that the gear carries, the teeth separate.";
 
 /// A gear with its torques, at its first disc and at its second, in newton-metres.

@@ -109,7 +109,7 @@ pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
     lines.extend(frequencies(study));
     lines.extend(at_rest(study));
     if !study.torsion().is_damped() && study.torsion().has_forced() {
-        lines.push("Nothing damps the shaft: at a critical speed the amplitude is infinite.".into());
+        lines.push("The shaft is undamped: at a critical speed the amplitude is infinite.".into());
     }
     if study.torsion().is_damped() && study.excited().is_none() {
         lines.push("No amplitudes: they need the torque, from [gas] with a speed or from [[torsion.harmonic]].".into());
