@@ -16,7 +16,7 @@ pub struct Angle {
     /// Crank angles in degrees, such as 30,125
     #[arg(long, value_name = "DEGREES", value_delimiter = ',', allow_hyphen_values = true)]
     at: Vec<f64>,
-    /// A table over the cycle, a row every so many degrees [default: 10 where --at is omitted]
+    /// A table over the cycle, one row every DEGREES [default: 10 where --at is omitted]
     #[arg(long, value_name = "DEGREES")]
     every: Option<f64>,
     /// Add the weight of the pistons along their axes, direction 0 being up; in m/s², such as 9.81

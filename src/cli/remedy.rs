@@ -26,7 +26,7 @@ pub struct Remedy {
     /// Counterweights on each throw with this balance factor: one for all throws, or one per throw
     #[arg(long, value_name = "FACTORS", value_delimiter = ',')]
     balance_factor: Vec<String>,
-    /// How far those are turned on from opposite to their throw, in degrees: one for all throws, or one per throw
+    /// Angle of these counterweights from the direction opposite to their throw, in degrees: one for all throws, or one per throw
     #[arg(long, value_name = "ANGLES", value_delimiter = ',', allow_hyphen_values = true, requires = "balance_factor")]
     skew: Vec<String>,
     /// Counterweights on each throw for all that rotates and this part of the reciprocating masses: one for all throws, or one per throw

@@ -8,10 +8,10 @@ use super::accuracy::ratio;
 /// What is reported one by one, and what together.
 #[derive(clap::Args)]
 pub struct Above {
-    /// Show an order by itself from this part of the largest one on, in percent; smaller ones together [default: 1]
+    /// List an order separately if it reaches this percentage of the largest; combine smaller ones [default: 1]
     #[arg(long, value_name = "PERCENT", conflicts_with = "all", value_parser = percent)]
     above: Option<f64>,
-    /// Show every order by itself, however small
+    /// List every order separately, however small
     #[arg(long)]
     all: bool,
 }

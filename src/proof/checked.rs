@@ -37,7 +37,7 @@ pub struct Checked {
 
 const COEFFICIENTS: &str =
     "the coefficients c_k of the motion: that those of orders that exist are not zero is a theorem (src/motion)";
-const FORMS: &str = "closed forms of the residual, and how firm a zero is (neither is in the document)";
+const FORMS: &str = "closed forms of the residual, and how robust a zero is (neither is in the document)";
 const EQUAL_RODS: &str = "that the rods are equal and centric: the document names none";
 const SAME_RODS: &str = "that the rods are equal, so that each sum is one of the engine: families name none";
 const OUTSIDE: &str =

@@ -284,7 +284,7 @@ impl Engine {
 
     /// Motion, forces and torque of every piston at crank angles, and what the main bearings feel.
     ///
-    /// at: degrees, such as [30, 125]. every: a row every so many degrees; 10 where both are omitted. gravity: adds the weight, in m/s².
+    /// at: degrees, such as [30, 125]. every: one row every DEGREES; 10 where both are omitted. gravity: adds the weight, in m/s².
     #[pyo3(signature = (at=None, *, every=None, gravity=None))]
     fn angle(
         &self,

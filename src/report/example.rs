@@ -51,13 +51,13 @@ fn two_vectors(order: u32) -> Text {
     match order {
         1 => "The force of order 1 of one piston acts along the axis of its cylinder and swings as $\\cos(\\theta + \\beta - \\alpha)$ does: \
               largest at top dead centre. It is half the sum of two vectors of constant length. The **direct** vector turns with the crank, \
-              the **reverse** vector as fast against it; each is the mirror image of the other in the axis of the cylinder, so that across \
+              the **reverse** vector at the same speed in the opposite sense; each is the mirror image of the other in the axis of the cylinder, so that across \
               the axis they cancel at every moment."
             .into(),
         k => phrase!(
             "The force of order {} of one piston acts along the axis of its cylinder and swings {} times in a revolution, as {} does. It \
              is half the sum of two vectors of constant length. The **direct** vector turns with the crank at {} times its speed, the \
-             **reverse** vector as fast against it; each is the mirror image of the other in the axis of the cylinder, so that across \
+             **reverse** vector at the same speed in the opposite sense; each is the mirror image of the other in the axis of the cylinder, so that across \
              the axis they cancel at every moment.",
             k,
             k,

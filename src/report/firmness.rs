@@ -25,7 +25,7 @@ fn words(disturbance: Disturbance) -> (&'static str, &'static str) {
             "the masses of each bank are multiplied by a factor; for banks of a single cylinder see the next column.",
         ),
         Disturbance::CylinderMasses => {
-            ("Masses by cylinder", "each cylinder has its own mass; only vectors of length zero survive that.")
+            ("Masses by cylinder", "masses differ from cylinder to cylinder; only sums without any vector stay zero.")
         }
     }
 }
@@ -58,7 +58,7 @@ pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
 }
 
 const INTRODUCTION: &str = "Which zeros survive a change of the engine? Yes and no are decided exactly; – where there is nothing to change. A zero is \
-                            firm if only masses that differ from cylinder to cylinder can break it; otherwise the last column says what it needs.";
+                            robust if only masses that differ from cylinder to cylinder can break it; otherwise the last column says what it needs.";
 
 fn row(engine: &Engine, name: Text, firmness: &Firmness) -> Vec<Text> {
     let cell = |disturbance| match firmness.outcome(disturbance) {
@@ -69,7 +69,7 @@ fn row(engine: &Engine, name: Text, firmness: &Firmness) -> Vec<Text> {
     let mut cells = vec![name];
     cells.extend(Disturbance::ALL.map(|disturbance| cell(disturbance).into()));
     cells.push(match firmness.is_firm() {
-        true => "firm".into(),
+        true => "robust".into(),
         false => phrase!("needs {}", needs_words(engine, firmness)),
     });
     cells
@@ -86,8 +86,8 @@ pub(super) fn summary(engine: &Engine, order: &OrderBalance) -> Text {
         true => Text::from(firm),
         false => phrase!(needed, needs_words(engine, &firmness)),
     };
-    let force = firmness(engine, &order.force).map(|firmness| words(firmness, "force firm", "force needs {}"));
-    let moment = firmness(engine, &order.moment).map(|firmness| words(firmness, "moment firm", "moment needs {}"));
+    let force = firmness(engine, &order.force).map(|firmness| words(firmness, "force robust", "force needs {}"));
+    let moment = firmness(engine, &order.moment).map(|firmness| words(firmness, "moment robust", "moment needs {}"));
     match [force, moment] {
         [None, None] => "–".into(),
         both => Text::joined(both.into_iter().flatten(), "; "),

@@ -69,7 +69,7 @@ fn zeros(stars: &Stars) -> Text {
             (Set::All, _) | (_, Set::All) => "all vanish".into(),
             (Set::None, Set::None) => "none vanishes".into(),
             (Set::These(these), Set::None) => {
-                phrase!("those vanish at which the star of one bank does, that are {}, and no other", these)
+                phrase!("exactly those vanish at which the star of one bank does: {}", these)
             }
             (Set::None, Set::These(these)) => {
                 phrase!("those vanish at which the star of the banks does, that are {}, and no other", these)

@@ -33,7 +33,7 @@ pub(super) fn summary(
         [only] if only.class.is_none() => firmness::summary(engine, only),
         _ => "–".into(),
     };
-    let table = of_orders(orders, weighed).column_if(with_firmness == Firmness::Shown, "How firm", firm);
+    let table = of_orders(orders, weighed).column_if(with_firmness == Firmness::Shown, "Its zeros", firm);
     with_shared_rows(table.done(), &small(orders, weighed))
 }
 

@@ -83,7 +83,7 @@ impl Format {
 /// What a person may choose of a page beside its format.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Whether LaTeX, Typst or HTML is a piece for a document that is there, without what stands around it.
+    /// Whether LaTeX, Typst or HTML is a piece for an existing document, without what stands around it.
     pub fragment: bool,
     /// What is said of the program at the foot of the page.
     pub stamp: Option<String>,

@@ -148,7 +148,7 @@ impl Further {
         let is_of_gas = self.load != FurtherLoad::Bearing;
         match self.enough() {
             Some(order) if is_of_gas => phrase!(
-                "{}: {}. The orders of the gas up to {} have it within 0.1 %.",
+                "{}: {}. Gas orders up to {} are enough for 0.1 %.",
                 heading,
                 peak,
                 Text::label(order.to_string())

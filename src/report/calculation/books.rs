@@ -22,7 +22,7 @@ pub(in crate::report) fn books_line(engine: &Engine, loads: &Loads) -> Option<Te
     let less = number::sensible(100.0 * (1.0 - part));
     (!sizes.is_empty()).then(|| {
         let sizes = Text::joined(sizes, ", ");
-        phrase!("Books that take the first term alone, $c_2 = \\lambda$, have {} at order 2: {} % less.", sizes, less)
+        phrase!("Textbooks that use only the first term, $c_2 = \\lambda$, give {} at order 2: {} % less.", sizes, less)
     })
 }
 

@@ -82,15 +82,16 @@ fn of_order(
         if kept.is_empty() { Text::zero() } else { size(kept.into_iter().sum(), unit) }
     };
     let mut first = [name, order.order.into(), size(weighed.size(order.order, quantity), unit)].to_vec();
-    let accepted = || if cures.is_accepted(order) { "usually accepted".into() } else { Text::default() };
+    let accepted = || if cures.is_accepted(order) { "usually left uncorrected".into() } else { Text::default() };
     if steps.is_empty() {
         return vec![[first, vec![accepted(), Text::default()]].concat()];
     }
-    let row = |(cure, kept): (Text, [bool; 2])| {
+    let row = |(step, (cure, kept)): (usize, (Text, [bool; 2]))| {
         let named = std::mem::replace(&mut first, vec![Text::default(); 3]);
+        let cure = if step == 0 { cure } else { phrase!("and {}", cure) };
         [named, vec![cure, left(kept)]].concat()
     };
-    steps.into_iter().map(row).collect()
+    steps.into_iter().enumerate().map(row).collect()
 }
 
 fn size(value: f64, unit: Unit) -> Text {
@@ -101,7 +102,8 @@ fn with_unit(value: Piece, unit: Unit) -> Text {
     phrase!("{}\u{202f}{}", Text::from(value), unit.label())
 }
 
-/// The orders of the torque, and of the roll moment where it is another, that stand out.
+/// The orders of the torque, and of the roll moment where it is another, that stand out; the largest in any case, since the torque was asked for. Then those
+/// that vanish.
 fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
     let (roll, torque) = (weighed.loads.roll.is_some(), weighed.loads.torque.is_some());
     let shown = [
@@ -113,10 +115,14 @@ fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
         let orders = weighed.about_the_axis(quantity);
         let most = orders.iter().map(|(_, size)| *size).fold(0.0, f64::max);
         let unit = weighed.unit(Quantity::Axial(quantity)).for_values_up_to(most);
-        for (order, value) in orders {
-            if value > 0.0 && weighed.is_told(order, Quantity::Axial(quantity)) {
-                rows.push(vec![name.into(), order.into(), size(value, unit), Text::default(), Text::default()]);
-            }
+        let is_shown = |order: u32, value: f64| value >= most || weighed.is_told(order, Quantity::Axial(quantity));
+        for (order, value) in orders.into_iter().filter(|(order, value)| *value > 0.0 && is_shown(*order, *value)) {
+            rows.push(vec![name.into(), order.into(), size(value, unit), Text::default(), Text::default()]);
+        }
+        let zeros: Vec<String> = weighed.zeros_about_the_axis(quantity).map(|order| order.to_string()).collect();
+        if !zeros.is_empty() {
+            let orders = Text::label(zeros.join(", "));
+            rows.push(vec![name.into(), orders, Text::zero(), Text::default(), Text::default()]);
         }
     }
     rows

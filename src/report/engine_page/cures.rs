@@ -46,8 +46,24 @@ impl<'a> Cures<'a> {
     /// A sentence each; none where nothing is left.
     pub fn line(&self) -> Option<Text> {
         let mut cures: Vec<Text> = self.cured.iter().filter_map(|order| self.of(order).sentence()).collect();
-        cures.extend(usually_left(&self.accepted));
+        cures.extend(self.usually_left());
         (!cures.is_empty()).then(|| phrase!("**What cures it.** {}", Text::joined(cures, " ")))
+    }
+
+    /// The orders above 2 that stand out, each beside the largest of its kind.
+    fn usually_left(&self) -> Option<Text> {
+        let named = |order: &&OrderVerdict| match self.weighed.and_then(|weighed| weighed.part(order.order)) {
+            Some(part) => phrase!("{} ({} %)", order.order, percent(part)),
+            None => order.order.into(),
+        };
+        match self.accepted.as_slice() {
+            [] => None,
+            [only] => Some(phrase!("Order {} is usually left uncorrected.", named(only))),
+            several => {
+                let named = Text::joined(several.iter().map(named), ", ");
+                Some(phrase!("Orders {} are usually left uncorrected.", named))
+            }
+        }
     }
 
     /// What cures an order, a step after the other, and which of its vectors each step leaves.
@@ -91,18 +107,6 @@ fn is_worth_it(order: &OrderVerdict, weighed: Option<&Weighed>) -> bool {
         |weighed: &Weighed, quantity: Planar| weighed.is_worth_it(weighed.size(order.order, quantity), quantity);
     left_vectors(order) != [false, false]
         && weighed.is_none_or(|weighed| Planar::BOTH.into_iter().any(|of| is_large(weighed, of)))
-}
-
-/// The orders above 2 that stand out.
-fn usually_left(orders: &[&OrderVerdict]) -> Option<Text> {
-    match orders {
-        [] => None,
-        [only] => Some(phrase!("Order {} is usually accepted.", only.order)),
-        several => Some(phrase!(
-            "Orders {} are usually accepted.",
-            Text::joined(several.iter().map(|order| order.order.into()), ", ")
-        )),
-    }
 }
 
 /// What cures an order.

@@ -6,7 +6,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use super::super::calculation::Unit;
 use super::super::residual;
 use crate::engine::{Crankshaft, DOES_NOT_EXIST, Effects, Engine, LengthUnit, Mechanism, Rod};
-use crate::loads::{self, Bound, LeftOut, Loads, Swing};
+use crate::loads::{self, Bound, LeftOut, Loads, Swing, TorqueOrder};
 use crate::numbers;
 use crate::order::{self, Masses};
 use crate::page::{self, Piece, Setting, Text, number, phrase};
@@ -121,12 +121,21 @@ impl<'a> Weighed<'a> {
 
     /// The orders of the torque or of the roll moment, with their amplitudes.
     pub fn about_the_axis(&self, quantity: Axial) -> Vec<(u32, f64)> {
+        self.axial(quantity).map(|order| (order.order, order.vector.value.norm())).collect()
+    }
+
+    /// Those that are proved to vanish.
+    pub fn zeros_about_the_axis(&self, quantity: Axial) -> impl Iterator<Item = u32> {
+        let zeros = self.axial(quantity).filter(|order| order.vector.outcome.vanishes() == Some(true));
+        zeros.map(|order| order.order)
+    }
+
+    fn axial(&self, quantity: Axial) -> impl Iterator<Item = &TorqueOrder> {
         let of = match quantity {
             Axial::Torque => self.loads.torque.as_ref(),
             Axial::Roll => self.loads.roll.as_ref(),
         };
-        let orders = of.into_iter().flat_map(|torque| &torque.orders);
-        orders.map(|order| (order.order, order.vector.value.norm())).collect()
+        of.into_iter().flat_map(|torque| &torque.orders)
     }
 
     /// The vectors of an order, with the crank and against it, in multiples of m r ω².
@@ -171,6 +180,13 @@ impl<'a> Weighed<'a> {
     pub fn is_worth_it(&self, size: f64, quantity: impl Into<Quantity>) -> bool {
         let quantity = quantity.into();
         size > 0.0 && (self.weighing.all || size >= self.limit(quantity))
+    }
+
+    /// What part of the largest force, or of the largest moment, an order is: the larger of both; none where it is the largest.
+    pub fn part(&self, order: u32) -> Option<f64> {
+        let parts = Planar::BOTH.map(|quantity| self.size(order, quantity) / self.most(quantity.into()));
+        let part = parts.into_iter().filter(|part| part.is_finite()).fold(0.0, f64::max);
+        (part < 1.0).then_some(part)
     }
 
     /// The unit of a quantity.
@@ -361,6 +377,9 @@ pub(in crate::report) fn circumstances(weighed: Option<&Weighed>) -> Option<Text
 
 /// At which speed sizes are, and with which rods, above a table of them.
 pub(super) fn sizes(weighed: Option<&Weighed>) -> Option<Text> {
-    let circumstances = circumstances(weighed)?;
-    Some(phrase!("Sizes, rounded: the largest value through a revolution, {}.", circumstances))
+    weighed?;
+    Some(match circumstances(weighed) {
+        Some(circumstances) => phrase!("Sizes, rounded: the largest value through a revolution, {}.", circumstances),
+        None => "Sizes, rounded: the largest value through a revolution, for the rods of the layout.".into(),
+    })
 }

@@ -131,7 +131,7 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     }
     let has_angle = [PHI, DELTA].iter().any(|angle| family.unknowns().contains(angle));
     let words = match has_angle {
-        true => "**What shakes at most, over all angles** ({}, found numerically): {}.",
+        true => "**Largest residual over all angles** ({}, numerical): {}.",
         false => "**What shakes** ({}): {}.",
     };
     (!told.is_empty()).then(|| phrase!(words, sizes.circumstances(), Text::joined(told, ", ")))

@@ -99,10 +99,10 @@ fn velocity(study: &MountsStudy) -> Option<Text> {
     let moving = study.moving().filter_map(|(_, one)| Some((study.velocity(one.motion.as_ref()?), one)));
     let (speed, fastest) = moving.max_by(|one, other| one.0.total_cmp(&other.0))?;
     Some(phrase!(
-        "**What moves** the {} most is order {}: {} along one axis, zero to peak.",
+        "**Largest motion** of the {}: {} along one axis, zero to peak, at order {}.",
         place(study.watched()),
-        fastest.excitation.order.to_string(),
-        Piece::Quantity(speed * 1e3, Unit::MILLIMETRE_PER_SECOND)
+        Piece::Quantity(speed * 1e3, Unit::MILLIMETRE_PER_SECOND),
+        fastest.excitation.order.to_string()
     ))
 }
 

@@ -45,7 +45,7 @@ pub(in crate::report) fn cited(engine: &Engine) -> Option<Text> {
             Text::code("crankstar stars")
         ),
         _ => phrase!(
-            "**No order of the {} pins, and no bank angle, removes the moment of order 1 that turns with the crank:** {} is a power of the prime {} (page of stars, {}).",
+            "**No order of the {} pins, and no bank angle, removes the rotating first-order couple:** {} is a power of the prime {} (page of stars, {}).",
             throws,
             throws,
             prime,
