@@ -39,7 +39,8 @@
     const barb = (turn) => plus(to, [-x - (turn * y) / 2, -y + (turn * x) / 2]);
     return size(along) < 1e-6 ? "" : line(from, to) + line(barb(1), to, barb(-1));
   };
-  const decimal = (value) => `≈ ${value.toFixed(3).replace(".", POINT)}`;
+  /** To four figures; what is less than a millionth is a rounded zero. */
+  const decimal = (value) => `≈ ${String(Number(value < 1e-6 ? 0 : value.toPrecision(4))).replace(".", POINT)}`;
 
   const start = (figure) => {
     const parts = (name) => figure.querySelectorAll(`[data-part="${name}"]`);

@@ -268,10 +268,10 @@ impl Cure<'_> {
             [] => None,
             [only] => Some(mass_radius(remedy, *only)),
             [first, _] if alike(*first) => {
-                Some(self.with_distance(phrase!("2 × {}", mass_radius(remedy, *first)), remedy, &weights))
+                Some(self.with_distance(phrase!("2\u{a0}×\u{a0}{}", mass_radius(remedy, *first)), remedy, &weights))
             }
             [first, others @ ..] if alike(*first) => {
-                Some(phrase!("{} × {}", others.len() + 1, mass_radius(remedy, *first)))
+                Some(phrase!("{}\u{a0}×\u{a0}{}", others.len() + 1, mass_radius(remedy, *first)))
             }
             several => {
                 let sizes = Text::joined(several.iter().map(|size| mass_radius(remedy, *size)), " + ");

@@ -33,14 +33,14 @@ const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a v
 pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Document {
     let mut page = Document { has_contents: true, ..Document::new("report", family.title()) };
     page.push(family_summary(family, orders));
-    if in_motion {
-        let orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
-        page.blocks.extend(moving::live(&moving::open_scenes(family, &orders)));
-    }
     page.push(tables::summary(orders));
     page.push(Block::Note(LEGEND.into()));
     page.blocks.extend(amplitude_picture(family, orders));
     page.blocks.extend(map::maps(family, orders).into_iter().map(Block::from));
+    if in_motion {
+        let orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
+        page.blocks.extend(moving::live(&moving::open_scenes(family, &orders)));
+    }
     page.push(Block::Heading(1, "The engine".into()));
     page.blocks.extend(differs(family.convention()).map(Block::Paragraph));
     page.push(tables::cylinders(family));
@@ -86,14 +86,14 @@ pub(super) fn section(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
     blocks
 }
 
-/// The short answer: for which angles each order vanishes.
+/// The short answer: what shakes at most, where counterweights help, and for which angles each order vanishes.
 pub fn family_answer(family: &Family, orders: &[OpenOrder]) -> Document {
     let mut page = Document::new("verdicts", family.title());
+    page.blocks.extend(answer(family, orders).into_iter().map(Block::Paragraph));
     page.push(tables::summary(orders));
     page.push(Block::Note(
         "0 vanishes for all values of the unknowns, proved; angles are exact and complete in (0°, 360°).".into(),
     ));
-    page.blocks.extend(even_firing(family).map(Block::Paragraph));
     page
 }
 

@@ -1,10 +1,10 @@
-//! At which bank angles do counterweights cancel order 1, and what remains of order 2 there?
+//! At which angles do counterweights cancel order 1, and what remains of order 2 there?
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::residual;
 use super::words;
-use crate::engine::{Family, PHI};
+use crate::engine::{DELTA, Family, PHI};
 use crate::exact::Turn;
 use crate::family::OpenOrder;
 use crate::page::{Text, phrase};
@@ -26,7 +26,19 @@ pub(super) fn sentences(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
         Some(remains) => phrase!("At φ = {} counterweights cancel order 1; {}.", words::list(&angles), remains),
         None => phrase!("At φ = {} counterweights cancel order 1.", words::list(&angles)),
     };
-    groups.into_iter().map(sentence).collect()
+    groups.into_iter().map(sentence).chain(of_two_angles(family, orders)).collect()
+}
+
+/// Where counterweights cancel order 1 of a family with two open angles: where the one reverse vector vanishes that does not always do so.
+fn of_two_angles(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
+    let unknowns = family.unknowns();
+    let first = orders.iter().find(|order| order.order == 1)?;
+    let mut open = [&first.force[1], &first.moment[1]].into_iter().filter(|reverse| !reverse.always());
+    let condition = words::conditions_of(open.next()?)?;
+    let is_one_of_two = [PHI, DELTA].iter().all(|angle| unknowns.contains(angle)) && open.next().is_none();
+    is_one_of_two.then(|| {
+        phrase!("Counterweights cancel order 1 where {}; elsewhere a shaft against the crank cancels their residual.", condition)
+    })
 }
 
 /// The bank angles at which both reverse vectors of order 1 vanish.

@@ -85,6 +85,14 @@ pub(super) fn told(when: &When) -> Option<Text> {
     }
 }
 
+/// Where a vector of one sum vanishes: `2φ − δ ≡ 180°`; none where no such condition says it.
+pub(super) fn conditions_of(verdict: &OpenVerdict) -> Option<Text> {
+    match verdict.sums.as_slice() {
+        [OpenSum { when: When::Where(angles), .. }] => conditions(angles),
+        _ => None,
+    }
+}
+
 /// Where there is no angle in the range.
 pub(super) const NEVER: &str = "never 0 in (0°, 360°)";
 

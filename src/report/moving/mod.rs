@@ -81,7 +81,7 @@ const MOMENT: &str = "moment";
 
 /// What the values of a quantity are counted in.
 fn unit(weighed: &Weighed, quantity: Planar) -> MovingUnit {
-    let unit = weighed.unit(quantity.into());
+    let unit = weighed.unit_of_tables(quantity);
     MovingUnit { factor: unit.factor, name: unit.unit.name }
 }
 
