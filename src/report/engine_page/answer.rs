@@ -325,7 +325,7 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
     let weighed = WeighedParts::new(engine, judged, Weighing::usual());
     page.push(Block::Answer(lines(engine, judged, theorem.as_ref(), &weighed)));
     page.blocks.extend(tables(judged, Weighing::usual(), &weighed));
-    page.blocks.extend(notes(engine, judged, weighed.as_judged.as_ref(), true));
+    page.blocks.extend(notes(engine, judged, weighed.as_judged.as_ref(), Weighing::usual(), true));
     page
 }
 
@@ -347,7 +347,7 @@ pub fn engine_answer_weighed(engine: &Engine, judged: &Judgement, weighing: &Wei
         }
     }
     page.blocks.extend(is_exact.then(|| tables(judged, weighing, &weighed)).into_iter().flatten());
-    page.blocks.extend(notes(engine, judged, as_judged, is_exact));
+    page.blocks.extend(notes(engine, judged, as_judged, weighing, is_exact));
     page
 }
 
@@ -361,13 +361,24 @@ fn tables(judged: &Judgement, weighing: &Weighing, weighed: &WeighedParts) -> Ve
         page.push(Block::Paragraph("The pistons alone:".into()));
         page.push(table::verdicts(pistons, of_pistons.as_ref()));
     }
-    let sums = table::sums(&judged.orders).filter(|_| weighing.all || as_judged.is_none());
+    let sums = table::sums(&judged.orders).filter(|_| shows_classes(weighing, as_judged.as_ref()));
     page.blocks.extend(sums.map(Block::Table));
     page.blocks
 }
 
+/// Whether the sums of classes have rows of their own.
+fn shows_classes(weighing: &Weighing, as_judged: Option<&Weighed>) -> bool {
+    weighing.all || as_judged.is_none()
+}
+
 /// What is to be known of an answer; of its exact numbers, where it has any.
-fn notes(engine: &Engine, judged: &Judgement, as_judged: Option<&Weighed>, is_exact: bool) -> Vec<Block> {
+fn notes(
+    engine: &Engine,
+    judged: &Judgement,
+    as_judged: Option<&Weighed>,
+    weighing: &Weighing,
+    is_exact: bool,
+) -> Vec<Block> {
     let mut page = Document::new("verdicts", Text::default());
     page.blocks.extend(stars::cited(engine).map(Block::Note));
     page.blocks.extend(sizes(as_judged).filter(|_| is_exact).map(Block::Note));
@@ -375,7 +386,9 @@ fn notes(engine: &Engine, judged: &Judgement, as_judged: Option<&Weighed>, is_ex
     let given = as_judged.filter(|weighed| weighed.assumed.is_none());
     page.blocks.extend(given.and_then(|weighed| books_line(engine, &weighed.loads)).map(Block::Note));
     page.blocks.extend(is_exact.then(|| Block::Note(residual::LEGEND.into())));
-    page.blocks.extend(conventions::rows(engine).into_iter().map(|words| Block::Note(words.into())));
+    let rows = is_exact && shows_classes(weighing, as_judged);
+    let rows = rows.then(|| conventions::rows(engine)).into_iter().flatten();
+    page.blocks.extend(rows.map(|words| Block::Note(words.into())));
     page.blocks.extend(articulated::hidden(engine).map(Block::Note));
     page.blocks
         .extend((is_exact && !engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
