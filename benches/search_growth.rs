@@ -1,7 +1,7 @@
 //! How does a search grow with the number of cylinders, and what is each idea worth?
 #![allow(clippy::disallowed_types)]
 //!
-//! `cargo bench -p benches --bench search_growth -- 8 10 12` prints a table for in-line two-stroke engines of so many cylinders, orders 1 and 2: a
+//! `cargo bench -p benches --bench search_growth -- 8 10 12` prints a table for in-line two-stroke engines of this many cylinders, orders 1 and 2: a
 //! line for each way to go through the stars. Seconds are those that one core worked for this process (`utime` of Linux; elapsed elsewhere), so
 //! other work on the machine counts little. Ways that would take hours are left out: see `most`.
 //!

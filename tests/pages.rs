@@ -357,7 +357,7 @@ fn every_formula_is_found_by_pandoc_and_read_by_katex() {
     run(Path::new(env!("CARGO_TARGET_TMPDIR")), "node", &[script], &list);
 }
 
-/// Looks at a page in a browser: in this folder, which it writes to, with so many pictures.
+/// Looks at a page in a browser: in this folder, which it writes to, with this many pictures.
 fn look(name: &str, folder: &Path, page: &str, pictures: usize) {
     let check = include_str!("pages/check.html");
     let body = run(folder, "pandoc", &["-f", "gfm", "-t", "html", "--mathml", page], "");

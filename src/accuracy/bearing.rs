@@ -1,4 +1,4 @@
-//! What is the largest load of a main bearing by the first orders of inertia, or at so many angles, and how far off is that?
+//! What is the largest load of a main bearing by the first orders of inertia, or at this many angles, and how far off is that?
 //!
 //! The closed form is the load of each crankpin, `F_in (1 − i tan β) e^{iα}`, shared among the bearings by the exact parts of the beam.
 
@@ -134,7 +134,7 @@ impl Closed {
         sums.iter().map(|sum| sum.norm()).fold(0.0, f64::max)
     }
 
-    /// The largest load at so many angles, and where it is.
+    /// The largest load at this many angles, and where it is.
     fn largest(&self, steps: u32) -> (f64, f64) {
         let angles = (0..steps).map(|place| TAU * f64::from(place) / f64::from(steps));
         angles

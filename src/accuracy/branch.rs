@@ -104,7 +104,7 @@ impl Search {
         load.map_or([Interval::WHOLE; 2], |load| [load.value.slope, load.slope.slope])
     }
 
-    /// Searches until the peak is known to this relative tolerance, or so many spans were looked at.
+    /// Searches until the peak is known to this relative tolerance, or this many spans were looked at.
     pub fn run(&self, tolerance: f64, most: usize) -> Found {
         self.resume(self.start(), tolerance, most)
     }

@@ -13,7 +13,7 @@ use crate::proof::Quantity;
 
 /// The orders that are summed, step by step.
 const SUMMED: [u32; 6] = [8, 16, 32, 64, 128, 256];
-/// Where so many orders do not do, the closed form is searched.
+/// Where this many orders do not do, the closed form is searched.
 const ENOUGH: u32 = 64;
 /// A largest value is known to this part of itself, unless its error says otherwise.
 pub const SURE: f64 = 5e-4;

@@ -22,9 +22,9 @@ use crate::proof::Quantity;
 pub enum Method {
     /// The orders up to this one, summed in doubles and searched for the peak.
     Orders(u32),
-    /// The closed form at so many equal steps of the crank angle, in doubles.
+    /// The closed form at this many equal steps of the crank angle, in doubles.
     Doubles(u32),
-    /// Intervals of doubles, until so many digits are sure.
+    /// Intervals of doubles, until this many digits are sure.
     Intervals(u32),
     /// Intervals of fractions.
     Fractions,

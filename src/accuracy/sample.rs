@@ -52,7 +52,7 @@ impl Doubles {
         Ok(Doubles { quantity, rotating: rotating.sum(), pistons })
     }
 
-    /// The largest length at so many angles.
+    /// The largest length at this many angles.
     pub fn peak(&self, angles: u32) -> f64 {
         let length = |place: u32| {
             let theta = TAU * f64::from(place) / f64::from(angles);

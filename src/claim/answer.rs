@@ -117,7 +117,7 @@ pub enum Finding {
         surviving: Vec<u32>,
         /// How many orders were decided.
         judged: usize,
-        /// After so many orders everything repeats; none where single orders were asked.
+        /// After this many orders everything repeats; none where single orders were asked.
         period: Option<u32>,
         /// The first that does not vanish.
         first: Option<Box<OrderBalance>>,

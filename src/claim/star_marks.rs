@@ -127,7 +127,7 @@ pub struct Marked {
 /// The significant digits that a rounded length needs where nothing else is said; a rounded phase needs a decimal.
 pub const LEAST_DIGITS: usize = 2;
 
-/// Every entry of a table, row by row, then its sums; rounded lengths need at least so many significant digits.
+/// Every entry of a table, row by row, then its sums; rounded lengths need at least this many significant digits.
 pub fn mark(star: &Star, filled: &Filled, digits: usize) -> Vec<Marked> {
     let mut marks = Vec::new();
     // The phases that the sums of each column rest on: the true one where what is written is it, rounded perhaps.

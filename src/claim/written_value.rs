@@ -122,7 +122,7 @@ fn tolerance(text: &str, size: &BigRational) -> Result<Tolerance, ClaimError> {
 }
 
 impl Tolerance {
-    /// That of a number so many times as large.
+    /// That of a number this many times as large.
     fn times(self, size: &BigRational) -> Self {
         match self {
             Tolerance::Exact { rounding } => Tolerance::Exact { rounding: rounding.map(|rounding| rounding * size) },

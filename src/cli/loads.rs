@@ -10,7 +10,7 @@ use crankstar::report::LoadsStudy;
 use super::EngineAndOrders;
 use super::answer::Answer;
 use super::failure::Failure;
-use super::weigh::Above;
+use super::weigh::Threshold;
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";
@@ -26,7 +26,7 @@ pub struct Loads {
     #[command(flatten)]
     auto: Auto,
     #[command(flatten)]
-    above: Above,
+    above: Threshold,
     #[command(flatten)]
     answer: Answer,
 }

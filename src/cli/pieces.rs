@@ -177,7 +177,7 @@ fn keep(stream: &Stream, question: &Question, shard: Shard, path: &Path, threads
     store.finish().map_err(Failure::new)
 }
 
-/// A bar for these pieces, of which so many others were done before.
+/// A bar for these pieces, of which this many others were done before.
 fn bar(list: &[usize], before: usize) -> ProgressBar {
     let bar = progress::bar("pieces");
     bar.set_length((list.len() + before) as u64);

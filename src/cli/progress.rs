@@ -36,7 +36,7 @@ pub fn is_silent() -> bool {
     IS_SILENT.load(Ordering::Relaxed)
 }
 
-/// A bar of so many pieces with the time left, in the place of the spinner.
+/// A bar of this many pieces with the time left, in the place of the spinner.
 pub fn bar(pieces: &str) -> ProgressBar {
     end();
     with_style(&format!("{{bar:40}} {{pos}}/{{len}} {pieces}, {{eta}} left"))

@@ -12,7 +12,7 @@ use num_traits::{Signed, Zero};
 
 use super::answer::Answer;
 use super::failure::Failure;
-use super::weigh::Above;
+use super::weigh::Threshold;
 use super::{EngineAndOrders, layouts, write};
 
 /// Arguments of `remedy`.
@@ -45,7 +45,7 @@ pub struct Remedy {
     #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
     #[command(flatten)]
-    above: Above,
+    above: Threshold,
     #[command(flatten)]
     answer: Answer,
 }

@@ -7,7 +7,7 @@ use super::accuracy::ratio;
 
 /// What is reported one by one, and what together.
 #[derive(clap::Args)]
-pub struct Above {
+pub struct Threshold {
     /// List an order separately if it reaches this percentage of the largest; combine smaller ones [default: 1]
     #[arg(long, value_name = "PERCENT", conflicts_with = "all", value_parser = percent)]
     above: Option<f64>,
@@ -20,7 +20,7 @@ pub struct Above {
 #[derive(clap::Args)]
 pub struct Weigh {
     #[command(flatten)]
-    above: Above,
+    above: Threshold,
     /// Rod ratio λ for the sizes where the layout gives no rods [default: 2/7]
     #[arg(long, value_name = "RATIO", value_parser = ratio)]
     rod_ratio: Option<BigRational>,
@@ -33,7 +33,7 @@ fn percent(text: &str) -> Result<f64, String> {
     }
 }
 
-impl Above {
+impl Threshold {
     /// What is reported of an engine whose orders were asked for, or were not.
     pub fn read(&self, asked: bool) -> Weighing {
         Weighing { above: self.above, all: self.all, asked, rod_ratio: None }

@@ -19,7 +19,7 @@ use super::throws::throws;
 use super::torsion::NoShaft;
 use crate::proof::{Quantity, Sense};
 
-/// An engine has at most so many cylinders.
+/// An engine has at most this many cylinders.
 pub const MOST_CYLINDERS: usize = 2000;
 
 /// The orders of a draft that names none are those that exist, up to this one.
@@ -58,7 +58,7 @@ pub enum BuildError {
         of: &'static str,
         /// How many.
         values: usize,
-        /// For so many throws.
+        /// For this many throws.
         throws: usize,
     },
     /// A counterweight on a throw that is not there.

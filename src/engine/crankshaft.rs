@@ -68,7 +68,7 @@ pub struct Balancer {
     pub order: u32,
     /// Direct: with the crank; reverse: against it.
     pub sense: Sense,
-    /// U = m r in kilogram-metres, which stands before a coefficient of the motion where one is named.
+    /// U = m r in kilogram-metres, which is multiplied by a coefficient of the motion where one is named.
     pub mass_radius: BigRational,
     /// The cylinder, by its index, whose coefficient c_k of the shaft's order multiplies the mass-radius; none for 1.
     pub coefficient_of: Option<usize>,

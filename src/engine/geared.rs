@@ -37,7 +37,7 @@ pub struct GearedCrank {
 /// What a file omits of where the axis of a crankshaft stands. No result may hang on it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum AxisLeftOut {
-    /// The distance from the other crankshaft: the axis is so many times that far in this direction.
+    /// The distance from the other crankshaft: the axis is this many times that far in this direction.
     Distance(Term),
     /// All of it.
     Place,
@@ -63,7 +63,7 @@ impl GearedCrank {
         GearedCrank { name: name.to_owned(), sense, speed: 1, axis, left_out: None }
     }
 
-    /// The same, turning so many times while the reference turns once.
+    /// The same, turning this many times while the reference turns once.
     pub fn turning(self, speed: u32) -> Self {
         GearedCrank { speed, ..self }
     }
@@ -101,7 +101,7 @@ impl<A, L> Engine<A, L> {
     }
 }
 
-/// The order of a crank that turns so many times as fast as the reference that is this order of the engine.
+/// The order of a crank that turns this many times as fast as the reference that is this order of the engine.
 pub(super) fn own_order(speed: u32, order: u32) -> Option<u32> {
     (speed > 0 && order.is_multiple_of(speed)).then(|| order / speed)
 }

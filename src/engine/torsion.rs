@@ -271,7 +271,7 @@ impl Torsion {
         ratios
     }
 
-    /// Whether it is a shaft for so many crankpins.
+    /// Whether it is a shaft for this many crankpins.
     ///
     /// # Errors
     /// The first thing that does not fit.

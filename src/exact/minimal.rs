@@ -91,7 +91,7 @@ impl MinimalStar {
     }
 }
 
-/// All minimal stars of up to so many vectors, twelve at most, each once up to rotation: by their number of vectors, then by class.
+/// All minimal stars of up to this many vectors, twelve at most, each once up to rotation: by their number of vectors, then by class.
 pub fn minimal_stars(most: usize) -> Vec<MinimalStar> {
     let most = most.min(MOST_VECTORS);
     let mut stars: Vec<MinimalStar> = Vec::new();

@@ -54,7 +54,7 @@ pub struct Part {
 pub struct OpenSum {
     /// The open length, or none for the known lengths (and for the force).
     pub symbol: Option<String>,
-    /// The sums by the multiples of φ and δ that stand before them.
+    /// The sums by the multiples of φ and δ that they are turned by.
     pub parts: Vec<Part>,
     /// When it vanishes.
     pub when: When,

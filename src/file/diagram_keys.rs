@@ -13,7 +13,7 @@ use super::written::{Table, Text, place, read};
 use crate::engine::CycleOrder;
 use crate::text::Untrusted;
 
-/// Points of a diagram, or areas, are at most so many, and all cylinders together have at most so many.
+/// Points of a diagram, or areas, are at most this many, and all cylinders together have at most this many.
 const MOST_POINTS: usize = 2000;
 /// A cycle is at most so long, in turns.
 const LONGEST_CYCLE: i64 = 100;
@@ -117,7 +117,7 @@ pub struct Diagram {
     pub over_pi: bool,
     /// What is driven, where that is not the mean.
     pub load: Option<Torque>,
-    /// So many equal cylinders, this far apart in turns.
+    /// This many equal cylinders, this far apart in turns.
     pub cylinders: (usize, BigRational),
     /// Angles in turns at which values are wanted.
     pub angles: Vec<BigRational>,

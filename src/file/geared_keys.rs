@@ -70,7 +70,7 @@ pub(super) enum Axis {
     Across(Distance, Distance),
     /// So far in this direction.
     Towards(Distance, Turn),
-    /// Above (+1/2) or below (−1/2) the middle, so many times a distance that is omitted.
+    /// Above (+1/2) or below (−1/2) the middle, this many times a distance that is omitted.
     Above(BigRational),
     /// Nothing is said of it.
     LeftOut,
@@ -93,7 +93,7 @@ impl Axis {
     }
 }
 
-/// A length across the crankshaft: so many times what was written, or so many crank radii.
+/// A length across the crankshaft: this many times what was written, or this many crank radii.
 pub(super) enum Distance {
     Times(BigRational, Text),
     Radii(BigRational),

@@ -25,7 +25,7 @@ pub(super) struct Reading {
 }
 
 impl Reading {
-    /// Nothing yet, for so many cylinders.
+    /// Nothing yet, for this many cylinders.
     pub fn new(count: usize) -> Self {
         Reading { count, given: Vec::new() }
     }

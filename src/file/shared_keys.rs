@@ -58,7 +58,7 @@ impl SharedKeys<'_> {
         self.order.and_then(place).or_else(|| self.angles.and_then(place))
     }
 
-    /// The throws of the pins, as listed; or a zero for each, as many as the firing needs for so many banks. And where it is said.
+    /// The throws of the pins, as listed; or a zero for each, as many as the firing needs for this many banks. And where it is said.
     pub fn throws(
         &self,
         list: &Option<List>,

@@ -46,7 +46,7 @@ impl Weights {
         }
     }
 
-    /// Whether there is one for each of so many cylinders.
+    /// Whether there is one for each of this many cylinders.
     ///
     /// # Errors
     /// [`NoStar::ModeShape`].
@@ -146,7 +146,7 @@ pub fn star_sums(engine: &Engine, order: CycleOrder) -> Option<Vec<PhasorSum>> {
     Some(star::sums(engine, &firing, order, &Weights::Rigid).into_iter().map(|(_, sum)| sum).collect())
 }
 
-/// The orders that are decided for so many cylinders where none are asked for, multiples of the lowest: up to the first at which all
+/// The orders that are decided for this many cylinders where none are asked for, multiples of the lowest: up to the first at which all
 /// cylinders of an even order would add up, and at least up to 4.
 pub fn usual_orders(cylinders: usize, lowest: CycleOrder) -> Vec<CycleOrder> {
     let step = lowest.halves();

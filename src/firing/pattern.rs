@@ -29,7 +29,7 @@ pub struct FiringPattern {
 pub enum NoPattern {
     /// There is no star either.
     NoStar(NoStar),
-    /// The pattern repeats only after so many orders.
+    /// The pattern repeats only after this many orders.
     PeriodTooLong(BigInt),
 }
 

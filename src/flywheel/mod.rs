@@ -165,9 +165,9 @@ pub fn fluctuation(diagram: &Diagram) -> Result<Fluctuation, NoFluctuation> {
     let inertia = diagram.inertia.as_ref().map(numbers::float).or(needed.as_ref().map(|one| one.decimal));
     let course = match diagram.angles.is_empty() {
         true => None,
-        false => Some(Course::new(diagram)?),
+        false => Some(TorqueCurve::new(diagram)?),
     };
-    let at = |(angle, course): (&BigRational, &Course<'_>)| {
+    let at = |(angle, course): (&BigRational, &TorqueCurve<'_>)| {
         let [torque, load] = course.at(angle);
         let acceleration = inertia.map(|inertia| (torque - load) / inertia);
         AtAngle { angle: angle.clone(), torque, load, acceleration }
@@ -191,14 +191,14 @@ pub fn fluctuation(diagram: &Diagram) -> Result<Fluctuation, NoFluctuation> {
 
 /// Torque and load through the cycle.
 #[derive(Clone, Debug)]
-pub enum Course<'a> {
+pub enum TorqueCurve<'a> {
     /// Straight lines of all cylinders, the load, and what both are multiplied by.
     Lines(Vec<Line>, Vec<Line>, f64),
     /// A mean, and harmonics of torque and load.
     Waves(f64, [&'a [Harmonic]; 2]),
 }
 
-impl<'a> Course<'a> {
+impl<'a> TorqueCurve<'a> {
     /// That of a diagram.
     ///
     /// # Errors
@@ -210,7 +210,7 @@ impl<'a> Course<'a> {
                     Some(Torque::Harmonics(_, load)) => load.as_slice(),
                     Some(Torque::Lines(_) | Torque::Areas(_)) | None => &[],
                 };
-                Ok(Course::Waves(numbers::float(mean), [torque, load]))
+                Ok(TorqueCurve::Waves(numbers::float(mean), [torque, load]))
             }
             (Torque::Areas(_), _) => Err(NoFluctuation::NoAngles),
             (Torque::Lines(_), load) => {
@@ -219,7 +219,7 @@ impl<'a> Course<'a> {
                     Some(Torque::Lines(load)) => load.clone(),
                     Some(Torque::Harmonics(..) | Torque::Areas(_)) | None => vec![lobes::mean_line(&torque)],
                 };
-                Ok(Course::Lines(torque, load, if diagram.over_pi { FRAC_1_PI } else { 1.0 }))
+                Ok(TorqueCurve::Lines(torque, load, if diagram.over_pi { FRAC_1_PI } else { 1.0 }))
             }
         }
     }
@@ -227,10 +227,10 @@ impl<'a> Course<'a> {
     /// Torque and load in N m at an angle in turns; at a step the values behind it.
     pub fn at(&self, angle: &BigRational) -> [f64; 2] {
         match self {
-            Course::Lines(torque, load, by) => {
+            TorqueCurve::Lines(torque, load, by) => {
                 [torque, load].map(|lines| numbers::float(&lobes::at_any(lines, angle)) * by)
             }
-            Course::Waves(mean, both) => {
+            TorqueCurve::Waves(mean, both) => {
                 let theta = angle.to_f64().unwrap_or(f64::NAN) * TAU;
                 both.map(|waves| mean + waves::at(waves, theta))
             }

@@ -39,7 +39,7 @@ const HALVINGS: u32 = 5;
 /// Steps of a smooth piece between which its slope is followed.
 const STEPS: usize = 64;
 
-/// Each term of a sum is rounded so many times at most: in pressure, lever, weight and turning.
+/// Each term of a sum is rounded this many times at most: in pressure, lever, weight and turning.
 const ROUNDINGS: f64 = 64.0;
 
 /// The sums of the three, with what they are rounded by at most.
@@ -148,7 +148,7 @@ fn sums(gas: &CylinderGas, highest: usize, halvings: u32) -> Sums {
             *value *= if index == 0 { 1.0 } else { 2.0 } / period;
         }
     }
-    // Adding so many parts rounds so many times; powers of the turning add one with each harmonic.
+    // Adding this many parts rounds this many times; powers of the turning add one with each harmonic.
     let part = (parts + highest as f64 + ROUNDINGS) * f64::EPSILON * 2.0 / period;
     Sums { harmonics: sums, roundings: sizes.map(|size| size * part) }
 }

@@ -87,7 +87,7 @@ impl Piece {
         (psi - self.from) / (self.to - self.from)
     }
 
-    /// The same piece cut in so many parts, over each of which it is smooth enough for a quadrature.
+    /// The same piece cut in this many parts, over each of which it is smooth enough for a quadrature.
     pub fn edges(&self, count: usize) -> Vec<f64> {
         let even = |place: usize| self.from + (self.to - self.from) * place as f64 / count as f64;
         match &self.shape {

@@ -14,7 +14,7 @@ pub enum Warning {
     PeakAngle(f64),
     /// The gas takes work instead of giving it, this mean torque in newton-metres: a wrong dead centre, or the other way round.
     TakesWork(f64),
-    /// The rows of the table are so many degrees apart: more than 5.
+    /// The rows of the table are this many degrees apart: more than 5.
     Coarse(f64),
 }
 

@@ -21,7 +21,7 @@ impl Law {
     }
 }
 
-/// Each piece is rounded so many times at most.
+/// Each piece is rounded this many times at most.
 const ROUNDINGS: f64 = 256.0;
 
 impl Piece {

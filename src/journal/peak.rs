@@ -1,4 +1,4 @@
-//! What is the largest bearing load of gas and masses by the first orders of the gas, or at so many angles, and how far off is that?
+//! What is the largest bearing load of gas and masses by the first orders of the gas, or at this many angles, and how far off is that?
 //!
 //! Where a valve opens the pressure has a kink, so that the orders of a load fall as those of the torque do. The masses stay in their closed
 //! form, which needs no orders; the largest load is shown by the forces themselves, the reference of the others.

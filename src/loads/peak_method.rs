@@ -7,7 +7,7 @@ use crate::engine::CycleOrder;
 pub enum PeakMethod {
     /// The orders up to this one; where there is gas these are its orders, with the masses in their closed form.
     Orders(CycleOrder),
-    /// The law itself (the closed form of the motion, the pressure at each angle) at so many equal steps of a revolution.
+    /// The law itself (the closed form of the motion, the pressure at each angle) at this many equal steps of a revolution.
     Samples(u32),
     /// The law itself, its largest sample refined: the reference of the others.
     Refined,

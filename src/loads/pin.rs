@@ -108,7 +108,7 @@ fn is_of(source: Source, cylinder: usize) -> bool {
 }
 
 impl Waveform {
-    /// The vectors in a frame that turns with a throw, which is in this direction at θ = 0 and turns so many times while the reference
+    /// The vectors in a frame that turns with a throw, which is in this direction at θ = 0 and turns this many times while the reference
     /// turns once, below 0 against it.
     pub fn seen_from_the_crank(&self, throw: Complex<f64>, turns: i64) -> Self {
         self.turned(throw.conj()).orders_back(turns)

@@ -71,7 +71,7 @@ impl Swing {
         (self.direct.value - self.reverse.value.conj()).norm() / 2.0
     }
 
-    /// Both vectors, halved: what stands before `e^{ikθ}` and `e^{−ikθ}`.
+    /// Both vectors, halved: the coefficients of `e^{ikθ}` and `e^{−ikθ}`.
     pub fn amplitudes(&self) -> [Complex<f64>; 2] {
         [self.direct.value / 2.0, self.reverse.value / 2.0]
     }

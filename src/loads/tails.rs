@@ -129,7 +129,7 @@ impl Tails {
                     .get(&Mechanism::SliderCrank(rod.clone()))
                     .map_or(f64::INFINITY, |parts| 1.0 + of_rod(parts))
             }
-            // A shaft stands before none of these.
+            // A shaft is multiplied by none of these.
             Factor::Torque(_)
             | Factor::Quadrature(_)
             | Factor::Side(_)

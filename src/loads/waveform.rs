@@ -103,7 +103,7 @@ impl Waveform {
         }))
     }
 
-    /// Every vector times `e^{−inθ}`: what turns so many times stands still.
+    /// Every vector times `e^{−inθ}`: what turns this many times stands still.
     pub(super) fn orders_back(&self, turns: i64) -> Self {
         let mut turning: BTreeMap<i64, Complex<f64>> = BTreeMap::new();
         for harmonic in &self.harmonics {

@@ -38,7 +38,7 @@ use super::enclosure::{Coefficient, Enclosure};
 const STRIP_BITS: u32 = 128;
 /// Bits that a part of h_k which may be zero is enclosed to, beyond the bound of its order.
 const FLOOR_BITS: u32 = 256;
-/// Y, as far as its bound tells, and λ stay below so many hundredths: nearer to 1 an enclosure takes too many points.
+/// Y, as far as its bound tells, and λ stay below this many hundredths: nearer to 1 an enclosure takes too many points.
 const MOST_HUNDREDTHS: i64 = 99;
 /// Points are counted in such numbers, so that orders have them in common.
 const POINTS: u64 = 32;
@@ -165,7 +165,7 @@ impl CorrectedLinkage {
         Some(sum.over_integer(count.into()).widened(missed.high().max(BigInt::zero())))
     }
 
-    /// The roots at so many points; none if the bits are too few.
+    /// The roots at this many points; none if the bits are too few.
     fn samples(&self, count: u64, bits: u32) -> Option<Rc<Samples>> {
         if let Some(known) = self.known.borrow().get(&(count, bits)) {
             return Some(known.clone());
@@ -238,7 +238,7 @@ impl Reach {
     }
 }
 
-/// Cosine and sine at so many points of a turn: each is the one before, turned.
+/// Cosine and sine at this many points of a turn: each is the one before, turned.
 fn circle(count: u64, bits: u32) -> Vec<[Ball; 2]> {
     let step = BigRational::new(1.into(), count.into());
     let [along, across] = [cosine(&step, bits), sine(&step, bits)];

@@ -139,7 +139,7 @@ impl HungLink {
         }
     }
 
-    /// What the load of the crankpin stands before in an order: twice the harmonic of `e^{ikψ}`, or the conjugate of that of `e^{−ikψ}`
+    /// What the load of the crankpin is multiplied by in an order: twice the harmonic of `e^{ikψ}`, or the conjugate of that of `e^{−ikψ}`
     /// (`reverse`), the roundings of the decimals about it; of order 0 half of that.
     pub fn number(&self, mass: LinkMass, order: u32, reverse: bool) -> Coefficient {
         let twice = if order == 0 { 1.0 } else { 2.0 };

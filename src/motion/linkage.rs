@@ -5,7 +5,7 @@
 //! in those c_k of centric cranks: the pin of the link is off the cylinder axis by `r |z| sin(ψ + arg z)`, one sinusoid.
 //!
 //! The second part is `g_k z^k`, with the real number `g_k = |z|^{1−k} c_k(r|z|/L)`: z^k is an exact sum of rotating vectors, and g_k is
-//! what stands before it.
+//! its coefficient.
 //!
 //! **Theorem.** For even k and finite L, g_k is not zero; it has the sign of c_k, and is the same for Δ and −Δ.
 //!

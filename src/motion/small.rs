@@ -13,7 +13,7 @@ use super::series::series;
 
 /// Terms that are added: each is below 2⁻¹⁸ of the one before, where the shortcut is taken.
 const TERMS: usize = 6;
-/// `k λ²` is at most one in so many.
+/// `k λ²` is at most one in this many.
 const LEAST: u32 = 1 << 16;
 
 /// `c_k` for even k ≥ 2 and `0 < λ`, as sure as the general way has it; none where λ is not so small.

@@ -30,7 +30,7 @@ impl Budget {
         left.is_some()
     }
 
-    /// Whether so many more proposals may be weighed.
+    /// Whether this many more proposals may be weighed.
     pub(super) fn weigh(&mut self, proposals: usize) -> bool {
         let left = u32::try_from(proposals).ok().and_then(|count| self.proposals.checked_sub(count));
         if let Some(left) = left {

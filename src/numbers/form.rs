@@ -9,7 +9,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::exact::Turn;
 
-/// A root that a coefficient stands before.
+/// A root that a coefficient is multiplied by.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Root {
     /// 1: the coefficient alone.

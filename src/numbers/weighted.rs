@@ -12,7 +12,7 @@ use crate::motion::{Coefficient, Enclosure};
 /// Bits behind the point of the sums: more than the coefficients are known to.
 const BITS: u32 = 192;
 
-/// Real and imaginary part of sums that stand before coefficients of the motion.
+/// Real and imaginary part of sums that are multiplied by coefficients of the motion.
 pub fn enclose_weighted<'a>(pairs: impl IntoIterator<Item = (Coefficient, &'a PhasorSum)>) -> [Enclosure; 2] {
     let mut total = [Span::zero(), Span::zero()];
     for (c, sum) in pairs {

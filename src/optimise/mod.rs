@@ -54,7 +54,7 @@ pub struct Request {
 pub enum Couple {
     /// Nothing, exactly.
     Zero,
-    /// At most so many newton-metres.
+    /// At most this many newton-metres.
     AtMost(BigRational),
 }
 

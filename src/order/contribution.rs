@@ -1,4 +1,4 @@
-//! Which term does each source add to an order, and what does it stand before?
+//! Which term does each source add to an order, and what is it multiplied by?
 
 use num_rational::BigRational;
 use num_traits::One;
@@ -21,7 +21,7 @@ pub struct Contribution {
     pub source: Source,
     /// Where the force acts along the crankshaft.
     pub position: BigRational,
-    /// What the term stands before.
+    /// What the term is multiplied by.
     pub factor: Factor,
     /// The term, in multiples of m r.
     pub term: Term,
@@ -146,7 +146,7 @@ impl<'a> Sources<'a> {
         })
     }
 
-    /// The terms of a quantity with what they stand before.
+    /// The terms of a quantity with what they are multiplied by.
     pub fn terms(&self, quantity: Quantity, order: u32, sense: Option<Sense>) -> Vec<(Source, Factor, Term)> {
         let term = |one: Contribution| {
             let term = one.term_of(self.engine, quantity);

@@ -1,4 +1,4 @@
-//! What does an exact sum stand before? 1, or a number of the motion of a piston.
+//! What is an exact sum multiplied by? 1, or a number of the motion of a piston.
 
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -11,7 +11,7 @@ use crate::exact::Turn;
 use crate::motion::{Component, LinkMass};
 use crate::proof::{Quantity, Sense};
 
-/// The number that a sum stands before in an order.
+/// The number that a sum is multiplied by in an order.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Factor {
@@ -20,7 +20,7 @@ pub enum Factor {
     /// c_k of this mechanism, whose offset is not negative above order 1; conjugated in reverse sums.
     Motion(Rod),
     /// y of the c_1 = 1 + iy of this rod, whose offset is positive: a real number below 0 (theory, section 2). Order 1 of rods that differ
-    /// stands before it, a quarter turn on, and before 1; where all mechanisms are alike it stands before c_1.
+    /// is multiplied by it, a quarter turn on, and by 1; where all mechanisms are alike it is multiplied by c_1.
     Quadrature(Rod),
     /// t_k, the coefficient of the inertia torque, of this mechanism.
     Torque(Mechanism),
@@ -39,13 +39,13 @@ pub enum Factor {
     Open,
     /// t_k of such rods.
     OpenTorque,
-    /// One of these numbers of a crank that turns so many times, at least twice, while the reference turns once: that of its own order,
+    /// One of these numbers of a crank that turns this many times, at least twice, while the reference turns once: that of its own order,
     /// the order divided by this. Never [`Factor::One`], nor another of these.
     Geared(u32, Box<Factor>),
 }
 
 impl Factor {
-    /// What the force of a piston stands before that has a rod on the crankpin, as one number, and with which sign. A rod of which
+    /// What the force of a piston is multiplied by that has a rod on the crankpin, as one number, and with which sign. A rod of which
     /// nothing is known is centric.
     ///
     /// The root `√(1−(λ sinψ−δ)²)` stays as it is where δ changes its sign and ψ goes on by half a turn, so that its
@@ -64,7 +64,7 @@ impl Factor {
         }
     }
 
-    /// What the part of the side force that no c_k has stands before, and with which sign: for −δ the real number E_k of u_k is
+    /// What the part of the side force that no c_k has is multiplied by, and with which sign: for −δ the real number E_k of u_k is
     /// `(−1)^{k+1}` times that for δ, since p and q, R and S change places.
     pub fn of_side(rod: &Rod, order: u32) -> (Factor, BigRational) {
         let sign =
@@ -72,12 +72,12 @@ impl Factor {
         (Factor::Side(rod.unsigned()), sign)
     }
 
-    /// What the inertia torque of a cylinder with this mechanism stands before.
+    /// What the inertia torque of a cylinder with this mechanism is multiplied by.
     pub fn of_torque(mechanism: Option<&Mechanism>) -> Factor {
         mechanism.map_or(Factor::OpenTorque, |mechanism| Factor::Torque(mechanism.clone()))
     }
 
-    /// The same of a crank that turns so many times while the reference turns once.
+    /// The same of a crank that turns this many times while the reference turns once.
     pub(super) fn geared(self, speed: u32) -> Factor {
         match (speed, self) {
             (_, Factor::One) => Factor::One,
@@ -86,7 +86,7 @@ impl Factor {
         }
     }
 
-    /// The number by itself, and which order of it stands before a sum of this order: its crank may turn faster than the reference.
+    /// The number by itself, and which order of it is multiplied by a sum of this order: its crank may turn faster than the reference.
     pub fn own(&self, order: u32) -> (&Factor, u32) {
         match self {
             Factor::Geared(speed, factor) => (factor, order / (*speed).max(1)),

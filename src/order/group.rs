@@ -1,4 +1,4 @@
-//! Which terms of an order stand before one number?
+//! Which terms of an order are multiplied by one number?
 
 use super::contribution::{Contribution, Sources};
 use super::factor::Factor;
@@ -7,7 +7,7 @@ use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term};
 use crate::proof::{Quantity, Sense};
 
-/// The sources of an order whose terms stand before one number.
+/// The sources of an order whose terms are multiplied by one number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
     /// The number.

@@ -1,4 +1,4 @@
-//! By how much do the squared lengths of the two vectors of an order differ? By a quadratic form in the numbers that their sums stand before.
+//! By how much do the squared lengths of the two vectors of an order differ? By a quadratic form in the numbers that their sums are multiplied by.
 //!
 //! With real numbers x_a the vectors are `P⁺ = Σ x_a D_a` and `P⁻ = Σ x_a R_a` (theory, section 3), and
 //! `|P⁺|² − |P⁻|² = Σ_a Σ_b x_a x_b Re(D_a D̄_b − R_a R̄_b)`. It is zero for all values of the numbers exactly where each coefficient is.

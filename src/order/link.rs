@@ -6,7 +6,7 @@
 //! c_k = κ e^{ikΔ} c_k(λ) + z^k g_k
 //! ```
 //!
-//! c_k(λ) that of the master rod, g_k a real number that is not zero ([`crate::motion::Linkage`]). Both stand before exact sums:
+//! c_k(λ) that of the master rod, g_k a real number that is not zero ([`crate::motion::Linkage`]). Both are multiplied by exact sums:
 //! `z^k = Σ C(k,u) (−κ)^u e^{iuΔ}`. So a link and its mirror image, Δ and −Δ, have terms before one number, and copies of one linkage
 //! cancel, or not, exactly.
 //!

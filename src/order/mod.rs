@@ -1,8 +1,8 @@
 //! Which sum of rotating vectors is an order of the force, the moment, the torque?
 //!
 //! Order k of force and moment is `½ω²(P_k⁺ e^{ikθ} + P_k⁻ e^{−ikθ})` (theory, section 3). Every source of force adds a term
-//! to one or both sums ([`contributions`]), which stands before a number of the motion ([`Factor`]). The terms before one
-//! number are one exact phasor sum; sums before different numbers are kept apart ([`OrderSum`]).
+//! to one or both sums ([`contributions`]), which is multiplied by a number of the motion ([`Factor`]). The terms multiplied by one
+//! number are one exact phasor sum; sums with different multipliers are kept apart ([`OrderSum`]).
 
 mod coefficients;
 mod comparable;

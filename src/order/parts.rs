@@ -15,7 +15,7 @@ use crate::exact::{Term, Turn};
 use crate::motion::Component;
 
 impl Factor {
-    /// What the force of a cylinder with this mechanism stands before: numbers of the motion, each with a part of the vector in the
+    /// What the force of a cylinder with this mechanism is multiplied by: numbers of the motion, each with a part of the vector in the
     /// direct star and the angle that this part is turned by; it is turned the other way in the reverse star.
     pub fn parts_of_force(engine: &Engine, mechanism: Option<&Mechanism>, order: u32) -> Vec<(Factor, Term)> {
         match mechanism {
@@ -42,7 +42,7 @@ impl Factor {
     }
 }
 
-/// What the vector of a link's piston in the direct star stands before: numbers of the motion, each with a part and the angle it is
+/// What the vector of a link's piston in the direct star is multiplied by: numbers of the motion, each with a part and the angle it is
 /// turned by; the other way in the reverse star.
 fn of_link(link: &Link, order: u32) -> Vec<(Factor, Term)> {
     if link.is_corrected() {
@@ -69,7 +69,7 @@ fn of_link(link: &Link, order: u32) -> Vec<(Factor, Term)> {
     std::iter::once((master, with_the_master)).chain(powers).collect()
 }
 
-/// What the vector of a link's piston in the direct star stands before: numbers of the motion, each with a part and the angle it
+/// What the vector of a link's piston in the direct star is multiplied by: numbers of the motion, each with a part and the angle it
 /// is turned by; the other way in the reverse star.
 fn of_corrected(link: &Link, order: u32) -> Vec<(Factor, Term)> {
     let one = BigRational::one();

@@ -101,7 +101,7 @@ fn turning(
     sources.of_turning(order, sense).filter(|one| is_meant(one.source)).collect()
 }
 
-/// What the vector of a piston in the star of the force stands before: numbers of the motion, each with its part and the angle it
+/// What the vector of a piston in the star of the force is multiplied by: numbers of the motion, each with its part and the angle it
 /// is turned by; `turns` says whether it turns as the crank of the piston does.
 fn of_piston(
     engine: &Engine,

@@ -19,9 +19,9 @@ pub struct TurningMass {
     pub order: u32,
     /// With the crank or against it.
     pub sense: Sense,
-    /// Mass times radius U, in multiples of m r; below 0 where the coefficient that it stands before changes its sign.
+    /// Mass times radius U, in multiples of m r; below 0 where the coefficient that it is multiplied by changes its sign.
     pub mass_radius: BigRational,
-    /// What it stands before: 1, or a number of the motion that a balancer shaft is sized by.
+    /// What it is multiplied by: 1, or a number of the motion that a balancer shaft is sized by.
     pub factor: Factor,
     /// Its direction at θ = 0.
     pub angle: Turn,
@@ -138,7 +138,7 @@ fn knuckles(engine: &Engine) -> impl Iterator<Item = TurningMass> {
     })
 }
 
-/// What the mass-radius of a balancer shaft stands before, as the force of the piston that sizes it: 1 where none does.
+/// What the mass-radius of a balancer shaft is multiplied by, as the force of the piston that sizes it: 1 where none does.
 pub fn shaft_parts(engine: &Engine, shaft: &Balancer) -> Vec<(Factor, Term)> {
     match shaft.coefficient_of.and_then(|index| engine.cylinders().get(index)) {
         Some(cylinder) => Factor::parts_of_rod(engine, cylinder.rod(), shaft.order),

@@ -59,7 +59,7 @@ pub(crate) fn is_long(value: &BigRational) -> bool {
 
 /// The decimal form of a modulus, where it ends after a few places.
 fn terminating(value: &BigRational) -> Option<String> {
-    // It ends after so many places where its denominator divides that power of ten.
+    // It ends after this many places where its denominator divides that power of ten.
     let denominator = value.denom().to_u64()?;
     let (places, power) = (0..=MOST_PLACES).zip(POWERS_OF_TEN).find(|(_, power)| power.is_multiple_of(denominator))?;
     let scaled = value.numer().magnitude() * (power / denominator);
@@ -110,7 +110,7 @@ impl Figures {
     /// More than these are not certain where a decimal is computed in floats.
     pub const MOST: usize = 12;
 
-    /// So many, from 1 to [`Figures::MOST`].
+    /// This many, from 1 to [`Figures::MOST`].
     pub fn new(count: usize) -> Self {
         Figures(Some(count.clamp(1, Figures::MOST)))
     }
@@ -126,7 +126,7 @@ impl Figures {
     }
 }
 
-/// So many figures, without zeros that say nothing; a whole number keeps all of its own.
+/// This many figures, without zeros that say nothing; a whole number keeps all of its own.
 fn figures(value: f64, count: usize) -> String {
     let places = count.saturating_sub(1);
     let power = format!("{value:.places$e}").split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0_i32);
@@ -350,7 +350,7 @@ fn digit(value: usize) -> char {
     char::from_digit(value as u32, 10).unwrap_or('0')
 }
 
-/// So many places and a power of ten: `4.13·10⁻⁴`.
+/// This many places and a power of ten: `4.13·10⁻⁴`.
 fn scientific(value: f64, places: usize) -> String {
     let text = format!("{value:.places$e}");
     match text.split_once('e').and_then(|(digits, power)| Some((digits, power.parse().ok()?))) {

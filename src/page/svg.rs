@@ -203,7 +203,7 @@ fn pieces(mark: &Mark, figure: &Figure) -> Vec<(String, Shape)> {
     }
 }
 
-/// A line of text in letters of so many millimetres.
+/// A line of text in letters of this many millimetres.
 fn written_text(at: Point, text: &str, letters: f64, height: f64, anchor: Anchor, more: &str) -> (String, Shape) {
     let (x, y) = (number(at.re), number(height - at.im + BASELINE * letters));
     let attributes = format!("class=\"{}\" text-anchor=\"{}\"{more}", class(FILL, Ink::Black), hanging(anchor));

@@ -7,7 +7,7 @@ use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, arrow_head, 
 use super::markup::{Mark as Sign, marks};
 use crate::text::latex;
 
-/// Longer paths are split, so that TeX holds only so many points at a time.
+/// Longer paths are split, so that TeX holds only this many points at a time.
 const LONGEST_PATH: usize = 500;
 /// Points on a line of the file.
 const POINTS_A_LINE: usize = 12;

@@ -1,4 +1,4 @@
-//! What does the term of a cylinder stand before, and is that zero?
+//! What is the term of a cylinder multiplied by, and is that zero?
 
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};

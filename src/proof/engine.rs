@@ -166,7 +166,7 @@ pub struct TurningMassClaim {
     /// Mass times radius, in multiples of m r, as a cylinder's mass times its crank radius is.
     #[serde(with = "fraction")]
     pub mass_radius: BigRational,
-    /// The rod whose coefficient c_k of this order the mass-radius stands before; omitted for 1.
+    /// The rod whose coefficient c_k of this order the mass-radius is multiplied by; omitted for 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coefficient_of: Option<RodStatement>,
     /// Where the axis that it turns about is in the plane across it, in multiples of the common radius: the sum of these; none

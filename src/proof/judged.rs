@@ -17,7 +17,7 @@ pub(super) struct Judged {
     pub quantity: Quantity,
     pub order: u32,
     pub groups: Vec<JudgedGroup>,
-    /// For each sense whether the whole is zero; none where that is not decided. Of a single sum that stands before zero
+    /// For each sense whether the whole is zero; none where that is not decided. Of a single sum that is multiplied by zero
     /// it says what the sum is.
     pub wholes: Vec<Option<bool>>,
 }

@@ -1,4 +1,4 @@
-//! Which terms does a link with a corrected knuckle angle have, and what numbers stand before them?
+//! Which terms does a link with a corrected knuckle angle have, and what numbers are they multiplied by?
 //!
 //! Its knuckle pin stands, seen from the crankpin, at Δ + ε from the master rod, and so `K = e^{iψ} + κ (√(1−λ²S²)/λ − iS) e^{iε}` in crank
 //! radii from the shaft, seen with its cylinder in direction 0, `S = sin(ψ+Δ)`. The piston is at `Re K + (L/r) √(1−Y²)`, `Y = (r/L) Im K`. Of

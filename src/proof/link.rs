@@ -1,4 +1,4 @@
-//! Which terms does a link on a master rod have, and what number stands before them?
+//! Which terms does a link on a master rod have, and what number are they multiplied by?
 //!
 //! With Δ the angle from the master's cylinder to that of the link, `κ = a/l` and `z = 1 − κ e^{iΔ}`, order k > 1 of a link is
 //! `κ e^{ikΔ} c_k(λ) + z^k g_k`: the first before the c_k of the master rod, the second before the real number

@@ -24,7 +24,7 @@ pub struct TriangleClaim {
 pub enum TriangleShape {
     /// Negative: one part is longer than the two others together.
     Never {
-        /// An enclosure with so many bits shows it.
+        /// An enclosure with this many bits shows it.
         bits: u32,
     },
     /// Zero: one triangle, which is flat.
@@ -34,7 +34,7 @@ pub enum TriangleShape {
     },
     /// Positive: two triangles, mirror images of each other.
     Two {
-        /// An enclosure with so many bits shows it.
+        /// An enclosure with this many bits shows it.
         bits: u32,
     },
 }

@@ -25,7 +25,7 @@ use super::twist_check::check_signs;
 use super::unknown::{product, turned};
 use super::when::Part;
 
-/// u may enter so many times in one class.
+/// u may enter this many times in one class.
 const HIGHEST_TIMES: i64 = 512;
 
 /// Sums by the power of y before them.

@@ -1,7 +1,7 @@
 //! Which orders of all vanish, where the rods differ or have offsets, or the pattern is long? Told class by class.
 //!
 //! From order 2 on a vector of a cylinder is at `k·per_order + fixed`, and all cylinders whose rods have one λ and one |δ|
-//! stand before one number, which is not zero where the order exists; an offset below 0 changes the sign in odd orders. So even and odd orders have a sum each
+//! are multiplied by one number, which is not zero where the order exists; an offset below 0 changes the sign in odd orders. So even and odd orders have a sum each
 //! for each class of rods, and an order is zero for every λ and δ exactly where these sums are.
 
 use std::collections::BTreeMap;
@@ -35,7 +35,7 @@ pub struct RecurrenceClaim {
     pub sense: Sense,
     /// Order 1, which has numbers of its own.
     pub first: FirstOrderClaim,
-    /// The even orders: one class for each number that they stand before, where it is not zero.
+    /// The even orders: one class for each number that they are multiplied by, where it is not zero.
     pub even: Vec<ClassClaim>,
     /// The odd orders from 3 on; none where no rod has an offset.
     pub odd: Vec<ClassClaim>,
@@ -62,7 +62,7 @@ pub struct SumVerdict {
     pub certificate: Certificate,
 }
 
-/// The cylinders that stand before one number, at all orders of one parity: their sum is the product of the factors.
+/// The cylinders that are multiplied by one number, at all orders of one parity: their sum is the product of the factors.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ClassClaim {

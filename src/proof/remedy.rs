@@ -97,7 +97,7 @@ pub struct TurningClaim {
     /// Mass times radius, in multiples of m r.
     #[serde(with = "fraction")]
     pub mass_radius: BigRational,
-    /// The rod whose coefficient c_k of this order the mass-radius stands before; omitted for 1.
+    /// The rod whose coefficient c_k of this order the mass-radius is multiplied by; omitted for 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coefficient_of: Option<RodStatement>,
 }
@@ -123,7 +123,7 @@ pub struct WeightClaim {
 pub struct WeightPart {
     /// The coefficient.
     pub coefficient: Coefficient,
-    /// The sum that it stands before, collected.
+    /// The sum that it is multiplied by, collected.
     pub terms: Vec<Vector>,
     /// The length of this sum, to a few units in the last place.
     #[serde(serialize_with = "length_in_range")]
@@ -152,7 +152,7 @@ pub struct CorrectedClaim {
     pub order: u32,
     /// Direct or reverse.
     pub sense: Sense,
-    /// What stands before it.
+    /// What the sum is multiplied by.
     pub coefficient: Coefficient,
     /// The sum, in multiples of m r, collected.
     pub terms: Vec<Vector>,

@@ -80,7 +80,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// Bounds of the real and of the imaginary part of a rod's c_k, or of its t_k for the torque, to about so many bits behind
+/// Bounds of the real and of the imaginary part of a rod's c_k, or of its t_k for the torque, to about this many bits behind
 /// the point: what an enclosure of a whole order computes with.
 ///
 /// # Errors
@@ -252,7 +252,7 @@ impl Strip {
     }
 }
 
-/// Cosine and sine of k times the j-th angle of so many, from those of the first half.
+/// Cosine and sine of k times the j-th angle of this many, from those of the first half.
 pub(super) fn multiple(table: &[[Ball; 2]], k: u64, j: u64, count: u64) -> Result<[Ball; 2], Refusal> {
     let at = u128::from(k) * u128::from(j) % u128::from(count);
     let at = at.to_usize().ok_or(Refusal::TooManySteps)?;

@@ -46,7 +46,7 @@ pub(super) fn arms(cylinder: &Cylinder) -> Vec<Vector> {
     arms
 }
 
-/// The terms of a piston's force of this order of its own motion, whose vector stands before its coefficient with these parts.
+/// The terms of a piston's force of this order of its own motion, whose vector is multiplied by its coefficient with these parts.
 pub(super) fn of_force(cylinder: &Cylinder, order: u32, parts: &[Vector]) -> Vec<Vector> {
     let star = phase(&cylinder.throw, &cylinder.bank, order, None);
     let size = &cylinder.reciprocating_mass * &cylinder.crank_radius * cylinder.power(2);
@@ -68,7 +68,7 @@ pub(super) fn of_torque(cylinder: &Cylinder, order: u32) -> Vec<Vector> {
     vec![Vector { angle: phase(&cylinder.throw, &cylinder.bank, order, None), weight }]
 }
 
-/// The terms of a mass that turns, whose vector stands before its coefficient with these parts.
+/// The terms of a mass that turns, whose vector is multiplied by its coefficient with these parts.
 pub(super) fn of_turning(mass: &TurningMassClaim, parts: &[Vector]) -> Vec<Vector> {
     let square = BigRational::from_integer(BigInt::from(mass.order) * mass.order);
     let sign = match mass.sense {

@@ -53,9 +53,9 @@ pub struct ShapeClaim {
 pub enum ShapeEvidence {
     /// One sum each before the same coefficient: `|direct|² − |reverse|²` is zero (planar) or is not (elliptical).
     Certificate(Certificate),
-    /// Planar: each coefficient of `|direct|² − |reverse|²`, a quadratic form in the real numbers that the sums stand before, is zero.
+    /// Planar: each coefficient of `|direct|² − |reverse|²`, a quadratic form in the real numbers that the sums are multiplied by, is zero.
     Pairs(Vec<Certificate>),
-    /// Elliptical: an enclosure with so many bits keeps `|direct|² − |reverse|²` away from zero.
+    /// Elliptical: an enclosure with this many bits keeps `|direct|² − |reverse|²` away from zero.
     Bits(u32),
 }
 
@@ -189,7 +189,7 @@ fn check_pairs(certificates: &[Certificate], judged: &Judged, audit: &Audit) -> 
 /// Not collected: angles and weights.
 type Terms = Vec<(BigRational, BigRational)>;
 
-/// What stands before each real number in the direct and in the reverse vector, in the order of their first group; groups that are zero in both omitted.
+/// What each real number is multiplied by in the direct and in the reverse vector, in the order of their first group; groups that are zero in both omitted.
 fn real_sums(judged: &Judged, audit: &Audit) -> Result<Vec<[Collected; 2]>, Reason> {
     let mut real: Vec<(Coefficient, [Terms; 2])> = Vec::new();
     for group in judged.groups.iter().filter(|group| !group.is_zero && group.sums.iter().any(|(_, is_zero)| !is_zero)) {

@@ -1,4 +1,4 @@
-//! Which masses make an order, and what do their terms stand before?
+//! Which masses make an order, and what are their terms multiplied by?
 
 use std::collections::BTreeMap;
 
@@ -23,7 +23,7 @@ pub(super) enum Source<'a> {
     Turning(&'a TurningMassClaim, Vec<Vector>),
 }
 
-/// The sources of an order whose terms stand before one coefficient.
+/// The sources of an order whose terms are multiplied by one coefficient.
 pub(super) struct Group<'a> {
     pub coefficient: Coefficient,
     /// Whether the coefficient is zero: the sum counts for nothing.

@@ -1,4 +1,4 @@
-//! Is the whole of an order zero, where its sums stand before different numbers of the motion?
+//! Is the whole of an order zero, where its sums are multiplied by different numbers of the motion?
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -42,11 +42,11 @@ pub struct WholeClaim {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum WholeOutcome {
-    /// Every sum is zero, or stands before zero.
+    /// Every sum is zero, or is multiplied by zero.
     Zero,
     /// One sum is left, and its coefficient is not zero, by a theorem.
     NotZero,
-    /// Several sums are left, or one before a coefficient that no theorem tells from zero, and an enclosure with so many bits keeps away from zero.
+    /// Several sums are left, or one before a coefficient that no theorem tells from zero, and an enclosure with this many bits keeps away from zero.
     NotZeroByEnclosure {
         /// From 32 to 512.
         bits: u32,
@@ -56,7 +56,7 @@ pub enum WholeOutcome {
         /// A bound of its length.
         below: Decimal,
     },
-    /// Several sums are left, and a rod that is not named stands before one.
+    /// Several sums are left, and one is multiplied by the coefficient of a rod that is not named.
     Open,
 }
 

@@ -228,7 +228,7 @@ impl Engine {
     ///
     /// orders: where omitted, 1, 2 and those of at least a hundredth of the largest.
     /// planes: two positions for counterweights and couples; the outermost throws where omitted.
-    /// balance_factor, skew: counterweights on each throw with this factor, turned on by so many degrees; one for all, or a list.
+    /// balance_factor, skew: counterweights on each throw with this factor, turned on by this many degrees; one for all, or a list.
     /// radius: such as "3.5 in", at which the table tells the mass of each weight.
     #[pyo3(signature = (orders=None, *, planes=None, balance_factor=None, skew=None, radius=None))]
     fn remedy<'py>(

@@ -59,9 +59,9 @@ pub(super) fn _program(py: Python<'_>, arguments: Vec<std::ffi::OsString>) -> u8
 /// The crank stars that balance best: the exact front of all of them, up to their symmetries.
 ///
 /// cylinders: their number. cycle: "two-stroke" or "four-stroke". orders: those whose moments are compared, 1 and 2 where omitted.
-/// bank_angle: a V of so many degrees, on shared pins unless pin_split parts them, with so many directions of its pins; an engine in line where omitted.
+/// bank_angle: a V of this many degrees, on shared pins unless pin_split parts them, with this many directions of its pins; an engine in line where omitted.
 /// grid: throws at any multiples of 1/grid turn. neighbours: count neighbours that fire in succession.
-/// pin_split: the pin of bank 2 is so many degrees ahead. bank_offset: bank 1 is so many spacings towards the free end of bank 2.
+/// pin_split: the pin of bank 2 is this many degrees ahead. bank_offset: bank 1 is this many spacings towards the free end of bank 2.
 /// minor_orders: compare firing orders too, by these orders of a mode of torsional vibration, `mode_shape` or one that falls evenly.
 /// torsion: list the firing orders of each star in that mode.
 /// limits: the stars whose moments are no larger, {2: 1.5} in m r ω² c a, or {2: "30 kN m"}; sizes: an engine in line that gives newton-metres.
@@ -135,7 +135,7 @@ pub(super) fn search(
     let torsion = torsion.then_some(shape);
     let source = sizes.as_ref().map(|engine| engine.source.clone());
     let sizes = sizes.map(|engine| Sizes::new(&engine.engine)).transpose().map_err(told)?;
-    let wanted = questions::Wish { torsion, limits, sizes };
+    let wanted = questions::StarRequest { torsion, limits, sizes };
     let question = interruptible(py, move |stop| questions::search(&problem, wanted, resume, threads, stop))?;
     Ok(Answer::new(Asked::function("search", source.into_iter().collect(), &keywords), question))
 }

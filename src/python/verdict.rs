@@ -21,7 +21,7 @@ use crate::verdict::{OrderBalance, OrderVerdict, Outcome, TorqueVerdict, WholeOr
 pub(super) struct Verdict {
     /// "force", "moment", "torque" or "roll".
     pub(super) quantity: String,
-    /// The order k: so many swings a revolution.
+    /// The order k: this many swings a revolution.
     pub(super) order: u32,
     /// Whether some mass of the engine has the order; else nothing of it is there whatever its stars are.
     exists: bool,

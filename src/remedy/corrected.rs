@@ -17,7 +17,7 @@ pub struct Corrected {
     pub order: u32,
     /// Direct or reverse.
     pub sense: Sense,
-    /// What the sum stands before.
+    /// What the sum is multiplied by.
     pub factor: Factor,
     /// The terms of the engine and of the weights, in multiples of m r.
     pub sum: PhasorSum,

@@ -20,7 +20,7 @@ pub enum FileError {
     NoFile,
     /// A weight against what links leave cannot be written in decimals that leave little enough.
     OfLinks,
-    /// A shaft stands before a number of a crank that turns faster than the reference, which no key of a file names.
+    /// A shaft is multiplied by a number of a crank that turns faster than the reference, which no key of a file names.
     OfFasterCrank,
     /// The file with the weights behind it is not read.
     Layout(Box<LayoutError>),

@@ -19,7 +19,7 @@ const PLACES: u32 = 8;
 /// Significant digits of the sizes.
 const DIGITS: usize = 11;
 
-/// Whether a weight stands before a number of a link, which no key of a layout file names.
+/// Whether a weight is multiplied by a number of a link, which no key of a layout file names.
 pub(super) fn is_of_link(weight: &Weight) -> bool {
     weight.vector.parts().keys().any(Factor::is_of_link)
 }

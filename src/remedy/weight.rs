@@ -28,7 +28,7 @@ impl Weight {
         self.vector.scaled(&doubled_square(self.order))
     }
 
-    /// The length U in closed form, in multiples of m r, or of m r |c_k| where one sum stands before c_k.
+    /// The length U in closed form, in multiples of m r, or of m r |c_k| where one sum is multiplied by c_k.
     pub fn modulus(&self) -> Option<Form> {
         match self.vector.only() {
             Some((_, sum)) => numbers::modulus(sum),

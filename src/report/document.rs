@@ -134,7 +134,7 @@ pub(super) fn rod_claim(rod: &Rod) -> RodClaim {
     RodClaim { ratio: rod.ratio.clone(), offset: rod.offset.clone() }
 }
 
-/// What a force stands before, as data.
+/// What a force is multiplied by, as data.
 pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
     match factor {
         Factor::One => Coefficient::One,
@@ -173,7 +173,7 @@ pub(super) fn vectors(terms: &[Term]) -> Vec<Vector> {
     terms.iter().map(|term| Vector { angle: term.angle.turns().clone(), weight: term.weight.clone() }).collect()
 }
 
-/// The verdicts on one quantity of an order, by what their sums stand before.
+/// The verdicts on one quantity of an order, by what their sums are multiplied by.
 fn verdicts(engine: &Engine, order: &OrderVerdict, quantity: Quantity) -> Vec<VerdictClaim> {
     match quantity {
         Quantity::Axial(axial) => {

@@ -119,7 +119,7 @@ fn from_axis(cylinder: &Cylinder, order: u32, crank: &Turn) -> Turn {
     (&(crank + &cylinder.throw) - &cylinder.bank).times(i64::from(order))
 }
 
-/// The crank angle, in tens of degrees, at which the vectors stand nearest to so many degrees from the axis.
+/// The crank angle, in tens of degrees, at which the vectors stand nearest to this many degrees from the axis.
 fn crank_angle(cylinder: &Cylinder, order: u32, wanted: i64) -> Turn {
     let distance = |crank: &Turn| {
         let degrees = typeset::signed_degrees(&from_axis(cylinder, order, crank)).abs();

@@ -37,7 +37,7 @@ pub(super) fn summary(
     with_shared_rows(table.done(), &small(orders, weighed))
 }
 
-/// The exact sums of orders that are made of several: what stands before one number each.
+/// The exact sums of orders that are made of several: what is multiplied by one number each.
 pub(super) fn sums(orders: &[OrderVerdict]) -> Option<Table> {
     let parts = orders.iter().filter(|order| order.parts.len() > 1).flat_map(|order| &order.parts);
     let table = Table::of(parts)

@@ -7,7 +7,7 @@ use crate::page::{Number, Text, phrase};
 use crate::proof::Survivors;
 use crate::verdict::{self, EveryOrder, LONGEST_SIEVED, MOST_CANDIDATES, NoTheorem, Theorem};
 
-/// Up to so many classes of orders are named one by one, as `18j − 8`.
+/// Up to this many classes of orders are named one by one, as `18j − 8`.
 const MOST_NAMED: usize = 4;
 /// Periods with more digits are not written out.
 const MOST_DIGITS: usize = 20;
@@ -101,7 +101,9 @@ fn statement(every: &EveryOrder) -> Text {
     match named(&both, senses) {
         _ if every.first.is_none() => sentence(&both),
         Some(list) => phrase!("Nothing remains but {}.", list),
-        None if direct == reverse => phrase!("{} This holds for both the direct and the reverse vector.", sentence(&both)),
+        None if direct == reverse => {
+            phrase!("{} This holds for both the direct and the reverse vector.", sentence(&both))
+        }
         None => phrase!(
             "{} The direct vector: {} The reverse vector: {}",
             sentence(&both),

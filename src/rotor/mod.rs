@@ -21,7 +21,7 @@ pub enum Answer {
     /// Nothing is wanted, and nothing is left: proved.
     Balanced,
     /// Nothing is wanted, and this is left: `ΣU` and `ΣzU` about position 0.
-    Left(Box<[PhasorSum; 2]>),
+    Residual(Box<[PhasorSum; 2]>),
     /// All solutions: one, or two that are mirrored.
     Found(Vec<Vec<Found>>),
     /// No masses balance it.

@@ -21,7 +21,7 @@ pub(super) fn solve(rotor: &Rotor, [force, couple]: [PhasorSum; 2]) -> Result<An
     let size = |wanted: &Wanted| wanted.size && !wanted.angle;
     match wanted.as_slice() {
         [] if force.vanishes() && couple.vanishes() => Ok(Answer::Balanced),
-        [] => Ok(Answer::Left(Box::new([force, couple]))),
+        [] => Ok(Answer::Residual(Box::new([force, couple]))),
         [(index, one)] if vector(one) => Ok(one_vector(rotor, *index, &[force, couple])),
         [(a, one), (b, other)] if vector(one) && vector(other) && !one.position && !other.position => {
             Ok(two_planes(rotor, [*a, *b], &[force, couple]))

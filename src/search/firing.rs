@@ -33,7 +33,7 @@ pub(super) fn are_even(lists: &[&[usize]]) -> bool {
 
 /// The firing order with the fewest neighbours in succession, the first of them by number, and their count.
 ///
-/// `steps` says for each cylinder when it may fire, bank after bank of so many throws; cylinder 0 starts.
+/// `steps` says for each cylinder when it may fire, bank after bank of this many throws; cylinder 0 starts.
 pub(super) fn best_order(steps: &[&[usize]], throws: usize) -> (Vec<usize>, usize) {
     let mut candidates = vec![Vec::new(); steps.len()];
     for (cylinder, list) in steps.iter().enumerate() {

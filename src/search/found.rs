@@ -133,7 +133,7 @@ fn title(problem: &Problem) -> String {
     format!("{} found by search", name(problem))
 }
 
-/// Distance of a throw from the middle of so many, one spacing apart, the first at the free end.
+/// Distance of a throw from the middle of this many, one spacing apart, the first at the free end.
 fn arm(place: usize, throws: usize) -> BigRational {
     BigRational::new((throws as i64 - 1 - 2 * place as i64).into(), 2.into())
 }

@@ -51,7 +51,7 @@ impl StarValues {
         first.then(self.neighbours.cmp(&other.neighbours))
     }
 
-    /// Whether nothing but the moments of so many orders can be better in another star.
+    /// Whether nothing but the moments of this many orders can be better in another star.
     pub fn is_least_beyond(&self, orders: usize) -> bool {
         self.neighbours == 0 && self.values.iter().skip(orders).all(Value::is_zero)
     }

@@ -73,7 +73,7 @@ impl<'a> Pieces<'a> {
         Done { points: own.points().iter().filter(|point| point.classes > 0).cloned().collect(), counts }
     }
 
-    /// Judges pieces on several threads, and takes each in the order of the list; so many others were done before.
+    /// Judges pieces on several threads, and takes each in the order of the list; this many others were done before.
     fn each(
         &self,
         list: &[usize],

@@ -11,9 +11,9 @@ use super::symmetry;
 use super::tables::Tables;
 use crate::stars::{self, Count, Fate, Least, Made, Obstruction, Pins, Star};
 
-/// Up to so many throws all stars are searched where a theorem gives one without their count: that takes seconds.
+/// Up to this many throws all stars are searched where a theorem gives one without their count: that takes seconds.
 const SEARCHED_AT_ONCE: u32 = 16;
-/// Up to so many stars of a theorem are gone through for the first of them.
+/// Up to this many stars of a theorem are gone through for the first of them.
 const MOST_LISTED: usize = 100_000;
 
 /// What theorems say of a question.

@@ -16,7 +16,7 @@ use crate::exact::{PhasorSum, Term};
 use crate::firing::by_length;
 use crate::numbers;
 
-/// The firing orders of so many stars of a front are evaluated, the first ones.
+/// The firing orders of this many stars of a front are evaluated, the first ones.
 pub const MOST_TORSION_STARS: usize = 12;
 /// Cylinders of more instants than this, two at each, may fire in more than 256 orders.
 const MOST_CHOICES: u32 = 9;

@@ -18,7 +18,7 @@ const LONGEST: i64 = 1 << 20;
 const MOST_FIRING_ORDERS: u128 = 4_000_000;
 /// By more minor orders than this nearly every firing order is best in something, and each is compared with all others.
 const FEW_MINOR_ORDERS: usize = 3;
-/// Then so many are evaluated at most.
+/// Then this many are evaluated at most.
 const MOST_BY_MANY: u128 = 50_000;
 
 /// The minor orders that are compared, and the deflections that weigh them.

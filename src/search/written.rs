@@ -94,7 +94,7 @@ pub(super) fn read(text: &[u8], number: usize, plan: &Plan, space: &Space, table
     (classes <= counts.judged && is_possible(counts, space)).then_some(Done { points, counts })
 }
 
-/// Whether so many stars and starts exist.
+/// Whether this many stars and starts exist.
 pub(super) fn is_possible(counts: Counts, space: &Space) -> bool {
     let all = space.count();
     BigUint::from(counts.judged) <= all && BigUint::from(counts.cut) <= all * (space.pairs() + 1)

@@ -25,7 +25,7 @@ pub fn cores() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// Makes the pieces of a list on so many threads, and takes each in the order of the list; memory holds a few at a time.
+/// Makes the pieces of a list on this many threads, and takes each in the order of the list; memory holds a few at a time.
 ///
 /// # Errors
 /// The first in the order of the list that cannot be made, or be taken.

@@ -24,7 +24,7 @@ pub enum Counted {
     None,
     /// Theorem 5: places are sums over these two primes.
     Sums([u32; 2]),
-    /// After theorem 5: so many exact covers by sums over these two primes.
+    /// After theorem 5: this many exact covers by sums over these two primes.
     Covers([u32; 2], BigUint),
     /// Theorem 8: the shaft is its own mirror image.
     MirrorImages,

@@ -40,7 +40,7 @@ impl Covers {
         covers
     }
 
-    /// Takes so many more elements of B, from this place up, each with its partner.
+    /// Takes this many more elements of B, from this place up, each with its partner.
     fn extend(&mut self, left: u32, more: u32, step: u32, from: u32) -> u64 {
         if more == 0 {
             return self.of(left);

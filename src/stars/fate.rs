@@ -52,7 +52,7 @@ impl Pins {
         self.root(order) == 1
     }
 
-    /// Whether theorems speak of so many throws.
+    /// Whether theorems speak of this many throws.
     pub(super) fn is_told(self) -> bool {
         (1..=MOST_THROWS).contains(&self.throws())
     }

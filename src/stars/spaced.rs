@@ -33,7 +33,7 @@ pub fn decompositions(places: &[BigRational]) -> Vec<Decomposition> {
     found
 }
 
-/// Calls with every set of so many of the places that holds the first.
+/// Calls with every set of this many of the places that holds the first.
 fn choose(
     places: &[BigRational],
     size: usize,
@@ -86,7 +86,7 @@ pub fn stars_of(places: &[BigRational]) -> Vec<Vec<u32>> {
 }
 
 /// The stars of theorem 5, which lose the first-order moment of a product of two primes, one spacing apart and with place 0 at direction 0: all of
-/// them, each once. None of another number of throws, or where there are more than so many.
+/// them, each once. None of another number of throws, or where there are more than this many.
 pub fn listed(throws: u32, most: usize) -> Vec<Star> {
     let Some([p, q]) = two_primes(throws) else { return Vec::new() };
     let all = |prime: u32| (1..prime as usize).try_fold(1_usize, usize::checked_mul);

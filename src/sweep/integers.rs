@@ -70,20 +70,18 @@ impl IntegerEngine {
             return None;
         }
         let turning = order::turning_masses(engine);
-        // They stand before 1, and so does order 1 of the pistons.
+        // They are multiplied by 1, and so is order 1 of the pistons.
         let is_plain = !engine.has_offset() && !engine.has_links();
         let beside = |mass: &TurningMass| is_plain && mass.order == 1 && mass.factor == Factor::One;
         let unknown = turning.iter().filter(|mass| !beside(mass)).map(|mass| mass.order).collect();
-        let in_words: Vec<TurningMass> = turning.iter().filter(|mass| beside(mass)).cloned().collect();
-        if in_words.is_empty() {
+        let plain: Vec<TurningMass> = turning.iter().filter(|mass| beside(mass)).cloned().collect();
+        if plain.is_empty() {
             return Self::with(engine, &[], unknown, known.of(engine)?);
         }
-        Weights::of(engine, &in_words).and_then(|weights| Self::with(engine, &in_words, unknown, weights)).or_else(
-            || {
-                let unknown = turning.iter().map(|mass| mass.order).collect();
-                Self::with(engine, &[], unknown, Weights::of(engine, &[])?)
-            },
-        )
+        Weights::of(engine, &plain).and_then(|weights| Self::with(engine, &plain, unknown, weights)).or_else(|| {
+            let unknown = turning.iter().map(|mass| mass.order).collect();
+            Self::with(engine, &[], unknown, Weights::of(engine, &[])?)
+        })
     }
 
     fn with(engine: &Engine, turning: &[TurningMass], unknown: Vec<u32>, weights: [Weights; 2]) -> Option<Self> {

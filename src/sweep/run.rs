@@ -22,7 +22,7 @@ use crate::text::Untrusted;
 
 /// Curves between the points of a coarse grid are drawn from about this many points.
 const SMOOTH: usize = 180;
-/// Of a finer grid a curve shows so many at most.
+/// Of a finer grid a curve shows this many at most.
 const MOST_OF_CURVE: usize = 2000;
 
 /// A sweep over one parameter, or over two.

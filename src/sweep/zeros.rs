@@ -193,7 +193,7 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
 /// More values than this are not tried.
 const MOST_TRIED: i64 = 2000;
 
-/// Values of the parameter at so many different angles that a vector of this order which vanishes at each vanishes everywhere; none
+/// Values of the parameter at this many different angles that a vector of this order which vanishes at each vanishes everywhere; none
 /// where they would be too many.
 ///
 /// Every term, of a piston or of a mass on a throw, turns by `kβ ± (k±1)α`, and β and α by whole multiples of φ/d. So each sum is a

@@ -199,7 +199,7 @@ impl Column {
         &self.values
     }
 
-    /// The same with decimals of so many digits.
+    /// The same with decimals of this many digits.
     pub(super) fn rounded(self, digits: usize) -> Self {
         let round = |value: f64| format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
         let values = match self.values {

@@ -35,7 +35,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table without columns, of so many rows; `about` says what a row is.
+    /// A table without columns, of this many rows; `about` says what a row is.
     pub fn new(name: &'static str, about: &'static str, rows: usize) -> Self {
         Table { name, about, rows, keys: 1, columns: Vec::new() }
     }
@@ -102,7 +102,7 @@ impl Table {
         self.columns.iter().find(|column| column.name() == name)
     }
 
-    /// The same with its decimals rounded to so many digits: for a file that is to be the same on every machine.
+    /// The same with its decimals rounded to this many digits: for a file that is to be the same on every machine.
     pub fn rounded(self, digits: usize) -> Self {
         let columns = self.columns.into_iter().map(|column| column.rounded(digits)).collect();
         Table { columns, ..self }

@@ -174,7 +174,7 @@ pub(super) fn omega(engine: &Engine) -> Option<f64> {
     engine.dimensions().speed.as_ref().map(|speed| numbers::angular_speed(numbers::float(speed)))
 }
 
-/// The first harmonics of a smooth function of a turn: sums over so many points that twice as many change nothing.
+/// The first harmonics of a smooth function of a turn: sums over this many points that twice as many change nothing.
 fn of_a_turn(value: impl Fn(f64) -> f64) -> Vec<Complex<f64>> {
     let over = |points: usize| -> Vec<Complex<f64>> {
         let step = std::f64::consts::TAU / points as f64;

@@ -1,4 +1,4 @@
-//! What is the largest torque, in size, by the first orders of the gas, or at so many angles, and how far off is that?
+//! What is the largest torque, in size, by the first orders of the gas, or at this many angles, and how far off is that?
 //!
 //! The torque has kinks where a valve opens or the burning ends, so that its orders fall as 1/κ² and the error of a peak as 1/κ: the peak
 //! is shown by the time law, in which the inertia is closed and needs no orders at all.

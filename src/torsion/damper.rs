@@ -99,7 +99,7 @@ pub fn search(train: &Train, link: usize, start: DamperSetting, peak: &dyn Fn(&T
 /// A peak whose points are lower than this part of the highest one is not refined.
 const LOWER: f64 = 0.9;
 
-/// The largest value between two ends, and where it is: the peaks of so many points, each then refined.
+/// The largest value between two ends, and where it is: the peaks of this many points, each then refined.
 pub fn highest(low: f64, high: f64, points: usize, of: &dyn Fn(f64) -> f64) -> (f64, f64) {
     let at = |index: usize| low + (high - low) * index as f64 / points as f64;
     let values: Vec<f64> = (0..=points).map(|index| of(at(index))).collect();

@@ -55,7 +55,7 @@ pub fn modes(train: &Train) -> Vec<Mode> {
     (1 + train.loose()..train.inertias.len()).map(|number| mode(train, number)).collect()
 }
 
-/// The mode with so many others below it, the rigid ones counted.
+/// The mode with this many others below it, the rigid ones counted.
 fn mode(train: &Train, below: usize) -> Mode {
     let (mut low, mut high) = (0.0, highest(train));
     loop {

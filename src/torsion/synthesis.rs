@@ -7,9 +7,9 @@ use num_complex::Complex;
 use super::highest;
 use crate::engine::CycleOrder;
 
-/// Points of a cycle between which the largest and the smallest value are looked for: so many in each period of the highest order.
+/// Points of a cycle between which the largest and the smallest value are looked for: this many in each period of the highest order.
 const POINTS: usize = 20;
-/// But so many at least.
+/// But this many at least.
 const LEAST: usize = 480;
 
 /// Half of the largest less the smallest value of `Σ Re(v_κ e^{iκθ})`, as class rules count the stress of all orders together.

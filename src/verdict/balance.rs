@@ -104,14 +104,14 @@ impl Balance {
     }
 }
 
-/// Planar or elliptical: whether two sums that stand before equally large numbers are equally long, with the evidence.
+/// Planar or elliptical: whether two sums that are multiplied by equally large numbers are equally long, with the evidence.
 pub(super) fn compared(direct: &PhasorSum, reverse: &PhasorSum) -> (Shape, Certificate) {
     let difference = direct.squared_modulus().minus(&reverse.squared_modulus());
     let certificate = PhasorSum::new(difference.collected()).certificate();
     (if certificate.claims_zero() { Shape::Planar } else { Shape::Elliptical }, certificate)
 }
 
-/// Sources of an order whose terms stand before one number, where an engine has several such numbers in the order, or crankshafts of
+/// Sources of an order whose terms are multiplied by one number, where an engine has several such numbers in the order, or crankshafts of
 /// several speeds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Class {
@@ -126,7 +126,7 @@ pub struct Class {
 }
 
 impl Class {
-    /// That of a group of an order among so many; none of the only one, but where it is of a crankshaft that turns faster than the
+    /// That of a group of an order among this many; none of the only one, but where it is of a crankshaft that turns faster than the
     /// reference: there it tells before which number the sum stands.
     pub(super) fn of(sources: &Sources, group: &Group, groups: usize, order: u32) -> Option<Self> {
         let is_one_of_faster = || group.factor == Factor::One && order > 1 && sources.engine().faster_crank().is_some();

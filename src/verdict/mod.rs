@@ -33,7 +33,7 @@ pub struct OrderVerdict {
     pub order: u32,
     /// Whose masses it is about.
     pub masses: Masses,
-    /// Force and moment by what their sums stand before: one where all sources have it in common.
+    /// Force and moment by what their sums are multiplied by: one where all sources have it in common.
     pub parts: Vec<OrderBalance>,
     /// The shaking force.
     pub force: WholeOrder,
@@ -45,7 +45,7 @@ pub struct OrderVerdict {
     pub roll: Option<TorqueVerdict>,
 }
 
-/// Force and moment of sources whose terms stand before one number.
+/// Force and moment of sources whose terms are multiplied by one number.
 #[derive(Clone, Debug)]
 pub struct OrderBalance {
     /// The order k.
@@ -63,13 +63,13 @@ pub struct OrderBalance {
 /// The inertia torque of one order, or the roll moment: what has one vector.
 #[derive(Clone, Debug)]
 pub struct TorqueVerdict {
-    /// The sums by what they stand before, and whether that is not zero.
+    /// The sums by what they are multiplied by, and whether that is not zero.
     pub parts: Vec<TorquePart>,
     /// Whether it vanishes.
     pub outcome: Outcome,
 }
 
-/// What stands before one number of it.
+/// What is multiplied by one number of it.
 #[derive(Clone, Debug)]
 pub struct TorquePart {
     /// Whether its coefficient is not zero.
@@ -132,7 +132,7 @@ impl TorqueVerdict {
 
 /// Judges the given orders of an engine, force and moment, and the inertia torque where it is among the quantities.
 ///
-/// Terms that stand before one number are one sum; it is decided by itself, and all sums of an order together.
+/// Terms that are multiplied by one number are one sum; it is decided by itself, and all sums of an order together.
 ///
 /// # Errors
 /// A number that is no order.

@@ -45,13 +45,13 @@ pub struct EveryOrder {
 /// Why there is no statement on every order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoTheorem {
-    /// The pattern repeats only after so many orders, more than are gone through.
+    /// The pattern repeats only after this many orders, more than are gone through.
     PeriodTooLong(BigInt),
-    /// The pattern repeats only after so many orders, and too many of these may be zero.
+    /// The pattern repeats only after this many orders, and too many of these may be zero.
     TooManyCandidates(u32),
     /// Rods are links, which add sums of other kinds.
     RodsDiffer,
-    /// A crankshaft turns so many times while the reference turns once: its pistons have other orders.
+    /// A crankshaft turns this many times while the reference turns once: its pistons have other orders.
     FasterCrank(u32),
     /// A balancer shaft turns at this order, beside pistons that have another coefficient.
     Shaft(u32),

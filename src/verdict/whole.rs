@@ -2,7 +2,7 @@
 //!
 //! The whole is zero where each sum is. Where one alone is left it is not, since its number is not zero. Where several are left
 //! only their numbers could make them cancel: an enclosure proves that they do not, or tells how short the rest is; and so where the one that
-//! is left stands before a number that may be zero.
+//! is left is multiplied by a number that may be zero.
 
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -21,14 +21,14 @@ const CLAIMED_BITS: u32 = 128;
 pub enum Outcome {
     /// Zero, proved: each of its sums is.
     Zero,
-    /// Not zero, proved: one sum is left, and what it stands before is not zero.
+    /// Not zero, proved: one sum is left, and what it is multiplied by is not zero.
     NotZero,
     /// Not zero, proved by an enclosure of the whole.
     NotZeroByEnclosure {
         /// How many bits the checker is to enclose it with.
         bits: u32,
     },
-    /// Only what the sums stand before could make them cancel, and they do so to this length, in the unit of the vector.
+    /// Only what the sums are multiplied by could make them cancel, and they do so to this length, in the unit of the vector.
     NotDecided {
         /// The vector is not longer than this.
         below: BigRational,
@@ -38,7 +38,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Of one sum, which stands before a number that is not zero.
+    /// Of one sum, which is multiplied by a number that is not zero.
     pub(super) fn of_one(verdict: &Verdict) -> Self {
         if verdict.vanishes() { Outcome::Zero } else { Outcome::NotZero }
     }
@@ -62,7 +62,7 @@ pub fn both_vanish(one: Option<bool>, other: Option<bool>) -> Option<bool> {
     }
 }
 
-/// A sum with what it stands before, and whether that is other than zero.
+/// A sum with what it is multiplied by, and whether that is other than zero.
 #[derive(Clone, Copy)]
 pub(super) struct Part<'a> {
     pub factor: &'a Factor,
@@ -172,7 +172,7 @@ fn line_or_ellipse(
     (!difference.contains_zero()).then_some((Shape::Elliptical, ShapeEvidence::Bits(CLAIMED_BITS)))
 }
 
-/// Evidence that both vectors are equally long, whatever the numbers are that their sums stand before.
+/// Evidence that both vectors are equally long, whatever the numbers are that their sums are multiplied by.
 fn equally_long([direct, reverse]: [&[Part]; 2], order: u32) -> Option<Vec<Certificate>> {
     let pairs = direct.iter().zip(reverse);
     let left = pairs.filter(|(one, other)| one.exists && !(one.verdict.vanishes() && other.verdict.vanishes()));

@@ -29,7 +29,7 @@ pub extern "C" fn crankstar_fault() -> u64 {
     handed_over(FAULT.lock().unwrap_or_else(PoisonError::into_inner).clone())
 }
 
-/// Room for a question of so many bytes.
+/// Room for a question of this many bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn crankstar_room(length: usize) -> *mut u8 {
     Box::into_raw(vec![0_u8; length].into_boxed_slice()).cast()

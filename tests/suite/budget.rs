@@ -1,4 +1,4 @@
-//! Does no room grow unnoticed? Each has so many lines of Rust and no more.
+//! Does no room grow unnoticed? Each has this many lines of Rust and no more.
 //!
 //! Who needs more lines in a room makes fewer of others first; a higher budget needs a reason, which its commit tells.
 

@@ -70,7 +70,7 @@ fn alone([l, a, long]: [u64; 3], delta: u64, correction: &str, more: &str) -> En
 
 #[test]
 fn the_link_of_the_theory_has_its_first_and_third_harmonic() {
-    // .05 rad are 9/π degrees; so many digits of it are enough for those that are printed.
+    // .05 rad are 9/π degrees; this many digits of it are enough for those that are printed.
     let engine = alone([380, 90, 290], 80, "knuckle_correction = 2.86479", "");
     let loads = of_orders(&engine, &[1, 3]);
     for (k, size) in [(1, 1.0155), (3, 0.0035)] {

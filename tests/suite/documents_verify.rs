@@ -26,7 +26,7 @@ fn verified(document: &impl serde::Serialize, text: &str) -> (AnyDocument, Check
     (read, checked)
 }
 
-/// The engines that are read, of so many files; most are.
+/// The engines that are read, of this many files; most are.
 fn engines(seed: u64, mut file: impl FnMut(&mut Dice) -> String) -> Vec<(String, Layout)> {
     let mut dice = Dice::new(seed);
     let files = (0..count()).map(|_| file(&mut dice));

@@ -32,7 +32,7 @@ fn reduced(mut vector: Vec<i64>, rows: &[(usize, Vec<i64>)]) -> Vec<i64> {
     vector
 }
 
-/// Whether some set of so many polygons spans the sum, all sets tried.
+/// Whether some set of this many polygons spans the sum, all sets tried.
 fn spans(sum: &[i64], polygons: &[Vec<i64>], number: usize, rows: &mut Vec<(usize, Vec<i64>)>) -> bool {
     if reduced(sum.to_vec(), rows).iter().all(|left| *left == 0) {
         return true;

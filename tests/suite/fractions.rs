@@ -7,7 +7,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-/// A whole number of up to so many bits, of either sign, often 0, 1 or at the end of a machine word.
+/// A whole number of up to this many bits, of either sign, often 0, 1 or at the end of a machine word.
 fn whole(dice: &mut Dice, bits: u64) -> BigInt {
     let size = match dice.below(6) {
         0 => BigInt::from(dice.below(13)),

@@ -213,7 +213,7 @@ pub(crate) fn any_engine(dice: &mut Dice) -> String {
     any_engine_at(dice, 1)
 }
 
-/// The same, whose crankshafts turn up to so many times while the first turns once.
+/// The same, whose crankshafts turn up to this many times while the first turns once.
 pub(crate) fn any_engine_at(dice: &mut Dice, fastest: u64) -> String {
     let part = |dice: &mut Dice, most: u64| dice.below(most) as i64 - (most / 2) as i64;
     let cranks = 2 + dice.below(2);

@@ -229,7 +229,7 @@ fn no_star_of_seventeen_throws_has_less_than_the_page_says() {
 /// A sum of a pair and of a set of places: the bits of both, the gap of the pair, the set.
 type Part = (u32, usize, Vec<usize>);
 
-/// The sums of a pair and of q places within so many, by their lowest place.
+/// The sums of a pair and of q places within this many, by their lowest place.
 fn parts(number: usize, q: usize) -> Vec<Vec<Part>> {
     let mut parts = vec![Vec::new(); number];
     // The next number with as many bits: the lowest run of them moves up by one, what is left of it down.
@@ -281,7 +281,7 @@ impl Covers {
     }
 }
 
-/// The exact covers of so many places by sums of a pair and of q places.
+/// The exact covers of this many places by sums of a pair and of q places.
 pub fn covers(number: usize, q: usize) -> u64 {
     let all = u32::MAX >> (32 - number);
     let mut covers = Covers::new(number, q);

@@ -106,7 +106,7 @@ fn each_is_zero_no_part_of_it_is_and_none_with_a_vector_turned() {
     }
 }
 
-/// Every set of up to so many directions with one at 0 and no part zero, by trying all; the last vector is looked up.
+/// Every set of up to this many directions with one at 0 and no part zero, by trying all; the last vector is looked up.
 fn by_trying(conductor: usize, most: usize) -> BTreeSet<Vec<usize>> {
     struct Trying {
         roots: Vec<u64>,
@@ -170,7 +170,7 @@ fn value(times: &[u32; 6]) -> (i32, i32) {
     SIXTHS.iter().zip(times).fold((0, 0), add)
 }
 
-/// How often each sixth root is taken, so many vectors in all.
+/// How often each sixth root is taken, this many vectors in all.
 fn taken(vectors: u32) -> Vec<[u32; 6]> {
     let mut all = Vec::new();
     for code in 0..(vectors + 1).pow(5) {

@@ -33,7 +33,7 @@ fn open(text: &str) -> Family {
     }
 }
 
-/// The sum of the vectors as the page draws them, the open angle moved by so many degrees.
+/// The sum of the vectors as the page draws them, the open angle moved by this many degrees.
 fn drawn(sense: &MovingSense, moved: f64) -> Complex<f64> {
     let rays = sense.rays.iter();
     rays.map(|ray| Complex::from_polar(ray.length, (ray.degrees + ray.turns * moved).to_radians())).sum()

@@ -73,7 +73,7 @@ fn of_pins(pins: i64) -> Vec<Vec<i64>> {
     stars
 }
 
-/// Pins on any of so many directions, the first at 0.
+/// Pins on any of this many directions, the first at 0.
 fn of_grid(pins: usize, directions: i64) -> Vec<Vec<i64>> {
     let mut stars = vec![vec![0]];
     for _ in 1..pins {

@@ -46,7 +46,7 @@ fn the_atlas_of_stars_has_german_for_every_phrase() {
     assert!(missing.is_empty(), "no German for {missing:#?}");
 }
 
-/// The rows of the tables of the stored page that have so many columns.
+/// The rows of the tables of the stored page that have this many columns.
 fn rows(columns: usize) -> Vec<Vec<String>> {
     let text = fs::read_to_string(golden::reports().join("stars/atlas/README.md")).expect("the page");
     let row = |line: &str| Some(line.strip_prefix("| ")?.strip_suffix(" |")?.split(" | ").map(str::to_owned).collect());

@@ -209,7 +209,7 @@ fn check_points(
     }
 }
 
-/// Whether the sum vanishes at so many v for some u that are nothing special.
+/// Whether the sum vanishes at this many v for some u that are nothing special.
 fn check_curve(star: &Star, at: impl Fn(f64, f64) -> [f64; 2], count: usize, place: &str) {
     for u in [0.113, 0.377, 0.591, 0.873] {
         let length = |step: i32, part: f64| star.length(at(u, (f64::from(step) + part) / 400.0));

@@ -60,7 +60,7 @@ pub struct IdealCycle {
     pub assumed: Vec<Setting>,
 }
 
-/// Between exhaust and intake of a four-stroke the pressure changes over so many degrees after 360°.
+/// Between exhaust and intake of a four-stroke the pressure changes over this many degrees after 360°.
 const CHANGE: i64 = 20;
 
 impl IdealCycle {

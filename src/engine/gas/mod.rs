@@ -104,7 +104,7 @@ impl Below {
 }
 
 impl Gas {
-    /// Whether it fits an engine of so many cylinders.
+    /// Whether it fits an engine of this many cylinders.
     ///
     /// # Errors
     /// What does not fit.

@@ -21,7 +21,7 @@ pub struct Circle {
     pub polynomial: Polynomial,
     /// Evidence that the sum vanishes where that factor does; none where the arcs are about the sum.
     pub factor: Option<Factor>,
-    /// Enclosures with so many bits decide.
+    /// Enclosures with this many bits decide.
     pub bits: u32,
     /// Evidence that the sum, centred, stays on one line; none where no arc needs it.
     pub mirrored: Vec<Certificate>,

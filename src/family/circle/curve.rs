@@ -14,7 +14,7 @@ use super::polynomial::Polynomial;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers;
 
-/// A checker that rounds otherwise may be in doubt by more: what is decided here holds by so many times the doubt.
+/// A checker that rounds otherwise may be in doubt by more: what is decided here holds by this many times the doubt.
 const SLACK: u32 = 64;
 
 /// A complex number in units of `2^−bits`, either part off by `doubt` at most.
@@ -82,7 +82,7 @@ pub(super) struct Evaluator {
     pub bits: u32,
     sums: Vec<Spot>,
     exponents: Vec<i64>,
-    /// So many values were enclosed.
+    /// This many values were enclosed.
     pub spent: Cell<usize>,
 }
 

@@ -9,7 +9,7 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use super::super::Part;
 
-/// u may enter so many times in one class; in the squared lengths it enters twice as often.
+/// u may enter this many times in one class; in the squared lengths it enters twice as often.
 const HIGHEST_TIMES: i64 = 2048;
 
 /// Two angles, `[phi, delta]` times φ and δ, and the parts of two classes.
@@ -86,7 +86,7 @@ pub(super) struct Three {
     pub classes: [Vec<(i64, usize)>; 3],
 }
 
-/// u may enter so many times in one of three classes.
+/// u may enter this many times in one of three classes.
 const HIGHEST_OF_THREE: i64 = 256;
 
 /// Splits parts in rising order into three classes on lines that are equally far apart.

@@ -26,11 +26,11 @@ pub struct Triangle {
 /// The sign of the squared area, or of another number that tells how many solutions there are, with evidence.
 #[derive(Clone, Debug)]
 pub enum Shape {
-    /// None: one side is longer than the others together. Enclosed with so many bits.
+    /// None: one side is longer than the others together. Enclosed with this many bits.
     Never(u32),
     /// One, which is flat.
     Flat(Certificate),
-    /// Two, mirror images. Enclosed with so many bits.
+    /// Two, mirror images. Enclosed with this many bits.
     Two(u32),
 }
 

@@ -32,7 +32,7 @@ impl Extent {
         }
     }
 
-    /// With so many millimetres more on every side.
+    /// With this many millimetres more on every side.
     pub fn grown(&self, by: f64) -> Self {
         let by = Point::new(by, by);
         Extent { low: self.low - by, high: self.high + by }
@@ -227,7 +227,7 @@ impl Figure {
         self.marks.extend(other.marks.into_iter().map(moved));
     }
 
-    /// The same drawing so many times as large, its letters and lines with it.
+    /// The same drawing this many times as large, its letters and lines with it.
     pub fn scaled(mut self, by: f64) -> Figure {
         self.marks.iter_mut().for_each(|mark| mark.scaled(by));
         let in_inches = self.in_inches.map(|figure| Box::new(figure.scaled(by)));

@@ -26,7 +26,7 @@ pub enum Ink {
     Green,
     /// Resultants.
     Red,
-    /// A grey of so many per cent black, at most 100: grids and maps.
+    /// A grey of this many per cent black, at most 100: grids and maps.
     Shade(u8),
 }
 
@@ -215,7 +215,7 @@ impl Figure {
         self.marks.push(Mark::Text { at, text, prose: Some(prose), anchor: Anchor::Middle, bold: false });
     }
 
-    /// Writes a bold line in letters of so many millimetres.
+    /// Writes a bold line in letters of this many millimetres.
     pub fn title(&mut self, at: Point, text: impl Into<String>, letters: f64, anchor: Anchor) {
         self.marks.push(Mark::Title { at, text: text.into(), letters, anchor });
     }

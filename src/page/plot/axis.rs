@@ -62,7 +62,7 @@ const FARTHEST: f64 = 1e280;
 const SAME: f64 = 1e-9;
 /// Places on the page beyond this many lengths of the axis are as far.
 const FAR_OUT: f64 = 1e4;
-/// A logarithmic axis of so many decades has its labels at decades only.
+/// A logarithmic axis of this many decades has its labels at decades only.
 const MANY_DECADES: i32 = 3;
 
 impl Axis {
@@ -136,7 +136,7 @@ impl Axis {
         Axis { covers: values.into(), ..self }
     }
 
-    /// The axis over these values, with about so many steps between ticks. Values that have no place are passed over.
+    /// The axis over these values, with about this many steps between ticks. Values that have no place are passed over.
     pub fn ruler(&self, values: impl IntoIterator<Item = f64>, steps: usize) -> Ruler {
         let usable = |value: &f64| match self.scale {
             Scale::Linear => *value == 0.0 || (FARTHEST.recip()..FARTHEST).contains(&value.abs()),

@@ -85,7 +85,7 @@ impl Area {
     }
 }
 
-/// Points of curves lie on a lattice of so many to a millimetre.
+/// Points of curves lie on a lattice of this many to a millimetre.
 ///
 /// The last digits of sines differ from machine to machine. On the lattice they are gone, and with them the chance that they choose
 /// between two places for a name that are equally good, or between two points that are equally far from a line.

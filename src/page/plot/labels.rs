@@ -8,7 +8,7 @@ use super::number::text_width;
 pub(crate) const LINE: f64 = 3.6;
 /// Curves are felt at points this far apart.
 const FEELER: f64 = 0.8;
-/// A label on another is as bad as one on so many points of curves.
+/// A label on another is as bad as one on this many points of curves.
 const COLLISION: usize = 1000;
 /// A point of a curve under a name, against what else speaks against a place.
 const LINE_COST: usize = 25;

@@ -40,7 +40,7 @@ use labels::Labels;
 
 /// Height of the frame in millimetres.
 const HEIGHT: f64 = 54.0;
-/// About so many steps between ticks.
+/// About this many steps between ticks.
 const STEPS: (usize, usize) = (7, 6);
 
 /// A point that is marked, in the units of the axes.

@@ -31,7 +31,7 @@ pub struct Polar {
 const WIDTH: f64 = 96.0;
 const RADIUS: f64 = 38.0;
 const ROOM: f64 = 6.5;
-/// About so many circles.
+/// About this many circles.
 const CIRCLES: usize = 4;
 
 impl Polar {

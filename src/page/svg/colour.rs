@@ -47,7 +47,7 @@ pub fn on_dark(ink: Ink) -> String {
     known.to_owned()
 }
 
-/// A grey so many per cent of the way from the ground.
+/// A grey this many per cent of the way from the ground.
 fn grey(ground: u8, ink: u8, percent: u8) -> String {
     let percent = f64::from(percent.min(100)) / 100.0;
     let level = f64::from(ground) + (f64::from(ink) - f64::from(ground)) * percent;

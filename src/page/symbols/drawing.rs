@@ -37,7 +37,7 @@ impl Symbols {
 
     /// A label with the new names as formulas, for fonts that lack their letters; none where none is in it.
     fn prose_of(&self, text: &str) -> Option<String> {
-        let words = self.in_words(text);
+        let words = self.in_parts(text);
         let is_renamed = words.iter().any(|word| matches!(word, Word::Renamed { .. }));
         // A label with the signs of prose is not made prose.
         let is_plain = !text.contains(['$', '*', '{']);
@@ -47,7 +47,7 @@ impl Symbols {
     /// Prose with formulas.
     fn in_prose(&self, prose: &str) -> String {
         let set = |mark| match mark {
-            markup::Mark::Words(words) => self.in_words(words).iter().map(as_prose).collect(),
+            markup::Mark::Words(words) => self.in_parts(words).iter().map(as_prose).collect(),
             markup::Mark::Formula(tex) => format!("${}$", self.in_tex(tex)),
             markup::Mark::Bold => "**".to_owned(),
             markup::Mark::Place(_) => "{}".to_owned(),

@@ -100,7 +100,7 @@ impl Symbols {
     }
 
     /// Words in parts: those as they stand, and the new names in TeX and as plain text.
-    pub(super) fn in_words<'a>(&'a self, words: &'a str) -> Vec<Word<'a>> {
+    pub(super) fn in_parts<'a>(&'a self, words: &'a str) -> Vec<Word<'a>> {
         if self.is_empty() {
             return vec![Word::Plain(words)];
         }
@@ -120,7 +120,7 @@ impl Symbols {
             Word::Plain(words) => words.to_owned(),
             Word::Renamed { plain, .. } => plain.to_owned(),
         };
-        self.in_words(words).into_iter().map(set).collect()
+        self.in_parts(words).into_iter().map(set).collect()
     }
 
     /// The letters of a script, in which words are few and code is not touched.

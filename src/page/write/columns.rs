@@ -38,7 +38,7 @@ impl Letters {
         Letters { all: text.chars().count(), longest: text.split(' ').map(width).max().unwrap_or(0) }
     }
 
-    /// With so many more before it.
+    /// With this many more before it.
     pub fn widen(&mut self, letters: usize) {
         self.all += letters;
         self.longest += letters;
@@ -78,7 +78,7 @@ const SMALLEST: Size = Size { points: 8, capacity: 106 };
 const TEXT_WIDTH: f64 = 166.0;
 /// A table of more lines goes over several pages.
 const MOST_LINES: usize = 36;
-/// A table of so many lines, its header among them, is not broken: what it leaves empty on a page is little.
+/// A table of this many lines, its header among them, is not broken: what it leaves empty on a page is little.
 const SHORT: usize = 17;
 /// Letters that the space between two columns takes.
 const GAP: usize = 3;
@@ -103,7 +103,7 @@ impl Cells {
         parts
     }
 
-    /// The columns of each part for a line of so many letters, and how wide they are; `gap` letters stand with each.
+    /// The columns of each part for a line of this many letters, and how wide they are; `gap` letters stand with each.
     pub fn lines(&self, width: usize, gap: usize) -> Vec<Vec<(usize, usize)>> {
         let room = |columns: &[usize]| width.saturating_sub(gap * columns.len());
         let bands = self.bands(|columns| self.least(columns).iter().sum::<usize>() <= room(columns));

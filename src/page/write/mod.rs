@@ -44,7 +44,7 @@ pub enum Format {
     Html,
     /// Typst, with pictures beside it.
     Typst,
-    /// Plain text of so many columns, in colours or not, without pictures.
+    /// Plain text of this many columns, in colours or not, without pictures.
     Terminal {
         /// Columns of the terminal.
         width: usize,

@@ -14,7 +14,7 @@ impl Composer<'_> {
             Word::Renamed { tex, plain } => self.writer.symbol(tex, plain),
         };
         // A line does not end between a number and its sign.
-        self.options.symbols.in_words(&words.replace(" %", "\u{a0}%")).into_iter().map(set).collect()
+        self.options.symbols.in_parts(&words.replace(" %", "\u{a0}%")).into_iter().map(set).collect()
     }
 
     /// A number of the program, with decimals as the language writes them.

@@ -7,7 +7,7 @@ use super::columns::Cells;
 use super::{File, Writer, templates, tex};
 use crate::text::{Format, Untrusted};
 
-/// Plain text of so many columns.
+/// Plain text of this many columns.
 pub(super) struct Terminal {
     pub width: usize,
     pub colour: bool,
@@ -147,7 +147,7 @@ impl Writer for Terminal {
 /// No rule but one under the head.
 const RULE_UNDER_HEAD: TableStyle = TableStyle::new().header_separator(LineStyle::none().fill('─').junction('─'));
 
-/// Lines of at most so many letters, broken at spaces.
+/// Lines of at most this many letters, broken at spaces.
 fn wrapped(text: &str, width: usize) -> String {
     let mut out = String::new();
     for (index, line) in text.split('\n').enumerate() {

@@ -6,6 +6,6 @@ mod sweep;
 mod verify;
 
 pub(super) use remedy::{Remedy, Wanted, remedy};
-pub(super) use search::{Wish, search};
+pub(super) use search::{StarRequest, search};
 pub(super) use sweep::{Ranges, sweep};
 pub(super) use verify::{Checked, verify};

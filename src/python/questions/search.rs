@@ -12,7 +12,7 @@ use crate::report::SearchStudy;
 use crate::search::{self, Limit, Options, Problem, Sizes};
 
 /// What is asked of the stars that are found.
-pub(in crate::python) struct Wish {
+pub(in crate::python) struct StarRequest {
     /// Their firing orders in a mode of torsional vibration, with its deflections where they are given.
     pub torsion: Option<Option<Vec<BigRational>>>,
     /// The largest moments that are allowed.
@@ -24,7 +24,7 @@ pub(in crate::python) struct Wish {
 /// Searches until the flag stops it.
 pub(in crate::python) fn search(
     problem: &Problem,
-    Wish { torsion, limits, sizes }: Wish,
+    StarRequest { torsion, limits, sizes }: StarRequest,
     resume: Option<PathBuf>,
     threads: Option<u16>,
     stop: &AtomicBool,

@@ -5,7 +5,7 @@ use super::AngleStudy;
 use crate::journal::PistonAt;
 use crate::page::{Table, Text, Unit, phrase};
 
-/// A page shows so many rows of a table; the data have all.
+/// A page shows this many rows of a table; the data have all.
 pub(super) const MOST_SHOWN: usize = 360;
 
 /// An angle as it was asked for, without the digits that only binary fractions have.

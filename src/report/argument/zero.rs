@@ -135,7 +135,7 @@ fn negative_turned(star: JudgedStar<'_>) -> Option<Text> {
     })
 }
 
-/// A sentence on all polygons of so many sides; or, where some are taken away, on the polygons that make up the star.
+/// A sentence on all polygons of this many sides; or, where some are taken away, on the polygons that make up the star.
 fn sentences(engine: &Engine, star: JudgedStar<'_>) -> Vec<Text> {
     let star = ExactStar::new(star);
     if star.polygons.iter().any(|polygon| !is_part(&star, polygon)) {

@@ -69,7 +69,7 @@ impl Remaining {
 
 /// Stars of equal moments.
 pub(super) struct Ties {
-    /// Those of these values, of so many.
+    /// Those of these values, of this many.
     pub stars: u64,
     pub all: String,
     /// Where several classes leave no moment of orders 1 and 2: how many.

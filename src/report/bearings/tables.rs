@@ -59,7 +59,7 @@ pub(super) fn vectors(loads: &BearingLoads) -> Table {
         .done()
 }
 
-/// The length of each sum with what it stands before, where all pistons move alike.
+/// The length of each sum with what it is multiplied by, where all pistons move alike.
 fn exact(sum: &OrderSum, order: u32) -> Text {
     if sum.vanishes() {
         return Text::zero();
@@ -81,7 +81,7 @@ fn exact(sum: &OrderSum, order: u32) -> Text {
     Text::joined(parts, ", ")
 }
 
-/// The rod whose motion a sum stands before.
+/// The rod whose motion a sum is multiplied by.
 fn rod(factor: &Factor) -> Option<&Rod> {
     match factor {
         Factor::One
@@ -96,7 +96,7 @@ fn rod(factor: &Factor) -> Option<&Rod> {
     }
 }
 
-/// What a sum stands before; none for 1.
+/// What a sum is multiplied by; none for 1.
 pub(in crate::report) fn before(factor: &Factor) -> Option<char> {
     match factor {
         Factor::One => None,
@@ -112,7 +112,7 @@ pub(in crate::report) fn before(factor: &Factor) -> Option<char> {
     }
 }
 
-/// The numbers of the motion that the sums of these orders stand before, where all pistons move alike and without an offset.
+/// The numbers of the motion that the sums of these orders are multiplied by, where all pistons move alike and without an offset.
 pub(super) fn numbers(engine: &Engine, loads: &BearingLoads) -> Option<Table> {
     let mechanisms = engine.mechanisms();
     let [mechanism] = mechanisms[..] else { return None };

@@ -36,7 +36,7 @@ impl Unit {
         Unit::of(engine, of, quantity).for_values_up_to(largest)
     }
 
-    /// The unit in which values are read best whose largest is so many multiples: kN in place of thousands of N.
+    /// The unit in which values are read best whose largest is this many multiples: kN in place of thousands of N.
     pub fn for_values_up_to(self, largest: f64) -> Self {
         let (unit, size) = self.unit.for_values_up_to(largest * self.factor);
         Unit { unit, factor: self.factor / size }

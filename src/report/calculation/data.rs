@@ -148,8 +148,8 @@ fn largest(document: &LoadsDocument, units: Units) -> Table {
     let rows = [document];
     let mut table = Filling::new("loads.largest", &rows).keyed(0);
     type Entry = fn(&LoadsDocument) -> Option<&LargestEntry>;
-    type Left = fn(&LoadsDocument) -> Option<&BoundEntry>;
-    let all: [(&str, Unit, Entry, Left); 3] = [
+    type Remaining = fn(&LoadsDocument) -> Option<&BoundEntry>;
+    let all: [(&str, Unit, Entry, Remaining); 3] = [
         ("force", units.force, |all| Some(&all.largest.force), |all| all.left_out.force.as_ref()),
         ("moment", units.moment, |all| Some(&all.largest.moment), |all| all.left_out.moment.as_ref()),
         ("torque", units.torque, |all| all.largest.inertia_torque.as_ref(), |all| all.left_out.inertia_torque.as_ref()),

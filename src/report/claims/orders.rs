@@ -13,7 +13,7 @@ const MOST_NAMED: usize = 6;
 pub(super) struct Asked<'a> {
     pub surviving: &'a [u32],
     pub judged: usize,
-    /// After so many orders everything repeats; none where single orders were asked.
+    /// After this many orders everything repeats; none where single orders were asked.
     pub period: Option<u32>,
     pub first: Option<&'a OrderBalance>,
 }

@@ -65,7 +65,7 @@ pub(in crate::report) struct Order {
     pub(in crate::report) moment: Amount,
     #[serde(skip)]
     pub(in crate::report) moment_is_couple: bool,
-    /// Its sums, where what they stand before differs.
+    /// Its sums, where what they are multiplied by differs.
     #[serde(skip)]
     pub(in crate::report) parts: Vec<Part>,
 }

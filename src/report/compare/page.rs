@@ -42,7 +42,7 @@ pub fn compare_page(engines: &[Compared]) -> Document {
     page
 }
 
-/// The answer, sizes and cures, then the exact verdicts: so many engines beside each other.
+/// The answer, sizes and cures, then the exact verdicts: this many engines beside each other.
 fn tables(engines: &[Compared], beside: usize) -> Vec<Block> {
     let all: Vec<Sized> = engines.iter().map(Sized::new).collect();
     let sizes = all.chunks(beside).map(|shown| rows::sizes(&all, shown).into());

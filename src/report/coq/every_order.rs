@@ -45,13 +45,13 @@ pub(super) struct Pattern<'a> {
     /// The engine or the part.
     pub engine: String,
     pub orders: Orders,
-    said: Said<'a>,
+    basis: Basis<'a>,
     /// What all angles and weights of the engine become whole by.
     grid: Grid,
 }
 
-/// How it is told.
-enum Said<'a> {
+/// On what it rests.
+enum Basis<'a> {
     /// By the verdicts on one period: an order is left where it has one of these residues.
     Period { modulus: u32, residues: Vec<u32>, judged: Vec<(u32, &'a Certificate)> },
     /// As a product of sums, each with where it vanishes.
@@ -69,7 +69,7 @@ impl<'a> Pattern<'a> {
                 sense: Some(claim.sense),
                 engine: "the_engine".to_owned(),
                 orders: Orders::Even,
-                said: Said::Period {
+                basis: Basis::Period {
                     modulus: claim.survivors.modulus,
                     residues: claim.survivors.residues.clone(),
                     judged: even.map(|verdict| (verdict.order, &verdict.certificate)).collect(),
@@ -86,7 +86,7 @@ impl<'a> Pattern<'a> {
             sense: Some(claim.sense),
             engine: parts.engine(&class.of),
             orders,
-            said: Said::Factors(&class.factors),
+            basis: Basis::Factors(&class.factors),
             grid: grid.clone(),
         });
         told.chain(classes).collect()
@@ -117,7 +117,7 @@ impl<'a> Pattern<'a> {
                 sense: None,
                 engine: parts.engine(of),
                 orders: Orders::All,
-                said: Said::Period { modulus, residues, judged },
+                basis: Basis::Period { modulus, residues, judged },
                 grid: grid_of(document),
             }
         };
@@ -140,9 +140,9 @@ impl<'a> Pattern<'a> {
         let among = |modulus: u32, is: &str, residues: &[u32]| {
             format!("(k mod {modulus}){scope} \\{is} ({}{scope} : seq Z)", residues_of(residues))
         };
-        match &self.said {
-            Said::Period { modulus, residues, .. } => among(*modulus, "in", residues),
-            Said::Factors(factors) => {
+        match &self.basis {
+            Basis::Period { modulus, residues, .. } => among(*modulus, "in", residues),
+            Basis::Factors(factors) => {
                 let left = |factor: &FactorClaim| among(factor.zeros.modulus, "notin", &factor.zeros.residues);
                 factors.iter().map(left).collect::<Vec<_>>().join(" /\\ ")
             }
@@ -153,8 +153,8 @@ impl<'a> Pattern<'a> {
     pub fn theorem(&self) -> Result<Theorem, NotStated> {
         let Pattern { quantity, sense, ref engine, orders, .. } = *self;
         let what = vector(quantity, sense);
-        let lemma = match &self.said {
-            Said::Period { modulus, residues, judged } => {
+        let lemma = match &self.basis {
+            Basis::Period { modulus, residues, judged } => {
                 let judged =
                     judged.iter().map(|(order, certificate)| self.evidence(self.grid.clone(), *order, certificate));
                 let residues = residues_of(residues);
@@ -164,7 +164,7 @@ impl<'a> Pattern<'a> {
                     None => format!("@every_torque_order F e {engine} {modulus} {residues}\n  {evidence}"),
                 }
             }
-            Said::Factors(factors) => {
+            Basis::Factors(factors) => {
                 let grid = factors.iter().map(|factor| of_rays(&factor.terms)).fold(Grid::one(), Grid::product);
                 let grid = grid.common(&self.grid);
                 let factors = factors.iter().map(|factor| self.factor(factor)).collect::<Result<_, _>>()?;

@@ -1,4 +1,4 @@
-//! Which part of the engine does a sum speak of? All of it, or what stands before one number of the motion, where rods differ.
+//! Which part of the engine does a sum speak of? All of it, or what is multiplied by one number of the motion, where rods differ.
 
 use super::evidence::list;
 use super::not_stated::has_pistons;
@@ -61,7 +61,7 @@ impl<'a> Parts<'a> {
         match definitions.as_str() {
             "" => definitions,
             _ => format!(
-                "\n(* What stands before one number of the motion: which cylinders, which turning masses. *)\n{definitions}"
+                "\n(* What is multiplied by one number of the motion: which cylinders, which turning masses. *)\n{definitions}"
             ),
         }
     }

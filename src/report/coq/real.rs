@@ -32,7 +32,7 @@ pub(super) fn theorems(document: &Document, parts: &Parts, every: &[Pattern]) ->
     orders.chain(every.iter().filter_map(|pattern| of_every_order(every, pattern))).collect()
 }
 
-/// What stands before one number of the motion: one vector of the torque, or the direct and the reverse one of force and moment.
+/// What is multiplied by one number of the motion: one vector of the torque, or the direct and the reverse one of force and moment.
 struct Sum<'a> {
     quantity: Quantity,
     order: u32,

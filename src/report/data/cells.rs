@@ -19,7 +19,7 @@ const MOST_PLACES: u32 = 12;
 /// assert_eq!(exact_number(&BigRational::new(1.into(), 3.into())), "1/3");
 /// ```
 pub fn exact_number(value: &BigRational) -> String {
-    if let Some(text) = in_words(value) {
+    if let Some(text) = in_i64(value) {
         return text;
     }
     let mut rest = value.denom().clone();
@@ -38,7 +38,7 @@ pub fn exact_number(value: &BigRational) -> String {
 }
 
 /// The same of a number that fits into machine words, of which a sweep has millions.
-fn in_words(value: &BigRational) -> Option<String> {
+fn in_i64(value: &BigRational) -> Option<String> {
     let (numerator, denominator) = (value.numer().to_i64()?, value.denom().to_u64()?);
     let twos = denominator.trailing_zeros();
     let (mut rest, mut fives) = (denominator >> twos, 0_u32);
@@ -54,7 +54,7 @@ fn in_words(value: &BigRational) -> Option<String> {
     Some(with_point(scaled < 0, scaled.unsigned_abs(), places))
 }
 
-/// A number of so many digits behind the point.
+/// A number of this many digits behind the point.
 fn with_point(is_negative: bool, size: impl std::fmt::Display, places: u32) -> String {
     let sign = if is_negative { "-" } else { "" };
     let text = format!("{size:0>width$}", width = places as usize + 1);

@@ -146,7 +146,7 @@ fn degrees(turns: &BigRational) -> BigRational {
     turns * BigRational::from_integer(360.into())
 }
 
-/// Turns in degrees with so many places, up or down.
+/// Turns in degrees with this many places, up or down.
 pub(super) fn rounded(turns: &BigRational, places: u32, up: bool) -> BigRational {
     let units = BigRational::from_integer(BigInt::from(10).pow(places));
     let scaled = degrees(turns) * &units;

@@ -114,18 +114,18 @@ const SMALL_MOMENT: &str = "Not drawn, below 1 % of the largest: moment at {}.";
 const IRRATIONAL: &str = "Marks that the legend calls irrational are at angles that are not rational turns, proved to be zeros and drawn rounded.";
 
 /// What is said of orders that have no curve, or may have zeros without a ring.
-struct Said {
+struct Labels {
     always: &'static str,
     unsolved: &'static str,
     not_drawn: &'static str,
 }
 
-const OF_FORCE: Said = Said {
+const OF_FORCE: Labels = Labels {
     always: "Not drawn, since zero for all angles: force at {}.",
     unsolved: "Not solved, so that zeros may be unmarked: force at {}.",
     not_drawn: "Not drawn: force at {}.",
 };
-const OF_MOMENT: Said = Said {
+const OF_MOMENT: Labels = Labels {
     always: "Not drawn, since zero for all angles: moment at {}.",
     unsolved: "Not solved, so that zeros may be unmarked: moment at {}.",
     not_drawn: "Not drawn: moment at {}.",

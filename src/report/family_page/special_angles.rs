@@ -37,7 +37,10 @@ fn of_two_angles(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     let condition = words::conditions_of(open.next()?)?;
     let is_one_of_two = [PHI, DELTA].iter().all(|angle| unknowns.contains(angle)) && open.next().is_none();
     is_one_of_two.then(|| {
-        phrase!("Counterweights cancel order 1 where {}; elsewhere a shaft against the crank cancels their residual.", condition)
+        phrase!(
+            "Counterweights cancel order 1 where {}; elsewhere a shaft against the crank cancels their residual.",
+            condition
+        )
     })
 }
 

@@ -9,7 +9,7 @@ use crate::firing::{FiringStar, StarOrder, Weights};
 use crate::page::{Block, Document, Fold, Picture, Text, phrase};
 use crate::verdict::JudgedStar;
 
-/// At most so many stars are drawn.
+/// At most this many stars are drawn.
 const MOST_DRAWN: usize = 12;
 
 pub(super) const STAR: &str = "S_\\kappa = \\sum_j r_j\\, e^{-i\\kappa\\varphi_j}";
@@ -120,7 +120,7 @@ pub(super) fn assumed(with_mode_shape: bool) -> Vec<Text> {
     ASSUMED.into_iter().chain((!with_mode_shape).then_some(ASSUMED_RIGID)).map(Text::from).collect()
 }
 
-/// The stars of the first orders, all of them up to so many.
+/// The stars of the first orders, all of them up to this many.
 fn picture(study: &FiringStudy) -> Picture {
     let of_order = |order: &'_ StarOrder| -> Vec<(String, String)> {
         order.stars.iter().map(|star| (order.order.to_string(), names_of(&study.engine, star))).collect()

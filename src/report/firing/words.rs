@@ -8,7 +8,7 @@ use crate::engine::{CycleOrder, Engine};
 use crate::firing::{FiringPattern, FiringStar, NoPattern, StarOrder};
 use crate::page::{Text, phrase};
 
-/// Up to so many classes of orders are named one by one, as `4j − 1`.
+/// Up to this many classes of orders are named one by one, as `4j − 1`.
 const MOST_NAMED: usize = 4;
 /// Longer lists of intervals are not written out.
 const MOST_INTERVALS: usize = 16;
@@ -67,12 +67,12 @@ pub(super) fn left_in_short(pattern: &FiringPattern) -> Text {
     }
 }
 
-/// The orders that vanish among the first so many.
+/// The orders that vanish among the first this many.
 fn zeros(pattern: &FiringPattern, length: usize) -> Vec<CycleOrder> {
     pattern.orders[..length].iter().filter(|order| order.vanishes()).map(|order| order.order).collect()
 }
 
-/// After how many orders the verdicts repeat, and the orders that are left among the first so many.
+/// After how many orders the verdicts repeat, and the orders that are left among the first this many.
 fn shortest(pattern: &FiringPattern) -> (usize, Vec<CycleOrder>) {
     let left: Vec<bool> = pattern.orders.iter().map(|order| !order.vanishes()).collect();
     let repeats = |length: &usize| left.len().is_multiple_of(*length) && left[*length..] == left[..left.len() - length];
@@ -101,7 +101,7 @@ fn class(lowest: CycleOrder, repeats: CycleOrder) -> Text {
     phrase!("{}, {}, … = {}", lowest.to_string(), second, Text::formula(formula))
 }
 
-/// So many halves in TeX.
+/// This many halves in TeX.
 fn tex(halves: u32) -> String {
     match halves.is_multiple_of(2) {
         true => (halves / 2).to_string(),

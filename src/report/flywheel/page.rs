@@ -6,7 +6,7 @@ use num_traits::{ToPrimitive, Zero};
 use super::super::torque::{angle, quantity};
 use super::FlywheelStudy;
 use crate::file::Torque;
-use crate::flywheel::{Course, WithPi};
+use crate::flywheel::{TorqueCurve, WithPi};
 use crate::page::number::{Amount, Number, given, turns_in_decimals};
 use crate::page::plot::{Axis, Curve, Plot};
 use crate::page::{Block, Document, Picture, Piece, Table, Text, Unit, phrase};
@@ -185,7 +185,7 @@ fn picture(study: &FlywheelStudy) -> Option<Picture> {
     turns.retain(|at| *at >= BigRational::zero());
     turns.sort();
     let degrees = |turns: &BigRational| turns.to_f64().unwrap_or(f64::NAN) * 360.0;
-    let course = Course::new(diagram).ok()?;
+    let course = TorqueCurve::new(diagram).ok()?;
     let values: Vec<(f64, [f64; 2])> = turns.iter().map(|at| (degrees(at), course.at(at))).collect();
     let curve = |index: usize| values.iter().map(|(at, both)| (*at, both[index])).collect();
     let x = Axis { range: Some((0.0, degrees(cycle))), ..Axis::linear("Crank angle θ in °") };

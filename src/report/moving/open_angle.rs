@@ -19,7 +19,7 @@ use crate::verdict::{Balance, Judgement, Verdict};
 
 /// Steps of the slider in a degree.
 const STEPS: i64 = 2;
-/// Where a zero is irrational the slider stops at so many places of a degree: rounded, and said so.
+/// Where a zero is irrational the slider stops at this many places of a degree: rounded, and said so.
 const PLACES: i64 = 1000;
 /// Whole numbers up to here are exact in every script.
 const LARGEST: i64 = 1 << 50;
@@ -34,7 +34,7 @@ pub(super) struct OpenAngle<'a> {
     start: BigRational,
     /// Whether lengths are open beside it: then a list of zeros is about all lengths and not complete for those drawn.
     lengths_open: bool,
-    /// So many whole numbers are a turn.
+    /// This many whole numbers are a turn.
     per_turn: i64,
 }
 
@@ -68,7 +68,7 @@ impl<'a> OpenAngle<'a> {
         Some(open)
     }
 
-    /// So many whole numbers a turn that the start, every zero and every step of the slider are whole.
+    /// This many whole numbers a turn that the start, every zero and every step of the slider are whole.
     fn finest(&self) -> Option<i64> {
         let each = self.orders.iter().flat_map(|order| order.force.iter().chain(&order.moment));
         let found: Vec<Solutions> = each.filter_map(|verdict| self.solutions(verdict)).collect();

@@ -70,7 +70,7 @@ impl RotorStudy {
         // Mirrored solutions leave the same.
         let first = match &answer {
             Answer::Found(solutions) => solutions.first().map(Vec::as_slice),
-            Answer::Balanced | Answer::Left(_) => Some(&[][..]),
+            Answer::Balanced | Answer::Residual(_) => Some(&[][..]),
             Answer::Never(_) | Answer::Many(_) => None,
         };
         let secondary = first.filter(|_| rotor.secondary).and_then(|found| rotor::secondary(&rotor, found));
@@ -81,13 +81,13 @@ impl RotorStudy {
     pub fn solutions(&self) -> &[Vec<Found>] {
         match &self.answer {
             Answer::Found(solutions) => solutions,
-            Answer::Balanced | Answer::Left(_) | Answer::Never(_) | Answer::Many(_) => &[],
+            Answer::Balanced | Answer::Residual(_) | Answer::Never(_) | Answer::Many(_) => &[],
         }
     }
 
     /// What is left of force and couple.
     pub(in crate::report) fn left(&self) -> Vec<LeftOver<'_>> {
-        let Answer::Left(sums) = &self.answer else { return Vec::new() };
+        let Answer::Residual(sums) = &self.answer else { return Vec::new() };
         let [force, couple] = &**sums;
         vec![
             LeftOver::new("force", "Force", force),

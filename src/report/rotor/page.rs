@@ -48,7 +48,7 @@ pub(super) fn page(study: &RotorStudy) -> Document {
 fn verdict(study: &RotorStudy) -> Text {
     match &study.answer {
         Answer::Balanced => "The shaft is balanced: force and couple vanish, proved.".into(),
-        Answer::Left(_) => "The shaft is not balanced, proved.".into(),
+        Answer::Residual(_) => "The shaft is not balanced, proved.".into(),
         Answer::Found(solutions) => {
             // Where no angle is given the whole may be turned about the shaft.
             let is_turned = study.rotor.masses.iter().all(|mass| mass.angle.is_none());
@@ -120,7 +120,7 @@ fn found(study: &RotorStudy) -> Vec<Block> {
     blocks
 }
 
-/// An amount of a real number, `of` so many of it.
+/// An amount of a real number, `of` this many of it.
 fn amount(real: &Real, of: &BigRational) -> Text {
     let exact = real.exact.as_ref().map(|form| form.scaled(of));
     Amount { exact, decimal: real.decimal * numbers::float(of) }.into()

@@ -12,11 +12,11 @@ const BESIDE: f64 = 0.9;
 /// From the tip to the nearest label, and the steps farther off, in millimetres.
 const NEAREST: f64 = 1.4;
 const STEP: f64 = 1.5;
-/// Farther off than so many steps there is no place.
+/// Farther off than this many steps there is no place.
 const STEPS: u32 = 30;
 /// A label so far from its tip is tied to it, in millimetres.
 const TIED: f64 = 3.0;
-/// Turned away from the ray by so many parts of 12°.
+/// Turned away from the ray by this many parts of 12°.
 const ASIDE: [i32; 15] = [0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7];
 /// What it costs, in millimetres farther off, to cover an edge of the resultant, a vector, a guide, a leader; to cross a leader; to be broken once more.
 const ON_RESULTANT: f64 = 40.0;

@@ -157,7 +157,7 @@ pub(in crate::report) fn towards(angle: &Turn) -> Point {
     upright(numbers::direction(angle))
 }
 
-/// The corners of a polygon at so many millimetres a unit.
+/// The corners of a polygon at this many millimetres a unit.
 pub(in crate::report) fn corners(polygon: &Polygon, scale: f64) -> Vec<Point> {
     let radius = decimal(&polygon.weight) * scale;
     let corner = |j: u64| {

@@ -15,7 +15,7 @@ use crate::verdict::{Balance, JudgedStar, OrderBalance, Verdict};
 pub(super) const LETTERS: f64 = 3.4;
 /// Width of the panel of one star in millimetres.
 pub(in crate::report) const WIDTH: f64 = 58.0;
-/// The greatest length of a drawing has so many millimetres.
+/// The greatest length of a drawing has this many millimetres.
 const RADIUS: f64 = 17.0;
 /// Between texts and stars, and between rows.
 const GAP: f64 = 1.6;
@@ -99,7 +99,7 @@ pub(in crate::report) struct Sheet {
 }
 
 impl Sheet {
-    /// An empty one with so many panels beside each other.
+    /// An empty one with this many panels beside each other.
     pub fn new(columns: usize) -> Self {
         Sheet { figure: Figure::new(0.0, 0.0).lettered(LETTERS), columns, foot: 0.0 }
     }
@@ -255,7 +255,7 @@ pub fn firing_figure(engine: &Engine, headed: Vec<(String, JudgedStar<'_>)>) -> 
     in_rows(headed.into_iter().zip(&stars).map(panel).collect(), 3)
 }
 
-/// Panels of one scale in rows of so many, the bar below the last.
+/// Panels of one scale in rows of this many, the bar below the last.
 fn in_rows(panels: Vec<Panel>, columns: usize) -> Figure {
     let mut sheet = Sheet::new(panels.len().min(columns));
     let mut panels = panels.into_iter().peekable();

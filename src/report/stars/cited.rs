@@ -7,7 +7,7 @@ use crate::exact::Turn;
 use crate::page::{Text, phrase};
 use crate::stars::{self, Fate, Obstruction, Pins};
 
-/// That no star of so many throws does better, where its moment of order 1 is left by every one of them; of equal cylinders one spacing apart, in line or in
+/// That no star of this many throws does better, where its moment of order 1 is left by every one of them; of equal cylinders one spacing apart, in line or in
 /// two banks on shared pins, each pin in a direction of its own.
 pub(in crate::report) fn cited(engine: &Engine) -> Option<Text> {
     let cylinders = engine.cylinders();

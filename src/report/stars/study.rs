@@ -11,13 +11,13 @@ use crate::stars::{self, Count, Pins, Star};
 
 /// The numbers of cylinders of the page.
 pub(super) const CYLINDERS: std::ops::RangeInclusive<u32> = 2..=30;
-/// Up to so many cylinders all stars are searched when the page is made.
+/// Up to this many cylinders all stars are searched when the page is made.
 const MOST_SEARCHED: u32 = 12;
 
-/// Up to so many cylinders the best star is known.
+/// Up to this many cylinders the best star is known.
 const MOST_KNOWN: u32 = 18;
 
-/// Up to so many stars of a theorem are gone through.
+/// Up to this many stars of a theorem are gone through.
 const MOST_LISTED: usize = 5000;
 
 /// The stars with the least first-order moment, and then the least of order 2, that `crankstar search` found of more cylinders, with how many have that of order 1: directions by place.

@@ -9,7 +9,7 @@ use crate::page::{Number, Table, Text, phrase};
 use crate::report::residual;
 use crate::stars::{self, Count, Fate, Pins, PrimePower};
 
-/// Whether stars of so many throws lose these orders.
+/// Whether stars of this many throws lose these orders.
 fn cell(throws: u32, orders: &[u32]) -> Text {
     match stars::fate(Pins::once(throws), orders) {
         Fate::Lost(_) => "yes".into(),

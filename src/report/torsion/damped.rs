@@ -13,7 +13,7 @@ use crate::torsion::{
     forced_twist, half_range, heat, highest, mesh_torques, resonance, shaft_torques,
 };
 
-/// A range is divided into so many speeds.
+/// A range is divided into this many speeds.
 const SPEEDS: usize = 120;
 /// Beside a resonance speeds stand closer, at these parts of it.
 const BESIDE: [f64; 9] = [-0.04, -0.02, -0.01, -0.005, 0.0, 0.005, 0.01, 0.02, 0.04];

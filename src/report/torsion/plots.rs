@@ -7,7 +7,7 @@ use super::{TorsionStudy, TwistAtSpeed, words};
 use crate::page::{Picture, Text, Unit, phrase};
 use crate::torsion::Critical;
 
-/// So many orders are drawn as rays.
+/// This many orders are drawn as rays.
 const MOST_RAYS: usize = 5;
 /// The diagram goes so far beyond the speed of the layout.
 const BEYOND: f64 = 1.15;
@@ -64,7 +64,7 @@ pub(super) fn campbell(study: &TorsionStudy) -> Option<Picture> {
     Some(Picture { name: "campbell".to_owned(), caption, figure: plot.figure() })
 }
 
-/// Curves of the largest torques are drawn, so many.
+/// Curves of the largest torques are drawn, this many.
 const MOST_SHAFTS: usize = 3;
 
 /// Amplitude, torque and stress over the range of speeds, where there is damping.

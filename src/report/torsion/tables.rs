@@ -7,12 +7,12 @@ use super::words::{part, shaft};
 use crate::engine::CycleOrder;
 use crate::page::{Number, Table, Text, Unit, number, phrase};
 
-/// At most so many modes are beside each other.
+/// At most this many modes are beside each other.
 pub(super) const MOST_MODES: usize = 3;
-/// At most so many rows of a table stand on a terminal.
+/// At most this many rows of a table stand on a terminal.
 pub(super) const MOST_ROWS: usize = 8;
 
-/// One row per mode, of the first so many: frequency, the same in rpm, nodes.
+/// One row per mode, of the first this many: frequency, the same in rpm, nodes.
 pub(super) fn modes(study: &TorsionStudy, most: usize) -> Table {
     Table::of(study.modes.iter().map(|speeds| &speeds.mode).take(most).enumerate())
         .column("Mode", |(index, _)| index + 1)

@@ -145,12 +145,12 @@ pub(super) fn rows(engine: &Engine) -> Vec<&BigRational> {
 }
 
 /// What distinguishes a linkage in this view.
-type Seen<'a> = ([usize; 2], &'a Turn, &'a Turn, &'a BigRational, &'a Option<Mechanism>);
+type Outline<'a> = ([usize; 2], &'a Turn, &'a Turn, &'a BigRational, &'a Option<Mechanism>);
 
 /// All linkages: by crankshafts and rows, then banks, then throws; lengths beside them in these units.
 pub(super) fn linkages(engine: &Engine, units: Units) -> Linkages<'_> {
     let rows = rows(engine);
-    let mut seen: BTreeMap<Seen, Vec<&Cylinder>> = BTreeMap::new();
+    let mut seen: BTreeMap<Outline, Vec<&Cylinder>> = BTreeMap::new();
     for cylinder in engine.cylinders() {
         let row = rows.iter().position(|row| **row == cylinder.position).unwrap_or(0);
         let key = ([cylinder.crank, row], &cylinder.bank, &cylinder.throw, &cylinder.crank_radius, &cylinder.mechanism);

@@ -33,11 +33,11 @@ pub enum Size {
     Between(BigRational, BigRational),
 }
 
-/// The directions tried are those of the vectors and across them, of at most so many vectors.
+/// The directions tried are those of the vectors and across them, of at most this many vectors.
 const MOST_TRIED: usize = 24;
 /// Bits behind the point when a component is enclosed.
 const BITS: u32 = 128;
-/// A component is reported to at most so many decimal places.
+/// A component is reported to at most this many decimal places.
 const MOST_PLACES: u32 = 4;
 /// A component is reported to more places where it would have fewer units of its last place.
 const LEAST_UNITS: u32 = 1000;

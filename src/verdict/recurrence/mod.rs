@@ -68,7 +68,7 @@ pub struct Recurrence {
     pub odd: Vec<ClassPattern>,
 }
 
-/// The cylinders that stand before one number at all orders of a parity.
+/// The cylinders that are multiplied by one number at all orders of a parity.
 #[derive(Clone, Debug)]
 pub struct ClassPattern {
     /// The cylinders.

@@ -19,7 +19,7 @@ fn degrees(turn: &crankstar::Turn) -> f64 {
     turn.degrees().to_f64().expect("a float")
 }
 
-/// `P⁺` and `P⁻` of the force, or of the moment, of the cylinders, whose phases may be off by so many degrees: twice the mean of the
+/// `P⁺` and `P⁻` of the force, or of the moment, of the cylinders, whose phases may be off by this many degrees: twice the mean of the
 /// force along and across, turned back and on, over one revolution.
 pub fn vectors(engine: &Engine, order: u32, quantity: Planar, off: impl Fn(usize) -> [f64; 2]) -> [Complex<f64>; 2] {
     const STEPS: u32 = 64;
@@ -56,7 +56,7 @@ pub fn right(engine: &Engine, order: u32, places: usize) -> Answer {
     with_wrong_phases(engine, order, places, |_| [0.0, 0.0])
 }
 
-/// What a student writes whose phases are off by so many degrees, and whose sums are those of these phases.
+/// What a student writes whose phases are off by this many degrees, and whose sums are those of these phases.
 pub fn with_wrong_phases(engine: &Engine, order: u32, places: usize, off: impl Fn(usize) -> [f64; 2]) -> Answer {
     let k = f64::from(order);
     let phase = |(index, cylinder): (usize, &crankstar::Cylinder)| {

@@ -14,7 +14,7 @@ pub const POINTS: [(f64, f64); 5] = [
     (0.953089922969332, 0.118463442528095),
 ];
 
-/// A pressure in bar, two degrees apart through a cycle of so many degrees: it peaks after the dead centre and is rough.
+/// A pressure in bar, two degrees apart through a cycle of this many degrees: it peaks after the dead centre and is rough.
 pub fn random(dice: &mut Dice, cycle: f64, peak: u64) -> Vec<f64> {
     let rows = (cycle / 2.0) as usize;
     let bar = |row: usize| {

@@ -5,7 +5,7 @@ use super::dice::Dice;
 /// The forms that a layout file can have.
 pub const FORMS: [&str; 7] = ["inline", "vee", "flat", "boxer", "fan", "radial", "cylinders"];
 
-/// A layout file of this form with at most so many cylinders.
+/// A layout file of this form with at most this many cylinders.
 pub fn file(dice: &mut Dice, form: &str, most: u64) -> String {
     let body = match form {
         "inline" => format!("[inline]\nthrows = {}\n", throws(dice, most)),

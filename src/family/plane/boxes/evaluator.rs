@@ -12,7 +12,7 @@ use super::spot::{BITS, ONE, Spot, length};
 use super::torus::Torus;
 use crate::exact::{PhasorSum, Term, Turn};
 
-/// Boxes are halved so many times at most on each side.
+/// Boxes are halved this many times at most on each side.
 pub(super) const FINEST: u32 = 16;
 
 /// The sum over that of its weights, its exponents doubled and as large either way.

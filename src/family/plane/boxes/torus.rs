@@ -12,7 +12,7 @@ use super::super::super::Part;
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers;
 
-/// s and t may enter so many times.
+/// s and t may enter this many times.
 const HIGHEST_TIMES: i64 = 200;
 /// Denominators of rational turns that decimals propose.
 const LARGEST_DENOMINATOR: i64 = 20_000;
