@@ -25,13 +25,13 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     ],
     [
         "How many stars have no moment of order 1",
-        "**Theorem.** For a product $pq$ of two primes exactly $2\\,(p-1)!\\,(q-1)!$ stars with cylinder 1 at 0° have no moment of order 1.",
+        "**Theorem.** For a product $pq$ of two different primes exactly $2\\,(p-1)!\\,(q-1)!$ stars with cylinder 1 at 0° have no moment of order 1.",
         "The moment is 0 exactly if the places are sums $a_i + b_j$, $i$ and $j$ the remainders by $p$ and $q$. So 0, 1, …, $pq - 1$ are the sums of $p$ and of $q$ numbers, each once: as a product of polynomials, $(1 + x + \\dots + x^{pq-1}) = A(x)\\,B(x)$. It has three irreducible \
          factors, with values $p$, $q$ and 1 at $x = 1$, and $A$ has the value $p$ there: so $A$ is $0, 1, \\dots, p-1$ or that times $q$. Each set can be put on its remainders in any order, and $pq$ rotations are one star.",
     ],
     [
         "The residual of order 2",
-        "**Theorem.** $2p$ cylinders without order 1 keep at least twice the least moment of order 1 of $p$ cylinders at order 2, and some keep no more.",
+        "**Theorem.** Without order 1, $2p$ cylinders ($p$ an odd prime) keep at order 2 at least twice the least moment of order 1 of $p$ cylinders; some keep no more.",
         "At order 2 the two terms of $a_i + b_j$ separate: $a_i$ adds 0, and $b_j$ is a star of $p$ throws, each taken twice, with places one apart or two apart.",
     ],
     [
@@ -41,7 +41,7 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     ],
     [
         "Other spacings",
-        "**Theorem.** At rational places the moment of order 1 of $pq$ cylinders vanishes exactly if the places are the sums of $p$ and $q$ numbers. Irrational places can do what rational ones cannot.",
+        "**Theorem.** At rational places the moment of order 1 of $pq$ cylinders (two different primes) can vanish exactly if the places are the sums of $p$ and $q$ numbers. Irrational places can do what rational ones cannot.",
         "The first half is proved as above, but without polynomials. For the second: five throws with the arms $\\sin(4\\pi x/5)$ at the angles $2\\pi x/5$ have gaps in the golden ratio, 1 : φ : φ : 1; an arm is the difference of two rotating vectors, and what they add at order 1 is two sums over five directions, both 0.",
     ],
     [
