@@ -11,7 +11,7 @@ use crate::text::Untrusted;
 use crate::verdict::{self, EveryOrderTheorem};
 
 const TITLE: &str = "Crank stars: which moments can vanish, and which cannot";
-const READING: &str = "A star says where each throw along the shaft points. Engines in line, two-stroke (four-stroke with an odd number of cylinders too), evenly firing, one spacing apart, equal masses and rods. Yes: for some star the moments of all these orders vanish. No, with a prime q: throws 1/q of a turn apart would coincide. Stars are counted with cylinder 1 at 0°.";
+const READING: &str = "A star says where each throw along the shaft points. Engines in line, two-stroke (four-stroke with an odd number of cylinders too), evenly firing, one spacing apart, equal masses and rods, no pin offset: of the odd orders only order 1 exists. Yes: for some star the moments of all these orders vanish. No, with a prime q: throws 1/q of a turn apart would coincide. Stars are counted with cylinder 1 at 0°.";
 const SOURCES: [&str; 4] = [
     "**Known.** That a moment of order 1 is zero says that an equiangular polygon has the sides 1, 2, …, n in some order. R. Dawson, Arithmetic polygons, American Mathematical Monthly 119 (2012) 695–698, says when there is one; that coprime factors suffice is a competition problem.",
     "**Known.** Which sums of roots of unity vanish: L. Rédei, N. G. de Bruijn, I. J. Schoenberg; T. Y. Lam and K. H. Leung, On vanishing sums of roots of unity, Journal of Algebra 224 (2000) 91–109. That 0, …, pq − 1 is a sum of two sets in two ways alone is de Bruijn's.",

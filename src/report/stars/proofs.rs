@@ -20,8 +20,8 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     ],
     [
         "Why every moment can vanish with thirty",
-        "**Theorem.** A two-stroke engine in line that fires evenly can be without any moment of any order exactly where its number of cylinders is even and has two different odd prime factors.",
-        "Let throws half a turn apart be mirrored about the middle of the shaft: their arms are opposite, and at every even order they point one way, so that all even orders vanish. Order 1 remains. Thirty is $2 \\cdot 15$, and fifteen has the star of remainders: put it on every other direction, with the places of the second half of the shaft, and its mirror image on the opposite ones; then order 1 vanishes for each half by itself. (Of $2^a c$ cylinders, $c$ odd, each $2^{a-1}$-th direction and each $2^{a-1}$-th place make such a pair of halves.) With one odd prime only, the theorem before forbids it; an odd number of cylinders has no opposite throws, and there even orders reach every divisor.",
+        "**Theorem.** A two-stroke engine of several cylinders in line that fires evenly can be without any moment of any order that exists without a pin offset (1, 2, 4, 6, …) exactly where its number of cylinders is even and has two different odd prime factors.",
+        "Let throws half a turn apart be mirrored about the middle of the shaft: their arms are opposite, and at every even order they point one way, so that all even orders vanish. Order 1 remains. Thirty is $2 \\cdot 15$, and fifteen has the star of remainders: put it on every other direction, with the places of the second half of the shaft, and its mirror image on the opposite ones; then order 1 vanishes for each half by itself. (Of $2^a c$ cylinders, $c$ odd, each $2^{a-1}$-th direction and each $2^{a-1}$-th place make such a pair of halves.) With at most one odd prime, the theorem before forbids it. An odd number: every order has the kind of an even one, so all would vanish, and all places be equal.",
     ],
     [
         "How many stars have no moment of order 1",
