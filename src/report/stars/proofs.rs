@@ -16,7 +16,7 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     [
         "Why orders 1 and 2 can vanish with twelve, and 1, 2 and 4 with fifteen",
         "**Theorem.** Orders 1, 2, 4, … $2^j$ can vanish together exactly where the number of cylinders, divided by what it has in common with $2^j$, is neither 1 nor a power of a prime.",
-        "At order $k$ the $n$ directions become $n$ divided by the greatest common divisor of $n$ and $k$, each taken equally often. If that number is not a power of a prime, the star of remainders makes the order vanish, as above. If for one prime it is a power of it at the last of these orders, all orders that would distinguish throws $1/q$ of a turn apart are among those that have to vanish: the places, put together from the orders that remain, would repeat themselves after $1/q$ of a turn, and no two throws coincide. If it is 1, the number of cylinders is a power of 2, and order 1 remains. An order and its multiples by numbers coprime to $n$ vanish together: so fifteen cylinders without order 1 are without 2, 4 and 8, and keep 6 and 10.",
+        "(An order and its multiples by numbers coprime to $n$ vanish together, as arms are rational.) At order $k$ the $n$ directions become $n$ divided by the greatest common divisor of $n$ and $k$, each taken equally often. If that number is neither 1 nor a power of a prime at the last of these orders, it is neither at the others, and the star of remainders makes all of them vanish, as above. If at the last of these orders the number is a power of a prime $q$, all orders that would distinguish throws $1/q$ of a turn apart are among those that have to vanish: the places, put together from the orders that remain, would repeat themselves after $1/q$ of a turn, and no two throws coincide. If it is 1, the number of cylinders is a power of 2, and order 1 remains. Fifteen cylinders without order 1 are without 2, 4 and 8, and keep both 6 and 10: were one lost, throws a fifth or a third of a turn apart would coincide.",
     ],
     [
         "Why every moment can vanish with thirty",
@@ -26,7 +26,7 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     [
         "How many stars have no moment of order 1",
         "**Theorem.** For a product $pq$ of two different primes exactly $2\\,(p-1)!\\,(q-1)!$ stars with cylinder 1 at 0° have no moment of order 1.",
-        "The moment is 0 exactly if the places are sums $a_i + b_j$, $i$ and $j$ the remainders by $p$ and $q$. So 0, 1, …, $pq - 1$ are the sums of $p$ and of $q$ numbers, each once: as a product of polynomials, $(1 + x + \\dots + x^{pq-1}) = A(x)\\,B(x)$. It has three irreducible \
+        "The moment is 0 exactly if the places are sums $a_i + b_j$, $i$ and $j$ the remainders by $p$ and $q$: of the places $w(i, j)$, each times the direction of $j$, the sums over $j$ at each $i$ must be equal, so $w(i, j) - w(0, j)$ does not depend on $j$. So 0, 1, …, $pq - 1$ are the sums of $p$ and of $q$ numbers, each once: as a product of polynomials, $(1 + x + \\dots + x^{pq-1}) = A(x)\\,B(x)$. It has three irreducible \
          factors, with values $p$, $q$ and 1 at $x = 1$, and $A$ has the value $p$ there: so $A$ is $0, 1, \\dots, p-1$ or that times $q$. Each set can be put on its remainders in any order, and $pq$ rotations are one star.",
     ],
     [
