@@ -37,7 +37,7 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     [
         "Four-stroke engines",
         "**Theorem.** With an odd number of cylinders the throws, and all of the above, are those of the two-stroke engine. With an even number each direction is taken twice, and the moments of all orders 1, 2, 3, … vanish exactly if the shaft is its own mirror image.",
-        "Add the two arms of each direction. If all orders vanish, these sums are 0 by Fourier's inversion: the two throws of every direction are mirrored. The other way round they cancel at every order. Odd orders above 1 exist only with a pin offset: without one other stars may do as well, of twelve cylinders 48.",
+        "Add the two arms of each direction. If all orders vanish, these sums are 0 by Fourier's inversion: the two throws of every direction are mirrored. The other way round they cancel at every order. Odd orders above 1 exist only with a pin offset; without one, other stars lose all orders too: with twelve cylinders 48 beside the 120.",
     ],
     [
         "Other spacings",
