@@ -21,6 +21,7 @@ const SOURCES: [&str; 4] = [
 
 fn answer_box() -> Vec<Text> {
     vec![
+        "Of engines of several cylinders whose throws stand one in each of n evenly spread directions (every evenly firing two-stroke in line, four-strokes with an odd number of cylinders):".into(),
         "**Five cylinders cannot be without a first-order couple, and six can.** The moment of order 1 can be zero where the number of cylinders is not a power of a prime, and only there.".into(),
         phrase!(
             "**The moments of orders 1 and 2 can vanish together with {} cylinders and no fewer, those of orders 1, 2 and 4 with {} and no fewer.**",
@@ -28,10 +29,11 @@ fn answer_box() -> Vec<Text> {
             first(|_| vec![1, 2, 4])
         ),
         phrase!(
-            "**With {} cylinders, and no fewer, an evenly firing two-stroke engine in line can be free of moments of every order.** Its force begins at order 30.",
+            "**With {} cylinders, and no fewer, an evenly firing two-stroke engine in line can be free of the moments of every order that exists without a pin offset.** Its force begins at order {}.",
+            first(every),
             first(every)
         ),
-        "**No bank angle removes the first-order couple** of a V8 on four pins, or of a V10 on five.".into(),
+        "**No bank angle removes the first-order couple** of a V8 whose four pins stand a quarter turn apart (cross-plane), or of a V10 on five pins a fifth apart: what turns with the crank is left to counterweights.".into(),
     ]
 }
 
