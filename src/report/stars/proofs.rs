@@ -46,7 +46,7 @@ pub(super) const THEOREMS: [[&str; 3]; 9] = [
     ],
     [
         "No bank angle helps",
-        "**Theorem.** Two equal banks on shared pins, an angle γ apart, leave $2\\,\\lvert\\cos\\tfrac{(k \\mp 1)\\gamma}{2}\\rvert$ times the moment of the pins at order $k$, with the crank and against it. At order 1 the vector that turns with the crank is exactly twice that of the pins.",
-        "The vectors of the two cylinders of a pin are $(k \\mp 1)\\gamma$ apart, for every pin. For $k = 1$ that is 0 with the crank. So a V8 on four such pins or a V10 on five keeps a couple that turns with the crank, for counterweights to cancel, and a V12 on six need not.",
+        "**Theorem.** Two equal banks, an angle γ apart, on shared pins that stand one in each of $m$ evenly spread directions leave two rotating moments at order $k$, with the crank and against it: each is $\\lvert\\cos\\tfrac{(k \\mp 1)\\gamma}{2}\\rvert$ times the greatest moment of the pins in line. At order 1 the couple that turns with the crank is as large as the greatest of the pins.",
+        "The pins in line have two vectors, each half as large as their greatest moment. The vectors of the two cylinders of a pin are $(k \\mp 1)\\gamma$ apart, for every pin. For $k = 1$ that is 0 with the crank. So a V8 on four such pins or a V10 on five keeps a couple that turns with the crank, for counterweights to cancel, and a V12 on six need not.",
     ],
 ];

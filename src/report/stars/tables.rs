@@ -86,11 +86,10 @@ pub(super) fn four_stroke() -> Table {
 
 /// What stays of a V on shared pins, at every bank angle.
 pub(super) fn vees(best: &[BestStar]) -> Table {
-    let twice = |sum: &PhasorSum| sum.scaled(&BigRational::from_integer(2.into()));
     Table::of(best.iter().filter(|best| best.cylinders <= 8))
         .column("V on shared pins", |best| format!("V{}", 2 * best.cylinders))
         .column("Pins", |best| best.cylinders)
-        .column("Least couple of order 1 that turns with the crank", |best| length(&twice(&best.moments[0])))
+        .column("Least couple of order 1 that turns with the crank", |best| length(&best.moments[0]))
         .done()
 }
 
