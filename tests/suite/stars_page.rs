@@ -71,7 +71,7 @@ pub fn table(begins: &str) -> Vec<Vec<String>> {
 }
 
 pub fn whole(cell: &str) -> u64 {
-    cell.replace(',', "").parse().unwrap_or_else(|_| panic!("{cell} is not a number"))
+    cell.replace('\u{202f}', "").parse().unwrap_or_else(|_| panic!("{cell} is not a number"))
 }
 
 /// What stands behind ≈ or is exact, as a decimal with the room of its last digit.

@@ -3,8 +3,8 @@
 use num_rational::BigRational;
 
 use super::study::{BestStar, CYLINDERS, of_six};
-use super::words::grouped;
 use crate::exact::PhasorSum;
+use crate::page::number::grouped;
 use crate::page::{Number, Table, Text, phrase};
 use crate::report::residual;
 use crate::stars::{self, Count, Fate, Pins, PrimePower};

@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 
 use crate::engine::Cycle;
+use crate::page::number::grouped;
 use crate::page::{Text, phrase};
 use crate::report::residual;
 use crate::search::{self, Options, Problem, Theorems};
@@ -103,12 +104,6 @@ fn counted(count: &Count) -> Option<Text> {
         ),
         None => phrase!("**Counted.** {} stars do, with cylinder 1 at 0°: {}.", stars, formula),
     })
-}
-
-/// `1,682,445`.
-pub(super) fn grouped(digits: &str) -> String {
-    let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
-    groups.collect::<Vec<_>>().join(",")
 }
 
 /// What is left of another order.
