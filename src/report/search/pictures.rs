@@ -27,8 +27,7 @@ pub(in crate::report) fn pictures_at(
         caption: phrase!("Star {}. {}", number, end_view_caption(&engine)),
         figure: end_view(&engine),
     };
-    let judged =
-        order.and_then(|order| classify(&engine, &[order], Masses::Reciprocating, &Quantity::PLANAR).ok());
+    let judged = order.and_then(|order| classify(&engine, &[order], Masses::Reciprocating, &Quantity::PLANAR).ok());
     let parts = judged.iter().flatten().flat_map(|order| order.parts.first());
     let vectors = parts.map(|order| Picture {
         name: format!("star-{number}-order-{}", order.order),
