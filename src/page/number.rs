@@ -19,6 +19,12 @@ const LONGEST_FORM: usize = 48;
 /// Digits of the longest number in a closed form that is shown.
 const MOST_DIGITS: usize = 4;
 
+/// The digits of a count in threes, `1 682 445`: narrow spaces that do not break, which no language takes for a decimal sign.
+pub(crate) fn grouped(digits: &str) -> String {
+    let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
+    groups.collect::<Vec<_>>().join("\u{202f}")
+}
+
 /// An exact number: an integer, a short decimal, or a fraction; `−` for minus.
 pub(crate) fn number(value: &BigRational) -> String {
     if is_rounded(value) {

@@ -27,7 +27,7 @@ pub(super) fn section(
             blocks.push(Block::List(statements(engine, theorem)));
             blocks.extend(next(judged, every));
             blocks.push(Block::Paragraph(why(engine, theorem)));
-            blocks.extend(stars::cited(engine).map(Block::Paragraph));
+            blocks.extend(stars::cited(engine).into_iter().map(Block::Paragraph));
             if theorem.force.direct.len() <= MOST_ROWS {
                 let summary = "One period of orders".into();
                 blocks.push(Block::Folded(Fold { summary, blocks: vec![table::period(theorem).into()] }));

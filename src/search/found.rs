@@ -55,6 +55,7 @@ pub struct FoundStar {
     pub classes: Option<u64>,
     /// Stars with exactly these values and cylinder 1 at 0; `None` as there.
     pub stars: Option<u64>,
+    pub(super) by_theorem: bool,
 }
 
 impl FoundStar {
@@ -79,14 +80,14 @@ impl FoundStar {
         let firing_order = fired.map(|(order, _)| order);
         let counted = |count: u64| (point.classes > 0).then_some(count);
         let (classes, stars) = (counted(point.classes), counted(point.stars));
-        FoundStar { throws, firing_order, neighbours, moments, minor, classes, stars }
+        FoundStar { throws, firing_order, neighbours, moments, minor, classes, stars, by_theorem: false }
     }
 
     /// The engine as the text of a layout file, which every other command reads.
     pub fn layout_file(&self, problem: &Problem) -> String {
         let quoted: Vec<String> = self.throws.iter().map(|throw| format!("\"{} turn\"", throw.turns())).collect();
         let form = if problem.bank_angle.is_some() { "vee" } else { "inline" };
-        let mut text = format!("title = \"{}\"\ncycle = \"{}\"\n", title(problem), cycle(problem));
+        let mut text = format!("title = \"{}\"\ncycle = \"{}\"\n", self.title(problem), cycle(problem));
         if let Some(order) = &self.firing_order {
             let _ = writeln!(text, "firing_order = \"{}\"", dashed(order));
         }
@@ -103,12 +104,18 @@ impl FoundStar {
         text
     }
 
+    /// What the engine is called.
+    fn title(&self, problem: &Problem) -> String {
+        let name = name(problem);
+        if self.by_theorem { format!("{name}, by a theorem") } else { format!("{name} found by search") }
+    }
+
     /// The engine: the one that [`FoundStar::layout_file`] describes.
     ///
     /// # Errors
     /// What does not fit, where the star is none of the question.
     pub fn engine(&self, problem: &Problem) -> Result<Engine, BuildError> {
-        let mut draft = Draft::new(&title(problem));
+        let mut draft = Draft::new(&self.title(problem));
         draft.form = if problem.bank_angle.is_some() { engine::Form::Vee } else { engine::Form::Inline };
         for bank in &problem.banks() {
             let pins = self.throws.iter().enumerate();
@@ -126,11 +133,6 @@ impl FoundStar {
         };
         draft.build()
     }
-}
-
-/// What the engine is called.
-fn title(problem: &Problem) -> String {
-    format!("{} found by search", name(problem))
 }
 
 /// Distance of a throw from the middle of this many, one spacing apart, the first at the free end.

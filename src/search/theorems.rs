@@ -104,7 +104,8 @@ pub fn described(problem: &Problem) -> Option<Front> {
     let (classes, stars) = counted.unwrap_or((0, 0));
     let points = judged::judge(&space, &Tables::new(&space), &throws);
     let points = points.into_iter().map(|point| StarValues { classes, stars, ..point }).collect();
-    let front = answer::answer(problem, &space, points, Counts::default());
+    let mut front = answer::answer(problem, &space, points, Counts::default());
+    front.stars.iter_mut().for_each(|star| star.by_theorem = true);
     Some(Front { described: Some(made.by), ..front })
 }
 

@@ -380,7 +380,7 @@ fn notes(
     is_exact: bool,
 ) -> Vec<Block> {
     let mut page = Document::new("verdicts", Text::default());
-    page.blocks.extend(stars::cited(engine).map(Block::Note));
+    page.blocks.extend(stars::cited(engine).into_iter().map(Block::Note));
     page.blocks.extend(sizes(as_judged).filter(|_| is_exact).map(Block::Note));
     // What books say of rods that are assumed nobody asks.
     let given = as_judged.filter(|weighed| weighed.assumed.is_none());

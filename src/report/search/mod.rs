@@ -10,6 +10,6 @@ mod torsion;
 
 pub use front::search_layouts;
 pub use page::{search_answer, search_page, search_theorems};
-pub(in crate::report) use pictures::pictures as star_pictures;
+pub(in crate::report) use pictures::pictures_at as star_pictures;
 pub use study::SearchStudy;
 pub use torsion::search_torsion;

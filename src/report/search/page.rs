@@ -84,7 +84,7 @@ fn title(front: &Front) -> Text {
 
 /// How many are best, and the first of them.
 fn best(front: &Front) -> Vec<Text> {
-    let (all, limits) = (front.all.to_string(), &front.limits.limits);
+    let (all, limits) = (number::grouped(&front.all.to_string()), &front.limits.limits);
     let orders: Vec<String> = front.problem.orders.iter().map(u32::to_string).collect();
     let orders = phrase!("Compared: the moments of these orders: {}.", orders.join(", "));
     let how_many = match front.stars.len() {
@@ -185,7 +185,7 @@ fn judged(front: &Front) -> Text {
     }
     phrase!(
         "Stars evaluated one by one, of those that differ by rotation, mirror or reversal one each: {}. Partial stars pruned, since none of their completions can be among the best: {}.",
-        front.judged.to_string(),
-        front.cut.to_string()
+        number::grouped(&front.judged.to_string()),
+        number::grouped(&front.cut.to_string())
     )
 }

@@ -9,18 +9,25 @@ use crate::search::{FoundStar, Problem};
 use crate::verdict::classify;
 
 /// The crankshaft, and the vectors of the first order of which a moment is left, or of the first one.
-pub(in crate::report) fn pictures(problem: &Problem, star: &FoundStar, number: usize) -> Vec<Picture> {
+pub(super) fn pictures(problem: &Problem, star: &FoundStar, number: usize) -> Vec<Picture> {
+    let left = star.moments.iter().find(|moment| !moment.sum.vanishes()).or(star.moments.first());
+    pictures_at(problem, star, number, left.map(|moment| moment.order))
+}
+
+/// The crankshaft, and the vectors of an order.
+pub(in crate::report) fn pictures_at(
+    problem: &Problem,
+    star: &FoundStar,
+    number: usize,
+    order: Option<u32>,
+) -> Vec<Picture> {
     let Ok(engine) = star.engine(problem) else { return Vec::new() };
     let from_the_end = Picture {
         name: format!("star-{number}"),
         caption: phrase!("Star {}. {}", number, end_view_caption(&engine)),
         figure: end_view(&engine),
     };
-    let left = star.moments.iter().find(|moment| !moment.sum.vanishes()).or(star.moments.first());
-    let judged = left.and_then(|moment| {
-        let quantities = Quantity::PLANAR;
-        classify(&engine, &[moment.order], Masses::Reciprocating, &quantities).ok()
-    });
+    let judged = order.and_then(|order| classify(&engine, &[order], Masses::Reciprocating, &Quantity::PLANAR).ok());
     let parts = judged.iter().flatten().flat_map(|order| order.parts.first());
     let vectors = parts.map(|order| Picture {
         name: format!("star-{number}-order-{}", order.order),

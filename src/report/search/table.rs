@@ -70,7 +70,7 @@ pub(super) fn left(star: &FoundStar) -> Option<Text> {
 
 /// How many are as good, where that is known.
 fn equal_stars(star: &FoundStar) -> Text {
-    star.classes.map_or_else(|| "not counted".into(), |classes| classes.to_string().into())
+    star.classes.map_or_else(|| "not counted".into(), |classes| number::grouped(&classes.to_string()).into())
 }
 
 /// `1-5-3-4-2-6`.

@@ -165,12 +165,11 @@ impl StarAtlas {
         let name = format!("minimal-{}", self.label(places[0]).replace('.', "-"));
         let labelled: Vec<(String, &MinimalStar)> =
             places.iter().map(|place| (self.label(*place), &self.stars[*place])).collect();
-        let caption = phrase!(
-            "Class {}: {} vectors; {} stars up to rotation.",
-            Text::formula(class.to_string()),
-            class.vectors(),
-            places.len()
-        );
+        let (formula, vectors) = (Text::formula(class.to_string()), class.vectors());
+        let caption = match places.len() {
+            1 => phrase!("Class {}: {} vectors; one star up to rotation.", formula, vectors),
+            several => phrase!("Class {}: {} vectors; {} stars up to rotation.", formula, vectors, several),
+        };
         let picture = Picture { name, caption, figure: drawn::stars(&labelled) };
         let mut blocks = vec![Block::Pictures(vec![picture])];
         blocks.push(Block::Folded(Fold {

@@ -1,55 +1,150 @@
-//! Which theorem on stars does an engine fall under? One sentence, after its own proofs.
+//! Which theorems on stars does an engine fall under? A sentence each, after its own proofs.
 
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
+use super::tables::every;
+use super::words::least_moment;
 use crate::engine::Engine;
 use crate::exact::Turn;
 use crate::page::{Text, phrase};
-use crate::stars::{self, Fate, Obstruction, Pins};
+use crate::stars::{self, Fate, Obstruction, Pins, Star};
 
-/// That no star of this many throws does better, where its moment of order 1 is left by every one of them; of equal cylinders one spacing apart, in line or in
-/// two banks on shared pins, each pin in a direction of its own.
-pub(in crate::report) fn cited(engine: &Engine) -> Option<Text> {
-    let cylinders = engine.cylinders();
-    let first = cylinders.first()?;
-    let is_equal = cylinders.iter().all(|other| {
-        (&other.reciprocating_mass, &other.crank_radius) == (&first.reciprocating_mass, &first.crank_radius)
-    });
-    if !is_equal || !engine.geared_cranks().is_empty() || engine.has_links() {
-        return None;
+/// What theorems say of equal cylinders one spacing apart, in line or in two banks on shared pins.
+pub(in crate::report) fn cited(engine: &Engine) -> Vec<Text> {
+    let Some(Crank { pins, banks, star }) = Crank::of(engine) else { return Vec::new() };
+    let throws = star.directions();
+    match (pins.each, stars::fate(Pins::once(throws), &[1])) {
+        (1, Fate::Never(Obstruction { prime, .. })) if throws > 2 => vec![never(throws, banks, prime)],
+        (1, Fate::Lost(_)) if banks == 1 && !engine.has_offset() && star.loses(1) => lost(&star),
+        (2, _) if throws > 1 && (1..=throws).all(|order| star.loses(order)) => vec![phrase!(
+            "**The crankshaft is its own mirror image:** the two throws in each direction have opposite arms, so that the moments of all orders vanish (page of stars, {}).",
+            page()
+        )],
+        _ => Vec::new(),
     }
-    let mut pins: Vec<(&BigRational, &Turn)> =
-        cylinders.iter().map(|cylinder| (&cylinder.position, &cylinder.throw)).collect();
-    pins.sort();
-    pins.dedup();
-    let throws = u32::try_from(pins.len()).ok()?;
-    let in_banks = cylinders.len() / pins.len();
-    let mut banks: Vec<&Turn> = cylinders.iter().map(|cylinder| &cylinder.bank).collect();
-    banks.sort();
-    banks.dedup();
-    let is_full = banks.len() == in_banks && in_banks <= 2 && cylinders.len() == pins.len() * in_banks;
-    let turned = |throw: &Turn| (throw - pins[0].1).turns() * BigRational::from_integer(throws.into());
-    let mut directions: Vec<BigRational> = pins.iter().map(|(_, throw)| turned(throw)).collect();
-    directions.sort();
-    let is_even =
-        (0..).zip(&directions).all(|(step, direction): (i64, _)| *direction == BigRational::from_integer(step.into()));
-    let spacing = pins.get(1)?.0 - pins[0].0;
-    let is_spaced = pins.windows(2).all(|pair| pair[1].0 - pair[0].0 == spacing);
-    let Fate::Never(Obstruction { prime, .. }) = stars::fate(Pins::once(throws), &[1]) else { return None };
-    (is_full && is_even && is_spaced && throws > 2).then(|| match in_banks {
+}
+
+fn page() -> Text {
+    Text::code("crankstar stars")
+}
+
+/// The pins of an engine, in evenly spread directions.
+struct Crank {
+    pins: Pins,
+    /// How many cylinders are on each pin.
+    banks: usize,
+    star: Star,
+}
+
+impl Crank {
+    /// None of unequal cylinders, of uneven spacing or directions, or where not every pin has a cylinder of each bank.
+    fn of(engine: &Engine) -> Option<Self> {
+        let cylinders = engine.cylinders();
+        let first = cylinders.first()?;
+        let is_equal = cylinders.iter().all(|other| {
+            (&other.reciprocating_mass, &other.crank_radius, &other.mechanism)
+                == (&first.reciprocating_mass, &first.crank_radius, &first.mechanism)
+        });
+        if !is_equal || !engine.geared_cranks().is_empty() || engine.has_links() {
+            return None;
+        }
+        let mut pins: Vec<(&BigRational, &Turn)> =
+            cylinders.iter().map(|cylinder| (&cylinder.position, &cylinder.throw)).collect();
+        pins.sort();
+        pins.dedup();
+        let in_banks = cylinders.len() / pins.len();
+        let mut banks: Vec<&Turn> = cylinders.iter().map(|cylinder| &cylinder.bank).collect();
+        banks.sort();
+        banks.dedup();
+        let is_full = banks.len() == in_banks && in_banks <= 2 && cylinders.len() == pins.len() * in_banks;
+        let spacing = pins.get(1)?.0 - pins[0].0;
+        let is_spaced = pins.windows(2).all(|pair| pair[1].0 - pair[0].0 == spacing);
+        let turns: Vec<BigRational> = pins.iter().map(|(_, throw)| (*throw - pins[0].1).turns().clone()).collect();
+        let mut directions = turns.clone();
+        directions.sort();
+        directions.dedup();
+        let count = u32::try_from(directions.len()).ok()?;
+        let steps = turns.iter().map(|turn| {
+            let steps = turn * BigRational::from_integer(count.into());
+            steps.is_integer().then(|| steps.to_integer().to_u32()).flatten()
+        });
+        let steps = steps.collect::<Option<Vec<u32>>>()?;
+        let each = pins.len() / directions.len();
+        let is_even = (0..count).all(|direction| steps.iter().filter(|step| **step == direction).count() == each);
+        (is_full && is_even && is_spaced).then(|| Crank {
+            pins: Pins { directions: count, each: each as u32 },
+            banks: in_banks,
+            star: Star::new(count, &steps),
+        })
+    }
+}
+
+/// That the moment of order 1 is left by every star.
+fn never(throws: u32, banks: usize, prime: u32) -> Text {
+    match banks {
         1 => phrase!(
             "**No star of {} throws is free of the first-order couple**, in any order of its throws: {} is a power of the prime {} (page of stars, {}).",
             throws,
             throws,
             prime,
-            Text::code("crankstar stars")
+            page()
         ),
         _ => phrase!(
             "**No order of the {} pins, and no bank angle, removes the rotating first-order couple:** {} is a power of the prime {} (page of stars, {}).",
             throws,
             throws,
             prime,
-            Text::code("crankstar stars")
+            page()
         ),
-    })
+    }
+}
+
+/// That no star loses more, that none leaves less, that none of fewer throws loses as much: of a star that loses order 1.
+fn lost(star: &Star) -> Vec<Text> {
+    let throws = star.directions();
+    let written = |orders: &[u32]| orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    let left = star.first_left();
+    let before: Vec<u32> = every(throws).into_iter().filter(|order| left.is_none_or(|left| *order < left)).collect();
+    let never = |count: u32| {
+        let orders = if left.is_some() { before.clone() } else { every(count) };
+        matches!(stars::fate(Pins::once(count), &orders), Fate::Never(_))
+    };
+    let is_first = (2..throws).all(never);
+    let fewest = is_first.then(|| match left {
+        None => phrase!(
+            "**No star of 2 to {} throws in evenly spread directions is free of the moments of every order** (page of stars, {}).",
+            throws - 1,
+            page()
+        ),
+        Some(_) => phrase!(
+            "**No star of 2 to {} throws in evenly spread directions is free of the moments of these orders:** {} (page of stars, {}).",
+            throws - 1,
+            written(&before),
+            page()
+        ),
+    });
+    let more = left.map(|left| stars::fate(Pins::once(throws), &[&before[..], &[left]].concat()));
+    let most = match more {
+        Some(Fate::Never(why)) => Some(phrase!(
+            "**No star of {} throws is free of the moments of these orders together:** {}. Throws 1/{} of a turn apart would coincide (page of stars, {}).",
+            throws,
+            written(&why.orders),
+            why.prime,
+            page()
+        )),
+        _ => None,
+    };
+    let bounds = stars::least(Pins::once(throws), &left.into_iter().collect::<Vec<_>>());
+    let least =
+        bounds.iter().find(|bound| least_moment(bound).is_some_and(|sum| star.moment(bound.order).is_as_long_as(&sum)));
+    let least = least.map(|bound| {
+        phrase!(
+            "**No star of {} throws without a first-order moment leaves less of order {}** (page of stars, {}).",
+            throws,
+            bound.order,
+            page()
+        )
+    });
+    [fewest, most, least].into_iter().flatten().collect()
 }

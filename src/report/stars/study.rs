@@ -1,10 +1,10 @@
 //! What does the page of stars show? What every number of cylinders can lose, the best stars, and four engines.
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{ToPrimitive, Zero};
 
 use crate::engine::Cycle;
-use crate::exact::PhasorSum;
+use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers;
 use crate::search::{self, FoundStar, Front, Options, Problem, SearchError};
 use crate::stars::{self, Count, Pins, Star};
@@ -21,7 +21,7 @@ const MOST_KNOWN: u32 = 18;
 const MOST_LISTED: usize = 5000;
 
 /// The stars with the least first-order moment, and then the least of order 2, that `crankstar search` found of more cylinders, with how many have that of order 1: directions by place.
-/// The moments are those of these stars, exactly; that no other has less is what that search says.
+/// The moments are those of these stars, exactly; that no other has less is computed by the tests, in another way.
 const FOUND: [(u32, &[u32], u64); 4] = [
     (13, &[0, 1, 7, 5, 6, 9, 2, 8, 11, 12, 10, 3, 4], 2),
     (16, &[0, 5, 9, 10, 2, 13, 14, 6, 11, 3, 4, 15, 7, 8, 12, 1], 288),
@@ -32,16 +32,47 @@ const FOUND: [(u32, &[u32], u64); 4] = [
 /// The best in-line star of a number of cylinders, two-stroke: the least moment of order 1, then of order 2.
 pub(super) struct BestStar {
     pub cylinders: u32,
+    pub star: Star,
     /// The moments of orders 1 and 2.
     pub moments: [PhasorSum; 2],
     /// How many stars have this moment of order 1.
     pub stars: Option<String>,
 }
 
+impl BestStar {
+    fn new(star: Star, stars: Option<String>) -> Self {
+        BestStar { cylinders: star.directions(), moments: [1, 2].map(|order| star.moment(order)), star, stars }
+    }
+
+    /// The engine as the text of a layout file.
+    pub fn layout_file(&self) -> String {
+        let quoted: Vec<String> =
+            self.star.angles().iter().map(|throw| format!("\"{} turn\"", throw.turns())).collect();
+        format!(
+            "title = \"In-line {}, the least moment of order 1\"\ncycle = \"two-stroke\"\n\n[inline]\nthrows = [{}]\n",
+            self.cylinders,
+            quoted.join(", ")
+        )
+    }
+}
+
 /// An engine of the page.
 pub(super) struct Shown {
     pub problem: Problem,
     pub star: FoundStar,
+}
+
+impl Shown {
+    /// The first order of which a moment is left.
+    pub fn first_left(&self) -> Option<u32> {
+        star_of(self.problem.cylinders, &self.star).first_left()
+    }
+}
+
+/// The star of an in-line engine by its directions.
+fn star_of(cylinders: u32, found: &FoundStar) -> Star {
+    let steps = |throw: &Turn| (throw.turns() * BigRational::from_integer(cylinders.into())).to_integer().to_u32();
+    Star::new(cylinders, &found.throws.iter().filter_map(steps).collect::<Vec<_>>())
 }
 
 /// All that the page of stars shows.
@@ -81,11 +112,9 @@ impl StarsStudy {
 fn searched(cylinders: u32, options: &Options) -> Result<BestStar, SearchError> {
     let of = |orders: &[u32]| search::search(&Problem::inline(cylinders, Cycle::TwoStroke, orders), options);
     let (both, first) = (of(&[1, 2])?, of(&[1])?);
-    let sum =
-        |place: usize| both.stars.first().and_then(|star| star.moments.get(place)).map(|moment| moment.sum.clone());
-    let moments = [0, 1].map(|place| sum(place).unwrap_or_else(|| PhasorSum::new(Vec::new())));
     let stars = first.stars.first().and_then(|star| star.stars).map(|stars| stars.to_string());
-    Ok(BestStar { cylinders, moments, stars })
+    let star = both.stars.first().map_or_else(|| Star::new(cylinders, &[]), |found| star_of(cylinders, found));
+    Ok(BestStar::new(star, stars))
 }
 
 /// Of more cylinders: by a theorem, or as it was found.
@@ -100,12 +129,11 @@ fn known(cylinders: u32) -> Option<BestStar> {
         Some(star) => (star, counted()),
         None => found().map(|(_, throws, stars)| (Star::new(cylinders, throws), Some(stars.to_string())))?,
     };
-    Some(BestStar { cylinders, moments: [1, 2].map(|order| star.moment(order)), stars })
+    Some(BestStar::new(star, stars))
 }
 
 /// Five throws with gaps 1 : φ : φ : 1: the moment of an order, of the arms sin(4πx/5) at the angles 2πx/5.
 pub(super) fn golden(order: i64) -> PhasorSum {
-    use crate::exact::{Term, Turn};
     let half = BigRational::new(1.into(), 2.into());
     let term = |x: i64, sign: i64| Term {
         angle: &Turn::fraction((order + 2 * sign) * x, 5) - &Turn::fraction(sign, 4),

@@ -3,8 +3,8 @@
 use num_rational::BigRational;
 
 use super::study::{BestStar, CYLINDERS, of_six};
-use super::words::grouped;
 use crate::exact::PhasorSum;
+use crate::page::number::grouped;
 use crate::page::{Number, Table, Text, phrase};
 use crate::report::residual;
 use crate::stars::{self, Count, Fate, Pins, PrimePower};
@@ -56,8 +56,8 @@ pub(super) fn first(orders: impl Fn(u32) -> Vec<u32>) -> Text {
     CYLINDERS.into_iter().find(is_lost).map_or_else(|| "none".into(), Text::from)
 }
 
-/// The best star of each number.
-pub(super) fn best(best: &[BestStar]) -> Table {
+/// The best star of each number; its layout file, where there is a page with files beside it.
+pub(super) fn best(best: &[BestStar], has_files: bool) -> Table {
     Table::of(best)
         .column("Cylinders", |best| best.cylinders)
         .column("Least moment of order 1", |best| length(&best.moments[0]))
@@ -65,7 +65,13 @@ pub(super) fn best(best: &[BestStar]) -> Table {
             best.stars.as_ref().map_or_else(|| "not known".into(), |stars| Text::from(grouped(stars)))
         })
         .column("Least of order 2 beside it", |best| length(&best.moments[1]))
+        .column("A star", |best| best.star.throws().iter().map(u32::to_string).collect::<Vec<_>>().join(" "))
+        .column_if(has_files, "Layout file", |best| Text::link(Text::label(best_name(best)), best_name(best)))
         .done()
+}
+
+pub(super) fn best_name(best: &BestStar) -> String {
+    format!("best-{}.toml", best.cylinders)
 }
 
 fn length(sum: &PhasorSum) -> Text {
@@ -86,11 +92,10 @@ pub(super) fn four_stroke() -> Table {
 
 /// What stays of a V on shared pins, at every bank angle.
 pub(super) fn vees(best: &[BestStar]) -> Table {
-    let twice = |sum: &PhasorSum| sum.scaled(&BigRational::from_integer(2.into()));
     Table::of(best.iter().filter(|best| best.cylinders <= 8))
         .column("V on shared pins", |best| format!("V{}", 2 * best.cylinders))
         .column("Pins", |best| best.cylinders)
-        .column("Least couple of order 1 that turns with the crank", |best| length(&twice(&best.moments[0])))
+        .column("Least couple of order 1 that turns with the crank", |best| length(&best.moments[0]))
         .done()
 }
 

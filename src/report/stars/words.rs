@@ -3,6 +3,8 @@
 use num_rational::BigRational;
 
 use crate::engine::Cycle;
+use crate::exact::PhasorSum;
+use crate::page::number::grouped;
 use crate::page::{Text, phrase};
 use crate::report::residual;
 use crate::search::{self, Options, Problem, Theorems};
@@ -105,20 +107,18 @@ fn counted(count: &Count) -> Option<Text> {
     })
 }
 
-/// `1,682,445`.
-pub(super) fn grouped(digits: &str) -> String {
-    let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
-    groups.collect::<Vec<_>>().join(",")
+/// The least moment of another order where the first is 0, as a sum; none of more throws than are searched for a sentence.
+pub(super) fn least_moment(Least { factor, of, .. }: &Least) -> Option<PhasorSum> {
+    let problem = Problem::inline(*of, Cycle::TwoStroke, &[1]);
+    let options = Options { threads: 1, ..Options::default() };
+    let front = (*of <= MOST_SEARCHED).then(|| search::search(&problem, &options))?.ok()?;
+    Some(front.stars.first()?.moments.first()?.sum.scaled(&BigRational::from_integer((*factor).into())))
 }
 
 /// What is left of another order.
-fn least(Least { order, factor, of }: &Least) -> Text {
-    let problem = Problem::inline(*of, Cycle::TwoStroke, &[1]);
-    let found = (*of <= MOST_SEARCHED).then(|| search::search(&problem, &Options { threads: 1, ..Options::default() }));
-    let scale = BigRational::from_integer((*factor).into());
-    let sum =
-        found.and_then(Result::ok).and_then(|front| Some(front.stars.first()?.moments.first()?.sum.scaled(&scale)));
-    match sum {
+fn least(least: &Least) -> Text {
+    let Least { order, factor, of } = least;
+    match least_moment(least) {
         Some(sum) => phrase!(
             "**The residual then.** Where the moment of order 1 is 0, that of order {} is at least {} times the least first-order moment of {} throws: {}.",
             *order,
