@@ -20,7 +20,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("flywheel", 500),
     ("gas", 1040),
     ("journal", 1460),
-    ("loads", 2390),
+    ("loads", 2410),
     ("motion", 2310),
     ("mounts", 520),
     ("numbers", 2150),
