@@ -20,6 +20,8 @@ pub enum Missing {
     TooLarge,
     /// Methods are compared for what moves with the crank alone.
     BalancerShafts,
+    /// Methods are compared for crankshafts that all turn the same way.
+    CranksAgainstEachOther,
     /// A crank that cannot turn round.
     Motion(String),
     /// A number that is no order.
@@ -54,6 +56,9 @@ impl fmt::Display for Missing {
             }
             Missing::BalancerShafts => {
                 f.write_str("the methods are compared for engines without balancer shafts; omit [[balancer]]")
+            }
+            Missing::CranksAgainstEachOther => {
+                f.write_str("the methods are compared for engines whose crankshafts all turn the same way at the same speed")
             }
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Order(number) => number.fmt(f),
