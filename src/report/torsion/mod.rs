@@ -163,10 +163,15 @@ impl TorsionStudy {
         self.torsion().shafts.get(twist.shaft_number).map_or(0, |shaft| shaft.ends[0]) + 1
     }
 
+    /// The highest speed that matters: the end of the range where one is given, else the speed of the layout.
+    pub(super) fn highest_speed(&self) -> Option<f64> {
+        self.torsion().speeds.as_ref().and_then(|speeds| speeds[1].to_f64()).or(self.speed)
+    }
+
     /// The orders of a mode by the length of their stars, the longest first; of equally long ones the lowest order first. Those above
-    /// the speed of the layout are omitted where it has one.
+    /// the highest speed are omitted where there is one.
     fn strongest<'b>(&self, mode: &'b CriticalSpeeds) -> Vec<&'b Critical> {
-        let met = |critical: &&Critical| self.speed.is_none_or(|speed| critical.rpm <= speed);
+        let met = |critical: &&Critical| self.highest_speed().is_none_or(|speed| critical.rpm <= speed);
         let mut orders: Vec<&Critical> = mode.orders.iter().filter(met).collect();
         let in_steps = |critical: &Critical| (critical.star.norm() / mode.longest / ALIKE).round();
         orders.sort_by(|one, other| in_steps(other).total_cmp(&in_steps(one)).then(one.order.cmp(&other.order)));

@@ -130,7 +130,7 @@ fn frequencies(study: &TorsionStudy) -> Vec<Text> {
             phrase!("Natural frequencies: {} with one node, {} with two.", hertz(first), hertz(second))
         }
     });
-    lines.push(match (study.strongest(first).first(), study.speed) {
+    lines.push(match (study.strongest(first).first(), study.highest_speed()) {
         (None, Some(speed)) => phrase!("No order shown excites the first of them up to {}.", rpm(speed)),
         (None, None) => "No order shown excites the first of them.".into(),
         (Some(critical), Some(speed)) => phrase!(
