@@ -1,5 +1,6 @@
 //! What is said of a crankshaft that twists? Frequencies, modes, critical speeds with the star of each, a Campbell diagram.
 
+mod barred;
 mod damped;
 mod damped_data;
 mod damped_tables;
@@ -24,8 +25,9 @@ use crate::firing::{self, NoStar};
 use crate::torsion::{Critical, CriticalSpeeds, Train, critical_speeds};
 use excited::Excited;
 
+pub use barred::Barred;
 pub use damped::{
-    DamperStudy, Excess, FoundDamper, HeatPlace, ResonanceOrder, TwistAtSpeed, Vibration, VibrationOrder,
+    DamperStudy, Excess, FoundDamper, HeatPlace, LargestTorque, ResonanceOrder, TwistAtSpeed, Vibration, VibrationOrder,
 };
 pub use forced::ForcedTwist;
 pub(super) use page::torsion_section;
