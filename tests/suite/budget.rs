@@ -15,7 +15,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("engine", 3965),
     ("exact", 1710),
     ("family", 4146),
-    ("file", 8260),
+    ("file", 8300),
     ("firing", 440),
     ("flywheel", 500),
     ("gas", 1040),
