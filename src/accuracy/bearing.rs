@@ -9,12 +9,13 @@ use num_complex::Complex;
 use num_rational::BigRational;
 
 use super::bodies::phases;
+use super::method::all_turn_with_the_crank;
 use super::timing::{Timing, measured};
 use crate::engine::{CycleOrder, Engine};
 use crate::loads::{self, BearingLoads, Missing, PeakMethod};
 use crate::motion::{SliderCrank, golden_section};
 use crate::numbers;
-use crate::order::{self, TurningMass, turning_masses};
+use crate::order::{self, turning_masses};
 
 /// What a method finds of a largest value.
 #[derive(Clone, Debug)]
@@ -49,9 +50,7 @@ pub fn bearings(engine: &Engine, timing: Timing) -> Result<Option<Vec<PeakRow>>,
     if engine.bearings().is_empty() || engine.mechanisms().is_empty() || !engine.geared_cranks().is_empty() {
         return Ok(None);
     }
-    if !turning_masses(engine).iter().all(TurningMass::turns_with_the_crank) {
-        return Err(Missing::BalancerShafts);
-    }
+    all_turn_with_the_crank(engine)?;
     let by_orders =
         |highest: u32| loads::bearing_loads(engine, &(1..=highest).collect::<Vec<u32>>(), loads::Method::Continuous);
     let closed = Closed::new(engine, &by_orders(1)?);

@@ -99,6 +99,20 @@ impl Own {
     }
 }
 
+/// Whether all that turns does so with the crank.
+///
+/// # Errors
+/// What does not: a crankshaft that turns against the first, else a balancer shaft.
+pub(super) fn all_turn_with_the_crank(engine: &Engine) -> Result<(), Missing> {
+    let masses = turning_masses(engine);
+    let other: Vec<&TurningMass> = masses.iter().filter(|mass| !mass.turns_with_the_crank()).collect();
+    match other.iter().any(|mass| mass.crank.is_some()) {
+        true => Err(Missing::CranksAgainstEachOther),
+        false if other.is_empty() => Ok(()),
+        false => Err(Missing::BalancerShafts),
+    }
+}
+
 /// Finds the peak of a load by all methods, and the time of each where they are timed.
 ///
 /// # Errors
@@ -107,9 +121,7 @@ pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
     if engine.faster_crank().is_some() {
         return Err(Missing::FasterCrank("the accuracy of methods"));
     }
-    if !turning_masses(engine).iter().all(TurningMass::turns_with_the_crank) {
-        return Err(Missing::BalancerShafts);
-    }
+    all_turn_with_the_crank(engine)?;
     if engine.has_links() {
         return Err(Missing::ArticulatedRods("the accuracy of methods"));
     }

@@ -355,11 +355,37 @@ fn areas(list: &List, scales: &Scales) -> Result<(Torque, bool), LayoutError> {
     let sum: BigRational = areas.iter().sum();
     if !sum.is_zero() {
         let size: BigRational = areas.iter().map(Signed::abs).sum();
-        let part = (sum / size * BigRational::from_integer(100.into())).round();
-        let right = format!("areas above and below the mean whose sum is 0; {part} % of them remains");
+        let part = (&sum / size * BigRational::from_integer(100.into())).round();
+        let rest = remaining(&sum, in_joules, scales);
+        let right = format!("areas above and below the mean whose sum is 0; {rest} remains, {part} % of all of them");
         return Err(LayoutError::new("the areas do not close over the cycle", right, place(list)));
     }
     Ok((Torque::Areas(areas), in_joules))
+}
+
+/// What is left of areas, in joules or, where torque and angle have scales, in square millimetres of the drawing.
+fn remaining(sum: &BigRational, in_joules: bool, scales: &Scales) -> String {
+    let whole = |number: i32| BigRational::from_integer(number.into());
+    match scales {
+        Scales { torque: Some(torque), angle: Some(angle), .. } if !in_joules => {
+            format!("{} mm²", rounded(&(sum / (torque * angle) * whole(1_000_000))))
+        }
+        _ => format!("{} J", rounded(&(sum * whole(2)))),
+    }
+}
+
+/// To six places; what that makes 0 stays a fraction.
+fn rounded(value: &BigRational) -> String {
+    let millionths = (value * BigRational::from_integer(1_000_000.into())).round().to_integer();
+    if millionths.is_zero() {
+        return value.to_string();
+    }
+    let digits = format!("{:07}", millionths.abs());
+    let (before, after) = digits.split_at(digits.len() - 6);
+    let after = after.trim_end_matches('0');
+    let sign = if millionths.is_negative() { "-" } else { "" };
+    let point = if after.is_empty() { "" } else { "." };
+    format!("{sign}{before}{point}{after}")
 }
 
 /// Whether all are written in joules, or none is.

@@ -140,7 +140,7 @@ pub(super) fn without_pistons_of_their_own(
         None => Ok(()),
         Some(span) => Err(LayoutError::new(
             "when the cylinders fire, in an engine with two pistons in each",
-            "leave it out: forces and moments do not need it, and the gas of opposed pistons is not decided",
+            "leave it out: forces and moments do not need it, and the gas torque of opposed pistons is not computed",
             Some(span),
         )),
     }

@@ -65,6 +65,8 @@ impl Weights {
 pub enum NoStar {
     /// The layout says neither in which order nor when the cylinders fire.
     NoFiring,
+    /// Two pistons share each cylinder: it is not each piston that fires.
+    OpposedPistons,
     /// A half order of an engine that fires once per revolution.
     HalfOrder(CycleOrder),
     /// A crankshaft turns faster than the reference: how often its cylinders fire in a cycle is not asked.
@@ -85,6 +87,9 @@ impl fmt::Display for NoStar {
                 "the layout does not say when the cylinders fire; above the first table, add firing_order = \"1-3-4-2\" with the cylinders in the order of \
                  their firing, or firing_angles in degrees, one per cylinder; of a two-stroke engine cycle = \"two-stroke\" is enough",
             ),
+            NoStar::OpposedPistons => f.write_str(
+                "the gas torque of opposed pistons in one cylinder is not computed; the forces and moments of the masses are: classify, report and loads give them",
+            ),
             NoStar::FasterCrank => f.write_str(
                 "when the cylinders of crankshafts of different speeds fire is not decided; firing stars are those of crankshafts that turn equally fast",
             ),
@@ -103,10 +108,14 @@ impl std::error::Error for NoStar {}
 /// When the cylinders fire.
 ///
 /// # Errors
-/// A layout that does not say it, and crankshafts of different speeds.
+/// A layout that does not say it, two pistons in each cylinder, and crankshafts of different speeds.
 pub fn firing_of(engine: &Engine) -> Result<&Firing, NoStar> {
-    let why = if engine.faster_crank().is_some() { NoStar::FasterCrank } else { NoStar::NoFiring };
-    engine.firing().ok_or(why)
+    let why = || match engine.faster_crank() {
+        _ if engine.form().has_two_pistons_in_a_cylinder() => NoStar::OpposedPistons,
+        Some(_) => NoStar::FasterCrank,
+        None => NoStar::NoFiring,
+    };
+    engine.firing().ok_or_else(why)
 }
 
 /// Whether what repeats once per cycle has these orders.
@@ -132,9 +141,9 @@ pub fn firing_stars(engine: &Engine, orders: &[CycleOrder], weights: &Weights) -
 }
 
 /// The stars of one order without their certificates, one for each class of cylinders: of whole orders for any engine whose crankshafts turn equally
-/// fast, of half orders where it is known when the cylinders of a four-stroke fire.
+/// fast, of half orders where it is known when the cylinders of a four-stroke fire; none where two pistons share a cylinder.
 pub fn star_sums(engine: &Engine, order: CycleOrder) -> Option<Vec<PhasorSum>> {
-    if engine.faster_crank().is_some() {
+    if engine.faster_crank().is_some() || engine.form().has_two_pistons_in_a_cylinder() {
         return None;
     }
     let dead_centres = || Firing::two_stroke(engine.cylinders());

@@ -10,7 +10,7 @@ use crate::engine::{Cycle, PressureLaw, PressureTable};
 pub enum Warning {
     /// The largest pressure, in pascals, is below 5 bar or above 400 bar: a unit, perhaps.
     Peak(f64),
-    /// The largest pressure is at this angle in degrees, not shortly after the firing dead centre.
+    /// The largest pressure is at this angle in degrees, not shortly after the firing dead centre; of single-acting cylinders alone.
     PeakAngle(f64),
     /// The gas takes work instead of giving it, this mean torque in newton-metres: a wrong dead centre, or the other way round.
     TakesWork(f64),
@@ -45,7 +45,9 @@ impl CylinderGas {
         }
         let half = self.period() / 2.0;
         let degrees = ((at - self.zero() + half).rem_euclid(self.period()) - half).to_degrees();
-        if !USUAL_PEAK.contains(&degrees) {
+        // A double-acting cylinder is of steam or of a pump as a rule, whose admission makes the largest pressure.
+        let is_double_acting = self.sides().len() > 1;
+        if !is_double_acting && !USUAL_PEAK.contains(&degrees) {
             warnings.push(Warning::PeakAngle(degrees));
         }
         let mean = self.work() / self.period();

@@ -20,6 +20,8 @@ pub enum Missing {
     TooLarge,
     /// Methods are compared for what moves with the crank alone.
     BalancerShafts,
+    /// Methods are compared for crankshafts that all turn the same way.
+    CranksAgainstEachOther,
     /// A crank that cannot turn round.
     Motion(String),
     /// A number that is no order.
@@ -36,6 +38,8 @@ pub enum Missing {
     Gas(NoGas),
     /// When its cylinders fire.
     Firing,
+    /// The gas of two pistons in one cylinder is not computed.
+    OpposedPistons,
     /// A reciprocating mass or a speed, without which gas and masses are in no common unit.
     MassesOrSpeed,
 }
@@ -53,6 +57,9 @@ impl fmt::Display for Missing {
             Missing::BalancerShafts => {
                 f.write_str("the methods are compared for engines without balancer shafts; omit [[balancer]]")
             }
+            Missing::CranksAgainstEachOther => {
+                f.write_str("the methods are compared for engines whose crankshafts all turn the same way at the same speed")
+            }
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Order(number) => number.fmt(f),
             Missing::ArticulatedRods(what) => write!(f, "not available for an engine with articulated rods: {what}"),
@@ -65,6 +72,7 @@ impl fmt::Display for Missing {
             Missing::Beam(mistake) => mistake.fmt(f),
             Missing::Gas(lack) => lack.fmt(f),
             Missing::Firing => NoStar::NoFiring.fmt(f),
+            Missing::OpposedPistons => NoStar::OpposedPistons.fmt(f),
             Missing::MassesOrSpeed => f.write_str(
                 "the layout gives no masses or no speed; add speed = 3000 above the first table, in revolutions a minute, and reciprocating_mass below [mechanism]",
             ),

@@ -118,8 +118,8 @@ pub use stars::{
 pub use sweep::{sweep_answer, sweep_csv, sweep_page};
 pub use torque::{TorqueStudy, torque_answer, torque_page};
 pub use torsion::{
-    DamperStudy, Excess, ForcedTwist, FoundDamper, HeatPlace, NoTorsion, ResonanceOrder, TorsionStudy, TwistAtSpeed,
-    Vibration, VibrationOrder, torsion_answer, torsion_page,
+    Barred, DamperStudy, Excess, ForcedTwist, FoundDamper, HeatPlace, LargestTorque, NoTorsion, ResonanceOrder,
+    TorsionStudy, TwistAtSpeed, Vibration, VibrationOrder, torsion_answer, torsion_page,
 };
 pub use value::{ValueName, Valued, values_of};
 pub use values::ValuesStudy;

@@ -8,15 +8,18 @@ use super::{Answer, Found, NotSolved, Reason, Wanted, mass_radius};
 use crate::file::Rotor;
 use crate::numbers::{self, Form};
 
-/// One mass wholly wanted in its plane, and the angles of three others, or of two of them.
+/// One mass wholly wanted in its plane, and the angles of three others, or of two of them; or its size alone, and the angles of all three.
 pub(super) fn solve(rotor: &Rotor, wanted: &[(usize, Wanted)]) -> Result<Answer, NotSolved> {
-    let is_whole = |wanted: &Wanted| wanted.size && wanted.angle && !wanted.position;
+    let is_whole = |wanted: &Wanted| wanted.size && !wanted.position;
     let is_angle = |wanted: &Wanted| !wanted.size && wanted.angle && !wanted.position;
     let whole: Vec<usize> = wanted.iter().filter(|(_, one)| is_whole(one)).map(|(index, _)| *index).collect();
     let angles: Vec<usize> = wanted.iter().filter(|(_, one)| is_angle(one)).map(|(index, _)| *index).collect();
     let others: Vec<usize> = (0..rotor.masses.len()).filter(|index| !whole.contains(index)).collect();
     let (&[plane], &[_, _, _]) = (whole.as_slice(), others.as_slice()) else { return Err(NotSolved) };
-    if whole.len() + angles.len() != wanted.len() || angles.len() < 2 {
+    // Where the angle of the wanted mass is given, that alone says how all of them are turned.
+    let given = rotor.masses[plane].angle.as_ref().map(|turn| turn.degrees());
+    let needed = if given.is_some() { 3 } else { 2 };
+    if whole.len() + angles.len() != wanted.len() || angles.len() < needed {
         return Err(NotSolved);
     }
     // The one whose angle is given stands first; else the first of the file at 0.
@@ -86,6 +89,14 @@ pub(super) fn solve(rotor: &Rotor, wanted: &[(usize, Wanted)]) -> Result<Answer,
             cosine: None,
             position: None,
         });
+        if let Some(given) = given.as_ref().and_then(ToPrimitive::to_f64) {
+            let turned = given - im.atan2(re).to_degrees();
+            for one in &mut found {
+                one.angle = (one.angle + turned).rem_euclid(360.0);
+            }
+            // Its own, without the rounding.
+            found.iter_mut().filter(|one| one.index == plane).for_each(|one| one.angle = given.rem_euclid(360.0));
+        }
         found.sort_by_key(|one| one.index);
         found
     };

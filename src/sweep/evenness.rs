@@ -34,7 +34,8 @@ const MOST_CYLINDERS: usize = 12;
 /// The intervals of the file's firing order; without one those of the most even order of this cycle.
 ///
 /// In a four-stroke engine each cylinder fires at every other of its top dead centres: all choices are tried for up to 12
-/// cylinders, and of those with the least difference the one with the shortest longest interval is taken.
+/// cylinders, and of those with the least difference the one with the shortest longest interval is taken. None where two pistons share a
+/// cylinder: it is not each piston that fires.
 pub fn evenness(engine: &Engine, cycle: Option<Cycle>) -> Option<Evenness> {
     evenness_of(engine, cycle, None)
 }
@@ -46,7 +47,7 @@ pub(super) fn evenness_of(engine: &Engine, cycle: Option<Cycle>, known: Option<&
         let (longest, shortest) = (intervals.iter().max()?.clone(), intervals.iter().min()?.clone());
         return Some(Evenness { longest, shortest, of_the_file: true });
     }
-    let cycle = cycle?;
+    let cycle = cycle.filter(|_| !engine.form().has_two_pistons_in_a_cylinder())?;
     let (whole, length) = match known {
         Some(known) => known.top_dead_centres(),
         None => top_dead_centres(engine)?,
@@ -62,7 +63,7 @@ pub fn most_even_firings(engine: &Engine, cycle: Option<Cycle>) -> Vec<Firing> {
         return vec![firing.clone()];
     }
     let firings = || {
-        let cycle = cycle?;
+        let cycle = cycle.filter(|_| !engine.form().has_two_pistons_in_a_cylinder())?;
         let (whole, length) = top_dead_centres(engine)?;
         let choices = Choices::new(&whole, length, cycle)?;
         let best = choices.most_even()?;

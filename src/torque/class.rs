@@ -29,6 +29,9 @@ pub struct Class {
 fn fires(engine: &Engine) -> Result<Vec<BigRational>, Missing> {
     let cylinders = engine.cylinders();
     let top = |index: usize| cylinders[index].top_dead_centre().turns().clone();
+    if engine.form().has_two_pistons_in_a_cylinder() {
+        return Err(Missing::OpposedPistons);
+    }
     if engine.faster_crank().is_some() {
         return Err(Missing::FasterCrank("the torque of the gas"));
     }

@@ -121,6 +121,15 @@ fn engines_with_balancer_shafts_are_refused_with_words() {
 }
 
 #[test]
+fn engines_whose_cranks_turn_against_each_other_are_told_so() {
+    let numbers = "[mechanism]\nrod_ratio = 0.25\ncrank_radius = 1\nreciprocating_mass = 1\nrotating_mass = 1\n";
+    let text = format!("[u]\nthrows = [0, 180]\nsense = 'against'\ndistance = 4\n{numbers}");
+    let layout = file::parse("x.toml", &text).expect("it reads");
+    let refused = accuracy::study(&layout, Quantity::FORCE, Timing::Off).expect_err("no comparison").to_string();
+    assert!(refused.contains("all turn the same way") && !refused.contains("balancer"), "{refused}");
+}
+
+#[test]
 fn the_peak_force_of_an_in_line_four_stands_a_quarter_turn_from_dead_centre() {
     // There all four have −λ/√(1−λ²); at dead centre two have 1 + λ and two −1 + λ, which is 4λ together.
     for ratio in [fraction(1, 10), fraction(1, 4), fraction(3, 10)] {

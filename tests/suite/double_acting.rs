@@ -2,7 +2,7 @@
 
 use crankstar::engine::Engine;
 use crankstar::file;
-use crankstar::gas::CylinderGas;
+use crankstar::gas::{CylinderGas, Warning};
 use crankstar::page::Format;
 use crankstar::report::{self, AngleStudy, AnglesAsked, Question};
 use crankstar::torque::{TorqueOrder, torque};
@@ -119,6 +119,16 @@ fn pages_name_both_sides_in_both_languages() {
         assert!(picture.figure.overlaps().is_empty(), "{}", picture.name);
     }
     assert_known(&[page, angle.page()]);
+}
+
+#[test]
+fn a_largest_pressure_far_from_the_dead_centre_is_usual_where_both_sides_press() {
+    // Steam is admitted up to a quarter of a turn.
+    let admitted: Vec<f64> = (0..180).map(|row| if row < 45 { 8.0 + f64::from(row) / 100.0 } else { 1.0 }).collect();
+    let odd = |below: &str| torque(&engine(&two_stroke("0", &admitted, below))).expect("a torque").warnings;
+    let of_the_angle = |odd: Vec<(usize, Warning)>| odd.iter().any(|(_, odd)| matches!(odd, Warning::PeakAngle(_)));
+    assert!(of_the_angle(odd("")));
+    assert!(!of_the_angle(odd("below_pressure = [[0, 1], [360, 1]]\npiston_rod = '50 mm'\n")));
 }
 
 #[test]

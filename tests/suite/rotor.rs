@@ -125,6 +125,27 @@ fn angles_of_three_masses_are_found_with_their_mirror_image() {
 }
 
 #[test]
+fn the_wanted_mass_may_have_the_angle_that_the_others_are_found_from() {
+    let others = [["10", "125", "?", "600"], ["5", "200", "?", "1200"], ["4", "150", "?", "1800"]];
+    let with = |angle: &'static str| {
+        let [b, c, d] = others;
+        file(&[["?", "100", angle, "0"], b, c, d])
+    };
+    let (free, text) = (solved(&with("?")), with("30"));
+    let solutions = solved(&text);
+    assert_eq!(solutions.len(), 2);
+    for (solution, free) in solutions.iter().zip(&free) {
+        assert!(left(&rotor(&text), solution) < 1e-12);
+        let turned = 30.0 - free[0].angle;
+        for (one, other) in solution.iter().zip(free) {
+            assert_eq!(one.mass_radius.exact, other.mass_radius.exact);
+            let apart = (one.angle - other.angle - turned).rem_euclid(360.0);
+            assert!(apart.min(360.0 - apart) < 1e-9, "{solution:?}");
+        }
+    }
+}
+
+#[test]
 fn masses_and_planes_in_given_directions_are_exact() {
     let text = file(&[
         ["10", "1000", "0", "0"],

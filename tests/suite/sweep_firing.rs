@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use crankstar::engine::{CycleOrder, Engine};
 use crankstar::file::{self, Template};
+use crankstar::firing;
 use crankstar::page::{self, Format, Language, Options};
 use crankstar::report;
 use crankstar::sweep::{self, Geometry, Parameter, Sweep};
@@ -136,4 +137,20 @@ fn page_table_and_document_tell_the_stars() {
         "{zeros:?}"
     );
     assert!(document["points"][30]["firing_star_3/2_r"].is_null());
+}
+
+#[test]
+fn pistons_that_share_a_cylinder_have_no_firing_intervals_and_no_firing_stars() {
+    let opposed = "cycle = 'two-stroke'\nopposed_piston = { throws = [0, 120, 240], lead = 11 }";
+    for text in [opposed, "cycle = 'two-stroke'\ndelta = { rows = [0], circumradius = 6 }"] {
+        let engine = file::parse("layout.toml", text).expect("an engine");
+        assert_eq!(sweep::evenness(&engine, engine.cycle()), None);
+        assert!(sweep::most_even_firings(&engine, engine.cycle()).is_empty());
+        assert!(firing::star_sums(&engine, "1".parse().expect("an order")).is_none());
+        let why = firing::firing_of(&engine).expect_err("no firing").to_string();
+        assert!(why.contains("opposed pistons") && !why.contains("firing_order"), "{why}");
+    }
+    let swept = swept(opposed, &["opposed_piston.lead=5..15:5"], &["1"]).expect("a sweep");
+    assert!(swept.points.iter().all(|point| point.evenness.is_none()));
+    assert!(swept.firing.expect("asked for").points.iter().flatten().all(Option::is_none));
 }

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 
 use super::TorsionStudy;
+use super::barred::Barred;
 use super::excited::Excited;
 use crate::engine::{self, CycleOrder};
 use crate::numbers::float;
@@ -108,10 +109,23 @@ pub struct ResonanceOrder {
     pub torque: f64,
     /// Where the largest torque of this order near it is: the speed and the torque; none where it has no peak there.
     pub peak: Option<(f64, f64)>,
-    /// The speeds that IACS UR M68 bars around it, where a stress of all orders is larger there than permitted.
-    pub barred: Option<[f64; 2]>,
+    /// The largest torque of this order in the range, near it: that at the peak where the peak is in the range.
+    pub largest: LargestTorque,
+    /// What IACS UR M68 bars around it, where a stress of all orders is larger there than permitted.
+    pub barred: Option<Barred>,
     /// Whether the stress is above the limit where no range may be barred, from 80 % of the rated speed on.
     pub is_unbarred: bool,
+}
+
+/// The largest torque of an order, with its place.
+#[derive(Clone, Debug)]
+pub struct LargestTorque {
+    /// The speed in revolutions a minute.
+    pub rpm: f64,
+    /// The shaft, from 0.
+    pub shaft: usize,
+    /// The torque in newton-metres.
+    pub torque: f64,
 }
 
 /// Speeds at which the vibration stress of a shaft is larger than is permitted for continuous running.
@@ -241,11 +255,12 @@ impl TorsionStudy {
         let peak = highest(low, high, POINTS, &|speed| self.largest_torque(&self.train, order, speed).1);
         let is_inside = low + 1e-3 * (high - low) < peak.0 && peak.0 < high - 1e-3 * (high - low);
         let (shaft, torque) = self.largest_torque(&self.train, order, rpm);
-        let rated = self.torsion().rated_speed.as_ref().map(float);
-        let limited: Vec<usize> = (0..self.train.shafts).filter(|shaft| self.limit(*shaft).is_some()).collect();
-        let exceeds =
-            |at: &Vibration| limited.iter().any(|&shaft| self.over_limit(shaft, rpm, at.torque(shaft)) > Some(0.0));
-        let rated = rated.filter(|_| !limited.is_empty() && self.vibration(rpm).as_ref().is_some_and(exceeds));
+        let peak = is_inside.then_some(peak);
+        let at_peak = peak.filter(|(speed, _)| self.range().is_some_and(|[from, to]| (from..=to).contains(speed)));
+        let at_peak = at_peak.map(|(rpm, _)| (rpm, self.largest_torque(&self.train, order, rpm)));
+        let (at, (shaft_there, torque_there)) = at_peak.unwrap_or((rpm, (shaft, torque)));
+        let exceeding = self.exceeding(rpm);
+        let rated = self.torsion().rated_speed.as_ref().map(float).filter(|_| exceeding.is_some());
         let may_be_barred = |rated: &f64| rpm < torsion::UNBARRED * rated;
         Some(ResonanceOrder {
             mode: index,
@@ -255,8 +270,9 @@ impl TorsionStudy {
             first: self.twists(&self.train, order, rpm)?.first()?.norm(),
             shaft,
             torque,
-            peak: is_inside.then_some(peak),
-            barred: rated.filter(may_be_barred).map(|rated| torsion::barred(rpm, rated)),
+            peak,
+            largest: LargestTorque { rpm: at, shaft: shaft_there, torque: torque_there },
+            barred: rated.filter(may_be_barred).and_then(|rated| self.barred(rpm, rated, exceeding?)),
             is_unbarred: rated.is_some_and(|rated| !may_be_barred(&rated)),
         })
     }
@@ -286,7 +302,7 @@ impl TorsionStudy {
     }
 
     /// By how much the stress of all orders is larger than τ_C.
-    fn over_limit(&self, shaft: usize, speed: f64, torque: f64) -> Option<f64> {
+    pub(super) fn over_limit(&self, shaft: usize, speed: f64, torque: f64) -> Option<f64> {
         Some(self.stress(shaft, torque)? - self.permissible(shaft, speed)?)
     }
 

@@ -45,8 +45,8 @@ pub(super) fn resonances(study: &TorsionStudy) -> Option<Table> {
     table.decimal("torque_zero_to_peak_{unit}", Unit::NEWTON_METRE, |one| Some(one.torque));
     table.decimal("peak_speed_{unit}", Unit::PER_MINUTE, |one| one.peak.map(|peak| peak.0));
     table.decimal("peak_torque_{unit}", Unit::NEWTON_METRE, |one| one.peak.map(|peak| peak.1));
-    table.decimal("barred_from_{unit}", Unit::PER_MINUTE, |one| one.barred.map(|barred| barred[0]));
-    table.decimal("barred_to_{unit}", Unit::PER_MINUTE, |one| one.barred.map(|barred| barred[1]));
+    table.decimal("barred_from_{unit}", Unit::PER_MINUTE, |one| one.barred.as_ref().map(|barred| barred.speeds[0]));
+    table.decimal("barred_to_{unit}", Unit::PER_MINUTE, |one| one.barred.as_ref().map(|barred| barred.speeds[1]));
     Some(table.done())
 }
 

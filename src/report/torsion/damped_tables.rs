@@ -2,7 +2,7 @@
 
 use super::tables::{MOST_MODES, MOST_ROWS};
 use super::words::{rpm, shaft};
-use super::{HeatPlace, ResonanceOrder, TorsionStudy, Vibration};
+use super::{Barred, HeatPlace, ResonanceOrder, TorsionStudy, Vibration};
 use crate::page::{Columns, Number, Table, Text, Unit, phrase};
 use crate::torsion::{CriticalSpeeds, Node};
 
@@ -81,16 +81,14 @@ pub(super) fn heat(study: &TorsionStudy, vibration: &Vibration) -> Table {
 pub(super) fn resonances(study: &TorsionStudy) -> Table {
     let rows = study.resonances();
     let table = first_columns(study, rows.iter())
-        .column("By energy (°)", |one| Number::Decimal(one.energy.amplitude.to_degrees()))
-        .column("Peak at (rpm)", |one| one.peak.map_or_else(none, |peak| Number::Decimal(peak.0).into()))
-        .column(phrase!("Peak ({})", Unit::NEWTON_METRE), |one| {
-            one.peak.map_or_else(none, |peak| Text::measured(peak.1, Unit::NEWTON_METRE))
-        });
-    if rows.iter().all(|one| one.barred.is_none()) {
+        .column("By energy (°)", |one| Number::Decimal(one.energy.amplitude.to_degrees()));
+    let table = with_peak(table);
+    if rows.iter().all(|one| !one.barred.as_ref().is_some_and(|barred| barred.suffices)) {
         return table.done();
     }
-    let barred = |one: &&ResonanceOrder| match one.barred {
-        Some([from, to]) => phrase!("{} to {}", rpm(from), rpm(to)),
+    // A range at whose ends the stress is above the limit is told in words.
+    let barred = |one: &&ResonanceOrder| match one.barred.as_ref().filter(|barred| barred.suffices) {
+        Some(Barred { speeds: [from, to], .. }) => phrase!("{} to {}", rpm(*from), rpm(*to)),
         None => none(),
     };
     table.column("Barred", barred).done()
@@ -99,8 +97,16 @@ pub(super) fn resonances(study: &TorsionStudy) -> Table {
 /// The strongest of them in short, for a terminal.
 pub(super) fn strongest(study: &TorsionStudy) -> Table {
     let mut rows: Vec<&ResonanceOrder> = study.resonances().iter().collect();
-    rows.sort_by(|one, other| other.torque.total_cmp(&one.torque));
-    first_columns(study, rows.into_iter().take(MOST_ROWS)).done()
+    rows.sort_by(|one, other| other.largest.torque.total_cmp(&one.largest.torque));
+    with_peak(first_columns(study, rows.into_iter().take(MOST_ROWS))).done()
+}
+
+fn with_peak(table: Columns<&ResonanceOrder>) -> Columns<&ResonanceOrder> {
+    table
+        .column("Peak at (rpm)", |one| one.peak.map_or_else(none, |peak| Number::Decimal(peak.0).into()))
+        .column(phrase!("Peak ({})", Unit::NEWTON_METRE), |one| {
+            one.peak.map_or_else(none, |peak| Text::measured(peak.1, Unit::NEWTON_METRE))
+        })
 }
 
 fn first_columns<'a>(

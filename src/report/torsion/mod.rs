@@ -1,5 +1,6 @@
 //! What is said of a crankshaft that twists? Frequencies, modes, critical speeds with the star of each, a Campbell diagram.
 
+mod barred;
 mod damped;
 mod damped_data;
 mod damped_tables;
@@ -24,8 +25,9 @@ use crate::firing::{self, NoStar};
 use crate::torsion::{Critical, CriticalSpeeds, Train, critical_speeds};
 use excited::Excited;
 
+pub use barred::Barred;
 pub use damped::{
-    DamperStudy, Excess, FoundDamper, HeatPlace, ResonanceOrder, TwistAtSpeed, Vibration, VibrationOrder,
+    DamperStudy, Excess, FoundDamper, HeatPlace, LargestTorque, ResonanceOrder, TwistAtSpeed, Vibration, VibrationOrder,
 };
 pub use forced::ForcedTwist;
 pub(super) use page::torsion_section;
@@ -67,6 +69,8 @@ struct Cached {
 pub enum NoTorsion {
     /// The layout has no table of the shaft.
     NoShaft,
+    /// The engine has several crankshafts, of which no table of the shaft is read.
+    SeveralCrankshafts,
     /// There are no firing stars.
     NoStar(NoStar),
 }
@@ -76,6 +80,9 @@ impl std::fmt::Display for NoTorsion {
         match self {
             NoTorsion::NoShaft => f.write_str(
                 "the layout does not give the torsional data of the shaft; add a table [torsion] with inertias = [\"0.03 kg m^2\", …], one per disc from the free end on, and stiffnesses = [\"1 MN m/rad\", …], one between each two",
+            ),
+            NoTorsion::SeveralCrankshafts => f.write_str(
+                "torsional vibration is computed for engines with a single crankshaft only; this engine has several",
             ),
             NoTorsion::NoStar(why) => why.fmt(f),
         }
@@ -90,6 +97,9 @@ impl TorsionStudy {
     /// # Errors
     /// See [`NoTorsion`].
     pub fn new(engine: &Engine, orders: &[CycleOrder]) -> Result<Self, NoTorsion> {
+        if !engine.geared_cranks().is_empty() {
+            return Err(NoTorsion::SeveralCrankshafts);
+        }
         let torsion = engine.torsion().ok_or(NoTorsion::NoShaft)?;
         let cycle = firing::firing_of(engine).map_err(NoTorsion::NoStar)?.cycle;
         let orders: Vec<CycleOrder> = match orders {
@@ -155,10 +165,15 @@ impl TorsionStudy {
         self.torsion().shafts.get(twist.shaft_number).map_or(0, |shaft| shaft.ends[0]) + 1
     }
 
+    /// The highest speed that matters: the end of the range where one is given, else the speed of the layout.
+    pub(super) fn highest_speed(&self) -> Option<f64> {
+        self.torsion().speeds.as_ref().and_then(|speeds| speeds[1].to_f64()).or(self.speed)
+    }
+
     /// The orders of a mode by the length of their stars, the longest first; of equally long ones the lowest order first. Those above
-    /// the speed of the layout are omitted where it has one.
+    /// the highest speed are omitted where there is one.
     fn strongest<'b>(&self, mode: &'b CriticalSpeeds) -> Vec<&'b Critical> {
-        let met = |critical: &&Critical| self.speed.is_none_or(|speed| critical.rpm <= speed);
+        let met = |critical: &&Critical| self.highest_speed().is_none_or(|speed| critical.rpm <= speed);
         let mut orders: Vec<&Critical> = mode.orders.iter().filter(met).collect();
         let in_steps = |critical: &Critical| (critical.star.norm() / mode.longest / ALIKE).round();
         orders.sort_by(|one, other| in_steps(other).total_cmp(&in_steps(one)).then(one.order.cmp(&other.order)));

@@ -2,7 +2,7 @@
 
 use super::super::torque::misfire;
 use super::tables::MOST_MODES;
-use super::{TorsionStudy, gears};
+use super::{TorsionStudy, barred, gears};
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::torsion::CriticalSpeeds;
 
@@ -130,7 +130,7 @@ fn frequencies(study: &TorsionStudy) -> Vec<Text> {
             phrase!("Natural frequencies: {} with one node, {} with two.", hertz(first), hertz(second))
         }
     });
-    lines.push(match (study.strongest(first).first(), study.speed) {
+    lines.push(match (study.strongest(first).first(), study.highest_speed()) {
         (None, Some(speed)) => phrase!("No order shown excites the first of them up to {}.", rpm(speed)),
         (None, None) => "No order shown excites the first of them.".into(),
         (Some(critical), Some(speed)) => phrase!(
@@ -178,14 +178,14 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
         });
     }
     lines.extend(gears::answer(study));
-    let strongest = study.resonances().iter().max_by(|one, other| one.torque.total_cmp(&other.torque));
+    let strongest = study.resonances().iter().max_by(|one, other| one.largest.torque.total_cmp(&other.largest.torque));
     if let Some(one) = strongest {
         lines.push(phrase!(
             "The strongest resonance of one order in the range is that of order {} at {}: {} in shaft {}.",
             one.order.to_string(),
-            rpm(one.rpm),
-            torque(one.torque),
-            shaft(study, one.shaft)
+            rpm(one.largest.rpm),
+            torque(one.largest.torque),
+            shaft(study, one.largest.shaft)
         ));
     }
     for excess in study.excesses() {
@@ -205,15 +205,7 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
                 one.order.to_string()
             ));
         }
-        if let Some([from, to]) = one.barred {
-            lines.push(phrase!(
-                "Around the critical speed {} of order {} its formula bars {} to {}.",
-                rpm(one.rpm),
-                one.order.to_string(),
-                rpm(from),
-                rpm(to)
-            ));
-        }
+        lines.extend(one.barred.as_ref().map(|range| barred::said(study, one, range)));
     }
     for (damper, given) in study.dampers().iter().zip(&study.torsion().dampers) {
         if let Some(found) = &damper.found {

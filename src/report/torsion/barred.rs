@@ -1,0 +1,89 @@
+//! Which speeds are barred around a critical one, and do stresses hold their limit at the ends of that range?
+
+use super::words::rpm;
+use super::{ResonanceOrder, TorsionStudy, VibrationOrder};
+use crate::engine::CycleOrder;
+use crate::page::{Text, phrase};
+use crate::torsion;
+
+/// The range of the formula around a critical speed.
+#[derive(Clone, Debug)]
+pub struct Barred {
+    /// Its ends in revolutions a minute.
+    pub speeds: [f64; 2],
+    /// Whether the stresses are permitted again at both ends, as far as they are in the range that is asked for.
+    pub suffices: bool,
+    /// The order with the largest part of the torque at the critical speed, in the shaft whose stress is farthest above its limit.
+    pub largest_part: CycleOrder,
+}
+
+impl TorsionStudy {
+    /// The shaft whose stress of all orders at a speed is farthest above its limit; none where all are permitted.
+    pub(super) fn exceeding(&self, rpm: f64) -> Option<usize> {
+        let limited: Vec<usize> = (0..self.train.shafts).filter(|shaft| self.limit(*shaft).is_some()).collect();
+        if limited.is_empty() {
+            return None;
+        }
+        let vibration = self.vibration(rpm)?;
+        let over = limited.into_iter().filter_map(|shaft| {
+            let over = self.over_limit(shaft, rpm, vibration.torque(shaft))?;
+            (over > 0.0).then_some((shaft, over))
+        });
+        over.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(shaft, _)| shaft)
+    }
+
+    /// What the formula bars around a critical speed at which this shaft's stress is above its limit.
+    pub(super) fn barred(&self, rpm: f64, rated: f64, shaft: usize) -> Option<Barred> {
+        let speeds = torsion::barred(rpm, rated);
+        // Outside of the range that is asked for the engine does not run.
+        let [low, high] = self.range()?;
+        let mut ends = speeds.iter().filter(|speed| (low..=high).contains(speed));
+        let suffices = ends.all(|speed| self.exceeding(*speed).is_none());
+        let vibration = self.vibration(rpm)?;
+        let part = |one: &VibrationOrder| one.torques[shaft].norm();
+        let largest = vibration.orders.iter().max_by(|one, other| part(one).total_cmp(&part(other)))?;
+        Some(Barred { speeds, suffices, largest_part: largest.order })
+    }
+}
+
+/// The barred range around a critical speed; where the stress exceeds the limit at its ends, at which speeds it does, and whose it is.
+pub(super) fn said(study: &TorsionStudy, one: &ResonanceOrder, barred: &Barred) -> Text {
+    let [from, to] = barred.speeds;
+    if barred.suffices {
+        return phrase!(
+            "Around the critical speed {} of order {} its formula bars {} to {}.",
+            rpm(one.rpm),
+            one.order.to_string(),
+            rpm(from),
+            rpm(to)
+        );
+    }
+    let excesses = exceeded(study, barred.speeds).into_iter().map(|ends| {
+        let [from, to] = ends.map(rpm);
+        phrase!("{} to {}", from, to)
+    });
+    phrase!(
+        "Around the critical speed {} of order {} the range of its formula, {} to {}, does not suffice: the stress exceeds the limit from {}. The order with the largest part at that critical speed is {}.",
+        rpm(one.rpm),
+        one.order.to_string(),
+        rpm(from),
+        rpm(to),
+        Text::joined(excesses, ", "),
+        barred.largest_part.to_string()
+    )
+}
+
+/// Where any stress exceeds its limit, as far as that meets these speeds: the ranges of all shafts together, rising.
+fn exceeded(study: &TorsionStudy, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+    let ranges = study.excesses().iter().map(|excess| excess.speeds);
+    let mut ranges: Vec<[f64; 2]> = ranges.filter(|[low, high]| *low <= to && from <= *high).collect();
+    ranges.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    let mut joined: Vec<[f64; 2]> = Vec::new();
+    for range in ranges {
+        match joined.last_mut() {
+            Some(last) if range[0] <= last[1] => last[1] = last[1].max(range[1]),
+            _ => joined.push(range),
+        }
+    }
+    joined
+}
