@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crankstar::file::{Diagram, Torque, parse_diagram};
-use crankstar::flywheel::{Course, Fluctuation, NoFluctuation, WithPi, fluctuation};
+use crankstar::flywheel::{TorqueCurve, Fluctuation, NoFluctuation, WithPi, fluctuation};
 use crankstar::page::{Format, Options};
 use crankstar::report::{FlywheelStudy, Question};
 use num_rational::BigRational;
@@ -31,7 +31,7 @@ fn before_pi(value: &WithPi, power: i32) -> BigRational {
 /// The range of the integral of torque less load, sampled.
 fn sampled(diagram: &Diagram, turns: f64) -> f64 {
     let steps = 20_000;
-    let course = Course::new(diagram).expect("no areas");
+    let course = TorqueCurve::new(diagram).expect("no areas");
     let (mut sum, mut highest, mut lowest) = (0.0_f64, 0.0_f64, 0.0_f64);
     for step in 0..steps {
         let middle = fraction(2 * step + 1, 2 * steps) * fraction(turns as i64, 1);

@@ -255,7 +255,7 @@ fn the_reason_why_there_is_no_solution_is_the_right_one() {
     let mut more = balanced.to_vec();
     more.push(["?", "100", "?", "?"]);
     assert_eq!(reason(&file(&more)), Reason::BalancedAlready);
-    let Ok(Answer::Left(sums)) = balance(&rotor(&file(&[a, b]))) else { panic!("a couple is left") };
+    let Ok(Answer::Residual(sums)) = balance(&rotor(&file(&[a, b]))) else { panic!("a couple is left") };
     assert!(sums[0].vanishes() && !sums[1].vanishes());
     assert!(balance(&rotor(&file(&[a, ["?", "?", "?", "?"], ["?", "?", "?", "?"], ["?", "?", "?", "?"]]))).is_err());
 }
