@@ -28,7 +28,7 @@ fn mounts_say_what_is_passed_on_and_moved_before_the_natural_frequencies() {
     let answer = answer("mounts", MOUNTS);
     let words = first_words(&answer);
     assert!(words.len() <= 5, "{words:?}");
-    let beginnings = ["What is passed on at 3000 rpm", "What moves the point of the file most is order 2"];
+    let beginnings = ["Force transmitted at 3000 rpm", "Largest motion of the point of the file"];
     for (line, beginning) in words.iter().zip(beginnings) {
         assert!(line.replace(['\u{202f}', '\u{a0}'], " ").starts_with(beginning), "{line}");
     }
