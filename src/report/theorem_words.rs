@@ -101,7 +101,9 @@ fn statement(every: &EveryOrder) -> Text {
     match named(&both, senses) {
         _ if every.first.is_none() => sentence(&both),
         Some(list) => phrase!("Nothing remains but {}.", list),
-        None if direct == reverse => phrase!("{} This holds for both the direct and the reverse vector.", sentence(&both)),
+        None if direct == reverse => {
+            phrase!("{} This holds for both the direct and the reverse vector.", sentence(&both))
+        }
         None => phrase!(
             "{} The direct vector: {} The reverse vector: {}",
             sentence(&both),
