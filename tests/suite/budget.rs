@@ -36,7 +36,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("shard", 680),
     ("stars", 670),
     ("sweep", 2110),
-    ("table", 1395),
+    ("table", 1410),
     ("text", 435),
     ("torque", 1220),
     ("torsion", 890),

@@ -85,6 +85,15 @@ fn a_value_is_named_with_its_unit_or_without() {
         other => panic!("{name} is {other:?}"),
     };
     assert_eq!(value("bearings.worst.force"), value("bearings.worst.force_zero_to_peak_N"));
+    let exact = value("bearings.worst.force");
+    assert_eq!(value("bearings.worst.force_zero_to_peak"), exact);
+    // As a column it has its unit once, however it was named.
+    for name in ["force", "force_zero_to_peak", "force_zero_to_peak_N"] {
+        let name: ValueName = format!("bearings.worst.{name}").parse().expect("a name");
+        let single = values_of(&engine, std::slice::from_ref(&name)).remove(0).expect("a value");
+        let column = single.column(&name.column(), [Some(&single)]);
+        assert_eq!(column.name().matches("_N").count(), 1, "{}", column.name());
+    }
     assert_eq!(value("torque.orders.1/2.gas"), 0.0);
     assert!(value("torque.orders.4.gas") > 100.0 && value("torque.flywheel.inertia") > 0.0);
     let study = report::TorqueStudy::new(&engine).expect("gas");
@@ -100,6 +109,9 @@ fn a_wrong_name_is_told_what_there_is() {
     assert!(told("torque.weather.rain").contains("there are orders, cycle, flywheel"));
     assert!(told("torque.cycle").contains("which column"));
     assert!(told("torque.cycle.rain").contains("there are mean"));
+    // What is most like the name comes first.
+    let alike = told("loads.orders.2.moment_smalest");
+    assert!(alike.contains("there are moment_smallest, moment_"), "{alike}");
     assert!(told("torque.orders.99.gas").contains("no row `99`"));
     assert!(told("torque.orders.gas").contains("a row is named by order"));
     assert!(told("torque.cycle.1.mean").contains("one row"));
