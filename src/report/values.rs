@@ -42,13 +42,23 @@ impl ValuesStudy {
         self.rows.iter().find_map(|(_, values)| of(values)).unwrap_or(Unit::NONE)
     }
 
-    /// Why values are missing, each reason once.
+    /// Why values are missing, each reason of an engine once.
     fn missing(&self) -> Vec<Text> {
+    /// The values, and why some are missing.
+    pub(in crate::report) fn blocks(&self) -> impl Iterator<Item = Block> {
+        [self.shown().into()].into_iter().chain(self.missing().into_iter().map(Block::Note))
+    }
+
         let mut reasons = Vec::new();
         for (title, values) in &self.rows {
-            for (name, value) in self.names.iter().zip(values) {
-                if let Err(why) = value {
-                    reasons.push(phrase!("{} has no {}: {}.", title, Text::code(name.to_string()), Text::label(why)));
+            let missing =
+                || self.names.iter().zip(values).filter_map(|(name, value)| Some((name, value.as_ref().err()?)));
+            let of_all: Vec<&String> = missing().map(|(_, why)| why).collect();
+            for (place, (_, why)) in missing().enumerate() {
+                if !of_all[..place].contains(&why) {
+                    let names = missing().filter(|(_, other)| *other == why);
+                    let names = Text::joined(names.map(|(name, _)| Text::code(name.to_string())), ", ");
+                    reasons.push(phrase!("{} has no {}: {}.", title, names, Text::label(why)));
                 }
             }
         }
@@ -71,8 +81,7 @@ impl Question for ValuesStudy {
 
     fn answer(&self) -> Document {
         let mut answer = Document::new("values", "Values");
-        answer.push(self.shown());
-        answer.blocks.extend(self.missing().into_iter().map(Block::Note));
+        answer.blocks.extend(self.blocks());
         answer
     }
 

@@ -192,11 +192,31 @@ fn shafts_and_diagrams_have_values_and_say_which_file_another_question_reads() {
     assert!(why(2, "flywheel_values_inertia_missing").contains("torque.flywheel.inertia"));
     let output = call(&["values", &shaft, "--value", "loads.largest.force", "--format", "csv"]);
     assert!(String::from_utf8_lossy(&output.stdout).contains("the layout of an engine"));
-    // A mistake in the file stops, with its place.
-    let wrong = path("wrong.toml", "[[mass]]\nmass = 'heavy'\n");
-    let output = call(&["values", &wrong, "--value", "rotor.masses.1.A.mass"]);
+}
+
+#[test]
+fn a_file_that_cannot_be_read_has_a_row_with_its_reason_beside_those_of_the_others() {
+    let wrong = scratch("values-wrong").join("wrong.toml");
+    std::fs::write(&wrong, "[[mass]]\nmass = 'heavy'\n").expect("a file");
+    let wrong = wrong.to_str().expect("a path");
+    let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/examples/v8-gas/layout.toml");
+    let values = ["--value", "loads.orders.2.force", "--value", "loads.orders.2.moment"];
+    let run = |more: &[&str]| call(&[&["values", wrong, layout], &values[..], more].concat());
+    let output = run(&["--format", "csv"]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("wrong.toml"));
+    // The message has the place in the file.
+    assert!(String::from_utf8_lossy(&output.stderr).contains("wrong.toml:2"));
+    let csv = String::from_utf8(output.stdout).expect("a text");
+    let lines: Vec<&str> = csv.lines().collect();
+    assert!(
+        lines.len() == 3 && lines[1].contains("the file cannot be read: ") && !lines[2].contains("cannot"),
+        "{csv}"
+    );
+    let told = String::from_utf8(run(&[]).stdout).expect("a text");
+    assert_eq!(told.matches("cannot be read").count(), 1, "{told}");
+    let missing = call(&["values", "no-such.toml", layout, "--value", "loads.orders.2.force"]);
+    assert_eq!(missing.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&missing.stdout).contains("layout.toml"));
 }
 
 #[test]
