@@ -15,24 +15,38 @@ pub struct ValuesStudy {
     pub rows: Vec<(Untrusted, Vec<Result<Single, String>>)>,
 }
 
+/// A value below a heading with its unit.
+pub(in crate::report) fn cell(value: &Result<Single, String>) -> Text {
+    let Ok(single) = value else { return "–".into() };
+    match single.value() {
+        None => "–".into(),
+        Some(Value::Decimal(0.0)) => Text::label("0"),
+        Some(Value::Decimal(decimal)) if single.unit == Unit::NONE => Number::Decimal(decimal).into(),
+        Some(Value::Decimal(decimal)) => Text::measured(decimal, single.unit),
+        Some(Value::Person(text)) => Piece::Person(text.clone()).into(),
+        Some(other) => Text::label(other.to_string()),
+    }
+}
+
+/// The name of a value with the unit that its cells are in.
+pub(in crate::report) fn heading(name: &str, unit: Unit) -> Text {
+    let name = Text::code(name);
+    if unit == Unit::NONE { name } else { phrase!("{} in {}", name, unit) }
+}
+
 impl ValuesStudy {
     fn shown(&self) -> Shown {
-        let mut table = Shown::new([Text::from("Engine")].into_iter().chain(self.names.iter().map(|name| {
-            let unit = self.unit(name);
-            let name = Text::code(name.to_string());
-            if unit == Unit::NONE { name } else { phrase!("{} in {}", name, unit) }
-        })));
+        let headings = self.names.iter().map(|name| heading(&name.to_string(), self.unit(name)));
+        let mut table = Shown::new([Text::from("Engine")].into_iter().chain(headings));
         for (title, values) in &self.rows {
-            let cell = |value: &Result<Single, String>| match value.as_ref().ok().and_then(Single::value) {
-                None => Text::from("–"),
-                Some(Value::Decimal(0.0)) => Text::label("0"),
-                Some(Value::Decimal(decimal)) => Number::Decimal(decimal).into(),
-                Some(Value::Person(text)) => Piece::Person(text.clone()).into(),
-                Some(other) => Text::label(other.to_string()),
-            };
             table.push([Text::from(title)].into_iter().chain(values.iter().map(cell)).collect());
         }
         table
+    }
+
+    /// The values, and why some are missing.
+    pub(in crate::report) fn blocks(&self) -> impl Iterator<Item = Block> {
+        [self.shown().into()].into_iter().chain(self.missing().into_iter().map(Block::Note))
     }
 
     /// What a value is counted in, where some engine has it.
@@ -44,11 +58,6 @@ impl ValuesStudy {
 
     /// Why values are missing, each reason of an engine once.
     fn missing(&self) -> Vec<Text> {
-    /// The values, and why some are missing.
-    pub(in crate::report) fn blocks(&self) -> impl Iterator<Item = Block> {
-        [self.shown().into()].into_iter().chain(self.missing().into_iter().map(Block::Note))
-    }
-
         let mut reasons = Vec::new();
         for (title, values) in &self.rows {
             let missing =

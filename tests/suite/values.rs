@@ -244,6 +244,17 @@ fn the_command_tabulates_values_of_many_layouts_and_says_why_one_has_none() {
 }
 
 #[test]
+fn values_are_in_the_units_of_their_headings() {
+    let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/examples/v8-gas/layout.toml");
+    let newtons = decimal(named(&engine(V8_GAS), "bearings.worst.force"));
+    let output = call(&["values", layout, "--value", "bearings.worst.force", "--units", "inch"]);
+    let told = String::from_utf8(output.stdout).expect("a text");
+    // A pound-force is 4.4482216152605 N.
+    let pounds = format!("≈ {:.0}", newtons / 4.448_221_615_260_5);
+    assert!(told.contains("in lbf") && told.contains(&pounds), "{told}");
+}
+
+#[test]
 fn a_sweep_has_values_of_any_question_beside_its_points_in_every_way_to_compute_it() {
     let folder = scratch("values-sweep");
     let (layout, rows) = (folder.join("v8.toml"), folder.join("rows.csv"));
