@@ -286,6 +286,16 @@ fn a_sweep_has_values_of_any_question_beside_its_points_in_every_way_to_compute_
         })
         .collect();
     assert_eq!(forces, expected);
+    // The answer tells the least and the greatest, the page every point, in the units of its reader.
+    let told = |more: &[&str]| run(more).split_whitespace().collect::<Vec<_>>().join(" ");
+    let answer = told(&[]);
+    let about = |kilonewtons: f64| format!("{kilonewtons:.1} kN");
+    let (least, most) = (about(forces[0].min(forces[2]) / 1e3), about(forces[0].max(forces[2]) / 1e3));
+    assert!(answer.contains("bearings.worst.force: from "), "{answer}");
+    assert!(answer.contains(&least) && answer.contains(&most), "{answer}");
+    let page = told(&["--format", "text"]);
+    assert!(page.contains("bearings.worst.force in N") && page.contains(&format!("≈ {:.0}", forces[1])), "{page}");
+    assert!(told(&["--lang", "de"]).contains("bearings.worst.force: von 28,9 kN bei 4000 "));
     // A folder of tables, and two shards merged, hold the same rows.
     run(&["--format", "csv", "--output", folder.join("all").to_str().expect("a path")]);
     assert_eq!(std::fs::read_to_string(folder.join("all/sweep.csv")).expect("the points"), streamed);
