@@ -32,7 +32,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("remedy", 1730),
     ("report", 33980),
     ("rotor", 680),
-    ("search", 3760),
+    ("search", 3800),
     ("shard", 680),
     ("stars", 670),
     ("sweep", 2110),
