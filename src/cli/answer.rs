@@ -44,6 +44,15 @@ pub enum DataFormat {
     Json,
 }
 
+impl DataFormat {
+    /// What a file of this name holds, by its ending.
+    fn of_file(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_str()?;
+        let is_called = |format: &&Self| format.to_possible_value().is_some_and(|name| name.matches(ending, true));
+        Self::value_variants().iter().find(is_called).copied()
+    }
+}
+
 impl ValueEnum for DataFormat {
     fn value_variants<'a>() -> &'a [Self] {
         &[
@@ -109,12 +118,21 @@ impl Answer {
     /// # Errors
     /// What cannot be had, before anything is computed.
     pub fn wanted(&self, question: &'static str) -> Result<Option<Wanted<'_>>, Failure> {
-        let format = match self.format {
+        let format = match self.format() {
             Some(Format::Data(DataFormat::Table(format))) => Some(format),
             Some(Format::Data(DataFormat::Json)) => self.tables.json(),
-            Some(Format::Page(_)) | None => None,
+            Some(Format::Page(_)) => {
+                self.page.is_for_a_folder()?;
+                None
+            }
+            None => None,
         };
         self.tables.wanted(question, format, self.page.measures(), self.page.folder())
+    }
+
+    /// The format that is named, or that of the file to write.
+    fn format(&self) -> Option<Format> {
+        self.format.or_else(|| DataFormat::of_file(self.output()?).map(Format::Data))
     }
 
     /// Where the answer goes, if not to standard output.
@@ -143,12 +161,12 @@ impl Answer {
 
     /// Whether JSON is asked for.
     pub fn is_json(&self) -> bool {
-        self.format == Some(Format::Data(DataFormat::Json))
+        self.format() == Some(Format::Data(DataFormat::Json))
     }
 
     /// Whether data are asked for, and no page.
     pub fn is_data(&self) -> bool {
-        matches!(self.format, Some(Format::Data(_)))
+        matches!(self.format(), Some(Format::Data(_)))
     }
 
     /// Prints a document, or writes it where that is asked for.
@@ -233,20 +251,25 @@ impl DataAnswer {
     /// # Errors
     /// What cannot be had, before anything is computed.
     pub fn wanted(&self, question: &'static str, measures: &Measures) -> Result<Option<Wanted<'_>>, Failure> {
-        let format = match self.format {
+        let format = match self.format() {
             Some(VerdictFormat::Data(DataFormat::Table(format))) => Some(format),
             Some(VerdictFormat::Data(DataFormat::Json)) => self.tables.json(),
             Some(VerdictFormat::Coq) | None => None,
         };
-        if self.format.is_none() && self.output.is_some() {
+        if self.format().is_none() && self.output.is_some() {
             return Err(Failure::misuse("--output is for data; add --format csv, xlsx, parquet, json or coq"));
         }
         self.tables.wanted(question, format, measures, self.output.as_deref())
     }
 
+    /// The format that is named, or that of the file to write.
+    fn format(&self) -> Option<VerdictFormat> {
+        self.format.or_else(|| DataFormat::of_file(self.output.as_deref()?).map(VerdictFormat::Data))
+    }
+
     /// Whether JSON is asked for.
     pub fn is_json(&self) -> bool {
-        self.format == Some(VerdictFormat::Data(DataFormat::Json))
+        self.format() == Some(VerdictFormat::Data(DataFormat::Json))
     }
 
     /// Whether theorems of Coq are asked for.

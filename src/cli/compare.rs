@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
-use crankstar::report::{CompareStudy, Compared};
+use crankstar::report::{CompareStudy, Compared, ValueName, ValuesStudy, values_of};
 use crankstar::text::Untrusted;
 
 use super::answer::Answer;
@@ -21,6 +21,9 @@ pub struct Compare {
     /// The orders to compare [default: all that the layout files ask for, else 1,2,4,6]
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
     orders: Vec<u32>,
+    /// A value of any question by its name, beside the comparison: torsion.modes.1.frequency
+    #[arg(long, value_name = "NAME")]
+    value: Vec<ValueName>,
     /// Print the comparison as JSON
     #[arg(long, conflicts_with_all = ["output", "format"])]
     json: bool,
@@ -43,7 +46,11 @@ impl Compare {
             orders.sort_unstable();
             orders.dedup();
             let compared = engines.iter().map(|(name, engine)| Compared::new(name.clone(), engine, &orders));
-            Ok(CompareStudy { engines: compared.collect::<Result<_, _>>().map_err(Failure::new)? })
+            let compared = compared.collect::<Result<_, _>>().map_err(Failure::new)?;
+            let rows = || engines.iter().map(|(name, engine)| (name.clone(), values_of(engine, &self.value))).collect();
+            let is_asked = !self.value.is_empty();
+            let values = is_asked.then(|| ValuesStudy { names: self.value.clone(), rows: rows() });
+            Ok(CompareStudy { engines: compared, values })
         })
     }
 

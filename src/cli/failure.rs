@@ -6,7 +6,7 @@ use crankstar::file::LayoutError;
 use crankstar::text::harmless_lines;
 
 /// A message for standard error, with the exit status.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Failure {
     text: String,
     status: u8,
@@ -36,6 +36,18 @@ impl Failure {
     /// The message without what marks it as an error.
     pub fn message(&self) -> &str {
         self.text.strip_prefix("error: ").unwrap_or(&self.text)
+    }
+}
+
+impl Failure {
+    /// What is wrong, and where in a file, without the drawing of the place.
+    pub fn in_one_line(&self) -> String {
+        let mut lines = self.message().lines();
+        let first = lines.next().unwrap_or_default();
+        match lines.find_map(|line| line.trim_start().strip_prefix("--> ")) {
+            Some(place) => format!("{place}: {first}"),
+            None => first.to_owned(),
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use crankstar::page::{self, Document, Figures, File, Language, Options, Units};
 use super::failure::Failure;
 use super::language::LanguageArgs;
 use super::notation::Notation;
-use super::{folder, write};
+use super::{folder, layouts, tables, write};
 
 /// What a person may say of a page.
 #[derive(clap::Args)]
@@ -163,9 +163,24 @@ impl PageArgs {
         Ok(page::write(document, self.format(format), &options))
     }
 
+    /// Refuses a name of a file of data: a page goes into a folder.
+    ///
+    /// # Errors
+    /// How the data would be had, where the command has any.
+    pub fn is_for_a_folder(&self) -> Result<(), Failure> {
+        match self.output.as_deref().filter(|path| tables::is_named_as_data(path)) {
+            None => Ok(()),
+            Some(path) => Err(Failure::misuse(format!(
+                "`{}` is named as a file of data, and a page goes into a folder; name a folder",
+                layouts::shown(path)
+            ))),
+        }
+    }
+
     /// Writes the files into the folder where one is named; says what was written.
     pub fn write(&self, files: impl FnOnce() -> Result<Vec<File>, Failure>) -> Result<String, Failure> {
         let Some(folder) = &self.output else { return Ok(String::new()) };
+        self.is_for_a_folder()?;
         let files = files()?;
         folder::write(folder, &files)?;
         Ok(format!("\n{}", folder::written(folder, &files)))
@@ -237,6 +252,7 @@ impl Pages {
     pub fn show_page(&self, answer: impl FnOnce() -> Document, page: &Document) -> Result<(), Failure> {
         let files = self.files(page)?;
         let Some(folder) = &self.page.output else { return write::to_stdout(&files[0].text) };
+        self.page.is_for_a_folder()?;
         folder::write(folder, &files)?;
         write::to_stdout(&format!("{}\n{}", self.shown(&answer())?, folder::written(folder, &files)))
     }

@@ -92,7 +92,7 @@ impl Sweep {
         let parameters = self.ranges.parameters(&template)?;
         let (orders, firing) = (rising(&self.orders), rising(&self.firing_orders));
         let stream = Stream::new(&template, &parameters, &orders, &firing, &Geometry::default());
-        let (names, find) = (columns(&self.value), |engine: &Engine| values_of(engine, &self.value));
+        let (names, find) = (named(&self.value), |engine: &Engine| values_of(engine, &self.value));
         let stream = stream.and_then(|stream| match self.value.is_empty() {
             true => Ok(stream),
             false => stream.observing(Observer { names: &names, find: &find }),
@@ -102,9 +102,9 @@ impl Sweep {
     }
 }
 
-/// The names of the columns of these values.
-fn columns(values: &[ValueName]) -> Vec<String> {
-    values.iter().map(ValueName::column).collect()
+/// What these values are called.
+fn named(values: &[ValueName]) -> Vec<String> {
+    values.iter().map(ValueName::to_string).collect()
 }
 
 impl Ranges {
@@ -135,7 +135,7 @@ impl Ranges {
                 sweep.firing = Some(sweep::firing_stars(&template, &sweep, &firing)?);
             }
             if !values.is_empty() {
-                let (names, find) = (columns(values), |engine: &Engine| values_of(engine, values));
+                let (names, find) = (named(values), |engine: &Engine| values_of(engine, values));
                 sweep.observed = Some(sweep::observed(&template, &sweep, &Observer { names: &names, find: &find })?);
             }
             Ok(sweep)

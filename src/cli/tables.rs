@@ -188,6 +188,11 @@ fn ends_in(path: &Path, ending: &str) -> bool {
     path.extension().is_some_and(|it| it.eq_ignore_ascii_case(ending))
 }
 
+/// Whether a name ends as one of a file of data.
+pub fn is_named_as_data(path: &Path) -> bool {
+    ENDINGS.iter().any(|ending| ends_in(path, ending))
+}
+
 /// A name that ends as another format does is a slip.
 fn is_of(path: &Path, ending: &str) -> Result<(), Failure> {
     match ENDINGS.iter().find(|other| **other != ending && ends_in(path, other)) {

@@ -11,7 +11,7 @@ use crankstar::text::Untrusted;
 
 use super::answer::Answer;
 use super::failure::Failure;
-use super::layouts;
+use super::{layouts, write};
 
 /// Arguments of `values`.
 #[derive(clap::Args)]
@@ -27,27 +27,44 @@ pub struct Values {
 }
 
 impl Values {
-    /// Prints the values, or writes them as data.
+    /// Prints the values, or writes them as data; a file that cannot be read has a row too, and ends the program with its message.
     pub fn run(&self) -> Result<(), Failure> {
+        let computed = self.computed();
+        let mut unread: Vec<&Failure> = computed.iter().filter_map(|one| one.as_ref().err()).collect();
         self.answer.give("values", false, || {
             let rows = self.layouts.iter().map(|layout| layouts::shown(layout)).map(Untrusted::new);
-            Ok(ValuesStudy { names: self.value.clone(), rows: rows.zip(self.computed()?).collect() })
-        })
+            let values = computed.iter().map(|one| match one {
+                Ok(values) => values.clone(),
+                Err(failure) => self.none(&format!("the file cannot be read: {}", failure.in_one_line())),
+            });
+            Ok(ValuesStudy { names: self.value.clone(), rows: rows.zip(values).collect() })
+        })?;
+        match unread.pop() {
+            None => Ok(()),
+            Some(last) => {
+                unread.iter().for_each(|failure| write::to_stderr(&failure.to_string()));
+                Err(last.clone())
+            }
+        }
     }
 
     /// The values of each layout, on all cores.
-    fn computed(&self) -> Result<Vec<Vec<Result<Single, String>>>, Failure> {
+    fn computed(&self) -> Vec<Result<Vec<Result<Single, String>>, Failure>> {
         let threads = thread::available_parallelism().map_or(1, NonZero::get);
         let size = self.layouts.len().div_ceil(threads).max(1);
         let part = |layouts: &[PathBuf]| layouts.iter().map(|layout| self.of(layout)).collect::<Vec<_>>();
-        let all: Vec<Result<_, Failure>> = thread::scope(|scope| {
+        thread::scope(|scope| {
             let part = &part;
             let parts: Vec<_> = self.layouts.chunks(size).map(|some| scope.spawn(move || part(some))).collect();
             let joined =
                 parts.into_iter().map(|one| one.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
             joined.flatten().collect()
-        });
-        all.into_iter().collect()
+        })
+    }
+
+    /// No value, for this reason.
+    fn none(&self, why: &str) -> Vec<Result<Single, String>> {
+        self.value.iter().map(|_| Err(why.to_owned())).collect()
     }
 
     fn of(&self, layout: &Path) -> Result<Vec<Result<Single, String>>, Failure> {
@@ -57,10 +74,7 @@ impl Values {
         }
         match layouts::read(layout)? {
             Layout::Known(engine, _) => Ok(values_of(&engine, &self.value)),
-            Layout::Open(_) => {
-                let why = "the layout has unknowns; give them values below [values]";
-                Ok(self.value.iter().map(|_| Err(why.to_owned())).collect())
-            }
+            Layout::Open(_) => Ok(self.none("the layout has unknowns; give them values below [values]")),
         }
     }
 }

@@ -85,6 +85,11 @@ impl Text {
         Piece::Measured(value, unit, Setting::About).into()
     }
 
+    /// A decimal without a sign before it, to four figures or those that the reader asks for.
+    pub fn figures(value: f64) -> Self {
+        Piece::Measured(value, Unit::NONE, Setting::Usual(super::number::decimal)).into()
+    }
+
     /// What is typed.
     pub fn code(text: impl Into<String>) -> Self {
         Piece::Code(text.into()).into()

@@ -160,7 +160,7 @@ pub(super) fn compare(
     let asked = Asked::function("compare", sources, &json!({ "orders": orders }));
     let study = py.detach(|| {
         let compared = engines.iter().map(|engine| Compared::new(engine.title().clone(), engine, &orders));
-        Ok::<_, PyErr>(CompareStudy { engines: compared.collect::<Result<_, _>>().map_err(told)? })
+        Ok::<_, PyErr>(CompareStudy { engines: compared.collect::<Result<_, _>>().map_err(told)?, values: None })
     })?;
     Ok(Answer::new(asked, study))
 }

@@ -63,10 +63,15 @@ impl fmt::Display for ValueName {
     }
 }
 
+/// A name of a value as that of a column.
+pub(in crate::report) fn column_of(name: &str) -> String {
+    name.replace(['.', '/', ' '], "_")
+}
+
 impl ValueName {
     /// As the name of a column.
     pub fn column(&self) -> String {
-        self.to_string().replace(['.', '/', ' '], "_")
+        column_of(&self.to_string())
     }
 
     /// The file that its question is asked of.

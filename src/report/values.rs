@@ -15,24 +15,38 @@ pub struct ValuesStudy {
     pub rows: Vec<(Untrusted, Vec<Result<Single, String>>)>,
 }
 
+/// A value below a heading with its unit.
+pub(in crate::report) fn cell(value: &Result<Single, String>) -> Text {
+    let Ok(single) = value else { return "–".into() };
+    match single.value() {
+        None => "–".into(),
+        Some(Value::Decimal(0.0)) => Text::label("0"),
+        Some(Value::Decimal(decimal)) if single.unit == Unit::NONE => Number::Decimal(decimal).into(),
+        Some(Value::Decimal(decimal)) => Text::measured(decimal, single.unit),
+        Some(Value::Person(text)) => Piece::Person(text.clone()).into(),
+        Some(other) => Text::label(other.to_string()),
+    }
+}
+
+/// The name of a value with the unit that its cells are in.
+pub(in crate::report) fn heading(name: &str, unit: Unit) -> Text {
+    let name = Text::code(name);
+    if unit == Unit::NONE { name } else { phrase!("{} in {}", name, unit) }
+}
+
 impl ValuesStudy {
     fn shown(&self) -> Shown {
-        let mut table = Shown::new([Text::from("Engine")].into_iter().chain(self.names.iter().map(|name| {
-            let unit = self.unit(name);
-            let name = Text::code(name.to_string());
-            if unit == Unit::NONE { name } else { phrase!("{} in {}", name, unit) }
-        })));
+        let headings = self.names.iter().map(|name| heading(&name.to_string(), self.unit(name)));
+        let mut table = Shown::new([Text::from("Engine")].into_iter().chain(headings));
         for (title, values) in &self.rows {
-            let cell = |value: &Result<Single, String>| match value.as_ref().ok().and_then(Single::value) {
-                None => Text::from("–"),
-                Some(Value::Decimal(0.0)) => Text::label("0"),
-                Some(Value::Decimal(decimal)) => Number::Decimal(decimal).into(),
-                Some(Value::Person(text)) => Piece::Person(text.clone()).into(),
-                Some(other) => Text::label(other.to_string()),
-            };
             table.push([Text::from(title)].into_iter().chain(values.iter().map(cell)).collect());
         }
         table
+    }
+
+    /// The values, and why some are missing.
+    pub(in crate::report) fn blocks(&self) -> impl Iterator<Item = Block> {
+        [self.shown().into()].into_iter().chain(self.missing().into_iter().map(Block::Note))
     }
 
     /// What a value is counted in, where some engine has it.
@@ -42,13 +56,18 @@ impl ValuesStudy {
         self.rows.iter().find_map(|(_, values)| of(values)).unwrap_or(Unit::NONE)
     }
 
-    /// Why values are missing, each reason once.
+    /// Why values are missing, each reason of an engine once.
     fn missing(&self) -> Vec<Text> {
         let mut reasons = Vec::new();
         for (title, values) in &self.rows {
-            for (name, value) in self.names.iter().zip(values) {
-                if let Err(why) = value {
-                    reasons.push(phrase!("{} has no {}: {}.", title, Text::code(name.to_string()), Text::label(why)));
+            let missing =
+                || self.names.iter().zip(values).filter_map(|(name, value)| Some((name, value.as_ref().err()?)));
+            let of_all: Vec<&String> = missing().map(|(_, why)| why).collect();
+            for (place, (_, why)) in missing().enumerate() {
+                if !of_all[..place].contains(&why) {
+                    let names = missing().filter(|(_, other)| *other == why);
+                    let names = Text::joined(names.map(|(name, _)| Text::code(name.to_string())), ", ");
+                    reasons.push(phrase!("{} has no {}: {}.", title, names, Text::label(why)));
                 }
             }
         }
@@ -71,8 +90,7 @@ impl Question for ValuesStudy {
 
     fn answer(&self) -> Document {
         let mut answer = Document::new("values", "Values");
-        answer.push(self.shown());
-        answer.blocks.extend(self.missing().into_iter().map(Block::Note));
+        answer.blocks.extend(self.blocks());
         answer
     }
 

@@ -3,16 +3,14 @@
 use std::fmt;
 
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::Signed;
 
 use super::answer::Front;
 use super::found::Moment;
 use super::problem::ProblemError;
-use crate::engine::Engine;
+use super::sizes::Sizes;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::file::units;
-use crate::loads::{self, Arm};
-use crate::motion::SliderCrank;
 use crate::numbers;
 
 /// The largest moment of an order that is allowed.
@@ -51,46 +49,6 @@ impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (order, most) = self.parts();
         write!(f, "{order}={most}")
-    }
-}
-
-/// What turns the moments of stars into newton-metres.
-#[derive(Clone, Debug)]
-pub struct Sizes {
-    force: f64,
-    spacing: f64,
-    crank: SliderCrank,
-}
-
-impl Sizes {
-    /// Those of an engine in line: its mass, crank radius, rod, speed and spacing.
-    ///
-    /// # Errors
-    /// What the layout lacks.
-    pub fn new(engine: &Engine) -> Result<Self, ProblemError> {
-        let refused = |what: &str| ProblemError::new(format!("newton-metres need {what}"));
-        let banks = engine.cylinders().iter().map(|cylinder| &cylinder.bank);
-        if engine.has_links() || banks.clone().any(|bank| bank != &engine.cylinders()[0].bank) {
-            return Err(refused("a layout in line"));
-        }
-        let scale =
-            loads::scale(engine).ok_or_else(|| refused("the masses, the crank radius and the speed of the layout"))?;
-        let mut places: Vec<&BigRational> = engine.cylinders().iter().map(|cylinder| &cylinder.position).collect();
-        places.sort();
-        places.dedup();
-        let gaps: Vec<BigRational> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let spacing = gaps.first().filter(|_| Arm::of(engine) == Arm::Metre);
-        let spacing = spacing.filter(|first| gaps.iter().all(|gap| gap == *first)).and_then(BigRational::to_f64);
-        let spacing = spacing.ok_or_else(|| refused("one spacing of all cylinders of the layout, in line"))?;
-        let rod = engine.rods().next().ok_or_else(|| refused("the connecting rods of the layout"))?;
-        let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
-        let crank = crank.map_err(|error| ProblemError::new(error.to_string()))?;
-        Ok(Sizes { force: scale.force(), spacing, crank })
-    }
-
-    /// m r ω² |c_k| times the spacing, in newton-metres.
-    pub fn newton_metres(&self, order: u32) -> f64 {
-        self.force * self.spacing * self.crank.coefficient(order).re.to_float().abs()
     }
 }
 

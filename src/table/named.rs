@@ -1,5 +1,6 @@
 //! Which value of a table has a name? A place in its keys and the name of a column: `1.frequency` in a table of modes.
 
+use std::cmp::Reverse;
 use std::fmt;
 
 use super::{Column, Table, Unit, Values};
@@ -93,6 +94,8 @@ impl Single {
             values.append(one.filter(|one| one.unit == self.unit).map(|one| &one.values));
         }
         let pattern = if self.unit.suffix.is_empty() { "{value}" } else { "{value}_{unit}" };
+        // Who names a value with its unit has it once.
+        let name = without_unit(name, self.unit);
         Column::named(pattern, &[name], self.unit, self.about, values)
     }
 }
@@ -100,7 +103,7 @@ impl Single {
 /// Why a table has no value of this name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NotNamed {
-    /// No column is called so: those that there are.
+    /// No column is called so: those that there are, the most alike first.
     Column(String, Vec<String>),
     /// No row has this key.
     Row {
@@ -148,13 +151,22 @@ const PEAK: &str = "_zero_to_peak";
 impl Column {
     /// Its name without its unit and without `zero_to_peak`: `force` for `force_zero_to_peak_N`.
     pub fn stem(&self) -> String {
-        let unit = format!("_{}", self.unit().suffix);
-        let bare = match self.unit() == Unit::NONE {
-            true => self.name(),
-            false => self.name().strip_suffix(&unit).unwrap_or(self.name()),
-        };
-        bare.replace(PEAK, "")
+        without_unit(self.name(), self.unit()).replace(PEAK, "")
     }
+}
+
+fn without_unit(name: &str, unit: Unit) -> &str {
+    let bare = name.strip_suffix(unit.suffix).filter(|_| !unit.suffix.is_empty());
+    bare.and_then(|bare| bare.strip_suffix('_')).unwrap_or(name)
+}
+
+/// How much of a name another has: words, then letters from the beginning on.
+fn likeness(one: &str, other: &str) -> (usize, usize) {
+    let words: Vec<&str> = one.split('_').collect();
+    let shared = other.split('_').filter(|word| words.contains(word)).count();
+    let alike = one.chars().zip(other.chars()).take_while(|(one, other)| one == other).count();
+    // A letter or two in common are chance.
+    (shared, if alike < 3 { 0 } else { alike })
 }
 
 impl Table {
@@ -165,13 +177,16 @@ impl Table {
     /// What there is in its place.
     pub fn named(&self, keys: &[&str], column: &str) -> Result<Single, NotNamed> {
         let row = self.row(keys)?;
-        let is_meant = |other: &&Column| other.name() == column || other.stem() == column;
+        let is_meant = |other: &&Column| {
+            let name = other.name();
+            name == column || without_unit(name, other.unit()) == column || other.stem() == column
+        };
         let (keys, values) = self.columns().split_at(self.keys());
-        let found = values
-            .iter()
-            .chain(keys)
-            .find(is_meant)
-            .ok_or_else(|| NotNamed::Column(column.to_owned(), values.iter().map(Column::stem).collect()))?;
+        let found = values.iter().chain(keys).find(is_meant).ok_or_else(|| {
+            let mut there: Vec<String> = values.iter().map(Column::stem).collect();
+            there.sort_by_key(|name| Reverse(likeness(column, name)));
+            NotNamed::Column(column.to_owned(), there)
+        })?;
         Ok(Single { unit: found.unit(), about: found.about(), values: found.values().alone(row) })
     }
 

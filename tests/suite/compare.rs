@@ -7,7 +7,7 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-use crate::support::program::scratch;
+use crate::support::program::{call, scratch};
 
 fn crankstar(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_crankstar"));
@@ -239,4 +239,41 @@ fn no_line_of_a_comparison_is_longer_than_eighty_columns() {
         }
     }
     assert!(lines > 300, "only {lines} lines");
+}
+
+#[test]
+fn values_of_any_question_are_beside_a_comparison_and_columns_of_its_engines() {
+    let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/examples/v8-gas/layout.toml");
+    let asked = ["compare", layout, "I4", "--value", "bearings.worst.force", "--value", "torque.cycle.mean"];
+    let run = |more: &[&str]| {
+        let output = call(&[&asked[..], more].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).expect("a text")
+    };
+    let told = run(&[]).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains("bearings.worst.force in N") && told.contains("I4 has no bearings.worst.force"), "{told}");
+    let csv = run(&["--format", "csv", "--table", "engines"]);
+    assert!(csv.lines().next().is_some_and(|header| header.contains("bearings_worst_force_N,")), "{csv}");
+}
+
+#[test]
+fn a_comparison_of_layouts_with_gas_says_how_to_get_what_the_gas_adds() {
+    let folder = scratch("compare-gas");
+    let text = include_str!("../../reports/examples/v8-gas/layout.toml");
+    let path = |name: &str, text: &str| {
+        let path = folder.join(name);
+        std::fs::write(&path, text).expect("a file");
+        path.to_str().expect("a path").to_owned()
+    };
+    let silent: String =
+        text.lines().filter(|line| !line.starts_with("effects")).map(|line| format!("{line}\n")).collect();
+    let paths = [path("silent.toml", &silent), path("asking.toml", &format!("effects = ['gas']\n{silent}"))];
+    let told = |one: &str, other: &str| {
+        let output = call(&["compare", one, other]);
+        let text = String::from_utf8(output.stdout).expect("a text");
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let note = "need effects = [\"gas\"] above the first table";
+    assert!(told(&paths[0], &paths[1]).contains(&format!("{note}: silent.")));
+    assert!(!told("I4", "I4").contains(note));
 }

@@ -642,3 +642,35 @@ fn a_workbook_is_the_same_whenever_it_is_written() {
     assert!(first == write());
     assert!(first.starts_with(b"PK"));
 }
+
+#[test]
+fn a_file_to_write_says_by_its_ending_what_it_holds() {
+    let folder = scratch("data-endings");
+    let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/examples/v8-gas/layout.toml");
+    let path = |name: &str| folder.join(name).to_str().expect("a path").to_owned();
+    for (question, name) in
+        [("loads", "l.csv"), ("bearings", "b.CSV"), ("moments", "m.json"), ("classify", "c.csv"), ("values", "v.json")]
+    {
+        let value: &[&str] = if question == "values" { &["--value", "loads.orders.2.force"] } else { &[] };
+        let (path, format) = (path(name), name[2..].to_lowercase());
+        let run = |more: &[&str]| {
+            let output = call(&[&[question, layout], value, more].concat());
+            assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+            String::from_utf8(output.stdout).expect("a text")
+        };
+        let printed = run(&["--format", &format]);
+        run(&["--output", &path]);
+        assert_eq!(std::fs::read_to_string(&path).expect("a file"), printed, "{name}");
+    }
+    // Without the feature it is refused as --format is.
+    let xlsx = path("x.xlsx");
+    let output = call(&["loads", layout, "--output", &xlsx]);
+    assert_eq!(output.status.success(), cfg!(feature = "xlsx"));
+    assert_eq!(std::path::Path::new(&xlsx).is_file(), cfg!(feature = "xlsx"));
+    for asked in [vec!["loads", layout, "--format", "html"], vec!["report", layout]] {
+        let output = call(&[&asked[..], &["--output", &path("p.csv")]].concat());
+        assert_eq!(output.status.code(), Some(2), "{asked:?}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("a page goes into a folder"));
+        assert!(!folder.join("p.csv").exists());
+    }
+}

@@ -108,3 +108,20 @@ fn digits_that_no_float_has_are_refused() {
         assert!(message.contains(wrong) && message.contains("--digits"), "{message}");
     }
 }
+
+#[test]
+fn angles_have_the_digits_that_are_asked_for() {
+    // The direction of a mass that balances the shaft, and the crank angle of the largest torque.
+    for (command, file) in
+        [("rotor", "examples/shaft.toml"), ("torque", "reports/examples/v8-gas/layout.toml"), ("bearings", I3)]
+    {
+        let digits = |text: &str| {
+            let words = text.split_whitespace().filter_map(|word| word.split_once('°')).map(|(number, _)| number);
+            let decimals = words.filter_map(|number| Some(number.split_once('.')?.1.len()));
+            decimals.max().unwrap_or(0)
+        };
+        let [usual, many] =
+            [printed(&[command, file]), printed(&[command, file, "--digits", "9"])].map(|text| digits(&text));
+        assert!(usual <= 3 && many >= 5, "{command}: {usual}, {many}");
+    }
+}

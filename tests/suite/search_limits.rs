@@ -4,7 +4,7 @@ use crankstar::engine::Cycle;
 use crankstar::exact::Turn;
 use crankstar::file::parse;
 use crankstar::page::{Format, Options as PageOptions, write};
-use crankstar::report;
+use crankstar::report::{self, ValueName};
 use crankstar::search::{Front, Limit, Options, Problem, Sizes, document, search};
 
 use crate::support::written::assert_near;
@@ -76,4 +76,47 @@ fn what_does_not_fit_is_refused() {
     assert!(Sizes::new(&no_speed).expect_err("no speed").to_string().contains("speed"));
     let in_spacings = parse("six.toml", &MARINE.replace("spacing = '0.85 m'\n", "")).expect("it reads");
     assert!(Sizes::new(&in_spacings).expect_err("no spacing").to_string().contains("spacing"));
+}
+
+/// Seven cylinders of that size with these keys of the mechanism and the tables behind it.
+fn seven(firing_order: &str, keys: &str) -> String {
+    MARINE.replace("'six'", "'seven'").replace("1-5-3-4-2-6", firing_order) + "rotating_mass = '5200 kg'\n" + keys
+}
+
+#[test]
+fn newton_metres_are_the_moments_of_the_star_with_all_that_turns_on_its_throws() {
+    let front = search(&Problem::inline(7, Cycle::TwoStroke, &[1, 2]), &Options::default()).expect("a front");
+    let names = ["1", "2"].map(|order| format!("loads.orders.{order}.moment").parse::<ValueName>().expect("a name"));
+    for keys in [
+        "",
+        "pin_offset = '50 mm'\n",
+        "[crankshaft]\nbalance_factor = 0.5\ncounterweight_radius = '0.8 m'\n",
+        "[crankshaft]\nbalance_factor = 1.4\ncounterweight_radius = '0.8 m'\n",
+    ] {
+        for star in &front.stars {
+            let order: Vec<String> =
+                star.firing_order.iter().flatten().map(|cylinder| (cylinder + 1).to_string()).collect();
+            let engine = parse("seven.toml", &seven(&order.join("-"), keys));
+            let engine = engine.unwrap_or_else(|error| panic!("{keys}: {error}"));
+            let sizes = Sizes::new(&engine).unwrap_or_else(|error| panic!("{keys}: {error}"));
+            for (moment, told) in star.moments.iter().zip(report::values_of(&engine, &names)) {
+                let told = told.expect("a moment").value().expect("a value").to_string();
+                let told: f64 = told.parse().expect("a number");
+                let found = moment.decimal * sizes.newton_metres(moment.order);
+                assert_near(found / told, 1.0, 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn masses_that_belong_to_one_star_are_refused_as_sizes_of_others() {
+    for (keys, told) in [
+        ("[[counterweight]]\nposition = '0 m'\nangle = 0\nmass_radius = '10 kg m'\n", "counterweights"),
+        ("[[balancer]]\norder = 2\nsense = 'with'\nposition = '0 m'\nangle = 0\nmass_radius = '10 kg m'\n", "balancer"),
+    ] {
+        let engine = parse("seven.toml", &seven("1-7-2-5-4-3-6", keys)).unwrap_or_else(|error| panic!("{error}"));
+        let error = Sizes::new(&engine).expect_err(told).to_string();
+        assert!(error.contains(told), "{error}");
+    }
 }

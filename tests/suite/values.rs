@@ -85,6 +85,15 @@ fn a_value_is_named_with_its_unit_or_without() {
         other => panic!("{name} is {other:?}"),
     };
     assert_eq!(value("bearings.worst.force"), value("bearings.worst.force_zero_to_peak_N"));
+    let exact = value("bearings.worst.force");
+    assert_eq!(value("bearings.worst.force_zero_to_peak"), exact);
+    // As a column it has its unit once, however it was named.
+    for name in ["force", "force_zero_to_peak", "force_zero_to_peak_N"] {
+        let name: ValueName = format!("bearings.worst.{name}").parse().expect("a name");
+        let single = values_of(&engine, std::slice::from_ref(&name)).remove(0).expect("a value");
+        let column = single.column(&name.column(), [Some(&single)]);
+        assert_eq!(column.name().matches("_N").count(), 1, "{}", column.name());
+    }
     assert_eq!(value("torque.orders.1/2.gas"), 0.0);
     assert!(value("torque.orders.4.gas") > 100.0 && value("torque.flywheel.inertia") > 0.0);
     let study = report::TorqueStudy::new(&engine).expect("gas");
@@ -100,6 +109,9 @@ fn a_wrong_name_is_told_what_there_is() {
     assert!(told("torque.weather.rain").contains("there are orders, cycle, flywheel"));
     assert!(told("torque.cycle").contains("which column"));
     assert!(told("torque.cycle.rain").contains("there are mean"));
+    // What is most like the name comes first.
+    let alike = told("loads.orders.2.moment_smalest");
+    assert!(alike.contains("there are moment_smallest, moment_"), "{alike}");
     assert!(told("torque.orders.99.gas").contains("no row `99`"));
     assert!(told("torque.orders.gas").contains("a row is named by order"));
     assert!(told("torque.cycle.1.mean").contains("one row"));
@@ -180,11 +192,31 @@ fn shafts_and_diagrams_have_values_and_say_which_file_another_question_reads() {
     assert!(why(2, "flywheel_values_inertia_missing").contains("torque.flywheel.inertia"));
     let output = call(&["values", &shaft, "--value", "loads.largest.force", "--format", "csv"]);
     assert!(String::from_utf8_lossy(&output.stdout).contains("the layout of an engine"));
-    // A mistake in the file stops, with its place.
-    let wrong = path("wrong.toml", "[[mass]]\nmass = 'heavy'\n");
-    let output = call(&["values", &wrong, "--value", "rotor.masses.1.A.mass"]);
+}
+
+#[test]
+fn a_file_that_cannot_be_read_has_a_row_with_its_reason_beside_those_of_the_others() {
+    let wrong = scratch("values-wrong").join("wrong.toml");
+    std::fs::write(&wrong, "[[mass]]\nmass = 'heavy'\n").expect("a file");
+    let wrong = wrong.to_str().expect("a path");
+    let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/examples/v8-gas/layout.toml");
+    let values = ["--value", "loads.orders.2.force", "--value", "loads.orders.2.moment"];
+    let run = |more: &[&str]| call(&[&["values", wrong, layout], &values[..], more].concat());
+    let output = run(&["--format", "csv"]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("wrong.toml"));
+    // The message has the place in the file.
+    assert!(String::from_utf8_lossy(&output.stderr).contains("wrong.toml:2"));
+    let csv = String::from_utf8(output.stdout).expect("a text");
+    let lines: Vec<&str> = csv.lines().collect();
+    assert!(
+        lines.len() == 3 && lines[1].contains("the file cannot be read: ") && !lines[2].contains("cannot"),
+        "{csv}"
+    );
+    let told = String::from_utf8(run(&[]).stdout).expect("a text");
+    assert_eq!(told.matches("cannot be read").count(), 1, "{told}");
+    let missing = call(&["values", "no-such.toml", layout, "--value", "loads.orders.2.force"]);
+    assert_eq!(missing.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&missing.stdout).contains("layout.toml"));
 }
 
 #[test]
@@ -209,6 +241,17 @@ fn the_command_tabulates_values_of_many_layouts_and_says_why_one_has_none() {
     assert!(text.contains("I4 has no bearings.worst.force:"), "{text}");
     let json: serde_json::Value = serde_json::from_str(&run(&["--format", "json"])).expect("JSON");
     assert_eq!(json["values"][1]["bearings_worst_force_N"], serde_json::Value::Null);
+}
+
+#[test]
+fn values_are_in_the_units_of_their_headings() {
+    let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/examples/v8-gas/layout.toml");
+    let newtons = decimal(named(&engine(V8_GAS), "bearings.worst.force"));
+    let output = call(&["values", layout, "--value", "bearings.worst.force", "--units", "inch"]);
+    let told = String::from_utf8(output.stdout).expect("a text");
+    // A pound-force is 4.4482216152605 N.
+    let pounds = format!("≈ {:.0}", newtons / 4.448_221_615_260_5);
+    assert!(told.contains("in lbf") && told.contains(&pounds), "{told}");
 }
 
 #[test]
@@ -243,6 +286,16 @@ fn a_sweep_has_values_of_any_question_beside_its_points_in_every_way_to_compute_
         })
         .collect();
     assert_eq!(forces, expected);
+    // The answer tells the least and the greatest, the page every point, in the units of its reader.
+    let told = |more: &[&str]| run(more).split_whitespace().collect::<Vec<_>>().join(" ");
+    let answer = told(&[]);
+    let about = |kilonewtons: f64| format!("{kilonewtons:.1} kN");
+    let (least, most) = (about(forces[0].min(forces[2]) / 1e3), about(forces[0].max(forces[2]) / 1e3));
+    assert!(answer.contains("bearings.worst.force: from "), "{answer}");
+    assert!(answer.contains(&least) && answer.contains(&most), "{answer}");
+    let page = told(&["--format", "text"]);
+    assert!(page.contains("bearings.worst.force in N") && page.contains(&format!("≈ {:.0}", forces[1])), "{page}");
+    assert!(told(&["--lang", "de"]).contains("bearings.worst.force: von 28,9 kN bei 4000 "));
     // A folder of tables, and two shards merged, hold the same rows.
     run(&["--format", "csv", "--output", folder.join("all").to_str().expect("a path")]);
     assert_eq!(std::fs::read_to_string(folder.join("all/sweep.csv")).expect("the points"), streamed);

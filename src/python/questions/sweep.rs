@@ -57,7 +57,7 @@ pub(in crate::python) fn sweep(
         sweep.firing = Some(sweep::firing_stars(&template, &sweep, &firing).map_err(told)?);
     }
     if !values.is_empty() {
-        let names: Vec<String> = values.iter().map(ValueName::column).collect();
+        let names: Vec<String> = values.iter().map(ValueName::to_string).collect();
         let find = |engine: &Engine| values_of(engine, values);
         sweep.observed =
             Some(sweep::observed(&template, &sweep, &Observer { names: &names, find: &find }).map_err(told)?);

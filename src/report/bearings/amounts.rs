@@ -2,7 +2,7 @@
 
 use super::super::calculation::Unit;
 use crate::loads::{BearingLoads, Peak};
-use crate::page::{Text, number, phrase};
+use crate::page::{Text, phrase};
 
 pub(super) use super::super::calculation::{largest, vector};
 
@@ -20,7 +20,7 @@ pub(super) fn size(peak: &Peak, unit: Unit) -> Text {
 pub(super) fn angle(peak: &Peak) -> Text {
     match peak.angle {
         _ if peak.value == 0.0 => "–".into(),
-        Some(angle) => phrase!("≈ {}°", number::decimal(angle)),
+        Some(angle) => phrase!("≈ {}°", Text::figures(angle)),
         None => "every θ".into(),
     }
 }

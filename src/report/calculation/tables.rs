@@ -6,7 +6,7 @@ use crate::engine::Engine;
 use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque, TorqueOrder};
 use crate::numbers;
 use crate::order::MassGroup;
-use crate::page::{self, Number, Table, Text, number, phrase};
+use crate::page::{self, Number, Table, Text, phrase};
 use crate::proof::{Planar, Quantity};
 use crate::report::loads_document::share;
 
@@ -82,7 +82,7 @@ fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Planar)
         false => amounts::amount(value, unit),
     };
     row.push(part(swing.smallest(), swing.path.is_line));
-    row.push(swing.direction().map_or("–".into(), |degrees| phrase!("≈ {}°", number::decimal(degrees))));
+    row.push(swing.direction().map_or("–".into(), |degrees| phrase!("≈ {}°", Text::figures(degrees))));
     row.push(part(swing.along(), swing.path.nothing_along));
     row.push(part(swing.across(), swing.path.nothing_across));
     row.push(match (quantity, Arm::of(engine)) {
@@ -134,7 +134,7 @@ fn about_the_crank(orders: &[TorqueOrder], unit: Unit, amplitude: impl Fn(&Torqu
         .column("Phase at θ = 0", |order| match order.vector.outcome {
             Outcome::Zero | Outcome::Undecided { .. } => "–".into(),
             Outcome::NotZero | Outcome::Computed => {
-                phrase!("≈ {}°", number::decimal(numbers::degrees(order.vector.value)))
+                phrase!("≈ {}°", Text::figures(numbers::degrees(order.vector.value)))
             }
         })
         .column("In m r² ω²", |order| match order.vector.outcome {

@@ -19,6 +19,15 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
         notes.push(residual::SPEED_LEGEND.into());
     }
     notes.extend(engines.iter().filter_map(without_gas));
+    let silent = names(engines, |engine| engine.engine.gas().is_some() && !engine.engine.effects().gas);
+    if !silent.is_empty() {
+        let key = Text::code("effects = [\"gas\"]");
+        notes.push(phrase!(
+            "Guide-force moments H and X and bearing loads with gas need {} above the first table: {}.",
+            key,
+            silent
+        ));
+    }
     notes
 }
 

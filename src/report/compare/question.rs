@@ -1,6 +1,8 @@
 //! What is a comparison as an answer? The engines, judged at the same orders.
 
+use super::super::data::values_into;
 use super::super::question::Question;
+use super::super::values::ValuesStudy;
 use super::data;
 use super::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 use crate::page::Document;
@@ -11,11 +13,20 @@ use crate::text::Untrusted;
 pub struct CompareStudy {
     /// The engines.
     pub engines: Vec<Compared>,
+    /// Values of other questions, a row each engine, where they are asked for.
+    pub values: Option<ValuesStudy>,
 }
 
 impl CompareStudy {
     fn document(&self) -> CompareDocument {
         compare_document(&self.engines)
+    }
+
+    /// With the values below what stands first.
+    fn with_values(&self, mut document: Document) -> Document {
+        let values = self.values.iter().flat_map(ValuesStudy::blocks);
+        document.blocks.splice(1..1, values);
+        document
     }
 }
 
@@ -33,15 +44,18 @@ impl Question for CompareStudy {
     }
 
     fn tables(&self) -> Vec<Table> {
-        data::tables(&self.engines)
+        let mut tables = data::tables(&self.engines);
+        let engines = tables.iter_mut().filter(|table| table.name() == "engines");
+        engines.zip(&self.values).for_each(|(table, values)| values_into(table, values));
+        tables
     }
 
     fn answer(&self) -> Document {
-        compare_answer(&self.engines)
+        self.with_values(compare_answer(&self.engines))
     }
 
     fn page(&self) -> Document {
-        compare_page(&self.engines)
+        self.with_values(compare_page(&self.engines))
     }
 
     fn json(&self) -> serde_json::Result<String> {

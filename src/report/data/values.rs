@@ -9,12 +9,17 @@ pub fn values(study: &ValuesStudy) -> Table {
     let mut table = Filling::new("values.values", &study.rows);
     table.person("engine", |(name, _)| Some(name.clone()));
     let mut table = table.done();
+    values_into(&mut table, study);
+    table
+}
+
+/// The columns of the values behind those of a table with the same rows.
+pub fn values_into(table: &mut Table, study: &ValuesStudy) {
     for (place, name) in study.names.iter().enumerate() {
         let all: Vec<&Result<Single, String>> = study.rows.iter().map(|(_, values)| &values[place]).collect();
         let first = all.iter().find_map(|one| one.as_ref().ok());
         columns(&name.column(), first, &all).into_iter().for_each(|column| table.push(column));
     }
-    table
 }
 
 /// Values of one name, and why some are missing; `like` has their unit and type, decimals where there is none.

@@ -103,7 +103,7 @@ pub(super) fn value(parameter: &Parameter, at: &BigRational, is_angle: bool) -> 
 pub(super) fn zeros(parameter: &Parameter, at: &[BigRational], irrational: &[[BigRational; 2]]) -> Vec<Text> {
     let middle = |[low, high]: &[BigRational; 2]| (low + high) / BigRational::from_integer(2.into());
     let about = |at: &BigRational| match parameter.range.unit() {
-        "" | "°" | "deg" => phrase!("≈ {}°", number::decimal(float(at))),
+        "" | "°" | "deg" => phrase!("≈ {}°", Text::figures(float(at))),
         unit => phrase!("{} {}", Number::Decimal(float(at)), unit.to_owned()),
     };
     let exact = at.iter().map(|at| (at.clone(), value(parameter, at, true)));

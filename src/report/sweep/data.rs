@@ -10,6 +10,7 @@ use crate::numbers::float;
 use crate::proof::Planar;
 use crate::report::data::cells::{decimals, exact, truths};
 use crate::report::data::{Filling, value_columns};
+use crate::report::value::column_of;
 use crate::sweep::{Amplitude, Amplitudes, Envelope, Evenness, Sweep, SweptEngine};
 use crate::table::{Column, Table, Unit};
 
@@ -86,7 +87,7 @@ pub fn points(sweep: &Sweep) -> Table {
     if let Some(observed) = &sweep.observed {
         for (place, (name, like)) in observed.names.iter().zip(&observed.first).enumerate() {
             let all: Vec<_> = observed.points.iter().map(|values| &values[place]).collect();
-            value_columns(name, Some(like), &all).into_iter().for_each(|column| table.push(column));
+            value_columns(&column_of(name), Some(like), &all).into_iter().for_each(|column| table.push(column));
         }
     }
     table

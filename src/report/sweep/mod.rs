@@ -6,6 +6,7 @@ mod csv;
 pub(super) mod data;
 mod findings;
 mod firing;
+mod observed;
 mod page;
 mod plots;
 mod question;

@@ -4,7 +4,7 @@ use super::amounts::{counted, in_newtons, unit, value};
 use super::assumptions::assumptions;
 use super::findings::{Finding, findings};
 use super::sentences::{firing_sentence, gone_sentence};
-use super::{firing, plots, tables};
+use super::{firing, observed, plots, tables};
 use crate::loads::Arm;
 use crate::page::{Block, Document, Text, phrase};
 use crate::proof::Planar;
@@ -108,7 +108,8 @@ fn swept(sweep: &Sweep) -> Text {
 fn sentences(sweep: &Sweep, found: &[Finding], gone: &[(Planar, u32)]) -> Vec<Text> {
     let told = found.iter().take(MOST_SENTENCES).map(|finding| finding.sentence(sweep));
     let rest = (found.len() > MOST_SENTENCES).then(|| "The other orders are in the table below.".into());
-    told.chain(rest).chain(gone_sentence(gone)).chain(firing_sentence(sweep)).collect()
+    let values = observed::sentences(sweep);
+    told.chain(rest).chain(gone_sentence(gone)).chain(firing_sentence(sweep)).chain(values).collect()
 }
 
 /// All forces and moments in a table, where there are more than the sentences tell.

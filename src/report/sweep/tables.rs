@@ -2,6 +2,7 @@
 
 use super::amounts::{self, number_of, place_cells, place_headings, size, unit};
 use super::findings::Finding;
+use super::observed;
 use super::plots::amplitudes;
 use crate::engine::DOES_NOT_EXIST;
 use crate::page::{Block, Fold, Number, Table, Text, Unit, number, phrase};
@@ -81,6 +82,10 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
         let summary = phrase!("Firing, counterweights and size at each of the {} points", sweep.points.len());
         folds.push(Fold { summary, blocks: vec![others.into()] });
     }
+    folds.extend(observed::table(sweep).map(|table| Fold {
+        summary: phrase!("The values of other questions at each of the {} points", sweep.points.len()),
+        blocks: vec![table.into()],
+    }));
     folds
 }
 

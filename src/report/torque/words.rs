@@ -14,7 +14,7 @@ pub(in crate::report) fn quantity(value: f64, unit: Unit) -> Text {
 
 /// An angle of the crank.
 pub(in crate::report) fn angle(degrees: f64) -> Text {
-    phrase!("≈ {}°", number::decimal(degrees))
+    phrase!("≈ {}°", Text::figures(degrees))
 }
 
 /// Which cylinder does not fire, and what its gas does.

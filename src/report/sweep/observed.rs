@@ -1,0 +1,94 @@
+//! What becomes of values of other questions along a sweep? From where to where each runs, and a table of all points.
+
+use super::amounts::{place, place_cells, place_headings};
+use super::findings::listed;
+use crate::page::{Number, Piece, Table, Text, Unit, phrase};
+use crate::report::values::{cell, heading};
+use crate::sweep::{Observed, ObservedSweep, Sweep, SweptEngine};
+use crate::table::{Single, Value};
+
+/// A point with the value there.
+type At<'a> = (&'a SweptEngine, &'a Single);
+
+/// A sentence of each value, and one of the points that lack it.
+pub(super) fn sentences(sweep: &Sweep) -> Vec<Text> {
+    let values = |observed: &ObservedSweep| -> Vec<Text> {
+        let names = observed.names.iter().enumerate();
+        names.flat_map(|(index, name)| of_value(sweep, &observed.points, name, index)).collect()
+    };
+    sweep.observed.as_ref().map(values).unwrap_or_default()
+}
+
+fn of_value(sweep: &Sweep, values: &[Observed], name: &str, index: usize) -> Vec<Text> {
+    let name = || Text::code(name);
+    let points = sweep.points.iter().zip(values);
+    let all: Vec<At> = points.filter_map(|(point, values)| Some((point, values.get(index)?.as_ref().ok()?))).collect();
+    let missing = sweep.points.len() - all.len();
+    let lacking =
+        (missing > 0).then(|| phrase!("{} has no value at {} of the {} points.", name(), missing, sweep.points.len()));
+    let told = all.first().map(|(_, first)| {
+        if missing == 0 && all.iter().all(|(_, other)| other.value() == first.value()) {
+            return phrase!("**{}:** {} at every value.", name(), with_unit(first));
+        }
+        match extremes(&all) {
+            Some([(least, low), (greatest, high)]) => {
+                let at = |points: Vec<&SweptEngine>| listed(points.into_iter().map(|at| place(sweep, at)).collect());
+                let [least, greatest] = [least, greatest].map(with_unit);
+                phrase!("**{}:** from {} at {} up to {} at {}.", name(), least, at(low), greatest, at(high))
+            }
+            None => {
+                let mut different: Vec<&Single> = Vec::new();
+                for (_, value) in &all {
+                    if !different.iter().any(|known| known.value() == value.value()) {
+                        different.push(value);
+                    }
+                }
+                phrase!("**{}:** {}.", name(), listed(different.into_iter().map(with_unit).collect()))
+            }
+        }
+    });
+    told.into_iter().chain(lacking).collect()
+}
+
+/// The least and the greatest of numbers, with the points where they are; none of words.
+fn extremes<'a>(all: &[At<'a>]) -> Option<[(&'a Single, Vec<&'a SweptEngine>); 2]> {
+    let numbers: Vec<(f64, At)> = all.iter().filter_map(|at| Some((number(at.1)?, *at))).collect();
+    let reached = |extreme: f64| {
+        let mut at = numbers.iter().filter(move |(number, _)| *number == extreme).map(|(_, at)| *at);
+        let (first, value) = at.next()?;
+        Some((value, [first].into_iter().chain(at.map(|(point, _)| point)).collect()))
+    };
+    let least = numbers.iter().map(|(number, _)| *number).reduce(f64::min)?;
+    let greatest = numbers.iter().map(|(number, _)| *number).reduce(f64::max)?;
+    Some([reached(least)?, reached(greatest)?])
+}
+
+fn number(value: &Single) -> Option<f64> {
+    match value.value()? {
+        Value::Decimal(decimal) => Some(decimal),
+        Value::Integer(whole) => Some(whole as f64),
+        Value::Words(_) | Value::Person(_) | Value::Exact(_) | Value::Truth(_) => None,
+    }
+}
+
+fn with_unit(value: &Single) -> Text {
+    match value.value() {
+        None => "–".into(),
+        Some(Value::Decimal(0.0)) => Text::label("0"),
+        Some(Value::Decimal(decimal)) if value.unit == Unit::NONE => Number::Decimal(decimal).into(),
+        Some(Value::Decimal(decimal)) => Piece::Quantity(decimal, value.unit).into(),
+        Some(Value::Person(text)) => Piece::Person(text.clone()).into(),
+        Some(other) => Text::label(other.to_string()),
+    }
+}
+
+/// The values at every point; none where none are asked for.
+pub(super) fn table(sweep: &Sweep) -> Option<Table> {
+    let observed = sweep.observed.as_ref()?;
+    let names = observed.names.iter().zip(&observed.first).map(|(name, first)| heading(name, first.unit));
+    let mut table = Table::new(place_headings(sweep).chain(names));
+    for (point, values) in sweep.points.iter().zip(&observed.points) {
+        table.push(place_cells(point).chain(values.iter().map(cell)).collect());
+    }
+    Some(table)
+}
