@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crankstar::file::{Diagram, Torque, parse_diagram};
-use crankstar::flywheel::{TorqueCurve, Fluctuation, NoFluctuation, WithPi, fluctuation};
+use crankstar::flywheel::{Fluctuation, NoFluctuation, TorqueCurve, WithPi, fluctuation};
 use crankstar::page::{Format, Options};
 use crankstar::report::{FlywheelStudy, Question};
 use num_rational::BigRational;
