@@ -169,7 +169,7 @@ fn arm_heading(engine: &Engine) -> Text {
 /// The name of a row of moments. Arms are shown in millimetres or inches; a moment's exact sum stays in metres, and says so.
 fn sum_of_moments(engine: &Engine) -> &'static str {
     match engine.length_unit() {
-        LengthUnit::Metre => "**Σ moment** (m)",
+        LengthUnit::Metre => "**Σ moment** in metres",
         LengthUnit::Spacing => "**Σ moment**",
     }
 }

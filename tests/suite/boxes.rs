@@ -136,5 +136,5 @@ fn a_box_names_the_speed_and_books_are_told_from_the_whole_series() {
         .iter()
         .filter_map(|block| if let Block::Note(words) = block { Some(words.plain()) } else { None })
         .collect();
-    assert!(notes.iter().any(|note| note.contains("have 500\u{202f}N·m at order 2: 1.58 % less")), "{notes:#?}");
+    assert!(notes.iter().any(|note| note.contains("give 500\u{202f}N·m at order 2: 1.58 % less")), "{notes:#?}");
 }

@@ -345,9 +345,9 @@ fn accuracy_needs_rods_and_says_so() {
 #[test]
 fn remedy_names_small_orders_and_cancels_them_where_they_are_asked_for() {
     let usual = succeeds(&["remedy", "I3"]);
-    assert!(usual.contains("only where asked for:") && !usual.contains("shaft 4"), "{usual}");
+    assert!(usual.contains("cancelled only on request:") && !usual.contains("shaft 4"), "{usual}");
     for more in [["--all"].as_slice(), &["--above", "0"], &["--orders", "1,2,4,6"]] {
         let all = succeeds(&[&["remedy", "I3"], more].concat());
-        assert!(all.contains("shaft 4") && !all.contains("only where asked for"), "{all}");
+        assert!(all.contains("shaft 4") && !all.contains("only on request"), "{all}");
     }
 }

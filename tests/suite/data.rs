@@ -542,7 +542,7 @@ fn what_cannot_be_had_is_refused_before_anything_is_written() {
     refused(&["classify", "I4", "--format", "csv", "--units", "inch"], 2, "in SI units");
     refused(&["compare", "I4", "I6", "--format", "csv", "--table", "theta"], 2, "it has orders, engines");
     refused(&["compare", "I4", "I6", "--table", "orders"], 2, "--table is for data");
-    refused(&["classify", "I4", "--output", &file("x.csv")], 2, "--output is for data");
+    refused(&["classify", "I4", "--output", &file("x")], 2, "--output is for data");
     refused(&["classify", "I4", "--format", "csv", "--output", &file("x.xlsx")], 2, "--format xlsx, or a name");
     refused(&["compare", "I4", "I6", "--format", "json", "--output", &file("x.csv")], 2, "--format csv, or a name");
     refused(&["classify", "I4", "--firing", "--format", "csv"], 2, "no tables of data");

@@ -82,7 +82,7 @@ fn of_order(
         if kept.is_empty() { Text::zero() } else { size(kept.into_iter().sum(), unit) }
     };
     let mut first = [name, order.order.into(), size(weighed.size(order.order, quantity), unit)].to_vec();
-    let accepted = || if cures.is_accepted(order) { "usually left uncorrected".into() } else { Text::default() };
+    let accepted = || if cures.is_accepted(order) { "usually uncorrected".into() } else { Text::default() };
     if steps.is_empty() {
         return vec![[first, vec![accepted(), Text::default()]].concat()];
     }

@@ -58,10 +58,10 @@ impl<'a> Cures<'a> {
         };
         match self.accepted.as_slice() {
             [] => None,
-            [only] => Some(phrase!("Order {} is usually left uncorrected.", named(only))),
+            [only] => Some(phrase!("Usually uncorrected: order {}.", named(only))),
             several => {
                 let named = Text::joined(several.iter().map(named), ", ");
-                Some(phrase!("Orders {} are usually left uncorrected.", named))
+                Some(phrase!("Usually uncorrected: orders {}.", named))
             }
         }
     }
