@@ -2,7 +2,7 @@
 
 use super::statement::{Orders, Predicate, Statement, Subject};
 use super::written_value::{angle, kilograms, value};
-use super::{everyday, forces, gas_torque, possible, shafts, shaking};
+use super::{everyday, forces, gas_torque, multiples, possible, shafts, shaking};
 use crate::engine::HIGHEST_ORDER;
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
@@ -53,7 +53,10 @@ const SHAPES: [(&str, Shape); 5] = [
 pub fn parse_statement(text: &str) -> Result<Statement, ClaimError> {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let words = words.trim_end_matches('.');
-    strict(words).or_else(|error| everyday::parse(words).unwrap_or(Err(error)))
+    // "The half order" is a name, "the second-order moment" that moment.
+    let bare = words.strip_prefix("the ").or_else(|| words.strip_prefix("The ")).unwrap_or(words);
+    let claim = strict(words).or_else(|error| if bare == words { Err(error) } else { strict(bare) });
+    claim.or_else(|error| everyday::parse(words).unwrap_or(Err(error)))
 }
 
 /// The words of the README.
@@ -185,6 +188,13 @@ fn predicate(text: &str, subject: Subject) -> Result<Predicate, ClaimError> {
                 format!("`{name}` applies to both vectors together"),
                 "omit the word direct or reverse, or claim it of a force or a moment",
             )),
+            // "Is 0" has everyday words.
+            None if shape != "0"
+                && shape.starts_with(|letter: char| letter.is_ascii_digit() || "√=≈".contains(letter)) =>
+            {
+                let sign = if shape.starts_with(['=', '≈']) { "" } else { "= " };
+                self::predicate(&format!("{sign}{shape}"), subject)
+            }
             None => Err(ClaimError::new(
                 format!("`{shape}` is not a shape"),
                 "balanced, rotating, counter-rotating, planar or elliptical",
@@ -196,7 +206,8 @@ fn predicate(text: &str, subject: Subject) -> Result<Predicate, ClaimError> {
                 Some((number, direction)) => (number, Some(angle(direction)?)),
                 None => (written, None),
             };
-            Ok(Predicate::Equals(value(number, word == "≈", subject.quantity)?, direction))
+            let number = multiples::without_unit(number, subject)?;
+            Ok(Predicate::Equals(value(&number, word == "≈", subject.quantity)?, direction))
         }
         _ => Err(ClaimError::new(format!("`{text}` is not understood"), right)),
     }

@@ -21,6 +21,7 @@ mod grammar;
 mod handwritten;
 mod masses;
 mod moving_parts;
+mod multiples;
 mod order;
 mod possible;
 mod provenance;

@@ -247,3 +247,35 @@ fn a_claim_that_no_force_remains_is_answered_with_its_orders() {
     let told = crankstar::page::text_in(&text, crankstar::page::Format::PLAIN);
     assert!(told.contains("orders 1 and 2"), "{told}");
 }
+
+#[test]
+fn a_value_may_name_the_multiples_that_the_program_prints() {
+    for (canonical, sentences) in [
+        (
+            "first-order moment ≈ 0.4490 ± 0.0001",
+            vec![
+                "first-order moment ≈ 0.4490 m r ω² a ± 0.0001",
+                "first-order moment ≈ 0.4490 m r w^2 a ± 0.0001 m r w^2 a",
+                "first-order moment ≈ 0.4490 a ± 0.0001",
+                "The first-order moment is ≈ 0.4490 a ± 0.0001.",
+            ],
+        ),
+        (
+            "first-order moment = 0.449",
+            vec!["M1 = 0.449 m r ω² a", "M₁ = 0.449·mrω²·a", "the first-order moment is 0.449 a"],
+        ),
+        ("second-order force = 4", vec!["F2 = 4 m r ω² c_2", "F2 = 4 m r ω² c₂", "second-order force is 4 m r ω² c_k"]),
+        ("second-order moment is planar", vec!["the second-order moment is planar"]),
+    ] {
+        for says in sentences {
+            assert_eq!(parse_statement(says), parse_statement(canonical), "{says}");
+            assert!(parse_statement(says).is_ok(), "{says}");
+        }
+    }
+    assert_eq!(answer("I5-12453", "M1 ≈ 0.449 m r ω² a").status, Status::True);
+    assert_eq!(answer("I5-12453", "the second-order moment is ≈ 4.980 m r ω² c_2 a").status, Status::True);
+    // Of a higher order m r ω² alone is another number, and a force has no arm.
+    let refused = parse_statement("M2 = 1.453 m r ω² a").expect_err("the rod decides it");
+    assert!(refused.right.contains("c_2"), "{refused:?}");
+    assert!(parse_statement("second-order force = 4 a").is_err());
+}
