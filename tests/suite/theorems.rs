@@ -68,7 +68,7 @@ fn the_in_line_six_keeps_the_orders_that_six_divides() {
     says(
         &six,
         &[
-            "The next order that remains is 12.",
+            "The next non-zero order is 12.",
             "- **Force.** Zero exactly at the orders $k$ that 6 does not divide ($6 \\nmid k$). This holds for both the direct and the reverse vector.",
             "- **Moment.** Zero at every order.",
             "| 2, 8, … | **0** | **0** | **0** | **0** |",
@@ -86,7 +86,7 @@ fn the_radial_nine_keeps_order_1_and_two_classes() {
     says(
         &nine,
         &[
-            "The next order that remains is 26.",
+            "The next non-zero order is 26.",
             "- **Force.** Nothing remains but order 1 (direct), orders 8, 26, … = $18j - 10$ (reverse) and orders 10, \
              28, … = $18j - 8$ (direct).",
         ],
