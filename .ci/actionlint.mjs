@@ -12,9 +12,10 @@ const newer = [
   /^undefined variable "vars"\./,
 ];
 
-const lint = await createLinter();
 let refused = 0;
 for (const file of process.argv.slice(2)) {
+  // One linter for several files dies of some of their paths.
+  const lint = await createLinter();
   // By its whole path: of another it looks for the repository, and cannot open files.
   for (const { line, column, message } of lint(readFileSync(file, "utf8"), resolve(file))) {
     if (newer.some((known) => known.test(message))) continue;
