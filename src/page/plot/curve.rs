@@ -90,10 +90,14 @@ impl Area {
 /// The last digits of sines differ from machine to machine. On the lattice they are gone, and with them the chance that they choose
 /// between two places for a name that are equally good, or between two points that are equally far from a line.
 const LATTICE: f64 = 4096.0;
+/// How far below the middle of two points of the lattice the upper one begins: a value that is exactly there, such as 0 in the middle of a plot,
+/// is not parted by its last digit.
+const BELOW_THE_MIDDLE: f64 = 1e-6;
 
 /// The nearest point of the lattice.
 pub(super) fn snapped(point: Point) -> Point {
-    Point::new((point.re * LATTICE).round() / LATTICE, (point.im * LATTICE).round() / LATTICE)
+    let on_lattice = |value: f64| (value * LATTICE + (0.5 + BELOW_THE_MIDDLE)).floor() / LATTICE;
+    Point::new(on_lattice(point.re), on_lattice(point.im))
 }
 
 /// Points that move the line by less than this, in millimetres, are omitted.
@@ -154,9 +158,9 @@ fn thinned(run: &[Point], tolerance: f64) -> Vec<Point> {
     fixed.iter().for_each(|index| kept[*index] = true);
     let mut open: Vec<(usize, usize)> = fixed.windows(2).map(|pair| (pair[0], pair[1])).collect();
     while let Some((from, to)) = open.pop() {
-        let away = |index: &usize| distance(run[*index], run[from], run[to]);
+        let away = |index: &usize| square_of_distance(run[*index], run[from], run[to]);
         let farthest = (from + 1..to).map(|index| (away(&index), index)).max_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((_, index)) = farthest.filter(|(away, _)| *away > tolerance) {
+        if let Some((_, index)) = farthest.filter(|(away, _)| *away > tolerance * tolerance) {
             kept[index] = true;
             open.extend([(from, index), (index, to)]);
         }
@@ -164,10 +168,10 @@ fn thinned(run: &[Point], tolerance: f64) -> Vec<Point> {
     run.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
-/// From a point to a line between two others.
-fn distance(point: Point, from: Point, to: Point) -> f64 {
+/// From a point to a line between two others. Squared: a square root is not the same on every machine, and could part two that are equally far.
+fn square_of_distance(point: Point, from: Point, to: Point) -> f64 {
     let (way, arm) = (to - from, point - from);
     let length = way.norm_sqr();
     let part = if length > 0.0 { ((arm * way.conj()).re / length).clamp(0.0, 1.0) } else { 0.0 };
-    (arm - way * part).norm()
+    (arm - way * part).norm_sqr()
 }
