@@ -17,12 +17,23 @@ pub struct ValuesStudy {
 
 /// A value below a heading with its unit.
 pub(in crate::report) fn cell(value: &Result<Single, String>) -> Text {
-    let Ok(single) = value else { return "–".into() };
+    value.as_ref().map_or_else(|_| NO_VALUE.into(), |single| shown(single, Text::measured))
+}
+
+/// A value in a sentence, with its unit.
+pub(in crate::report) fn with_unit(value: &Single) -> Text {
+    shown(value, |decimal, unit| Piece::Quantity(decimal, unit).into())
+}
+
+const NO_VALUE: &str = "–";
+
+/// A value, a decimal with a unit as `measured` writes it.
+fn shown(single: &Single, measured: impl Fn(f64, Unit) -> Text) -> Text {
     match single.value() {
-        None => "–".into(),
+        None => NO_VALUE.into(),
         Some(Value::Decimal(0.0)) => Text::label("0"),
         Some(Value::Decimal(decimal)) if single.unit == Unit::NONE => Number::Decimal(decimal).into(),
-        Some(Value::Decimal(decimal)) => Text::measured(decimal, single.unit),
+        Some(Value::Decimal(decimal)) => measured(decimal, single.unit),
         Some(Value::Person(text)) => Piece::Person(text.clone()).into(),
         Some(other) => Text::label(other.to_string()),
     }

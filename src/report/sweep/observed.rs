@@ -2,8 +2,8 @@
 
 use super::amounts::{place, place_cells, place_headings};
 use super::findings::listed;
-use crate::page::{Number, Piece, Table, Text, Unit, phrase};
-use crate::report::values::{cell, heading};
+use crate::page::{Table, Text, phrase};
+use crate::report::values::{cell, heading, with_unit};
 use crate::sweep::{Observed, ObservedSweep, Sweep, SweptEngine};
 use crate::table::{Single, Value};
 
@@ -68,17 +68,6 @@ fn number(value: &Single) -> Option<f64> {
         Value::Decimal(decimal) => Some(decimal),
         Value::Integer(whole) => Some(whole as f64),
         Value::Words(_) | Value::Person(_) | Value::Exact(_) | Value::Truth(_) => None,
-    }
-}
-
-fn with_unit(value: &Single) -> Text {
-    match value.value() {
-        None => "–".into(),
-        Some(Value::Decimal(0.0)) => Text::label("0"),
-        Some(Value::Decimal(decimal)) if value.unit == Unit::NONE => Number::Decimal(decimal).into(),
-        Some(Value::Decimal(decimal)) => Piece::Quantity(decimal, value.unit).into(),
-        Some(Value::Person(text)) => Piece::Person(text.clone()).into(),
-        Some(other) => Text::label(other.to_string()),
     }
 }
 
