@@ -18,8 +18,9 @@ pub struct Barred {
 }
 
 impl TorsionStudy {
-    /// The shaft whose stress of all orders at a speed is farthest above its limit; none where all are permitted.
-    pub(super) fn exceeding(&self, rpm: f64) -> Option<usize> {
+    /// The order with the largest part of the torque at a speed, in the shaft whose stress of all orders is farthest above its limit; none where
+    /// all are permitted.
+    pub(super) fn exceeding(&self, rpm: f64) -> Option<CycleOrder> {
         let limited: Vec<usize> = (0..self.train.shafts).filter(|shaft| self.limit(*shaft).is_some()).collect();
         if limited.is_empty() {
             return None;
@@ -29,20 +30,19 @@ impl TorsionStudy {
             let over = self.over_limit(shaft, rpm, vibration.torque(shaft))?;
             (over > 0.0).then_some((shaft, over))
         });
-        over.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(shaft, _)| shaft)
+        let (shaft, _) = over.max_by(|one, other| one.1.total_cmp(&other.1))?;
+        let part = |one: &VibrationOrder| one.torques[shaft].norm();
+        vibration.orders.iter().max_by(|one, other| part(one).total_cmp(&part(other))).map(|one| one.order)
     }
 
-    /// What the formula bars around a critical speed at which this shaft's stress is above its limit.
-    pub(super) fn barred(&self, rpm: f64, rated: f64, shaft: usize) -> Option<Barred> {
+    /// What the formula bars around a critical speed at which a stress is above its limit, by this order most.
+    pub(super) fn barred(&self, rpm: f64, rated: f64, largest_part: CycleOrder) -> Option<Barred> {
         let speeds = torsion::barred(rpm, rated);
         // Outside of the range that is asked for the engine does not run.
         let [low, high] = self.range()?;
         let mut ends = speeds.iter().filter(|speed| (low..=high).contains(speed));
         let suffices = ends.all(|speed| self.exceeding(*speed).is_none());
-        let vibration = self.vibration(rpm)?;
-        let part = |one: &VibrationOrder| one.torques[shaft].norm();
-        let largest = vibration.orders.iter().max_by(|one, other| part(one).total_cmp(&part(other)))?;
-        Some(Barred { speeds, suffices, largest_part: largest.order })
+        Some(Barred { speeds, suffices, largest_part })
     }
 }
 
