@@ -37,9 +37,7 @@ impl Failure {
     pub fn message(&self) -> &str {
         self.text.strip_prefix("error: ").unwrap_or(&self.text)
     }
-}
 
-impl Failure {
     /// What is wrong, and where in a file, without the drawing of the place.
     pub fn in_one_line(&self) -> String {
         let mut lines = self.message().lines();

@@ -22,8 +22,13 @@ const STANDARD_INPUT: (&str, &str) = ("-", "standard input");
 /// Reads the engine of this name or path; what is odd about its quantities is reported on standard error.
 pub fn read(layout: &Path) -> Result<Layout, Failure> {
     let (name, text) = source(layout)?;
-    let read = file::parse_layout_beside(&name, &text, resolver(layout, &|path| beside(layout, path)))?;
-    warn(&name, &text, &read);
+    parsed(layout, &name, &text)
+}
+
+/// The same of one whose name and text are at hand.
+pub fn parsed(layout: &Path, name: &str, text: &str) -> Result<Layout, Failure> {
+    let read = file::parse_layout_beside(name, text, resolver(layout, &|path| beside(layout, path)))?;
+    warn(name, text, &read);
     Ok(read)
 }
 
@@ -40,7 +45,10 @@ pub fn known(layout: &Path, needs: &str) -> Result<Engine, Failure> {
 /// The same engine, in which a cylinder may misfire.
 pub fn firing(layout: &Path, needs: &str, misfire: Option<&str>) -> Result<Engine, Failure> {
     let engine = known(layout, needs)?;
-    misfire.map_or(Ok(engine.clone()), |name| engine.misfiring(name).map_err(Failure::new))
+    match misfire {
+        None => Ok(engine),
+        Some(name) => engine.misfiring(name).map_err(Failure::new),
+    }
 }
 
 /// The warnings alone, of a layout that is read in another way.

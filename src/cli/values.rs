@@ -72,7 +72,7 @@ impl Values {
         if let Some(valued) = Valued::of_file(&name, &text).map_err(Failure::new)? {
             return Ok(valued.values(&self.value));
         }
-        match layouts::read(layout)? {
+        match layouts::parsed(layout, &name, &text)? {
             Layout::Known(engine, _) => Ok(values_of(&engine, &self.value)),
             Layout::Open(_) => Ok(self.none("the layout has unknowns; give them values below [values]")),
         }

@@ -63,7 +63,10 @@ impl Engine {
 
     /// The engine, in which a cylinder may misfire.
     fn fired(&self, misfire: Option<&str>) -> PyResult<engine::Engine> {
-        misfire.map_or(Ok(self.engine.clone()), |name| self.engine.misfiring(name).map_err(told))
+        match misfire {
+            None => Ok(self.engine.clone()),
+            Some(name) => self.engine.misfiring(name).map_err(told),
+        }
     }
 
     fn asked(&self, name: &str, keywords: &Value) -> Asked {
