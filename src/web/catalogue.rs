@@ -41,7 +41,23 @@ const CLAIMS: [&str; 5] = [
     "order 2 needs a Lanchester pair",
 ];
 
-/// The engines known by name with their layouts, further layouts, and claims.
+/// What the page shows beside any engine: the version, claims to begin with, and what makes an engine move.
+pub(super) fn begin() -> Value {
+    json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "claims": CLAIMS,
+        "moving": { "style": moving::MOVING_STYLE, "script": moving::MOVING_SCRIPT },
+    })
+}
+
+/// The layout of one engine: no other is built for it.
+pub(super) fn engine(name: &str) -> Result<Value, Mistake> {
+    let entry = file::find(name)
+        .ok_or_else(|| Mistake::plain("the catalogue has no engine of this name", "`catalogue` lists them"))?;
+    Ok(json!({ "name": entry.name, "text": entry.text }))
+}
+
+/// The engines known by name with their layouts, and further layouts.
 pub(super) fn catalogue() -> Result<Value, Mistake> {
     let engines = file::catalogue().map_err(|error| Mistake::of(&error))?;
     let engines = engines.iter().map(|(entry, engine)| {
@@ -50,11 +66,8 @@ pub(super) fn catalogue() -> Result<Value, Mistake> {
     });
     let starters = STARTERS.map(|(name, title, text)| json!({ "name": name, "title": title, "text": text }));
     Ok(json!({
-        "version": env!("CARGO_PKG_VERSION"),
         "engines": engines.collect::<Vec<_>>(),
         "starters": starters,
-        "claims": CLAIMS,
-        "moving": { "style": moving::MOVING_STYLE, "script": moving::MOVING_SCRIPT },
     }))
 }
 

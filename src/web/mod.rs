@@ -33,6 +33,10 @@ const LARGEST: usize = 1 << 20;
 #[derive(Deserialize)]
 #[serde(tag = "ask", rename_all = "kebab-case", deny_unknown_fields)]
 enum Question {
+    /// What the page needs before anything is asked of a layout.
+    Begin,
+    /// An engine known by name, in upper or lower case.
+    Engine { name: String },
     /// The engines known by name.
     Catalogue,
     /// The verdicts and the engine in motion, perhaps after one value was set.
@@ -145,6 +149,8 @@ pub fn answer(question: &str) -> String {
 
 fn answered(question: Question) -> Result<Value, Mistake> {
     match question {
+        Question::Begin => Ok(catalogue::begin()),
+        Question::Engine { name } => catalogue::engine(&name),
         Question::Catalogue => catalogue::catalogue(),
         Question::Look { layout, set } => look::look(layout, set.as_ref()),
         Question::Proof(layout) => proof::proof(&layout.judged()?),

@@ -41,9 +41,20 @@ fn the_catalogue_of_the_page_is_that_of_the_program_and_all_can_be_looked_at() {
         good(json!({ "ask": "look", "name": name, "text": text }));
     }
     // What is proposed as a claim is read as one.
-    for claim in known["claims"].as_array().expect("claims") {
+    let begin = good(json!({ "ask": "begin" }));
+    for claim in begin["claims"].as_array().expect("claims") {
         good(json!({ "ask": "claim", "name": "x", "text": "inline.throws = [0, 180]", "says": claim }));
     }
+}
+
+#[test]
+fn an_engine_is_found_by_its_name_in_upper_or_lower_case() {
+    for (entry, _) in file::catalogue().expect("the catalogue") {
+        let found = good(json!({ "ask": "engine", "name": entry.name.to_uppercase() }));
+        assert_eq!(found, json!({ "name": entry.name, "text": entry.text }));
+    }
+    let mistake = asked(json!({ "ask": "engine", "name": "V9" }))["mistake"].take();
+    assert!(mistake["message"].as_str().is_some_and(|words| words.contains("no engine of this name")));
 }
 
 #[test]

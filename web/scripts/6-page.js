@@ -167,7 +167,7 @@ const page = async () => {
     if (!hash || location.hash === state.link || $(hash)) return false;
     const letters = hash.match(/^l=(.*)$/)?.[1];
     try {
-      const text = letters === undefined ? named(decodeURIComponent(hash)) : await save.unpacked(letters);
+      const text = letters === undefined ? (await named(decodeURIComponent(hash))).text : await save.unpacked(letters);
       state.name = [...texts.keys()].find((name) => texts.get(name) === text) ?? OWN;
       $("pick").value = texts.has(state.name) ? state.name : "";
       [state.isOther, state.link] = [true, location.hash];
@@ -182,27 +182,33 @@ const page = async () => {
       return false;
     }
   };
-  /** The text of an engine of the catalogue; throws where there is none of that name. */
-  const named = (name) => {
-    const known = [...texts.keys()].find((one) => one.toLowerCase() === name.toLowerCase());
-    if (!known) throw new Error(name);
-    return texts.get(known);
+  /** The text of an engine of the catalogue and its name as it is written there; throws where there is none of that name. */
+  const named = async (name) => {
+    const { ok } = await ask({ ask: "engine", name });
+    if (!ok) throw new Error(name);
+    texts.set(ok.name, ok.text);
+    return ok;
   };
 
-  // What can be picked.
-  const { ok: known } = await ask({ ask: "catalogue" });
+  const { ok: known } = await ask({ ask: "begin" });
   stars.style(known.moving);
-  const groups = Object.groupBy ? Object.groupBy(known.engines, ({ group }) => group) : { Engines: known.engines };
-  const texts = new Map();
-  const option = ({ name, title, text }) => {
-    texts.set(name, text);
-    return make("option", { value: name, textContent: title });
-  };
-  $("pick").append(make("optgroup", { label: "To begin with" }, ...known.starters.map(option)));
-  for (const [label, engines] of Object.entries(groups)) $("pick").append(make("optgroup", { label }, ...engines.map(option)));
   $("claim-examples").append(...known.claims.map((value) => make("option", { value })));
   $("claim").value = known.claims[0];
   $("about").textContent = `crankstar ${known.version}. Everything on this page is computed in it: it asks no server and sends nothing. To keep it, save it (Ctrl+S): it is one file, and works offline.`;
+
+  // What can be picked: every engine of the catalogue is built for its title, so that the list comes after the first verdict.
+  const texts = new Map();
+  const list = async () => {
+    const { ok: all } = await ask({ ask: "catalogue" });
+    const groups = Object.groupBy ? Object.groupBy(all.engines, ({ group }) => group) : { Engines: all.engines };
+    const option = ({ name, title, text }) => {
+      texts.set(name, text);
+      return make("option", { value: name, textContent: title });
+    };
+    $("pick").append(make("optgroup", { label: "To begin with" }, ...all.starters.map(option)));
+    for (const [label, engines] of Object.entries(groups)) $("pick").append(make("optgroup", { label }, ...engines.map(option)));
+    $("pick").value = texts.has(state.name) ? state.name : "";
+  };
 
   const afresh = () => {
     state.values.clear();
@@ -267,9 +273,13 @@ const page = async () => {
     setTimeout(() => ($("copy-link").textContent = "Copy a link to this engine"), 3000);
   });
 
+  // A link may carry an engine of the list, which then keeps its name.
+  const isLink = location.hash.startsWith("#l=");
+  if (isLink) await list();
   if (await carried()) await look();
-  else await pick("V8-crossplane");
+  else await pick((await named("V8-crossplane")).name);
   document.body.dataset.ready = `${Math.round(performance.now())}`;
+  if (!isLink) await list();
 };
 
 page().catch((error) => {
