@@ -81,6 +81,7 @@ impl ValueName {
 }
 
 /// What has values: an engine, or the answer to the question of another file.
+#[non_exhaustive]
 pub enum Valued<'a> {
     /// An engine.
     Engine(&'a Engine),

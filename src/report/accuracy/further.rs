@@ -24,6 +24,7 @@ pub struct Further {
 
 /// What is largest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FurtherLoad {
     /// The load of a main bearing, of the masses.
     Bearing,

@@ -33,6 +33,7 @@ pub struct AnglesAsked {
 
 /// Why there are no values at angles.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum NoAngles {
     /// An angle that is none.
     Angle(f64),

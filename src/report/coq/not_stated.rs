@@ -9,6 +9,7 @@ use crate::text::harmless;
 
 /// Why there is no file.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NotStated {
     /// A cylinder hangs on a master rod.
     Link(String),

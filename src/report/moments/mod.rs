@@ -59,6 +59,7 @@ pub struct MomentsStudy {
 
 /// Why an engine has no moments in newton-metres.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum NoMoments {
     /// No engine.
     Nothing,

@@ -42,6 +42,7 @@ pub struct MountsAsked {
 
 /// Why there is no study.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum NoMounts {
     /// The layout has no mounts.
     Nothing,

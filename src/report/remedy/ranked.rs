@@ -2,6 +2,7 @@
 
 use num_traits::ToPrimitive;
 
+use super::data::cure_mass;
 use crate::loads::{Scale, scale};
 use crate::numbers;
 use crate::page::{Block, Piece, Table, Text, Unit, number, phrase};
@@ -66,7 +67,11 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
             (false, _) => "–".into(),
         }
     };
-    Table::of(all)
+    let per_kilogram = |cure: &Cure| -> Text {
+        let mass = cure_mass(remedy, cure);
+        mass.map_or_else(|| "–".into(), |mass| amount(cure, (cure.peak[0] - cure.peak[1]) / mass))
+    };
+    let table = Table::of(all)
         .column("Order", |cure| cure.order)
         .column("Cancels", |cure| if cure.kind == Kind::Force { "force" } else { "couple" })
         .column("Cure", name)
@@ -82,8 +87,12 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
             0.0 => Text::zero(),
             left => amount(cure, left),
         })
-        .column("Removed per shaft", |cure| cure.per_shaft().map_or_else(|| "–".into(), |value| amount(cure, value)))
-        .done()
+        .column("Removed per shaft", |cure| cure.per_shaft().map_or_else(|| "–".into(), |value| amount(cure, value)));
+    // A mass is told where the layout or the user says at which radius.
+    match &remedy.radius {
+        None => table.done(),
+        Some(_) => table.column("Removed per kilogram", per_kilogram).done(),
+    }
 }
 
 /// With which force each shaft rolls the engine, times the distance of its axis; of a pair its heights are told. Nothing without a speed, and

@@ -66,6 +66,7 @@ struct Cached {
 
 /// Why there is no study.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoTorsion {
     /// The layout has no table of the shaft.
     NoShaft,
