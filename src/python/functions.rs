@@ -16,7 +16,7 @@ use super::interrupt::interruptible;
 use super::questions::{self, Checked};
 use super::{asked, error, keys};
 use crate::file;
-use crate::report::{CompareStudy, Compared, FlywheelStudy, MomentsStudy, RotorStudy, Valued, ValuesStudy};
+use crate::report::{CompareStudy, Compared, FlywheelStudy, MomentsStudy, RotorStudy, Valued, ValuesStudy, values_of};
 use crate::search::{Limit, Problem, Sizes};
 
 /// The names of the engines that are known, as `Engine.named` takes them.
@@ -142,13 +142,14 @@ pub(super) fn search(
 
 /// Engines side by side: what each leaves by order, remedy, firing, main bearings. They are called by their titles.
 ///
-/// orders: those of the layouts and the usual ones where omitted.
+/// orders: those of the layouts and the usual ones where omitted. values: names of values of any question, shown beside them, as `values` takes them.
 #[pyfunction]
-#[pyo3(signature = (engines, orders=None))]
+#[pyo3(signature = (engines, orders=None, *, values=None))]
 pub(super) fn compare(
     py: Python<'_>,
     engines: Vec<PyRef<'_, Engine>>,
     orders: Option<&Bound<'_, PyAny>>,
+    values: Option<Vec<String>>,
 ) -> PyResult<Answer> {
     if engines.len() < 2 {
         return Err(error::told("engines: two or more are compared"));
@@ -157,10 +158,15 @@ pub(super) fn compare(
     let orders = asked::rising(asked::orders(orders)?.unwrap_or_else(usual));
     let sources = engines.iter().map(|engine| engine.source.clone()).collect();
     let engines: Vec<crate::engine::Engine> = engines.iter().map(|engine| engine.engine.clone()).collect();
-    let asked = Asked::function("compare", sources, &json!({ "orders": orders }));
+    let names = values.unwrap_or_default();
+    let values = asked::value_names("values", &names)?;
+    let asked = Asked::function("compare", sources, &json!({ "orders": orders, "values": names }));
     let study = py.detach(|| {
         let compared = engines.iter().map(|engine| Compared::new(engine.title().clone(), engine, &orders));
-        Ok::<_, PyErr>(CompareStudy { engines: compared.collect::<Result<_, _>>().map_err(told)?, values: None })
+        let compared = compared.collect::<Result<_, _>>().map_err(told)?;
+        let rows = || engines.iter().map(|engine| (engine.title().clone(), values_of(engine, &values))).collect();
+        let values = (!values.is_empty()).then(|| ValuesStudy { names: values.clone(), rows: rows() });
+        Ok::<_, PyErr>(CompareStudy { engines: compared, values })
     })?;
     Ok(Answer::new(asked, study))
 }
