@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use crankstar::engine::{CycleOrder, Engine};
 use crankstar::file;
+use crankstar::motion::coefficients_fast;
 use crankstar::report::{Amplitude, MomentsRow, MomentsStudy, NoMoments, Question};
 use crankstar::table::Value;
 use crankstar::text::Untrusted;
@@ -108,6 +109,25 @@ fn the_ratios_of_a_makers_tables_are_those_of_the_stars() {
     let per_cylinder = |moment: f64, count: f64| moment / count;
     assert_near(per_cylinder(seven[1], 7.0) / per_cylinder(six[1], 6.0), 36.4 / 146.4, 5e-4);
     assert_near(per_cylinder(eight[0], 8.0) / per_cylinder(seven[0], 7.0), 27.3 / 9.3, 5e-3);
+    // The rod that the maker's ratio of second to first order asks for: his engine's is 2050 mm long on a crank of 1000 mm.
+    let stars = six[1] / COEFFICIENTS[2] / eight[0];
+    let coefficient = 146.4 * 6.0 / (27.3 * 8.0) / stars;
+    let ratio = (0..40).fold([0.3, 0.9], |[low, high]: [f64; 2], _| {
+        let middle = f64::midpoint(low, high);
+        if coefficients_fast(middle, 2)[2] < coefficient { [middle, high] } else { [low, middle] }
+    });
+    assert_near(ratio[0], 1000.0 / 2050.0, 1e-4);
+}
+
+/// c₁, c₂, c₃, c₄ of a rod 2.05 times as long as the crank, as the theory has them.
+const COEFFICIENTS: [f64; 5] = [0.0, 1.0, 0.520_594_197_350, 0.0, -0.035_292_934_136];
+
+#[test]
+fn the_coefficients_of_the_example_are_those_of_the_theory() {
+    let found = coefficients_fast(1.0 / 2.05, 4);
+    for (found, wanted) in found.into_iter().zip(COEFFICIENTS).skip(1) {
+        assert_near(found, wanted, 1e-12);
+    }
 }
 
 /// The moment through a revolution by each piston's acceleration, sampled and taken apart.
