@@ -19,6 +19,7 @@ use crate::proof::Quantity;
 
 /// A way to find a peak load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Method {
     /// The orders up to this one, summed in doubles and searched for the peak.
     Orders(u32),

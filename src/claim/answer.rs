@@ -43,6 +43,7 @@ impl Status {
 
 /// What a claim may leave unsaid.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Condition {
     /// Moments are taken about the plane at this position.
     AboutPlane(BigRational),

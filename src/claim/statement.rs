@@ -11,6 +11,7 @@ use crate::proof::{Quantity, Sense, Shape};
 
 /// What a statement is about, as far as answers and pages differ by it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Topic {
     /// Orders of force, moment and torque.
     Orders,
@@ -209,6 +210,7 @@ pub enum Orders {
 
 /// What is said about one order.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Predicate {
     /// It vanishes, or (false) it does not.
     Vanishes(bool),
@@ -242,6 +244,7 @@ pub struct Angle {
 
 /// A direction in one of the two ways of writing it.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Bearing {
     /// In turns.
     Turns(BigRational),
@@ -265,6 +268,7 @@ pub enum Tolerance {
 
 /// Units of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Unit {
     /// N.
     Newton,

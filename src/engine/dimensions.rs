@@ -34,6 +34,7 @@ pub struct Given {
 
 /// What can be given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Measure {
     /// Speed.
     Speed,

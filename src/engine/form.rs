@@ -2,6 +2,7 @@
 
 /// Which short form the layout file used; the order is that of the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Form {
     /// All cylinders on one side of the crankshaft.
     Inline,

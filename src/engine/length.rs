@@ -9,6 +9,7 @@ use crate::exact::fraction;
 
 /// What lengths are counted in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum LengthUnit {
     /// Numbers without a unit: multiples of the spacing a (or metres, as the reader likes).
     #[default]

@@ -11,6 +11,7 @@ use super::model::Engine;
 
 /// Why a cylinder cannot be kept from firing.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoMisfire {
     /// No cylinder has this name.
     NoSuchCylinder {

@@ -50,6 +50,7 @@ pub struct Mount {
 
 /// Why a body and springs are no engine on its mounts.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoMounting {
     /// No mount, or more than [`MOST_MOUNTS`].
     Mounts(usize),

@@ -55,6 +55,7 @@ impl FiringSpan {
 
 /// Why it is not known when the cylinders of a family fire.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoSpans {
     /// The layout does not say it.
     NotSaid,

@@ -102,6 +102,7 @@ pub struct Damper {
 
 /// A value of a damper.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum DamperValue {
     /// As written.
     Given(BigRational),
@@ -122,6 +123,7 @@ pub struct Harmonic {
 
 /// Why discs and springs are no shaft.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoShaft {
     /// Fewer than two discs, or more than [`MOST_DISCS`].
     Discs(usize),

@@ -8,6 +8,7 @@ use crate::engine::Family;
 
 /// Why the vectors of a family are not one sum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NotComparable {
     /// Rods that differ have coefficients of their own: no angle of the star is one of the engine.
     RodsDiffer,

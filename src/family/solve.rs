@@ -80,6 +80,7 @@ pub struct Cosine {
 
 /// Why a sum never vanishes.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Never {
     /// One part is left.
     OnePart,

@@ -33,6 +33,7 @@ pub struct SpanStar {
 
 /// Why a family has no firing stars.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoOpenStar {
     /// Rods that differ: each kind has a star of its own.
     RodsDiffer,

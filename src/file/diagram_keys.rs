@@ -89,6 +89,7 @@ pub struct Harmonic {
 
 /// A torque through the cycle.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Torque {
     /// Straight lines that follow each other through the cycle.
     Lines(Vec<Line>),

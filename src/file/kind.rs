@@ -6,6 +6,7 @@ use super::written;
 
 /// What a file describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Kind {
     /// An engine.
     Layout,

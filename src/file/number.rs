@@ -16,6 +16,7 @@ const LARGEST_EXPONENT: i32 = 100;
 
 /// Why a text is not an exact number.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NumberError {
     /// Not of the form `-12.5`, `3/2` or `1e-3`.
     NotANumber,

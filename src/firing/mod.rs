@@ -62,6 +62,7 @@ impl Weights {
 
 /// Why there is no firing star.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoStar {
     /// The layout says neither in which order nor when the cylinders fire.
     NoFiring,

@@ -26,6 +26,7 @@ pub struct FiringPattern {
 
 /// Why there is no pattern.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoPattern {
     /// There is no star either.
     NoStar(NoStar),

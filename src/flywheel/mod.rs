@@ -98,6 +98,7 @@ pub struct Fluctuation {
 
 /// Why a diagram has no answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoFluctuation {
     /// The load takes another work than the engine gives: in N m times turns.
     Unequal,

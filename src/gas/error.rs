@@ -4,6 +4,7 @@ use std::fmt;
 
 /// Why the gas of an engine has no numbers.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum NoGas {
     /// Nothing is said of the gas.
     Gas,

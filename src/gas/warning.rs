@@ -7,6 +7,7 @@ use crate::engine::{Cycle, PressureLaw, PressureTable};
 
 /// Something that a person should look at.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Warning {
     /// The largest pressure, in pascals, is below 5 bar or above 400 bar: a unit, perhaps.
     Peak(f64),

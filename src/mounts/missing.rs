@@ -9,6 +9,7 @@ use crate::torque;
 
 /// Why there are no forces and moments about the centre of gravity in newtons.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum NoExcitation {
     /// No masses, crank radius or speed.
     Scale,

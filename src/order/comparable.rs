@@ -8,6 +8,7 @@ use crate::engine::Engine;
 
 /// What an engine lacks for its masses to be in one sum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NotComparable {
     /// The rotating masses cannot be compared with reciprocating ones that are not given.
     Masses,

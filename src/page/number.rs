@@ -169,6 +169,7 @@ fn is_readable(form: &Form) -> bool {
 
 /// A number on a page.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Number {
     /// Exactly zero, proved.
     Zero,

@@ -17,6 +17,7 @@ pub struct Text {
 
 /// A part of a text.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Piece {
     /// Words of the program, with `$formulas$` in TeX, `**bold**` and `{}` for each value.
     Phrase(Cow<'static, str>, Vec<Text>),

@@ -11,6 +11,7 @@ const HUGE: f64 = 10_000_000.0;
 
 /// The units that a page counts in; documents of data stay in those of the SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Units {
     /// Newtons, metres, kilograms.
     #[default]

@@ -32,6 +32,7 @@ pub enum Answer {
 
 /// Why there is no solution, or more than can be told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Reason {
     /// Both wanted masses are in one plane, and a couple is left.
     OnePlane,

@@ -34,6 +34,7 @@ pub struct Untrusted {
 
 /// Where a text is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Format {
     /// Markdown, and the HTML that is made of it.
     Markdown,

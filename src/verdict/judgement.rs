@@ -31,6 +31,7 @@ pub fn quantities(engine: &Engine, with_torque: bool) -> Vec<Quantity> {
 
 /// Why an engine is not judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NotJudged {
     /// A number that is no order.
     Order(NotAnOrder),

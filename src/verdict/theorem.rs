@@ -44,6 +44,7 @@ pub struct EveryOrder {
 
 /// Why there is no statement on every order.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NoTheorem {
     /// The pattern repeats only after this many orders, more than are gone through.
     PeriodTooLong(BigInt),

@@ -2,6 +2,7 @@
 
 /// A letter of a formula, as in section 2.3 of the thesis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Letter {
     /// θ, the crank's angle from the dead centre on the cylinder axis, in radians.
     Theta,

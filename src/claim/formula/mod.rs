@@ -13,6 +13,7 @@ use crate::numbers;
 
 /// A formula in the letters of one cylinder, SI units.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Formula {
     /// A number, exactly as written.
     Number(BigRational),
@@ -32,6 +33,7 @@ pub enum Formula {
 
 /// What is done with two formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Operation {
     /// `+`.
     Plus,
@@ -45,6 +47,7 @@ pub enum Operation {
 
 /// A function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Function {
     /// `sin`.
     Sine,

@@ -9,6 +9,7 @@ use crate::engine::firing::{Cycle, degrees};
 
 /// How the charge is lit: what is assumed of its burning depends on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Ignition {
     /// By a spark.
     Spark,
@@ -18,6 +19,7 @@ pub enum Ignition {
 
 /// The heat that a cycle releases.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Heat {
     /// This much, in joules.
     Released(BigRational),

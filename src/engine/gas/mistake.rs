@@ -17,6 +17,7 @@ pub struct GasMistake {
 
 /// Where a mistake is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum At {
     /// In the gas as a whole.
     All,

@@ -7,6 +7,7 @@ use super::mistake::{At, GasMistake};
 
 /// A value of the gas, by its key in a layout file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Setting {
     /// Bore of the cylinder.
     Bore,

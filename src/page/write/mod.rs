@@ -55,6 +55,7 @@ pub enum Format {
 
 /// How formulas are marked in Markdown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Math {
     /// As `` $`…`$ ``, which code-hosting pages render.
     Github,

@@ -17,6 +17,7 @@ pub use symmetry::{mirror_axis, mirror_partners, opposed_partners};
 /// The reasons why a sum is not zero are about the vectors that are left where like and opposite directions are collected
 /// ([`PhasorSum::on_lines`]): all have positive weights, and no two of them lie on one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Reason {
     /// All weights are zero: every arm, or every mass.
     NoWeight,
