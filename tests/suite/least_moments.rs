@@ -1,7 +1,7 @@
 //! Are the least moments on the page of stars the least, and are as many stars counted as have them?
 //!
-//! By another way than the search: the places are cut into the lower and the upper half, the directions are dealt out to both in every way, and the sums of the
-//! lower half are looked up beside those of the upper one. All in whole numbers, units of 2⁻⁴⁰, with a bound of what rounding does; stars within that bound are compared exactly.
+//! By another way than the search: the places are cut into the lower and the upper half, the directions are dealt out to both in every way but for turned, mirrored
+//! and exchanged ones, and the sums of the lower half are looked up beside those of the upper one. All in whole numbers, units of 2⁻⁴⁰, with a bound of what rounding does; stars within that bound are compared exactly.
 
 use std::collections::{BTreeSet, HashMap};
 use std::f64::consts::TAU;
@@ -35,30 +35,40 @@ struct Stars {
     directions: Vec<Sum>,
     /// In units, rounding included.
     bound: i64,
-    found: Vec<Vec<usize>>,
+    found: BTreeSet<Vec<usize>>,
 }
 
 impl Stars {
-    fn below(number: usize, bound: f64) -> Vec<Vec<usize>> {
+    fn below(number: usize, bound: f64) -> BTreeSet<Vec<usize>> {
         let bound = (bound * UNIT) as i64 + 2 * rounding(number);
-        let mut stars = Stars { number, directions: directions(number, 1), bound, found: Vec::new() };
-        let lower = (number - 1) / 2;
-        for dealt in (0_u32..1 << (number - 1)).filter(|dealt| dealt.count_ones() as usize == lower) {
-            // The mirror image has the same length: of both the one with the smaller number is looked at.
-            let mirrored = dealt.reverse_bits() >> (32 - (number - 1));
-            if dealt <= mirrored {
-                stars.dealt(dealt, lower, dealt < mirrored);
+        let mut stars = Stars { number, directions: directions(number, 1), bound, found: BTreeSet::new() };
+        let lower = number / 2;
+        for set in (0_u32..1 << number).filter(|set| set.count_ones() as usize == lower) {
+            if stars.is_first(set) {
+                stars.dealt(set, lower);
             }
         }
         stars.found
     }
 
-    /// The lower places take the directions of these bits, the first one direction 1.
-    fn dealt(&mut self, dealt: u32, lower: usize, is_twice: bool) {
-        let (low, high): (Vec<usize>, Vec<usize>) =
-            (1..self.number).partition(|direction| dealt >> (direction - 1) & 1 == 1);
+    /// Whether these directions of the lower places stand for all that have the same lengths: turned, mirrored, and, where both halves
+    /// have as many places, exchanged, for the moment about the other end is as long where the directions add up to 0.
+    fn is_first(&self, set: u32) -> bool {
+        let all = u32::MAX >> (32 - self.number);
+        let mirrored = |set: u32| set.reverse_bits() >> (32 - self.number);
+        let mut alike = vec![set, mirrored(set)];
+        if self.number.is_multiple_of(2) {
+            alike.extend([all & !set, mirrored(all & !set)]);
+        }
+        let turned = |set: u32, by: usize| (set << by | set >> (self.number - by)) & all;
+        alike.into_iter().all(|one| (0..self.number).all(|by| set <= turned(one, by)))
+    }
+
+    /// The lower places take the directions of these bits.
+    fn dealt(&mut self, set: u32, lower: usize) {
+        let (low, high): (Vec<usize>, Vec<usize>) = (0..self.number).partition(|direction| set >> direction & 1 == 1);
         let mut sums: Vec<(Sum, u64)> = Vec::new();
-        arrangements(&self.directions, low, 1, [0, 0], 0, &mut |sum, order| sums.push((sum, order)));
+        arrangements(&self.directions, low, 0, [0, 0], 0, &mut |sum, order| sums.push((sum, order)));
         let spread = (4.0 * UNIT * (self.number * self.number) as f64) as i64;
         let width = (2 * self.bound).max(spread / sums.len() as i64);
         let cell = |at: i64| at.div_euclid(width);
@@ -76,7 +86,7 @@ impl Stars {
         }
         let bound = self.bound;
         let mut found = Vec::new();
-        arrangements(&self.directions, high, lower + 1, [0, 0], 0, &mut |[real, imaginary], order| {
+        arrangements(&self.directions, high, lower, [0, 0], 0, &mut |[real, imaginary], order| {
             let cells = [cell(-real - bound), cell(-real + bound)];
             let (from, to) = (cells[0].max(first), cells[1].min(last));
             if from > to {
@@ -90,16 +100,18 @@ impl Stars {
             }
         });
         for (low, high) in found {
-            let star = |at: usize| match at {
-                0 => 0,
-                at if at <= lower => (low >> (5 * (at - 1)) & 31) as usize,
-                at => (high >> (5 * (at - lower - 1)) & 31) as usize,
+            let direction = |place: usize| match place.checked_sub(lower) {
+                None => (low >> (5 * place) & 31) as usize,
+                Some(place) => (high >> (5 * place) & 31) as usize,
             };
-            let star: Vec<usize> = (0..self.number).map(star).collect();
-            if is_twice {
-                self.found.push(star.iter().map(|direction| (self.number - direction) % self.number).collect());
+            let star: Vec<usize> = (0..self.number).map(direction).collect();
+            let backwards: Vec<usize> = star.iter().rev().copied().collect();
+            for star in [star, backwards] {
+                let from_the_first = |direction: &usize| (direction + self.number - star[0]) % self.number;
+                let turned: Vec<usize> = star.iter().map(from_the_first).collect();
+                let mirrored = turned.iter().map(|direction| (self.number - direction) % self.number).collect();
+                self.found.extend([turned, mirrored]);
             }
-            self.found.push(star);
         }
     }
 }
@@ -162,8 +174,6 @@ fn assert_row(row: &[String]) {
     let number = whole(&row[0]) as usize;
     let (told, room) = if row[1].contains("**0**") { (0.0, 1e-9) } else { decimal(&row[1]) };
     let stars = Stars::below(number, told + room);
-    let different: BTreeSet<&Vec<usize>> = stars.iter().collect();
-    assert_eq!(different.len(), stars.len());
     let [first, second] = [1, 2].map(|order| directions(number, order));
     let shortest =
         stars.iter().min_by(|one, other| length(one, &first).total_cmp(&length(other, &first))).expect("a star");

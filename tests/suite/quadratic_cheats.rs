@@ -339,7 +339,9 @@ fn a_sign_holds_on_the_whole_of_its_crossing() {
 
 #[test]
 fn every_cheat_with_three_classes_is_caught() {
-    let documents = quadratic_documents();
+    let mut documents = quadratic_documents();
+    // Each cheat is tried on the first documents that it fits, and long ones take the checkers long.
+    documents.sort_by_key(|document| serde_json::to_string(document).expect("JSON").len());
     for document in &documents {
         let json = serde_json::to_string(document).expect("JSON");
         let read: OpenDocument = serde_json::from_str(&json).expect("it reads");
