@@ -41,11 +41,7 @@ impl Numbers {
 }
 
 /// `Largest force: ≈ 204.1 N at θ ≈ 12°, within 0.01 %; …`, a line a load.
-pub(super) fn largest_lines(
-    engine: &Engine,
-    Numbers { loads, largest, .. }: &Numbers,
-    unit_of: UnitOf,
-) -> Vec<Text> {
+pub(super) fn largest_lines(engine: &Engine, Numbers { loads, largest, .. }: &Numbers, unit_of: UnitOf) -> Vec<Text> {
     let unit = |quantity| unit_of(engine, loads, quantity);
     let mut lines = vec![
         phrase!("Largest force: {}.", value(&largest.force, unit(Quantity::FORCE))),

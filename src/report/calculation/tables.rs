@@ -94,8 +94,7 @@ fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Planar)
 
 /// What the tables count in.
 pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
-    let (force, moment) =
-        (Unit::as_read(engine, loads, Planar::Force), Unit::as_read(engine, loads, Planar::Moment));
+    let (force, moment) = (Unit::as_read(engine, loads, Planar::Force), Unit::as_read(engine, loads, Planar::Moment));
     let first = match Arm::of(engine) {
         Arm::Metre => phrase!(
             "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times 1 {}.",
