@@ -314,8 +314,8 @@
       const told = senses.map((sense, index) => `${words.senses[index]} ${words[outcome(sense)]}`).join("; ");
       const at = angle ? `, ${angle.symbol} = ${angleText()}` : "";
       const said = atHome() || !order.exists ? known : told;
-      const amount = most && atHome() ? ` ${most[0].toUpperCase()}${most.slice(1)}.` : "";
-      part("verdict").textContent = `${words.order} ${order.order}, ${words[quantity]}${at}: ${said}.${amount}`;
+      const amount = most && atHome() ? `${most}; ` : "";
+      part("verdict").textContent = `${words.order} ${order.order}, ${words[quantity]}${at}: ${amount}${said}.`;
       senses.forEach((sense, index) => {
         const result = outcome(sense);
         const now = atHome() ? sense.words : `${decimal(size(sumOf(sense)) / 2)}, ${words[result]}`;

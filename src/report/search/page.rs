@@ -89,6 +89,11 @@ fn best(front: &Front) -> Vec<Text> {
     let orders = phrase!("Compared: the moments of these orders: {}.", orders.join(", "));
     let how_many = match front.stars.len() {
         0 if !limits.is_empty() => phrase!("**No crank star keeps these limits:** {}.", limits_of(front)),
+        1 if !limits.is_empty() => phrase!(
+            "**One of the {} crank stars of the front keeps these limits:** {}. It is the best of all that do.",
+            front.limits.of,
+            limits_of(front)
+        ),
         kept if !limits.is_empty() => phrase!(
             "**{} crank stars of the {} of the front keep these limits:** {}. They are the best of all that do.",
             kept,
