@@ -19,7 +19,7 @@ const FIELD: f64 = 19.0;
 /// Size of the letters of a name, of a number, and of what a field is called.
 const NAME: f64 = 6.2;
 const NUMBER: f64 = 6.6;
-const CALLED: f64 = 6.2;
+const CALLED: f64 = 6.0;
 /// Height of the line of the name.
 const HEAD: f64 = 9.0;
 /// Half the size of a path.
@@ -77,11 +77,11 @@ fn draw_field(figure: &mut Figure, corner: Point, called: &str, swing: Option<&S
     let corners = vec![at(gap, gap), at(end, gap), at(end, end), at(gap, end)];
     let left = swing.filter(|swing| !swing.vanishes());
     figure.polygon(corners, Stroke::solid(Ink::Grey, 0.25), left.map(|_| Ink::Light));
-    figure.title(at(1.3, 4.0), called, CALLED, Anchor::Start);
+    figure.title(at(1.3, 3.7), called, CALLED, Anchor::Start);
     let number = at(FIELD / 2.0, FIELD - 4.4);
     let Some(left) = left else {
         let zero = if swing.is_some() { "0" } else { "?" };
-        return figure.title(at(FIELD / 2.0, FIELD / 2.0 + 1.0), zero, 1.4 * NUMBER, Anchor::Middle);
+        return figure.title(at(FIELD / 2.0, FIELD / 2.0 + 3.0), zero, 1.4 * NUMBER, Anchor::Middle);
     };
     let [direct, reverse] = left.amplitudes();
     let largest = left.largest();

@@ -50,7 +50,7 @@ fn shaking(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Text {
     let what = match left.is_empty() {
         false => Text::joined(left, " "),
         true if orders.iter().all(|order| order.force.is_balanced() && order.moment.is_balanced()) => {
-            "Nothing at these orders.".into()
+            "No force and no moment at these orders.".into()
         }
         true => match weighed {
             Some(weighed) => phrase!("Nothing above {} % of one piston's force.", percent(weighed.above())),
