@@ -36,16 +36,15 @@ pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
 
 /// The same for a table: angles that are no round number of degrees as decimals, since the proofs have them exactly.
 pub(super) fn cell(verdict: &OpenVerdict) -> Text {
-    let angles = verdict.bank_angles().filter(|angles| angles.iter().any(is_fractional));
-    match (angles, verdict.sums.as_slice()) {
+    match (verdict.bank_angles(), verdict.sums.as_slice()) {
         _ if verdict.always() || verdict.never() => summary(verdict),
-        (Some(angles), _) => {
+        (Some(angles), _) if angles.iter().any(is_fractional) => {
             phrase!("0 at φ ≈ {}", angles.iter().map(rounded).collect::<Vec<_>>().join(", "))
         }
         (None, [OpenSum { when: When::Where(angles), .. }]) => {
             conditions(angles, nearly).map_or_else(|| summary(verdict), |shown| phrase!("0 where {}", shown))
         }
-        (None, _) => summary(verdict),
+        (Some(_) | None, _) => summary(verdict),
     }
 }
 
