@@ -16,7 +16,7 @@ pub fn run() -> Result<String, Box<dyn Error>> {
         lines += &format!("at {}: {size} m r, turned {degrees:.1}°\n", weight.position);
     }
     // The sums of the engine with its weights, formed anew.
-    lines += if remedy.holds() { "What is left: nothing, proved\n" } else { "Something is left\n" };
+    lines += if remedy.holds() { "Residual: none, proved\n" } else { "There is a residual\n" };
     Ok(lines)
 }
 

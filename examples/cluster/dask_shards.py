@@ -31,7 +31,7 @@ def die_with(parent):
 
 
 def compute(number, of, folder, ask):
-    """Computes one shard, and tells who did."""
+    """Computes one shard, and says who did."""
     file = os.path.join(folder, f"{number}.shard")
     command = [PROGRAM, *ask, "--threads", "1", "--shard", f"{number}/{of}", "--output", file]
     worker = os.getpid()

@@ -115,7 +115,7 @@ impl std::fmt::Display for NoFluctuation {
                 "the load takes another work in a cycle than the engine gives, so that no speed is kept: their means must be equal"
             }
             NoFluctuation::OtherCycle => "the load's points span another angle than the torque's",
-            NoFluctuation::NoAngles => "areas alone do not tell the torque at an angle: give points, triangles or harmonics",
+            NoFluctuation::NoAngles => "areas alone do not give the torque at an angle: give points, triangles or harmonics",
         })
     }
 }

@@ -74,10 +74,15 @@ fn terminating(value: &BigRational) -> Option<String> {
     Some(if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") })
 }
 
+/// Whether an exact number is shown as a whole number or a decimal, and not as a fraction.
+pub(crate) fn terminates(value: &BigRational) -> bool {
+    is_rounded(value) || terminating(value).is_some()
+}
+
 /// An exact number of degrees: `22.5°`, `(360/7)°`.
 pub fn degrees(value: &BigRational) -> String {
     let text = number(value);
-    if is_rounded(value) || terminating(value).is_some() {
+    if terminates(value) {
         return format!("{text}°");
     }
     let modulus = value.abs();

@@ -134,6 +134,14 @@ pub(super) fn whole_text(whole: &WholeOrder) -> Text {
     }
 }
 
+/// The same beside the size of what is left: `elliptical`.
+pub(super) fn beside_size(whole: &WholeOrder) -> Text {
+    match whole.shape {
+        Shape::Rotating | Shape::CounterRotating | Shape::Planar | Shape::Elliptical => shape_name(whole.shape).into(),
+        Shape::Balanced | Shape::DoesNotExist | Shape::NotDecided => whole_text(whole),
+    }
+}
+
 /// The force and the moment of a whole order in a few words each.
 pub fn whole(order: &OrderVerdict) -> [Text; 2] {
     match order.parts.as_slice() {

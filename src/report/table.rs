@@ -57,7 +57,10 @@ fn of_orders<'a>(orders: &'a [OrderVerdict], weighed: Option<&Weighed>) -> Colum
             table = table.column(phrase!(in_unit, unit.label()), |order| cell(order));
         }
         let exactly = if weighed.is_some() { "exactly" } else { bare };
-        table = table.column(exactly, |order| residual::whole(order)[place].clone());
+        table = table.column(exactly, |order| match weighed.is_some() && order.parts.len() > 1 {
+            true => residual::beside_size(order.whole(quantity)),
+            false => residual::whole(order)[place].clone(),
+        });
     }
     table
 }

@@ -80,8 +80,7 @@
       const centre = [body.axis[0], -body.axis[1]];
       const shift = plus(centre, polar(aside, axis + 90));
       const [at_pin, at_foot] = [pin, foot].map((point) => plus(centre, point));
-      const beyond = plus(centre, polar(radius + 0.42 * unit, crank));
-      return { axis, height, centre, shift, pin: at_pin, foot: at_foot, beyond, wrist: plus(polar(height, axis), shift) };
+      return { axis, height, centre, shift, crank, pin: at_pin, foot: at_foot, wrist: plus(polar(height, axis), shift) };
     };
     const middle = ({ rod, knuckle }) => rod + (knuckle ? knuckle.radius : 0);
     const engine = part("engine");
@@ -102,20 +101,46 @@
       draw(layers[4], "circle", { class: "hub", r: 0.16 * unit, cx: x, cy: -y });
     }
 
-    // Names: of a piston that has its cylinder for itself beyond that, of the others beside their pin; none on another at any angle.
+    // Names: of a piston that has its cylinder for itself beyond that, of the others beside their pin; at no angle on another, or on a line.
     const shares = (one, other) => one !== other && size(plus(barrelEnd(one), times(barrelEnd(other), -1))) < half;
     const barrelEnd = (body) => {
       const { axis, shift } = place(body, 0);
       return plus(shift, polar(middle(body) + body.radius + 1.9 * half, axis));
     };
-    /** Those of these names that stay free of each other, each at one of its places after another; so high are letters. */
-    const apart = (names, letters, widest = Infinity) => {
+    const extent = (text, letters) => [0.62 * letters * (text.length + 1), 1.15 * letters];
+    /** Whether a line passes through the rectangle of a name. */
+    const crosses = ([x, y], [w, h], [from, to]) => {
+      const [a, along] = [plus(from, [-x, -y]), plus(to, times(from, -1))];
+      let [enters, leaves] = [0, 1];
+      for (const [start, way, half] of [[a[0], along[0], w / 2], [a[1], along[1], h / 2]]) {
+        if (Math.abs(way) < 1e-9) {
+          if (Math.abs(start) > half) return false;
+          continue;
+        }
+        const [one, other] = [(-half - start) / way, (half - start) / way];
+        enters = Math.max(enters, Math.min(one, other));
+        leaves = Math.min(leaves, Math.max(one, other));
+      }
+      return enters < leaves;
+    };
+    /** Those of these names that have room at most angles, free of each other and of the lines: at each angle the choice of a place, -1 where none is free. */
+    const apart = (names, letters, { widest = Infinity, lines = [], mostHidden = 0 } = {}) => {
       const kept = [];
       for (const name of names) {
-        const [w, h] = [0.62 * letters * (name.text.length + 1), 1.15 * letters];
-        const meets = (other) => name.places.some(([x, y], at) =>
-          Math.abs(x - other.places[at][0]) < (w + other.w) / 2 && Math.abs(y - other.places[at][1]) < (h + other.h) / 2);
-        if (name.text && w < widest && !kept.some(meets)) kept.push({ ...name, w, h });
+        const box = extent(name.text, letters);
+        const meets = ([x, y], at) => kept.some(({ box: [w, h], stands }) => stands[at] &&
+          Math.abs(x - stands[at][0]) < (box[0] + w) / 2 && Math.abs(y - stands[at][1]) < (box[1] + h) / 2);
+        const free = (point, at) => !meets(point, at) && !(lines[at] || []).some((ends) => crosses(point, box, ends));
+        let last = 0; // where it is it stays, as long as that is free
+        const chosen = name.places.map((places, at) => {
+          const choice = [last, ...places.keys()].find((one) => free(places[one], at)) ?? -1;
+          last = Math.max(choice, 0);
+          return choice;
+        });
+        const hidden = chosen.filter((choice) => choice < 0).length;
+        if (name.text && box[0] < widest && hidden <= mostHidden * chosen.length) {
+          kept.push({ ...name, box, chosen, stands: chosen.map((choice, at) => name.places[at][choice]) });
+        }
       }
       return kept;
     };
@@ -125,13 +150,26 @@
       const [, , width, height] = engine.getAttribute("viewBox").split(" ").map(Number);
       const letters = LETTERS / (Math.min(box.width / width, box.height / height) || LETTERS);
       const bare = (body) => !drawn.some((other) => shares(body, other.body));
-      const ends = drawn.filter(({ body }) => bare(body)).map(({ body }) => ({ text: body.label, at: () => barrelEnd(body) }));
+      const ends = drawn.filter(({ body }) => bare(body)).map(({ body }) => ({ text: body.label, at: () => [barrelEnd(body)] }));
       const shared = new Set(drawn.filter(({ body }) => !bare(body)).map(({ body }) => body.crank));
       const pins = bodies.filter(({ pin, crank }) => pin !== null && shared.has(crank));
-      const all = [...ends, ...pins.map((body) => ({ text: body.pin, at: (turned) => place(body, turned).beyond }))];
+      const around = (body) => {
+        const [w, h] = extent(body.pin, letters);
+        const beside = ({ pin, crank }, far, by) => {
+          const [x, y] = polar(1, crank + by);
+          return plus(pin, [x * (far * unit + w / 2), y * (far * unit + h / 2)]);
+        };
+        const ways = [0, 30, -30, 60, -60, 90, -90, 120, -120, 150, -150];
+        return (turned) => [0.18, 0.4].flatMap((far) => ways.map((by) => beside(place(body, turned), far, by)));
+      };
+      const all = [...ends, ...pins.map((body) => ({ text: body.pin, at: around(body) }))];
       const turns = Array.from({ length: 36 }, (_, step) => 10 * step);
+      const lines = turns.map((turned) => drawn.flatMap(({ body }) => {
+        const { centre, pin, foot, wrist } = place(body, turned);
+        return [[centre, pin], [pin, foot], [foot, wrist]];
+      }).concat(walls));
       layers[5].replaceChildren();
-      names = apart(all.map((name) => ({ ...name, places: turns.map(name.at) })), letters);
+      names = apart(all.map((name) => ({ ...name, places: turns.map(name.at) })), letters, { lines, mostHidden: 0.3 });
       for (const name of names) name.mark = draw(layers[5], "text", { class: "name", "font-size": letters }, name.text);
     };
     const heights = part("strip").querySelectorAll("rect");
@@ -143,23 +181,27 @@
         set(rod, { d: line(at.pin, at.foot, at.wrist) });
         set(pin, { cx: at.pin[0], cy: at.pin[1] });
       }
-      for (const { at, mark } of names) {
-        const [x, y] = at(theta);
-        set(mark, { x, y });
+      for (const { at, chosen, mark } of names) {
+        const choice = chosen[Math.round(theta / 10) % chosen.length];
+        const [x, y] = at(theta)[Math.max(choice, 0)];
+        set(mark, { x, y, visibility: choice < 0 ? "hidden" : "visible" });
       }
       bodies.forEach((body, at) => set(heights[at], { y: 9.5 - (7.5 * (place(body).height - middle(body))) / unit }));
     };
     /** Barrels, and a window on all of them: only the open angle moves them. */
+    let walls = [];
     const drawBarrels = () => {
       const corners = [];
+      walls = [];
       for (const { body, crown, barrel } of drawn) {
         const { axis, shift, centre } = place(body);
         corners.push(plus(centre, [-1.5 * unit, -1.5 * unit]), plus(centre, [1.5 * unit, 1.5 * unit]), barrelEnd(body));
         set(crown, { transform: `rotate(${short(-axis)})` });
         const ends = [-1, 1].map((end) => plus(shift, polar(middle(body) + end * (body.radius + half), axis)));
-        const walls = [90, -90].map((side) => ends.map((end) => plus(end, polar(1.08 * half, axis + side))));
-        set(barrel, { d: walls.map((wall) => line(...wall)).join("") });
-        corners.push(...walls.flat());
+        const both = [90, -90].map((side) => ends.map((end) => plus(end, polar(1.08 * half, axis + side))));
+        set(barrel, { d: both.map((wall) => line(...wall)).join("") });
+        walls.push(...both);
+        corners.push(...both.flat());
       }
       const [xs, ys] = [0, 1].map((axis) => corners.map((corner) => corner[axis]));
       const [x, y] = [Math.min(...xs), Math.min(...ys)];
@@ -209,8 +251,8 @@
         return [Math.max(-most, Math.min(most, x * (1 + (0.27 * letters * ray.label.length) / (size([x, y]) || 1)))), y];
       };
       const turns = Array.from({ length: 24 }, (_, step) => 15 * step);
-      const all = sense.rays.map((ray) => ({ text: ray.label, at: (by) => at(ray, by), places: turns.map((by) => at(ray, by)) }));
-      return apart(all, letters, 1.4 * RADIUS);
+      const all = sense.rays.map((ray) => ({ text: ray.label, at: (by) => at(ray, by), places: turns.map((by) => [at(ray, by)]) }));
+      return apart(all, letters, { widest: 1.4 * RADIUS });
     };
     const starScale = ({ reach }) => (reach > 0 ? (2 * RADIUS) / reach : 1); // vectors count half
     let starNames = [[], []];
@@ -272,8 +314,8 @@
       const told = senses.map((sense, index) => `${words.senses[index]} ${words[outcome(sense)]}`).join("; ");
       const at = angle ? `, ${angle.symbol} = ${angleText()}` : "";
       const said = atHome() || !order.exists ? known : told;
-      const amount = most && atHome() ? ` ${most[0].toUpperCase()}${most.slice(1)}.` : "";
-      part("verdict").textContent = `${words.order} ${order.order}, ${words[quantity]}${at}: ${said}.${amount}`;
+      const amount = most && atHome() ? `${most}; ` : "";
+      part("verdict").textContent = `${words.order} ${order.order}, ${words[quantity]}${at}: ${amount}${said}.`;
       senses.forEach((sense, index) => {
         const result = outcome(sense);
         const now = atHome() ? sense.words : `${decimal(size(sumOf(sense)) / 2)}, ${words[result]}`;

@@ -242,7 +242,7 @@ fn known_stars_and_counts_stand_in_the_atlas() {
     assert_eq!(of(two, "6", "2")[0]["moment_exact"], "2√3");
     // The usual in-line six leaves nothing before order 6, and needs nothing.
     let six = of("catalogue", "I6", "1")[0];
-    assert_eq!([&six["first_force_left"], &six["remedy_of_orders_1_and_2"]], ["6, planar", "none needed"]);
+    assert_eq!([&six["first_force_residual"], &six["remedy_of_orders_1_and_2"]], ["6, planar", "none needed"]);
     assert_eq!(of("catalogue", "I4", "1")[0]["remedy_of_orders_1_and_2"], "Lanchester pair ±2");
     let v8 = of("catalogue", "V8-crossplane", "1")[0];
     assert_eq!([&v8["moment_exact"], &v8["moment_shape"]], ["√10", "rotating"]);

@@ -143,7 +143,7 @@ fn every_document_of_many_finely_told_engines_is_printed_and_accepted_by_both_ch
     let documents: usize =
         (0..count).step_by(50).map(|first| tried("every-json-many", first..count.min(first + 50))).sum();
     let page = format!(
-        "# Documents of finely told engines\n\n\
+        "# Documents of engines in every detail\n\n\
          {} engines of every form, pseudo-random and the same every time, whose angles are written with 1 to 12 decimals or over large primes. Each was asked \
          `classify` (`--torque`, `--all-orders`, `--firing`), `loads`, `compare`, `remedy` with the file that it writes asked again, `bearings`, `torque`, \
          `torsion` and `sweep`, with `--json`. Each document is printed, and the {} with certificates are accepted by `crankstar verify` and by \

@@ -41,7 +41,7 @@ fn an_engine_is_balanced() {
 V8, 90°, cross-plane crankshaft; balancer shafts: 0
 at 3/2: √10/3 m r, turned 161.6°
 at -3/2: √10/3 m r, turned -18.4°
-What is left: nothing, proved
+Residual: none, proved
 ";
     assert_eq!(balance::run().expect("a remedy"), wanted);
 }

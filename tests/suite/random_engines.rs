@@ -251,7 +251,7 @@ fn page(count: u64, tallies: &BTreeMap<&str, Tally>) -> String {
          | Form | Engines | Zero | Not zero | Planar | Elliptical | Documents that verify | Certificates |\n\
          | --- | --- | --- | --- | --- | --- | --- | --- |\n{rows}{all}\n\
          `CRANKSTAR_RENEW=1 cargo test --release --test suite -- --ignored a_hundred_thousand` writes this page anew. \
-         Beside it: [documents of finely told engines](documents.md), [changed documents](checkers.md).\n",
+         Beside it: [documents of engines in every detail](documents.md), [changed documents](checkers.md).\n",
         grouped(usize::try_from(count).expect("a small number")),
     )
 }

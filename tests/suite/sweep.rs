@@ -422,8 +422,7 @@ fn in_plain_text(document: &page::Document) -> String {
 fn the_answer_names_the_exact_zeros_and_what_vanishes_everywhere() {
     let sweep = good(V6, &["vee.bank_angle=10..170:40"], &[1, 2]);
     let answer = in_plain_text(&report::sweep_answer(&sweep));
-    for words in ["Moment of order 1: nowhere 0; from", "Exactly zero at every value: the force of these orders: 1, 2."]
-    {
+    for words in ["Moment of order 1: nowhere 0; from", "Exactly zero at every value: the force of orders 1, 2."] {
         assert!(answer.contains(words), "{words}: {answer}");
     }
     // 180° lies between the points.

@@ -85,7 +85,7 @@ class Star:
 
 @final
 class Verdict:
-    """What is left of one quantity of one order."""
+    """The residual of one quantity of one order."""
 
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -249,7 +249,7 @@ class Engine:
         torque: bool = False,
         all_orders: bool = False,
     ) -> Verdicts:
-        """Does force or moment vanish, order by order, and what is left? Orders from 1 to 1000; the usual ones where omitted."""
+        """Does force or moment vanish, order by order, and what is the residual? Orders from 1 to 1000; the usual ones where omitted."""
     def loads(self, orders: _Orders | None = None) -> Answer:
         """Forces in N, moments and torques in N m where the layout gives masses, a crank radius and a speed; amplitudes zero to peak."""
     def bearings(self, orders: _Orders | None = None) -> Answer:

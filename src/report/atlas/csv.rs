@@ -10,7 +10,7 @@ use crate::proof::Shape;
 use crate::text::{self, Format};
 
 const HEADER: &str = "origin,engine,title,firing,firing_order,stars,all_stars,position_unit,order,force,force_exact,force_shape,\
-    moment,moment_exact,moment_shape,first_force_left,first_moment_left,remedy_of_orders_1_and_2";
+    moment,moment_exact,moment_shape,first_force_residual,first_moment_residual,remedy_of_orders_1_and_2";
 
 /// The lines, with a header. Force in m r ω² c_k, moment in that times the unit of the positions; 0 is exact.
 pub(super) fn csv(all: &[EngineRow]) -> String {

@@ -1,13 +1,16 @@
 //! How are newtons shown? Decimals of six digits after ≈, in the unit that the layout file allows; 0 is proved.
 
 use crate::engine::Engine;
-use crate::loads::{self, Loads, Outcome, Scale, Swing, Vector};
+use crate::loads::{self, Loads, Outcome, Scale, Swing, Torque, Vector};
 use crate::numbers;
 use crate::page::{self, Piece, Setting, Text, number as typeset, phrase};
 use crate::proof::Quantity;
 
 /// Digits of a value in a table.
 const DIGITS: usize = 6;
+
+/// In what a page counts a quantity: as documents and scripts do, or as it is read best.
+pub(crate) type UnitOf = fn(&Engine, &Loads, Quantity) -> Unit;
 
 /// The unit of one quantity: its name, and how many of it are one multiple of the loads.
 #[derive(Clone, Copy, Debug)]
@@ -24,14 +27,14 @@ impl Unit {
         self.unit.into()
     }
 
-    /// The same in which the orders of a quantity are read best.
-    pub fn of_tables(engine: &Engine, of: &Loads, quantity: impl Into<Quantity>) -> Self {
+    /// The same in which a person reads all values of a quantity best: its orders, and what they add up to.
+    pub fn as_read(engine: &Engine, of: &Loads, quantity: impl Into<Quantity>) -> Self {
         let quantity = quantity.into();
-        let swings = |planar| of.orders.iter().map(move |order| order.swing(planar).largest()).fold(0.0, f64::max);
-        let turning = of.torque.iter().chain(&of.roll).flat_map(|torque| &torque.orders);
+        let turning = of.torque.iter().chain(&of.roll);
+        let amplitudes = |torque: &Torque| torque.orders.iter().map(|order| order.vector.value.norm()).sum();
         let largest = match quantity {
-            Quantity::Planar(planar) => swings(planar),
-            Quantity::Axial(_) => turning.map(|order| order.vector.value.norm()).fold(0.0, f64::max),
+            Quantity::Planar(planar) => of.orders.iter().map(|order| order.swing(planar).largest()).sum(),
+            Quantity::Axial(_) => turning.map(amplitudes).fold(0.0, f64::max),
         };
         Unit::of(engine, of, quantity).for_values_up_to(largest)
     }

@@ -2,21 +2,21 @@
 
 use num_traits::{ToPrimitive, Zero};
 
-use super::amounts::Unit;
+use super::amounts::{Unit, UnitOf};
 use crate::engine::Engine;
 use crate::loads::{Loads, Swing};
-use crate::page::{Piece, Text, number, phrase};
+use crate::page::{Piece, Setting, Text, number, phrase};
 use crate::proof::Planar;
 
 /// The second order with `c_2 = λ`; none where nothing is left of it, or where not all of it has one coefficient.
-pub(in crate::report) fn books_line(engine: &Engine, loads: &Loads) -> Option<Text> {
+pub(in crate::report) fn books_line(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Option<Text> {
     let rod = engine.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
     if engine.crankshaft().balancers.iter().any(|shaft| shaft.order == 2) {
         return None;
     }
     let order = loads.orders.iter().find(|order| order.order == 2)?;
     let part = rod.ratio.to_f64()? / order.coefficient.as_ref()?.to_complex().norm();
-    let of = |quantity: Planar| size(Unit::of(engine, loads, quantity), order.swing(quantity), part);
+    let of = |quantity: Planar| size(unit_of(engine, loads, quantity.into()), order.swing(quantity), part);
     let sizes = Planar::BOTH.into_iter().filter_map(of);
     let sizes: Vec<Text> = sizes.collect();
     let less = number::sensible(100.0 * (1.0 - part));
@@ -28,5 +28,8 @@ pub(in crate::report) fn books_line(engine: &Engine, loads: &Loads) -> Option<Te
 
 fn size(unit: Unit, swing: &Swing, part: f64) -> Option<Text> {
     let is_left = !swing.vanishes() && unit.factor != 0.0;
-    is_left.then(|| Piece::Quantity(swing.largest() * part * unit.factor, unit.unit).into())
+    is_left.then(|| {
+        let size = Piece::Measured(swing.largest() * part * unit.factor, unit.unit, Setting::Usual(number::sensible));
+        phrase!("{}\u{202f}{}", Text::from(size), unit.label())
+    })
 }

@@ -1,6 +1,6 @@
 //! How are the largest values said, with how sure they are, and what the orders shown omit?
 
-use super::amounts::{self, Unit, digits, in_digits};
+use super::amounts::{self, Unit, UnitOf, digits, in_digits};
 use super::summary;
 use crate::accuracy::{Largest, LargestLoads};
 use crate::engine::Engine;
@@ -41,8 +41,8 @@ impl Numbers {
 }
 
 /// `Largest force: ≈ 204.1 N at θ ≈ 12°, within 0.01 %; …`, a line a load.
-pub(super) fn largest_lines(engine: &Engine, Numbers { loads, largest, .. }: &Numbers) -> Vec<Text> {
-    let unit = |quantity| Unit::of(engine, loads, quantity);
+pub(super) fn largest_lines(engine: &Engine, Numbers { loads, largest, .. }: &Numbers, unit_of: UnitOf) -> Vec<Text> {
+    let unit = |quantity| unit_of(engine, loads, quantity);
     let mut lines = vec![
         phrase!("Largest force: {}.", value(&largest.force, unit(Quantity::FORCE))),
         phrase!("Largest moment: {}.", value(&largest.moment, unit(Quantity::MOMENT))),
@@ -107,6 +107,7 @@ pub(super) fn chosen_lines(
     engine: &Engine,
     Numbers { loads, left, .. }: &Numbers,
     needed: Option<&Needed>,
+    unit_of: UnitOf,
 ) -> Vec<Text> {
     let list = |orders: &[u32]| match orders {
         [] => Text::from("none"),
@@ -128,7 +129,7 @@ pub(super) fn chosen_lines(
     }
     let bound = |[of_peak, alone]: [&'static str; 2], bound: &Option<Bound>, quantity: Quantity| {
         let bound = bound.as_ref()?;
-        let unit = Unit::of(engine, loads, quantity);
+        let unit = unit_of(engine, loads, quantity);
         Some(match bound.part() {
             Some(part) => phrase!(of_peak, percent(part)),
             None => phrase!(alone, amounts::bound(bound.most, unit), unit.label()),

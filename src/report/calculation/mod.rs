@@ -53,8 +53,8 @@ fn formula(line: &Line) -> Block {
 pub(super) fn outcome(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Block> {
     let loads = &numbers.loads;
     let mut blocks = vec![heading(1, "Numbers")];
-    blocks.push(Block::List(largest::largest_lines(engine, numbers)));
-    let chosen = largest::chosen_lines(engine, numbers, needed);
+    blocks.push(Block::List(largest::largest_lines(engine, numbers, amounts::Unit::as_read)));
+    let chosen = largest::chosen_lines(engine, numbers, needed, amounts::Unit::as_read);
     if !chosen.is_empty() {
         blocks.push(Block::Paragraph(Text::joined(chosen, " ")));
     }

@@ -35,11 +35,11 @@ pub fn loads_page(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -
 /// What is in the box.
 fn answer(engine: &Engine, numbers: &Numbers) -> Vec<Text> {
     let Numbers { loads, largest, .. } = numbers;
-    let mut lines = largest_lines(engine, numbers);
+    let mut lines = largest_lines(engine, numbers, Unit::as_read);
     let swings = [(Planar::Force, &largest.force), (Planar::Moment, &largest.moment)];
     lines.extend(swings.into_iter().filter_map(|(quantity, largest)| comes_to(engine, loads, quantity, largest)));
     let torque = loads.torque.as_ref().zip(largest.torque.as_ref()).filter(|(_, largest)| **largest != Largest::Zero);
-    let listed = |peak| summary::peak(&peak, Unit::of(engine, loads, Quantity::TORQUE));
+    let listed = |peak| summary::peak(&peak, Unit::as_read(engine, loads, Quantity::TORQUE));
     lines.extend(torque.map(|(torque, _)| phrase!(TORQUE, listed(torque.waveform.real_peak()))));
     lines.push(scale(engine, loads));
     lines
@@ -47,7 +47,7 @@ fn answer(engine: &Engine, numbers: &Numbers) -> Vec<Text> {
 
 /// What the values are counted in, and at which speed.
 fn scale(engine: &Engine, loads: &Loads) -> Text {
-    let [force, moment] = Planar::BOTH.map(|quantity| Unit::of(engine, loads, quantity));
+    let [force, moment] = Planar::BOTH.map(|quantity| Unit::as_read(engine, loads, quantity));
     match &loads.scale {
         Some(scale) => phrase!(
             "The values are zero to peak, at {} rpm, where m r ω² is {} {}.",
@@ -74,7 +74,7 @@ const WELL_KNOWN: f64 = 1e-9;
 
 /// The peak of the orders that are listed, with its direction; none where nothing is left, or what is left is not decided.
 fn comes_to(engine: &Engine, loads: &Loads, quantity: Planar, largest: &Largest) -> Option<Text> {
-    let unit = Unit::of(engine, loads, quantity);
+    let unit = Unit::as_read(engine, loads, quantity);
     let (waveform, [pointing, turning]) = match quantity {
         Planar::Moment => (&loads.moment, MOMENT),
         Planar::Force => (&loads.force, FORCE),
@@ -101,11 +101,11 @@ fn direction(degrees: f64) -> f64 {
 fn order_by_order(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Block> {
     let loads = &numbers.loads;
     let mut blocks = vec![heading(1, "Order by order"), Block::Paragraph("The largest value of each order:".into())];
-    blocks.push(summary::by_order(engine, loads).into());
+    blocks.push(summary::by_order(engine, loads, Unit::as_read).into());
     if loads.orders.iter().any(|order| !order.exists(engine)) {
         blocks.push(Block::Note(WHY_NOT.into()));
     }
-    let chosen = chosen_lines(engine, numbers, needed);
+    let chosen = chosen_lines(engine, numbers, needed, Unit::as_read);
     if !chosen.is_empty() {
         blocks.push(Block::Paragraph(Text::joined(chosen, " ")));
     }

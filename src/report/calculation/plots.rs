@@ -54,7 +54,7 @@ pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture>
     let path_words =
         |[title, free_end, flywheel]: [&'static str; 3]| [title, said(engine.convention(), [free_end, flywheel])];
     let drawing = |name, waveform, axis, quantity| {
-        let unit = Unit::of(engine, loads, quantity);
+        let unit = Unit::as_read(engine, loads, quantity);
         Drawing { name, waveform, unit, axis }
     };
     if loads.orders.iter().any(|order| is_left(&order.force)) {

@@ -1,7 +1,7 @@
 //! How does the frame roll? The largest roll moment of the orders listed, what it is, and its orders.
 
 use super::super::roll_asked::roll_asked;
-use super::amounts::Unit;
+use super::amounts::{Unit, UnitOf};
 use super::{heading, summary, tables};
 use crate::engine::Engine;
 use crate::loads::{Loads, Outcome};
@@ -13,11 +13,11 @@ const OF_SEVERAL: &str = "The roll moment is that on the frame about the middle 
 
 /// What is said of the roll moment: its largest value, and what it is, or what it lacks; nothing where the frame feels no more than the torque
 /// turned round.
-pub(super) fn roll_lines(engine: &Engine, loads: &Loads) -> Vec<Text> {
+pub(super) fn roll_lines(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Vec<Text> {
     let Some(roll) = &loads.roll else {
         return loads.roll_lacks.map(|missing| roll_asked(engine, missing)).into_iter().collect();
     };
-    let unit = Unit::of(engine, loads, Quantity::ROLL);
+    let unit = unit_of(engine, loads, Quantity::ROLL);
     let words = if engine.geared_cranks().is_empty() { OF_ONE } else { OF_SEVERAL };
     let all_vanish = roll.orders.iter().all(|order| order.vector.outcome == Outcome::Zero);
     let largest = match all_vanish {
@@ -31,7 +31,7 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads) -> Vec<Text> {
 
 /// The orders of the roll moment, for a page.
 pub(super) fn roll_section(engine: &Engine, loads: &Loads) -> Vec<Block> {
-    let lines = roll_lines(engine, loads);
+    let lines = roll_lines(engine, loads, Unit::as_read);
     if lines.is_empty() {
         return Vec::new();
     }

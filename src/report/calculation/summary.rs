@@ -3,7 +3,7 @@
 use super::super::engine_page::Weighing;
 use super::super::residual;
 use super::super::table::with_shared_rows;
-use super::amounts::{self, Unit, amount, digits, in_digits};
+use super::amounts::{self, Unit, UnitOf, amount, digits, in_digits};
 use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
 use super::roll::roll_lines;
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
@@ -11,7 +11,8 @@ use crate::loads::{Loads, Needed, OrderLoads, Outcome, Peak, Swing, Torque, Torq
 use crate::page::{Block, Document, Table, Text, phrase};
 use crate::proof::Quantity;
 
-/// The short answer: the largest force, moment and torque of each order, zero to peak, and of all orders.
+/// The short answer: the largest force, moment and torque of each order, zero to peak, and of all orders. Scripts read its numbers, so that it counts
+/// as the document does: in newtons, however many.
 pub fn loads_answer(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Document {
     loads_answer_weighed(engine, numbers, needed, None)
 }
@@ -25,7 +26,7 @@ pub(in crate::report) fn loads_answer_weighed(
 ) -> Document {
     let mut page = Document::new("loads", engine.title());
     page.blocks.extend(at_speed(&numbers.loads).map(Block::Paragraph));
-    let table = by_order(engine, &numbers.loads);
+    let table = by_order(engine, &numbers.loads, Unit::of);
     page.push(match weighing {
         Some(weighing) => with_shared_rows(table, &are_small(engine, &numbers.loads, weighing)),
         None => table,
@@ -41,9 +42,9 @@ pub(super) fn at_speed(loads: &Loads) -> Option<Text> {
 }
 
 /// The largest force, moment and torque of each order, zero to peak.
-pub(super) fn by_order(engine: &Engine, loads: &Loads) -> Table {
+pub(super) fn by_order(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Table {
     let [force, moment, torque] =
-        [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE].map(|quantity| Unit::of_tables(engine, loads, quantity));
+        [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE].map(|quantity| unit_of(engine, loads, quantity));
     let mut header: Vec<Text> =
         vec!["Order".into(), phrase!("Force in {}", force.label()), phrase!("Moment in {}", moment.label())];
     header.extend(loads.torque.as_ref().map(|_| phrase!("Torque in {}", torque.label())));
@@ -141,11 +142,11 @@ fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Tex
     if loads.orders.iter().any(|order| !order.exists(engine)) {
         lines.push(WHY_NOT.into());
     }
-    lines.extend(largest_lines(engine, numbers));
-    lines.extend(roll_lines(engine, loads));
-    lines.extend(super::books_line(engine, loads));
+    lines.extend(largest_lines(engine, numbers, Unit::of));
+    lines.extend(roll_lines(engine, loads, Unit::of));
+    lines.extend(super::books_line(engine, loads, Unit::of));
     lines.extend(shown_line(engine, numbers));
-    lines.extend(chosen_lines(engine, numbers, needed));
+    lines.extend(chosen_lines(engine, numbers, needed, Unit::of));
     let names = loads.groups.iter().map(|group| residual::group_words(group.group).into());
     lines.push(phrase!("Included: {}.", Text::joined(names, ", ")));
     lines

@@ -14,8 +14,8 @@ use crate::report::loads_document::share;
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
     let mut table = Table::new(["Effect", "In the scene", "Why", "Share of peak force", "Share of peak moment"]);
     let peaks: [(Peak, Unit); 2] = [
-        (loads.force.peak(), Unit::of(engine, loads, Planar::Force)),
-        (loads.moment.peak(), Unit::of(engine, loads, Planar::Moment)),
+        (loads.force.peak(), Unit::as_read(engine, loads, Planar::Force)),
+        (loads.moment.peak(), Unit::as_read(engine, loads, Planar::Moment)),
     ];
     let shares = |group: MassGroup| {
         let loads = loads.groups.iter().find(|loads| loads.group == group);
@@ -64,7 +64,7 @@ pub(super) fn ellipses(engine: &Engine, loads: &Loads) -> Table {
 
 fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Planar) -> Vec<Text> {
     let swing = order.swing(quantity);
-    let unit = Unit::of_tables(engine, loads, quantity);
+    let unit = Unit::as_read(engine, loads, quantity);
     let mut row = vec![order.order.into(), quantity.name().into(), amounts::largest(swing, unit)];
     if swing.vanishes() {
         row.extend([Text::zero(), "–".into(), Text::zero(), Text::zero(), Text::zero()]);
@@ -94,8 +94,7 @@ fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Planar)
 
 /// What the tables count in.
 pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
-    let (force, moment) =
-        (Unit::of_tables(engine, loads, Planar::Force), Unit::of_tables(engine, loads, Planar::Moment));
+    let (force, moment) = (Unit::as_read(engine, loads, Planar::Force), Unit::as_read(engine, loads, Planar::Moment));
     let first = match Arm::of(engine) {
         Arm::Metre => phrase!(
             "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times 1 {}.",
@@ -116,13 +115,13 @@ pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
 
 /// The amplitude of each order of the inertia torque.
 pub(super) fn torque(engine: &Engine, loads: &Loads, torque: &Torque) -> Table {
-    let unit = Unit::of(engine, loads, Quantity::TORQUE);
+    let unit = Unit::as_read(engine, loads, Quantity::TORQUE);
     about_the_crank(&torque.orders, unit, |order| summary::torque_cell(engine, order, unit))
 }
 
 /// The amplitude of each order of the roll moment.
 pub(super) fn roll(engine: &Engine, loads: &Loads, roll: &Torque) -> Table {
-    let unit = Unit::of(engine, loads, Quantity::ROLL);
+    let unit = Unit::as_read(engine, loads, Quantity::ROLL);
     about_the_crank(&roll.orders, unit, |order| summary::roll_cell(engine, order, unit))
 }
 

@@ -1,6 +1,6 @@
 //! What was assumed, what do the symbols mean, and where do the numbers end? Generated from what the file holds.
 
-use super::super::residual::group_words;
+use super::super::residual::{group_words, orders_in_words};
 use super::inputs;
 use crate::engine::{Engine, Measure};
 use crate::loads::{Arm, Loads};
@@ -160,7 +160,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
 pub(super) fn limits(engine: &Engine, loads: &Loads) -> Vec<Text> {
     let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
     let mut lines = vec![
-        phrase!("Tables and curves of force and moment contain only the orders {}; the largest values contain all orders.", orders.join(", ")),
+        phrase!("Tables and curves of force and moment contain only {}; the largest values contain all orders.", orders_in_words(&orders)),
         "They are those of masses alone: gas forces act inside the engine and leave no force on its mounts; their torque on the mounts is that of the section on torque, where the gas is asked for.".into(),
         "Amplitudes are zero-to-peak; a peak-to-peak value of a single order is twice as large.".into(),
         "Torsion and bending of the crankshaft, and speed that varies within a revolution, are not in the numbers.".into(),

@@ -19,11 +19,11 @@ const FIELD: f64 = 19.0;
 /// Size of the letters of a name, of a number, and of what a field is called.
 const NAME: f64 = 6.2;
 const NUMBER: f64 = 6.6;
-const CALLED: f64 = 4.0;
+const CALLED: f64 = 6.0;
 /// Height of the line of the name.
 const HEAD: f64 = 9.0;
 /// Half the size of a path.
-const PATH: f64 = 3.8;
+const PATH: f64 = 3.2;
 /// The orders of the matrix.
 const ORDERS: [u32; 2] = [1, 2];
 /// What is smaller than half of the last place of a number.
@@ -64,7 +64,7 @@ impl Stamp {
             for (column, (order, swing)) in ORDERS.into_iter().zip(fields).enumerate() {
                 let x = DRAWING + 2.0 + FIELD * column as f64;
                 let corner = left + Point::new(x, -HEAD - FIELD * row as f64);
-                draw_field(figure, corner, &format!("{letter} {order}"), swing.as_ref());
+                draw_field(figure, corner, &format!("{letter}{order}"), swing.as_ref());
             }
         }
     }
@@ -77,17 +77,17 @@ fn draw_field(figure: &mut Figure, corner: Point, called: &str, swing: Option<&S
     let corners = vec![at(gap, gap), at(end, gap), at(end, end), at(gap, end)];
     let left = swing.filter(|swing| !swing.vanishes());
     figure.polygon(corners, Stroke::solid(Ink::Grey, 0.25), left.map(|_| Ink::Light));
-    figure.title(at(1.4, 3.2), called, CALLED, Anchor::Start);
+    figure.title(at(1.3, 3.7), called, CALLED, Anchor::Start);
     let number = at(FIELD / 2.0, FIELD - 4.4);
     let Some(left) = left else {
         let zero = if swing.is_some() { "0" } else { "?" };
-        return figure.title(at(FIELD / 2.0, FIELD / 2.0 + 1.0), zero, 1.4 * NUMBER, Anchor::Middle);
+        return figure.title(at(FIELD / 2.0, FIELD / 2.0 + 3.0), zero, 1.4 * NUMBER, Anchor::Middle);
     };
     let [direct, reverse] = left.amplitudes();
     let largest = left.largest();
     let point = |step: i32| {
         let turn = Complex::from_polar(1.0, f64::from(step) * TAU / 72.0);
-        at(FIELD - 1.5 - PATH, 1.5 + PATH) + upright(direct * turn + reverse * turn.conj()) * (PATH / largest)
+        at(FIELD - 1.1 - PATH, 1.4 + PATH) + upright(direct * turn + reverse * turn.conj()) * (PATH / largest)
     };
     figure.path((0..=72).map(point).collect(), Stroke::solid(Ink::Red, 0.8));
     figure.title(number, size(largest), NUMBER, Anchor::Middle);

@@ -2,6 +2,7 @@
 
 use super::super::convention::seen;
 use super::super::engine_page::CENTRES;
+use super::super::residual;
 use super::super::table;
 use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};
 use super::unit_of;
@@ -57,9 +58,9 @@ fn to_find(pupil: &Pupil, orders: &[u32]) -> Vec<Block> {
     let mut blocks = vec![
         Block::Heading(1, "To find".into()),
         Block::Paragraph(phrase!(
-            "The vector stars of the pistons at these orders: {}. For each order, the phases of the direct and of the reverse vector of every \
+            "The vector stars of the pistons at {}. For each order, the phases of the direct and of the reverse vector of every \
              cylinder at θ = 0, and the lengths of their sums: of the force, and of the moment, in which each vector is multiplied by its arm z from the plane above.",
-            listed.join(", ")
+            residual::orders_in_words(&listed)
         )),
         Block::Formula(PHASES.to_owned(), Some(1)),
         Block::Formula(SUMS.to_owned(), Some(2)),

@@ -60,8 +60,8 @@ fn of_engines(engines: &[Compared], document: &CompareDocument) -> Table {
     };
     table.decimal("longest_firing_interval_{unit}", Unit::DEGREE, |(_, entry)| interval(entry, f64::max));
     table.decimal("shortest_firing_interval_{unit}", Unit::DEGREE, |(_, entry)| interval(entry, f64::min));
-    table.words("first_force_left", |(_, entry)| Some(entry.first_force_left.clone()));
-    table.words("first_moment_left", |(_, entry)| Some(entry.first_moment_left.clone()));
+    table.words("first_force_residual", |(_, entry)| Some(entry.first_force_left.clone()));
+    table.words("first_moment_residual", |(_, entry)| Some(entry.first_moment_left.clone()));
     table.words("remedy", |(_, entry)| Some(entry.remedy.clone()));
     let has = |of: fn(&EngineEntry) -> bool| rows.iter().any(|(_, entry)| of(entry));
     if has(|entry| entry.worst_bearings.is_some()) {

@@ -49,6 +49,7 @@ fn tables(engines: &[Compared], beside: usize) -> Vec<Block> {
     let verdicts = all.chunks(beside).map(|shown| rows::verdicts(&all, shown).into());
     let mut blocks = vec![Block::Answer(answer(engines))];
     blocks.extend(sizes);
+    blocks.extend(rows::apart(&all).map(Block::Note));
     blocks.push(Block::Heading(1, "Exact verdicts".into()));
     blocks.extend(verdicts);
     blocks

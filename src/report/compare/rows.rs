@@ -4,6 +4,7 @@ use super::super::calculation::percent;
 use super::super::engine_page::{Rest, Weighed, Weighing, circumstances};
 use super::super::{bearings, engine_cells, residual};
 use super::{Compared, orders_of};
+use crate::engine::LengthUnit;
 use crate::loads::Missing;
 use crate::page::{self, Piece, Table, Text, phrase};
 use crate::proof::{Axial, Planar, Quantity};
@@ -59,6 +60,39 @@ impl<'a> Sized<'a> {
         let (order, size) = orders.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
         Some(phrase!("{} (order {})", weighed.amount(size, Quantity::Axial(quantity))?, order))
     }
+}
+
+/// Why sizes in different units do not compare, and what would make them; none where all are in one.
+pub(super) fn apart(all: &[Sized]) -> Option<Text> {
+    let weighed = || all.iter().filter_map(|engine| Some((engine, engine.weighed.as_ref()?)));
+    let names = |of: fn(&Weighed) -> bool| {
+        let meant = weighed().filter(|(_, weighed)| of(weighed));
+        Text::joined(meant.map(|(engine, _)| (&engine.compared.name).into()), ", ")
+    };
+    let differ = |of: fn(&Weighed) -> bool| {
+        let first = weighed().next().map(|(_, weighed)| of(weighed));
+        weighed().any(|(_, weighed)| Some(of(weighed)) != first)
+    };
+    if differ(in_multiples) {
+        return Some(phrase!(
+            "Multiples of m r ω² do not compare with newtons, since m, r and ω are those of each engine: for sizes in one unit give masses, stroke and speed of {}.",
+            names(in_multiples)
+        ));
+    }
+    differ(in_spacings).then(|| {
+        phrase!(
+            "Moments in spacings do not compare with those in metres: for moments in one unit give the cylinder spacing of {}.",
+            names(in_spacings)
+        )
+    })
+}
+
+fn in_multiples(weighed: &Weighed) -> bool {
+    weighed.loads.scale.is_none()
+}
+
+fn in_spacings(weighed: &Weighed) -> bool {
+    weighed.engine.length_unit() == LengthUnit::Spacing
 }
 
 /// The table of sizes of some of the engines that are compared: a column per engine, a row for each thing that any of all has.

@@ -1,6 +1,6 @@
 //! What shakes, how much, what cures it and what that leaves? What a reader sees first: five lines at most.
 
-use super::super::calculation::{books_line, percent};
+use super::super::calculation::{Unit, books_line, percent};
 use super::super::{residual, stars, table};
 use super::weighing::{Rest, Weighed, WeighedParts, Weighing, circumstances, sizes};
 use super::{articulated, at_speed, conventions, cures, geared};
@@ -50,7 +50,7 @@ fn shaking(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Text {
     let what = match left.is_empty() {
         false => Text::joined(left, " "),
         true if orders.iter().all(|order| order.force.is_balanced() && order.moment.is_balanced()) => {
-            "Nothing at these orders.".into()
+            "No force and no moment at these orders.".into()
         }
         true => match weighed {
             Some(weighed) => phrase!("Nothing above {} % of one piston's force.", percent(weighed.above())),
@@ -384,7 +384,7 @@ fn notes(
     page.blocks.extend(sizes(as_judged).filter(|_| is_exact).map(Block::Note));
     // What books say of rods that are assumed nobody asks.
     let given = as_judged.filter(|weighed| weighed.assumed.is_none());
-    page.blocks.extend(given.and_then(|weighed| books_line(engine, &weighed.loads)).map(Block::Note));
+    page.blocks.extend(given.and_then(|weighed| books_line(engine, &weighed.loads, Unit::as_read)).map(Block::Note));
     page.blocks.extend(is_exact.then(|| Block::Note(residual::LEGEND.into())));
     let rows = is_exact && shows_classes(weighing, as_judged);
     let rows = rows.then(|| conventions::rows(engine)).into_iter().flatten();

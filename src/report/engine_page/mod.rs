@@ -17,7 +17,7 @@ pub(super) use conventions::{ASSUMED, CENTRES, FIRES, reference_plane};
 pub use cures::worth_curing;
 pub(super) use orders::symbol;
 pub use weighing::Weighing;
-pub(super) use weighing::{Rest, Weighed, WeighedParts, circumstances};
+pub(super) use weighing::{Rest, Weighed, WeighedParts, assumed_ratio, circumstances};
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};

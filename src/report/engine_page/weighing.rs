@@ -61,10 +61,15 @@ impl Weighing {
         self.all || self.asked || engine.orders_given()
     }
 
-    /// λ of rods that are not given: 2/7, a rod 3.5 crank radii long, as the drawings have it.
+    /// λ of rods that are not given.
     fn ratio(&self) -> BigRational {
-        self.rod_ratio.clone().unwrap_or_else(|| BigRational::new(2.into(), 7.into()))
+        self.rod_ratio.clone().unwrap_or_else(assumed_ratio)
     }
+}
+
+/// λ where neither the layout nor the reader gives it: 2/7, a rod 3.5 crank radii long, as the drawings have it.
+pub(in crate::report) fn assumed_ratio() -> BigRational {
+    BigRational::new(2.into(), 7.into())
 }
 
 /// An engine in numbers, order by order.

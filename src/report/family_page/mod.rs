@@ -25,7 +25,7 @@ use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::{Planar, Sense};
 
 const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a vanishing moment vanishes for all lengths. Angles are those \
-                      in (0°, 360°), exact and complete; ≡ is modulo 360°.";
+                      in (0°, 360°), complete, and exact unless marked ≈; ≡ is modulo 360°.";
 
 /// The report of a family.
 ///
@@ -92,7 +92,7 @@ pub fn family_answer(family: &Family, orders: &[OpenOrder]) -> Document {
     page.blocks.extend(answer(family, orders).into_iter().map(Block::Paragraph));
     page.push(tables::summary(orders));
     page.push(Block::Note(
-        "0 vanishes for all values of the unknowns, proved; angles are exact and complete in (0°, 360°).".into(),
+        "0 vanishes for all values of the unknowns, proved; angles are complete in (0°, 360°), and exact unless marked ≈.".into(),
     ));
     page
 }

@@ -189,7 +189,7 @@ pub(super) fn unit(family: &Family, sizes: Option<&Sizes>, quantity: Planar) -> 
     match (symbols.first(), symbols.len(), is_known) {
         (None, ..) => Some(match family.length_unit() {
             crate::engine::LengthUnit::Metre => format!("{force} · m"),
-            crate::engine::LengthUnit::Spacing => format!("{force} · a"),
+            crate::engine::LengthUnit::Spacing => format!("{force} a"),
         }),
         (Some(symbol), 1, false) => Some(format!("{force} · {symbol}")),
         _ => None,

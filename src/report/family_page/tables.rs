@@ -11,7 +11,7 @@ use crate::proof::Sense;
 pub(super) fn summary(orders: &[OpenOrder]) -> Table {
     let mut table = Table::new(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
     for order in orders {
-        let cells = order.force.iter().chain(&order.moment).map(words::summary);
+        let cells = order.force.iter().chain(&order.moment).map(words::cell);
         table.push([Text::from(order.order)].into_iter().chain(cells).collect());
     }
     table

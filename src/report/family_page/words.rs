@@ -34,6 +34,45 @@ pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
     }
 }
 
+/// The same for a table: angles that are no round number of degrees as decimals, since the proofs have them exactly.
+pub(super) fn cell(verdict: &OpenVerdict) -> Text {
+    match (verdict.bank_angles(), verdict.sums.as_slice()) {
+        _ if verdict.always() || verdict.never() => summary(verdict),
+        (Some(angles), _) if angles.iter().any(is_fractional) => {
+            phrase!("0 at φ ≈ {}", angles.iter().map(rounded).collect::<Vec<_>>().join(", "))
+        }
+        (None, [OpenSum { when: When::Where(angles), .. }]) => {
+            conditions(angles, nearly).map_or_else(|| summary(verdict), |shown| phrase!("0 where {}", shown))
+        }
+        (Some(_) | None, _) => summary(verdict),
+    }
+}
+
+fn is_fractional(turn: &Turn) -> bool {
+    !typeset::terminates(&turn.degrees())
+}
+
+/// `25.7°` for (180/7)°.
+fn rounded(turn: &Turn) -> String {
+    match is_fractional(turn) {
+        true => format!("{:.1}°", turn.degrees().to_f64().unwrap_or(f64::NAN)),
+        false => typeset::angle(turn),
+    }
+}
+
+/// `2φ − δ ≡ 180°`.
+fn exactly(unknowns: String, turn: &Turn) -> String {
+    format!("{unknowns} ≡ {}", typeset::angle(turn))
+}
+
+/// The same for a table: `2φ − δ ≈ 25.7°`.
+fn nearly(unknowns: String, turn: &Turn) -> String {
+    match is_fractional(turn) {
+        true => format!("{unknowns} ≈ {}", rounded(turn)),
+        false => exactly(unknowns, turn),
+    }
+}
+
 /// At which bank angles it can fire evenly.
 pub(super) fn even_firing_words(angles: &BTreeSet<Turn>) -> Text {
     match angles.is_empty() {
@@ -66,7 +105,7 @@ pub(super) fn told(when: &When) -> Option<Text> {
     match when {
         When::Always => None,
         When::Never(_) => Some("never 0".into()),
-        When::Where(angles) => Some(match conditions(angles) {
+        When::Where(angles) => Some(match conditions(angles, exactly) {
             Some(conditions) => phrase!("0 where {}", conditions),
             None => NEVER.into(),
         }),
@@ -88,7 +127,7 @@ pub(super) fn told(when: &When) -> Option<Text> {
 /// Where a vector of one sum vanishes: `2φ − δ ≡ 180°`; none where no such condition says it.
 pub(super) fn conditions_of(verdict: &OpenVerdict) -> Option<Text> {
     match verdict.sums.as_slice() {
-        [OpenSum { when: When::Where(angles), .. }] => conditions(angles),
+        [OpenSum { when: When::Where(angles), .. }] => conditions(angles, exactly),
         _ => None,
     }
 }
@@ -97,19 +136,23 @@ pub(super) fn conditions_of(verdict: &OpenVerdict) -> Option<Text> {
 pub(super) const NEVER: &str = "never 0 in (0°, 360°)";
 
 /// `2φ − δ ≡ 180°`, alternatives in the range joined by "or"; none where there is none.
-fn conditions(angles: &Angles) -> Option<Text> {
-    let told: Vec<Text> = angles.alternatives.iter().filter_map(together).collect();
+fn conditions(angles: &Angles, shown: fn(String, &Turn) -> String) -> Option<Text> {
+    let told: Vec<Text> = angles.alternatives.iter().filter_map(|one| together_by(one, shown)).collect();
     (!told.is_empty()).then(|| Text::joined(told, ", or "))
 }
 
 /// `φ ≡ 60° and δ ≡ 90°`; none where no φ and δ in the range make it.
 pub(super) fn together(alternative: &Alternative) -> Option<Text> {
+    together_by(alternative, exactly)
+}
+
+fn together_by(alternative: &Alternative, shown: fn(String, &Turn) -> String) -> Option<Text> {
     let one = |condition: &Condition| {
         // φ, or else δ, is shown entering positively.
         let Condition { phi, delta, turn } = condition;
         Text::label(match phi.is_negative() || phi.is_zero() && delta.is_negative() {
-            true => format!("{} ≡ {}", unknowns(&-phi, &-delta), typeset::angle(&-turn)),
-            false => format!("{} ≡ {}", unknowns(phi, delta), typeset::angle(turn)),
+            true => shown(unknowns(&-phi, &-delta), &-turn),
+            false => shown(unknowns(phi, delta), turn),
         })
     };
     alternative.in_range().map(|conditions| Text::joined(conditions.iter().map(one), " and "))
@@ -212,7 +255,7 @@ pub(super) fn why(when: &When) -> Text {
         When::Never(Never::Product(product)) | When::Product(product) => plane_words::product_why(product),
         When::Never(Never::Boxes(found)) | When::Boxes(found) => boxes_words::why(found),
         When::Where(angles) => {
-            let Some(conditions) = conditions(angles) else {
+            let Some(conditions) = conditions(angles, exactly) else {
                 return "The remaining parts are equally long (proved), but no angles in (0°, 360°) make them cancel.".into();
             };
             let words = match angles.alternatives.len() {

@@ -1,5 +1,6 @@
 //! What is said of an engine on its mounts in words?
 
+use super::super::residual;
 use super::{MountsStudy, OrderMotion, Place, SOFTEST, largest};
 use crate::engine::CycleOrder;
 use crate::page::{Piece, Text, Unit, phrase};
@@ -58,10 +59,10 @@ pub(super) fn answer(study: &MountsStudy) -> Vec<Text> {
     let roll_alone = moving
         .iter()
         .filter(|one| one.excitation.still.force && one.excitation.still.moment)
-        .map(|one| one.excitation.order);
-    let roll_alone = list(roll_alone);
+        .map(|one| one.excitation.order.to_string());
+    let roll_alone: Vec<String> = roll_alone.collect();
     if !roll_alone.is_empty() {
-        lines.push(phrase!("By the roll moment alone it is moved at the orders {}.", roll_alone));
+        lines.push(phrase!("At {} the roll moment alone moves it.", residual::orders_in_words(&roll_alone)));
     }
     lines.push(frequencies(study));
     lines

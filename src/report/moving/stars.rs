@@ -73,9 +73,13 @@ fn of_whole(engine: &Engine, order: &OrderVerdict, whole: &WholeStars, weighed: 
             let [length, degrees] = if zero { [0.0, 0.0] } else { polar(2.0 * value) };
             MovingSense { words, zero, reach: reach(&rays, length, None), rays, length, degrees, zeros: None }
         });
-        let words =
-            if exists && outcome.is_balanced() { ZERO.to_owned() } else { residual::whole_text(outcome).plain() };
-        MovingQuantity { words, most: most(order, quantity, Some(weighed)), senses, marks: Vec::new() }
+        let most = most(order, quantity, Some(weighed));
+        let words = match most {
+            _ if exists && outcome.is_balanced() => ZERO.to_owned(),
+            Some(_) => residual::beside_size(outcome).plain(),
+            None => residual::whole_text(outcome).plain(),
+        };
+        MovingQuantity { words, most, senses, marks: Vec::new() }
     };
     let (force, moment) = (quantity(Planar::Force), quantity(Planar::Moment));
     MovingOrder { order: order.order, coefficient: Some([1.0, 0.0]), exists, force, moment }

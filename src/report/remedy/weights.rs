@@ -1,14 +1,17 @@
 //! What are the weights of a remedy called, how large are they, and in which direction do they stand?
 
+use super::super::engine_page::assumed_ratio;
 use super::super::residual;
-use crate::engine::{Engine, LengthUnit};
+use super::super::typeset::short;
+use crate::engine::{Engine, LengthUnit, Rod};
 use crate::numbers;
-use crate::order::Factor;
+use crate::order::{Coefficients, Factor};
 use crate::page::number::{Amount, Bearing, given, given_with};
 use crate::page::{Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::remedy::{Built, Remedy, Weight};
 use num_rational::BigRational;
+use num_traits::Zero;
 
 /// Letters of the longest closed form of a mass-radius that is shown.
 const LONGEST_FORM: usize = 24;
@@ -136,6 +139,37 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
         (None, Some([size, _])) => phrase!("{} $m\\,r$", amount(size)),
         (None, None) => depends(weight),
     }
+}
+
+/// How large each `|c_k|` is that multiplies m r, so that the sizes compare with those of the other pages; none where kilograms are known, or none occurs.
+pub(super) fn coefficients(remedy: &Remedy) -> Option<Text> {
+    if remedy.subject.scale().is_some() {
+        return None;
+    }
+    let weights = remedy.shafts.iter().flat_map(|shaft| &shaft.weights);
+    let mut found: Vec<(Factor, u32)> = Vec::new();
+    for weight in weights {
+        let Some((factor, _)) = weight.vector.only() else { continue };
+        let (own, order) = factor.own(weight.order);
+        let is_named = matches!(own, Factor::Motion(_) | Factor::Open);
+        if is_named && !found.iter().any(|(known, of)| known == own && *of == order) {
+            found.push((own.clone(), order));
+        }
+    }
+    let known = Coefficients::default();
+    let assumed = Factor::Motion(Rod { ratio: assumed_ratio(), offset: BigRational::zero() });
+    let is_open = found.iter().any(|(factor, _)| *factor == Factor::Open);
+    let sizes = found.iter().filter_map(|(factor, order)| {
+        let factor = if *factor == Factor::Open { &assumed } else { factor };
+        let size = known.of(factor, *order)?.to_complex().norm();
+        Some(phrase!("{} {}", Text::formula(format!("\\lvert c_{{{order}}}\\rvert")), Number::Decimal(size)))
+    });
+    let sizes: Vec<Text> = sizes.collect();
+    let sizes = (!sizes.is_empty()).then(|| Text::joined(sizes, ", "))?;
+    Some(match is_open {
+        true => phrase!("The factors, with λ = {} assumed: {}.", short(&assumed_ratio()), sizes),
+        false => phrase!("The factors, with the rods of the layout: {}.", sizes),
+    })
 }
 
 fn depends(weight: &Weight) -> Text {

@@ -257,7 +257,12 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
         )
     });
     let half_speed = fewest.is_some().then(|| HALF_SPEED.into());
-    let lines = small.into_iter().chain(fewest).chain(half_speed).chain(ranked::rolling_shafts(remedy));
+    let lines = weights::coefficients(remedy)
+        .into_iter()
+        .chain(small)
+        .chain(fewest)
+        .chain(half_speed)
+        .chain(ranked::rolling_shafts(remedy));
     lines.chain(remedy.heights.iter().map(height)).chain(of_the_crankshaft(remedy)).collect()
 }
 

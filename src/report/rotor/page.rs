@@ -78,7 +78,7 @@ fn why(reason: Reason, is_never: bool) -> Text {
             "force and couple do not lie in one plane through the shaft, so that no single mass balances both."
         }
         Reason::OneLine => {
-            "both wanted masses are in one line with the shaft, so that they cannot be told apart by their forces."
+            "both wanted masses are in one line with the shaft, so that they cannot be distinguished by their forces."
         }
         Reason::NoTriangle => {
             "of the three moments about the plane of the wanted mass one is larger than the two others together."

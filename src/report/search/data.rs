@@ -103,7 +103,7 @@ fn question(document: &FrontDocument) -> Table {
     table.exact("bank_offset_spacings", Unit::NONE, |asked| asked.bank_offset.clone());
     table.exact("mode_shape", Unit::NONE, |asked| Some(asked.mode_shape.join(" ")).filter(|shape| !shape.is_empty()));
     table.exact("all_stars", Unit::NONE, |asked| Some(asked.all_stars.clone()));
-    table.whole("judged", |asked| asked.judged as usize);
+    table.whole("evaluated", |asked| asked.judged as usize);
     table.whole("cut", |asked| asked.cut as usize);
     table.done()
 }

@@ -1,5 +1,6 @@
 //! What is on the page of a search, and on the terminal? The best stars, pictures of the first, how they were found.
 
+use super::super::residual;
 use super::front::front_picture;
 use super::pictures::pictures;
 use super::table::{firing_order, left, stars, throws};
@@ -86,9 +87,14 @@ fn title(front: &Front) -> Text {
 fn best(front: &Front) -> Vec<Text> {
     let (all, limits) = (number::grouped(&front.all.to_string()), &front.limits.limits);
     let orders: Vec<String> = front.problem.orders.iter().map(u32::to_string).collect();
-    let orders = phrase!("Compared: the moments of these orders: {}.", orders.join(", "));
+    let orders = phrase!("Compared: the moments of {}.", residual::orders_in_words(&orders));
     let how_many = match front.stars.len() {
         0 if !limits.is_empty() => phrase!("**No crank star keeps these limits:** {}.", limits_of(front)),
+        1 if !limits.is_empty() => phrase!(
+            "**One of the {} crank stars of the front keeps these limits:** {}. It is the best of all that do.",
+            front.limits.of,
+            limits_of(front)
+        ),
         kept if !limits.is_empty() => phrase!(
             "**{} crank stars of the {} of the front keep these limits:** {}. They are the best of all that do.",
             kept,

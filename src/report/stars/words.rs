@@ -24,17 +24,17 @@ pub(in crate::report) fn told(theorems: &Theorems) -> Vec<Text> {
 /// Why no star loses these moments.
 pub(in crate::report) fn never(obstruction: &Obstruction) -> Text {
     let Obstruction { throws, prime, power, orders } = obstruction;
-    let listed = orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    let listed = residual::orders_in_words(&orders.iter().map(u32::to_string).collect::<Vec<_>>());
     match power == throws {
         true => phrase!(
-            "**Impossible.** With {} throws no moment of these orders can vanish: {}. The number of throws is a power of the prime {}: were the moment 0, throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
+            "**Impossible.** With {} throws no moment of {} can vanish. The number of throws is a power of the prime {}: were the moment 0, throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
             *throws,
             listed,
             *prime,
             *prime
         ),
         false => phrase!(
-            "**Impossible.** With {} throws the moments of these orders cannot vanish together: {}. Throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
+            "**Impossible.** With {} throws the moments of {} cannot vanish together. Throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
             *throws,
             listed,
             *prime

@@ -1,5 +1,6 @@
 //! What is said of a sweep in sentences? Each order in one, what vanishes in one, the firing in one.
 
+use super::super::residual;
 use super::amounts::{self, in_newtons, place, size, with_unit};
 use super::findings::{Finding, listed};
 use crate::page::{Text, number, phrase};
@@ -68,19 +69,19 @@ fn name(quantity: Planar, order: u32) -> Text {
 
 /// What vanishes at every value, in one sentence.
 pub(super) fn gone_sentence(gone: &[(Planar, u32)]) -> Option<Text> {
-    let list = |of: Planar| -> Text {
-        let orders = gone.iter().filter(|(quantity, _)| *quantity == of).map(|(_, order)| Text::from(*order));
-        Text::joined(orders, ", ")
+    let list = |of: Planar| -> Vec<String> {
+        gone.iter().filter(|(quantity, _)| *quantity == of).map(|(_, order)| order.to_string()).collect()
     };
     let (forces, moments) = (list(Planar::Force), list(Planar::Moment));
+    let named = residual::orders_in_words;
     match (forces.is_empty(), moments.is_empty()) {
         (true, true) => None,
-        (false, true) => Some(phrase!("**Exactly zero at every value:** the force of these orders: {}.", forces)),
-        (true, false) => Some(phrase!("**Exactly zero at every value:** the moment of these orders: {}.", moments)),
+        (false, true) => Some(phrase!("**Exactly zero at every value:** the force of {}.", named(&forces))),
+        (true, false) => Some(phrase!("**Exactly zero at every value:** the moment of {}.", named(&moments))),
         (false, false) => Some(phrase!(
-            "**Exactly zero at every value:** the force of these orders: {}; the moment of these: {}.",
-            forces,
-            moments
+            "**Exactly zero at every value:** the force of {}, the moment of {}.",
+            named(&forces),
+            named(&moments)
         )),
     }
 }

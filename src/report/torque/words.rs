@@ -24,7 +24,7 @@ pub(in crate::report) fn misfire(engine: &Engine) -> Option<Text> {
     let law = engine.gas().map(|gas| &gas.laws[gas.chambers[index].law]);
     Some(match law {
         Some(PressureLaw::Table(_)) => phrase!(
-            "**Misfire.** Cylinder {} does not fire: no pressure difference acts on its piston, since a table of pressures does not tell that of compression alone.",
+            "**Misfire.** Cylinder {} does not fire: no pressure difference acts on its piston, since a table of pressures does not give that of compression alone.",
             name
         ),
         Some(_) => phrase!(
@@ -32,7 +32,7 @@ pub(in crate::report) fn misfire(engine: &Engine) -> Option<Text> {
             name
         ),
         None => phrase!(
-            "**Misfire.** Cylinder {} does not fire: it gives no torque, neither of gas nor of inertia, since harmonics do not tell that of compression alone.",
+            "**Misfire.** Cylinder {} does not fire: it gives no torque, neither of gas nor of inertia, since harmonics do not give that of compression alone.",
             name
         ),
     })

@@ -100,6 +100,9 @@ fn draw_cylinders(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage]
         figure.line(foot - along * past, head + along * 1.2, axis);
         let side = across * half;
         let bottom = foot + along * (low - SKIRT);
+        if foot.norm() > 0.0 {
+            labels.avoid_path(&[foot - along * past, bottom]);
+        }
         let walls = vec![bottom + side, head + side, head - side, bottom - side];
         labels.avoid_path(&walls);
         match heads {
