@@ -113,9 +113,11 @@ impl Engine {
         draft.reference_plane = ReferencePlane::Named(self.reference_plane().clone());
         draft.cylinders.retain(|cylinder| cylinder.crank == crank);
         for cylinder in &mut draft.cylinders {
-            (cylinder.throw, cylinder.crank) = (self.pin_angle(cylinder), 0);
+            (cylinder.throw, cylinder.crank, cylinder.shared) = (self.pin_angle(cylinder), 0, None);
         }
         (draft.geared_cranks, draft.firing) = (Vec::new(), None);
+        // What is of all cylinders or pins does not fit some of them.
+        (draft.gas, draft.misfire, draft.torsion) = (None, None, None);
         let mut counterweights = self.crankshaft().counterweights.clone();
         counterweights.retain(|weight| weight.crank == crank);
         for weight in &mut counterweights {

@@ -167,9 +167,6 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
         let right = "leave it out: it is known where all crankshafts turn equally fast so far";
         return Err(LayoutError::new(message, right, Some(span)));
     }
-    if expanded.form.has_two_pistons_in_a_cylinder() {
-        firing_order::without_pistons_of_their_own(above.order, above.angles)?;
-    }
     convention_keys::turn(&mut expanded.cylinders, &mut expanded.geared, convention);
     firing_throws::follow(&mut expanded, &above)?;
     let dimensions = dimensions(&file, &mut expanded)?;
@@ -276,7 +273,7 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
         let torsion = Some(torsion_keys::read(table, &engine)?);
         engine = built(Draft { torsion, ..engine.into_draft() }.build())?;
     }
-    let firing = match engine.form().has_two_pistons_in_a_cylinder() || faster.is_some() {
+    let firing = match faster.is_some() {
         true => None,
         false => known_firing::read(&above, &values, &engine)?,
     };

@@ -108,6 +108,7 @@ mod open_certificate_cheats;
 mod open_circles;
 mod open_firing;
 mod open_ranges;
+mod opposed_gas;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod output_folder;
