@@ -81,8 +81,6 @@ pub enum BuildError {
     },
     /// What is not computed where a crankshaft turns faster than the reference.
     FasterCrank(&'static str),
-    /// What is known of one crankshaft alone, in an engine with several that are geared together.
-    OneCrankshaftAlone(&'static str),
     /// A cylinder that is shared, but not by two pistons.
     Shared {
         /// One of them.
@@ -135,9 +133,6 @@ impl fmt::Display for BuildError {
             }
             BuildError::NoSuchCrank { cylinder } => {
                 write!(f, "cylinder {cylinder} is on a crankshaft that is not there")
-            }
-            BuildError::OneCrankshaftAlone(what) => {
-                write!(f, "{what} in an engine with several crankshafts: known of one crankshaft alone so far")
             }
             BuildError::FirstCrank => {
                 f.write_str("the first of several crankshafts turns with the reference, once while it turns once")
@@ -213,10 +208,6 @@ impl<A, L: Length> Draft<A, L> {
             if let Some(crank) = self.geared_cranks.iter().find(|crank| !ORDERS.contains(&crank.speed)) {
                 return Err(BuildError::Speed { crank: crank.name.clone(), speed: crank.speed });
             }
-            let lacking = [("a torsional model", self.torsion.is_some())];
-            if let Some((what, _)) = lacking.into_iter().find(|(_, given)| *given) {
-                return Err(BuildError::OneCrankshaftAlone(what));
-            }
         }
         if let Some(gas) = &self.gas {
             gas.check(self.cylinders.len(), self.cycle).map_err(BuildError::Gas)?;
@@ -286,8 +277,7 @@ impl Draft {
             }
         }
         if let Some(torsion) = engine.torsion() {
-            let pins = engine.cylinders().iter().map(|cylinder| cylinder.pin + 1).max().unwrap_or(0);
-            torsion.check(pins).map_err(BuildError::Torsion)?;
+            engine.pin_speeds().and_then(|pins| torsion.check(&pins)).map_err(BuildError::Torsion)?;
         }
         if engine.firing().is_some() && engine.faster_crank().is_some() {
             return Err(BuildError::FasterCrank("a firing order"));

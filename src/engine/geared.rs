@@ -15,6 +15,7 @@ use super::crankshaft::Crankshaft;
 use super::cylinder::Cylinder;
 use super::draft::ReferencePlane;
 use super::model::Engine;
+use super::torsion::NoShaft;
 use crate::exact::{Term, Turn};
 use crate::proof::Sense;
 
@@ -104,6 +105,27 @@ impl<A, L> Engine<A, L> {
 /// The order of a crank that turns this many times as fast as the reference that is this order of the engine.
 pub(super) fn own_order(speed: u32, order: u32) -> Option<u32> {
     (speed > 0 && order.is_multiple_of(speed)).then(|| order / speed)
+}
+
+impl<A, L> Engine<A, L> {
+    /// How many times each crankpin turns while the reference turns once, below 0 against it.
+    ///
+    /// # Errors
+    /// A pin of two crankshafts.
+    pub fn pin_speeds(&self) -> Result<Vec<i64>, NoShaft> {
+        let mut cranks: Vec<Option<usize>> = Vec::new();
+        for cylinder in self.cylinders() {
+            cranks.resize(cranks.len().max(cylinder.pin + 1), None);
+            if cranks[cylinder.pin].replace(cylinder.crank).is_some_and(|other| other != cylinder.crank) {
+                return Err(NoShaft::OfTwoCranks(cylinder.pin + 1));
+            }
+        }
+        let speed = |crank: &GearedCrank| match crank.sense {
+            Sense::Direct => i64::from(crank.speed),
+            Sense::Reverse => -i64::from(crank.speed),
+        };
+        Ok(cranks.into_iter().map(|crank| self.geared_cranks().get(crank.unwrap_or(0)).map_or(1, speed)).collect())
+    }
 }
 
 impl Engine {

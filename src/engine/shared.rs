@@ -29,6 +29,11 @@ impl<A, L> Engine<A, L> {
         partner(self.cylinders(), index)
     }
 
+    /// The pistons of the cylinder that is told by this one.
+    pub fn pistons_of(&self, first: usize) -> impl Iterator<Item = usize> + Clone + use<A, L> {
+        std::iter::once(first).chain(self.partner(first))
+    }
+
     /// Whether its cylinder is told by another piston, which faces it.
     pub fn is_second_piston(&self, index: usize) -> bool {
         is_second(&self.cylinders()[index])

@@ -154,13 +154,6 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
     let above =
         SharedKeys { order: file.firing_order.as_ref(), angles: file.firing_angles.as_ref(), cycle, convention };
     let mut expanded = expand(&file, &above)?;
-    if !expanded.geared.is_empty() {
-        let given = [("a torsional model", file.torsion.as_ref().and_then(place))];
-        if let Some((what, span)) = given.into_iter().find(|(_, span)| span.is_some()) {
-            let message = format!("{what} in an engine with several crankshafts");
-            return Err(LayoutError::new(message, "leave it out: it is known of one crankshaft alone so far", span));
-        }
-    }
     let faster = geared_keys::faster(geared_keys::several(file.crankshaft.as_ref()));
     if let Some(span) = faster.and(above.order.and_then(place).or_else(|| above.angles.and_then(place))) {
         let message = "when cylinders fire, in an engine with a crankshaft that turns faster than the first";

@@ -73,6 +73,7 @@ mod gear_teeth;
 mod geared;
 mod geared_drawings;
 mod geared_speeds;
+mod geared_torsion;
 mod german_figures;
 mod grigoryev;
 mod ground_truth;
