@@ -311,3 +311,38 @@ fn gas_that_opposed_pistons_cannot_have_is_told() {
     let why = torque(&still).expect_err("no torque").to_string();
     assert!(why.contains("move together"), "{why}");
 }
+
+#[test]
+fn pistons_of_tables_that_name_each_other_are_those_of_the_short_form() {
+    let rest = "[mechanism]\nstroke = '120 mm'\nrod_length = '220 mm'\nreciprocating_mass = '2 kg'\n[gas]\nbore = '100 mm'\n\
+        process = 'diesel'\ncompression_ratio = 16\nheat = '3000 J'\nintake_pressure = '1.3 bar'\n";
+    let head = "cycle = 'two-stroke'\nspeed = 700\n";
+    let form = format!("{head}[opposed_piston]\nthrows = [0, 120]\nlead = 11\nsense = 'with'\ndistance = 12\n{rest}");
+    let cylinder = |name: &str, crank: &str, [throw, bank]: [i32; 2], position: &str, more: &str| {
+        format!(
+            "[[cylinder]]\nname = '{name}'\ncrankshaft = '{crank}'\nthrow = {throw}\nbank = {bank}\nposition = '{position}'\n{more}"
+        )
+    };
+    let tables = |second: &str| {
+        let crank =
+            |name: &str, height: &str| format!("[[crankshaft]]\nname = '{name}'\nsense = 'with'\nheight = {height}\n");
+        [
+            head.to_owned(),
+            crank("lower", "-6") + &crank("upper", "6"),
+            cylinder("1a", "lower", [0, 0], "1/2", "") + &cylinder("2a", "lower", [120, 0], "-1/2", ""),
+            cylinder("1b", "upper", [191, 180], "1/2", "opposed_to = '1a'\n"),
+            cylinder("2b", "upper", [311, 180], "-1/2", second),
+            rest.to_owned(),
+        ]
+        .concat()
+    };
+    let [short, long] = [form, tables("opposed_to = '2a'\n")].map(|text| torque(&engine(&text)).expect("torque"));
+    for step in 0..60 {
+        let theta = TAU * f64::from(step) / 60.0;
+        assert!((short.course.total(theta) - long.course.total(theta)).abs() < 1e-9 * short.highest.value);
+    }
+    for wrong in ["opposed_to = '1a'\n", "opposed_to = '2b'\n", "opposed_to = '3'\n", "opposed_to = '1b'\n"] {
+        let why = file::parse("layout.toml", &tables(wrong)).expect_err("a mistake").to_string();
+        assert!(why.contains("cannot share") || why.contains("the name of another"), "{why}");
+    }
+}
