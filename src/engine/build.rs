@@ -70,8 +70,6 @@ pub enum BuildError {
         /// The cylinder.
         cylinder: String,
     },
-    /// What is known of one crankshaft alone, in an engine with several that are geared together.
-    OneCrankshaftAlone(&'static str),
     /// The first of several crankshafts is not the reference: it turns against it, or faster.
     FirstCrank,
     /// A crankshaft at a speed whose orders are not decided.
@@ -83,6 +81,11 @@ pub enum BuildError {
     },
     /// What is not computed where a crankshaft turns faster than the reference.
     FasterCrank(&'static str),
+    /// A cylinder that is shared, but not by two pistons.
+    Shared {
+        /// One of them.
+        cylinder: String,
+    },
     /// A firing order that has not every cylinder once.
     Firing,
     /// A pressure that cannot be.
@@ -131,9 +134,6 @@ impl fmt::Display for BuildError {
             BuildError::NoSuchCrank { cylinder } => {
                 write!(f, "cylinder {cylinder} is on a crankshaft that is not there")
             }
-            BuildError::OneCrankshaftAlone(what) => {
-                write!(f, "{what} in an engine with several crankshafts: known of one crankshaft alone so far")
-            }
             BuildError::FirstCrank => {
                 f.write_str("the first of several crankshafts turns with the reference, once while it turns once")
             }
@@ -147,6 +147,9 @@ impl fmt::Display for BuildError {
             ),
             BuildError::Torsion(why) => why.fmt(f),
             BuildError::Mounting(why) => why.fmt(f),
+            BuildError::Shared { cylinder } => {
+                write!(f, "the cylinder of piston {cylinder} is shared, but not by two pistons")
+            }
             BuildError::Firing => f.write_str("each cylinder fires once in a cycle"),
             BuildError::Gas(mistake) => mistake.fmt(f),
         }
@@ -185,6 +188,14 @@ impl<A, L: Length> Draft<A, L> {
                 return Err(BuildError::CannotTurnRound { cylinder: name.clone() });
             }
             turning = mechanism;
+            if let Some(own) = cylinder.shared {
+                let within =
+                    self.cylinders.iter().filter_map(|other| other.shared).filter(|other| other.number == own.number);
+                let seconds: Vec<bool> = within.map(|other| other.is_second).collect();
+                if !matches!(seconds[..], [true, false] | [false, true]) {
+                    return Err(BuildError::Shared { cylinder: name.clone() });
+                }
+            }
         }
         let without = self.cylinders.iter().find(|cylinder| cylinder.mechanism.is_none());
         if let Some(cylinder) = without.filter(|_| self.cylinders.iter().any(|one| one.mechanism.is_some())) {
@@ -196,10 +207,6 @@ impl<A, L: Length> Draft<A, L> {
             }
             if let Some(crank) = self.geared_cranks.iter().find(|crank| !ORDERS.contains(&crank.speed)) {
                 return Err(BuildError::Speed { crank: crank.name.clone(), speed: crank.speed });
-            }
-            let lacking = [("a torsional model", self.torsion.is_some())];
-            if let Some((what, _)) = lacking.into_iter().find(|(_, given)| *given) {
-                return Err(BuildError::OneCrankshaftAlone(what));
             }
         }
         if let Some(gas) = &self.gas {
@@ -270,16 +277,15 @@ impl Draft {
             }
         }
         if let Some(torsion) = engine.torsion() {
-            let pins = engine.cylinders().iter().map(|cylinder| cylinder.pin + 1).max().unwrap_or(0);
-            torsion.check(pins).map_err(BuildError::Torsion)?;
+            engine.pin_speeds().and_then(|pins| torsion.check(&pins)).map_err(BuildError::Torsion)?;
         }
         if engine.firing().is_some() && engine.faster_crank().is_some() {
             return Err(BuildError::FasterCrank("a firing order"));
         }
         if let Some(firing) = engine.firing() {
-            let cylinders: BTreeSet<usize> = firing.shots.iter().map(|shot| shot.cylinder).collect();
-            let count = engine.cylinders().len();
-            if firing.shots.len() != count || !cylinders.into_iter().eq(0..count) {
+            let fired: BTreeSet<usize> = firing.shots.iter().map(|shot| shot.cylinder).collect();
+            let cylinders = engine.firing_pistons();
+            if firing.shots.len() != cylinders.len() || !fired.into_iter().eq(cylinders) {
                 return Err(BuildError::Firing);
             }
         }

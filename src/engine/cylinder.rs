@@ -33,6 +33,17 @@ pub struct Cylinder<A = Turn, L = BigRational> {
     pub pin: usize,
     /// Which crankshaft it works on, where several are geared together; else 0.
     pub crank: usize,
+    /// Which cylinder it shares with the piston that faces it; none where it has one of its own.
+    pub shared: Option<Shared>,
+}
+
+/// A cylinder in which two pistons face each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shared {
+    /// Its number: that of both pistons in it, and of no others.
+    pub number: usize,
+    /// Whether it is told by the other piston, whose dead centre is when it fires.
+    pub is_second: bool,
 }
 
 impl<A, L> Cylinder<A, L> {
@@ -50,6 +61,7 @@ impl<A, L> Cylinder<A, L> {
             knuckle_mass: BigRational::zero(),
             pin,
             crank: 0,
+            shared: None,
         }
     }
 
@@ -86,6 +98,7 @@ impl<A, L> Cylinder<A, L> {
             knuckle_mass: self.knuckle_mass.clone(),
             pin: self.pin,
             crank: self.crank,
+            shared: self.shared,
         })
     }
 }

@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::cylinder::Cylinder;
+use super::shared::firing_pistons;
 
 /// How many revolutions it takes until a cylinder fires again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,10 +58,10 @@ impl Firing {
         self.intervals().windows(2).all(|pair| pair[0] == pair[1])
     }
 
-    /// A two-stroke engine fires at every top dead centre.
+    /// A two-stroke engine fires at every top dead centre; where two pistons share a cylinder, at that of the first.
     pub fn two_stroke(cylinders: &[Cylinder]) -> Self {
-        let angles = (0..cylinders.len()).map(|index| top_dead_centre(cylinders, index, 0)).collect();
-        Firing::sorted(angles, Cycle::TwoStroke)
+        let fired = firing_pistons(cylinders).into_iter();
+        Firing::sorted(fired.map(|index| (index, top_dead_centre(cylinders, index, 0))).collect(), Cycle::TwoStroke)
     }
 
     /// The firings that a firing order and the throws leave; the error says what is wrong, and what would be right.
@@ -97,14 +98,15 @@ impl Firing {
 
     /// The firings at given crank angles, one per cylinder.
     pub fn from_angles(angles: &[BigRational], cycle: Cycle, cylinders: &[Cylinder]) -> Result<Self, (String, String)> {
-        if angles.len() != cylinders.len() {
-            let message = format!("{} firing angles for {} cylinders", angles.len(), cylinders.len());
+        let fired = firing_pistons(cylinders);
+        if angles.len() != fired.len() {
+            let message = format!("{} firing angles for {} cylinders", angles.len(), fired.len());
             return Err((message, "one per cylinder, in the order of the cylinders".into()));
         }
         let first = &angles[0];
         let revolutions = cycle.turns();
         let mut within = Vec::with_capacity(angles.len());
-        for (index, angle) in angles.iter().enumerate() {
+        for (index, angle) in fired.into_iter().zip(angles) {
             let angle = angle - first;
             let right = top_dead_centre(cylinders, index, 0);
             if !(&angle - &right).is_integer() {
@@ -112,14 +114,14 @@ impl Firing {
                 let message = format!("cylinder {name} cannot fire {}° after the first", degrees(&angle));
                 return Err((message, format!("it reaches top dead centre at {}°, and every 360°", degrees(&right))));
             }
-            within.push(&angle - (&angle / &revolutions).floor() * &revolutions);
+            within.push((index, &angle - (&angle / &revolutions).floor() * &revolutions));
         }
         Ok(Firing::sorted(within, cycle))
     }
 
-    fn sorted(angles: Vec<BigRational>, cycle: Cycle) -> Self {
+    fn sorted(angles: Vec<(usize, BigRational)>, cycle: Cycle) -> Self {
         let shot = |(cylinder, angle)| Shot { cylinder, angle };
-        let mut shots: Vec<Shot> = angles.into_iter().enumerate().map(shot).collect();
+        let mut shots: Vec<Shot> = angles.into_iter().map(shot).collect();
         shots.sort_by(|a, b| (&a.angle, a.cylinder).cmp(&(&b.angle, b.cylinder)));
         Firing { cycle, shots }
     }

@@ -31,16 +31,3 @@ pub enum Form {
     /// One table per cylinder.
     General,
 }
-
-impl Form {
-    /// Whether two pistons share each cylinder, so that it is not each piston that fires.
-    pub fn has_two_pistons_in_a_cylinder(self) -> bool {
-        match self {
-            Form::OpposedPiston | Form::Delta => true,
-            Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::Vr | Form::W | Form::Radial => {
-                false
-            }
-            Form::U | Form::H | Form::General => false,
-        }
-    }
-}

@@ -15,6 +15,7 @@ use super::crankshaft::Crankshaft;
 use super::cylinder::Cylinder;
 use super::draft::ReferencePlane;
 use super::model::Engine;
+use super::torsion::NoShaft;
 use crate::exact::{Term, Turn};
 use crate::proof::Sense;
 
@@ -106,6 +107,27 @@ pub(super) fn own_order(speed: u32, order: u32) -> Option<u32> {
     (speed > 0 && order.is_multiple_of(speed)).then(|| order / speed)
 }
 
+impl<A, L> Engine<A, L> {
+    /// How many times each crankpin turns while the reference turns once, below 0 against it.
+    ///
+    /// # Errors
+    /// A pin of two crankshafts.
+    pub fn pin_speeds(&self) -> Result<Vec<i64>, NoShaft> {
+        let mut cranks: Vec<Option<usize>> = Vec::new();
+        for cylinder in self.cylinders() {
+            cranks.resize(cranks.len().max(cylinder.pin + 1), None);
+            if cranks[cylinder.pin].replace(cylinder.crank).is_some_and(|other| other != cylinder.crank) {
+                return Err(NoShaft::OfTwoCranks(cylinder.pin + 1));
+            }
+        }
+        let speed = |crank: &GearedCrank| match crank.sense {
+            Sense::Direct => i64::from(crank.speed),
+            Sense::Reverse => -i64::from(crank.speed),
+        };
+        Ok(cranks.into_iter().map(|crank| self.geared_cranks().get(crank.unwrap_or(0)).map_or(1, speed)).collect())
+    }
+}
+
 impl Engine {
     /// One of several crankshafts by itself, as it is looked at: its cylinders, its counterweights, and its pins where they stand.
     pub fn crankshaft_alone(&self, crank: usize) -> Option<Engine> {
@@ -113,9 +135,11 @@ impl Engine {
         draft.reference_plane = ReferencePlane::Named(self.reference_plane().clone());
         draft.cylinders.retain(|cylinder| cylinder.crank == crank);
         for cylinder in &mut draft.cylinders {
-            (cylinder.throw, cylinder.crank) = (self.pin_angle(cylinder), 0);
+            (cylinder.throw, cylinder.crank, cylinder.shared) = (self.pin_angle(cylinder), 0, None);
         }
         (draft.geared_cranks, draft.firing) = (Vec::new(), None);
+        // What is of all cylinders or pins does not fit some of them.
+        (draft.gas, draft.misfire, draft.torsion) = (None, None, None);
         let mut counterweights = self.crankshaft().counterweights.clone();
         counterweights.retain(|weight| weight.crank == crank);
         for weight in &mut counterweights {

@@ -66,13 +66,15 @@ impl Engine {
             None => return Err(NoMisfire::NothingFires),
             Some(gas) => Some(self.unburnt(gas, index).ok_or_else(|| NoMisfire::Compressor(name.to_owned()))?),
         };
-        let draft = Draft { gas, misfire: Some(index), ..self.clone().into_draft() };
+        let told_by = self.partner(index).filter(|_| self.is_second_piston(index)).unwrap_or(index);
+        let draft = Draft { gas, misfire: Some(told_by), ..self.clone().into_draft() };
         Ok(Engine::new(draft, self.reference_plane().clone(), self.orders().to_vec()))
     }
 
     /// The gas with a law of its own in this cylinder; none of a compressor.
     fn unburnt(&self, gas: &Gas, index: usize) -> Option<Gas> {
         let mut gas = gas.clone();
+        let partner = self.partner(index);
         let chamber = &mut gas.chambers[index];
         let law = match &gas.laws[chamber.law] {
             PressureLaw::Cycle(ideal) => {
@@ -93,6 +95,9 @@ impl Engine {
             chamber.below = None;
         }
         chamber.law = gas.laws.len();
+        if let Some(partner) = partner {
+            gas.chambers[partner] = gas.chambers[index].clone();
+        }
         gas.laws.push(law);
         Some(gas)
     }

@@ -178,7 +178,9 @@ pub enum NoShaft {
         /// How many discs there are.
         discs: usize,
     },
-    /// A crankpin on a disc that turns at another speed than the first crankpin, both by their numbers from 1.
+    /// A crankpin of two crankshafts, by its number from 1.
+    OfTwoCranks(usize),
+    /// A crankpin on a disc that gears turn otherwise than its crankshaft, both by their numbers from 1.
     Geared {
         /// The crankpin.
         pin: usize,
@@ -222,7 +224,13 @@ impl fmt::Display for NoShaft {
                 write!(f, "crankpin {pin} is on disc {disc}; there are {discs}, numbered from 1")
             }
             NoShaft::Geared { pin, disc } => {
-                write!(f, "crankpin {pin} is on disc {disc}, which gears turn at another speed than the first crankpin")
+                write!(
+                    f,
+                    "crankpin {pin} is on disc {disc}, which gears turn at another speed, or in another sense, beside the first crankpin than its crankshaft turns"
+                )
+            }
+            NoShaft::OfTwoCranks(pin) => {
+                write!(f, "crankpin {pin} is of two crankshafts; number those of each by themselves")
             }
         }
     }
@@ -273,11 +281,11 @@ impl Torsion {
         ratios
     }
 
-    /// Whether it is a shaft for this many crankpins.
+    /// Whether it is a shaft for crankpins of these speeds, below 0 against the first crankshaft.
     ///
     /// # Errors
     /// The first thing that does not fit.
-    pub fn check(&self, pins: usize) -> Result<(), NoShaft> {
+    pub fn check(&self, pins: &[i64]) -> Result<(), NoShaft> {
         let discs = self.inertias.len();
         if !(2..=MOST_DISCS).contains(&discs) {
             return Err(NoShaft::Discs(discs));
@@ -290,14 +298,16 @@ impl Torsion {
         }
         self.check_values()?;
         self.check_tree()?;
-        if self.pins.len() != pins {
-            return Err(NoShaft::Pins { given: self.pins.len(), pins });
+        if self.pins.len() != pins.len() {
+            return Err(NoShaft::Pins { given: self.pins.len(), pins: pins.len() });
         }
         if let Some((pin, disc)) = self.pins.iter().enumerate().find(|(_, disc)| **disc >= discs) {
             return Err(NoShaft::NoSuchDisc { pin: pin + 1, disc: disc + 1, discs });
         }
         let ratios = self.ratios();
-        let alone = self.pins.iter().enumerate().find(|(_, disc)| ratios[**disc] != ratios[self.pins[0]]);
+        let turns_so =
+            |(pin, disc): (usize, &usize)| ratios[*disc] == Some(BigRational::new(pins[pin].into(), pins[0].into()));
+        let alone = self.pins.iter().enumerate().find(|(pin, disc)| !turns_so((*pin, *disc)));
         alone.map_or(Ok(()), |(pin, disc)| Err(NoShaft::Geared { pin: pin + 1, disc: disc + 1 }))
     }
 

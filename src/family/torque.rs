@@ -77,6 +77,9 @@ pub fn firing_stars(
     if family.mechanisms().len() > 1 {
         return Err(NoOpenStar::RodsDiffer);
     }
+    if family.has_opposed_pistons() {
+        return Err(NoStar::OpposedPistons.into());
+    }
     weights.fit(family.cylinders().len())?;
     family.cycle().map_or(Ok(()), |cycle| are_orders_of(cycle, orders))?;
     let radii = family.cylinders().iter().map(|cylinder| &cylinder.crank_radius);

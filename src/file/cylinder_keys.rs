@@ -10,10 +10,10 @@ use super::error::LayoutError;
 use super::forms::Expanded;
 use super::geared_keys;
 use super::numbering::cylinder_name;
-use super::quantities;
+use super::quantities::{self, misread};
 use super::shared_keys::{SharedKeys, Throws};
 use super::written::{Table, Text, place};
-use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
+use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS, Shared};
 
 /// `[[cylinder]]`: one of the tables.
 #[derive(Deserialize)]
@@ -26,6 +26,7 @@ pub(super) struct Keys {
     pub reciprocating_mass: Option<Text>,
     pin: Option<Text>,
     crankshaft: Option<Text>,
+    opposed_to: Option<Text>,
 }
 
 /// The cylinders of the tables, on the crankshafts that they name.
@@ -83,6 +84,15 @@ pub(super) fn expand(
     let mut cylinders = cylinders.collect::<Result<Vec<_>, LayoutError>>()?;
     number_pins(&mut cylinders);
     check_names(&cylinders, tables)?;
+    for (index, table) in tables.iter().enumerate() {
+        if let Some(text) = &table.get_ref().0.opposed_to {
+            if matches!(throws, Throws::Follow { .. }) {
+                let right = "write the throw of each cylinder: two pistons in one do not follow from a firing order";
+                return Err(LayoutError::new("opposed pistons without throws", right, place(text)));
+            }
+            face(&mut cylinders, index, text)?;
+        }
+    }
     let geared = cranks.into_iter().map(|(geared, _)| geared).collect();
     let pin_offsets = None;
     Ok(Expanded { form: Form::General, cylinders, length_unit, positions_given: true, throws, pin_offsets, geared })
@@ -102,6 +112,27 @@ fn number_pins(cylinders: &mut [Cylinder<Linear, Linear>]) {
     for cylinder in cylinders {
         cylinder.pin = numbers.partition_point(|&number| number < cylinder.pin);
     }
+}
+
+/// Two pistons face each other in one cylinder, which is told by the one that the other names.
+fn face(cylinders: &mut [Cylinder<Linear, Linear>], index: usize, text: &Text) -> Result<(), LayoutError> {
+    let written = &text.get_ref().0;
+    let Some(first) = cylinders.iter().position(|other| other.name == *written).filter(|first| *first != index) else {
+        return Err(misread("opposed piston", written, "the name of another cylinder".to_owned(), text));
+    };
+    let [one, other] = [first, index].map(|piston| &cylinders[piston]);
+    let half = Linear::constant(BigRational::new(1.into(), 2.into()));
+    let turned = one.bank.minus(&other.bank).plus(&half);
+    let faces = turned.as_known().is_some_and(BigRational::is_integer) && one.position == other.position;
+    if !faces || one.shared.is_some() || other.shared.is_some() {
+        let message = format!("piston {} cannot share a cylinder with {}", other.name, one.name);
+        let right = "two pistons at one position whose banks are 180° apart, named by one of them";
+        return Err(LayoutError::new(message, right, place(text)));
+    }
+    for (piston, is_second) in [(first, false), (index, true)] {
+        cylinders[piston].shared = Some(Shared { number: first, is_second });
+    }
+    Ok(())
 }
 
 fn check_names(cylinders: &[Cylinder<Linear, Linear>], tables: &[Spanned<Table<Keys>>]) -> Result<(), LayoutError> {

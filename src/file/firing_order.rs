@@ -11,7 +11,7 @@ use serde_spanned::Spanned;
 use super::error::LayoutError;
 use super::quantities;
 use super::written::{Text, Written, place};
-use crate::engine::{Cylinder, Family, OpenFiring};
+use crate::engine::{Cylinder, Family, OpenFiring, firing_pistons};
 
 /// A firing order as written: `"1-3-4-2"` or `[1, 3, 4, 2]`.
 pub(super) struct FiringOrder(Vec<String>);
@@ -48,8 +48,9 @@ impl FiringOrder {
         cylinders: &[Cylinder<A, L>],
         span: Option<Range<usize>>,
     ) -> Result<Vec<usize>, LayoutError> {
-        let names: Vec<&str> = cylinders.iter().map(|cylinder| cylinder.name.as_str()).collect();
-        self.permutation(&names, span)
+        let fired = firing_pistons(cylinders);
+        let names: Vec<&str> = fired.iter().map(|&index| cylinders[index].name.as_str()).collect();
+        Ok(self.permutation(&names, span)?.into_iter().map(|place| fired[place]).collect())
     }
 
     /// How many cylinders it names.
@@ -91,6 +92,13 @@ pub(super) fn open_firing(
     if family.cycle().is_none() {
         return without_cycle(order, angles).map(|()| None);
     }
+    if let Some(span) =
+        order.and_then(place).or_else(|| angles.and_then(place)).filter(|_| family.has_opposed_pistons())
+    {
+        let message =
+            "when the cylinders fire, in an engine with two pistons in each whose angles or positions are open";
+        return Err(LayoutError::new(message, "give the unknowns values below [values]", Some(span)));
+    }
     match (order, angles) {
         (None, None) => Ok(None),
         (Some(order), None) => {
@@ -126,22 +134,6 @@ pub(super) fn without_cycle(
             "when the cylinders fire depends on the cycle, which is missing",
             "add cycle = \"four-stroke\" or \"two-stroke\"",
             span,
-        )),
-    }
-}
-
-/// Where two pistons share a cylinder, it is not pistons that fire.
-pub(super) fn without_pistons_of_their_own(
-    order: Option<&Spanned<FiringOrder>>,
-    angles: Option<&Spanned<Vec<Text>>>,
-) -> Result<(), LayoutError> {
-    let given = order.and_then(place).or_else(|| angles.and_then(place));
-    match given {
-        None => Ok(()),
-        Some(span) => Err(LayoutError::new(
-            "when the cylinders fire, in an engine with two pistons in each",
-            "leave it out: forces and moments do not need it, and the gas torque of opposed pistons is not computed",
-            Some(span),
         )),
     }
 }

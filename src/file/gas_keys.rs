@@ -140,7 +140,26 @@ pub(super) fn read(
             return Err(LayoutError::new(message, right, layers.span));
         }
         // A table of pressures may have a column of each cylinder.
-        chambers.push(of_table[index % of_table.len()].clone());
+        let mut chamber = of_table[index % of_table.len()].clone();
+        if cylinder.shared.is_some() {
+            if layers.pick(|keys| &keys.dead_centre).is_none() {
+                // Those of two cranks are apart by the lead; what both pistons compress is least between them.
+                chamber.zero = DeadCentre::Piston;
+            }
+            if chamber.below.is_some() {
+                let right = "leave the pressure below the piston and piston_rod out: opposed pistons work between them";
+                return Err(LayoutError::new("double-acting pistons in a shared cylinder", right, layers.span));
+            }
+            let number = |cylinder: &Cylinder<Linear, Linear>| cylinder.shared.map(|shared| shared.number);
+            let first = cylinders[..index].iter().position(|other| number(other) == number(cylinder));
+            if let Some(first) = first.filter(|&first| chambers[first] != chamber) {
+                let message =
+                    format!("pistons {} and {} share a cylinder, and its gas differs", names[first], names[index]);
+                let right = "one bore and one pressure: name both in one [[gas.cylinder]], or neither";
+                return Err(LayoutError::new(message, right, layers.span));
+            }
+        }
+        chambers.push(chamber);
     }
     Ok(Gas { laws, chambers })
 }

@@ -13,7 +13,7 @@ use super::geared_keys::{Axis, Distance, Geared, sense};
 use super::quantities::{List, angles, misread, optional_angle};
 use super::shared_keys::Throws;
 use super::written::{Text, place};
-use crate::engine::{Convention, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
+use crate::engine::{Convention, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS, Shared};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
@@ -73,11 +73,13 @@ struct Bank {
     suffix: &'static str,
     /// Where its crankshaft is in a list of all throws.
     listed: usize,
+    /// Which cylinder of a row its piston shares with another, and whether it is the second there; none where it has one of its own.
+    within: Option<(usize, bool)>,
 }
 
 impl Bank {
     fn new(crank: usize, axis: i64, ahead: Linear) -> Self {
-        Bank { crank, axis: degrees(axis), ahead, suffix: "", listed: crank }
+        Bank { crank, axis: degrees(axis), ahead, suffix: "", listed: crank, within: None }
     }
 }
 
@@ -95,8 +97,8 @@ impl OpposedPiston {
         };
         let upper = self.sense.as_ref().map_or(Ok(Sense::Direct), sense)?;
         let banks = [
-            Bank { suffix: "a", ..Bank::new(0, 0, Linear::default()) },
-            Bank { suffix: "b", ..Bank::new(1, 180, degrees(180).plus(&of_upper)) },
+            Bank { suffix: "a", within: Some((0, false)), ..Bank::new(0, 0, Linear::default()) },
+            Bank { suffix: "b", within: Some((0, true)), ..Bank::new(1, 180, degrees(180).plus(&of_upper)) },
         ];
         let cranks = above_each_other(["lower", "upper"], upper, self.distance.as_ref());
         expand(Form::OpposedPiston, &self.throws, (&self.spacing, &self.positions), &banks, cranks)
@@ -181,7 +183,8 @@ impl Delta {
             let mut bank = |next: usize, axis, ahead, suffix| {
                 let ahead = as_drawn(&degrees(ahead + axis), convention);
                 let (crank, listed) = ((index + next) % 3, (corner + next) % 3);
-                banks.push(Bank { crank, axis: as_drawn(&degrees(axis), convention), ahead, suffix, listed });
+                let axis = as_drawn(&degrees(axis), convention);
+                banks.push(Bank { crank, axis, ahead, suffix, listed, within: Some((corner, next == 1)) });
             };
             bank(0, exhaust, ahead, EXHAUST[corner]);
             bank(1, inlet, ahead - lead, INLET[corner]);
@@ -262,6 +265,7 @@ fn of_throws(
             let on = bank.listed * count + pin;
             let mut cylinder = Cylinder::new(throw.plus(&bank.ahead), bank.axis.clone(), position.clone(), on);
             cylinder.crank = bank.crank;
+            cylinder.shared = bank.within.map(|(of_row, is_second)| Shared { number: of_row * count + pin, is_second });
             if !bank.suffix.is_empty() {
                 cylinder.name = format!("{}{}", pin + 1, bank.suffix);
             }

@@ -154,21 +154,11 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
     let above =
         SharedKeys { order: file.firing_order.as_ref(), angles: file.firing_angles.as_ref(), cycle, convention };
     let mut expanded = expand(&file, &above)?;
-    if !expanded.geared.is_empty() {
-        let given = [("a torsional model", file.torsion.as_ref().and_then(place))];
-        if let Some((what, span)) = given.into_iter().find(|(_, span)| span.is_some()) {
-            let message = format!("{what} in an engine with several crankshafts");
-            return Err(LayoutError::new(message, "leave it out: it is known of one crankshaft alone so far", span));
-        }
-    }
     let faster = geared_keys::faster(geared_keys::several(file.crankshaft.as_ref()));
     if let Some(span) = faster.and(above.order.and_then(place).or_else(|| above.angles.and_then(place))) {
         let message = "when cylinders fire, in an engine with a crankshaft that turns faster than the first";
         let right = "leave it out: it is known where all crankshafts turn equally fast so far";
         return Err(LayoutError::new(message, right, Some(span)));
-    }
-    if expanded.form.has_two_pistons_in_a_cylinder() {
-        firing_order::without_pistons_of_their_own(above.order, above.angles)?;
     }
     convention_keys::turn(&mut expanded.cylinders, &mut expanded.geared, convention);
     firing_throws::follow(&mut expanded, &above)?;
@@ -276,7 +266,7 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
         let torsion = Some(torsion_keys::read(table, &engine)?);
         engine = built(Draft { torsion, ..engine.into_draft() }.build())?;
     }
-    let firing = match engine.form().has_two_pistons_in_a_cylinder() || faster.is_some() {
+    let firing = match faster.is_some() {
         true => None,
         false => known_firing::read(&above, &values, &engine)?,
     };

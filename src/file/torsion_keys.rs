@@ -106,7 +106,7 @@ pub(super) fn read(table: &Spanned<Table<Keys>>, engine: &Engine) -> Result<Tors
         rated_speed: keys.rated_speed.as_ref().map(speed).transpose()?,
         speeds: keys.speed_range.as_ref().map(range).transpose()?,
     };
-    match torsion.check(pins) {
+    match engine.pin_speeds().and_then(|speeds| torsion.check(&speeds)) {
         Ok(()) => Ok(torsion),
         Err(why) => {
             let right = "inertias = one per disc from the free end on, stiffnesses = one between each two, crankpins_at = the disc of each \
@@ -222,7 +222,7 @@ impl Keys {
             NoShaft::NoDisc { what: (_, number), .. } => table(&self.damper, *number),
             NoShaft::Apart(number) => item(&self.inertias, *number),
             NoShaft::Discs(_) => discs(),
-            NoShaft::Pins { .. } | NoShaft::NoSuchDisc { .. } | NoShaft::Geared { .. } => {
+            NoShaft::Pins { .. } | NoShaft::NoSuchDisc { .. } | NoShaft::Geared { .. } | NoShaft::OfTwoCranks(_) => {
                 self.crankpins_at.as_ref().map_or_else(discs, place)
             }
         }

@@ -66,7 +66,7 @@ impl Weights {
 pub enum NoStar {
     /// The layout says neither in which order nor when the cylinders fire.
     NoFiring,
-    /// Two pistons share each cylinder: it is not each piston that fires.
+    /// Two pistons share each cylinder, and what is asked is known only of those alike, with known angles, on a rigid crankshaft.
     OpposedPistons,
     /// A half order of an engine that fires once per revolution.
     HalfOrder(CycleOrder),
@@ -89,7 +89,7 @@ impl fmt::Display for NoStar {
                  their firing, or firing_angles in degrees, one per cylinder; of a two-stroke engine cycle = \"two-stroke\" is enough",
             ),
             NoStar::OpposedPistons => f.write_str(
-                "the gas torque of opposed pistons in one cylinder is not computed; the forces and moments of the masses are: classify, report and loads give them",
+                "firing stars of opposed pistons are decided where the two move alike in all cylinders, of known angles, and without a mode shape; torque gives the orders of any",
             ),
             NoStar::FasterCrank => f.write_str(
                 "when the cylinders of crankshafts of different speeds fire is not decided; firing stars are those of crankshafts that turn equally fast",
@@ -109,10 +109,9 @@ impl std::error::Error for NoStar {}
 /// When the cylinders fire.
 ///
 /// # Errors
-/// A layout that does not say it, two pistons in each cylinder, and crankshafts of different speeds.
+/// A layout that does not say it, and crankshafts of different speeds.
 pub fn firing_of(engine: &Engine) -> Result<&Firing, NoStar> {
     let why = || match engine.faster_crank() {
-        _ if engine.form().has_two_pistons_in_a_cylinder() => NoStar::OpposedPistons,
         Some(_) => NoStar::FasterCrank,
         None => NoStar::NoFiring,
     };
@@ -136,15 +135,18 @@ pub fn are_orders_of(cycle: Cycle, orders: &[CycleOrder]) -> Result<(), NoStar> 
 /// See [`NoStar`].
 pub fn firing_stars(engine: &Engine, orders: &[CycleOrder], weights: &Weights) -> Result<Vec<StarOrder>, NoStar> {
     let firing = firing_of(engine)?;
+    if engine.has_opposed_pistons() && (weights.is_mode_shape() || !engine.pairs_are_alike()) {
+        return Err(NoStar::OpposedPistons);
+    }
     weights.fit(engine.cylinders().len())?;
     are_orders_of(firing.cycle, orders)?;
     Ok(orders.iter().map(|&order| StarOrder::new(engine, firing, order, weights)).collect())
 }
 
 /// The stars of one order without their certificates, one for each class of cylinders: of whole orders for any engine whose crankshafts turn equally
-/// fast, of half orders where it is known when the cylinders of a four-stroke fire; none where two pistons share a cylinder.
+/// fast, of half orders where it is known when the cylinders of a four-stroke fire; none where two pistons share a cylinder and not all do so alike.
 pub fn star_sums(engine: &Engine, order: CycleOrder) -> Option<Vec<PhasorSum>> {
-    if engine.faster_crank().is_some() || engine.form().has_two_pistons_in_a_cylinder() {
+    if engine.faster_crank().is_some() || engine.has_opposed_pistons() && !engine.pairs_are_alike() {
         return None;
     }
     let dead_centres = || Firing::two_stroke(engine.cylinders());

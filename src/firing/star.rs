@@ -103,11 +103,12 @@ fn angle_of(firing: &Firing, cylinder: usize) -> &BigRational {
     &shot.unwrap_or_else(|| unreachable!("each cylinder fires once in a cycle")).angle
 }
 
-/// The cylinders by rod ratio and offset, in the order of the first of each; one class where no rod is known.
+/// The cylinders by rod ratio and offset, in the order of the first of each; one class where no rod is known. Of two pistons in one cylinder the
+/// first stands for both: where they move alike in all, what they turn the crank with is in proportion to its star.
 fn classes(engine: &Engine) -> Vec<Vec<usize>> {
     let mut classes: Vec<(Option<Mechanism>, Vec<usize>)> = Vec::new();
-    for (index, cylinder) in engine.cylinders().iter().enumerate() {
-        let mechanism = cylinder.mechanism.as_ref().map(Mechanism::motion);
+    for index in engine.firing_pistons() {
+        let mechanism = engine.cylinders()[index].mechanism.as_ref().map(Mechanism::motion);
         match classes.iter_mut().find(|(own, _)| *own == mechanism) {
             Some((_, members)) => members.push(index),
             None => classes.push((mechanism, vec![index])),

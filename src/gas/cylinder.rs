@@ -46,7 +46,7 @@ impl CylinderGas {
         let chamber = &gas.chambers[index];
         let mut geometry = Geometry::new(engine, index, &chamber.bore)?;
         let zero = match chamber.zero {
-            DeadCentre::Crank => 0.0,
+            DeadCentre::Crank => geometry.crank_of_first(engine.is_second_piston(index)),
             DeadCentre::Piston => geometry.outermost,
         };
         let (law, heat) = match &gas.laws[chamber.law] {
@@ -91,6 +91,11 @@ impl CylinderGas {
     /// Heat released in a cycle in joules; none where the pressure comes from a table, or nothing burns.
     pub fn heat(&self) -> Option<f64> {
         self.heat
+    }
+
+    /// How many pistons share the cylinder: its work is that of all.
+    pub fn pistons(&self) -> u32 {
+        self.geometry.pistons()
     }
 
     /// Revolutions of a cycle.
@@ -148,7 +153,7 @@ impl CylinderGas {
         self.sides[0].law.peak(&self.geometry)
     }
 
-    /// Indicated work of a cycle in joules: the area of the loop, of both sides together.
+    /// Indicated work of a cycle in joules: the area of the loop, of both sides together, and of both pistons where two share the cylinder.
     pub fn work(&self) -> f64 {
         self.sides.iter().map(|side| side.law.work(&self.geometry) * (side.area / self.geometry.area)).sum()
     }

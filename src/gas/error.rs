@@ -18,6 +18,8 @@ pub enum NoGas {
     Mean(f64),
     /// A stage of a compressor whose piston cannot reach the pressure of delivery, or never takes in.
     Delivery,
+    /// Two pistons that face each other and move together, so that the volume between them stays as it is.
+    Still,
     /// Numbers that no decimal can hold.
     TooLarge,
 }
@@ -44,6 +46,9 @@ impl fmt::Display for NoGas {
             ),
             NoGas::Delivery => f.write_str(
                 "the compressor never delivers: its clearance is too large for the pressure of delivery; make one of them smaller",
+            ),
+            NoGas::Still => f.write_str(
+                "the two pistons of a cylinder move together, and the volume between them stays as it is; give another lead",
             ),
             NoGas::TooLarge => f.write_str("the pressures, the bore or the stroke are too large for decimals"),
         }

@@ -38,8 +38,6 @@ pub enum Missing {
     Gas(NoGas),
     /// When its cylinders fire.
     Firing,
-    /// The gas of two pistons in one cylinder is not computed.
-    OpposedPistons,
     /// A reciprocating mass or a speed, without which gas and masses are in no common unit.
     MassesOrSpeed,
 }
@@ -72,7 +70,6 @@ impl fmt::Display for Missing {
             Missing::Beam(mistake) => mistake.fmt(f),
             Missing::Gas(lack) => lack.fmt(f),
             Missing::Firing => NoStar::NoFiring.fmt(f),
-            Missing::OpposedPistons => NoStar::OpposedPistons.fmt(f),
             Missing::MassesOrSpeed => f.write_str(
                 "the layout gives no masses or no speed; add speed = 3000 above the first table, in revolutions a minute, and reciprocating_mass below [mechanism]",
             ),

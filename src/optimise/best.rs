@@ -17,9 +17,12 @@ use super::{Couple, Request};
 use crate::engine::{Engine, throws};
 use crate::exact::Turn;
 use crate::file::FileResolver;
+use crate::loads::Scale;
 
 /// Part by which the mass, or the peak, may exceed its optimum where the other is made least among all that reach it.
 pub(super) const SLACK: f64 = 1e-6;
+/// What the rounding of irrational numbers may leave, in multiples of m r ω² a cylinder.
+const SLIGHT: f64 = 1e-9;
 
 /// A problem with what its solutions share.
 pub(super) struct Search<'a> {
@@ -88,32 +91,44 @@ impl<'a> Search<'a> {
         let draft = self.engine.with_counterweights(weights.iter().flatten().cloned().collect());
         let draft = draft.map_err(|error| OptimiseError::Unsolved(error.to_string()))?;
         let notes: Vec<String> = self.places.iter().map(|place| note(&weight(&draft, place))).collect();
-        let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple));
+        let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple, self.problem.is_exact));
         let engine = file::with_counterweights((self.engine, self.beside), &weights, &head, &notes)?;
         let design = measure(&engine, &self.places, &self.wish.orders)?;
-        if !keeps(&design, &self.wish.couple) {
+        if !self.keeps(&design) {
             return Err(OptimiseError::Unsolved("the rounded counterweights do not keep the balance".to_owned()));
         }
         let least = bound.at(design.mass.to_f64().unwrap_or(f64::INFINITY));
         Ok(Optimum { engine, design, least })
     }
+
+    /// Whether force and couple are what was asked for, proved: nothing, or with offsets next to nothing.
+    fn keeps(&self, design: &Design) -> bool {
+        let slight = match (self.problem.is_exact, &design.scale) {
+            (true, _) => 0.0,
+            (false, scale) => SLIGHT * scale.as_ref().map_or(1.0, Scale::force) * self.engine.cylinders().len() as f64,
+        };
+        let longest = self.problem.arms.iter().map(|arm| arm.abs()).fold(1.0, f64::max);
+        let is_at_most = |left: Residual, most: f64| match left {
+            Residual::Zero => true,
+            Residual::Between(_, high) => high <= most,
+        };
+        let couple = match &self.wish.couple {
+            Couple::Zero => slight * longest,
+            Couple::AtMost(most) => most.to_f64().unwrap_or(0.0).max(slight * longest),
+        };
+        is_at_most(design.force, slight) && is_at_most(design.couple, couple)
+    }
 }
 
 const PARTS: &str = "Tables at one position are one counterweight, written in parts along directions in which its mass-radius is exact:\ntheir masses add up to its own, and their common centre of gravity lies within the radius that it had to keep.";
 
-/// Whether force and couple are what was asked for, proved.
-fn keeps(design: &Design, couple: &Couple) -> bool {
-    let bounded = match (design.couple, couple) {
-        (Residual::Zero, _) => true,
-        (Residual::Between(_, high), Couple::AtMost(most)) => high <= most.to_f64().unwrap_or(0.0),
-        (Residual::Between(..), Couple::Zero) => false,
-    };
-    bounded && design.force == Residual::Zero
-}
-
-fn condition(couple: &Couple) -> String {
+fn condition(couple: &Couple, is_exact: bool) -> String {
     match couple {
-        Couple::Zero => "no first-order force or couple turns with the crank, exactly".to_owned(),
+        Couple::Zero if is_exact => "no first-order force or couple turns with the crank, exactly".to_owned(),
+        Couple::Zero => {
+            "no first-order force or couple turns with the crank, but for the rounding of an irrational number"
+                .to_owned()
+        }
         Couple::AtMost(most) => {
             format!("no first-order force turns with the crank, and a couple of {} N·m at most", decimal(most))
         }

@@ -4,11 +4,11 @@
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive};
 
 use super::error::OptimiseError;
+use super::first::First;
 use super::place::Place;
-use super::problem::direct;
 use crate::engine::{Engine, throws};
 use crate::exact::{PhasorSum, Term};
 use crate::journal::{self, bearing_peaks};
@@ -64,14 +64,14 @@ pub struct PlacedWeight {
 pub enum Residual {
     /// Nothing, proved: its exact sum vanishes.
     Zero,
-    /// Something, proved, and its length is between these two, by an enclosure of the exact sum.
+    /// Its length is between these two, by an enclosure of the exact sum, and of the irrational numbers that offsets put before it.
     Between(f64, f64),
 }
 
 /// Measures an engine with counterweights at these places, at these orders.
 ///
 /// # Errors
-/// What the engine lacks; [`OptimiseError::Offset`].
+/// What the engine lacks.
 pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Design, OptimiseError> {
     let loads = bearing_loads(engine, orders, Method::Continuous)?;
     let (Some(mass), Some(radius)) = (engine.crankshaft_mass(), &engine.dimensions().crank_radius) else {
@@ -80,7 +80,6 @@ pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Desi
     let unit = unit_mass(engine) * radius;
     let arm = |position: &BigRational| position - engine.reference_plane();
     let newtons = loads.scale.as_ref().map_or(1.0, Scale::force);
-    let in_units = |sum: PhasorSum, factor: f64| left(&sum.scaled(&unit.recip()), factor);
     let (peaks, worst) = match engine.effects().gas {
         false => (loads.bearings.iter().map(|bearing| bearing.peak.value).collect(), loads.worst),
         true if newtons == 0.0 => return Err(OptimiseError::Still),
@@ -97,36 +96,10 @@ pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Desi
         peaks,
         worst,
         weights: places.iter().map(|place| weight(engine, place)).collect(),
-        force: in_units(direct(engine, &|_| BigRational::one(), &unit)?, newtons),
-        couple: in_units(direct(engine, &arm, &unit)?, couple_scale),
+        force: First::new(engine, &|_| BigRational::one(), &unit)?.left(&unit, newtons),
+        couple: First::new(engine, &arm, &unit)?.left(&unit, couple_scale),
         scale: loads.scale,
     })
-}
-
-/// Bits behind the point of an enclosure.
-const BITS: u32 = 192;
-/// Part that the floats of a product may be off by.
-const ROUNDING: f64 = 1e-12;
-
-fn left(sum: &PhasorSum, factor: f64) -> Residual {
-    if sum.vanishes() {
-        return Residual::Zero;
-    }
-    let parts = numbers::enclose(sum, BITS);
-    let end = |(low, high): &(BigRational, BigRational), largest: bool| {
-        let inside = low.is_negative() && high.is_positive();
-        let (near, far) = if low.abs() < high.abs() { (low.abs(), high.abs()) } else { (high.abs(), low.abs()) };
-        let value = if largest {
-            far
-        } else if inside {
-            BigRational::zero()
-        } else {
-            near
-        };
-        value.to_f64().unwrap_or(f64::INFINITY)
-    };
-    let [low, high] = [false, true].map(|largest| end(&parts[0], largest).hypot(end(&parts[1], largest)) * factor);
-    Residual::Between(low * (1.0 - ROUNDING), high * (1.0 + ROUNDING))
 }
 
 /// What is at a place.

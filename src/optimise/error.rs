@@ -22,8 +22,6 @@ pub enum OptimiseError {
     NoMasses,
     /// No speed or no metres, so that a bound in newton-metres says nothing.
     NoSpeed,
-    /// A pin offset, whose coefficient of order 1 no rational counterweight holds in balance.
-    Offset,
     /// The first order, which counterweights work on, is not among the orders.
     NoFirstOrder,
     /// No points asked for, or more than say anything more.
@@ -59,9 +57,6 @@ impl fmt::Display for OptimiseError {
             ),
             OptimiseError::NoSpeed => f.write_str(
                 "a couple in N·m needs speed and metres: give `speed` above the first table, and `spacing` or `positions` of the cylinders",
-            ),
-            OptimiseError::Offset => f.write_str(
-                "with pin offsets the first order has an irrational coefficient, which no counterweight of rational mass cancels exactly; leave pin_offset out",
             ),
             OptimiseError::NoFirstOrder => {
                 f.write_str("counterweights work on order 1, which is not among the orders; add it to `orders` or --orders")

@@ -20,6 +20,7 @@ mod error;
 mod exact;
 mod felt;
 mod file;
+mod first;
 mod front;
 mod place;
 mod problem;

@@ -6,14 +6,14 @@ use num_traits::{One, Signed, ToPrimitive};
 
 use super::error::OptimiseError;
 use super::felt::Felt;
+use super::first::First;
 use super::place::Place;
 use super::{Couple, Request};
 use crate::beam::Beam;
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::{self, Arm, Method, bearing_loads};
-use crate::order::{self, Factor, OrderSum, unit_mass};
-use crate::proof::Sense;
+use crate::order::unit_mass;
 
 /// The problem. Mass-radii are in multiples of m r, forces of m r ω², masses in kilograms.
 pub(super) struct Problem {
@@ -27,9 +27,11 @@ pub(super) struct Problem {
     pub felt: Felt,
     /// The part of a load at each place that each bearing carries: `parts[bearing][place]`.
     pub parts: Vec<Vec<f64>>,
-    /// Direct first order of the shaking force without counterweights, exact in kilogram-metres: force, and moment about the reference
+    /// Direct first order of the shaking force without counterweights, in kilogram-metres: force, and moment about the reference
     /// plane. That of the bearing loads is longer by the side forces of the pistons.
     pub exact: [PhasorSum; 2],
+    /// Whether these are exact; with offsets an irrational number in them is rounded.
+    pub is_exact: bool,
     /// The same in multiples of m r.
     pub left: [Complex<f64>; 2],
     /// Position of the reference plane.
@@ -77,7 +79,8 @@ impl Problem {
                 .for_each(|(of_bearing, share)| of_bearing.push(float(share)));
         }
         let arm = |position: &BigRational| position - bare.reference_plane();
-        let exact = [direct(&bare, &|_| BigRational::one(), &unit)?, direct(&bare, &arm, &unit)?];
+        let first = [First::new(&bare, &|_| BigRational::one(), &unit)?, First::new(&bare, &arm, &unit)?];
+        let exact = first.each_ref().map(First::rounded);
         let left = [&exact[0], &exact[1]].map(|sum| crate::numbers::evaluate(sum) / float(&unit));
         Ok(Problem {
             bare_mass: float(&mass),
@@ -87,6 +90,7 @@ impl Problem {
             reference: bare.reference_plane().clone(),
             unit,
             parts,
+            is_exact: first.iter().all(First::is_exact),
             exact,
             left,
             most_couple,
@@ -101,22 +105,5 @@ impl Problem {
     /// What the counterweights add to a bearing, seen from the crank, with these mass-radii.
     pub fn added(&self, bearing: usize, weights: &[Complex<f64>]) -> Complex<f64> {
         self.parts[bearing].iter().zip(weights).map(|(part, weight)| weight * part).sum()
-    }
-}
-
-/// Half the direct first-order sum, which is the vector itself, in kilogram-metres.
-///
-/// The sums of an engine stand for `P⁺ = 2 · vector` (theory, section 3).
-pub(super) fn direct(
-    engine: &Engine,
-    weighing: &dyn Fn(&BigRational) -> BigRational,
-    unit: &BigRational,
-) -> Result<PhasorSum, OptimiseError> {
-    let half = unit / BigRational::from_integer(2.into());
-    let all = OrderSum::new(order::contributions(engine, 1, Sense::Direct).iter().map(|one| one.weighed(weighing)));
-    match all.only() {
-        None if all.vanishes() => Ok(PhasorSum::new(Vec::new())),
-        Some((Factor::One, sum)) => Ok(sum.scaled(&half)),
-        _ => Err(OptimiseError::Offset),
     }
 }

@@ -34,7 +34,7 @@ pub fn pair_height(engine: &Engine, order: u32) -> Option<PairHeight> {
     let alike = engine.cylinders().iter().all(|at| at.bank == first.bank && at.crank_radius == first.crank_radius);
     let upright = first.bank.turns().is_zero();
     let same_rods = engine.rods().all(|other: &Rod| other == rod);
-    let faster = engine.faster_crank().is_some();
+    let faster = engine.faster_crank().is_some() || engine.has_opposed_pistons();
     if faster
         || !alike
         || !upright

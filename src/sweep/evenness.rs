@@ -47,7 +47,7 @@ pub(super) fn evenness_of(engine: &Engine, cycle: Option<Cycle>, known: Option<&
         let (longest, shortest) = (intervals.iter().max()?.clone(), intervals.iter().min()?.clone());
         return Some(Evenness { longest, shortest, of_the_file: true });
     }
-    let cycle = cycle.filter(|_| !engine.form().has_two_pistons_in_a_cylinder())?;
+    let cycle = cycle.filter(|_| !engine.has_opposed_pistons())?;
     let (whole, length) = match known {
         Some(known) => known.top_dead_centres(),
         None => top_dead_centres(engine)?,
@@ -63,7 +63,7 @@ pub fn most_even_firings(engine: &Engine, cycle: Option<Cycle>) -> Vec<Firing> {
         return vec![firing.clone()];
     }
     let firings = || {
-        let cycle = cycle.filter(|_| !engine.form().has_two_pistons_in_a_cylinder())?;
+        let cycle = cycle.filter(|_| !engine.has_opposed_pistons())?;
         let (whole, length) = top_dead_centres(engine)?;
         let choices = Choices::new(&whole, length, cycle)?;
         let best = choices.most_even()?;

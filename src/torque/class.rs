@@ -1,6 +1,7 @@
 //! Which cylinders are equal, but for when they fire and what their pistons weigh?
 
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use super::HIGHEST;
 use super::bodies::{Bodies, Inertia, bodies};
@@ -25,26 +26,35 @@ pub struct Class {
     pub masses: Vec<BigRational>,
 }
 
-/// The crank angle θ at which each cylinder fires, in turns of the cycle, from that of the first cylinder to fire.
+/// The crank angle θ at which each piston is at the dead centre at which its cylinder fires, in turns of the cycle, from that of the first
+/// cylinder to fire.
 fn fires(engine: &Engine) -> Result<Vec<BigRational>, Missing> {
     let cylinders = engine.cylinders();
     let top = |index: usize| cylinders[index].top_dead_centre().turns().clone();
-    if engine.form().has_two_pistons_in_a_cylinder() {
-        return Err(Missing::OpposedPistons);
-    }
     if engine.faster_crank().is_some() {
         return Err(Missing::FasterCrank("the torque of the gas"));
     }
     let Some(firing) = engine.firing() else {
         // A cylinder alone fires at its dead centre.
-        return if cylinders.len() == 1 { Ok(vec![top(0)]) } else { Err(Missing::Firing) };
+        return match engine.firing_pistons().as_slice() {
+            [only] => Ok((0..cylinders.len()).map(|index| top(*only) + behind(engine, index)).collect()),
+            _ => Err(Missing::Firing),
+        };
     };
     let first = firing.shots.first().map_or_else(|| top(0), |shot| top(shot.cylinder));
     let mut angles = vec![first.clone(); cylinders.len()];
     for shot in &firing.shots {
         angles[shot.cylinder] = &first + &shot.angle;
+        if let Some(partner) = engine.partner(shot.cylinder) {
+            angles[partner] = &first + &shot.angle + behind(engine, partner);
+        }
     }
     Ok(angles)
+}
+
+/// By how much a piston comes to its dead centre after the first one of its cylinder, in turns.
+fn behind(engine: &Engine, index: usize) -> BigRational {
+    engine.lead(index).filter(|_| engine.is_second_piston(index)).map_or_else(BigRational::zero, |lead| -lead)
 }
 
 /// The classes of equal cylinders, in the order of their first ones.
@@ -60,7 +70,14 @@ pub fn classes(engine: &Engine) -> Result<Vec<Class>, Missing> {
         let (a, b) = (&cylinders[one], &cylinders[other]);
         a.mechanism == b.mechanism && a.crank_radius == b.crank_radius
     };
-    let is_alike = |one: usize, other: usize| gas.chambers[one] == gas.chambers[other] && moves_alike(one, other);
+    let faces_alike = |one: usize, other: usize| match (engine.partner(one), engine.partner(other)) {
+        (None, None) => true,
+        (Some(a), Some(b)) => engine.lead(one) == engine.lead(other) && moves_alike(a, b),
+        (None, Some(_)) | (Some(_), None) => false,
+    };
+    let is_alike = |one: usize, other: usize| {
+        gas.chambers[one] == gas.chambers[other] && moves_alike(one, other) && faces_alike(one, other)
+    };
     let mut classes: Vec<Class> = Vec::new();
     for (index, fires) in fires.into_iter().enumerate() {
         match classes.iter_mut().find(|class| is_alike(class.cylinders[0], index)) {
@@ -95,7 +112,9 @@ pub fn warnings(engine: &Engine, classes: &[Class]) -> Vec<(usize, Warning)> {
         let law = &gas.laws[gas.chambers[class.cylinders[0]].law];
         class.gas.warnings(law, cycle).into_iter().map(move |warning| (index, warning)).collect::<Vec<_>>()
     };
-    // What a cylinder does that was kept from firing is as it should be.
-    let fires = |(_, class): &(usize, &Class)| engine.misfire() != Some(class.cylinders[0]);
+    // What a cylinder does that was kept from firing is as it should be, and what two pistons share is told once.
+    let fires = |(_, class): &(usize, &Class)| {
+        engine.misfire() != Some(class.cylinders[0]) && !engine.is_second_piston(class.cylinders[0])
+    };
     classes.iter().enumerate().filter(fires).flat_map(of_class).collect()
 }

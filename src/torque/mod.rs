@@ -86,7 +86,7 @@ pub fn torque(engine: &Engine) -> Result<EngineTorque, Missing> {
     let each = |of: &dyn Fn(&Class) -> f64| -> f64 {
         classes.iter().map(|class| of(class) * class.cylinders.len() as f64).sum()
     };
-    let work = each(&|class| class.gas.work());
+    let work = each(&|class| class.gas.work() / f64::from(class.gas.pistons()));
     let mean = each(&|class| class.harmonics.torque[0].re);
     // Cylinders that work against each other leave a mean that is none.
     let mean = if mean.abs() <= each(&|class| class.harmonics.errors[2]) { 0.0 } else { mean };

@@ -14,7 +14,8 @@ pub struct Critical {
     pub order: CycleOrder,
     /// The speed in revolutions a minute.
     pub rpm: f64,
-    /// `Σ Δ_j r_j e^{−iκφ_j}`: the work of a torque of this order on the mode goes with its length.
+    /// `Σ Δ_j r_j e^{−iκφ_j}`: the work of a torque of this order on the mode goes with its length. Of two pistons in a cylinder both count when it
+    /// fires, as if neither led the other.
     pub star: Complex<f64>,
 }
 
@@ -23,7 +24,7 @@ pub struct Critical {
 pub struct CriticalSpeeds {
     /// The mode.
     pub mode: Mode,
-    /// The deflection at each cylinder.
+    /// The deflection at each cylinder, in the sense in which its crank turns.
     pub deflections: Vec<f64>,
     /// The longest star that the mode can have: `Σ |Δ_j| r_j`.
     pub longest: f64,
@@ -42,14 +43,19 @@ pub fn critical_speeds(
 ) -> Result<Vec<CriticalSpeeds>, NoStar> {
     let firing = firing_of(engine)?;
     are_orders_of(firing.cycle, orders)?;
+    let train = Train::new(torsion);
     let radius = |cylinder: usize| numbers::float(&engine.cylinders()[cylinder].crank_radius);
     let of_mode = |mode: Mode| {
-        let deflections: Vec<f64> =
-            engine.cylinders().iter().map(|cylinder| mode.shape[torsion.pins[cylinder.pin]]).collect();
+        let disc = |cylinder: &crate::engine::Cylinder| torsion.pins[cylinder.pin];
+        let deflection = |cylinder: &crate::engine::Cylinder| {
+            mode.shape[disc(cylinder)] * train.discs[disc(cylinder)].ratio.signum()
+        };
+        let deflections: Vec<f64> = engine.cylinders().iter().map(deflection).collect();
         let star = |order: CycleOrder| -> Complex<f64> {
             let vector = |shot: &crate::engine::Shot| {
                 let direction = numbers::direction(&order.phase(&shot.angle));
-                direction * deflections[shot.cylinder] * radius(shot.cylinder)
+                let pistons = engine.pistons_of(shot.cylinder);
+                direction * pistons.map(|piston| deflections[piston] * radius(piston)).sum::<f64>()
             };
             firing.shots.iter().map(vector).sum()
         };
@@ -58,5 +64,5 @@ pub fn critical_speeds(
         let longest = deflections.iter().enumerate().map(|(index, delta)| delta.abs() * radius(index)).sum();
         CriticalSpeeds { orders, longest, deflections, mode }
     };
-    Ok(modes(&Train::new(torsion)).into_iter().map(of_mode).collect())
+    Ok(modes(&train).into_iter().map(of_mode).collect())
 }

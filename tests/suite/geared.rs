@@ -427,7 +427,10 @@ fn mistakes_about_crankshafts_get_a_message_at_their_place() {
         ),
         (two.replace("offset = 4", "distance = 4") + &cylinder("crankshaft = 'a'"), "not given in one way"),
         (format!("{two}[inline]\nthrows = [0]"), "short form has its own"),
-        ("cycle = 'two-stroke'\nfiring_order = '1-2'\n[opposed_piston]\nthrows = [0]\nlead = 9".into(), "two pistons"),
+        (
+            "cycle = 'two-stroke'\nfiring_order = '1-2'\n[opposed_piston]\nthrows = [0]\nlead = 9".into(),
+            "which is not a cylinder",
+        ),
         ("[delta]\nrows = [0]\ncircumradius = 6\nagainst = ['D']".into(), "\"B\" or \"C\""),
         ("[delta]\nrows = [0]\ncircumradius = 6\nagainst = ['A', 'B', 'C']".into(), "leave one corner out"),
         ("[opposed_piston]\nthrows = [0]\nlead = 9\nleading = 'left'".into(), "\"upper\" or \"lower\""),

@@ -73,6 +73,7 @@ mod gear_teeth;
 mod geared;
 mod geared_drawings;
 mod geared_speeds;
+mod geared_torsion;
 mod german_figures;
 mod grigoryev;
 mod ground_truth;
@@ -108,6 +109,7 @@ mod open_certificate_cheats;
 mod open_circles;
 mod open_firing;
 mod open_ranges;
+mod opposed_gas;
 #[cfg(feature = "optimise")]
 mod optimise;
 mod output_folder;

@@ -9,6 +9,7 @@ use crankstar::page::{self, Format, Language, Options};
 use crankstar::report;
 use crankstar::sweep::{self, Geometry, Parameter, Sweep};
 use num_complex::Complex;
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use serde_json::json;
 
@@ -140,17 +141,25 @@ fn page_table_and_document_tell_the_stars() {
 }
 
 #[test]
-fn pistons_that_share_a_cylinder_have_no_firing_intervals_and_no_firing_stars() {
+fn pistons_that_share_a_cylinder_fire_together() {
     let opposed = "cycle = 'two-stroke'\nopposed_piston = { throws = [0, 120, 240], lead = 11 }";
     for text in [opposed, "cycle = 'two-stroke'\ndelta = { rows = [0], circumradius = 6 }"] {
         let engine = file::parse("layout.toml", text).expect("an engine");
-        assert_eq!(sweep::evenness(&engine, engine.cycle()), None);
-        assert!(sweep::most_even_firings(&engine, engine.cycle()).is_empty());
-        assert!(firing::star_sums(&engine, "1".parse().expect("an order")).is_none());
-        let why = firing::firing_of(&engine).expect_err("no firing").to_string();
-        assert!(why.contains("opposed pistons") && !why.contains("firing_order"), "{why}");
+        let even = sweep::evenness(&engine, engine.cycle()).expect("it fires");
+        // Those of a row of a delta fire 40° apart, and six rows fill the turn.
+        let [longest, shortest] = if text == opposed { [120, 120] } else { [280, 40] };
+        let turns = |degrees: i32| BigRational::new(degrees.into(), 360.into());
+        assert_eq!([even.longest, even.shortest], [turns(longest), turns(shortest)], "{text}");
+        assert_eq!(sweep::most_even_firings(&engine, engine.cycle()).len(), 1);
+        let stars = firing::star_sums(&engine, "1".parse().expect("an order")).expect("stars");
+        assert!(stars.len() == 1 && stars[0].terms().len() == 3, "{text}");
+        // Without a cycle nothing says how often they fire.
+        let silent = file::parse("layout.toml", text.split_once('\n').expect("two lines").1).expect("an engine");
+        assert_eq!(sweep::evenness(&silent, silent.cycle().or(engine.cycle())), None);
     }
     let swept = swept(opposed, &["opposed_piston.lead=5..15:5"], &["1"]).expect("a sweep");
-    assert!(swept.points.iter().all(|point| point.evenness.is_none()));
-    assert!(swept.firing.expect("asked for").points.iter().flatten().all(Option::is_none));
+    assert!(swept.points.iter().all(|point| point.evenness.is_some()));
+    assert!(
+        swept.firing.expect("asked for").points.iter().flatten().all(|star| star.is_some_and(|star| star.vanishes))
+    );
 }

@@ -433,14 +433,3 @@ fn a_report_has_the_torque_only_where_it_is_asked_for() {
     assert!(with.contains("# Torque of gas and inertia") && with.contains("(gas-torque.svg)"));
     assert!(!without.contains("Torque of gas") && !without.contains("gas-torque"));
 }
-
-#[test]
-fn of_opposed_pistons_it_is_said_that_their_gas_torque_is_not_computed() {
-    let opposed = "cycle = 'two-stroke'\nspeed = 1000\n[opposed_piston]\nthrows = [0, 120]\nlead = 11\n";
-    let gas = SPARK.split_once("[mechanism]").expect("a mechanism").1.replace("[inline]\nthrows = [0]\n", "")
-        + "intake_pressure = '1.5 bar'\n";
-    let engine = engine(&format!("{opposed}[mechanism]{gas}"));
-    let why = torque(&engine).expect_err("no torque");
-    assert_eq!(why, Missing::OpposedPistons);
-    assert!(why.to_string().contains("opposed pistons") && !why.to_string().contains("firing_order"), "{why}");
-}

@@ -183,14 +183,6 @@ pub fn said_in_german(study: &TorsionStudy) -> [Document; 2] {
 }
 
 #[test]
-fn of_several_crankshafts_no_torsion_is_promised() {
-    let text = "cycle = 'four-stroke'\n[u]\nthrows = [0, 180]\nsense = 'against'\ndistance = 4\n";
-    let engine = file::parse("u.toml", text).expect("an engine");
-    let why = TorsionStudy::new(&engine, &[]).expect_err("several").to_string();
-    assert!(why.contains("single crankshaft only") && !why.contains("[torsion]"), "{why}");
-}
-
-#[test]
 fn the_page_says_what_its_document_says_in_both_languages() {
     let engine = six_with_flywheel();
     let study = TorsionStudy::new(&engine, &[]).expect("a shaft that fires");

@@ -1,6 +1,6 @@
 //! What is on the page of values at crank angles, and on the terminal?
 
-use super::super::torque::{double_acting, quantity};
+use super::super::torque::{double_acting, opposed, quantity};
 use super::{AngleStudy, Instant, tables};
 use crate::journal::PistonAt;
 use crate::page::plot::{Axis, Curve, Plot, Rule};
@@ -40,6 +40,7 @@ pub(super) fn page(study: &AngleStudy) -> Document {
     page.push(Block::Heading(1, "How it was found".into()));
     page.push(Block::Paragraph(FOUND.into()));
     page.blocks.extend(double_acting(&study.engine).map(Block::Paragraph));
+    page.blocks.extend(opposed(&study.engine).map(Block::Paragraph));
     page.blocks.extend(study.engine.has_links().then(|| Block::Paragraph(LINKS.into())));
     page.blocks.extend((!study.engine.geared_cranks().is_empty()).then(|| Block::Paragraph(GEARED.into())));
     page.push(Block::Paragraph(DIRECTIONS.into()));

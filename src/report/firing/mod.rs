@@ -42,7 +42,7 @@ impl FiringStudy {
     pub fn new(engine: &Engine, orders: &[CycleOrder], weights: Weights) -> Result<Self, NoStar> {
         let cycle = firing::firing_of(engine)?.cycle;
         let orders: BTreeSet<CycleOrder> = match orders {
-            [] => firing::usual_orders(engine.cylinders().len(), cycle.lowest_order()).into_iter().collect(),
+            [] => firing::usual_orders(engine.firing_pistons().len(), cycle.lowest_order()).into_iter().collect(),
             asked => asked.iter().copied().collect(),
         };
         let orders: Vec<CycleOrder> = orders.into_iter().collect();

@@ -3,7 +3,7 @@
 use super::amounts::{self, Units};
 use super::{optimise_layouts, plot, tables};
 use crate::engine::Engine;
-use crate::optimise::{Couple, Front};
+use crate::optimise::{Couple, Design, Front, Residual};
 use crate::page::{Block, Document, Text, Unit, number, phrase};
 
 const METHOD: [&str; 5] = [
@@ -65,7 +65,14 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
             Text::code("crankstar bearings")
         ));
     }
+    let has_to_vanish = |design: &Design| match couple {
+        Couple::Zero => vec![design.force, design.couple],
+        Couple::AtMost(_) => vec![design.force],
+    };
+    let mut left = front.points.iter().flat_map(|point| has_to_vanish(&point.design));
+    let is_exact = left.all(|left| left == Residual::Zero);
     lines.push(match couple {
+        Couple::Zero | Couple::AtMost(_) if !is_exact => "With an offset of the cylinder axis order 1 is multiplied by an irrational number, which no rational mass cancels: it is rounded to twelve digits, and what that leaves of a first-order force or couple that has to vanish is proved to be below 10⁻⁹ m r ω² a cylinder, the couple at the longest arm.".into(),
         Couple::Zero => "There is no residual of the first-order force and couple that turn with the crank: 0 is exact and proved.".into(),
         Couple::AtMost(most) => phrase!(
             "There is no residual of the first-order force that turns with the crank, and of its couple at most {}: 0 is exact and proved.",

@@ -11,4 +11,4 @@ mod words;
 pub(super) use page::{LINKED_GUIDES, has_assumed, torque_section};
 pub use page::{torque_answer, torque_page};
 pub use study::TorqueStudy;
-pub(super) use words::{angle, assumptions, double_acting, misfire, names, quantity, warning};
+pub(super) use words::{angle, assumptions, double_acting, misfire, names, opposed, quantity, warning};

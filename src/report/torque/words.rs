@@ -197,6 +197,7 @@ pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
     if let Some(sides) = double_acting(engine) {
         list.extend([sides, "The mean pressure of a double-acting cylinder is the work of both sides over the volume that the outer side sweeps.".into()]);
     }
+    list.extend(opposed(engine));
     let laws = engine.gas().map_or(&[][..], |gas| &gas.laws);
     if laws.iter().any(is_ideal) {
         list.push("The ideal cycle: polytropic compression; heat by the Wiebe function, a = ln 1000, at a constant exponent and without loss to the walls; half a cosine where the pressure falls to that of the exhaust and, in 20°, to that of the intake.".into());
@@ -211,6 +212,11 @@ pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
 pub(in crate::report) fn double_acting(engine: &Engine) -> Option<Text> {
     let has_two = engine.gas()?.chambers.iter().any(|chamber| chamber.below.is_some());
     has_two.then(|| "On a double-acting piston $F_g = p_1 A - p_2 (A - a) - p_c a$: $p_2$ is the pressure below it, by the angles of the outer side, $a$ the section of its rod, $p_c$ the pressure of the crankcase.".into())
+}
+
+/// What two pistons in one cylinder share.
+pub(in crate::report) fn opposed(engine: &Engine) -> Option<Text> {
+    engine.has_opposed_pistons().then(|| "Two pistons in one cylinder share its pressure and the volume between them: angles of the gas count from where that is least, unless the file says dead_centre = \"crank\", which is the crank of the first of them; pressure, work and heat are those of the whole cylinder, the torque that of each piston.".into())
 }
 
 fn is_ideal(law: &PressureLaw) -> bool {

@@ -2,7 +2,7 @@
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::One;
+use num_traits::{One, Signed};
 
 use crate::engine::{CycleOrder, Engine, Shot, Torsion};
 use crate::exact::{PhasorSum, Term, Turn};
@@ -31,6 +31,12 @@ impl Excited {
     /// That of an engine; none where the layout has neither harmonics nor gas with a speed.
     pub fn new(engine: &Engine, torsion: &Torsion) -> Option<Self> {
         let disc = |cylinder: usize| torsion.pins[engine.cylinders()[cylinder].pin];
+        // The discs turn with that of the first crankpin or against it, and a torque turns its crank in the sense in which that turns.
+        let ratios = torsion.ratios();
+        let sense = |cylinder: usize| match &ratios[disc(cylinder)] {
+            Some(ratio) if ratio.is_negative() => -1.0,
+            _ => 1.0,
+        };
         let nothing = || vec![Complex::default(); torsion.inertias.len()];
         if !torsion.harmonics.is_empty() {
             let fires = |shot: &&Shot| engine.misfire() != Some(shot.cylinder);
@@ -39,12 +45,17 @@ impl Excited {
                 let own = numbers::direction(&Turn::new(harmonic.phase.clone())) * float(&harmonic.torque);
                 let mut gas = nothing();
                 for shot in &shots {
-                    gas[disc(shot.cylinder)] += own * numbers::direction(&harmonic.order.phase(&shot.angle));
+                    let pistons = engine.pistons_of(shot.cylinder);
+                    let each =
+                        own / pistons.clone().count() as f64 * numbers::direction(&harmonic.order.phase(&shot.angle));
+                    pistons.for_each(|piston| gas[disc(piston)] += each * sense(piston));
                 }
                 ExcitedOrder { order: harmonic.order, gas, inertia: nothing() }
             };
             let orders: Vec<ExcitedOrder> = torsion.harmonics.iter().map(of_order).collect();
-            let shots = shots.iter().map(|shot| (disc(shot.cylinder), &shot.angle)).collect::<Vec<_>>();
+            let discs = |shot: &&Shot| engine.pistons_of(shot.cylinder).map(disc).collect::<Vec<_>>();
+            let shots: Vec<_> =
+                shots.iter().flat_map(|shot| discs(shot).into_iter().map(move |disc| (disc, &shot.angle))).collect();
             let twist_alone = orders.iter().map(|one| one.order).filter(|order| twists_alone(*order, &shots)).collect();
             return Some(Excited { orders, speed: None, twist_alone });
         }
@@ -54,13 +65,15 @@ impl Excited {
             let (mut gas, mut inertia) = (nothing(), nothing());
             for class in &classes {
                 for (&cylinder, fires) in class.cylinders.iter().zip(&class.fires) {
-                    gas[disc(cylinder)] += class.harmonics.torque_at(order) * numbers::direction(&order.phase(fires));
+                    let torque = class.harmonics.torque_at(order) * numbers::direction(&order.phase(fires));
+                    gas[disc(cylinder)] += torque * sense(cylinder);
                 }
             }
             for of in &bodies {
                 let Some(own) = of.inertia.as_ref().map(|inertia| inertia.at(order)[0]) else { continue };
                 for ((&cylinder, top), mass) in of.cylinders.iter().zip(&of.tops).zip(&of.weights) {
-                    inertia[disc(cylinder)] += own * float(mass) * numbers::direction(&order.phase(top));
+                    let torque = own * float(mass) * numbers::direction(&order.phase(top));
+                    inertia[disc(cylinder)] += torque * sense(cylinder);
                 }
             }
             ExcitedOrder { order, gas, inertia }

@@ -70,8 +70,6 @@ struct Cached {
 pub enum NoTorsion {
     /// The layout has no table of the shaft.
     NoShaft,
-    /// The engine has several crankshafts, of which no table of the shaft is read.
-    SeveralCrankshafts,
     /// There are no firing stars.
     NoStar(NoStar),
 }
@@ -81,9 +79,6 @@ impl std::fmt::Display for NoTorsion {
         match self {
             NoTorsion::NoShaft => f.write_str(
                 "the layout does not give the torsional data of the shaft; add a table [torsion] with inertias = [\"0.03 kg m^2\", …], one per disc from the free end on, and stiffnesses = [\"1 MN m/rad\", …], one between each two",
-            ),
-            NoTorsion::SeveralCrankshafts => f.write_str(
-                "torsional vibration is computed for engines with a single crankshaft only; this engine has several",
             ),
             NoTorsion::NoStar(why) => why.fmt(f),
         }
@@ -98,9 +93,6 @@ impl TorsionStudy {
     /// # Errors
     /// See [`NoTorsion`].
     pub fn new(engine: &Engine, orders: &[CycleOrder]) -> Result<Self, NoTorsion> {
-        if !engine.geared_cranks().is_empty() {
-            return Err(NoTorsion::SeveralCrankshafts);
-        }
         let torsion = engine.torsion().ok_or(NoTorsion::NoShaft)?;
         let cycle = firing::firing_of(engine).map_err(NoTorsion::NoStar)?.cycle;
         let orders: Vec<CycleOrder> = match orders {

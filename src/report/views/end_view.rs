@@ -35,7 +35,7 @@ fn drawn(engine: &Engine, units: Units) -> Figure {
     for own in all.chunk_by(|a, b| a.crank == b.crank) {
         let crank = own[0].crank;
         let sense = engine.geared_cranks().get(crank).map_or(Sense::Direct, |crank| crank.sense);
-        let heads = !engine.form().has_two_pistons_in_a_cylinder();
+        let heads = !engine.has_opposed_pistons();
         let axis = axes.get(crank).copied().unwrap_or_default();
         whole.place(of_crankshaft(own, sense, from, heads, has_labels), axis);
     }

@@ -1,0 +1,83 @@
+//! Which pistons share a cylinder? Opposed ones, with one pressure between them.
+
+use num_rational::BigRational;
+use num_traits::One;
+
+use super::cylinder::Cylinder;
+use super::model::Engine;
+use crate::exact::Turn;
+
+/// The piston that faces the one at this index, by its own; none of a piston with a cylinder of its own.
+pub(super) fn partner<A, L>(cylinders: &[Cylinder<A, L>], index: usize) -> Option<usize> {
+    let number = cylinders[index].shared?.number;
+    let is_in_it = |other: &Cylinder<A, L>| other.shared.is_some_and(|shared| shared.number == number);
+    (0..cylinders.len()).find(|&other| other != index && is_in_it(&cylinders[other]))
+}
+
+/// The pistons by which cylinders are told: all but the second of two in one.
+pub fn firing_pistons<A, L>(cylinders: &[Cylinder<A, L>]) -> Vec<usize> {
+    (0..cylinders.len()).filter(|&index| !is_second(&cylinders[index])).collect()
+}
+
+fn is_second<A, L>(cylinder: &Cylinder<A, L>) -> bool {
+    cylinder.shared.is_some_and(|shared| shared.is_second)
+}
+
+impl<A, L> Engine<A, L> {
+    /// The piston that faces the one at this index in one cylinder, by its own; none of a piston with a cylinder of its own.
+    pub fn partner(&self, index: usize) -> Option<usize> {
+        partner(self.cylinders(), index)
+    }
+
+    /// The pistons of the cylinder that is told by this one.
+    pub fn pistons_of(&self, first: usize) -> impl Iterator<Item = usize> + Clone + use<A, L> {
+        std::iter::once(first).chain(self.partner(first))
+    }
+
+    /// Whether its cylinder is told by another piston, which faces it.
+    pub fn is_second_piston(&self, index: usize) -> bool {
+        is_second(&self.cylinders()[index])
+    }
+
+    /// Whether two pistons share some cylinder.
+    pub fn has_opposed_pistons(&self) -> bool {
+        self.cylinders().iter().any(|cylinder| cylinder.shared.is_some())
+    }
+
+    /// The pistons by which cylinders are told: all but the second of two in one.
+    pub fn firing_pistons(&self) -> Vec<usize> {
+        firing_pistons(self.cylinders())
+    }
+}
+
+impl Engine {
+    /// By how much the crank of the piston at this index is ahead of that of the one that faces it, each from its own dead centre, in turns from
+    /// −½ to ½; none of a piston with a cylinder of its own.
+    pub fn lead(&self, index: usize) -> Option<BigRational> {
+        let partner = self.partner(index)?;
+        let is_second = self.is_second_piston(index);
+        let [first, second] = if is_second { [partner, index] } else { [index, partner] };
+        let top = |index: usize| self.cylinders()[index].top_dead_centre();
+        let later = nearest(&(&top(second) - &top(first)));
+        Some(if is_second { -later } else { later })
+    }
+
+    /// Whether all cylinders have two pistons, with the same motions in all.
+    pub fn pairs_are_alike(&self) -> bool {
+        let kind = |index: usize| {
+            let (own, other) = (&self.cylinders()[index], &self.cylinders()[self.partner(index)?]);
+            let motion = |cylinder: &Cylinder| cylinder.mechanism.as_ref().map(|mechanism| mechanism.motion());
+            Some((motion(own), motion(other), &own.crank_radius / &other.crank_radius, self.lead(index)))
+        };
+        let mut kinds = self.firing_pistons().into_iter().map(kind);
+        let first = kinds.next().flatten();
+        first.is_some() && kinds.all(|kind| kind == first)
+    }
+}
+
+/// A turn as a number from above −½ to ½.
+fn nearest(turn: &Turn) -> BigRational {
+    let turns = turn.turns().clone();
+    let half = BigRational::new(1.into(), 2.into());
+    if turns > half { turns - BigRational::one() } else { turns }
+}

@@ -1,0 +1,97 @@
+//! What turns with the crank in order 1, which counterweights have to hold? An exact sum, and with offsets sums before irrational numbers.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use super::design::Residual;
+use super::error::OptimiseError;
+use crate::engine::Engine;
+use crate::exact::PhasorSum;
+use crate::loads::Missing;
+use crate::motion::{Coefficient, Enclosure};
+use crate::numbers;
+use crate::order::{self, Coefficients, Factor, OrderSum, exactly_one};
+use crate::proof::Sense;
+
+/// Half the direct first-order sum, which is the vector itself, in kilogram-metres: the sums of an engine stand for `P⁺ = 2 · vector` (theory,
+/// section 3). Of rods with an offset `c_1 = 1 + iy`, and y is irrational.
+pub(super) struct First(Vec<(Coefficient, PhasorSum)>);
+
+/// Irrational numbers are held in balance to this part of them: far below what a workshop makes.
+const DIGITS: i32 = 12;
+/// Bits behind the point of an enclosure.
+const BITS: u32 = 192;
+/// Part that the floats of a product may be off by.
+const ROUNDING: f64 = 1e-12;
+
+impl First {
+    /// That of an engine, each force weighed by its position, in units of m r.
+    pub fn new(
+        engine: &Engine,
+        weighing: &dyn Fn(&BigRational) -> BigRational,
+        unit: &BigRational,
+    ) -> Result<Self, OptimiseError> {
+        let half = unit / BigRational::from_integer(2.into());
+        let all = OrderSum::new(order::contributions(engine, 1, Sense::Direct).iter().map(|one| one.weighed(weighing)));
+        let terms = all.parts().iter().flat_map(|(factor, sum)| {
+            let real = factor.real_parts(1).into_iter();
+            real.flat_map(move |(factor, turn)| {
+                sum.turned(&turn).terms().iter().map(|term| (factor.clone(), term.clone())).collect::<Vec<_>>()
+            })
+        });
+        // Opposed offsets leave nothing before y.
+        let all = OrderSum::new(terms);
+        let coefficients = Coefficients::default();
+        let part = |(factor, sum): (&Factor, &PhasorSum)| {
+            let value = coefficients.of(factor, 1).ok_or(OptimiseError::Missing(Missing::Rods))?;
+            Ok((value, sum.scaled(&half)))
+        };
+        all.parts().iter().map(part).collect::<Result<_, OptimiseError>>().map(First)
+    }
+
+    /// Whether it is one exact sum, which counterweights may hold exactly.
+    pub fn is_exact(&self) -> bool {
+        self.0.iter().all(|(value, _)| *value == exactly_one())
+    }
+
+    /// The sum, with irrational numbers rounded.
+    pub fn rounded(&self) -> PhasorSum {
+        let tens = BigRational::from_integer(10.into()).pow(DIGITS);
+        let whole = |number: &Enclosure| -> BigInt {
+            ((&number.low + &number.high) * &tens / BigInt::from(2)).round().to_integer()
+        };
+        let part = |(value, sum): &(Coefficient, PhasorSum)| match *value == exactly_one() {
+            true => sum.clone(),
+            false => sum.scaled(&(BigRational::from_integer(whole(&value.re)) / &tens)),
+        };
+        self.0.iter().map(part).fold(PhasorSum::new(Vec::new()), |all, one| all.plus(&one))
+    }
+
+    /// How long it is in multiples of m r, this one, times a factor.
+    pub fn left(&self, unit: &BigRational, factor: f64) -> Residual {
+        if self.0.is_empty() {
+            return Residual::Zero;
+        }
+        let scaled: Vec<_> = self.0.iter().map(|(value, sum)| (value.clone(), sum.scaled(&unit.recip()))).collect();
+        let parts = match (scaled.as_slice(), self.is_exact()) {
+            ([(_, only)], true) => numbers::enclose(only, BITS),
+            _ => numbers::enclose_weighted(scaled.iter().map(|(value, sum)| (value.clone(), sum)))
+                .map(|one| (one.low, one.high)),
+        };
+        let end = |(low, high): &(BigRational, BigRational), largest: bool| {
+            let inside = low.is_negative() && high.is_positive();
+            let (near, far) = if low.abs() < high.abs() { (low.abs(), high.abs()) } else { (high.abs(), low.abs()) };
+            let value = if largest {
+                far
+            } else if inside {
+                BigRational::zero()
+            } else {
+                near
+            };
+            value.to_f64().unwrap_or(f64::INFINITY)
+        };
+        let [low, high] = [false, true].map(|largest| end(&parts[0], largest).hypot(end(&parts[1], largest)) * factor);
+        Residual::Between(low * (1.0 - ROUNDING), high * (1.0 + ROUNDING))
+    }
+}
