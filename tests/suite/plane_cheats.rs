@@ -261,7 +261,9 @@ fn refused<'a>(
             }
             let mut forged = alone(document, i);
             let when = &mut forged.open_verdicts[i % 2].sums[j].when;
-            if !change(when) {
+            let honest = when.clone();
+            // A change to what a claim says already is none.
+            if !change(when) || *when == honest {
                 continue;
             }
             let fault = check_open_document(&forged).expect_err(name);
