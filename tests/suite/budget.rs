@@ -30,7 +30,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("proof", 8617),
     ("python", 2660),
     ("remedy", 1730),
-    ("report", 34440),
+    ("report", 34490),
     ("rotor", 680),
     ("search", 3800),
     ("shard", 680),

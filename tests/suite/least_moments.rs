@@ -230,7 +230,7 @@ fn a_row_with_another_number_is_refused() {
 
 /// 20,922,789,888,000 stars, looked up in two halves: `cargo test --release --test suite seventeen -- --ignored`.
 #[test]
-#[ignore = "half a minute where it is optimised, minutes else"]
+#[ignore = "minutes where it is not optimised"]
 fn no_star_of_seventeen_throws_has_less_than_the_page_says() {
     let rows = table("Cylinders|Least moment of order 1");
     assert_row(rows.iter().find(|row| row[0] == "17").expect("a row"));
