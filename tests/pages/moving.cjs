@@ -72,7 +72,7 @@ async function wordsAreThoseOfTheVerdicts(figure, scene, name) {
       await figure.locator(`input[value="${quantity}"]`).check();
       const said = await read(figure, "verdict");
       assert.ok(said.startsWith(`Order ${order.order}, ${quantity}`), `${name}: ${said}`);
-      assert.ok(said.includes(`: ${order[quantity].words}.`), `${name}: ${said}`);
+      assert.ok(said.includes(` ${order[quantity].words}.`), `${name}: ${said}`);
       const sums = await figure.locator(".moving-stars .sum").evaluateAll((all) => all.map((sum) => sum.getAttribute("d")));
       order[quantity].senses.forEach((sense, at) => {
         assert.equal(sums[at] === "", sense.zero, `${name}: order ${order.order}, ${quantity}: a sum is drawn where it is 0`);
