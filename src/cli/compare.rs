@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
-use crankstar::report::{CompareStudy, Compared, ValueName, ValuesStudy, values_of};
+use crankstar::report::{CompareStudy, Compared, ValueName, ValuesStudy};
 use crankstar::text::Untrusted;
 
 use super::answer::Answer;
@@ -47,9 +47,8 @@ impl Compare {
             orders.dedup();
             let compared = engines.iter().map(|(name, engine)| Compared::new(name.clone(), engine, &orders));
             let compared = compared.collect::<Result<_, _>>().map_err(Failure::new)?;
-            let rows = || engines.iter().map(|(name, engine)| (name.clone(), values_of(engine, &self.value))).collect();
-            let is_asked = !self.value.is_empty();
-            let values = is_asked.then(|| ValuesStudy { names: self.value.clone(), rows: rows() });
+            let named = engines.iter().map(|(name, engine)| (name.clone(), engine));
+            let values = ValuesStudy::beside(named, &self.value);
             Ok(CompareStudy { engines: compared, values })
         })
     }

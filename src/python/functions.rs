@@ -16,7 +16,7 @@ use super::interrupt::interruptible;
 use super::questions::{self, Checked};
 use super::{asked, error, keys};
 use crate::file;
-use crate::report::{CompareStudy, Compared, FlywheelStudy, MomentsStudy, RotorStudy, Valued, ValuesStudy, values_of};
+use crate::report::{CompareStudy, Compared, FlywheelStudy, MomentsStudy, RotorStudy, Valued, ValuesStudy};
 use crate::search::{Limit, Problem, Sizes};
 
 /// The names of the engines that are known, as `Engine.named` takes them.
@@ -164,8 +164,7 @@ pub(super) fn compare(
     let study = py.detach(|| {
         let compared = engines.iter().map(|engine| Compared::new(engine.title().clone(), engine, &orders));
         let compared = compared.collect::<Result<_, _>>().map_err(told)?;
-        let rows = || engines.iter().map(|engine| (engine.title().clone(), values_of(engine, &values))).collect();
-        let values = (!values.is_empty()).then(|| ValuesStudy { names: values.clone(), rows: rows() });
+        let values = ValuesStudy::beside(engines.iter().map(|engine| (engine.title().clone(), engine)), &values);
         Ok::<_, PyErr>(CompareStudy { engines: compared, values })
     })?;
     Ok(Answer::new(asked, study))

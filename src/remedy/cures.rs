@@ -31,14 +31,19 @@ pub struct Cure {
 }
 
 impl Cure {
+    /// What it removes of the peak.
+    pub fn removes(&self) -> f64 {
+        self.peak[0] - self.peak[1]
+    }
+
     /// What it removes of the peak for each shaft; none where it needs no shaft.
     pub fn per_shaft(&self) -> Option<f64> {
-        (self.shafts > 0).then(|| (self.peak[0] - self.peak[1]) / self.shafts as f64)
+        (self.shafts > 0).then(|| self.removes() / self.shafts as f64)
     }
 
     /// What it removes of the peak for each m r of its weights.
     pub fn per_mass_radius(&self) -> f64 {
-        (self.peak[0] - self.peak[1]) / self.mass_radius
+        self.removes() / self.mass_radius
     }
 }
 

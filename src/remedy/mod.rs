@@ -125,6 +125,18 @@ impl Remedy {
         Some(weight.mass_radius(&self.subject)? / self.radius.as_ref()?.to_f64()?)
     }
 
+    /// The mass times radius in kilogram-metres of all weights of a cure of a force; none of a couple, whose weights depend on their distance, and
+    /// where masses or the crank radius are not given.
+    pub fn cure_mass_radius(&self, cure: &Cure) -> Option<f64> {
+        let [unit, _] = self.subject.scale()?;
+        (cure.kind == Kind::Force).then_some(cure.mass_radius * unit.to_f64()?)
+    }
+
+    /// Their mass in kilograms at the radius that is asked for; none where none is.
+    pub fn cure_mass(&self, cure: &Cure) -> Option<f64> {
+        Some(self.cure_mass_radius(cure)? / self.radius.as_ref()?.to_f64()?)
+    }
+
     /// Whether every sum of the corrected engine is proved to be zero, but for those that are omitted.
     pub fn holds(&self) -> bool {
         self.corrected.iter().all(|sum| sum.vanishes() || self.leaves_out(sum.order, sum.sense))

@@ -2,7 +2,8 @@
 
 use super::data;
 use super::question::Question;
-use super::value::ValueName;
+use super::value::{ValueName, values_of};
+use crate::engine::Engine;
 use crate::page::{Block, Document, Number, Piece, Table as Shown, Text, phrase};
 use crate::table::{Single, Table, Unit, Value};
 use crate::text::Untrusted;
@@ -46,6 +47,12 @@ pub(in crate::report) fn heading(name: &str, unit: Unit) -> Text {
 }
 
 impl ValuesStudy {
+    /// Those of engines beside another answer; none where no values are asked for.
+    pub fn beside<'a>(engines: impl IntoIterator<Item = (Untrusted, &'a Engine)>, names: &[ValueName]) -> Option<Self> {
+        let rows = engines.into_iter().map(|(title, engine)| (title, values_of(engine, names)));
+        (!names.is_empty()).then(|| ValuesStudy { names: names.to_vec(), rows: rows.collect() })
+    }
+
     fn shown(&self) -> Shown {
         let headings = self.names.iter().map(|name| heading(&name.to_string(), self.unit(name)));
         let mut table = Shown::new([Text::from("Engine")].into_iter().chain(headings));

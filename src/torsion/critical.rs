@@ -47,9 +47,7 @@ pub fn critical_speeds(
     let radius = |cylinder: usize| numbers::float(&engine.cylinders()[cylinder].crank_radius);
     let of_mode = |mode: Mode| {
         let disc = |cylinder: &crate::engine::Cylinder| torsion.pins[cylinder.pin];
-        let deflection = |cylinder: &crate::engine::Cylinder| {
-            mode.shape[disc(cylinder)] * train.discs[disc(cylinder)].ratio.signum()
-        };
+        let deflection = |cylinder: &crate::engine::Cylinder| mode.shape[disc(cylinder)] * train.sense(disc(cylinder));
         let deflections: Vec<f64> = engine.cylinders().iter().map(deflection).collect();
         let star = |order: CycleOrder| -> Complex<f64> {
             let vector = |shot: &crate::engine::Shot| {

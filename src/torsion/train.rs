@@ -61,6 +61,12 @@ pub struct Train {
 }
 
 impl Train {
+    /// 1 of a disc that turns as the first crankpin does, −1 of one that gears turn against it: a torque turns its crank in the sense in which that
+    /// turns.
+    pub fn sense(&self, disc: usize) -> f64 {
+        self.discs[disc].ratio.signum()
+    }
+
     /// The shaft of an engine with its dampers, in decimals.
     pub fn new(torsion: &Torsion) -> Self {
         let bare = Train::bare(torsion);

@@ -33,16 +33,9 @@ pub fn table(remedy: &Remedy) -> Table {
     table.done()
 }
 
-/// The mass of all weights of a cure of a force, in kilograms at the radius that was asked for.
-pub(super) fn cure_mass(remedy: &Remedy, cure: &Cure) -> Option<f64> {
-    let [mass_radius, radius] = [remedy.subject.scale()?[0].to_f64()?, remedy.radius.as_ref()?.to_f64()?];
-    (cure.kind == Kind::Force).then_some(cure.mass_radius * mass_radius / radius)
-}
-
 /// The cures of its orders, those first that remove most for each shaft.
 pub fn cures(remedy: &Remedy) -> Table {
     let rows: Vec<(usize, Cure)> = remedy::cures(&remedy.subject, &remedy.orders).into_iter().enumerate().collect();
-    let kilograms = remedy.subject.scale().and_then(|[mass_radius, _]| mass_radius.to_f64());
     let is_force = |cure: &Cure| cure.kind == Kind::Force;
     let mut table = Filling::new("remedy.cures", &rows);
     table.whole("rank", |(index, _)| index + 1);
@@ -55,12 +48,10 @@ pub fn cures(remedy: &Remedy) -> Table {
     table.truth("is_exact", |(_, cure)| Some(cure.is_exact));
     table.decimal("residual_{unit}", Unit::MULTIPLE, |(_, cure)| is_force(cure).then_some(cure.peak[1]));
     table.decimal("removed_per_shaft_{unit}", Unit::MULTIPLE, |(_, cure)| cure.per_shaft().filter(|_| is_force(cure)));
-    table.decimal("mass_radius_{unit}", Unit::KILOGRAM_METRE, |(_, cure)| {
-        kilograms.filter(|_| is_force(cure)).map(|unit| cure.mass_radius * unit)
-    });
-    table.decimal("mass_{unit}", Unit::KILOGRAM, |(_, cure)| cure_mass(remedy, cure));
+    table.decimal("mass_radius_{unit}", Unit::KILOGRAM_METRE, |(_, cure)| remedy.cure_mass_radius(cure));
+    table.decimal("mass_{unit}", Unit::KILOGRAM, |(_, cure)| remedy.cure_mass(cure));
     table.decimal("removed_per_kilogram_{unit}", Unit::MULTIPLE, |(_, cure)| {
-        cure_mass(remedy, cure).map(|mass| (cure.peak[0] - cure.peak[1]) / mass)
+        remedy.cure_mass(cure).map(|mass| cure.removes() / mass)
     });
     table.done()
 }

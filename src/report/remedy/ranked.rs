@@ -2,7 +2,6 @@
 
 use num_traits::ToPrimitive;
 
-use super::data::cure_mass;
 use crate::loads::{Scale, scale};
 use crate::numbers;
 use crate::page::{Block, Piece, Table, Text, Unit, number, phrase};
@@ -44,7 +43,6 @@ fn name(cure: &Cure) -> Text {
 
 fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
     let engine = remedy.subject.engine();
-    let numbers = remedy.subject.scale().and_then(|[mass_radius, _]| mass_radius.to_f64());
     let newtons = scale(engine).as_ref().map(Scale::force);
     let amount = |cure: &Cure, value: f64| -> Text {
         match (cure.kind == Kind::Force, newtons) {
@@ -60,16 +58,16 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
         }
     };
     let weight = |cure: &Cure| -> Text {
-        match (cure.kind == Kind::Force, numbers) {
-            (true, Some(unit)) => Piece::Quantity(cure.mass_radius * unit * 1e3, Unit::KILOGRAM_MILLIMETRE).into(),
+        match (cure.kind == Kind::Force, remedy.cure_mass_radius(cure)) {
+            (true, Some(mass_radius)) => Piece::Quantity(mass_radius * 1e3, Unit::KILOGRAM_MILLIMETRE).into(),
             (true, None) => Piece::Quantity(cure.mass_radius, Unit::MASS_RADIUS).into(),
             // A couple is mass times radius times distance; the planes say how far apart the weights are.
             (false, _) => "–".into(),
         }
     };
     let per_kilogram = |cure: &Cure| -> Text {
-        let mass = cure_mass(remedy, cure);
-        mass.map_or_else(|| "–".into(), |mass| amount(cure, (cure.peak[0] - cure.peak[1]) / mass))
+        let mass = remedy.cure_mass(cure);
+        mass.map_or_else(|| "–".into(), |mass| amount(cure, cure.removes() / mass))
     };
     let table = Table::of(all)
         .column("Order", |cure| cure.order)

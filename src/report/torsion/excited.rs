@@ -2,13 +2,14 @@
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::One;
 
 use crate::engine::{CycleOrder, Engine, Shot, Torsion};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::firing;
 use crate::numbers::{self, float};
 use crate::torque;
+use crate::torsion::Train;
 
 /// The torques of all orders on the discs.
 #[derive(Clone, Debug)]
@@ -29,14 +30,9 @@ struct ExcitedOrder {
 
 impl Excited {
     /// That of an engine; none where the layout has neither harmonics nor gas with a speed.
-    pub fn new(engine: &Engine, torsion: &Torsion) -> Option<Self> {
+    pub fn new(engine: &Engine, torsion: &Torsion, train: &Train) -> Option<Self> {
         let disc = |cylinder: usize| torsion.pins[engine.cylinders()[cylinder].pin];
-        // The discs turn with that of the first crankpin or against it, and a torque turns its crank in the sense in which that turns.
-        let ratios = torsion.ratios();
-        let sense = |cylinder: usize| match &ratios[disc(cylinder)] {
-            Some(ratio) if ratio.is_negative() => -1.0,
-            _ => 1.0,
-        };
+        let sense = |cylinder: usize| train.sense(disc(cylinder));
         let nothing = || vec![Complex::default(); torsion.inertias.len()];
         if !torsion.harmonics.is_empty() {
             let fires = |shot: &&Shot| engine.misfire() != Some(shot.cylinder);

@@ -145,7 +145,7 @@ impl TorsionStudy {
 
     /// What excites the train; none where the layout has neither harmonics nor gas with a speed.
     fn excited(&self) -> Option<&Excited> {
-        self.excited.get_or_init(|| Excited::new(&self.engine, self.torsion())).as_ref()
+        self.excited.get_or_init(|| Excited::new(&self.engine, self.torsion(), &self.train)).as_ref()
     }
 
     /// How far the orders twist the shaft at the speed of the layout; none where it lacks what the torque needs.
