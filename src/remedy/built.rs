@@ -4,7 +4,7 @@
 //! are resized, so that no weight is added beside another that it cancels again.
 
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, Zero};
 
 use super::comparable_engine::ComparableEngine;
 use super::weight::Weight;
@@ -97,6 +97,21 @@ fn turning_so(engine: &Engine, order: u32, sense: Sense) -> Vec<TurningMass> {
     so.filter(|mass| is_of_a_remedy(mass.source)).collect()
 }
 
+/// The weights on a shaft in one plane that have no mass yet: a file keeps a place by them, and what is found takes it.
+fn without_mass(engine: &Engine, order: u32, sense: Sense, position: &BigRational) -> Replaced {
+    let crankshaft = engine.crankshaft();
+    let counterweights = (crankshaft.counterweights.iter().enumerate())
+        .filter(|_| (order, sense) == (1, Sense::Direct))
+        .filter(|(_, weight)| weight.crank == 0 && weight.position == *position && weight.mass_radius().is_zero());
+    let balancers = (crankshaft.balancers.iter().enumerate())
+        .filter(|(_, shaft)| (shaft.order, shaft.sense, &shaft.position) == (order, sense, position))
+        .filter(|(_, shaft)| shaft.mass_radius.is_zero());
+    Replaced {
+        counterweights: counterweights.map(|(index, _)| index).collect(),
+        balancers: balancers.map(|(index, _)| index).collect(),
+    }
+}
+
 /// What is on a shaft in one plane, and its mass-radius in multiples of m r.
 pub(super) fn there(
     subject: &ComparableEngine,
@@ -104,7 +119,7 @@ pub(super) fn there(
     sense: Sense,
     position: &BigRational,
 ) -> (Replaced, OrderSum) {
-    let mut replaced = Replaced::default();
+    let mut replaced = without_mass(subject.engine(), order, sense, position);
     let mut terms = Vec::new();
     let turning = turning_so(subject.engine(), order, sense).into_iter();
     for mass in turning.filter(|mass| mass.position == *position) {

@@ -1,7 +1,7 @@
 //! Which tables has the layout file of a corrected engine? Those of the weights that stay, and those of what is built.
 
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, Zero};
 
 use super::rounded::{is_of_link, rounded};
 use super::{Built, Remedy, Replaced, Weight};
@@ -155,7 +155,8 @@ fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
     let multiples = unit(remedy);
     // What is resized keeps its throw and its radius.
     let resized = plane.replaced.counterweights.first().map(|index| &engine.crankshaft().counterweights[*index]);
-    let radius = resized.map_or_else(|| engine.unit_radius(), |there| there.radius.clone());
+    let radius = resized.map(|there| there.radius.clone()).filter(|radius| !radius.is_zero());
+    let radius = radius.unwrap_or_else(|| engine.unit_radius());
     let throw = resized.and_then(|there| there.throw);
     // A shaft that is there keeps its axis.
     let axis = plane.replaced.balancers.first().map(|index| &engine.crankshaft().balancers[*index]);

@@ -99,7 +99,7 @@ impl Body {
 }
 
 impl Inertia {
-    fn new(engine: &Engine, body: Body, cylinder: usize) -> Option<Self> {
+    fn new(engine: &Engine, body: Body, cylinder: usize, highest: u32) -> Option<Self> {
         let dimensions = engine.dimensions();
         let own = &engine.cylinders()[cylinder];
         let radius = dimensions.crank_radius.as_ref()? * &own.crank_radius;
@@ -112,16 +112,18 @@ impl Inertia {
         };
         let harmonics = match &body {
             Body::Piston(PistonMotion::Crank(crank)) => {
-                (1..=HIGHEST).map(|order| crank.torque_coefficient(order).to_complex()).collect()
+                (1..=highest).map(|order| crank.torque_coefficient(order).to_complex()).collect()
             }
-            Body::Piston(PistonMotion::Link(_)) | Body::Knuckle(_) => of_a_turn(|psi| body.torque(psi)),
+            Body::Piston(PistonMotion::Link(_)) | Body::Knuckle(_) => {
+                of_a_turn(highest, |psi| body.torque(psi))
+            }
         };
         let spin = match &body {
             Body::Piston(PistonMotion::Crank(crank)) => {
-                (1..=HIGHEST).map(|order| crank.coefficient(order).to_complex() * lever).collect()
+                (1..=highest).map(|order| crank.coefficient(order).to_complex() * lever).collect()
             }
-            Body::Piston(PistonMotion::Link(_)) => vec![Complex::zero(); HIGHEST as usize],
-            Body::Knuckle(_) => of_a_turn(|psi| body.spin(psi, 0.0)),
+            Body::Piston(PistonMotion::Link(_)) => vec![Complex::zero(); highest as usize],
+            Body::Knuckle(_) => of_a_turn(highest, |psi| body.spin(psi, 0.0)),
         };
         let radius = numbers::float(&radius);
         Some(Inertia { radius, lever, weight, scale, harmonics, spin, body })
@@ -175,7 +177,7 @@ pub(super) fn omega(engine: &Engine) -> Option<f64> {
 }
 
 /// The first harmonics of a smooth function of a turn: sums over this many points that twice as many change nothing.
-fn of_a_turn(value: impl Fn(f64) -> f64) -> Vec<Complex<f64>> {
+fn of_a_turn(highest: u32, value: impl Fn(f64) -> f64) -> Vec<Complex<f64>> {
     let over = |points: usize| -> Vec<Complex<f64>> {
         let step = std::f64::consts::TAU / points as f64;
         let values: Vec<f64> = (0..points).map(|point| value(point as f64 * step)).collect();
@@ -184,7 +186,7 @@ fn of_a_turn(value: impl Fn(f64) -> f64) -> Vec<Complex<f64>> {
                 |(point, value): (usize, &f64)| Complex::cis(-((order * point % points) as f64) * step) * *value;
             values.iter().enumerate().map(turned).sum::<Complex<f64>>() * (2.0 / points as f64)
         };
-        (1..=HIGHEST as usize).map(of_order).collect()
+        (1..=highest as usize).map(of_order).collect()
     };
     let [mut points, most] = POINTS;
     let mut found = over(points);
@@ -202,6 +204,11 @@ fn of_a_turn(value: impl Fn(f64) -> f64) -> Vec<Complex<f64>> {
 
 /// The moving masses of an engine by what moves them; none of cylinders whose mechanism is not known.
 pub fn bodies(engine: &Engine) -> Vec<Bodies> {
+    up_to(engine, HIGHEST)
+}
+
+/// Those with harmonics up to this order.
+pub(super) fn up_to(engine: &Engine, highest: u32) -> Vec<Bodies> {
     let cylinders = engine.cylinders();
     let moves = |index: usize| (&cylinders[index].mechanism, &cylinders[index].crank_radius);
     let mut all: Vec<Bodies> = Vec::new();
@@ -215,7 +222,7 @@ pub fn bodies(engine: &Engine) -> Vec<Bodies> {
             let place = match all.iter().position(is_alike) {
                 Some(place) => place,
                 None => {
-                    let inertia = Inertia::new(engine, body, index);
+                    let inertia = Inertia::new(engine, body, index, highest);
                     let (cylinders, tops, weights) = Default::default();
                     all.push(Bodies { is_of_pistons, inertia, cylinders, tops, weights });
                     all.len() - 1

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::HIGHEST;
-use super::bodies::{Bodies, Inertia, bodies};
+use super::bodies::{self, Bodies, Inertia};
 use crate::engine::Engine;
 use crate::gas::{CylinderGas, Harmonics, NoGas, Warning};
 use crate::loads::Missing;
@@ -62,9 +62,14 @@ fn behind(engine: &Engine, index: usize) -> BigRational {
 /// # Errors
 /// What the layout lacks.
 pub fn classes(engine: &Engine) -> Result<Vec<Class>, Missing> {
+    up_to(engine, HIGHEST)
+}
+
+/// Those with harmonics up to this order.
+pub(super) fn up_to(engine: &Engine, highest: u32) -> Result<Vec<Class>, Missing> {
     let Some(gas) = engine.gas() else { return Err(NoGas::Gas.into()) };
     let fires = fires(engine)?;
-    let inertias = bodies(engine);
+    let inertias = bodies::up_to(engine, highest);
     let cylinders = engine.cylinders();
     let moves_alike = |one: usize, other: usize| {
         let (a, b) = (&cylinders[one], &cylinders[other]);
@@ -88,7 +93,7 @@ pub fn classes(engine: &Engine) -> Result<Vec<Class>, Missing> {
             }
             None => {
                 let gas = CylinderGas::new(engine, index)?;
-                let harmonics = gas.harmonics((HIGHEST * gas.revolutions()) as usize);
+                let harmonics = gas.harmonics((highest * gas.revolutions()) as usize);
                 let own = |one: &&Bodies| one.is_of_pistons && one.cylinders.contains(&index);
                 let inertia = inertias.iter().find(own).and_then(|one| one.inertia.clone());
                 classes.push(Class {

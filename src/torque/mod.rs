@@ -71,7 +71,7 @@ pub struct ShaftTorque {
     pub extremes: [Extreme; 2],
 }
 
-/// Orders of the torque are computed up to this one.
+/// Orders of the torque are computed up to this one, unless a question asks for more.
 pub const HIGHEST: u32 = 12;
 
 /// The torque of an engine, gas and inertia.
@@ -79,8 +79,16 @@ pub const HIGHEST: u32 = 12;
 /// # Errors
 /// What the layout lacks.
 pub fn torque(engine: &Engine) -> Result<EngineTorque, Missing> {
-    let classes = classes(engine)?;
-    let bodies = bodies(engine);
+    torque_up_to(engine, HIGHEST)
+}
+
+/// The torque of an engine with its orders up to this one.
+///
+/// # Errors
+/// What the layout lacks.
+pub fn torque_up_to(engine: &Engine, highest_order: u32) -> Result<EngineTorque, Missing> {
+    let classes = class::up_to(engine, highest_order)?;
+    let bodies = bodies::up_to(engine, highest_order);
     let course = TorqueCurve::new(engine, &classes, &bodies);
     let orders = orders(&classes, &bodies);
     let each = |of: &dyn Fn(&Class) -> f64| -> f64 {

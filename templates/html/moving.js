@@ -160,7 +160,10 @@
           return plus(pin, [x * (far * unit + w / 2), y * (far * unit + h / 2)]);
         };
         const ways = [0, 30, -30, 60, -60, 90, -90, 120, -120, 150, -150];
-        return (turned) => [0.18, 0.4].flatMap((far) => ways.map((by) => beside(place(body, turned), far, by)));
+        return (turned) => {
+          const at = place(body, turned);
+          return [0.18, 0.4].flatMap((far) => ways.map((by) => beside(at, far, by)));
+        };
       };
       const all = [...ends, ...pins.map((body) => ({ text: body.pin, at: around(body) }))];
       const turns = Array.from({ length: 36 }, (_, step) => 10 * step);

@@ -103,6 +103,14 @@ fn a_weight_that_nothing_needs_is_taken_away() {
 }
 
 #[test]
+fn a_weight_without_mass_keeps_the_place_of_what_is_found() {
+    let text = format!("{SINGLE}[[counterweight]]\nangle = 0\nmass_radius = '0 m r'\nposition = 0\n[[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '0 m r'\nangle = 0\nposition = 0\n[[counterweight]]\nangle = 0\nmass_radius = '0 m r'\nposition = 2\n");
+    let (written, cured) = assert_cured(&text, &wish(&[1]));
+    assert_eq!(cured.crankshaft().counterweights.len(), 2, "{written}");
+    assert_eq!(cured.crankshaft().balancers.len(), 1, "{written}");
+}
+
+#[test]
 fn a_pair_of_balancers_is_resized_in_its_planes_and_keeps_its_axes() {
     let text = "[inline]\nthrows = [0, 180, 180, 0]\n[mechanism]\nreciprocating_mass = 0.5\nrotating_mass = 0\ncrank_radius = 0.05\nrod_ratio = 0.3\n\
                 [[balancer]]\norder = 2\nsense = 'with'\nmass_radius = 0.001\nangle = 180\nposition = 1.5\nheight = 0.1\noffset = 0.04\n\

@@ -18,7 +18,7 @@ use crate::loads::{self, BearingLoads, Loads, Method, Missing};
 use crate::proof::Quantity;
 use crate::remedy::{self, Remedy, RemedyError, Request};
 use crate::text::Untrusted;
-use crate::torque::GuideMoments;
+use crate::torque::{self, GuideMoments};
 use crate::verdict::{self, EveryOrderTheorem, Judgement, NoTheorem, OrderVerdict};
 
 /// An engine of a comparison, judged.
@@ -67,7 +67,7 @@ impl Compared {
             // What nobody asks for costs nothing.
             with_gas: engine.effects().gas.then(|| journal::bearing_peaks(engine)),
             guides: match engine.effects().gas {
-                true => moments::guides(engine).map_or_else(|_| Vec::new(), |(moments, _)| moments),
+                true => moments::guides(engine, torque::HIGHEST).map_or_else(|_| Vec::new(), |(moments, _)| moments),
                 false => Vec::new(),
             },
         })

@@ -9,7 +9,7 @@ mod page;
 use std::fmt;
 
 use super::question::question_of_its_room;
-use crate::engine::{Crankshaft, CycleOrder, Engine};
+use crate::engine::{Crankshaft, CycleOrder, Engine, HIGHEST_ORDER};
 use crate::loads::{self, Arm, Missing, OrderLoads};
 use crate::order;
 use crate::proof::{Planar, Sense};
@@ -18,6 +18,11 @@ use crate::torque::{self, GuideMoments};
 
 /// The orders of forces and moments that a project guide lists.
 pub(super) const ORDERS: [u32; 3] = [1, 2, 4];
+
+/// Orders of H and X have columns up to this one.
+const LAST_COLUMN: u32 = torque::HIGHEST;
+/// The order above them of which makers list X too.
+const LAST_TWISTING: u32 = 16;
 
 /// An amplitude, zero to peak, in newtons or newton-metres; none where it is proved to be zero.
 pub type Amplitude = Option<f64>;
@@ -143,7 +148,7 @@ impl MomentsRow {
             forces: of(Planar::Force),
             moments: of(Planar::Moment),
             countered: countered.map(|first| first.moment.reverse.value.norm() / 2.0 * newtons),
-            guides: guides(engine),
+            guides: guides(engine, highest_of_guides(engine)),
             engine: engine.clone(),
         })
     }
@@ -171,9 +176,22 @@ fn external(engine: &Engine, order: &OrderLoads, quantity: Planar, newtons: f64)
     External { order: order.order, components: [along, across] }
 }
 
-/// The guide-force moments by order, and the power; or why there are none.
-pub(super) fn guides(engine: &Engine) -> Result<(Vec<GuideMoments>, Option<f64>), String> {
-    let torque = torque::torque(engine).map_err(|lack| lack.to_string())?;
+/// The order of the firing frequency; none where cylinders do not fire evenly.
+pub(super) fn order_of_firing(engine: &Engine) -> Option<CycleOrder> {
+    let firing = engine.firing().filter(|firing| firing.is_even())?;
+    let shots = u32::try_from(firing.shots.len()).ok()?;
+    CycleOrder::of_halves(shots * firing.cycle.lowest_order().halves())
+}
+
+/// Makers list X up to order 16, and H up to three times the firing frequency.
+fn highest_of_guides(engine: &Engine) -> u32 {
+    let thrice = order_of_firing(engine).map_or(0, |order| (3 * order.halves()).div_ceil(2));
+    thrice.clamp(LAST_TWISTING, HIGHEST_ORDER)
+}
+
+/// The guide-force moments by order up to this one, and the power; or why there are none.
+pub(super) fn guides(engine: &Engine, highest: u32) -> Result<(Vec<GuideMoments>, Option<f64>), String> {
+    let torque = torque::torque_up_to(engine, highest).map_err(|lack| lack.to_string())?;
     let moments = torque::guide_moments(engine, &torque)
         .ok_or("they are known for rods of a finite length on axes without an offset, of one crankshaft")?;
     Ok((moments, torque.power))

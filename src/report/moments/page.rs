@@ -1,6 +1,6 @@
 //! What is on the page of external and guide-force moments, and on the terminal?
 
-use super::{Amplitude, External, MomentsRow, MomentsStudy};
+use super::{Amplitude, External, LAST_COLUMN, LAST_TWISTING, MomentsRow, MomentsStudy, order_of_firing};
 use crate::engine::CycleOrder;
 use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, number, phrase};
 use crate::report::engine_cells;
@@ -67,8 +67,9 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
         blocks.push(Block::Paragraph(GUIDES.into()));
         let has_links = study.rows.iter().any(|row| row.engine.has_links());
         blocks.extend(has_links.then(|| Block::Paragraph(LINKED_GUIDES.into())));
-        blocks.push(guides(study, "H, {}", |row, order| row.guide(order).map(|moments| moments.rocking)).into());
-        blocks.push(guides(study, "X, {}", |row, order| row.guide(order).map(|moments| moments.twisting)).into());
+        blocks.push(guides(study, ("H, {}", LAST_COLUMN), |row, order| row.guide(order).map(|moments| moments.rocking)).into());
+        blocks.extend(of_firing(study).map(Block::from));
+        blocks.push(guides(study, ("X, {}", LAST_TWISTING), |row, order| row.guide(order).map(|moments| moments.twisting)).into());
         if study.rows.iter().any(|row| row.per_kilowatt().is_some()) {
             blocks.push(Block::Paragraph(PER_KILOWATT.into()));
         }
@@ -156,14 +157,38 @@ fn external(study: &MomentsStudy, unit: Unit, of: fn(&MomentsRow) -> &[External]
     table
 }
 
-/// A row an engine, a column an order that some engine has.
-fn guides(study: &MomentsStudy, head: &'static str, of: fn(&MomentsRow, CycleOrder) -> Option<Amplitude>) -> Table {
+/// H at one, two and three times the firing frequency, where it is largest; none where no engine fires evenly.
+fn of_firing(study: &MomentsStudy) -> Option<Table> {
+    let rows = study.rows.iter().filter(|row| !row.is_bare && row.guides.is_ok());
+    let even: Vec<_> = rows.filter_map(|row| Some((row, order_of_firing(&row.engine)?))).collect();
+    (!even.is_empty()).then(|| {
+        let head = phrase!("H at the firing frequency, {}", Unit::KILONEWTON_METRE);
+        let mut table = Table::new([head, "Order".into(), "1 ×".into(), "2 ×".into(), "3 ×".into()]);
+        for (row, order) in even {
+            let at = |times: u32| match CycleOrder::of_halves(times * order.halves()).and_then(|order| row.guide(order)) {
+                None => "–".into(),
+                Some(moments) => amount(moments.rocking, Unit::KILONEWTON_METRE),
+            };
+            table.push([name(row), Text::label(order.to_string())].into_iter().chain([1, 2, 3].map(at)).collect());
+        }
+        table
+    })
+}
+
+/// A row an engine, a column an order that some engine has, up to the last column and this order.
+fn guides(
+    study: &MomentsStudy,
+    (head, last): (&'static str, u32),
+    of: fn(&MomentsRow, CycleOrder) -> Option<Amplitude>,
+) -> Table {
     let rows = || study.rows.iter().filter(|row| !row.is_bare && row.guides.is_ok());
     let mut orders: Vec<CycleOrder> =
         rows().flat_map(|row| row.guides.iter().flat_map(|(all, _)| all.iter().map(|one| one.order))).collect();
     orders.sort_unstable();
     orders.dedup();
-    orders.retain(|order| order.is_whole() || rows().any(|row| of(row, *order).flatten().is_some()));
+    let has_any = |order: CycleOrder| rows().any(|row| of(row, order).flatten().is_some());
+    let has_column = |order: CycleOrder| order.halves() <= 2 * LAST_COLUMN || order.halves() == 2 * last;
+    orders.retain(|order| has_column(*order) && (has_any(*order) || order.is_whole() && order.halves() <= 2 * LAST_COLUMN));
     let first = phrase!(head, Unit::KILONEWTON_METRE);
     let mut table = Table::new([first].into_iter().chain(orders.iter().map(|order| Text::label(order.to_string()))));
     for row in rows() {
