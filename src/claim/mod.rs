@@ -34,6 +34,8 @@ mod symbols;
 mod written_value;
 
 use crate::engine::Engine;
+use crate::order::{Masses, masses_as_built};
+use crate::proof::Quantity;
 
 pub use absolute::{Absolute, Numbers};
 pub use answer::{Answer, Condition, Evidence, Finding, Status};
@@ -51,6 +53,19 @@ pub use statement::{
     Statement, Subject, Tolerance, Topic, Unit, Value,
 };
 pub use student::{StarTable, Verdict as TableVerdict};
+
+/// Whether a claim that names no masses holds of all of them: none where it names some or is about no order of a force or moment, and where
+/// the engine has none beside its pistons.
+pub fn holds_of_all_masses(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Option<bool> {
+    let Statement::Order { subject, predicate } = statement else { return None };
+    let has_others = masses_as_built(engine) != Masses::Reciprocating;
+    if subject.masses != Masses::Reciprocating || subject.quantity == Quantity::TORQUE || !has_others {
+        return None;
+    }
+    let subject = Subject { masses: Masses::All, ..*subject };
+    let of_all = answer(engine, &Statement::Order { subject, predicate: predicate.clone() }, numbers);
+    (of_all.status != Status::NotDecided).then(|| of_all.status.holds())
+}
 
 /// Answers a claim about an engine.
 pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {

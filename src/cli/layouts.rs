@@ -7,7 +7,7 @@ use std::sync::{Mutex, OnceLock};
 
 use crankstar::classroom::{self, Scheme};
 use crankstar::engine::Engine;
-use crankstar::file::{self, Entry, FileResolver, Layout};
+use crankstar::file::{self, Entry, FileResolver, Layout, LayoutWarning};
 use crankstar::text::{decoded, harmless};
 
 use super::failure::Failure;
@@ -27,9 +27,17 @@ pub fn read(layout: &Path) -> Result<Layout, Failure> {
 
 /// The same of one whose name and text are at hand.
 pub fn parsed(layout: &Path, name: &str, text: &str) -> Result<Layout, Failure> {
-    let read = file::parse_layout_beside(name, text, resolver(layout, &|path| beside(layout, path)))?;
-    warn(name, text, &read);
-    Ok(read)
+    match file::parse_layout_beside(name, text, resolver(layout, &|path| beside(layout, path))) {
+        Ok(read) => {
+            warn(file::warnings(name, text, &read));
+            Ok(read)
+        }
+        Err(error) => {
+            // A length in millimetres that is read in metres makes a crank that cannot turn.
+            warn(file::warnings_of_refused(name, text));
+            Err(error.into())
+        }
+    }
 }
 
 /// The same of an engine without unknowns, which this `needs`: `the torque needs`.
@@ -58,9 +66,9 @@ pub fn warn_of(layout: &Path) {
 }
 
 /// Tells what is odd about the quantities of a layout, once.
-fn warn(name: &str, text: &str, layout: &Layout) {
+fn warn(warnings: Vec<LayoutWarning>) {
     static TOLD: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
-    for warning in file::warnings(name, text, layout) {
+    for warning in warnings {
         let is_new = TOLD.lock().is_ok_and(|mut told| told.insert(warning.to_string()));
         if is_new {
             write::warn(&warning.to_string());
@@ -154,7 +162,8 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
 }
 
 fn not_found(layout: &str, error: &std::io::Error) -> Failure {
-    let looks_like_path = layout.contains(['/', '\\']) || layout.ends_with(".toml");
+    // No engine of the catalogue has a dot in its name.
+    let looks_like_path = layout.contains(['/', '\\', '.']);
     if looks_like_path || error.kind() != std::io::ErrorKind::NotFound {
         return Failure::new(format!("cannot read `{layout}`: {error}"));
     }

@@ -135,6 +135,13 @@ pub enum Math {
     Dollars,
 }
 
+/// Whether a path has the ending of a page.
+fn is_named_as_a_page(path: &Path) -> bool {
+    const ENDINGS: [&str; 7] = ["html", "htm", "md", "tex", "pdf", "txt", "typ"];
+    let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+    ending.is_some_and(|ending| ENDINGS.contains(&ending.as_str()))
+}
+
 /// What LaTeX takes in a label.
 fn prefix(text: &str) -> Result<String, String> {
     let is_meant = |letter: char| letter.is_ascii_alphanumeric() || "-.:".contains(letter);
@@ -163,12 +170,20 @@ impl PageArgs {
         Ok(page::write(document, self.format(format), &options))
     }
 
-    /// Refuses a name of a file of data: a page goes into a folder.
+    /// Refuses a name of a file: a page goes into a folder.
     ///
     /// # Errors
     /// How the data would be had, where the command has any.
     pub fn is_for_a_folder(&self) -> Result<(), Failure> {
-        match self.output.as_deref().filter(|path| tables::is_named_as_data(path)) {
+        let named = self.output.as_deref().filter(|path| !path.is_dir());
+        if let Some(path) = named.filter(|path| is_named_as_a_page(path)) {
+            let shown = layouts::shown(path);
+            let (folder, _) = shown.rsplit_once('.').unwrap_or((&shown, ""));
+            return Err(Failure::misuse(format!(
+                "`{shown}` is named as a file, and a page goes into a folder with its pictures; write --output {folder}"
+            )));
+        }
+        match named.filter(|path| tables::is_named_as_data(path)) {
             None => Ok(()),
             Some(path) => Err(Failure::misuse(format!(
                 "`{}` is named as a file of data, and a page goes into a folder; name a folder",

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crankstar::engine::{CycleOrder, Engine};
-use crankstar::file::Template;
+use crankstar::file::{self, Template};
 use crankstar::report::{ValueName, values_of};
 use crankstar::shard::Question;
 use crankstar::sweep::{self, Geometry, Observer, Parameter, Stream};
@@ -12,7 +12,7 @@ use crankstar::sweep::{self, Geometry, Observer, Parameter, Stream};
 use super::answer::Answer;
 use super::failure::Failure;
 use super::pieces::Pieces;
-use super::{layouts, progress};
+use super::{layouts, progress, write};
 
 /// Arguments of `sweep`.
 #[derive(clap::Args)]
@@ -159,7 +159,14 @@ impl Ranges {
         let given = self.flags().into_iter().filter_map(|(flag, range)| Some((flag, range?)));
         let short = given.map(|(flag, range)| Parameter::short_cut(flag, range, template));
         let set = self.set.iter().map(|text| Parameter::parse(text));
-        short.chain(set).collect::<Result<_, _>>().map_err(Failure::new)
+        let parameters: Vec<Parameter> = short.chain(set).collect::<Result<_, _>>().map_err(Failure::new)?;
+        for parameter in &parameters {
+            let first = format!("{} {}", parameter.range.value(0), parameter.range.unit());
+            if let Some(odd) = file::odd_value(parameter.key.name(), first.trim()) {
+                write::warn(&format!("warning: {odd}"));
+            }
+        }
+        Ok(parameters)
     }
 }
 

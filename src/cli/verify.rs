@@ -52,7 +52,14 @@ impl Verify {
             false => format!("`{}`", file.display()),
         };
         let json = read(file).map_err(|error| Failure::new(format!("cannot read {name}: {error}")))?;
-        let document = read_document(&json).map_err(|error| unreadable(&name, &error))?;
+        let is_layout = file.extension().is_some_and(|ending| ending == "toml");
+        let document = read_document(&json).map_err(|error| match is_layout {
+            true => Failure::new(format!(
+                "{name} is named as a layout file; what is verified is a document, such as the output of `classify {} --json`",
+                layouts::shown(file)
+            )),
+            false => unreadable(&name, &error),
+        })?;
         let checked = document.check().map_err(|fault| Failure::new(format!("{name}: {fault}")))?;
         let engine = match self.engine.as_slice() {
             [] => "the engine: the document's own; --engine LAYOUT compares it with one that you trust".to_owned(),

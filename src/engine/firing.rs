@@ -84,10 +84,14 @@ impl Firing {
         let needed = degrees(&angle);
         let cycle_degrees = degrees(&cycle.turns());
         Err(if angle < cycle.turns() {
-            (
-                format!("the order {} does not say which interval is a revolution longer", names.join("-")),
-                format!("give firing_angles instead: degrees within {cycle_degrees}, one per cylinder"),
-            )
+            let angles = format!("give firing_angles instead: degrees within {cycle_degrees}, one per cylinder");
+            let right = match every_second(cylinders) {
+                Some(usual) => {
+                    format!("a row of a radial engine fires every second cylinder, {}; or {angles}", usual.join("-"))
+                }
+                None => angles,
+            };
+            (format!("the order {} does not say which interval is a revolution longer", names.join("-")), right)
         } else {
             (
                 format!("these throws need {needed}° to fire in the order {}", names.join("-")),
@@ -135,4 +139,14 @@ fn top_dead_centre(cylinders: &[Cylinder], to: usize, from: usize) -> BigRationa
 /// Turns in degrees, not reduced.
 pub(super) fn degrees(turns: &BigRational) -> BigRational {
     turns * BigRational::from_integer(360.into())
+}
+
+/// The order of an odd number of cylinders on one crankpin that fire every second one, by their names; none of other engines.
+fn every_second(cylinders: &[Cylinder]) -> Option<Vec<&str>> {
+    let first = cylinders.first()?;
+    let is_row = cylinders.len() > 1 && cylinders.len() % 2 == 1;
+    let is_on_one_pin = |one: &Cylinder| (&one.throw, &one.position) == (&first.throw, &first.position);
+    let places = 0..cylinders.len();
+    (is_row && cylinders.iter().all(is_on_one_pin))
+        .then(|| places.map(|place| cylinders[2 * place % cylinders.len()].name.as_str()).collect())
 }

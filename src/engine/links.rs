@@ -29,7 +29,7 @@ pub(super) fn check(engine: &Engine) -> Result<(), BuildError> {
     };
     let effects = engine.effects();
     let asked = [
-        (effects.torque, "the proof of the inertia torque"),
+        (effects.torque, "the exact inertia torque, \"torque\" in effects,"),
         (!engine.geared_cranks().is_empty(), "several crankshafts"),
         (
             engine.crankshaft().balancers.iter().any(of_link),

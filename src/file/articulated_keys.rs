@@ -8,7 +8,6 @@ use serde_spanned::Spanned;
 use super::error::LayoutError;
 use super::knuckle_keys;
 use super::layout::built;
-use super::quantities::misread;
 use super::written::{Column, Table, Text, Values, place};
 use crate::engine::{Cylinder, Draft, Engine, Given, Link, Measure, Mechanism};
 use crate::exact::Turn;
@@ -114,8 +113,12 @@ impl Keys {
         for text in &texts {
             let name = &text.get_ref().0;
             let Some(index) = engine.cylinders().iter().position(|cylinder| cylinder.name == *name) else {
-                let right = "the name of a cylinder, a list of them where there are several crankpins";
-                return Err(misread("master", name, right.to_owned(), text));
+                let shown: String = name.chars().take(40).collect();
+                let [first, last] = [0, engine.cylinders().len() - 1].map(|index| &engine.cylinders()[index].name);
+                let right = format!(
+                    "the name of a cylinder, {first} to {last}; a list of them where there are several crankpins"
+                );
+                return Err(LayoutError::new(format!("there is no cylinder `{shown}`"), right, place(text)));
             };
             let pin = engine.cylinders()[index].pin;
             if let Some(&other) = masters.iter().find(|&&other| engine.cylinders()[other].pin == pin) {
@@ -213,7 +216,7 @@ impl Rows<'_> {
             true => Ok(()),
             false => {
                 let message = format!("cylinder {} has a link and yet a rotating mass on the crankpin", cylinder.name);
-                let right = "list rotating_mass by cylinder, 0 for links; big end of a link and knuckle pin are the knuckle_mass";
+                let right = "list rotating_mass, or rod_mass, by cylinder, 0 for links: big end of a link and knuckle pin are its knuckle_mass, and its small end counts in piston_mass or reciprocating_mass";
                 Err(LayoutError::new(message, right, place(self.table)))
             }
         }

@@ -10,8 +10,9 @@ use serde_spanned::Spanned;
 use super::crankshaft_keys::each;
 use super::error::LayoutError;
 use super::quantities::{self, factor, mass, mass_radius, positive_metres};
+use super::rewritten::exact_number;
 use super::written::{Column, Table, Text, place};
-use crate::engine::{Counterweight, Engine, Throw};
+use crate::engine::{Counterweight, Engine, LengthUnit, Throw};
 use crate::exact::Turn;
 
 /// `[[counterweight]]`.
@@ -183,8 +184,15 @@ pub(super) fn on_the_shaft(
 ) -> Result<(), LayoutError> {
     match engine.shaft_ends() {
         Some([low, high]) if *position < low || *position > high => {
-            let message = format!("a counterweight at {position} is beyond the crankshaft");
-            Err(LayoutError::new(message, format!("the shaft reaches from {low} to {high}"), span))
+            let shown = |position: &BigRational| match engine.length_unit() {
+                LengthUnit::Metre => {
+                    let millimetres = position * BigRational::from_integer(1000.into());
+                    format!("{} mm", exact_number(&millimetres).trim_matches('"'))
+                }
+                LengthUnit::Spacing => position.to_string(),
+            };
+            let message = format!("a counterweight at {} is beyond the crankshaft", shown(position));
+            Err(LayoutError::new(message, format!("the shaft reaches from {} to {}", shown(&low), shown(&high)), span))
         }
         _ => Ok(()),
     }

@@ -1,13 +1,14 @@
 //! How are crank, rods, masses and speed written? `[mechanism]` and `speed`.
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::measured::{Column, Reading};
 use super::quantities::{misread, not_negative, value};
+use super::rewritten::exact_number;
 use super::units;
 use super::written::{self, Text, place};
 use crate::engine::{Cylinder, Dimensions, Given, Linear, Measure, Mechanism, Rod};
@@ -129,10 +130,18 @@ impl Keys {
             None => Ok(mechanisms),
             Some(index) => {
                 let Rod { ratio, offset } = &rods[index];
-                let message = format!("cylinder {} cannot turn round: λ + |δ| = {}", index + 1, ratio + offset.abs());
-                let right = match offset.is_zero() {
-                    true => "the rod has to be longer than the crank radius: λ < 1",
-                    false => {
+                let size = ratio + offset.abs();
+                let shown = match exact_number(&size) {
+                    fraction if fraction.starts_with('"') => format!("≈ {:.4}", size.to_f64().unwrap_or(f64::INFINITY)),
+                    decimal => format!("= {decimal}"),
+                };
+                let message = format!("cylinder {} cannot turn round: λ + |δ| {shown}", index + 1);
+                let right = match (offset.is_zero(), &self.rod_ratio) {
+                    (true, Some(_)) => {
+                        "rod_ratio is λ = r/l, crank radius over rod length, below 1; l/r = 3.5 is written \"1/3.5\""
+                    }
+                    (true, None) => "the rod has to be longer than the crank radius: λ < 1",
+                    (false, _) => {
                         "the rod has to be longer than crank radius and offset together, by a millionth: λ + |δ| ≤ 0.999999"
                     }
                 };

@@ -59,11 +59,11 @@ pub use number::{NumberError, parse_number};
 pub use quantities::{parse_angle, parse_length, parse_radius};
 pub use replaced::with_value;
 pub use rewritten::{
-    balancer_table, comment, counterweight_in_multiples, counterweight_table, exact_number, without_balancers,
-    without_counterweights,
+    balancer_table, comment, counted_from_its_throw, counterweight_in_multiples, counterweight_table, exact_number,
+    without_balancers, without_counterweights,
 };
 pub use rotor_keys::{Rotor, RotorMass, parse_rotor};
 pub use schema::{schema, tables};
 pub use template::{Key, Template};
 pub use units::turns_per_unit;
-pub use usual::{LayoutWarning, warnings};
+pub use usual::{LayoutWarning, odd_value, warnings, warnings_of_refused};

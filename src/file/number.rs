@@ -20,6 +20,8 @@ const LARGEST_EXPONENT: i32 = 100;
 pub enum NumberError {
     /// Not of the form `-12.5`, `3/2` or `1e-3`.
     NotANumber,
+    /// A comma where the decimal point is.
+    DecimalComma,
     /// A fraction over 0.
     ZeroDenominator,
     /// More than 200 digits, or a power of ten beyond ±100.
@@ -30,6 +32,7 @@ impl fmt::Display for NumberError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             NumberError::NotANumber => "not a number; write a decimal such as 22.5 or a fraction such as \"3/2\"",
+            NumberError::DecimalComma => "not a number; write a decimal point, as in 22.5",
             NumberError::ZeroDenominator => "a fraction over 0; its denominator has to be 1 or more",
             NumberError::TooLong => "out of range; up to 200 digits and powers of ten up to 100 are read",
         })
@@ -82,7 +85,9 @@ fn decimal(text: &str) -> Result<BigRational, NumberError> {
     let (whole, behind) = unsigned.split_once('.').unwrap_or((unsigned, ""));
     let digits = if behind.is_empty() { Cow::Borrowed(whole) } else { Cow::Owned(format!("{whole}{behind}")) };
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
-        return Err(NumberError::NotANumber);
+        let is_digit = |byte: u8| byte.is_ascii_digit() || byte == b',';
+        let has_comma = digits.matches(',').count() == 1 && !unsigned.contains('.') && digits.bytes().all(is_digit);
+        return Err(if has_comma { NumberError::DecimalComma } else { NumberError::NotANumber });
     }
     let places = i32::try_from(behind.len()).map_err(|_| NumberError::TooLong)?;
     // Nearly every number is a word over a power of ten that is one.

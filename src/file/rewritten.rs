@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use crate::engine::{Balancer, Convention, Counterweight, Engine};
+use crate::engine::{Balancer, Convention, Counterweight, Engine, throws};
 use crate::proof::Sense;
 
 /// A balancer shaft as a table of a layout file; its mass-radius is written in multiples of m r, where `unit` is m r in
@@ -56,6 +56,20 @@ pub fn counterweight_table(weight: &Counterweight, convention: Convention) -> St
         exact_number(&weight.radius),
         exact_number(&weight.position),
     )
+}
+
+/// The table of a counterweight whose angle counts from its throw, where it has one; `table` writes any.
+pub fn counted_from_its_throw(
+    engine: &Engine,
+    weight: &Counterweight,
+    table: impl Fn(&Counterweight) -> String,
+) -> String {
+    let throws = throws(engine);
+    let Some((index, throw)) = weight.throw.and_then(|index| Some((index, throws.get(index)?))) else {
+        return table(weight);
+    };
+    let turned = Counterweight { angle: &weight.angle - &throw.angle, ..weight.clone() };
+    table(&turned).replacen('\n', &format!("\nthrow = {}\n", index + 1), 1)
 }
 
 /// An exact number as a layout file has it: a decimal where it ends, else a fraction in quotes.

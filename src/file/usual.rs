@@ -2,7 +2,7 @@
 //! it is not refused, for an exercise may have any engine, but told.
 
 use std::fmt;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use annotate_snippets::Level;
 use num_rational::BigRational;
@@ -13,7 +13,7 @@ use super::error::LayoutError;
 use super::layout::Layout;
 use super::rewritten::exact_number;
 use super::{units, written};
-use crate::engine::{Engine, Mechanism};
+use crate::engine::{Engine, LengthUnit, Mechanism, PressureLaw};
 
 /// Something odd in a layout file, with its place. It changes no result.
 #[derive(Clone, Debug)]
@@ -43,6 +43,12 @@ const OF_SPACING: Kind = Kind {
 const MASS: Kind = Kind { read: |text| units::mass(text).ok(), unit: "kg", meant: &["g", "oz", "lb", "kg", "t"] };
 const SPEED: Kind = Kind { read: |text| units::speed(text).ok(), unit: "rpm", meant: &["rev/s", "rad/s", "rpm"] };
 
+const PRESSURE: Kind = Kind {
+    read: |text| Some(units::pressure(text, None).ok()? / BigRational::from_integer(100_000.into())),
+    unit: "bar",
+    meant: &[],
+};
+
 /// A model engine of 5 mm of stroke and a beam engine of 3.7 m, a piston of a gram and the crosshead engine of 14 cylinders are within these;
 /// in thousandths of the base unit, and of either sign. 0 is always one.
 #[rustfmt::skip]
@@ -64,6 +70,8 @@ const USUAL: &[(&str, Kind, i64, i64)] = &[
     ("circumradius", OF_SPACING, 2, 20_000),
     ("mass", MASS, 0, 100_000_000),
     ("speed", SPEED, 1_000, 100_000_000),
+    ("peak_pressure", PRESSURE, 5_000, 400_000),
+    ("mean_pressure", PRESSURE, 10, 60_000),
 ];
 /// What ends so is a mass: `piston_mass`.
 const MASS_ENDS: &str = "_mass";
@@ -87,13 +95,45 @@ const HEAVIEST: i64 = 100_000;
 /// ```
 pub fn warnings(name: &str, source: &str, layout: &Layout) -> Vec<LayoutWarning> {
     let Ok(table) = written::table(source) else { return Vec::new() };
-    let mut odd = Vec::new();
-    each(table.get_ref(), &mut |key, text, span| odd.extend(quantity(key, text, span)));
+    let mut odd = odd_quantities(table.get_ref(), has_parts(layout));
     // What follows from an odd quantity is odd as well, and says nothing more.
     if let (true, Layout::Known(engine, _)) = (odd.is_empty(), layout) {
         odd.extend(together(engine, table.get_ref()));
     }
     odd.into_iter().map(|odd| LayoutWarning(odd.in_file(name, source))).collect()
+}
+
+/// What is odd about the quantities of a file that is refused: the reason may be a unit.
+pub fn warnings_of_refused(name: &str, source: &str) -> Vec<LayoutWarning> {
+    let Ok(table) = written::table(source) else { return Vec::new() };
+    odd_quantities(table.get_ref(), false).into_iter().map(|odd| LayoutWarning(odd.in_file(name, source))).collect()
+}
+
+/// What is odd about the value of a key that is not in a file, in one line.
+pub fn odd_value(key: &str, text: &str) -> Option<String> {
+    let name = key.rsplit('.').find(|part| part.parse::<usize>().is_err())?;
+    let odd = quantity(name, text, 0..0)?;
+    Some(format!("{}: {}", odd.message(), odd.right()))
+}
+
+/// Whether counterweights are written in parts: the radius of a part may be any, that of all together is one of an engine.
+fn has_parts(layout: &Layout) -> bool {
+    let Layout::Known(engine, _) = layout else { return false };
+    let weights = &engine.crankshaft().counterweights;
+    weights.iter().enumerate().any(|(index, one)| {
+        weights[..index].iter().any(|other| (&other.position, other.crank) == (&one.position, one.crank))
+    })
+}
+
+/// Those that are odd by themselves.
+fn odd_quantities(table: &DeTable<'_>, has_parts: bool) -> Vec<LayoutError> {
+    let mut odd = Vec::new();
+    each(table, &mut |key, text, span| {
+        if !(has_parts && key == "radius") {
+            odd.extend(quantity(key, text, span));
+        }
+    });
+    odd
 }
 
 /// Shows every text of a table and those in it, with its key and its place.
@@ -139,6 +179,9 @@ fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
     let whole = |number: i64| BigRational::from_integer(number.into());
     let dimensions = engine.dimensions();
     let Some(unit) = &dimensions.crank_radius else { return Vec::new() };
+    if let Some(odd) = longest(engine, table).or_else(|| measured(engine, table)) {
+        return vec![odd];
+    }
     let radii = || engine.cylinders().iter().map(|cylinder| &cylinder.crank_radius * unit);
     let mut odd = Vec::new();
     if let (Some(speed), Some(span)) = (&dimensions.speed, place(table, &["speed"])) {
@@ -183,6 +226,58 @@ fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
         }
     }
     odd
+}
+
+/// An engine is no longer than this, in metres.
+const LONGEST: i64 = 50;
+
+/// A position in metres that is beyond any engine.
+fn longest(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
+    let most = BigRational::from_integer(LONGEST.into());
+    if engine.length_unit() != LengthUnit::Metre {
+        return None;
+    }
+    let is_far = |at: &&BigRational| at.abs() > most;
+    let bearing = engine.bearings().iter().find(is_far).map(|at| ("a main bearing", at, place(table, &["bearings"])));
+    let forms = || table.values().filter_map(|value| value.get_ref().as_table());
+    let spacing = || forms().find_map(|form| place(form, &["spacing"]));
+    let cylinder = || engine.cylinders().iter().map(|cylinder| &cylinder.position).find(is_far);
+    let (what, at, span) = bearing.or_else(|| Some(("a cylinder", cylinder()?, spacing())))?;
+    let message = format!("{what} is at {} m", exact_number(at).trim_matches('"'));
+    let right = format!("no engine is longer than {LONGEST} m: is the unit right? such as \"88 mm\"");
+    Some(LayoutError::new(message, right, span))
+}
+
+/// Angles of the largest pressure that are usual, in degrees from the firing dead centre, and largest pressures, in bar.
+const USUAL_PEAK: [RangeInclusive<i64>; 2] = [-5..=40, 5..=400];
+
+/// What is odd about a table of pressures: its largest one, or where that is. Steam and pumps, double-acting as a rule, have theirs elsewhere.
+fn measured(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
+    let (gas, cycle) = (engine.gas()?, engine.cycle()?);
+    let gas_keys = table.get("gas")?.get_ref().as_table()?;
+    let span = place(gas_keys, &["table", "pressure"]);
+    let whole = |number: i64| BigRational::from_integer(number.into());
+    let is_usual = |value: &BigRational, usual: &RangeInclusive<i64>| {
+        *value >= whole(*usual.start()) && *value <= whole(*usual.end())
+    };
+    let odd = |law: &PressureLaw| {
+        let PressureLaw::Table(rows) = law else { return None };
+        let (angle, pascals) = rows.rows().iter().max_by(|one, other| one.1.cmp(&other.1))?;
+        let bar = pascals / whole(100_000);
+        if !is_usual(&bar, &USUAL_PEAK[1]) {
+            let message = format!("the largest pressure of the table is {} bar", bar.round());
+            return Some(LayoutError::new(message, "engines have 5 to 400 bar: is the unit right?", span.clone()));
+        }
+        let turns = cycle.turns();
+        let within = angle / &turns - (angle / &turns + BigRational::new(1.into(), 2.into())).floor();
+        let degrees = within * turns * whole(360);
+        let message = format!("the largest pressure of the table is at {}° of the firing dead centre", degrees.round());
+        let right = "−5° to 40° is usual: 0 is the firing dead centre; where the table has it at 360, subtract 360";
+        (!rows.is_constant() && !is_usual(&degrees, &USUAL_PEAK[0]))
+            .then(|| LayoutError::new(message, right, span.clone()))
+    };
+    let is_of_engine = gas.chambers.iter().all(|chamber| chamber.below.is_none());
+    gas.laws.iter().filter(|_| is_of_engine).find_map(odd)
 }
 
 /// What the reciprocating mass is written as.

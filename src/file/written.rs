@@ -10,6 +10,7 @@ use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::LayoutError;
+use super::schema::tables;
 use crate::text::Untrusted;
 
 /// A number or a text, as written.
@@ -185,7 +186,9 @@ fn toml_error(error: toml::de::Error) -> LayoutError {
     let words = what.split_once(": ").map_or_else(|| what.split_once(" field "), Some);
     let (what, right) = match (words, expected) {
         (Some(("missing", key)), _) => (format!("the key {key} is missing"), "this table needs it".to_owned()),
-        (Some(("unknown", key)), expected) => (format!("unknown key {key}"), format!("expected {expected}")),
+        (Some(("unknown", key)), expected) => {
+            (format!("unknown key {key}"), what_is_known(key.trim_matches('`'), expected))
+        }
         (Some(("invalid type", "map")), "a sequence") => {
             ("a table in place of a list".to_owned(), "a list of tables has [[two brackets]]".to_owned())
         }
@@ -198,6 +201,24 @@ fn toml_error(error: toml::de::Error) -> LayoutError {
         (_, expected) => (what.to_owned(), format!("expected {expected}")),
     };
     LayoutError::new(what, right, error.span())
+}
+
+/// Keys that are as alike as this are slips of the hand (Jaro and Winkler).
+const ALIKE: f64 = 0.85;
+
+/// What may be meant by an unknown key: one that is nearly it, one of the file as a whole, or any of those that are expected.
+fn what_is_known(unknown: &str, expected: &str) -> String {
+    let keys: Vec<&str> = expected.split('`').skip(1).step_by(2).collect();
+    let near = keys.iter().map(|key| (strsim::jaro_winkler(unknown, key), key));
+    let near = near.filter(|(alike, _)| *alike >= ALIKE).max_by(|one, other| one.0.total_cmp(&other.0));
+    let has = |is_meant: &dyn Fn(&str, &[&str]) -> bool| tables().any(|(table, own)| is_meant(table, &own));
+    let is_of_a_layout = has(&|table, own| !table.is_empty() && own == keys);
+    let is_of_the_file = is_of_a_layout && has(&|table, own| table.is_empty() && own.contains(&unknown));
+    match near {
+        Some((_, key)) => format!("did you mean `{key}`?"),
+        None if is_of_the_file => format!("`{unknown}` belongs above the first table"),
+        None => format!("expected {expected}"),
+    }
 }
 
 /// The name of a kind of value, as a person says it. A number has become text by now: it shows without quotes.

@@ -6,7 +6,7 @@ use super::bound::Bound;
 use super::design::{Design, Residual, measure, note, weight};
 use super::direction::Directions;
 use super::error::OptimiseError;
-use super::exact::{Steps, counterweights, mass_radii};
+use super::exact::{Steps, mass_radii};
 use super::file;
 use super::front::{Optimum, decimal};
 use super::place::{Place, places};
@@ -18,6 +18,7 @@ use crate::engine::{Engine, throws};
 use crate::exact::Turn;
 use crate::file::FileResolver;
 use crate::loads::Scale;
+use crate::remedy::counterweight_parts;
 
 /// Part by which the mass, or the peak, may exceed its optimum where the other is made least among all that reach it.
 pub(super) const SLACK: f64 = 1e-6;
@@ -41,7 +42,8 @@ impl<'a> Search<'a> {
         let places = places(engine);
         let mut problem = Problem::new(engine, &places, wish)?;
         let own = throws(engine).into_iter().map(|throw| throw.angle);
-        let others = problem.exact.iter().flat_map(|sum| sum.terms()).map(|term| term.angle.clone());
+        let exact = problem.shafts.iter().flat_map(|shaft| &shaft.exact);
+        let others = exact.flat_map(|sum| sum.terms()).map(|term| term.angle.clone());
         let directions = Directions::new(&own.chain(others).collect::<Vec<Turn>>());
         let radius = engine.dimensions().crank_radius.clone().ok_or(OptimiseError::NoMasses)?;
         let steps = Steps::new(&problem.unit, &radius);
@@ -87,11 +89,12 @@ impl<'a> Search<'a> {
         let chosen = self.solve(Least::Squares, Some(mass), peak).unwrap_or(best);
         let exact = mass_radii(&self.problem, &self.places, &self.directions, &self.steps, &chosen.weights);
         let pairs = self.places.iter().zip(&exact);
-        let weights: Vec<_> = pairs.map(|(place, sum)| counterweights(place, sum, &self.steps.mass)).collect();
+        let weights: Vec<_> =
+            pairs.map(|(place, sum)| counterweight_parts(&place.empty(), sum, &self.steps.mass)).collect();
         let draft = self.engine.with_counterweights(weights.iter().flatten().cloned().collect());
         let draft = draft.map_err(|error| OptimiseError::Unsolved(error.to_string()))?;
         let notes: Vec<String> = self.places.iter().map(|place| note(&weight(&draft, place))).collect();
-        let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple, self.problem.is_exact));
+        let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple, self.problem.is_exact()));
         let engine = file::with_counterweights((self.engine, self.beside), &weights, &head, &notes)?;
         let design = measure(&engine, &self.places, &self.wish.orders)?;
         if !self.keeps(&design) {
@@ -103,7 +106,7 @@ impl<'a> Search<'a> {
 
     /// Whether force and couple are what was asked for, proved: nothing, or with offsets next to nothing.
     fn keeps(&self, design: &Design) -> bool {
-        let slight = match (self.problem.is_exact, &design.scale) {
+        let slight = match (self.problem.is_exact(), &design.scale) {
             (true, _) => 0.0,
             (false, scale) => SLIGHT * scale.as_ref().map_or(1.0, Scale::force) * self.engine.cylinders().len() as f64,
         };

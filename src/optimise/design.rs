@@ -7,9 +7,9 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
 use super::error::OptimiseError;
-use super::first::First;
+use super::first::{First, Turning};
 use super::place::Place;
-use crate::engine::{Engine, throws};
+use crate::engine::{Counterweight, Engine, throws};
 use crate::exact::{PhasorSum, Term};
 use crate::journal::{self, bearing_peaks};
 use crate::loads::{Arm, Method, Scale, bearing_loads};
@@ -24,11 +24,14 @@ pub struct Design {
     /// Largest load of each main bearing, in multiples of m r ω², on a continuous beam: in a revolution, of the masses; where the layout asks
     /// for the gas in a cycle, of gas and masses.
     pub peaks: Vec<f64>,
+    /// What these bearings are called: their numbers, beside the names of their crankshafts where there are several.
+    pub bearings: Vec<String>,
     /// Indices of the bearings with the largest.
     pub worst: Vec<usize>,
     /// What is at each place.
     pub weights: Vec<PlacedWeight>,
-    /// What is left of the first-order force that turns with the crank, in newtons (else multiples of m r ω²).
+    /// What is left of the first-order force that turns with the crank, in newtons (else multiples of m r ω²); of several crankshafts
+    /// the largest.
     pub force: Residual,
     /// What is left of its couple about the reference plane, in newton-metres (else multiples of m r ω² times the unit of the
     /// positions).
@@ -68,6 +71,16 @@ pub enum Residual {
     Between(f64, f64),
 }
 
+impl Residual {
+    /// The larger of two.
+    fn larger(self, other: Self) -> Self {
+        match (self, other) {
+            (Residual::Zero, one) | (one, Residual::Zero) => one,
+            (Residual::Between(a, b), Residual::Between(c, d)) => Residual::Between(a.max(c), b.max(d)),
+        }
+    }
+}
+
 /// Measures an engine with counterweights at these places, at these orders.
 ///
 /// # Errors
@@ -91,20 +104,31 @@ pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Desi
         }
     };
     let couple_scale = if Arm::of(engine) == Arm::Metre { newtons } else { 1.0 };
+    let left = |weighing: &dyn Fn(&BigRational) -> BigRational, scale: f64| {
+        let of_shaft = |crank: usize| {
+            let first = First::new((engine, crank), weighing, &unit)?;
+            Ok(first.left(&unit, scale * Turning::of(engine, crank).force()))
+        };
+        let shafts = (0..engine.geared_cranks().len().max(1)).map(of_shaft);
+        let shafts = shafts.collect::<Result<Vec<Residual>, OptimiseError>>()?;
+        Ok::<_, OptimiseError>(shafts.into_iter().fold(Residual::Zero, Residual::larger))
+    };
     Ok(Design {
         mass,
         peaks,
+        bearings: loads.bearings.iter().map(|bearing| bearing.name.clone()).collect(),
         worst,
         weights: places.iter().map(|place| weight(engine, place)).collect(),
-        force: First::new(engine, &|_| BigRational::one(), &unit)?.left(&unit, newtons),
-        couple: First::new(engine, &arm, &unit)?.left(&unit, couple_scale),
+        force: left(&|_| BigRational::one(), newtons)?,
+        couple: left(&arm, couple_scale)?,
         scale: loads.scale,
     })
 }
 
 /// What is at a place.
 pub(super) fn weight(engine: &Engine, place: &Place) -> PlacedWeight {
-    let here = || engine.crankshaft().counterweights.iter().filter(|weight| weight.position == place.position);
+    let is_here = |weight: &&Counterweight| (&weight.position, weight.crank) == (&place.position, place.crank);
+    let here = || engine.crankshaft().counterweights.iter().filter(is_here);
     let terms = here().map(|weight| Term { angle: weight.angle.clone(), weight: weight.mass_radius() });
     let mass_radius = numbers::evaluate(&PhasorSum::new(terms.collect()));
     let mass = here().map(|weight| &weight.mass).sum();

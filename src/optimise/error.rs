@@ -12,10 +12,10 @@ use crate::text::harmless;
 pub enum OptimiseError {
     /// What the engine lacks for the loads of its bearings.
     Missing(Missing),
-    /// Several crankshafts, whose counterweights are chosen for one alone.
-    SeveralCrankshafts,
     /// No counterweights, so no planes for them.
     NoPlaces,
+    /// None on one of several crankshafts.
+    NoPlacesOn(String),
     /// All counterweights in one plane, where they make no couple.
     OnePlane(String),
     /// No masses: the crankshaft's mass is not known.
@@ -42,15 +42,17 @@ impl fmt::Display for OptimiseError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             OptimiseError::Missing(missing) => missing.fmt(f),
-            OptimiseError::SeveralCrankshafts => f.write_str(
-                "counterweights are optimised for one crankshaft alone; this engine has several that are geared together",
-            ),
             OptimiseError::NoPlaces => f.write_str(
                 "the layout has no counterweights whose planes and radii could be taken; below [crankshaft], give balance_factor (any), counterweight_radius and web_offset, or list [[counterweight]] tables",
             ),
+            OptimiseError::NoPlacesOn(crankshaft) => write!(
+                f,
+                "the crankshaft {} has no counterweights whose planes and radii could be taken; give it [[counterweight]] tables in two planes or more, each with the throw it belongs to",
+                harmless(crankshaft)
+            ),
             OptimiseError::OnePlane(position) => write!(
                 f,
-                "all counterweights are at {position}: in one plane they make no couple; give web_offset below [crankshaft], or [[counterweight]] tables in two planes or more"
+                "all counterweights of a crankshaft are at {position}: in one plane they make no couple; give web_offset below [crankshaft], or [[counterweight]] tables in two planes or more"
             ),
             OptimiseError::NoMasses => f.write_str(
                 "the mass of the crankshaft is not known; below [mechanism], give reciprocating_mass or piston_mass, and stroke or crank_radius",

@@ -1,16 +1,14 @@
 //! Which counterweights does a workshop make? Whole units of mass-radius, but for those that make force and couple vanish.
 
-use num_bigint::BigInt;
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, ToPrimitive};
 
 use super::direction::Directions;
 use super::place::Place;
 use super::problem::Problem;
-use crate::engine::Counterweight;
-use crate::exact::{PhasorSum, Turn};
-use crate::numbers;
+use crate::exact::PhasorSum;
+use crate::remedy::{mass_step, power_of_ten_below};
 
 /// The steps that mass-radii and masses are rounded to.
 pub(super) struct Steps {
@@ -22,11 +20,7 @@ pub(super) struct Steps {
 
 impl Steps {
     pub fn new(unit: &BigRational, radius: &BigRational) -> Self {
-        let below = |value: &BigRational, digits: i32| {
-            let power = value.to_f64().filter(|value| *value > 0.0).map_or(0.0, |value| value.log10().floor());
-            BigRational::from_integer(10.into()).pow(power as i32 - digits)
-        };
-        Steps { mass_radius: below(unit, 4), mass: below(&(unit / radius), 5) }
+        Steps { mass_radius: power_of_ten_below(unit, 4), mass: mass_step(&(unit / radius)) }
     }
 }
 
@@ -35,7 +29,7 @@ const NOTHING: f64 = 5.0;
 
 /// The exact mass-radii in kilogram-metres, from those of a solution in multiples of m r.
 ///
-/// All are rounded but those that have to hold the balance: two where the couple has to vanish, one where it may stay. Those
+/// All are rounded but those that have to hold the balance: two on each crankshaft where the couple has to vanish, one where it may stay. Those
 /// are chosen where they are heaviest and farthest apart, so that what they take over is little.
 pub(super) fn mass_radii(
     problem: &Problem,
@@ -53,20 +47,30 @@ pub(super) fn mass_radii(
         false => directions.rounded(weight * unit, &steps.mass_radius),
     };
     let mut exact: Vec<PhasorSum> = weights.iter().map(rounded).collect();
+    for shaft in 0..problem.shafts.len() {
+        close(problem, places, shaft, weights, &mut exact);
+    }
+    exact.iter().map(|sum| directions.positive(sum)).collect()
+}
+
+/// Gives the closing weights of a crankshaft what the others leave to them.
+fn close(problem: &Problem, places: &[Place], shaft: usize, weights: &[Complex<f64>], exact: &mut [PhasorSum]) {
     let size = |index: usize| weights[index].norm();
     let apart = |a: usize, b: usize| (problem.arms[a] - problem.arms[b]).abs();
-    let pairs = (0..places.len()).flat_map(|a| (a + 1..places.len()).map(move |b| (a, b)));
+    let own = problem.places_on(shaft);
+    let pairs = own.clone().flat_map(|a| own.clone().filter(move |b| *b > a).map(move |b| (a, b)));
     let worth = |&(a, b): &(usize, usize)| size(a).min(size(b)) * apart(a, b) + 1e-12 * apart(a, b);
-    let Some((one, other)) = pairs.max_by(|p, q| worth(p).total_cmp(&worth(q))) else { return exact };
+    let Some((one, other)) = pairs.max_by(|p, q| worth(p).total_cmp(&worth(q))) else { return };
     let heavier = if size(one) >= size(other) { one } else { other };
     let closing: &[usize] = if problem.most_couple.is_some() { &[heavier] } else { &[one, other] };
     // What the closing weights have to add: U_1 + U_2 = F, z_1 U_1 + z_2 U_2 = C.
-    let [mut force, mut couple] = problem.exact.clone().map(|sum| sum.scaled(&-BigRational::one()));
+    let left = &problem.shafts[shaft].exact;
+    let [mut force, mut couple] = left.clone().map(|sum| sum.scaled(&-BigRational::one()));
     let reference = &places[one].position;
     let shifted = |place: usize| &places[place].position - reference;
     // The couple about the first of the two: C = C_0 − (z_1 − z_0) F.
-    couple = couple.minus(&problem.exact[0].scaled(&-(reference - &problem.reference)));
-    for index in (0..places.len()).filter(|index| !closing.contains(index)) {
+    couple = couple.minus(&left[0].scaled(&-(reference - &problem.reference)));
+    for index in own.filter(|index| !closing.contains(index)) {
         force = force.minus(&exact[index]);
         couple = couple.minus(&exact[index].scaled(&shifted(index)));
     }
@@ -77,53 +81,4 @@ pub(super) fn mass_radii(
         }
         _ => exact[heavier] = force,
     }
-    exact.iter().map(|sum| directions.positive(sum)).collect()
-}
-
-/// Counterweights that have this mass-radius together.
-///
-/// One along a direction of its own is one weight; any other is written as parts along two directions (more where those of the
-/// throws are no square or hexagon): their masses add up to that of the weight, and their common centre of gravity stands
-/// at its place, within the radius. The mass is rounded up, so that it is never below `|U|/r`.
-pub(super) fn counterweights(place: &Place, mass_radius: &PhasorSum, step: &BigRational) -> Vec<Counterweight> {
-    let terms = mass_radius.terms();
-    if terms.is_empty() {
-        return Vec::new();
-    }
-    let steps_of = |mass: BigRational| mass / step;
-    let whole = steps_of(length_above(mass_radius) / &place.radius).ceil().to_integer();
-    let count = terms.len().into();
-    let whole = whole.max(count);
-    let all: BigRational = terms.iter().map(|term| term.weight.clone()).sum();
-    let mut left = whole.clone();
-    let mut weights = Vec::new();
-    for (index, term) in terms.iter().enumerate() {
-        let last = index + 1 == terms.len();
-        let behind: BigInt = (terms.len() - index - 1).into();
-        let share = (BigRational::from_integer(whole.clone()) * &term.weight / &all).floor().to_integer();
-        let share = if last { left.clone() } else { share.max(One::one()).min(&left - behind) };
-        left -= &share;
-        let mass = BigRational::from_integer(share) * step;
-        let radius = &term.weight / &mass;
-        let angle: Turn = term.angle.clone();
-        weights.push(Counterweight { throw: None, angle, mass, radius, position: place.position.clone(), crank: 0 });
-    }
-    weights
-}
-
-/// The length of a vector, or a little more.
-fn length_above(sum: &PhasorSum) -> BigRational {
-    if let [only] = sum.terms() {
-        return only.weight.abs();
-    }
-    let [re, im] = numbers::enclose(sum, 128);
-    let square = |(low, high): &(BigRational, BigRational)| {
-        let largest = if low.abs() > high.abs() { low.abs() } else { high.abs() };
-        &largest * &largest
-    };
-    let square = square(&re) + square(&im);
-    // A square root from above in steps of 2⁻⁹⁶.
-    let bits = 96_u32;
-    let scaled = (square * BigRational::from_integer(BigInt::one() << (2 * bits))).ceil().to_integer();
-    BigRational::new(scaled.sqrt() + 1, BigInt::one() << bits)
 }

@@ -5,9 +5,11 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 
 use super::error::OptimiseError;
+use super::first::Turning;
 use crate::engine::Engine;
 use crate::journal::{self, Carried, ForceHistory};
 use crate::loads::{BearingLoads, Circle, Harmonic, Scale, Waveform};
+use crate::proof::Sense;
 use crate::torque;
 
 /// Crank angles of a revolution at which a solution of the masses is searched for peaks.
@@ -15,8 +17,8 @@ const STEPS: usize = 720;
 
 /// The loads of the bearings, in multiples of m r ω².
 pub(super) enum Felt {
-    /// Of the masses, at the orders that were asked for.
-    Masses(Vec<Waveform>),
+    /// Of the masses, at the orders that were asked for, with how the crankshaft of each bearing turns.
+    Masses(Vec<(Waveform, Turning)>),
     /// Of gas and masses, where the layout asks for the gas.
     All(Box<AllForces>),
 }
@@ -25,6 +27,8 @@ pub(super) enum Felt {
 pub(super) struct AllForces {
     course: ForceHistory,
     carried: Vec<Carried>,
+    /// How the crankshaft of each bearing turns.
+    turning: Vec<Turning>,
     /// m r ω² in newtons.
     unit: f64,
     grid: Vec<f64>,
@@ -34,21 +38,23 @@ pub(super) struct AllForces {
 
 impl AllForces {
     fn at(&self, bearing: usize, theta: f64) -> Complex<f64> {
-        self.course.carried(&self.carried[bearing], theta) * Complex::cis(-theta) / self.unit
+        self.course.carried(&self.carried[bearing], theta) * self.turning[bearing].seen_from(theta) / self.unit
     }
 }
 
 impl Felt {
     /// Those of an engine without counterweights; `loads` are of its masses.
     pub fn new(bare: &Engine, loads: BearingLoads) -> Result<Self, OptimiseError> {
+        let turning = loads.bearings.iter().map(|bearing| Turning::of(bare, bearing.crank)).collect::<Vec<_>>();
         if !bare.effects().gas {
-            return Ok(Felt::Masses(loads.bearings.into_iter().map(|bearing| bearing.waveform).collect()));
+            let waveforms = loads.bearings.into_iter().map(|bearing| bearing.waveform);
+            return Ok(Felt::Masses(waveforms.zip(turning).collect()));
         }
         let course = journal::course(bare).map_err(|lack| OptimiseError::Gas(lack.to_string()))?;
         let carried = journal::carried_by_bearings(bare).map_err(|lack| OptimiseError::Gas(lack.to_string()))?;
         let unit = loads.scale.as_ref().map(Scale::force).filter(|unit| *unit > 0.0).ok_or(OptimiseError::Still)?;
         let grid: Vec<f64> = torque::angles(course.period()).collect();
-        let mut all = AllForces { course, carried, unit, grid, known: Vec::new() };
+        let mut all = AllForces { course, carried, turning, unit, grid, known: Vec::new() };
         let of_bearing = |bearing: usize| all.grid.iter().map(|theta| all.at(bearing, *theta)).collect();
         all.known = (0..all.carried.len()).map(of_bearing).collect();
         Ok(Felt::All(Box::new(all)))
@@ -73,7 +79,10 @@ impl Felt {
     /// What a bearing feels at a crank angle, seen from the crank.
     pub fn at(&self, bearing: usize, theta: f64) -> Complex<f64> {
         match self {
-            Felt::Masses(waveforms) => waveforms[bearing].at(theta) * Complex::cis(-theta),
+            Felt::Masses(waveforms) => {
+                let (waveform, turning) = &waveforms[bearing];
+                waveform.at(theta) * turning.seen_from(theta)
+            }
             Felt::All(all) => all.at(bearing, theta),
         }
     }
@@ -82,8 +91,11 @@ impl Felt {
     pub fn tops(&self, bearing: usize, added: Complex<f64>, limit: f64) -> Vec<f64> {
         match self {
             Felt::Masses(waveforms) => {
-                let added = Harmonic { order: 1, direct: added, reverse: Complex::new(0.0, 0.0) };
-                let waveform = Waveform::new(waveforms[bearing].harmonics().iter().copied().chain([added]));
+                let (waveform, Turning { speed: order, sense }) = &waveforms[bearing];
+                let none = Complex::new(0.0, 0.0);
+                let [direct, reverse] = if *sense == Sense::Direct { [added, none] } else { [none, added] };
+                let added = Harmonic { order: *order, direct, reverse };
+                let waveform = Waveform::new(waveform.harmonics().iter().copied().chain([added]));
                 let sizes: Vec<f64> = waveform.sample(&Circle::new(STEPS)).iter().map(|force| force.norm()).collect();
                 let peak = waveform.peak();
                 let highest = peak.angle.filter(|_| peak.value > limit).map(f64::to_radians);

@@ -2,7 +2,9 @@
 
 use super::error::OptimiseError;
 use crate::engine::{Counterweight, Engine};
-use crate::file::{FileResolver, comment, counterweight_table, parse_beside, without_counterweights};
+use crate::file::{
+    FileResolver, comment, counted_from_its_throw, counterweight_table, parse_beside, without_counterweights,
+};
 
 /// The engine with these counterweights, read back from its own file: what is written is what is measured.
 ///
@@ -20,7 +22,7 @@ pub(super) fn with_counterweights(
             text += &format!("\n{}", comment(note));
         }
         for part in parts {
-            text += &counterweight_table(part, engine.convention());
+            text += &counted_from_its_throw(engine, part, |part| counterweight_table(part, engine.convention()));
         }
     }
     let advice = "write [crankshaft] and [[counterweight]] as tables of their own, one key per line";

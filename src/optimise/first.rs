@@ -1,12 +1,13 @@
-//! What turns with the crank in order 1, which counterweights have to hold? An exact sum, and with offsets sums before irrational numbers.
+//! What turns with a crank as fast as it does, which counterweights have to hold? An exact sum, and with offsets sums before irrational numbers.
 
 use num_bigint::BigInt;
+use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::design::Residual;
 use super::error::OptimiseError;
-use crate::engine::Engine;
+use crate::engine::{Engine, GearedCrank};
 use crate::exact::PhasorSum;
 use crate::loads::Missing;
 use crate::motion::{Coefficient, Enclosure};
@@ -14,9 +15,37 @@ use crate::numbers;
 use crate::order::{self, Coefficients, Factor, OrderSum, exactly_one};
 use crate::proof::Sense;
 
-/// Half the direct first-order sum, which is the vector itself, in kilogram-metres: the sums of an engine stand for `P⁺ = 2 · vector` (theory,
-/// section 3). Of rods with an offset `c_1 = 1 + iy`, and y is irrational.
+/// Half the first-order sum that turns with a crankshaft, which is the vector itself, in kilogram-metres: the sums of an engine stand for
+/// `P⁺ = 2 · vector` (theory, section 3). Of rods with an offset `c_1 = 1 + iy`, and y is irrational.
 pub(super) struct First(Vec<(Coefficient, PhasorSum)>);
+
+/// How a crankshaft turns.
+#[derive(Clone, Copy)]
+pub(super) struct Turning {
+    /// How many times it turns while the reference one turns once.
+    pub speed: u32,
+    /// In which sense, seen from that.
+    pub sense: Sense,
+}
+
+impl Turning {
+    /// That of one of several crankshafts, or of the only one.
+    pub fn of(engine: &Engine, crank: usize) -> Self {
+        let of_crank = |crank: &GearedCrank| Turning { speed: crank.speed, sense: crank.sense };
+        engine.geared_cranks().get(crank).map_or(Turning { speed: 1, sense: Sense::Direct }, of_crank)
+    }
+
+    /// The square of the speed, with which the force of a mass rises.
+    pub fn force(self) -> f64 {
+        f64::from(self.speed).powi(2)
+    }
+
+    /// What turns the other way as fast: a force times this, at a crank angle of the reference, is seen from the turning crank.
+    pub fn seen_from(self, theta: f64) -> Complex<f64> {
+        let angle = f64::from(self.speed) * theta;
+        Complex::cis(if self.sense == Sense::Direct { -angle } else { angle })
+    }
+}
 
 /// Irrational numbers are held in balance to this part of them: far below what a workshop makes.
 const DIGITS: i32 = 12;
@@ -26,17 +55,20 @@ const BITS: u32 = 192;
 const ROUNDING: f64 = 1e-12;
 
 impl First {
-    /// That of an engine, each force weighed by its position, in units of m r.
+    /// That of one of several crankshafts, or of the only one, each force weighed by its position, in units of m r.
     pub fn new(
-        engine: &Engine,
+        (engine, crank): (&Engine, usize),
         weighing: &dyn Fn(&BigRational) -> BigRational,
         unit: &BigRational,
     ) -> Result<Self, OptimiseError> {
-        let half = unit / BigRational::from_integer(2.into());
-        let all = OrderSum::new(order::contributions(engine, 1, Sense::Direct).iter().map(|one| one.weighed(weighing)));
+        let Turning { speed, sense } = Turning::of(engine, crank);
+        let half = unit / BigRational::from_integer((2 * u64::from(speed) * u64::from(speed)).into());
+        let own = order::crankshaft_contributions(engine, crank, speed, sense);
+        let all = OrderSum::new(own.iter().map(|one| one.weighed(weighing)));
         let terms = all.parts().iter().flat_map(|(factor, sum)| {
-            let real = factor.real_parts(1).into_iter();
+            let real = factor.real_parts(speed).into_iter();
             real.flat_map(move |(factor, turn)| {
+                let turn = if sense == Sense::Direct { turn } else { -&turn };
                 sum.turned(&turn).terms().iter().map(|term| (factor.clone(), term.clone())).collect::<Vec<_>>()
             })
         });
@@ -44,7 +76,7 @@ impl First {
         let all = OrderSum::new(terms);
         let coefficients = Coefficients::default();
         let part = |(factor, sum): (&Factor, &PhasorSum)| {
-            let value = coefficients.of(factor, 1).ok_or(OptimiseError::Missing(Missing::Rods))?;
+            let value = coefficients.of(factor, speed).ok_or(OptimiseError::Missing(Missing::Rods))?;
             Ok((value, sum.scaled(&half)))
         };
         all.parts().iter().map(part).collect::<Result<_, OptimiseError>>().map(First)

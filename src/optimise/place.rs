@@ -1,8 +1,10 @@
 //! Where may counterweights stand? Where those of the engine do.
 
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use crate::engine::{Counterweight, Engine, throws};
+use crate::exact::Turn;
 
 /// A plane of the crankshaft with room for a counterweight.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -13,15 +15,31 @@ pub struct Place {
     pub radius: BigRational,
     /// The throw that it belongs to, by its index.
     pub throw: Option<usize>,
+    /// Which crankshaft it is on, where several are geared together; else 0.
+    pub crank: usize,
 }
 
-/// The places of the engine's counterweights, one per position, in the order of the file; what they weigh does not matter.
+impl Place {
+    /// A weight without mass at it. A file knows by the throw which of several crankshafts a weight is on.
+    pub(super) fn empty(&self) -> Counterweight {
+        Counterweight {
+            throw: self.throw.filter(|_| self.crank > 0),
+            angle: Turn::zero(),
+            mass: BigRational::zero(),
+            radius: self.radius.clone(),
+            position: self.position.clone(),
+            crank: self.crank,
+        }
+    }
+}
+
+/// The places of the engine's counterweights, one per position of a crankshaft, in the order of the file; what they weigh does not matter.
 pub fn places(engine: &Engine) -> Vec<Place> {
     let mut places: Vec<Place> = Vec::new();
     for weight in &engine.crankshaft().counterweights {
-        if places.iter().all(|place| place.position != weight.position) {
-            let Counterweight { throw, radius, position, .. } = weight.clone();
-            places.push(Place { position, radius, throw });
+        if places.iter().all(|place| (&place.position, place.crank) != (&weight.position, weight.crank)) {
+            let Counterweight { throw, radius, position, crank, .. } = weight.clone();
+            places.push(Place { position, radius, throw, crank });
         }
     }
     places

@@ -6,7 +6,7 @@ use num_traits::{One, Signed, ToPrimitive};
 
 use super::error::OptimiseError;
 use super::felt::Felt;
-use super::first::First;
+use super::first::{First, Turning};
 use super::place::Place;
 use super::{Couple, Request};
 use crate::beam::Beam;
@@ -27,13 +27,10 @@ pub(super) struct Problem {
     pub felt: Felt,
     /// The part of a load at each place that each bearing carries: `parts[bearing][place]`.
     pub parts: Vec<Vec<f64>>,
-    /// Direct first order of the shaking force without counterweights, in kilogram-metres: force, and moment about the reference
-    /// plane. That of the bearing loads is longer by the side forces of the pistons.
-    pub exact: [PhasorSum; 2],
-    /// Whether these are exact; with offsets an irrational number in them is rounded.
-    pub is_exact: bool,
-    /// The same in multiples of m r.
-    pub left: [Complex<f64>; 2],
+    /// What turns with each crankshaft without counterweights.
+    pub shafts: Vec<Shaft>,
+    /// Which of them each place is on.
+    pub shaft_of: Vec<usize>,
     /// Position of the reference plane.
     pub reference: BigRational,
     /// Distance of each place from the reference plane.
@@ -42,16 +39,47 @@ pub(super) struct Problem {
     pub most_couple: Option<f64>,
 }
 
-impl Problem {
-    pub fn new(engine: &Engine, places: &[Place], wish: &Request) -> Result<Self, OptimiseError> {
-        if !engine.geared_cranks().is_empty() {
-            return Err(OptimiseError::SeveralCrankshafts);
-        }
-        match places {
-            [] => return Err(OptimiseError::NoPlaces),
-            [only] => return Err(OptimiseError::OnePlane(only.position.to_string())),
+/// What turns with a crankshaft without counterweights in order 1 of the shaking force: force, and moment about the reference plane. That
+/// of the bearing loads is longer by the side forces of the pistons.
+pub(super) struct Shaft {
+    /// In kilogram-metres.
+    pub exact: [PhasorSum; 2],
+    /// Whether these are exact; with offsets an irrational number in them is rounded.
+    pub is_exact: bool,
+    /// The same in multiples of m r.
+    pub left: [Complex<f64>; 2],
+    /// How it turns.
+    pub turning: Turning,
+}
+
+impl Shaft {
+    fn new(bare: &Engine, crank: usize, unit: &BigRational) -> Result<Self, OptimiseError> {
+        let arm = |position: &BigRational| position - bare.reference_plane();
+        let first = [First::new((bare, crank), &|_| BigRational::one(), unit)?, First::new((bare, crank), &arm, unit)?];
+        let exact = first.each_ref().map(First::rounded);
+        let metres = unit.to_f64().unwrap_or(f64::INFINITY);
+        let left = exact.each_ref().map(|sum| crate::numbers::evaluate(sum) / metres);
+        Ok(Shaft { is_exact: first.iter().all(First::is_exact), exact, left, turning: Turning::of(bare, crank) })
+    }
+}
+
+/// Two planes or more of each crankshaft.
+fn enough(engine: &Engine, places: &[Place]) -> Result<(), OptimiseError> {
+    for crank in 0..engine.geared_cranks().len().max(1) {
+        let own: Vec<&Place> = places.iter().filter(|place| place.crank == crank).collect();
+        match (own.as_slice(), engine.geared_cranks().get(crank)) {
+            ([], Some(shaft)) if !places.is_empty() => return Err(OptimiseError::NoPlacesOn(shaft.name.clone())),
+            ([], _) => return Err(OptimiseError::NoPlaces),
+            ([only], _) => return Err(OptimiseError::OnePlane(only.position.to_string())),
             _ => {}
         }
+    }
+    Ok(())
+}
+
+impl Problem {
+    pub fn new(engine: &Engine, places: &[Place], wish: &Request) -> Result<Self, OptimiseError> {
+        enough(engine, places)?;
         if !wish.orders.contains(&1) {
             return Err(OptimiseError::NoFirstOrder);
         }
@@ -71,17 +99,16 @@ impl Problem {
         };
         let beam = Beam::new(bare.bearings().to_vec())
             .map_err(|mistake| OptimiseError::Missing(loads::Missing::Beam(mistake)))?;
-        let mut parts = vec![Vec::new(); bare.bearings().len()];
-        for place in places {
-            parts
-                .iter_mut()
-                .zip(&beam.influence(&place.position))
-                .for_each(|(of_bearing, share)| of_bearing.push(float(share)));
+        let cranks = 0..bare.geared_cranks().len().max(1);
+        let shafts = cranks.map(|crank| Shaft::new(&bare, crank, &unit)).collect::<Result<Vec<_>, _>>()?;
+        // A crankshaft has its own bearings at the positions of the file.
+        let mut parts = vec![vec![0.0; places.len()]; bare.bearings().len() * shafts.len()];
+        for (index, place) in places.iter().enumerate() {
+            let own = parts.iter_mut().skip(place.crank * bare.bearings().len());
+            let force = shafts[place.crank].turning.force();
+            own.zip(&beam.influence(&place.position)).for_each(|(parts, share)| parts[index] = float(share) * force);
         }
         let arm = |position: &BigRational| position - bare.reference_plane();
-        let first = [First::new(&bare, &|_| BigRational::one(), &unit)?, First::new(&bare, &arm, &unit)?];
-        let exact = first.each_ref().map(First::rounded);
-        let left = [&exact[0], &exact[1]].map(|sum| crate::numbers::evaluate(sum) / float(&unit));
         Ok(Problem {
             bare_mass: float(&mass),
             weighs: places.iter().map(|place| float(&(&unit / &place.radius))).collect(),
@@ -90,11 +117,26 @@ impl Problem {
             reference: bare.reference_plane().clone(),
             unit,
             parts,
-            is_exact: first.iter().all(First::is_exact),
-            exact,
-            left,
+            shafts,
+            shaft_of: places.iter().map(|place| place.crank).collect(),
             most_couple,
         })
+    }
+
+    /// Whether what turns with the crankshafts is exact.
+    pub fn is_exact(&self) -> bool {
+        self.shafts.iter().all(|shaft| shaft.is_exact)
+    }
+
+    /// What the couple of each crankshaft may be, as a mass-radius; none where it has to vanish.
+    pub fn most_couples(&self) -> Option<Vec<f64>> {
+        let most = self.most_couple?;
+        Some(self.shafts.iter().map(|shaft| most / shaft.turning.force()).collect())
+    }
+
+    /// The places on a crankshaft.
+    pub fn places_on(&self, shaft: usize) -> impl Iterator<Item = usize> + Clone {
+        self.shaft_of.iter().enumerate().filter(move |(_, own)| **own == shaft).map(|(place, _)| place)
     }
 
     /// How many places there are.

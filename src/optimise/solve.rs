@@ -51,8 +51,8 @@ pub(super) struct Solution {
     pub peak: f64,
     /// Multiplier of each sample.
     pub of_samples: Vec<Complex<f64>>,
-    /// Multipliers of force and couple.
-    pub of_balance: [Complex<f64>; 2],
+    /// Multipliers of force and couple of each crankshaft.
+    pub of_balance: Vec<[Complex<f64>; 2]>,
 }
 
 /// `A x + s = b`, row by row, with s in a product of cones.
@@ -82,24 +82,28 @@ pub(super) fn solve(problem: &Problem, samples: &[Sample], goal: Goal) -> Result
     // Columns: real and imaginary parts of the mass-radii, their lengths, and the largest load.
     let (re, im, length, peak) = (|i: usize| 2 * i, |i: usize| 2 * i + 1, |i: usize| 2 * places + i, 3 * places);
     let mut rows = Rows::default();
-    let arms: [Vec<f64>; 2] = [vec![1.0; places], problem.arms.clone()];
-    let [force, couple] = problem.left;
-    let mut balance = |left: Complex<f64>, arms: &[f64]| {
-        rows.push(left.re, arms.iter().enumerate().map(|(i, arm)| (re(i), *arm)));
-        rows.push(left.im, arms.iter().enumerate().map(|(i, arm)| (im(i), *arm)));
+    // Force and couple of each crankshaft, with the row where the multiplier of each begins.
+    let balance = |rows: &mut Rows, shaft: usize, quantity: usize| {
+        let left = problem.shafts[shaft].left[quantity];
+        let arm = |i: usize| if quantity == 0 { 1.0 } else { problem.arms[i] };
+        let first = rows.right.len();
+        rows.push(left.re, problem.places_on(shaft).map(|i| (re(i), arm(i))));
+        rows.push(left.im, problem.places_on(shaft).map(|i| (im(i), arm(i))));
+        first
     };
-    balance(force, &arms[0]);
-    if problem.most_couple.is_none() {
-        balance(couple, &arms[1]);
-    }
+    let shafts = 0..problem.shafts.len();
+    let forces: Vec<usize> = shafts.clone().map(|shaft| balance(&mut rows, shaft, 0)).collect();
+    let most_couples = problem.most_couples();
+    let mut couples: Vec<usize> = match most_couples {
+        None => shafts.clone().map(|shaft| balance(&mut rows, shaft, 1)).collect(),
+        Some(_) => Vec::new(),
+    };
     rows.cones.push(SupportedConeT::ZeroConeT(rows.right.len()));
-    if let Some(most) = problem.most_couple {
+    for (shaft, most) in most_couples.into_iter().flatten().enumerate() {
         rows.push(most, []);
-        rows.push(couple.re, arms[1].iter().enumerate().map(|(i, arm)| (re(i), *arm)));
-        rows.push(couple.im, arms[1].iter().enumerate().map(|(i, arm)| (im(i), *arm)));
+        couples.push(balance(&mut rows, shaft, 1));
         rows.cones.push(SupportedConeT::SecondOrderConeT(3));
     }
-    let couple_row = 2;
     let mut bounds = 0;
     if let Some(mass) = goal.mass {
         rows.push(mass - problem.bare_mass, problem.weighs.iter().enumerate().map(|(i, kg)| (length(i), -kg)));
@@ -158,12 +162,11 @@ pub(super) fn solve(problem: &Problem, samples: &[Sample], goal: Goal) -> Result
     let (x, z) = (&solver.solution.x, &solver.solution.z);
     let pair = |row: usize| Complex::new(z[row], z[row + 1]);
     let of_sample = |index: usize| -pair(first_sample + 3 * index + 1);
-    let of_couple = if problem.most_couple.is_some() { -pair(couple_row + 1) } else { -pair(couple_row) };
     Ok(Solution {
         weights: (0..places).map(|i| Complex::new(x[re(i)], x[im(i)])).collect(),
         mass: problem.bare_mass + (0..places).map(|i| problem.weighs[i] * x[length(i)]).sum::<f64>(),
         peak: x[peak],
         of_samples: (0..samples.len()).map(of_sample).collect(),
-        of_balance: [-pair(0), of_couple],
+        of_balance: forces.iter().zip(&couples).map(|(force, couple)| [-pair(*force), -pair(*couple)]).collect(),
     })
 }

@@ -198,6 +198,19 @@ pub fn contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribut
     there.collect()
 }
 
+/// What one of several crankshafts, or the only one, adds to it: its pistons and what turns with it. Balancer shafts are counted to a
+/// crankshaft that is alone.
+pub fn crankshaft_contributions(engine: &Engine, crank: usize, order: u32, sense: Sense) -> Vec<Contribution> {
+    let is_alone = engine.geared_cranks().is_empty();
+    let is_on_it = |source: Source| match source {
+        Source::Piston(index) | Source::Knuckle(index) => engine.cylinders()[index].crank == crank,
+        source => is_alone || source.group() != MassGroup::Balancers,
+    };
+    let all = Sources::new(engine, Masses::All).of_crankshaft(crank);
+    let there = all.of_force(order, sense).filter(|one| one.factor.exists(order) && is_on_it(one.source));
+    there.collect()
+}
+
 /// What a force at this position counts for: 1 in the force, its arm about the reference plane in the moment.
 pub fn lever(engine: &Engine, quantity: Planar, position: &BigRational) -> BigRational {
     match quantity {

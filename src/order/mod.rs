@@ -28,7 +28,8 @@ pub use crate::proof::Masses;
 pub use coefficients::{Coefficients, exactly_one};
 pub use comparable::{NotComparable, comparable};
 pub use contribution::{
-    Contribution, Sources, all_masses, contributions, groups_of, lever, masses_as_built, roll, star, torque,
+    Contribution, Sources, all_masses, contributions, crankshaft_contributions, groups_of, lever, masses_as_built,
+    roll, star, torque,
 };
 pub use corrected::Corrected;
 pub use crank::{crank, crank_of};

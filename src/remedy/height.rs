@@ -34,8 +34,8 @@ pub fn pair_height(engine: &Engine, order: u32) -> Option<PairHeight> {
     let alike = engine.cylinders().iter().all(|at| at.bank == first.bank && at.crank_radius == first.crank_radius);
     let upright = first.bank.turns().is_zero();
     let same_rods = engine.rods().all(|other: &Rod| other == rod);
-    let faster = engine.faster_crank().is_some() || engine.has_opposed_pistons();
-    if faster
+    // Crankshafts side by side roll the frame about axes of their own, and against each other where they turn so.
+    if !engine.geared_cranks().is_empty()
         || !alike
         || !upright
         || !same_rods

@@ -13,6 +13,7 @@ mod error;
 mod file;
 mod height;
 mod partial;
+mod parts;
 mod rounded;
 mod shafts;
 mod tables;
@@ -30,6 +31,7 @@ pub use error::RemedyError;
 pub use file::{CorrectedFile, FileError, corrected_file};
 pub use height::{PairHeight, PairRoll, pair_height};
 pub use partial::{Ellipse, Partial};
+pub use parts::{counterweight_parts, mass_step, power_of_ten_below};
 pub use shafts::{Kind, LEAST, Shaft, are_slight, shaft, shafts, without_slight};
 pub use weight::Weight;
 
@@ -103,21 +105,25 @@ impl Remedy {
     }
 
     /// The crankshaft's mass in kilograms, as [`Engine::crankshaft_mass`] counts it, with the counterweights of the remedy at
-    /// the crank radius; `None` where the layout gives no numbers.
+    /// the radius that is asked for, or the crank radius; `None` where the layout gives no numbers.
     pub fn crankshaft_mass(&self) -> Option<f64> {
         let bare = self.subject.engine().crankshaft_mass()?.to_f64()?;
         let own = self.crankshaft.iter().flat_map(|shaft| &shaft.weights);
         let masses =
             self.bays.iter().chain(own).filter(|weight| !self.built_of(weight).is_some_and(|plane| plane.is_resized()));
-        let added = masses.map(|weight| weight.mass_at_crank_radius(&self.subject)).sum::<Option<f64>>()?;
+        let added = masses.map(|weight| self.mass_in_the_file(weight)).sum::<Option<f64>>()?;
         let there = &self.subject.engine().crankshaft().counterweights;
         let on_the_crank = |plane: &&Built| (plane.was.order, plane.was.sense) == (1, Sense::Direct);
         let resized = self.resized();
         let resized = resized.iter().filter(on_the_crank).map(|plane| {
             let before = plane.replaced.counterweights.iter().map(|index| there[*index].mass.to_f64());
-            Some(plane.becomes.mass_at_crank_radius(&self.subject)? - before.sum::<Option<f64>>()?)
+            Some(self.mass_in_the_file(&plane.becomes)? - before.sum::<Option<f64>>()?)
         });
         Some(bare + added + resized.sum::<Option<f64>>()?)
+    }
+
+    fn mass_in_the_file(&self, weight: &Weight) -> Option<f64> {
+        self.mass(weight).or_else(|| weight.mass_at_crank_radius(&self.subject))
     }
 
     /// The mass in kilograms of a weight at the radius that is asked for; none where none is.

@@ -3,13 +3,16 @@
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
+use super::parts::{counterweight_parts, in_few_terms, mass_step};
 use super::rounded::{is_of_link, rounded};
 use super::{Built, Remedy, Replaced, Weight};
 use crate::engine::{Balancer, Counterweight, Cylinder, Engine, Rod};
-use crate::exact::{Term, Turn};
+use crate::exact::{PhasorSum, Term, Turn};
 use crate::file::{
-    balancer_table, comment, counterweight_in_multiples, counterweight_table, without_balancers, without_counterweights,
+    balancer_table, comment, counted_from_its_throw, counterweight_in_multiples, counterweight_table, exact_number,
+    without_balancers, without_counterweights,
 };
+use crate::numbers;
 use crate::order::Factor;
 use crate::proof::Sense;
 
@@ -84,6 +87,9 @@ pub(super) fn with_tables(remedy: &Remedy, source: &str) -> String {
             text += &format!("\n{}", comment(&own));
             heading = own;
         }
+        if tables.len() > 1 {
+            text += &comment(&together(remedy, &plane.becomes, tables.len()));
+        }
         text.extend(tables);
     }
     text
@@ -132,6 +138,27 @@ fn heading_of(weight: &Weight) -> String {
     }
 }
 
+/// What parts of one weight are together.
+fn together(remedy: &Remedy, weight: &Weight, parts: usize) -> String {
+    let at = format!("At z = {} one weight in {parts} parts", exact_number(&weight.position));
+    match (weight.mass_radius(&remedy.subject), weight.decimals(&remedy.subject)) {
+        (Some(size), Some([_, degrees])) => {
+            let places = usize::try_from(4 - libm::log10(size).floor() as i64).unwrap_or(0);
+            format!("{at}, together {size:.places$} kg m at {:.3}°.", in_one_turn(remedy, degrees))
+        }
+        (None, Some([multiple, degrees])) => {
+            format!("{at}, together {multiple:.6} m r at {:.3}°.", in_one_turn(remedy, degrees))
+        }
+        (_, None) => format!("{at}."),
+    }
+}
+
+/// An angle as the engine is drawn, from 0° to 360°.
+fn in_one_turn(remedy: &Remedy, degrees: f64) -> f64 {
+    let turn = Turn::new(BigRational::from_float(degrees / 360.0).unwrap_or_default());
+    numbers::float(&remedy.subject.engine().convention().as_written(&turn).degrees())
+}
+
 /// A counterweight, with the throw that it belongs to.
 fn counterweight_of_throw(remedy: &Remedy, weight: &Counterweight) -> String {
     let engine = remedy.subject.engine();
@@ -139,12 +166,7 @@ fn counterweight_of_throw(remedy: &Remedy, weight: &Counterweight) -> String {
         None => counterweight_table(weight, engine.convention()),
         Some(unit) => counterweight_in_multiples(weight, engine.convention(), &unit),
     };
-    let throws = crate::engine::throws(engine);
-    let Some((index, throw)) = weight.throw.and_then(|index| Some((index, throws.get(index)?))) else {
-        return table(weight);
-    };
-    let turned = Counterweight { angle: &weight.angle - &throw.angle, ..weight.clone() };
-    table(&turned).replacen('\n', &format!("\nthrow = {}\n", index + 1), 1)
+    counted_from_its_throw(engine, weight, table)
 }
 
 /// A table for each vector of what is in a plane, none of two that are opposite.
@@ -155,18 +177,20 @@ fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
     let multiples = unit(remedy);
     // What is resized keeps its throw and its radius.
     let resized = plane.replaced.counterweights.first().map(|index| &engine.crankshaft().counterweights[*index]);
-    let radius = resized.map(|there| there.radius.clone()).filter(|radius| !radius.is_zero());
+    let radius = resized.map(|there| there.radius.clone()).or_else(|| remedy.radius.clone());
+    let radius = radius.filter(|radius| !radius.is_zero());
     let radius = radius.unwrap_or_else(|| engine.unit_radius());
     let throw = resized.and_then(|there| there.throw);
     // A shaft that is there keeps its axis.
     let axis = plane.replaced.balancers.first().map(|index| &engine.crankshaft().balancers[*index]);
     let axis = axis.filter(|there| (there.order, there.sense) != (1, Sense::Direct));
+    let counterweight = |angle: Turn, mass: BigRational| {
+        let (radius, position) = (radius.clone(), weight.position.clone());
+        Counterweight { throw, angle, mass, radius, position, crank: 0 }
+    };
     let table = |coefficient_of: Option<usize>, size: BigRational, angle: Turn| {
         if (weight.order, weight.sense, coefficient_of) == (1, Sense::Direct, None) {
-            let mass = &size / &radius;
-            let (radius, position) = (radius.clone(), weight.position.clone());
-            let weight = Counterweight { throw, angle, mass, radius, position, crank: 0 };
-            return counterweight_of_throw(remedy, &weight);
+            return counterweight_of_throw(remedy, &counterweight(angle, &size / &radius));
         }
         let shaft = Balancer {
             order: weight.order,
@@ -185,7 +209,7 @@ fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
         return rounded.map(|(size, angle)| table(None, as_written(size), angle)).into_iter().collect();
     }
     let parts = weight.vector.parts().iter();
-    let terms = parts.flat_map(|(factor, sum)| sum.on_lines().into_iter().map(move |term| (factor, term)));
+    let terms = parts.flat_map(|(factor, sum)| in_few_terms(sum).into_iter().map(move |term| (factor, term)));
     let exact = terms.flat_map(|(factor, term): (&Factor, Term)| {
         coefficients(engine, factor, weight.order).into_iter().map(move |(coefficient_of, part)| {
             let turned = match weight.sense {
@@ -198,9 +222,19 @@ fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
     let exact = exact.map(|(coefficient_of, size, angle)| {
         let size = size * &own;
         let angle = if size.is_negative() { angle.opposite() } else { angle };
-        table(coefficient_of, size.abs(), angle)
+        (coefficient_of, size.abs(), angle)
     });
-    exact.collect()
+    let exact: Vec<(Option<usize>, BigRational, Turn)> = exact.collect();
+    let is_plain = exact.iter().all(|(coefficient_of, ..)| coefficient_of.is_none());
+    if exact.len() > 1 && is_plain && (weight.order, weight.sense) == (1, Sense::Direct) && multiples.is_none() {
+        // Their masses add up to that of the weight.
+        let terms = exact.into_iter().map(|(_, weight, angle)| Term { angle, weight });
+        let step = mass_step(&engine.unit_mass());
+        let parts =
+            counterweight_parts(&counterweight(Turn::zero(), Zero::zero()), &PhasorSum::new(terms.collect()), &step);
+        return parts.iter().map(|part| counterweight_of_throw(remedy, part)).collect();
+    }
+    exact.into_iter().map(|(coefficient_of, size, angle)| table(coefficient_of, size, angle)).collect()
 }
 
 /// A factor as the coefficients of cylinders, none for 1, each with what its direct vector is multiplied by.

@@ -72,7 +72,10 @@ pub use catalogue::{
     CatalogueDocument, CatalogueFamily, FirstOrderLeft, KnownEngine, catalogue_answer, catalogue_document,
     catalogue_families, catalogue_pictures, catalogue_summary,
 };
-pub use claims::{claim_evidence, claim_finding, claim_needs, claim_status, claims_answer, claims_page, table_finding};
+pub use claims::{
+    claim_evidence, claim_finding, claim_finding_on, claim_needs, claim_status, claims_answer, claims_page,
+    table_finding,
+};
 pub use classroom::{exercise_sheet, exercise_solutions, marked_page, marks_answer, marks_page};
 pub use compare::{CompareDocument, CompareStudy, Compared, compare_answer, compare_document, compare_page};
 pub use coq::{NotStated, coq_file, coq_file_of_firing};

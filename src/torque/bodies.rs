@@ -114,9 +114,7 @@ impl Inertia {
             Body::Piston(PistonMotion::Crank(crank)) => {
                 (1..=highest).map(|order| crank.torque_coefficient(order).to_complex()).collect()
             }
-            Body::Piston(PistonMotion::Link(_)) | Body::Knuckle(_) => {
-                of_a_turn(highest, |psi| body.torque(psi))
-            }
+            Body::Piston(PistonMotion::Link(_)) | Body::Knuckle(_) => of_a_turn(highest, |psi| body.torque(psi)),
         };
         let spin = match &body {
             Body::Piston(PistonMotion::Crank(crank)) => {

@@ -24,7 +24,7 @@ pub(super) fn claim(layout: &Written, says: &str) -> Result<Value, Mistake> {
         }
     };
     let answer = claim::answer(&engine, &statement, None);
-    let finding = report::claim_finding(&statement, &answer);
+    let finding = report::claim_finding_on((&engine, None), &statement, &answer);
     let evidence = report::claim_evidence(&answer);
     let kind = match &answer.status {
         Status::NotDecided => "open",

@@ -257,7 +257,7 @@ fn a_row_of_even_number_leaves_every_even_order_direct_and_reverse() {
 fn what_links_have_no_numbers_for_is_told_and_not_computed() {
     let row = "[radial]\ncylinders = 5\n[mechanism]\nrod_ratio = 0.25\n[articulated]\nmaster = 1\nknuckle_ratio = 0.2";
     let error = file::parse("engine.toml", &format!("effects = ['torque']\n{row}")).expect_err("a mistake").to_string();
-    assert!(error.contains("articulated rods") && error.contains("the inertia torque"), "{error}");
+    assert!(error.contains("articulated rods") && error.contains("the exact inertia torque"), "{error}");
 }
 
 #[test]
@@ -267,7 +267,7 @@ fn every_mistake_in_the_table_of_articulated_rods_is_told() {
     };
     let rod = "rod_ratio = 0.25";
     for (mechanism, keys, words) in [
-        (rod, "master = 6\nknuckle_ratio = 0.2", "cannot read the master `6`"),
+        (rod, "master = 6\nknuckle_ratio = 0.2", "there is no cylinder `6`"),
         (rod, "master = [1, 2]\nknuckle_ratio = 0.2", "share a crankpin"),
         (rod, "master = 1", "no knuckle radius"),
         (rod, "master = 1\nknuckle_ratio = 0", "above 0"),

@@ -15,7 +15,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("engine", 4105),
     ("exact", 1710),
     ("family", 4146),
-    ("file", 8315),
+    ("file", 8490),
     ("firing", 440),
     ("flywheel", 500),
     ("gas", 1130),

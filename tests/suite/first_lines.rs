@@ -28,7 +28,7 @@ fn mounts_say_what_is_passed_on_and_moved_before_the_natural_frequencies() {
     let answer = answer("mounts", MOUNTS);
     let words = first_words(&answer);
     assert!(words.len() <= 5, "{words:?}");
-    let beginnings = ["Force transmitted at 3000 rpm", "Largest motion of the point of the file"];
+    let beginnings = ["Force transmitted at 3000 rpm", "Largest velocity of the point of the file"];
     for (line, beginning) in words.iter().zip(beginnings) {
         assert!(line.replace(['\u{202f}', '\u{a0}'], " ").starts_with(beginning), "{line}");
     }

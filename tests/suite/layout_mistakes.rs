@@ -72,7 +72,7 @@ const CRANKSHAFT: &[(&str, usize, &str)] = &[
     ("[[counterweight]]\nposition = 0\nmass = 1\nradius = 1",       5, "without a direction"),
     ("[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = '2b'", 9, "symbols have values"),
     ("[crankshaft]\nlength = '0.2 m'\n[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = '101 mm'", 11, "beyond the crankshaft"),
-    ("[crankshaft]\nlength = '0.2 m'\n[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = '-101 mm'", 11, "from -1/10 to 1/10"),
+    ("[crankshaft]\nlength = '0.2 m'\n[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = '-101 mm'", 11, "from -100 mm to 100 mm"),
     ("[crankshaft]\nlength = 0",                                    6, "a length above 0"),
     ("[crankshaft]\nbalance_factor = 1\ncounterweight_radius = 1\nlength = '0.2 m'\nweb_offset = '60 mm'", 9, "beyond the crankshaft"),
     ("[crankshaft]\npin_mass = -1",                                 6, "a mass is 0 or more"),
@@ -113,7 +113,7 @@ fn mistakes_in_what_turns_are_told_with_their_place() {
     let turning = "[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = ";
     assert_refused(&format!("inline.throws = [0, 180]\n{turning}'3 cm'"), 6, "one spacing apart");
     let supported = format!("bearings = ['0.1 m', 0, '-0.1 m']\n{engine}{turning}");
-    assert_refused(&format!("{supported}'0.11 m'"), 10, "the shaft reaches from -1/10 to 1/10");
+    assert_refused(&format!("{supported}'0.11 m'"), 10, "the shaft reaches from -100 mm to 100 mm");
     assert!(parse("layout.toml", &format!("{supported}'0.1 m'")).is_ok());
     assert_refused(&format!("inline = {{ throws = [0, 'phi'] }}\n{turning}0"), 2, "angles or positions are open");
     assert_refused(

@@ -104,7 +104,9 @@ fn a_weight_that_nothing_needs_is_taken_away() {
 
 #[test]
 fn a_weight_without_mass_keeps_the_place_of_what_is_found() {
-    let text = format!("{SINGLE}[[counterweight]]\nangle = 0\nmass_radius = '0 m r'\nposition = 0\n[[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '0 m r'\nangle = 0\nposition = 0\n[[counterweight]]\nangle = 0\nmass_radius = '0 m r'\nposition = 2\n");
+    let text = format!(
+        "{SINGLE}[[counterweight]]\nangle = 0\nmass_radius = '0 m r'\nposition = 0\n[[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '0 m r'\nangle = 0\nposition = 0\n[[counterweight]]\nangle = 0\nmass_radius = '0 m r'\nposition = 2\n"
+    );
     let (written, cured) = assert_cured(&text, &wish(&[1]));
     assert_eq!(cured.crankshaft().counterweights.len(), 2, "{written}");
     assert_eq!(cured.crankshaft().balancers.len(), 1, "{written}");

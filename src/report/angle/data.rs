@@ -24,7 +24,7 @@ fn pistons(study: &AngleStudy) -> Table {
     type Value = fn(&PistonAt) -> Option<f64>;
     let columns: [(&'static str, Unit, Value); 16] = [
         ("psi_{unit}", Unit::DEGREE, |piston| Some(piston.psi)),
-        ("way_{unit}", Unit::METRE, |piston| Some(piston.way)),
+        ("displacement_{unit}", Unit::METRE, |piston| Some(piston.way)),
         ("velocity_{unit}", Unit::METRE_PER_SECOND, |piston| piston.velocity),
         ("acceleration_{unit}", Unit::METRE_PER_SQUARE_SECOND, |piston| piston.acceleration),
         ("textbook_velocity_{unit}", Unit::METRE_PER_SECOND, |piston| piston.textbook.map(|both| both[0])),

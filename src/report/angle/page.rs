@@ -53,7 +53,7 @@ pub(super) fn page(study: &AngleStudy) -> Document {
 fn said(instant: &Instant) -> Option<Text> {
     let torque = instant.sum(PistonAt::torque)?;
     let theta = tables::degrees(instant.theta);
-    Some(phrase!("At θ = {} the crankshaft is turned with {}.", theta, quantity(torque, Unit::NEWTON_METRE)))
+    Some(phrase!("At θ = {} the torque on the crankshaft is {}.", theta, quantity(torque, Unit::NEWTON_METRE)))
 }
 
 /// The tables that have values.

@@ -45,11 +45,11 @@ pub(super) fn motion(study: &AngleStudy) -> Table {
         study,
         &[
             ("ψ in {}", Unit::DEGREE, &|piston| Some(piston.psi)),
-            ("Displacement from the outer dead centre in {}", Unit::MILLIMETRE, &|piston| Some(1e3 * piston.way)),
+            ("Displacement from top dead centre in {}", Unit::MILLIMETRE, &|piston| Some(1e3 * piston.way)),
             ("Velocity in {}", Unit::METRE_PER_SECOND, &|piston| piston.velocity),
-            ("by the textbook in {}", Unit::METRE_PER_SECOND, &textbook(0)),
+            ("Velocity by two terms in {}", Unit::METRE_PER_SECOND, &textbook(0)),
             ("Acceleration in {}", Unit::METRE_PER_SQUARE_SECOND, &|piston| piston.acceleration),
-            ("by the textbook in {}", Unit::METRE_PER_SQUARE_SECOND, &textbook(1)),
+            ("Acceleration by two terms in {}", Unit::METRE_PER_SQUARE_SECOND, &textbook(1)),
         ],
     )
 }

@@ -12,7 +12,7 @@ use crate::report::loads_document::share;
 
 /// What is in the scene and what is not, and what each group of masses adds to the peaks.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
-    let mut table = Table::new(["Effect", "In the scene", "Why", "Share of peak force", "Share of peak moment"]);
+    let mut table = Table::new(["Effect", "Included", "Why", "Share of peak force", "Share of peak moment"]);
     let peaks: [(Peak, Unit); 2] = [
         (loads.force.peak(), Unit::as_read(engine, loads, Planar::Force)),
         (loads.moment.peak(), Unit::as_read(engine, loads, Planar::Moment)),

@@ -6,8 +6,8 @@ use super::super::residual;
 use super::super::typeset::{self, Amount};
 use super::orders::Asked;
 use super::{counterweights, forces, gas_torque, shaking};
-use crate::claim::{Absolute, Answer, Condition, Finding, Statement, Status, Subject};
-use crate::engine::WHY_NOT;
+use crate::claim::{self, Absolute, Answer, Condition, Finding, Numbers, Statement, Status, Subject};
+use crate::engine::{Engine, WHY_NOT};
 use crate::order::Masses;
 use crate::page::{Piece, Text, Unit, number, phrase};
 use crate::proof::{Quantity, Sense, Shape};
@@ -39,6 +39,21 @@ fn condition(condition: &Condition) -> Text {
         }
         Condition::NoBankOffset => "the cylinders of a crankpin are in one plane".into(),
         Condition::FiringOrder => "the firing order is one of the even ones".into(),
+    }
+}
+
+/// What is the case, of all masses too where a claim that names none is answered otherwise of them.
+pub fn claim_finding_on(
+    (engine, numbers): (&Engine, Option<&Numbers>),
+    statement: &Statement,
+    answer: &Answer,
+) -> Text {
+    let finding = claim_finding(statement, answer);
+    let of_all = claim::holds_of_all_masses(engine, statement, numbers);
+    match of_all.filter(|holds| answer.status != Status::NotDecided && *holds != answer.status.holds()) {
+        None => finding,
+        Some(true) => phrase!("{} This is for the pistons alone; the claim is true of all masses.", finding),
+        Some(false) => phrase!("{} This is for the pistons alone; the claim is false of all masses.", finding),
     }
 }
 

@@ -11,6 +11,6 @@ mod shaking;
 mod student;
 
 pub use evidence::evidence as claim_evidence;
-pub use finding::{claim_finding, claim_status, needs as claim_needs};
+pub use finding::{claim_finding, claim_finding_on, claim_status, needs as claim_needs};
 pub use page::{claims_answer, claims_page};
 pub use student::table_finding;

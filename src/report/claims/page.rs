@@ -2,7 +2,7 @@
 //! answers, and what they rest on; the file's own cross-checks stand apart and are not counted as claims.
 
 use super::evidence::evidence;
-use super::finding::{claim_finding, claim_status};
+use super::finding::{claim_finding_on, claim_status};
 use super::student;
 use crate::claim::{Answer, Claim, Claims, Provenance, Published, Quote, Statement, Status, Topic};
 use crate::engine::{Engine, LengthUnit};
@@ -162,10 +162,14 @@ fn table<'a>(claims: impl IntoIterator<Item = &'a Answered<'a>>) -> Table {
             (&claim.engine).into(),
             (&claim.says).into(),
             phrase!("**{}**", claim_status(answer)),
-            claim_finding(&claim.statement, answer),
+            found(claim, answer),
         ]);
     }
     table
+}
+
+fn found(claim: &Claim, answer: &Answer) -> Text {
+    claim_finding_on((&claim.layout, claim.numbers.as_ref()), &claim.statement, answer)
 }
 
 /// The same in two columns, which a terminal has room for.
@@ -174,7 +178,7 @@ fn narrow(claims: &[Answered]) -> Table {
     for (claim, answer) in claims {
         table.push(vec![
             phrase!("{}: {}", &claim.engine, &claim.says),
-            phrase!("{}. {}", claim_status(answer), claim_finding(&claim.statement, answer)),
+            phrase!("{}. {}", claim_status(answer), found(claim, answer)),
         ]);
     }
     table

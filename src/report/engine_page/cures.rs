@@ -8,7 +8,7 @@ use super::super::calculation::percent;
 use super::super::typeset::short;
 use super::answer::{is_as_built, left_vectors};
 use super::weighing::{Weighed, Weighing};
-use crate::engine::{Engine, LengthUnit};
+use crate::engine::{Engine, GearedCrank, LengthUnit};
 use crate::order;
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::proof::{Planar, Sense};
@@ -23,6 +23,7 @@ const ALIKE: f64 = 1e-6;
 
 /// What cancels what is left.
 pub(super) struct Cures<'a> {
+    engine: &'a Engine,
     cured: Vec<&'a OrderVerdict>,
     accepted: Vec<&'a OrderVerdict>,
     weighed: Option<&'a Weighed<'a>>,
@@ -32,7 +33,12 @@ pub(super) struct Cures<'a> {
 }
 
 impl<'a> Cures<'a> {
-    pub fn new(engine: &Engine, judged: &Judgement, orders: &[&'a OrderVerdict], weighed: Option<&'a Weighed>) -> Self {
+    pub fn new(
+        engine: &'a Engine,
+        judged: &Judgement,
+        orders: &[&'a OrderVerdict],
+        weighed: Option<&'a Weighed>,
+    ) -> Self {
         let worth_it: Vec<&OrderVerdict> = orders.iter().copied().filter(|order| is_worth_it(order, weighed)).collect();
         let is_cured =
             |order: &&OrderVerdict| order.order <= USUALLY_CURED || weighed.is_some_and(Weighed::asks_for_all);
@@ -40,7 +46,7 @@ impl<'a> Cures<'a> {
         let wish = Request { orders: cured.iter().map(|order| order.order).collect(), ..Request::default() };
         let is_sized = is_as_built(engine, judged) || judged.masses == crate::order::Masses::Reciprocating;
         let remedy = weighed.filter(|_| is_sized).and_then(|weighed| remedy::remedy(&weighed.engine, &wish).ok());
-        Cures { cured, accepted, weighed, remedy, told: RefCell::default() }
+        Cures { engine, cured, accepted, weighed, remedy, told: RefCell::default() }
     }
 
     /// A sentence each; none where nothing is left.
@@ -82,7 +88,7 @@ impl<'a> Cures<'a> {
     }
 
     fn of<'b>(&'b self, order: &'b OrderVerdict) -> Cure<'b> {
-        Cure { order, told: &self.told, weighed: self.weighed, remedy: self.remedy.as_ref() }
+        Cure { engine: self.engine, order, told: &self.told, weighed: self.weighed, remedy: self.remedy.as_ref() }
     }
 }
 
@@ -111,6 +117,7 @@ fn is_worth_it(order: &OrderVerdict, weighed: Option<&Weighed>) -> bool {
 
 /// What cures an order.
 struct Cure<'a> {
+    engine: &'a Engine,
     order: &'a OrderVerdict,
     /// The distances of weights that are reported already.
     told: &'a RefCell<Vec<BigRational>>,
@@ -244,10 +251,14 @@ impl Cure<'_> {
 
     /// A shaft with its size.
     fn shaft(&self, sense: Sense) -> Text {
-        let shaft = match (self.order.order, sense) {
-            (1, _) => "a shaft against the crank".into(),
-            (order, Sense::Direct) => phrase!("a shaft at {} crank speed with the crank", times(order)),
-            (order, Sense::Reverse) => phrase!("a shaft at {} crank speed against the crank", times(order)),
+        let turns_so = |crank: &&GearedCrank| (crank.speed, crank.sense) == (self.order.order, sense);
+        // Counterweights on another crankshaft that turns so need no shaft.
+        let crank = self.engine.geared_cranks().iter().find(turns_so);
+        let shaft = match (crank, self.order.order, sense) {
+            (Some(crank), ..) => phrase!("counterweights on crankshaft {}", crank.name.clone()),
+            (None, 1, _) => "a shaft against the crank".into(),
+            (None, order, Sense::Direct) => phrase!("a shaft at {} crank speed with the crank", times(order)),
+            (None, order, Sense::Reverse) => phrase!("a shaft at {} crank speed against the crank", times(order)),
         };
         match self.size(sense) {
             Some(size) => phrase!("{} ({})", shaft, size),

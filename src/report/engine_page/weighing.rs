@@ -7,6 +7,7 @@ use super::super::calculation::Unit;
 use super::super::residual;
 use crate::engine::{Crankshaft, DOES_NOT_EXIST, Effects, Engine, LengthUnit, Mechanism, Rod};
 use crate::loads::{self, Bound, LeftOut, Loads, Swing, TorqueOrder};
+use crate::motion::SliderCrank;
 use crate::numbers;
 use crate::order::{self, Masses};
 use crate::page::{self, Piece, Setting, Text, number, phrase};
@@ -382,9 +383,26 @@ pub(in crate::report) fn circumstances(weighed: Option<&Weighed>) -> Option<Text
 
 /// At which speed sizes are, and with which rods, above a table of them.
 pub(super) fn sizes(weighed: Option<&Weighed>) -> Option<Text> {
-    weighed?;
-    Some(match circumstances(weighed) {
+    // One coefficient for all pistons, and no newtons.
+    let is_plain = |weighed: &&Weighed| {
+        let engine = &weighed.engine;
+        engine.mechanisms().len() == 1 && engine.faster_crank().is_none() && weighed.loads.scale.is_none()
+    };
+    let assumed = weighed?.assumed.as_ref().filter(|_| weighed.as_ref().is_some_and(is_plain)).and_then(coefficients);
+    let sizes: Text = match circumstances(weighed) {
         Some(circumstances) => phrase!("Sizes, rounded: the largest value through a revolution, {}.", circumstances),
         None => "Sizes, rounded: the largest value through a revolution, for the rods of the layout.".into(),
-    })
+    };
+    Some(assumed.into_iter().fold(sizes, |sizes, words| sizes.and(" ").and(words)))
+}
+
+/// With what the exact numbers are multiplied where the layout gives no rods.
+fn coefficients(ratio: &BigRational) -> Option<Text> {
+    let crank = SliderCrank::new(ratio.clone(), BigRational::zero()).ok()?;
+    let of = |order: u32| Text::from(number::decimal(crank.coefficient(order).re.to_float()));
+    Some(phrase!(
+        "Each is the exact number times $|c_k|$, λ being crank radius over rod length: $c_2 = \\lambda + \\lambda^3/4 + \\dots$ ≈ {}, $c_4 = -\\lambda^3/4 - \\dots$ ≈ {}.",
+        of(2),
+        of(4)
+    ))
 }

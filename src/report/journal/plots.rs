@@ -141,16 +141,23 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
             },
             Picture {
                 name: of_crank,
-                caption: phrase!(
-                    "The same seen from the crank, outward along the throw upwards: where the pin is loaded. It is the same for cylinders {}, each when it fires.",
-                    names(engine, group)
-                ),
+                caption: match group.len() {
+                    1 => SEEN_FROM_CRANK.into(),
+                    _ => phrase!(
+                        "{} It is the same for cylinders {}, each when it fires.",
+                        Text::from(SEEN_FROM_CRANK),
+                        names(engine, group)
+                    ),
+                },
                 figure: from_crank,
             },
         ]
     };
     course.alike().iter().take(MOST_PINS).flat_map(draw).collect()
 }
+
+/// What is drawn of a crankpin seen from the crank.
+const SEEN_FROM_CRANK: &str = "The same seen from the crank, outward along the throw upwards: where the pin is loaded.";
 
 /// The paths of the loads of the knuckle pins of every master rod, seen from it, as many as are told apart.
 pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {

@@ -23,7 +23,7 @@ pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearin
         .column(table::position_heading(engine), |(_, bearing)| table::position(engine, &bearing.position))
         .column(phrase!("Largest load in {}", Unit::NEWTON), |(index, _)| marked(continuous, *index))
         .column("at θ", |(_, bearing)| angle(bearing.peak.angle))
-        .column(phrase!("Gas in it in {}", Unit::NEWTON), |(_, bearing)| size(bearing.peak.gas_along()))
+        .column(phrase!("Gas component in {}", Unit::NEWTON), |(_, bearing)| size(bearing.peak.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |(_, bearing)| size(bearing.inertia.value))
         .column(phrase!("Determinate in {}", Unit::NEWTON), |(index, _)| marked(determinate, *index))
         .done()
@@ -39,7 +39,7 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
         .column("Cylinder", |(index, _)| name(engine, *index))
         .column(phrase!("Load of the crankpin in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin.value))
         .column("at θ", |(_, peaks)| angle(peaks.pin.angle))
-        .column(phrase!("Gas in it in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin.gas_along()))
+        .column(phrase!("Gas component in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin_of_inertia.value))
         .done()
 }
@@ -51,7 +51,7 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
         .column("Rods of cylinders", |pin| names(engine, &pin.cylinders))
         .column(phrase!("All rods together in {}", Unit::NEWTON), |pin| size(pin.peak.value))
         .column("at θ", |pin| angle(pin.peak.angle))
-        .column(phrase!("Gas in it in {}", Unit::NEWTON), |pin| size(pin.peak.gas_along()))
+        .column(phrase!("Gas component in {}", Unit::NEWTON), |pin| size(pin.peak.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |pin| size(pin.inertia.value))
         .column(phrase!("One rod alone in {}", Unit::NEWTON), |pin| {
             let of_one = pin.largest_of_a_rod(loads);
@@ -69,7 +69,7 @@ pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Table {
         .column("Master rod", |knuckle| name(engine, knuckle.master))
         .column(phrase!("Load of the knuckle pin in {}", Unit::NEWTON), |knuckle| size(knuckle.peak.value))
         .column("at θ", |knuckle| angle(knuckle.peak.angle))
-        .column(phrase!("Gas in it in {}", Unit::NEWTON), |knuckle| size(knuckle.peak.gas_along()))
+        .column(phrase!("Gas component in {}", Unit::NEWTON), |knuckle| size(knuckle.peak.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |knuckle| size(knuckle.inertia.value))
         .done()
 }
@@ -82,11 +82,11 @@ pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
     let pulled = |[_, stretched]: [Extreme; 2]| Extreme { value: -stretched.value, ..stretched };
     Table::of(loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
         .column("Cylinder", |(index, _)| name(engine, *index))
-        .column(phrase!("Rod pressed with {}", Unit::NEWTON), |(_, peaks)| force(peaks.rod[0]))
+        .column(phrase!("Rod compression in {}", Unit::NEWTON), |(_, peaks)| force(peaks.rod[0]))
         .column("at θ", |(_, peaks)| at(peaks.rod[0]))
-        .column(phrase!("pulled with {}", Unit::NEWTON), |(_, peaks)| force(pulled(peaks.rod)))
+        .column(phrase!("Rod tension in {}", Unit::NEWTON), |(_, peaks)| force(pulled(peaks.rod)))
         .column("at θ", |(_, peaks)| at(pulled(peaks.rod)))
-        .column(phrase!("Big end pulls with {}", Unit::NEWTON), |(_, peaks)| force(peaks.pull))
+        .column(phrase!("Big-end tension in {}", Unit::NEWTON), |(_, peaks)| force(peaks.pull))
         .column(phrase!("Side force in {}", Unit::NEWTON), |(_, peaks)| {
             let [left, right] = peaks.side;
             size(left.value.max(-right.value))

@@ -59,8 +59,10 @@ fn external(study: &MomentsStudy) -> Table {
             }
         }
     }
-    table.decimal("countered_{unit}", Unit::KILONEWTON_METRE, |row| Some(row.countered.unwrap_or(0.0) / 1e3));
-    table.truth("countered_vanishes", |row| Some(row.countered.is_none()));
+    table.decimal("moment_1_with_counterweights_{unit}", Unit::KILONEWTON_METRE, |row| {
+        Some(row.countered.unwrap_or(0.0) / 1e3)
+    });
+    table.truth("moment_1_with_counterweights_vanishes", |row| Some(row.countered.is_none()));
     table.decimal("moment_2_per_kilowatt", Unit::NONE, |row| row.per_kilowatt());
     table.done()
 }

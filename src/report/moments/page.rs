@@ -67,9 +67,14 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
         blocks.push(Block::Paragraph(GUIDES.into()));
         let has_links = study.rows.iter().any(|row| row.engine.has_links());
         blocks.extend(has_links.then(|| Block::Paragraph(LINKED_GUIDES.into())));
-        blocks.push(guides(study, ("H, {}", LAST_COLUMN), |row, order| row.guide(order).map(|moments| moments.rocking)).into());
+        blocks.push(
+            guides(study, ("H, {}", LAST_COLUMN), |row, order| row.guide(order).map(|moments| moments.rocking)).into(),
+        );
         blocks.extend(of_firing(study).map(Block::from));
-        blocks.push(guides(study, ("X, {}", LAST_TWISTING), |row, order| row.guide(order).map(|moments| moments.twisting)).into());
+        blocks.push(
+            guides(study, ("X, {}", LAST_TWISTING), |row, order| row.guide(order).map(|moments| moments.twisting))
+                .into(),
+        );
         if study.rows.iter().any(|row| row.per_kilowatt().is_some()) {
             blocks.push(Block::Paragraph(PER_KILOWATT.into()));
         }
@@ -104,6 +109,15 @@ fn name(row: &MomentsRow) -> Text {
     }
 }
 
+/// In which order the cylinders fire, where the name of the engine is not that, and how evenly.
+fn firing(row: &MomentsRow) -> Text {
+    let evenly = engine_cells::firing(row.engine.firing());
+    match row.engine.firing_order().filter(|order| row.name != order.as_str()) {
+        Some(_) => phrase!("{}; {}", engine_cells::firing_order(&row.engine), evenly),
+        None => evenly,
+    }
+}
+
 fn amount(value: Amplitude, unit: Unit) -> Text {
     value.map_or_else(Text::zero, |value| Text::measured(value / 1e3, unit))
 }
@@ -134,8 +148,7 @@ fn external(study: &MomentsStudy, unit: Unit, of: fn(&MomentsRow) -> &[External]
     let mut table = Table::new(head);
     for row in &study.rows {
         let speed = row.engine.dimensions().speed.as_ref().map_or_else(Text::default, number::given);
-        let mut cells =
-            vec![name(row), row.engine.cylinders().len().into(), engine_cells::firing(row.engine.firing()), speed];
+        let mut cells = vec![name(row), row.engine.cylinders().len().into(), firing(row), speed];
         cells.extend(
             columns
                 .iter()
@@ -165,7 +178,8 @@ fn of_firing(study: &MomentsStudy) -> Option<Table> {
         let head = phrase!("H at the firing frequency, {}", Unit::KILONEWTON_METRE);
         let mut table = Table::new([head, "Order".into(), "1 ×".into(), "2 ×".into(), "3 ×".into()]);
         for (row, order) in even {
-            let at = |times: u32| match CycleOrder::of_halves(times * order.halves()).and_then(|order| row.guide(order)) {
+            let at = |times: u32| match CycleOrder::of_halves(times * order.halves()).and_then(|order| row.guide(order))
+            {
                 None => "–".into(),
                 Some(moments) => amount(moments.rocking, Unit::KILONEWTON_METRE),
             };
@@ -188,7 +202,9 @@ fn guides(
     orders.dedup();
     let has_any = |order: CycleOrder| rows().any(|row| of(row, order).flatten().is_some());
     let has_column = |order: CycleOrder| order.halves() <= 2 * LAST_COLUMN || order.halves() == 2 * last;
-    orders.retain(|order| has_column(*order) && (has_any(*order) || order.is_whole() && order.halves() <= 2 * LAST_COLUMN));
+    orders.retain(|order| {
+        has_column(*order) && (has_any(*order) || order.is_whole() && order.halves() <= 2 * LAST_COLUMN)
+    });
     let first = phrase!(head, Unit::KILONEWTON_METRE);
     let mut table = Table::new([first].into_iter().chain(orders.iter().map(|order| Text::label(order.to_string()))));
     for row in rows() {

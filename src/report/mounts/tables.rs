@@ -9,7 +9,11 @@ use crate::page::{Number, Piece, Table, Text, Unit, number, phrase};
 
 /// One row per mode: frequency, kinetic energy shares.
 pub(super) fn modes(study: &MountsStudy) -> Table {
-    let share = |value: f64| Text::from(Piece::Quantity(100.0 * value, Unit::PERCENT));
+    // Below the roundings of the modes.
+    let share = |value: f64| match value.abs() < 1e-10 {
+        true => phrase!("≈ 0 {}", Unit::PERCENT),
+        false => Piece::Quantity(100.0 * value, Unit::PERCENT).into(),
+    };
     let names = ["x", "y", "z"].map(Text::label).into_iter();
     let names = names.chain(["rotation about x", "rotation about y", "rotation about z"].map(Text::from));
     let table = Table::of(study.modes.iter().enumerate())

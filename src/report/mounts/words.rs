@@ -100,7 +100,7 @@ fn velocity(study: &MountsStudy) -> Option<Text> {
     let moving = study.moving().filter_map(|(_, one)| Some((study.velocity(one.motion.as_ref()?), one)));
     let (speed, fastest) = moving.max_by(|one, other| one.0.total_cmp(&other.0))?;
     Some(phrase!(
-        "**Largest motion** of the {}: {} along one axis, zero to peak, at order {}.",
+        "**Largest velocity** of the {}: {} along one axis, zero to peak, at order {}.",
         place(study.watched()),
         Piece::Quantity(speed * 1e3, Unit::MILLIMETRE_PER_SECOND),
         fastest.excitation.order.to_string()

@@ -55,8 +55,8 @@ pub(super) fn load(design: &Design, units: Units) -> Text {
 /// The bearings with the largest load, those within a thousandth of it among them.
 pub(super) fn worst(design: &Design) -> Text {
     let near = |(_, peak): &(usize, &f64)| **peak >= design.peak() * (1.0 - 1e-3);
-    let numbers = design.peaks.iter().enumerate().filter(near).map(|(index, _)| (index + 1).to_string());
-    Text::label(numbers.collect::<Vec<_>>().join(", "))
+    let names = design.peaks.iter().enumerate().filter(near).map(|(index, _)| design.bearings[index].clone());
+    Text::joined(names.map(Text::label), ", ")
 }
 
 /// What is left of a force or a couple: zero is proved, else the upper end of an enclosure.

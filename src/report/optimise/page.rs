@@ -20,10 +20,14 @@ const OBJECTIVE: &str = "The mass is that of the source of the balance factors: 
 const WITH_GAS: &str = "The mass is that of the source of the balance factors: the masses of the throws brought to their crank radii, half the reciprocating ones among them, and \
      the counterweights. The load is the largest force of gas and masses on any main bearing in a cycle, by the forces themselves and not by orders, on a continuous beam.";
 
+const SEVERAL: &str = "The crankshafts are chosen together: their masses add up, the load is the largest on any of them, and the counterweights of each balance what turns with it at its own speed. Force and couple are the largest residual on any of them.";
+
 /// How the crankshafts are found: by the loads of the masses, or of gas and masses.
 fn method(layout: &Engine) -> Vec<Text> {
     let objective = if layout.effects().gas { WITH_GAS } else { OBJECTIVE };
-    METHOD.into_iter().map(|line| if line == OBJECTIVE { objective.into() } else { line.into() }).collect()
+    let lines = METHOD.into_iter().map(|line| if line == OBJECTIVE { objective.into() } else { line.into() });
+    let several = (!layout.geared_cranks().is_empty()).then(|| SEVERAL.into());
+    lines.chain(several).collect()
 }
 
 /// The ends of the front, what is better than one balance factor for all throws, and which balance is kept.

@@ -128,11 +128,10 @@ pub(super) fn over_speeds(remedy: &Remedy) -> Vec<Text> {
     let place = |height: &crate::remedy::PairHeight| {
         let roll = PairRoll::new(remedy.subject.engine(), height.order)?;
         let [up, sideways] = roll.best_place(&speeds)?;
-        let millimetres = |value: f64| Piece::Quantity(value * 1e3, Unit::MILLIMETRE);
-        let largest = |place: [f64; 2]| {
-            let moment = speeds.iter().map(|rpm| roll.peak(*rpm, place)).fold(0.0, f64::max);
-            Piece::Quantity(moment, Unit::NEWTON_METRE)
-        };
+        let millimetres = |value: f64| Piece::Quantity(without_rounding(value, up) * 1e3, Unit::MILLIMETRE);
+        let peak = |place: [f64; 2]| speeds.iter().map(|rpm| roll.peak(*rpm, place)).fold(0.0, f64::max);
+        let largest =
+            |place: [f64; 2]| Piece::Quantity(without_rounding(peak(place), peak([0.0; 2])), Unit::NEWTON_METRE);
         Some(phrase!(
             "Over {} rpm the roll moment of order {} has the least sum of squares where the shaft that turns with the crank lies {} higher than the other and the offsets of both add up to {}: {} at most, {} at the height for the masses alone, {} with both at one height.",
             Text::joined(remedy.speeds.iter().map(number::given), ", "),
@@ -144,7 +143,19 @@ pub(super) fn over_speeds(remedy: &Remedy) -> Vec<Text> {
             largest([0.0; 2])
         ))
     };
-    remedy.heights.iter().filter_map(place).collect()
+    let placed: Vec<Text> = remedy.heights.iter().filter_map(place).collect();
+    match placed.is_empty() && !speeds.is_empty() {
+        true => vec![
+            "No pair of shafts is to be placed over the speeds: none cancels a force of equal cylinders in line."
+                .into(),
+        ],
+        false => placed,
+    }
+}
+
+/// A value without what is left of 0 by the roundings of numbers as large as another.
+fn without_rounding(value: f64, beside: f64) -> f64 {
+    if value.abs() <= 1e-9 * beside.abs() { 0.0 } else { value }
 }
 
 fn at_its_speed(remedy: &Remedy) -> Vec<Text> {

@@ -275,20 +275,20 @@ fn height(height: &PairHeight) -> Text {
     let Some(metres) = height.metres else {
         let words = match higher {
             true => {
-                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii higher than the other, the pair cancels the inertia torque of the order too; at half the height it cancels half."
+                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii higher than the other, the pair also cancels the masses' roll moment of that order; at half the height it cancels half."
             }
             false => {
-                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii lower than the other, the pair cancels the inertia torque of the order too; at half the height it cancels half."
+                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii lower than the other, the pair also cancels the masses' roll moment of that order; at half the height it cancels half."
             }
         };
         return phrase!(words, height.order, radii);
     };
     let words = match higher {
         true => {
-            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} higher than the other ({} crank radii), the pair cancels the inertia torque of the order too; at half the height it cancels half."
+            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} higher than the other ({} crank radii), the pair also cancels the masses' roll moment of that order; at half the height it cancels half."
         }
         false => {
-            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} lower than the other ({} crank radii), the pair cancels the inertia torque of the order too; at half the height it cancels half."
+            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} lower than the other ({} crank radii), the pair also cancels the masses' roll moment of that order; at half the height it cancels half."
         }
     };
     phrase!(words, height.order, Piece::Quantity(metres.abs() * 1000.0, Unit::MILLIMETRE), radii)
@@ -326,11 +326,19 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
                 "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}.",
                 bare
             ),
-            false => phrase!(
-                "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at the crank radius: {}.",
-                bare,
-                kilograms(with)
-            ),
+            false => match &remedy.radius {
+                None => phrase!(
+                    "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at the crank radius: {}.",
+                    bare,
+                    kilograms(with)
+                ),
+                Some(radius) => phrase!(
+                    "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at a radius of {}: {}.",
+                    bare,
+                    crate::page::number::given_with(&(radius * BigRational::from_integer(1000.into())), Unit::MILLIMETRE),
+                    kilograms(with)
+                ),
+            },
         });
     }
     let half = BigRational::new(1.into(), 2.into());

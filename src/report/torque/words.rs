@@ -158,7 +158,7 @@ pub(in crate::report) fn warning(engine: &Engine, cylinders: &[usize], warning: 
             quantity(400.0, Unit::BAR)
         ),
         Warning::PeakAngle(degrees) => phrase!(
-            "Cylinders {}: the largest pressure is at {} of the firing dead centre. Usual is −5° to 40°: does the table count from another dead centre, or backwards?",
+            "Cylinders {}: the largest pressure is at {} of the firing dead centre. Usual is −5° to 40°: does the table count from another dead centre (where firing is at 360°, subtract 360°), or backwards?",
             of,
             angle(*degrees)
         ),

@@ -134,7 +134,7 @@ pub(super) fn nodes(study: &TorsionStudy) -> Table {
         .column("Mode", |(mode, _)| *mode)
         .column("Node from disc", |(_, node)| at(node)[0])
         .column("To disc", |(_, node)| at(node)[1])
-        .column("Part of the way", |(_, node)| match node {
+        .column("Fraction of the shaft's length", |(_, node)| match node {
             Node::Shaft(_, part) => Number::Decimal(*part).into(),
             Node::Disc(_) => none(),
         })
