@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use crankstar::BigRational;
 use crankstar::file::parse_angle;
 use crankstar::report::{AngleStudy, AnglesAsked};
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::answer::Answer;
