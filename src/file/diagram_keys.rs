@@ -1,13 +1,14 @@
 //! How is a turning-moment diagram written? A file of points, triangles, areas or harmonics, with the scales of the drawing.
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, Zero};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::number::parse_number;
 use super::quantities::{List, known_angle, mass, misread, positive_metres, value, whole};
+use super::rewritten::exact_number;
 use super::units::{self, Area};
 use super::written::{Table, Text, place, read};
 use crate::engine::CycleOrder;
@@ -356,10 +357,10 @@ fn areas(list: &List, scales: &Scales) -> Result<(Torque, bool), LayoutError> {
     let sum: BigRational = areas.iter().sum();
     if !sum.is_zero() {
         let size: BigRational = areas.iter().map(Signed::abs).sum();
-        let part = (&sum / size).to_f64().unwrap_or(f64::NAN) * 100.0;
+        let tenths = (&sum / size * BigRational::from_integer(1000.into())).round();
+        let part = exact_number(&(tenths / BigRational::from_integer(10.into())));
         let rest = remaining(&sum, in_joules, scales);
-        let right =
-            format!("areas above and below the mean whose sum is 0; {rest} remains, {part:.1} % of all of them");
+        let right = format!("areas above and below the mean whose sum is 0; {rest} remains, {part} % of all of them");
         return Err(LayoutError::new("the areas do not close over the cycle", right, place(list)));
     }
     Ok((Torque::Areas(areas), in_joules))

@@ -1,7 +1,7 @@
 //! How are crank, rods, masses and speed written? `[mechanism]` and `speed`.
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, Zero};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
@@ -132,7 +132,10 @@ impl Keys {
                 let Rod { ratio, offset } = &rods[index];
                 let size = ratio + offset.abs();
                 let shown = match exact_number(&size) {
-                    fraction if fraction.starts_with('"') => format!("≈ {:.4}", size.to_f64().unwrap_or(f64::INFINITY)),
+                    fraction if fraction.starts_with('"') => {
+                        let tens = BigRational::from_integer(10_000.into());
+                        format!("≈ {}", exact_number(&((&size * &tens).round() / &tens)))
+                    }
                     decimal => format!("= {decimal}"),
                 };
                 let message = format!("cylinder {} cannot turn round: λ + |δ| {shown}", index + 1);

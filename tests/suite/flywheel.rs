@@ -163,10 +163,10 @@ fn what_does_not_fit_is_refused_with_its_place() {
         ("areas = ['12 mm²', '-12 mm²']\n", "without a scale"),
         ("areas = [12, -12]\n", "with its unit"),
         ("areas = ['12 J', '-8 J']\n", "do not close over the cycle"),
-        ("areas = ['12.5 J', '-8 J']\n", "; 4.5 J remains, 22.0 % of all of them"),
+        ("areas = ['12.5 J', '-8 J']\n", "; 4.5 J remains, 22 % of all of them"),
         (
             "torque_scale = '5 N m/mm'\nangle_scale = '1°/mm'\nareas = ['12 mm²', '-0.1225 cm²']\n",
-            "; -0.25 mm² remains, -1.0 % of all of them",
+            "; -0.25 mm² remains, -1 % of all of them",
         ),
         ("torque_scale = '5 N m/mm'\nangle_scale = '1°/mm'\nareas = ['12 mm²', '-12 J']\n", "all in one way"),
         ("torque_scale = '5 N m'\n", "600 N m/mm"),
