@@ -295,7 +295,7 @@ def test_values_at_an_angle_are_those_of_a_slider_crank() -> None:
     )
     answer = single.angle([0, 90])
     assert list(answer.tables["pistons"]["theta_deg"]) == [0, 90]
-    assert abs(answer.tables["pistons"]["way_m"][1] - (0.043 + 0.143 - (0.143**2 - 0.043**2) ** 0.5)) < 1e-15
+    assert abs(answer.tables["pistons"]["displacement_m"][1] - (0.043 + 0.143 - (0.143**2 - 0.043**2) ** 0.5)) < 1e-15
     assert len(single.angle(every=90).tables["torque"]["theta_deg"]) == 4
     with pytest.raises(crankstar.CrankstarError, match="no step"):
         single.angle(every=0)
