@@ -76,6 +76,11 @@ impl<A, L> Engine<A, L> {
         &self.draft().geared_cranks
     }
 
+    /// How many crankshafts there are.
+    pub fn crankshafts(&self) -> usize {
+        self.geared_cranks().len().max(1)
+    }
+
     /// The crankshaft that a cylinder works on, where several are geared together.
     pub fn crank_of(&self, cylinder: &Cylinder<A, L>) -> Option<&GearedCrank> {
         self.geared_cranks().get(cylinder.crank)

@@ -217,7 +217,7 @@ fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<Big
         let carried = force_history::carried_by(engine, crank, &parts, part, newtons);
         (parts, carried)
     };
-    let cranks = 0..engine.geared_cranks().len().max(1);
+    let cranks = 0..engine.crankshafts();
     Ok(cranks
         .flat_map(|crank| (0..engine.bearings().len()).map(move |index| (crank, index)))
         .map(|(crank, index)| bearing(crank, index))

@@ -90,7 +90,7 @@ pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<
     engine::are_orders(orders)?;
     let motion = Motion::new(engine)?;
     let of_crank = |crank: usize| of_crankshaft(engine, &motion, &shares, (crank, orders));
-    let bearings: Vec<BearingLoad> = (0..engine.geared_cranks().len().max(1)).flat_map(of_crank).collect();
+    let bearings: Vec<BearingLoad> = (0..engine.crankshafts()).flat_map(of_crank).collect();
     let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
     let is_worst = |&index: &usize| largest > 0.0 && bearings[index].peak.value >= largest * (1.0 - EQUAL);
     let worst = (0..bearings.len()).filter(is_worst).collect();

@@ -61,7 +61,7 @@ pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
     let motion = Motion::new(engine)?;
     let mut by_pin: Vec<Vec<PinOrder>> = engine.cylinders().iter().map(|_| Vec::new()).collect();
     for order in with_constant(engine, orders) {
-        let cranks = 0..engine.geared_cranks().len().max(1);
+        let cranks = 0..engine.crankshafts();
         let contributions = Sense::BOTH.map(|sense| {
             let all = cranks.clone().flat_map(|crank| order::pin_contributions(engine, crank, order, sense));
             all.collect::<Vec<_>>()

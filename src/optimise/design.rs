@@ -109,7 +109,7 @@ pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Desi
             let first = First::new((engine, crank), weighing, &unit)?;
             Ok(first.left(&unit, scale * Turning::of(engine, crank).force()))
         };
-        let shafts = (0..engine.geared_cranks().len().max(1)).map(of_shaft);
+        let shafts = (0..engine.crankshafts()).map(of_shaft);
         let shafts = shafts.collect::<Result<Vec<Residual>, OptimiseError>>()?;
         Ok::<_, OptimiseError>(shafts.into_iter().fold(Residual::Zero, Residual::larger))
     };

@@ -65,7 +65,7 @@ impl Shaft {
 
 /// Two planes or more of each crankshaft.
 fn enough(engine: &Engine, places: &[Place]) -> Result<(), OptimiseError> {
-    for crank in 0..engine.geared_cranks().len().max(1) {
+    for crank in 0..engine.crankshafts() {
         let own: Vec<&Place> = places.iter().filter(|place| place.crank == crank).collect();
         match (own.as_slice(), engine.geared_cranks().get(crank)) {
             ([], Some(shaft)) if !places.is_empty() => return Err(OptimiseError::NoPlacesOn(shaft.name.clone())),
@@ -99,7 +99,7 @@ impl Problem {
         };
         let beam = Beam::new(bare.bearings().to_vec())
             .map_err(|mistake| OptimiseError::Missing(loads::Missing::Beam(mistake)))?;
-        let cranks = 0..bare.geared_cranks().len().max(1);
+        let cranks = 0..bare.crankshafts();
         let shafts = cranks.map(|crank| Shaft::new(&bare, crank, &unit)).collect::<Result<Vec<_>, _>>()?;
         // A crankshaft has its own bearings at the positions of the file.
         let mut parts = vec![vec![0.0; places.len()]; bare.bearings().len() * shafts.len()];

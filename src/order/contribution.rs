@@ -50,6 +50,8 @@ pub struct Sources<'a> {
     engine: &'a Engine,
     masses: Masses,
     turning: Vec<TurningMass>,
+    /// The crankshaft that they are on, where they are those of one.
+    crank: Option<usize>,
 }
 
 impl<'a> Sources<'a> {
@@ -60,12 +62,14 @@ impl<'a> Sources<'a> {
             Masses::Rotating | Masses::Counterweights | Masses::All => turning_masses(engine),
         };
         let turning = turning.into_iter().filter(|mass| mass.source.group().is_among(masses)).collect();
-        Sources { engine, masses, turning }
+        Sources { engine, masses, turning, crank: None }
     }
 
-    /// Those of the turning masses that are on one of several crankshafts, by its index, or on the only one.
+    /// Those that are on one of several crankshafts, by its index, or on the only one. Balancer shafts are counted to one that is alone.
     pub(super) fn of_crankshaft(mut self, crank: usize) -> Self {
-        self.turning.retain(|mass| mass.crank.is_none_or(|own| own == crank));
+        let is_alone = self.engine.crankshafts() == 1;
+        self.turning.retain(|mass| is_alone || mass.crank == Some(crank));
+        self.crank = Some(crank);
         self
     }
 
@@ -161,7 +165,8 @@ impl<'a> Sources<'a> {
 
     pub(super) fn cylinders(&self) -> impl Iterator<Item = (usize, &'a Cylinder)> {
         let has_pistons = MassGroup::Reciprocating.is_among(self.masses);
-        self.engine.cylinders().iter().enumerate().filter(move |_| has_pistons)
+        let is_on_it = move |cylinder: &Cylinder| self.crank.is_none_or(|crank| cylinder.crank == crank);
+        self.engine.cylinders().iter().enumerate().filter(move |(_, cylinder)| has_pistons && is_on_it(cylinder))
     }
 
     /// Those whose crank has part in an order, each with the order of its own motion that this is.
@@ -193,22 +198,16 @@ fn turned(at: &Turn, weight: &BigRational, part: &Term, sense: Sense) -> Term {
 
 /// What every mass of an engine adds to the force of one order and sense, where its factor is not zero.
 pub fn contributions(engine: &Engine, order: u32, sense: Sense) -> Vec<Contribution> {
-    let all = Sources::new(engine, Masses::All);
-    let there = all.of_force(order, sense).filter(|one| one.factor.exists(order));
-    there.collect()
+    there(&Sources::new(engine, Masses::All), order, sense)
 }
 
-/// What one of several crankshafts, or the only one, adds to it: its pistons and what turns with it. Balancer shafts are counted to a
-/// crankshaft that is alone.
+/// What one of several crankshafts, or the only one, adds to it: its pistons and what turns with it.
 pub fn crankshaft_contributions(engine: &Engine, crank: usize, order: u32, sense: Sense) -> Vec<Contribution> {
-    let is_alone = engine.geared_cranks().is_empty();
-    let is_on_it = |source: Source| match source {
-        Source::Piston(index) | Source::Knuckle(index) => engine.cylinders()[index].crank == crank,
-        source => is_alone || source.group() != MassGroup::Balancers,
-    };
-    let all = Sources::new(engine, Masses::All).of_crankshaft(crank);
-    let there = all.of_force(order, sense).filter(|one| one.factor.exists(order) && is_on_it(one.source));
-    there.collect()
+    there(&Sources::new(engine, Masses::All).of_crankshaft(crank), order, sense)
+}
+
+fn there(sources: &Sources, order: u32, sense: Sense) -> Vec<Contribution> {
+    sources.of_force(order, sense).filter(|one| one.factor.exists(order)).collect()
 }
 
 /// What a force at this position counts for: 1 in the force, its arm about the reference plane in the moment.

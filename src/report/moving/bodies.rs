@@ -30,7 +30,7 @@ pub(super) fn bodies(engine: &Engine, open: Option<&OpenAngle>) -> Vec<Body> {
     let position = |index: usize| &engine.cylinders()[index].position;
     order.sort_by(|one, other| position(*other).cmp(position(*one)));
     let mut cranks: Vec<(usize, [f64; 2])> = Vec::new();
-    let several = engine.geared_cranks().len() > 1;
+    let several = engine.crankshafts() > 1;
     let mut bodies: Vec<Body> = Vec::new();
     for index in order {
         let mut body = body(engine, index, open);

@@ -26,7 +26,7 @@ const SEVERAL: &str = "The crankshafts are chosen together: their masses add up,
 fn method(layout: &Engine) -> Vec<Text> {
     let objective = if layout.effects().gas { WITH_GAS } else { OBJECTIVE };
     let lines = METHOD.into_iter().map(|line| if line == OBJECTIVE { objective.into() } else { line.into() });
-    let several = (!layout.geared_cranks().is_empty()).then(|| SEVERAL.into());
+    let several = (layout.crankshafts() > 1).then(|| SEVERAL.into());
     lines.chain(several).collect()
 }
 
