@@ -66,4 +66,4 @@ pub use rotor_keys::{Rotor, RotorMass, parse_rotor};
 pub use schema::{schema, tables};
 pub use template::{Key, Template};
 pub use units::turns_per_unit;
-pub use usual::{LayoutWarning, odd_value, warnings, warnings_of_refused};
+pub use usual::{LayoutWarning, USUAL_PEAK_BAR, USUAL_PEAK_DEGREES, odd_value, warnings, warnings_of_refused};

@@ -49,6 +49,11 @@ const PRESSURE: Kind = Kind {
     meant: &[],
 };
 
+/// Largest pressures that engines have, in bar.
+pub const USUAL_PEAK_BAR: RangeInclusive<i64> = 5..=400;
+/// Where they have them, in degrees from the firing dead centre.
+pub const USUAL_PEAK_DEGREES: RangeInclusive<i64> = -5..=40;
+
 /// A model engine of 5 mm of stroke and a beam engine of 3.7 m, a piston of a gram and the crosshead engine of 14 cylinders are within these;
 /// in thousandths of the base unit, and of either sign. 0 is always one.
 #[rustfmt::skip]
@@ -70,7 +75,7 @@ const USUAL: &[(&str, Kind, i64, i64)] = &[
     ("circumradius", OF_SPACING, 2, 20_000),
     ("mass", MASS, 0, 100_000_000),
     ("speed", SPEED, 1_000, 100_000_000),
-    ("peak_pressure", PRESSURE, 5_000, 400_000),
+    ("peak_pressure", PRESSURE, 1_000 * *USUAL_PEAK_BAR.start(), 1_000 * *USUAL_PEAK_BAR.end()),
     ("mean_pressure", PRESSURE, 10, 60_000),
 ];
 /// What ends so is a mass: `piston_mass`.
@@ -248,9 +253,6 @@ fn longest(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
     Some(LayoutError::new(message, right, span))
 }
 
-/// Angles of the largest pressure that are usual, in degrees from the firing dead centre, and largest pressures, in bar.
-const USUAL_PEAK: [RangeInclusive<i64>; 2] = [-5..=40, 5..=400];
-
 /// What is odd about a table of pressures: its largest one, or where that is. Steam and pumps, double-acting as a rule, have theirs elsewhere.
 fn measured(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
     let (gas, cycle) = (engine.gas()?, engine.cycle()?);
@@ -264,16 +266,21 @@ fn measured(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
         let PressureLaw::Table(rows) = law else { return None };
         let (angle, pascals) = rows.rows().iter().max_by(|one, other| one.1.cmp(&other.1))?;
         let bar = pascals / whole(100_000);
-        if !is_usual(&bar, &USUAL_PEAK[1]) {
+        if !is_usual(&bar, &USUAL_PEAK_BAR) {
             let message = format!("the largest pressure of the table is {} bar", bar.round());
-            return Some(LayoutError::new(message, "engines have 5 to 400 bar: is the unit right?", span.clone()));
+            let (least, most) = (USUAL_PEAK_BAR.start(), USUAL_PEAK_BAR.end());
+            let right = format!("engines have {least} to {most} bar: is the unit right?");
+            return Some(LayoutError::new(message, right, span.clone()));
         }
         let turns = cycle.turns();
         let within = angle / &turns - (angle / &turns + BigRational::new(1.into(), 2.into())).floor();
         let degrees = within * turns * whole(360);
         let message = format!("the largest pressure of the table is at {}° of the firing dead centre", degrees.round());
-        let right = "−5° to 40° is usual: 0 is the firing dead centre; where the table has it at 360, subtract 360";
-        (!rows.is_constant() && !is_usual(&degrees, &USUAL_PEAK[0]))
+        let (first, last) = (USUAL_PEAK_DEGREES.start(), USUAL_PEAK_DEGREES.end());
+        let right = format!(
+            "{first}° to {last}° is usual: 0 is the firing dead centre; where the table has it at 360, subtract 360"
+        );
+        (!rows.is_constant() && !is_usual(&degrees, &USUAL_PEAK_DEGREES))
             .then(|| LayoutError::new(message, right, span.clone()))
     };
     let is_of_engine = gas.chambers.iter().all(|chamber| chamber.below.is_none());

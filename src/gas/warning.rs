@@ -1,9 +1,12 @@
 //! What is odd about a pressure, though it can be?
 
+use std::ops::RangeInclusive;
+
 use num_rational::BigRational;
 
 use super::cylinder::CylinderGas;
 use crate::engine::{Cycle, PressureLaw, PressureTable};
+use crate::file::{USUAL_PEAK_BAR, USUAL_PEAK_DEGREES};
 
 /// Something that a person should look at.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,12 +22,13 @@ pub enum Warning {
     Coarse(f64),
 }
 
-/// Angles of the largest pressure that are usual, in degrees.
-const USUAL_PEAK: std::ops::RangeInclusive<f64> = -5.0..=40.0;
-/// Largest pressures that are usual, in pascals.
-const USUAL_PRESSURE: std::ops::RangeInclusive<f64> = 5e5..=4e7;
 /// Rows farther apart than this, in degrees, leave much to the lines between them.
 const WIDEST_STEP: i64 = 5;
+
+/// Whether a value is within a range in these units.
+fn is_within(value: f64, usual: &RangeInclusive<i64>, unit: f64) -> bool {
+    (*usual.start() as f64 * unit..=*usual.end() as f64 * unit).contains(&value)
+}
 
 impl CylinderGas {
     /// What is odd about the pressure of this law.
@@ -38,7 +42,7 @@ impl CylinderGas {
             PressureLaw::Table(table) => Some(table),
         };
         let (peak, at) = self.peak_pressure();
-        if !USUAL_PRESSURE.contains(&peak) {
+        if !is_within(peak, &USUAL_PEAK_BAR, 1e5) {
             warnings.push(Warning::Peak(peak));
         }
         if table.is_some_and(PressureTable::is_constant) {
@@ -48,7 +52,7 @@ impl CylinderGas {
         let degrees = ((at - self.zero() + half).rem_euclid(self.period()) - half).to_degrees();
         // A double-acting cylinder is of steam or of a pump as a rule, whose admission makes the largest pressure.
         let is_double_acting = self.sides().len() > 1;
-        if !is_double_acting && !USUAL_PEAK.contains(&degrees) {
+        if !is_double_acting && !is_within(degrees, &USUAL_PEAK_DEGREES, 1.0) {
             warnings.push(Warning::PeakAngle(degrees));
         }
         let mean = self.work() / self.period();
