@@ -383,12 +383,10 @@ pub(in crate::report) fn circumstances(weighed: Option<&Weighed>) -> Option<Text
 
 /// At which speed sizes are, and with which rods, above a table of them.
 pub(super) fn sizes(weighed: Option<&Weighed>) -> Option<Text> {
+    let Weighed { engine, loads, assumed, .. } = weighed?;
     // One coefficient for all pistons, and no newtons.
-    let is_plain = |weighed: &&Weighed| {
-        let engine = &weighed.engine;
-        engine.mechanisms().len() == 1 && engine.faster_crank().is_none() && weighed.loads.scale.is_none()
-    };
-    let assumed = weighed?.assumed.as_ref().filter(|_| weighed.as_ref().is_some_and(is_plain)).and_then(coefficients);
+    let is_plain = engine.mechanisms().len() == 1 && engine.faster_crank().is_none() && loads.scale.is_none();
+    let assumed = assumed.as_ref().filter(|_| is_plain).and_then(coefficients);
     let sizes: Text = match circumstances(weighed) {
         Some(circumstances) => phrase!("Sizes, rounded: the largest value through a revolution, {}.", circumstances),
         None => "Sizes, rounded: the largest value through a revolution, for the rods of the layout.".into(),

@@ -201,9 +201,9 @@ fn guides(
     orders.sort_unstable();
     orders.dedup();
     let has_any = |order: CycleOrder| rows().any(|row| of(row, order).flatten().is_some());
-    let has_column = |order: CycleOrder| order.halves() <= 2 * LAST_COLUMN || order.halves() == 2 * last;
-    orders.retain(|order| {
-        has_column(*order) && (has_any(*order) || order.is_whole() && order.halves() <= 2 * LAST_COLUMN)
+    orders.retain(|order| match order.halves() <= 2 * LAST_COLUMN {
+        true => order.is_whole() || has_any(*order),
+        false => order.halves() == 2 * last && has_any(*order),
     });
     let first = phrase!(head, Unit::KILONEWTON_METRE);
     let mut table = Table::new([first].into_iter().chain(orders.iter().map(|order| Text::label(order.to_string()))));
