@@ -112,6 +112,7 @@ mod open_ranges;
 mod opposed_gas;
 #[cfg(feature = "optimise")]
 mod optimise;
+mod optimise_geared;
 mod output_folder;
 mod plane_cheats;
 mod plots;
