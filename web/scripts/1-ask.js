@@ -9,29 +9,14 @@ const make = (name, properties = {}, ...inside) => {
 const PATIENCE = 700; // ms for which a new layout waits for a question about the last one
 const TOO_LONG = 2000; // ms for which it waits for the verdict on the last one
 
-const decoded = (text) => {
-  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
-  const letters = atob(text);
-  const bytes = new Uint8Array(letters.length);
-  for (let at = 0; at < letters.length; at += 1) bytes[at] = letters.charCodeAt(at);
-  return bytes;
-};
-
-/** The module is compiled while it is unpacked. */
-const unpacked = async () => {
-  const packed = decoded($("module").textContent.trim());
-  const bytes = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compileStreaming(new Response(bytes, { headers: { "content-type": "application/wasm" } }));
-};
-
 /** Answers questions one after the other: `ask`, what is being answered (`current`), and `giveUp` of that. */
 const asker = async () => {
-  const program = await unpacked();
   const address = URL.createObjectURL(new Blob([$("worker").textContent], { type: "text/javascript" }));
   const waiting = new Map(); // number → the question, and whom to tell; the first is being answered
   let worker;
   let number = 0;
 
+  // A worker starts while the module is compiled.
   const begin = () =>
     new Promise((resolve, reject) => {
       worker = new Worker(address);
@@ -42,7 +27,7 @@ const asker = async () => {
         waiting.delete(data.id);
         told?.(data);
       };
-      worker.postMessage({ program });
+      compiled.then((program) => worker.postMessage({ program }), reject);
     });
   let ready = begin();
   await ready;

@@ -31,12 +31,20 @@ const page = async () => {
     }, SPEAKS);
   };
 
-  const show = ({ title, verdicts, summary, spoken, scenes, stars: small }, took) => {
+  /** When what was written is on the screen; a page that nobody sees does not wait. */
+  const painted = () => document.hidden || new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+
+  const show = async ({ title, verdicts, summary, spoken, scenes, stars: small }, took) => {
     $("title").innerHTML = title;
     document.title = `${$("title").textContent} · crankstar`;
     $("verdicts").innerHTML = verdicts;
     $("summary").innerHTML = summary;
     $("state").textContent = `Computed in ${took < 10 ? took.toFixed(1) : Math.round(took)} ms.`;
+    // The first verdict does not wait for its stars.
+    if (!document.body.dataset.verdict) {
+      await painted();
+      document.body.dataset.verdict = `${Math.round(performance.now())}`;
+    }
     stars.put(scenes, small, state.isOther);
     state.isOther = false;
     speak(`${$("title").textContent}. ${spoken}`);
@@ -71,7 +79,7 @@ const page = async () => {
         state.isFaulty = false;
         if (answer.ok.text !== null) changed(value, answer.ok.text);
         editor.show(null);
-        show(answer.ok, answer.took);
+        await show(answer.ok, answer.took);
       } else if (answer?.mistake) {
         editor.show(answer.mistake);
         $("state").textContent = "The layout cannot be read as it stands.";
