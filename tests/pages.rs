@@ -141,10 +141,15 @@ fn drawings(folder: &Path) -> usize {
     names.filter(|name| name.to_string_lossy().ends_with(".svg")).count()
 }
 
-/// Compiles a report and looks for complaints in the log.
+/// Compiles a report until its references and the widths of its tables stand still, and looks for complaints in the log.
 fn compile(name: &str, folder: &Path) {
-    for _ in 0..3 {
+    let auxiliary = || fs::read(folder.join("report.aux")).ok();
+    for _ in 0..4 {
+        let before = auxiliary();
         run(folder, "pdflatex", &["-interaction=nonstopmode", "-halt-on-error", "report.tex"], "");
+        if auxiliary() == before {
+            break;
+        }
     }
     let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
     for complaint in ["Overfull", "Missing character", "undefined", "Rerun LaTeX", "Rerun to get", "LaTeX Font Warning"]
@@ -177,6 +182,11 @@ fn every_report_compiles_without_errors_missing_references_or_overfull_lines() {
     for (name, page) in reports() {
         compile(&name, &write_page(&name, &page, Format::Latex));
     }
+}
+
+#[test]
+#[ignore = "needs pdflatex"]
+fn every_stored_page_compiles_without_errors_missing_references_or_overfull_lines() {
     for family in families() {
         let name = family.file_name().expect("a name").to_string_lossy().into_owned();
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-families").join(&name);

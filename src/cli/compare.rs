@@ -31,9 +31,6 @@ pub struct Compare {
     answer: Answer,
 }
 
-/// More engines than this are not shown beside each other.
-const MOST_ENGINES: usize = 24;
-
 impl Compare {
     /// Prints the table, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
@@ -55,19 +52,11 @@ impl Compare {
 
     /// The engines with short names; with their arguments where two would have the same.
     fn read(&self) -> Result<Vec<(Untrusted, Engine)>, Failure> {
-        match self.layouts.len() {
-            1 => {
-                let only = layouts::shown(&self.layouts[0]);
-                return Err(Failure::new(format!(
-                    "a comparison needs two or more engines; for one ask `crankstar classify {only}`"
-                )));
-            }
-            count if count > MOST_ENGINES => {
-                return Err(Failure::new(format!(
-                    "{count} engines are too many for a table; up to {MOST_ENGINES} are compared"
-                )));
-            }
-            _ => {}
+        if let [only] = self.layouts.as_slice() {
+            let only = layouts::shown(only);
+            return Err(Failure::new(format!(
+                "a comparison needs two or more engines; for one ask `crankstar classify {only}`"
+            )));
         }
         let short: Vec<String> = self.layouts.iter().map(|argument| short_name(argument)).collect();
         let is_unique = |name: &String| short.iter().filter(|other| *other == name).count() == 1;

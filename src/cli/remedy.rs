@@ -58,6 +58,10 @@ const ROUNDED: &str = "The weights against what links on a master rod leave have
 const NO_MASSES: &str =
     "the document holds what `verify` checks, without masses at a radius; --format json --table weights has them";
 
+/// What is said where a part of the reciprocating masses and two planes are given: the part stays on the throws.
+const ON_THE_THROWS: &str = "--reciprocating puts weights on the throws and --planes cancels what they leave; for a part of the reciprocating masses in two \
+                             planes, as in the wheels of a locomotive, ask `crankstar rotor`, with `share`";
+
 impl Remedy {
     /// Prints the remedy, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
@@ -68,6 +72,9 @@ impl Remedy {
                 return Err(Failure::new("a remedy needs an engine without unknowns; give them values below [values]"));
             };
             let remedy = remedy::remedy(&engine, &self.wish(&engine, orders)?).map_err(Failure::new)?;
+            if !self.planes.is_empty() && !self.reciprocating.is_empty() {
+                write::warn(ON_THE_THROWS);
+            }
             if let Some(file) = &self.write {
                 written = self.write_corrected(&remedy, file)?;
             }

@@ -217,6 +217,13 @@ fn an_engine_beside_itself_is_the_same_twice() {
 }
 
 #[test]
+fn any_number_of_engines_is_compared() {
+    let many: Vec<&str> = ["I2-180", "I2-360", "I3"].into_iter().cycle().take(30).collect();
+    let asked = [&["compare"], many.as_slice(), &["--orders", "1", "--format", "csv", "--table", "engines"]].concat();
+    assert_eq!(succeeds(&asked).lines().count(), 31);
+}
+
+#[test]
 fn no_line_of_a_comparison_is_longer_than_eighty_columns() {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let layouts = |folder: &str| -> Vec<PathBuf> {
