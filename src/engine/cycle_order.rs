@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use num_rational::BigRational;
 
-use super::firing::Cycle;
+use super::cycle::Cycle;
 use super::order::HIGHEST_ORDER;
 use crate::exact::Turn;
 

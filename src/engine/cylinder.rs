@@ -109,3 +109,19 @@ impl Cylinder {
         &self.bank - &self.throw
     }
 }
+
+/// The piston that faces the one at this index, by its own; none of a piston with a cylinder of its own.
+pub(super) fn partner<A, L>(cylinders: &[Cylinder<A, L>], index: usize) -> Option<usize> {
+    let number = cylinders[index].shared?.number;
+    let is_in_it = |other: &Cylinder<A, L>| other.shared.is_some_and(|shared| shared.number == number);
+    (0..cylinders.len()).find(|&other| other != index && is_in_it(&cylinders[other]))
+}
+
+/// The pistons by which cylinders are told: all but the second of two in one.
+pub fn firing_pistons<A, L>(cylinders: &[Cylinder<A, L>]) -> Vec<usize> {
+    (0..cylinders.len()).filter(|&index| !is_second(&cylinders[index])).collect()
+}
+
+pub(super) fn is_second<A, L>(cylinder: &Cylinder<A, L>) -> bool {
+    cylinder.shared.is_some_and(|shared| shared.is_second)
+}

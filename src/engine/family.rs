@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_rational::BigRational;
 
-use super::build::BuildError;
+use super::build_error::BuildError;
 use super::draft::ReferencePlane;
 use super::linear::Linear;
 use super::model::Engine;

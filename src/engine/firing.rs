@@ -6,27 +6,8 @@
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::cylinder::Cylinder;
-use super::shared::firing_pistons;
-
-/// How many revolutions it takes until a cylinder fires again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cycle {
-    /// One revolution.
-    TwoStroke,
-    /// Two revolutions.
-    FourStroke,
-}
-
-impl Cycle {
-    /// Length of the cycle in turns of the crank.
-    pub fn turns(self) -> BigRational {
-        BigRational::from_integer(match self {
-            Cycle::TwoStroke => 1.into(),
-            Cycle::FourStroke => 2.into(),
-        })
-    }
-}
+use super::cycle::Cycle;
+use super::cylinder::{Cylinder, firing_pistons};
 
 /// One firing of the cycle.
 #[derive(Clone, Debug, PartialEq, Eq)]

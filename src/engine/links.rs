@@ -1,6 +1,6 @@
 //! Do the links of an engine hang on its rods, and is nothing asked of it that links have no numbers for?
 
-use super::build::{BuildError, not_negative};
+use super::build_error::{BuildError, not_negative};
 use super::crankshaft::Balancer;
 use super::mechanism::Mechanism;
 use super::model::Engine;

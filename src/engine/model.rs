@@ -3,13 +3,15 @@
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::build::BuildError;
+use super::build_error::BuildError;
 use super::convention::Convention;
 use super::crankshaft::{Counterweight, Crankshaft};
+use super::cycle::Cycle;
 use super::cylinder::Cylinder;
 use super::dimensions::Dimensions;
 use super::draft::{Draft, ReferencePlane};
-use super::firing::{Cycle, Firing};
+use super::effects::Effects;
+use super::firing::Firing;
 use super::flywheel::Flywheel;
 use super::form::Form;
 use super::gas::Gas;
@@ -29,21 +31,6 @@ pub struct Engine<A = Turn, L = BigRational> {
     draft: Draft<A, L>,
     reference_plane: L,
     orders: Vec<u32>,
-}
-
-/// What is asked for beyond the forces and moments of the masses: `effects = ["torque", "remedy"]` in a layout file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Effects {
-    /// The inertia torque.
-    pub torque: bool,
-    /// Counterweights and balancer shafts for what is left of orders 1 and 2.
-    pub remedy: bool,
-    /// The forces and the torque of the gas.
-    pub gas: bool,
-    /// The firing stars: which orders of the gas torque vanish, whatever the pressure is.
-    pub firing: bool,
-    /// Torsional vibration of the crankshaft.
-    pub torsion: bool,
 }
 
 impl<A, L> Engine<A, L> {
@@ -258,5 +245,33 @@ impl Engine {
     /// Whether every reciprocating mass and crank radius is 1, so that weights need not be shown.
     pub fn has_unit_masses(&self) -> bool {
         self.cylinders().iter().all(|cylinder| cylinder.weight().is_one())
+    }
+
+    /// The mass in kilograms that all masses can be counted in: m, or one kilogram where m is 0 or not known.
+    pub fn unit_mass(&self) -> BigRational {
+        let mass = self.dimensions().mass.clone().filter(|mass| !mass.is_zero());
+        mass.unwrap_or_else(BigRational::one)
+    }
+
+    /// The crank radius in metres, or 1 where it is not known.
+    pub fn unit_radius(&self) -> BigRational {
+        self.dimensions().crank_radius.clone().unwrap_or_else(BigRational::one)
+    }
+
+    /// The ends of the crankshaft along z: by its length, or else the outermost main bearings and cylinders; `None` where the
+    /// file gives neither length nor bearings.
+    pub fn shaft_ends(&self) -> Option<[BigRational; 2]> {
+        let positions = || self.cylinders().iter().map(|cylinder| &cylinder.position);
+        if let Some(length) = &self.crankshaft().length {
+            let two = BigRational::from_integer(2.into());
+            let middle = (positions().min()? + positions().max()?) / &two;
+            let half = length / two;
+            return Some([&middle - &half, middle + half]);
+        }
+        if self.bearings().is_empty() {
+            return None;
+        }
+        let all = || positions().chain(self.bearings());
+        Some([all().min()?.clone(), all().max()?.clone()])
     }
 }

@@ -9,9 +9,8 @@ use std::ops::RangeInclusive;
 use num_traits::Zero;
 
 use super::cylinder::Cylinder;
-use super::geared::{GearedCrank, own_order};
+use super::geared_crank::{GearedCrank, own_order};
 use super::mechanism::{Link, Mechanism, Rod};
-use super::model::Engine;
 use crate::proof::Quantity;
 
 /// The highest order that is answered.
@@ -85,20 +84,6 @@ impl Rod {
     }
 }
 
-impl<A, L> Engine<A, L> {
-    /// Whether some piston has an order; rods of which nothing is known are of finite length and without offset.
-    pub fn pistons_have_order(&self, quantity: Quantity, order: u32) -> bool {
-        match self.faster_crank() {
-            Some(_) => pistons_have_order(self.cylinders(), self.geared_cranks(), quantity, order),
-            // Each rod once.
-            None => match self.mechanisms().as_slice() {
-                [] => has_order(None, quantity, order),
-                mechanisms => mechanisms.iter().any(|mechanism| has_order(Some(mechanism), quantity, order)),
-            },
-        }
-    }
-}
-
 /// Whether one of these pistons has an order; each that of its own crank.
 pub(super) fn pistons_have_order<A, L>(
     cylinders: &[Cylinder<A, L>],
@@ -113,7 +98,7 @@ pub(super) fn pistons_have_order<A, L>(
 }
 
 /// Of one piston, in the orders of its own crank.
-fn has_order(mechanism: Option<&Mechanism>, quantity: Quantity, order: u32) -> bool {
+pub(super) fn has_order(mechanism: Option<&Mechanism>, quantity: Quantity, order: u32) -> bool {
     match (mechanism, quantity) {
         (Some(mechanism), _) => mechanism.has_order(quantity, order),
         (None, Quantity::Axial(_)) => order > 0,

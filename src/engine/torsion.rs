@@ -5,7 +5,7 @@ use std::fmt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use super::CycleOrder;
+use super::cycle_order::CycleOrder;
 
 /// More discs are not read.
 pub const MOST_DISCS: usize = 200;

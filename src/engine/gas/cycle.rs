@@ -3,9 +3,10 @@
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use super::mistake::{At, GasMistake};
-use super::setting::{Setting, above_zero, is_exponent};
-use crate::engine::firing::{Cycle, degrees};
+use super::mistake::{At, GasMistake, above_zero, is_exponent};
+use super::setting::Setting;
+use crate::engine::cycle::Cycle;
+use crate::engine::firing::degrees;
 
 /// How the charge is lit: what is assumed of its burning depends on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

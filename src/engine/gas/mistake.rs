@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+use num_rational::BigRational;
+use num_traits::Signed;
+
 use super::setting::Setting;
 
 /// A pressure that cannot be.
@@ -36,5 +39,29 @@ impl GasMistake {
 impl fmt::Display for GasMistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}; {}", self.message, self.right)
+    }
+}
+
+pub(super) fn above_zero(value: &BigRational, setting: Setting) -> Result<(), GasMistake> {
+    match value.is_positive() {
+        true => Ok(()),
+        false => Err(GasMistake::new(
+            format!("{} is {value}", setting.key()),
+            "a value above 0; pressures are absolute",
+            At::Setting(setting),
+        )),
+    }
+}
+
+/// Exponents of a change of state: 1 would be isothermal, and no gas has more than 5/3.
+pub(super) fn is_exponent(value: &BigRational, setting: Setting) -> Result<(), GasMistake> {
+    let ends = [BigRational::from_integer(1.into()), BigRational::from_integer(2.into())];
+    match ends[0] < *value && *value <= ends[1] {
+        true => Ok(()),
+        false => Err(GasMistake::new(
+            format!("{} is {value}", setting.key()),
+            "above 1 and at most 2, such as 1.32",
+            At::Setting(setting),
+        )),
     }
 }

@@ -11,7 +11,7 @@ mod table;
 
 use num_rational::BigRational;
 
-use super::firing::Cycle;
+use super::cycle::Cycle;
 pub use cycle::{Heat, IdealCycle, Ignition};
 pub use mistake::{At, GasMistake};
 pub use setting::Setting;
@@ -91,7 +91,7 @@ impl PressureLaw {
 
 impl Below {
     fn check(&self, chamber: &Chamber, laws: &[PressureLaw]) -> Result<(), GasMistake> {
-        setting::above_zero(&self.rod, Setting::PistonRod)?;
+        mistake::above_zero(&self.rod, Setting::PistonRod)?;
         if self.rod >= chamber.bore {
             let at = At::Setting(Setting::PistonRod);
             return Err(GasMistake::new("a piston rod as wide as the bore", "a diameter below that of the bore", at));
@@ -118,8 +118,8 @@ impl Gas {
             return Err(GasMistake::new("pressures repeat with the cycle, which is missing", right, At::All));
         };
         for chamber in &self.chambers {
-            setting::above_zero(&chamber.bore, Setting::Bore)?;
-            setting::above_zero(&chamber.crankcase, Setting::Crankcase)?;
+            mistake::above_zero(&chamber.bore, Setting::Bore)?;
+            mistake::above_zero(&chamber.crankcase, Setting::Crankcase)?;
             if self.laws.get(chamber.law).is_none() {
                 return Err(GasMistake::new("a cylinder without a pressure", "one law for each", At::All));
             }

@@ -1,10 +1,5 @@
 //! Which values can be said of the gas, and what are they called?
 
-use num_rational::BigRational;
-use num_traits::Signed;
-
-use super::mistake::{At, GasMistake};
-
 /// A value of the gas, by its key in a layout file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
@@ -67,29 +62,5 @@ impl Setting {
             Setting::DeliveryPressure => "delivery_pressure",
             Setting::Clearance => "clearance",
         }
-    }
-}
-
-pub(super) fn above_zero(value: &BigRational, setting: Setting) -> Result<(), GasMistake> {
-    match value.is_positive() {
-        true => Ok(()),
-        false => Err(GasMistake::new(
-            format!("{} is {value}", setting.key()),
-            "a value above 0; pressures are absolute",
-            At::Setting(setting),
-        )),
-    }
-}
-
-/// Exponents of a change of state: 1 would be isothermal, and no gas has more than 5/3.
-pub(super) fn is_exponent(value: &BigRational, setting: Setting) -> Result<(), GasMistake> {
-    let ends = [BigRational::from_integer(1.into()), BigRational::from_integer(2.into())];
-    match ends[0] < *value && *value <= ends[1] {
-        true => Ok(()),
-        false => Err(GasMistake::new(
-            format!("{} is {value}", setting.key()),
-            "above 1 and at most 2, such as 1.32",
-            At::Setting(setting),
-        )),
     }
 }

@@ -2,9 +2,9 @@
 
 use num_rational::BigRational;
 
-use super::mistake::{At, GasMistake};
-use super::setting::{Setting, above_zero, is_exponent};
-use crate::engine::firing::Cycle;
+use super::mistake::{At, GasMistake, above_zero, is_exponent};
+use super::setting::Setting;
+use crate::engine::cycle::Cycle;
 
 /// One stage of a piston compressor; pressures absolute in pascals. Its dead centre of delivery is the angle 0.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,7 +4,8 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::mistake::{At, GasMistake};
-use crate::engine::firing::{Cycle, degrees};
+use crate::engine::cycle::Cycle;
+use crate::engine::firing::degrees;
 
 /// More rows than this are refused: every twentieth of a degree of two revolutions has one.
 pub const MOST_ROWS: usize = 14_401;
