@@ -3,8 +3,9 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::answer::{Answer, Evidence, Finding, Status};
-use super::order::half_of_lengths;
+use super::answer::{Answer, Evidence, Status};
+use super::compare::{half_of_lengths, is_whole};
+use super::finding::{Absolute, Finding};
 use super::statement::{Subject, Tolerance, Value};
 use crate::engine::{Engine, LengthUnit};
 use crate::motion::{self, SliderCrank};
@@ -46,17 +47,6 @@ impl Numbers {
             spacing: engine.positions_given().then(|| BigRational::from_integer(1.into())),
         })
     }
-}
-
-/// A largest value in newtons or newton-metres.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Absolute {
-    /// With the first term of the series of c_k alone, as textbooks take it: c_2 = r/l.
-    pub first_term: f64,
-    /// With the whole series.
-    pub whole: f64,
-    /// Of the two, whether the claim is compared with the first: it is so where that is the nearer one.
-    pub takes_first: bool,
 }
 
 /// Answers a claim in newtons or newton-metres.
@@ -123,11 +113,6 @@ pub(super) fn answer(
     };
     let absolute = Absolute { first_term, whole, takes_first };
     Answer { status, finding: Finding::Absolute(Box::new(order.clone()), absolute), evidence }
-}
-
-/// Whether a claimed value is a whole number, as rounded values are.
-pub(super) fn is_whole(value: &Value) -> bool {
-    value.form.as_rational().is_some_and(|claimed| claimed.is_integer())
 }
 
 /// c_k of a centric crank: the first term of its series, and the sum (theory, section 2); none of a crank that cannot turn.

@@ -2,17 +2,12 @@
 
 use num_rational::BigRational;
 
-use super::absolute::Absolute;
-use super::forces::{Agreement, LargestOf};
-use super::possible::Witness;
-use super::shaking::Term;
+use super::finding::Finding;
 use crate::engine::CycleOrder;
 use crate::exact::PhasorSum;
-use crate::firing::{FiringStar, StarOrder};
-use crate::loads::BearingLoads;
+use crate::firing::FiringStar;
 use crate::proof::Certificate;
-use crate::remedy::Remedy;
-use crate::verdict::{OrderBalance, OrderVerdict, TorquePart, Verdict};
+use crate::verdict::Verdict;
 
 /// Whether a claim holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -102,51 +97,6 @@ impl Evidence {
     pub fn vanishes(&self) -> bool {
         self.certificate().claims_zero()
     }
-}
-
-/// What is the case.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub enum Finding {
-    /// One order of the force and the moment.
-    Order(Box<OrderBalance>),
-    /// One order of the inertia torque.
-    Torque(Box<TorquePart>),
-    /// Of the orders asked, those that do not vanish, over one period.
-    Orders {
-        /// The orders that do not vanish.
-        surviving: Vec<u32>,
-        /// How many orders were decided.
-        judged: usize,
-        /// After this many orders everything repeats; none where single orders were asked.
-        period: Option<u32>,
-        /// The first that does not vanish.
-        first: Option<Box<OrderBalance>>,
-    },
-    /// Firing stars: those asked about, or the strongest of minor orders.
-    FiringStars(Vec<StarOrder>),
-    /// The firing intervals in turns, where the layout says them.
-    Firing(Option<Vec<BigRational>>),
-    /// A value in newtons or newton-metres.
-    Absolute(Box<OrderBalance>, Absolute),
-    /// The crankshaft's mass in kilograms.
-    Mass(BigRational),
-    /// What the main bearings feel.
-    Bearings(Box<BearingLoads>),
-    /// Orders to which several kinds of rods contribute.
-    CombinedOrders(Vec<OrderVerdict>),
-    /// What takes an order away.
-    Remedy(Box<Remedy>),
-    /// A largest load of gas and masses together.
-    Largest(LargestOf),
-    /// How far a formula of one cylinder is off.
-    Agreement(Agreement),
-    /// The terms of a series.
-    Terms(Vec<Term>),
-    /// Counterweights, found for a claim that some can do it.
-    Witness(Box<Witness>),
-    /// Nothing could be found out, for this reason.
-    Nothing(String),
 }
 
 /// The answer to a claim.

@@ -1,8 +1,9 @@
 //! Is it true of an engine with several kinds of rods, or crankshafts of several speeds, of whose orders but few are single sums?
 
 use super::absolute::Numbers;
-use super::answer::{Answer, Finding, Status};
+use super::answer::{Answer, Status};
 use super::every::{TORQUE, planar};
+use super::finding::Finding;
 use super::order;
 use super::shafts::evidence;
 use super::statement::{Orders, Predicate, Statement, Subject};

@@ -6,7 +6,7 @@ use num_traits::{One, Zero};
 use super::answer::{Evidence, Status};
 use super::statement::{Angle, Bearing, Tolerance, Value};
 use crate::exact::{PhasorSum, Turn};
-use crate::numbers::{ALIKE, Form, as_sum, evaluate, float, number, square_as_sum};
+use crate::numbers::{self, ALIKE, Form, as_sum, evaluate, float, number, square_as_sum};
 
 /// Whether `½(|A| + |B|)` is the claimed value; `exact` is its closed form, `decimal` its decimals.
 pub(super) fn length(
@@ -115,4 +115,15 @@ fn nearness(off: f64, within: f64) -> Status {
         edge if edge <= 0.0 => Status::True,
         _ => Status::False,
     }
+}
+
+/// `½(|A| + |B|)` in closed form and in decimals.
+pub(super) fn half_of_lengths(sums: [&PhasorSum; 2]) -> (Option<Form>, f64) {
+    let decimal = sums.map(|sum| evaluate(sum).norm()).iter().sum::<f64>() / 2.0;
+    (numbers::half_of_lengths(sums[0], sums[1]), decimal)
+}
+
+/// Whether a claimed value is a whole number, as rounded values are.
+pub(super) fn is_whole(value: &Value) -> bool {
+    value.form.as_rational().is_some_and(|claimed| claimed.is_integer())
 }

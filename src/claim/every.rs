@@ -2,8 +2,9 @@
 
 use num_traits::ToPrimitive;
 
-use super::answer::{Answer, Evidence, Finding, Status};
+use super::answer::{Answer, Evidence, Status};
 use super::condition::{of_vanishing, senses};
+use super::finding::Finding;
 use super::masses;
 use super::statement::Orders;
 use crate::engine::Engine;

@@ -1,7 +1,8 @@
 //! What do everyday words claim: "no second-order shaking force", "F2 = 0", "secondary forces are balanced"? What may mean two
 //! things is asked about, and a word that is not known leaves the sentence to others.
 
-use super::grammar::{ClaimError, order_number, ordinal};
+use super::error::{ClaimError, asked};
+use super::ordinal::{order_number, ordinal};
 use super::statement::{Orders, Predicate, Statement, Subject};
 use super::symbols;
 use crate::order::Masses;
@@ -112,11 +113,6 @@ pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
     // "The second force" is one of several, and of no order.
     let is_of_orders = said.has_order_word || !said.bare;
     (is_about_something && says_something && is_of_orders).then(|| said.statement(words))
-}
-
-/// A sentence that may mean two things.
-pub(super) fn asked(words: &str, question: &str) -> ClaimError {
-    ClaimError::new(format!("`{words}` may mean two things"), question)
 }
 
 /// Every word with its meaning; none where one is not known.

@@ -6,9 +6,10 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::absolute::Numbers;
-use super::answer::Answer;
-use super::grammar::parse_statement;
+use super::error::ClaimError;
+use super::find::{Find, engine};
 use super::provenance::{Keys, Provenance};
+use super::sentence::parse_statement;
 use super::statement::Statement;
 use super::student::{self, StarTable, Verdict};
 use crate::engine::Engine;
@@ -55,13 +56,6 @@ pub struct Claim {
     pub statement: Statement,
     /// What the engine weighs and measures, where a claim is in newtons.
     pub numbers: Option<Numbers>,
-}
-
-impl Claim {
-    /// Answers the claim.
-    pub fn answer(&self) -> Answer {
-        super::answer(&self.layout, &self.statement, self.numbers.as_ref())
-    }
 }
 
 impl Claims {
@@ -130,9 +124,6 @@ struct NumbersTable {
     spacing: Option<Text>,
 }
 
-/// Finds the engine of a name or path; the error says what is wrong with it.
-pub type Find<'a> = &'a dyn Fn(&str) -> Result<Engine, String>;
-
 /// Reads a claims file; `name` is the path that messages show, `find` looks up engines.
 ///
 /// # Errors
@@ -173,14 +164,9 @@ fn text(text: &Text) -> Untrusted {
     text.get_ref().untrusted()
 }
 
-/// The engine that a text names.
-pub(super) fn engine(name: &Text, find: Find) -> Result<Engine, LayoutError> {
-    find(&name.get_ref().0).map_err(|reason| LayoutError::new(reason, "this engine is not found", place(name)))
-}
-
 fn claim(table: &ClaimTable, around: Keys, find: Find) -> Result<Claim, LayoutError> {
     let says = text(&table.says);
-    let mistake = |mistake: super::ClaimError| LayoutError::new(mistake.message, mistake.right, place(&table.says));
+    let mistake = |mistake: ClaimError| LayoutError::new(mistake.message, mistake.right, place(&table.says));
     Ok(Claim {
         engine: text(&table.layout),
         layout: engine(&table.layout, find)?,

@@ -2,7 +2,8 @@
 
 use num_rational::BigRational;
 
-use super::answer::{Answer, Condition, Finding, Status};
+use super::answer::{Answer, Condition, Status};
+use super::finding::Finding;
 use crate::engine::Engine;
 use crate::exact::Turn;
 

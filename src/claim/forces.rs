@@ -2,9 +2,10 @@
 
 use std::cell::RefCell;
 
-use super::answer::{Answer, Finding, Status};
+use super::answer::{Answer, Status};
+use super::error::ClaimError;
+use super::finding::{Agreement, Finding, LargestOf};
 use super::formula::{Formula, Measured};
-use super::grammar::ClaimError;
 use super::masses;
 use super::moving_parts::Parts;
 use super::statement::{Loaded, OfCylinder, Statement, Unit, Value};
@@ -15,46 +16,34 @@ use crate::numbers;
 use crate::proof::Quantity;
 use crate::torque::{self, Extreme};
 
-/// How far a formula is off through the cycle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Agreement {
-    /// What the formula is said of.
-    pub what: Measured,
-    /// The largest of its absolute values, and the cylinder's crank angle there in degrees.
-    pub largest: Extreme,
-    /// The largest difference, and where.
-    pub off: Extreme,
-    /// At how many crank angles both were compared.
-    pub angles: usize,
-    /// Whether they are equal but for roundings.
-    pub equal: bool,
-}
-
-impl Agreement {
-    /// The largest difference as a part of the largest value.
-    pub fn part(&self) -> f64 {
-        if self.largest.value > 0.0 { self.off.value / self.largest.value } else { self.off.value }
-    }
-}
-
-/// A largest load of gas and masses together.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LargestOf {
-    /// What feels it.
-    pub of: Loaded,
-    /// The number of the bearing, from 1, or the name of the cylinder.
-    pub which: String,
-    /// The load in newtons, and the crank angle.
-    pub peak: Extreme,
-    /// The largest of the masses alone, where that is known.
-    pub without_gas: Option<f64>,
-}
-
 const LOADED: [(&str, Loaded); 4] = [
     ("largest main-bearing load with gas ", Loaded::MainBearing),
     ("largest crankpin load with gas ", Loaded::Crankpin),
     ("largest rod force with gas ", Loaded::Rod),
     ("largest side force with gas ", Loaded::Cylinder),
+];
+
+/// What each that a formula is said of is called at the beginning of a claim.
+const MEASURED: [(&str, Measured); 19] = [
+    ("sine of the rod angle", Measured::RodSine),
+    ("piston displacement", Measured::Displacement),
+    ("piston velocity", Measured::Velocity),
+    ("piston acceleration", Measured::Acceleration),
+    ("gas force", Measured::GasForce),
+    ("inertia force", Measured::InertiaForce),
+    ("centrifugal force", Measured::CentrifugalForce),
+    ("piston effort", Measured::PistonEffort),
+    ("side force", Measured::SideForce),
+    ("rod force", Measured::RodForce),
+    ("radial force", Measured::RadialForce),
+    ("crank effort", Measured::CrankEffort),
+    ("force on the frame along the axis", Measured::FrameAlong),
+    ("force on the frame across the axis", Measured::FrameAcross),
+    ("cylinder torque", Measured::Torque),
+    ("reaction torque", Measured::ReactionTorque),
+    ("reciprocating mass", Measured::ReciprocatingMass),
+    ("rotating mass", Measured::RotatingMass),
+    ("rod length", Measured::RodLength),
 ];
 
 /// Reads a claim about forces; none where the words are about something else.
@@ -67,7 +56,7 @@ pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
     if let Some((rest, of)) = LOADED.iter().find_map(|(name, of)| Some((behind(name)?, *of))) {
         return Some(load(rest).map(|value| Statement::LargestLoad(of, value)));
     }
-    let (rest, what) = Measured::NAMES.iter().find_map(|(name, what)| Some((behind(name)?.trim_start(), *what)))?;
+    let (rest, what) = MEASURED.iter().find_map(|(name, what)| Some((behind(name)?.trim_start(), *what)))?;
     Some(of_cylinder(rest, what).map(Statement::Formula))
 }
 

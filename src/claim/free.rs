@@ -4,8 +4,9 @@
 //! two are one force in one plane, at z, if C = z P with the same real z for both vectors: C P̄ is real, and
 //! C⁺P̄⁺ |P⁻|² = C⁻P̄⁻ |P⁺|². Then nothing of the moment is free.
 
-use super::answer::{Answer, Condition, Evidence, Finding, Status};
+use super::answer::{Answer, Condition, Evidence, Status};
 use super::every;
+use super::finding::Finding;
 use super::masses;
 use super::statement::Orders;
 use crate::engine::Engine;

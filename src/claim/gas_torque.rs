@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::answer::{Answer, Evidence, Finding, Status};
-use super::grammar::ClaimError;
+use super::answer::{Answer, Evidence, Status};
+use super::error::ClaimError;
+use super::finding::Finding;
 use super::statement::{GasTorque, Statement};
 use crate::engine::{CycleOrder, Engine};
 use crate::file::parse_number;

@@ -1,31 +1,13 @@
 //! Which claim do these words make? A small grammar, described in the room's README.
 
+use super::error::ClaimError;
+use super::ordinal::{order_number, ordinal};
 use super::statement::{Orders, Predicate, Statement, Subject};
 use super::written_value::{angle, kilograms, value};
-use super::{everyday, forces, gas_torque, multiples, possible, shafts, shaking};
-use crate::engine::HIGHEST_ORDER;
+use super::{forces, gas_torque, multiples, possible, shafts, shaking};
 use crate::order::Masses;
 use crate::proof::{Quantity, Sense, Shape};
 
-/// Why words are no claim: what is wrong, and what would be right.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ClaimError {
-    /// What cannot be read.
-    pub message: String,
-    /// What would be right.
-    pub right: String,
-}
-
-impl ClaimError {
-    pub(super) fn new(message: impl Into<String>, right: impl Into<String>) -> Self {
-        ClaimError { message: message.into(), right: right.into() }
-    }
-}
-
-const ORDINALS: [&str; 12] = [
-    "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh",
-    "twelfth",
-];
 const MASSES: [(&str, Masses); 4] = [
     ("of the pistons", Masses::Reciprocating),
     ("of the rotating masses", Masses::Rotating),
@@ -39,25 +21,6 @@ const SHAPES: [(&str, Shape); 5] = [
     ("planar", Shape::Planar),
     ("elliptical", Shape::Elliptical),
 ];
-
-/// Reads a claim.
-///
-/// ```standalone_crate
-/// use crankstar::claim::{parse_statement, Statement};
-/// assert!(parse_statement("second-order force vanishes").is_ok());
-/// assert_eq!(parse_statement("fires evenly"), Ok(Statement::FiresEvenly { evenly: true }));
-/// ```
-///
-/// # Errors
-/// The first word that fits nowhere, with what would fit; or what a sentence that may mean two things has to say.
-pub fn parse_statement(text: &str) -> Result<Statement, ClaimError> {
-    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let words = words.trim_end_matches('.');
-    // "The half order" is a name, "the second-order moment" that moment.
-    let bare = words.strip_prefix("the ").or_else(|| words.strip_prefix("The ")).unwrap_or(words);
-    let claim = strict(words).or_else(|error| if bare == words { Err(error) } else { strict(bare) });
-    claim.or_else(|error| everyday::parse(words).unwrap_or(Err(error)))
-}
 
 /// The words of the README.
 pub(super) fn strict(words: &str) -> Result<Statement, ClaimError> {
@@ -223,25 +186,6 @@ fn quantity(word: &str) -> Option<Quantity> {
         "moment" | "moments" | "couple" | "couples" => Some(Quantity::MOMENT),
         "torque" => Some(Quantity::TORQUE),
         _ => None,
-    }
-}
-
-/// `second`, `2nd`; none for another word.
-pub(super) fn ordinal(word: &str) -> Option<Result<u32, ClaimError>> {
-    if let Some(index) = ORDINALS.iter().position(|name| *name == word) {
-        return Some(Ok(index as u32 + 1));
-    }
-    let number = ["st", "nd", "rd", "th"].iter().find_map(|ending| word.strip_suffix(ending))?;
-    Some(order_number(number))
-}
-
-pub(super) fn order_number(word: &str) -> Result<u32, ClaimError> {
-    match word.parse() {
-        Ok(order) if (1..=HIGHEST_ORDER).contains(&order) => Ok(order),
-        _ => Err(ClaimError::new(
-            format!("`{word}` is not an order"),
-            format!("an order is a whole number, 1 to {HIGHEST_ORDER}"),
-        )),
     }
 }
 

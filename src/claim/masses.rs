@@ -2,8 +2,9 @@
 
 use num_traits::{Signed, Zero};
 
-use super::absolute::is_whole;
-use super::answer::{Answer, Finding, Status};
+use super::answer::{Answer, Status};
+use super::compare::is_whole;
+use super::finding::Finding;
 use super::statement::{Tolerance, Value};
 use crate::engine::Engine;
 use crate::loads::{self, BearingLoads, Method};

@@ -9,9 +9,12 @@ mod answer;
 mod classes;
 mod compare;
 mod condition;
+mod error;
 mod every;
 mod everyday;
 mod file;
+mod find;
+mod finding;
 mod firing;
 mod forces;
 mod formula;
@@ -23,8 +26,10 @@ mod masses;
 mod moving_parts;
 mod multiples;
 mod order;
+mod ordinal;
 mod possible;
 mod provenance;
+mod sentence;
 mod shafts;
 mod shaking;
 mod star_marks;
@@ -37,16 +42,16 @@ use crate::engine::Engine;
 use crate::order::{Masses, masses_as_built};
 use crate::proof::Quantity;
 
-pub use absolute::{Absolute, Numbers};
-pub use answer::{Answer, Condition, Evidence, Finding, Status};
-pub use file::{Claim, Claims, Find, Published, parse_claims};
-pub use forces::{Agreement, LargestOf};
+pub use absolute::Numbers;
+pub use answer::{Answer, Condition, Evidence, Status};
+pub use error::ClaimError;
+pub use file::{Claim, Claims, Published, parse_claims};
+pub use find::Find;
+pub use finding::{Absolute, Agreement, Finding, LargestOf, Term, TermVerdict, Witness};
 pub use formula::{Formula, Letter, Measured, Powers, Series, Wave};
-pub use grammar::{ClaimError, parse_statement};
 pub use handwritten::{Agrees, WrittenAngle, WrittenLength};
-pub use possible::Witness;
 pub use provenance::{Provenance, Quote};
-pub use shaking::{Term, TermVerdict};
+pub use sentence::parse_statement;
 pub use star_marks::{Filled, Judged, LEAST_DIGITS, Marked, Place, RightEntry, SUMS, Star, mark};
 pub use statement::{
     Angle, Balanced, Bearing, GasTorque, Loaded, OfCylinder, Orders, Possible, Predicate, Shafts, ShakingForce,
@@ -90,5 +95,12 @@ pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         Statement::Formula(says) => forces::formula(engine, says),
         Statement::GasTorque { orders, says, weights } => gas_torque::answer(engine, orders, *says, weights),
         Statement::FiresEvenly { evenly } => firing::answer(engine, *evenly),
+    }
+}
+
+impl Claim {
+    /// Answers the claim.
+    pub fn answer(&self) -> Answer {
+        answer(&self.layout, &self.statement, self.numbers.as_ref())
     }
 }

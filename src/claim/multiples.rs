@@ -1,6 +1,6 @@
 //! In which multiples is a value claimed: `0.449 m r ω² a`, `4 m r ω² c_2`, `0.449 a`?
 
-use super::grammar::ClaimError;
+use super::error::ClaimError;
 use super::statement::Subject;
 use crate::proof::Quantity;
 

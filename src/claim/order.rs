@@ -1,14 +1,15 @@
 //! Is it true, what is said about one order?
 
 use super::absolute::{self, Numbers};
-use super::answer::{Answer, Condition, Evidence, Finding, Status};
-use super::compare;
+use super::answer::{Answer, Condition, Evidence, Status};
+use super::compare::{self, half_of_lengths};
 use super::condition::{of_vanishing, plane_of_vanishing, senses};
+use super::finding::Finding;
 use super::masses;
 use super::statement::{Angle, Predicate, Subject, Value};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
-use crate::numbers::{self, Form};
+use crate::numbers;
 use crate::proof::{Quantity, Sense, Shape};
 use crate::verdict::{self, Balance, OrderBalance, Verdict};
 
@@ -161,12 +162,6 @@ fn largest(vectors: &Vectors, subject: Subject, value: &Value) -> (Status, Vec<E
     };
     let (exact, decimal) = half_of_lengths(sums);
     compare::length(value, sums, exact.as_ref(), decimal)
-}
-
-/// `½(|A| + |B|)` in closed form and in decimals.
-pub(super) fn half_of_lengths(sums: [&PhasorSum; 2]) -> (Option<Form>, f64) {
-    let decimal = sums.map(|sum| numbers::evaluate(sum).norm()).iter().sum::<f64>() / 2.0;
-    (numbers::half_of_lengths(sums[0], sums[1]), decimal)
 }
 
 /// The direction of the one vector that is left, or the line that two of them swing along.

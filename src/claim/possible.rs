@@ -4,8 +4,9 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::answer::{Answer, Evidence, Finding, Status};
-use super::grammar::ClaimError;
+use super::answer::{Answer, Evidence, Status};
+use super::error::ClaimError;
+use super::finding::{Finding, Witness};
 use super::statement::{Balanced, Possible, Statement};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
@@ -17,17 +18,6 @@ use crate::remedy::{ComparableEngine, Weight, two_planes};
 
 /// Bits behind the point of the enclosures that masses are compared by.
 const BITS: u32 = 128;
-
-/// Counterweights that do what is claimed to be possible, or the only ones that could.
-#[derive(Clone, Debug)]
-pub struct Witness {
-    /// The counterweights.
-    pub weights: Vec<Weight>,
-    /// Their masses in kilograms at the crank radius; none where the layout gives no numbers.
-    pub masses: Option<Vec<f64>>,
-    /// The crankshaft's mass with them in kilograms.
-    pub crankshaft_mass: Option<f64>,
-}
 
 /// The words before the planes.
 pub(super) const BEGINNING: &str = "counterweights at ";

@@ -1,7 +1,9 @@
 //! Which balancer shafts does an order need, and is that what is claimed?
 
-use super::answer::{Answer, Evidence, Finding, Status};
-use super::grammar::{ClaimError, order_number};
+use super::answer::{Answer, Evidence, Status};
+use super::error::ClaimError;
+use super::finding::Finding;
+use super::ordinal::order_number;
 use super::statement::{Shafts, Statement};
 use crate::engine::Engine;
 use crate::proof::Quantity;

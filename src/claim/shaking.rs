@@ -10,9 +10,10 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Pow, Zero};
 
-use super::answer::{Answer, Finding, Status};
+use super::answer::{Answer, Status};
+use super::error::ClaimError;
+use super::finding::{Finding, Term, TermVerdict};
 use super::formula::{Formula, Powers, Series, Wave};
-use super::grammar::ClaimError;
 use super::handwritten::is_within_of;
 use super::statement::{ShakingForce, Statement};
 use crate::engine::Engine;
@@ -20,40 +21,6 @@ use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Form};
 use crate::order;
 use crate::proof::{Quantity, Sense};
-
-/// One wave of a claimed series, with what is said of it.
-#[derive(Clone, Debug)]
-pub struct Term {
-    /// The cosine or sine.
-    pub wave: Wave,
-    /// What is claimed to stand before it; nothing where the claim leaves it out.
-    pub said: Vec<(Powers, Form)>,
-    /// What stands before it without m r ω² c_k: in closed form where there is one, and in decimals.
-    pub right: (Option<Form>, f64),
-    /// The first powers of λ in c_k, with their numbers; none of an order that does not exist.
-    pub coefficient: Vec<(u32, BigRational)>,
-    /// Whether it is right.
-    pub verdict: TermVerdict,
-}
-
-/// What is said of a term.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TermVerdict {
-    /// It is the term.
-    Right,
-    /// It is the term up to this power of λ, higher ones omitted.
-    UpTo(u32),
-    /// Its decimals are those of the term, rounded.
-    Rounded,
-    /// It is another number.
-    Wrong,
-    /// It does not count in m r ω².
-    WrongUnit,
-    /// It is omitted.
-    Missing,
-    /// A number stands for λ, which the layout does not give.
-    NoRatio,
-}
 
 /// So many powers of λ of a coefficient are compared.
 const POWERS: u32 = 8;

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use super::file::{Find, engine};
+use super::find::{Find, engine};
 use super::handwritten::{WrittenAngle, WrittenLength};
 use super::star_marks::{self, Filled, Judged, Marked, Place, RightEntry, Star};
 use crate::engine::Engine;

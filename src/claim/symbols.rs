@@ -1,7 +1,8 @@
 //! Which order of which quantity is F2, and what is said of it: `F2 = 0`, `M₁ = √3`, `F1 = F2 = 0`?
 
-use super::everyday::asked;
-use super::grammar::{ClaimError, order_number, strict};
+use super::error::{ClaimError, asked};
+use super::grammar::strict;
+use super::ordinal::order_number;
 use super::statement::{Orders, Statement};
 use crate::proof::{Quantity, Sense};
 

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Pow, Signed};
 
-use super::grammar::ClaimError;
+use super::error::ClaimError;
 use super::statement::{Angle, Bearing, Tolerance, Unit, Value};
 use crate::file::{parse_number, units};
 use crate::numbers::Form;

@@ -128,28 +128,3 @@ pub enum Measured {
     /// The length of the rod.
     RodLength,
 }
-
-impl Measured {
-    /// What each is called at the beginning of a claim.
-    pub(in crate::claim) const NAMES: [(&'static str, Measured); 19] = [
-        ("sine of the rod angle", Measured::RodSine),
-        ("piston displacement", Measured::Displacement),
-        ("piston velocity", Measured::Velocity),
-        ("piston acceleration", Measured::Acceleration),
-        ("gas force", Measured::GasForce),
-        ("inertia force", Measured::InertiaForce),
-        ("centrifugal force", Measured::CentrifugalForce),
-        ("piston effort", Measured::PistonEffort),
-        ("side force", Measured::SideForce),
-        ("rod force", Measured::RodForce),
-        ("radial force", Measured::RadialForce),
-        ("crank effort", Measured::CrankEffort),
-        ("force on the frame along the axis", Measured::FrameAlong),
-        ("force on the frame across the axis", Measured::FrameAcross),
-        ("cylinder torque", Measured::Torque),
-        ("reaction torque", Measured::ReactionTorque),
-        ("reciprocating mass", Measured::ReciprocatingMass),
-        ("rotating mass", Measured::RotatingMass),
-        ("rod length", Measured::RodLength),
-    ];
-}

@@ -60,14 +60,6 @@ pub enum Function {
 }
 
 impl Formula {
-    /// Reads a formula.
-    ///
-    /// # Errors
-    /// What cannot be read.
-    pub(super) fn read(text: &str) -> Result<Self, String> {
-        read::read(text)
-    }
-
     /// Its value where the letters are these.
     pub fn value(&self, letter: &impl Fn(Letter) -> f64) -> f64 {
         match self {

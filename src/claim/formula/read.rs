@@ -17,16 +17,21 @@ const FUNCTIONS: [(&str, Function); 5] = [
     ("√", Function::Root),
 ];
 
-/// Reads a formula.
-pub(super) fn read(text: &str) -> Result<Formula, String> {
-    if text.chars().count() > LONGEST {
-        return Err(format!("a formula of more than {LONGEST} signs"));
-    }
-    let mut rest = Rest(text);
-    let formula = rest.sum()?;
-    match rest.0.trim() {
-        "" => Ok(formula),
-        more => Err(format!("cannot read the formula at `{more}`")),
+impl Formula {
+    /// Reads a formula.
+    ///
+    /// # Errors
+    /// What cannot be read.
+    pub(in super::super) fn read(text: &str) -> Result<Self, String> {
+        if text.chars().count() > LONGEST {
+            return Err(format!("a formula of more than {LONGEST} signs"));
+        }
+        let mut rest = Rest(text);
+        let formula = rest.sum()?;
+        match rest.0.trim() {
+            "" => Ok(formula),
+            more => Err(format!("cannot read the formula at `{more}`")),
+        }
     }
 }
 
