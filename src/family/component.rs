@@ -6,8 +6,8 @@
 use num_rational::BigRational;
 use num_traits::One;
 
+use super::classify::{phase, sums_of, weight};
 use super::zeros::{Zeros, sums_zeros};
-use super::{phase, sums_of};
 use crate::engine::{Cylinder, Family, Linear, PHI};
 use crate::proof::{Planar, Sense};
 
@@ -31,7 +31,7 @@ pub fn component_zeros(
 ) -> Zeros {
     let sign = BigRational::from_integer(if component == Component::Along { 1.into() } else { (-1).into() });
     let terms = family.cylinders().iter().flat_map(|cylinder: &Cylinder<Linear, Linear>| {
-        let weight = super::weight(family, cylinder, quantity);
+        let weight = weight(family, cylinder, quantity);
         let mirrored = phase(cylinder, order, Sense::Reverse).scaled(&-BigRational::one());
         let reverse = (mirrored, weight.scaled(&sign));
         [(phase(cylinder, order, Sense::Direct), weight), reverse]

@@ -7,7 +7,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use super::solve::{Alternative, Condition};
+use super::angles::{Alternative, Condition};
 use crate::exact::Turn;
 
 /// That a multiple of φ and one of δ come to an angle between these ends, in turns, modulo a turn.

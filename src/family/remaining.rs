@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::{OpenSum, OpenVerdict};
+use super::verdict::{OpenSum, OpenVerdict};
 use crate::engine::Linear;
 use crate::exact::PhasorSum;
 use crate::numbers::{self, Direction, Form};

@@ -8,7 +8,10 @@ use std::fmt;
 
 use num_rational::BigRational;
 
-use super::{OpenSum, Solutions, When, Zeros, sum_of};
+use super::classify::sum_of;
+use super::verdict::OpenSum;
+use super::when::When;
+use super::zeros::{Solutions, Zeros};
 use crate::engine::{CycleOrder, Family, FiringSpan, Linear, NoSpans};
 use crate::firing::{NoStar, Weights, are_orders_of};
 

@@ -7,8 +7,11 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::circle::{self, Circle};
-use super::{OpenSum, OpenVerdict, Part, When};
+use super::part::Part;
+use super::verdict::{OpenSum, OpenVerdict};
+use super::when::When;
 use crate::engine::PHI;
+use crate::exact::Turn;
 
 /// The values of one unknown in a range, in turns, at which something vanishes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -138,6 +141,27 @@ impl OpenSum {
 }
 
 impl OpenVerdict {
+    /// The angles φ in (0°, 360°) at which it vanishes for all lengths; `None` where it always does, where δ enters,
+    /// or where not all of them are rational.
+    pub fn bank_angles(&self) -> Option<BTreeSet<Turn>> {
+        self.angles_of(PHI)
+    }
+
+    /// The same of an unknown, φ or δ: `None` where the other one enters.
+    pub fn angles_of(&self, unknown: &str) -> Option<BTreeSet<Turn>> {
+        let (none, one) = (BigRational::zero(), BigRational::one());
+        let values = self.values(unknown, [&none, &one])?;
+        Some(values.into_iter().filter(|value| *value != none && *value != one).map(Turn::new).collect())
+    }
+
+    /// The values of one unknown, φ or δ, in a range at which it vanishes for all lengths, in turns and with the ends of the
+    /// range; `None` where it always does, where the other one enters, or where not all of them are rational.
+    pub fn values(&self, unknown: &str, range: [&BigRational; 2]) -> Option<BTreeSet<BigRational>> {
+        match self.zeros(unknown, range) {
+            Zeros::At(solutions) => solutions.all_exact().cloned(),
+            Zeros::Everywhere | Zeros::NotSolved => None,
+        }
+    }
     /// The values of one unknown, φ or δ, at which it vanishes for all lengths, the ends of the range among them.
     pub fn zeros(&self, unknown: &str, range: [&BigRational; 2]) -> Zeros {
         if self.never() {

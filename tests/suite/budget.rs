@@ -14,7 +14,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("cli", 4945),
     ("engine", 4160),
     ("exact", 1710),
-    ("family", 4146),
+    ("family", 4160),
     ("file", 8490),
     ("firing", 440),
     ("flywheel", 500),

@@ -23,7 +23,7 @@ pub use factor::Factor;
 pub use never::Coprime;
 pub use polynomial::Polynomial;
 
-use super::Part;
+use super::part::Part;
 
 /// What is known of a sum in one unknown.
 #[derive(Clone, Debug)]

@@ -7,7 +7,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::super::Part;
+use super::super::part::Part;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::proof::Certificate;
 

@@ -5,9 +5,8 @@ use std::collections::BTreeMap;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use super::super::Part;
 use super::super::circle::{self, Circle, Kind, Polynomial};
-use super::super::solve::{Never, When};
+use super::super::part::Part;
 use super::split::{Split, split};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
@@ -57,17 +56,8 @@ pub enum Meeting {
     },
 }
 
-/// When the classes cancel; `None` where the parts do not make two.
-pub(super) fn when(parts: &[&Part]) -> Option<When> {
-    let found = solve(parts)?;
-    let is_never = match &found.circle {
-        Some(circle) => circle.is_free(),
-        None => !found.is_curve(),
-    };
-    Some(if is_never { When::Never(Never::Classes(Box::new(found))) } else { When::Classes(Box::new(found)) })
-}
-
-fn solve(parts: &[&Part]) -> Option<Classes> {
+/// Where the classes cancel; `None` where the parts do not make two.
+pub(in super::super) fn solve(parts: &[&Part]) -> Option<Classes> {
     let Split { u, v, classes } = split(parts)?;
     let second = classes[1].iter().map(|(_, place)| *place).collect();
     let classes = classes.map(|class| Class(class.into_iter().map(|(times, at)| (times, &parts[at].sum)).collect()));
@@ -141,6 +131,14 @@ fn near(classes: &[Class<'_>; 2], at: &BigRational) -> f64 {
 }
 
 impl Classes {
+    /// Whether they cancel nowhere.
+    pub(in super::super) fn is_never(&self) -> bool {
+        match &self.circle {
+            Some(circle) => circle.is_free(),
+            None => !self.is_curve(),
+        }
+    }
+
     /// Whether A and B are equally long for every u: then each has one v, or all where A = B = 0.
     pub fn is_curve(&self) -> bool {
         self.squares.iter().all(Certificate::claims_zero)

@@ -5,31 +5,17 @@
 //! equally far apart, as those of a W engine, make a quadratic; else the torus
 //! is cut into boxes ([`boxes`]).
 
-mod boxes;
-mod classes;
+pub(super) mod boxes;
+pub(super) mod classes;
 mod laurent;
-mod product;
-mod quadratic;
+pub(super) mod product;
+pub(super) mod quadratic;
 mod roots;
 mod split;
-mod triangle;
+pub(super) mod triangle;
 
 pub use boxes::{BoxZero, Boxes};
 pub use classes::{Classes, Meeting};
-pub use product::Product;
 pub use quadratic::{Quadratic, Twist};
 pub use roots::{Root, Roots};
 pub use triangle::{Corner, Shape, Triangle};
-
-use super::{Part, When};
-
-/// When three parts at least vanish, which do not lie on one line; `None` where that is not solved.
-pub(super) fn when(parts: &[&Part]) -> Option<When> {
-    match parts {
-        [first, second, third] => triangle::when([first, second, third]),
-        more => product::when(more)
-            .or_else(|| classes::when(more))
-            .or_else(|| quadratic::when(more))
-            .or_else(|| boxes::when(more)),
-    }
-}

@@ -4,35 +4,14 @@ use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
-use super::super::Part;
-use super::super::solve::{self, Never, When};
+use super::super::part::Part;
 use super::split::{apart, directions};
 use crate::exact::PhasorSum;
 use crate::proof::Certificate;
 
-/// `(Σ_j S_{0j} e^{ix_j}) · (Σ_g S_{g0} e^{iy_g}) / S_{00}`: the first group, times the first parts of all.
-#[derive(Clone, Debug)]
-pub struct Product {
-    /// The places of the parts of each group among those that are left.
-    pub groups: Vec<Vec<usize>>,
-    /// Evidence that `S_{gj} S_{00} − S_{g0} S_{0j}` is zero, group by group from the second on, without the first part of each.
-    pub certificates: Vec<Certificate>,
-    /// When the first group vanishes.
-    pub group: When,
-    /// When the first parts cancel.
-    pub firsts: When,
-}
-
-/// When a product vanishes; `None` where the sum is none.
-pub(super) fn when(parts: &[&Part]) -> Option<When> {
-    let (groups, certificates) = directions(parts).find_map(|direction| factored(parts, &direction))?;
-    let of_places = |places: Vec<usize>| solve::when(&places.into_iter().map(|at| parts[at]).collect::<Vec<_>>());
-    let group = of_places(groups.first()?.clone());
-    let firsts = of_places(groups.iter().filter_map(|group| group.first().copied()).collect());
-    let is_never = |when: &When| matches!(when, When::Never(_));
-    let never = is_never(&group) && is_never(&firsts);
-    let product = Box::new(Product { groups, certificates, group, firsts });
-    Some(if never { When::Never(Never::Product(product)) } else { When::Product(product) })
+/// The places of the parts of each group, and the evidence for them; `None` where the sum is no product.
+pub(in super::super) fn groups(parts: &[&Part]) -> Option<(Vec<Vec<usize>>, Vec<Certificate>)> {
+    directions(parts).find_map(|direction| factored(parts, &direction))
 }
 
 /// The groups of parts on lines in a direction, where all are multiples of the first, with evidence.

@@ -5,9 +5,8 @@
 
 use num_rational::BigRational;
 
-use super::super::Part;
 use super::super::circle::{self, Circle, Polynomial};
-use super::super::solve::{Never, When};
+use super::super::part::Part;
 use super::laurent::{Laurent, conjugate_times, less, value};
 use super::roots::{Roots, mirrored, near, roots};
 use super::split::{Three, three};
@@ -47,17 +46,8 @@ pub struct Twist {
     pub signs: Vec<Shape>,
 }
 
-/// When the classes cancel; `None` where the parts do not make three equally far apart.
-pub(super) fn when(parts: &[&Part]) -> Option<When> {
-    let found = solve(parts)?;
-    Some(if found.is_never() {
-        When::Never(Never::Quadratic(Box::new(found)))
-    } else {
-        When::Quadratic(Box::new(found))
-    })
-}
-
-fn solve(parts: &[&Part]) -> Option<Quadratic> {
+/// Where the classes cancel; `None` where the parts do not make three equally far apart.
+pub(in super::super) fn solve(parts: &[&Part]) -> Option<Quadratic> {
     let Three { u, v, classes } = three(parts)?;
     let polynomials = classes.each_ref().map(|class| -> Laurent {
         class.iter().map(|(times, place)| (*times, PhasorSum::new(parts[*place].sum.collected()))).collect()
@@ -128,7 +118,8 @@ fn eliminants([first, second, third]: &[Laurent; 3]) -> [Laurent; 2] {
 }
 
 impl Quadratic {
-    fn is_never(&self) -> bool {
+    /// Whether they cancel nowhere.
+    pub(in super::super) fn is_never(&self) -> bool {
         let Some(circle) = &self.circle else { return !self.is_curve() };
         circle.is_complete() && self.degrees.iter().all(Vec::is_empty) && self.roots.iter().all(Roots::is_none)
     }

@@ -7,7 +7,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
-use super::super::Part;
+use super::super::part::Part;
 
 /// u may enter this many times in one class; in the squared lengths it enters twice as often.
 const HIGHEST_TIMES: i64 = 2048;

@@ -6,8 +6,8 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 
-use super::super::Part;
-use super::super::solve::{Alternative, Never, When, alternative};
+use super::super::angles::{Alternative, alternative};
+use super::super::part::Part;
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers;
 use crate::proof::Certificate;
@@ -47,8 +47,8 @@ pub enum Corner {
 const BITS: [u32; 4] = [64, 128, 256, 448];
 const SPARE_BITS: u32 = 32;
 
-/// When they cancel; `None` where the sign of the squared area is not found.
-pub(super) fn when(parts: [&Part; 3]) -> Option<When> {
+/// Where they cancel; `None` where the sign of the squared area is not found.
+pub(in super::super) fn solve(parts: [&Part; 3]) -> Option<Triangle> {
     let [first, second, third] = parts;
     let multiples = [second, third].map(|part| [&part.phi - &first.phi, &part.delta - &first.delta]);
     if &multiples[0][0] * &multiples[1][1] == &multiples[0][1] * &multiples[1][0] {
@@ -56,15 +56,12 @@ pub(super) fn when(parts: [&Part; 3]) -> Option<When> {
     }
     let shape = shape(parts.map(|part| &part.sum))?;
     let signs: &[f64] = match &shape {
-        Shape::Never(_) => {
-            let triangle = Triangle { shape, multiples, corners: Vec::new() };
-            return Some(When::Never(Never::Triangle(Box::new(triangle))));
-        }
+        Shape::Never(_) => &[],
         Shape::Flat(_) => &[1.0],
         Shape::Two(_) => &[1.0, -1.0],
     };
     let corners = signs.iter().map(|sign| corner(parts, *sign)).collect();
-    Some(When::Triangle(Box::new(Triangle { shape, multiples, corners })))
+    Some(Triangle { shape, multiples, corners })
 }
 
 /// The sign of `2(ab + bc + ca) − a² − b² − c²`, 16 times the squared area (Heron).

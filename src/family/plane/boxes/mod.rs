@@ -10,12 +10,9 @@ mod torus;
 
 use num_rational::BigRational;
 
-use super::super::Part;
-use super::super::solve::{Never, When};
 use crate::exact::Turn;
 use crate::proof::Certificate;
-use evaluator::Evaluator;
-use torus::Torus;
+pub(in super::super) use subdivider::solve;
 
 /// The torus of s and t, which φ and δ turn, cut into boxes.
 #[derive(Clone, Debug)]
@@ -57,25 +54,13 @@ impl Boxes {
         self.open.is_empty()
     }
 
+    /// Whether no box has a zero.
+    pub(in super::super) fn is_never(&self) -> bool {
+        self.zeros.is_empty() && self.is_complete()
+    }
+
     /// How many boxes there are.
     pub fn count(&self) -> usize {
         self.tree.chars().filter(|letter| !['s', 't'].contains(letter)).count()
     }
-}
-
-/// More open regions are no answer, nor is more than this part of the torus.
-const MOST_OPEN: usize = 16;
-const LARGEST_OPEN: i64 = 16;
-
-/// When the parts cancel; `None` where an unknown enters too many times, or where too much stays open.
-pub(super) fn when(parts: &[&Part]) -> Option<When> {
-    let torus = Torus::of(parts)?;
-    let found = subdivider::cut(&Evaluator::new(&torus), &torus);
-    let area: BigRational = found.open.iter().map(|[s, t]| (&s[1] - &s[0]) * (&t[1] - &t[0])).sum();
-    if found.open.len() > MOST_OPEN || area > BigRational::new(1.into(), LARGEST_OPEN.into()) {
-        return None;
-    }
-    let is_never = found.zeros.is_empty() && found.is_complete();
-    let found = Box::new(found);
-    Some(if is_never { When::Never(Never::Boxes(found)) } else { When::Boxes(found) })
 }

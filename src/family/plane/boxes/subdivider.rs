@@ -6,6 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
+use super::super::super::part::Part;
 use super::evaluator::{Evaluator, FINEST, dyadic};
 use super::torus::Torus;
 use super::{BoxZero, Boxes};
@@ -19,6 +20,10 @@ const MOST_WAITING: usize = 800;
 const LEAST_HALF: u32 = 14;
 /// In turns: points that decimals do not tell apart.
 const SAME: f64 = 1e-8;
+
+/// More open regions are no answer, nor is more than this part of the torus.
+const MOST_OPEN: usize = 16;
+const LARGEST_OPEN: i64 = 16;
 
 /// From `index · 2^−level` of a turn on, so wide, along s and t.
 #[derive(Clone, Copy)]
@@ -59,8 +64,17 @@ impl Place {
     }
 }
 
+/// Where the parts cancel; `None` where an unknown enters too many times, or where too much stays open.
+pub(in super::super::super) fn solve(parts: &[&Part]) -> Option<Boxes> {
+    let torus = Torus::of(parts)?;
+    let found = cut(&Evaluator::new(&torus), &torus);
+    let area: BigRational = found.open.iter().map(|[s, t]| (&s[1] - &s[0]) * (&t[1] - &t[0])).sum();
+    let is_answer = found.open.len() <= MOST_OPEN && area <= BigRational::new(1.into(), LARGEST_OPEN.into());
+    is_answer.then_some(found)
+}
+
 /// Cuts the torus.
-pub(super) fn cut(ground: &Evaluator, torus: &Torus) -> Boxes {
+fn cut(ground: &Evaluator, torus: &Torus) -> Boxes {
     let mut subdivider = Subdivider { ground, torus, zeros: Vec::new(), failed: Vec::new() };
     let mut places = vec![Place { index: [0, 0], level: [0, 0] }];
     let mut known = vec![Known::Open];

@@ -8,7 +8,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::super::super::Part;
+use super::super::super::part::Part;
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers;
 
