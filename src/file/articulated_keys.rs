@@ -5,9 +5,8 @@ use num_traits::{One, Signed, Zero};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use super::error::LayoutError;
+use super::error::{LayoutError, built};
 use super::knuckle_keys;
-use super::layout::built;
 use super::written::{Column, Table, Text, Values, place};
 use crate::engine::{Cylinder, Draft, Engine, Given, Link, Measure, Mechanism};
 use crate::exact::Turn;

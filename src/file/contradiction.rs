@@ -7,8 +7,8 @@ use std::ops::Range;
 use num_rational::BigRational;
 
 use super::error::LayoutError;
-use super::firing_throws::{degrees, split_of, throws_of};
 use super::numbering::{Along, renumbered};
+use super::pin_split::{degrees, split_of, throws_of};
 use super::shared_keys::evenly;
 use crate::engine::{Convention, Cycle, Cylinder, Engine, Firing, Linear, Rotation};
 use crate::exact::Turn;

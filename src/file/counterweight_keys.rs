@@ -7,9 +7,8 @@ use num_traits::Zero;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use super::crankshaft_keys::each;
 use super::error::LayoutError;
-use super::quantities::{self, factor, mass, mass_radius, positive_metres};
+use super::quantities::{self, each, factor, mass, mass_radius, positive_metres};
 use super::rewritten::exact_number;
 use super::written::{Column, Table, Text, place};
 use crate::engine::{Counterweight, Engine, LengthUnit, Throw};

@@ -10,10 +10,9 @@ use serde_spanned::Spanned;
 
 use super::balancer_keys;
 use super::counterweight_keys::{self, CounterweightKeys, Made, Shares, on_the_shaft};
-use super::error::LayoutError;
-use super::layout::built;
-use super::quantities::{self, mass, metres, misread, positive_metres};
-use super::written::{Column, Table, Text, Values, place};
+use super::error::{LayoutError, built};
+use super::quantities::{self, each, mass, metres, misread, positive_metres};
+use super::written::{Column, Table, Text, place};
 use crate::engine::{Counterweight, Crankshaft, Draft, Engine, LengthUnit, Throw, Web, throws};
 
 /// `[crankshaft]`: each mass key holds one value for all throws, or a list with one per throw.
@@ -213,21 +212,5 @@ impl Tables<'_> {
             *unit = own;
         }
         Ok(known.clone())
-    }
-}
-
-/// One value per throw.
-pub(super) fn each(
-    list: &Column,
-    throws: &[Throw],
-    mut read: impl FnMut(&Text) -> Result<BigRational, LayoutError>,
-) -> Result<Vec<BigRational>, LayoutError> {
-    match list.get_ref() {
-        Values::One(text) => Ok(vec![read(&Text::new(list.span(), text.clone()))?; throws.len()]),
-        Values::Each(texts) if texts.len() == throws.len() => texts.iter().map(read).collect(),
-        Values::Each(texts) => {
-            let message = format!("{} values for {} throws", texts.len(), throws.len());
-            Err(LayoutError::new(message, "one value for all, or a list with one per throw", place(list)))
-        }
     }
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
+use crate::engine::BuildError;
 use crate::text::{harmless, of_equal_length};
 
 /// A mistake in a layout file or a file of claims, told with the place where it is; unknown keys are reported all at once.
@@ -98,3 +99,8 @@ impl fmt::Display for LayoutError {
 }
 
 impl std::error::Error for LayoutError {}
+
+/// What the keys do not keep from happening, in the words of the builder.
+pub(super) fn built<E>(engine: Result<E, BuildError>) -> Result<E, LayoutError> {
+    engine.map_err(|error| LayoutError::new(error.to_string(), "all that a file says has to fit together", None))
+}

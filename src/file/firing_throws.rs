@@ -7,6 +7,7 @@ use super::contradiction;
 use super::error::LayoutError;
 use super::forms::Expanded;
 use super::geared_keys::{Geared, equivalent};
+use super::pin_split::{degrees, neighbours, reduced, signed, throws_of};
 use super::shared_keys::{SharedKeys, Throws};
 use crate::engine::{Cylinder, Linear};
 
@@ -80,13 +81,6 @@ pub(super) fn follow(expanded: &mut Expanded, above: &SharedKeys<'_>) -> Result<
     Ok(())
 }
 
-/// The throws, each in [0, 1), with which the cylinders fire so.
-pub(super) fn throws_of(cylinders: &[Cylinder<Linear, Linear>], fires: &[Linear]) -> Vec<Linear> {
-    let all: Vec<Linear> = cylinders.iter().zip(fires).map(|(cylinder, fires)| cylinder.bank.minus(fires)).collect();
-    let first = all.first().cloned().unwrap_or_default();
-    all.iter().map(|throw| reduced(throw.minus(&first))).collect()
-}
-
 /// Where the pins stand: at the throws, and on a crankshaft against the reference at those of the cranks that they are equivalent to.
 fn pins(geared: &[Geared], cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Vec<Linear> {
     let pin = |(cylinder, throw): (&Cylinder<Linear, Linear>, &Linear)| match geared.get(cylinder.crank) {
@@ -94,18 +88,6 @@ fn pins(geared: &[Geared], cylinders: &[Cylinder<Linear, Linear>], throws: &[Lin
         None => throw.clone(),
     };
     cylinders.iter().zip(throws).map(pin).collect()
-}
-
-fn reduced(throw: Linear) -> Linear {
-    throw.minus(&Linear::constant(throw.known().floor()))
-}
-
-/// Cylinders of one pin, the first with each of the others.
-fn neighbours(cylinders: &[Cylinder<Linear, Linear>]) -> impl Iterator<Item = [usize; 2]> + '_ {
-    cylinders.iter().enumerate().filter_map(|(index, cylinder)| {
-        let first = cylinders.iter().position(|other| other.pin == cylinder.pin)?;
-        (first != index).then_some([first, index])
-    })
 }
 
 /// The first two cylinders of a pin whose throws stand otherwise to each other than the form has them.
@@ -125,24 +107,4 @@ fn first_apart(cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Opt
 fn spread(cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Option<BigRational> {
     let apart = |[one, other]: [usize; 2]| Some(signed(throws[other].minus(&throws[one])).as_known()?.abs());
     neighbours(cylinders).map(apart).sum()
-}
-
-/// The pins of two banks, so far apart at every pin, in turns, where that is one angle.
-pub(super) fn split_of(cylinders: &[Cylinder<Linear, Linear>], throws: &[Linear]) -> Option<Linear> {
-    let mut splits = neighbours(cylinders).map(|[one, other]| signed(throws[other].minus(&throws[one])));
-    let first = splits.next()?;
-    splits.all(|split| split == first).then_some(first)
-}
-
-/// From more than −1/2 up to 1/2 of a turn; the unknowns as they are.
-fn signed(angle: Linear) -> Linear {
-    let half = BigRational::new(1.into(), 2.into());
-    let turns = (angle.known() - &half).ceil();
-    angle.minus(&Linear::constant(turns))
-}
-
-/// Turns as degrees, the unknowns as they are.
-pub(super) fn degrees(turns: &Linear) -> Linear {
-    let known = Linear::constant(turns.known().clone());
-    turns.minus(&known).plus(&known.scaled(&BigRational::from_integer(360.into())))
 }

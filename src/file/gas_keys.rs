@@ -1,93 +1,18 @@
 //! How is the gas written? `[gas]`, and `[[gas.cylinder]]` for what differs in some cylinders.
 
-use std::ops::Range;
-
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
-use serde::Deserialize;
+use num_traits::Zero;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::file_resolver::FileResolver;
+use super::gas_layers::{Keys, Layers};
 use super::gas_process::{self, Settings};
-use super::gas_table::{self, Reading, Rows};
+use super::gas_table::{self, Reading};
 use super::quantities::misread;
 use super::units;
 use super::written::{Table, Text, place};
 use crate::engine::{At, Below, Chamber, Cycle, Cylinder, DeadCentre, Gas, GasMistake, Linear, Mechanism, PressureLaw};
-
-/// `[gas]` and `[[gas.cylinder]]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Keys {
-    pub bore: Option<Text>,
-    pub ambient: Option<Text>,
-    pub crankcase: Option<Text>,
-    pub dead_centre: Option<Text>,
-    pub table: Option<Text>,
-    pub pressure: Option<Rows>,
-    pub unit: Option<Text>,
-    pub reading: Option<Text>,
-    pub below_table: Option<Text>,
-    pub below_pressure: Option<Rows>,
-    pub piston_rod: Option<Text>,
-    pub process: Option<Text>,
-    pub compression_ratio: Option<Text>,
-    pub intake_pressure: Option<Text>,
-    pub exhaust_pressure: Option<Text>,
-    pub delivery_pressure: Option<Text>,
-    pub clearance: Option<Text>,
-    pub compression_exponent: Option<Text>,
-    pub expansion_exponent: Option<Text>,
-    pub heat: Option<Text>,
-    pub peak_pressure: Option<Text>,
-    pub mean_pressure: Option<Text>,
-    pub wiebe_exponent: Option<Text>,
-    pub intake_closes: Option<Text>,
-    pub combustion_starts: Option<Text>,
-    pub combustion_lasts: Option<Text>,
-    pub exhaust_opens: Option<Text>,
-    pub blowdown: Option<Text>,
-    cylinder: Option<Spanned<Vec<Spanned<Table<Keys>>>>>,
-    cylinders: Option<Spanned<Vec<Text>>>,
-}
-
-/// The keys that hold for some cylinders: their own before those of all.
-pub(super) struct Layers<'a> {
-    own: Option<&'a Keys>,
-    all: &'a Keys,
-    /// Where the table stands.
-    pub span: Option<Range<usize>>,
-}
-
-impl<'a> Layers<'a> {
-    /// A value.
-    pub fn pick(&self, key: fn(&Keys) -> &Option<Text>) -> Option<&'a Text> {
-        self.own.and_then(|own| key(own).as_ref()).or(key(self.all).as_ref())
-    }
-
-    /// The table that says one of several things which exclude each other.
-    pub fn says(&self, says: fn(&Keys) -> bool) -> Option<&'a Keys> {
-        self.own.filter(|own| says(own)).or(Some(self.all).filter(|all| says(all)))
-    }
-
-    /// A pressure with its unit, absolute.
-    pub fn pressure(&self, key: fn(&Keys) -> &Option<Text>) -> Result<Option<BigRational>, LayoutError> {
-        self.pick(key).map(absolute).transpose()
-    }
-}
-
-/// An absolute pressure with its unit.
-pub(super) fn absolute(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let value = units::pressure(written, None).map_err(|right| misread("pressure", written, right, text))?;
-    match value.is_positive() {
-        true => Ok(value),
-        false => {
-            Err(misread("pressure", written, "above 0: an absolute pressure; gauge? add 1.013 bar".to_owned(), text))
-        }
-    }
-}
 
 /// What is taken for ambient pressure where none is given, in pascals.
 const ATMOSPHERE: i64 = 101_325;

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::error::LayoutError;
-use super::gas_keys::{Keys, Layers, absolute};
+use super::gas_layers::{Keys, Layers, absolute};
 use super::number::parse_number;
 use super::quantities::misread;
 use super::units;

@@ -15,13 +15,14 @@ use super::convention_keys;
 use super::counterweight_keys;
 use super::crankshaft_keys;
 use super::cylinder_keys;
-use super::error::LayoutError;
+use super::error::{LayoutError, built};
 use super::file_resolver::FileResolver;
 use super::firing_order::{self, FiringOrder};
 use super::firing_throws;
 use super::flywheel_keys;
 use super::forms::{self, Expanded};
 use super::gas_keys;
+use super::gas_layers;
 use super::geared_forms;
 use super::geared_keys;
 use super::known_firing;
@@ -33,7 +34,7 @@ use super::shared_keys::SharedKeys;
 use super::title_block_keys;
 use super::torsion_keys;
 use super::written::{Table, Text, place, read, read_table};
-use crate::engine::{BuildError, Crankshaft, Dimensions, Draft, Effects, Engine, Family, LengthUnit, ReferencePlane};
+use crate::engine::{Crankshaft, Dimensions, Draft, Effects, Engine, Family, LengthUnit, ReferencePlane};
 use crate::text::Untrusted;
 
 #[derive(Deserialize)]
@@ -58,7 +59,7 @@ struct File {
     crankshaft: Option<Spanned<geared_keys::Tables>>,
     counterweight: Option<Spanned<Vec<Spanned<Table<counterweight_keys::CounterweightKeys>>>>>,
     balancer: Option<Spanned<Vec<Spanned<Table<balancer_keys::Keys>>>>>,
-    gas: Option<Spanned<Table<gas_keys::Keys>>>,
+    gas: Option<Spanned<Table<gas_layers::Keys>>>,
     flywheel: Option<Table<flywheel_keys::Keys>>,
     torsion: Option<Spanned<Table<torsion_keys::Keys>>>,
     block: Option<Spanned<Table<mounting_keys::BlockKeys>>>,
@@ -275,11 +276,6 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
     }
     let symbolic = (!family.unknowns().is_empty()).then(|| Box::new(family));
     Ok(Layout::Known(Box::new(engine), symbolic))
-}
-
-/// What the keys do not keep from happening, in the words of the builder.
-pub(super) fn built<E>(engine: Result<E, BuildError>) -> Result<E, LayoutError> {
-    engine.map_err(|error| LayoutError::new(error.to_string(), "all that a file says has to fit together", None))
 }
 
 /// What the file says of crank, rods, masses and speed.

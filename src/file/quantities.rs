@@ -8,8 +8,8 @@ use super::error::LayoutError;
 use super::linear;
 use super::number::parse_number;
 use super::units;
-use super::written::{Text, place};
-use crate::engine::{DELTA, LengthUnit, Linear, MOST_CYLINDERS, PHI};
+use super::written::{Column, Text, Values, place};
+use crate::engine::{DELTA, LengthUnit, Linear, MOST_CYLINDERS, PHI, Throw};
 
 /// Reads an angle as a layout file does, in turns that are not reduced.
 ///
@@ -183,4 +183,20 @@ pub(super) fn not_negative(value: BigRational, what: &str, text: &Text) -> Resul
 pub(super) fn among_spacings(place: Option<std::ops::Range<usize>>) -> LayoutError {
     let right = "give the engine its spacing or positions, or count in spacings here too";
     LayoutError::new("a length in an engine whose cylinders are one spacing apart", right, place)
+}
+
+/// One value per throw.
+pub(super) fn each(
+    list: &Column,
+    throws: &[Throw],
+    mut read: impl FnMut(&Text) -> Result<BigRational, LayoutError>,
+) -> Result<Vec<BigRational>, LayoutError> {
+    match list.get_ref() {
+        Values::One(text) => Ok(vec![read(&Text::new(list.span(), text.clone()))?; throws.len()]),
+        Values::Each(texts) if texts.len() == throws.len() => texts.iter().map(read).collect(),
+        Values::Each(texts) => {
+            let message = format!("{} values for {} throws", texts.len(), throws.len());
+            Err(LayoutError::new(message, "one value for all, or a list with one per throw", place(list)))
+        }
+    }
 }
