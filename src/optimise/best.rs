@@ -1,14 +1,15 @@
 //! Which crankshaft of one mass is best? Solved, rounded, closed exactly, written, read back and measured.
 
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::bound::Bound;
-use super::design::{Design, Residual, measure, note, weight};
+use super::design::{Design, measure, note, weight};
 use super::direction::Directions;
 use super::error::OptimiseError;
 use super::exact::{Steps, mass_radii};
 use super::file;
-use super::front::{Optimum, decimal};
+use super::first::Residual;
 use super::place::{Place, places};
 use super::problem::Problem;
 use super::sample::Samples;
@@ -24,6 +25,18 @@ use crate::remedy::counterweight_parts;
 pub(super) const SLACK: f64 = 1e-6;
 /// What the rounding of irrational numbers may leave, in multiples of m r ω² a cylinder.
 const SLIGHT: f64 = 1e-9;
+
+/// A crankshaft of the front.
+#[derive(Clone, Debug)]
+pub struct Optimum {
+    /// The engine with its counterweights, as its own file says.
+    pub engine: Engine,
+    /// What it weighs and does.
+    pub design: Design,
+    /// No crankshaft of this mass that keeps the conditions has a lower largest bearing load, in multiples of m r ω²: by weak
+    /// duality, in floats.
+    pub least: f64,
+}
 
 /// A problem with what its solutions share.
 pub(super) struct Search<'a> {
@@ -136,4 +149,9 @@ fn condition(couple: &Couple, is_exact: bool) -> String {
             format!("no first-order force turns with the crank, and a couple of {} N·m at most", decimal(most))
         }
     }
+}
+
+/// A number in the words of a file.
+pub(super) fn decimal(value: &BigRational) -> String {
+    value.to_f64().unwrap_or(f64::NAN).to_string()
 }

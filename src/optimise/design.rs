@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
 use super::error::OptimiseError;
-use super::first::{First, Turning};
+use super::first::{First, Residual, Turning};
 use super::place::Place;
 use crate::engine::{Counterweight, Engine, throws};
 use crate::exact::{PhasorSum, Term};
@@ -60,25 +60,6 @@ pub struct PlacedWeight {
     pub factor: Option<f64>,
     /// How far it is turned on from opposite to its throw, in degrees in (−180, 180].
     pub skew: Option<f64>,
-}
-
-/// What is left of a vector.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Residual {
-    /// Nothing, proved: its exact sum vanishes.
-    Zero,
-    /// Its length is between these two, by an enclosure of the exact sum, and of the irrational numbers that offsets put before it.
-    Between(f64, f64),
-}
-
-impl Residual {
-    /// The larger of two.
-    fn larger(self, other: Self) -> Self {
-        match (self, other) {
-            (Residual::Zero, one) | (one, Residual::Zero) => one,
-            (Residual::Between(a, b), Residual::Between(c, d)) => Residual::Between(a.max(c), b.max(d)),
-        }
-    }
 }
 
 /// Measures an engine with counterweights at these places, at these orders.

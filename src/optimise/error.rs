@@ -2,9 +2,11 @@
 
 use std::fmt;
 
-use super::front::MOST_POINTS;
 use crate::loads::Missing;
 use crate::text::harmless;
+
+/// More points than this say nothing more.
+pub(super) const MOST_POINTS: usize = 200;
 
 /// Why an engine cannot be optimised.
 #[derive(Clone, Debug, PartialEq)]

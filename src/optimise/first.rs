@@ -5,7 +5,6 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::design::Residual;
 use super::error::OptimiseError;
 use crate::engine::{Engine, GearedCrank};
 use crate::exact::PhasorSum;
@@ -44,6 +43,25 @@ impl Turning {
     pub fn seen_from(self, theta: f64) -> Complex<f64> {
         let angle = f64::from(self.speed) * theta;
         Complex::cis(if self.sense == Sense::Direct { -angle } else { angle })
+    }
+}
+
+/// What is left of a vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Residual {
+    /// Nothing, proved: its exact sum vanishes.
+    Zero,
+    /// Its length is between these two, by an enclosure of the exact sum, and of the irrational numbers that offsets put before it.
+    Between(f64, f64),
+}
+
+impl Residual {
+    /// The larger of two.
+    pub(super) fn larger(self, other: Self) -> Self {
+        match (self, other) {
+            (Residual::Zero, one) | (one, Residual::Zero) => one,
+            (Residual::Between(a, b), Residual::Between(c, d)) => Residual::Between(a.max(c), b.max(d)),
+        }
     }
 }
 

@@ -4,27 +4,12 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::Request;
-use super::best::{SLACK, Search};
+use super::best::{Optimum, SLACK, Search, decimal};
 use super::design::{Design, measure};
-use super::error::OptimiseError;
+use super::error::{MOST_POINTS, OptimiseError};
 use super::place::{Place, uniform};
 use crate::engine::Engine;
 use crate::file::FileResolver;
-
-/// More points than this say nothing more.
-pub(super) const MOST_POINTS: usize = 200;
-
-/// A crankshaft of the front.
-#[derive(Clone, Debug)]
-pub struct Optimum {
-    /// The engine with its counterweights, as its own file says.
-    pub engine: Engine,
-    /// What it weighs and does.
-    pub design: Design,
-    /// No crankshaft of this mass that keeps the conditions has a lower largest bearing load, in multiples of m r ω²: by weak
-    /// duality, in floats.
-    pub least: f64,
-}
 
 /// A crankshaft with one balance factor for all throws, and the best ones of the same mass and of the same load.
 #[derive(Clone, Debug)]
@@ -111,9 +96,4 @@ pub fn front_beside(engine: &Engine, wish: &Request, beside: FileResolver<'_>) -
         compared.push(Uniform { factor, design, best, lightest });
     }
     Ok(Front { places: search.places, points, uniform: compared })
-}
-
-/// A number in the words of a file.
-pub(super) fn decimal(value: &BigRational) -> String {
-    value.to_f64().unwrap_or(f64::NAN).to_string()
 }

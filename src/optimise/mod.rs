@@ -34,9 +34,11 @@ use num_traits::{Signed, Zero};
 
 use crate::file::parse_number;
 
-pub use design::{Design, PlacedWeight, Residual, measure};
+pub use best::Optimum;
+pub use design::{Design, PlacedWeight, measure};
 pub use error::OptimiseError;
-pub use front::{Front, Optimum, Uniform, front, front_beside};
+pub use first::Residual;
+pub use front::{Front, Uniform, front, front_beside};
 pub use place::{Place, places, uniform};
 
 /// What is asked of the counterweights.
