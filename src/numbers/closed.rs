@@ -10,11 +10,11 @@ use num_traits::One;
 
 use super::banks::Split;
 use super::budget::Budget;
-use super::direction::rational_direction;
 use super::form::Form;
 use super::memory::{self, Memory};
 use super::products::Products;
 use super::radicals::{as_sum, number};
+use super::rational_direction::rational_direction;
 use super::star::Star;
 use super::{banks, cosines, cost, nested, quadratic, trace};
 use crate::exact::PhasorSum;

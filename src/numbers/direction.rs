@@ -1,8 +1,6 @@
 //! Where does a sum point exactly? A rational turn, or an arctangent.
 
-use num_bigint::BigInt;
 use num_complex::Complex;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
@@ -13,12 +11,11 @@ use super::evaluate::evaluate;
 use super::form::Form;
 use super::quadratic;
 use super::radicals::{as_sum, number};
+use super::rational_direction::rational_direction;
 use super::star::Star;
 use super::trace::mean_of_conjugates;
 use crate::exact::{PhasorSum, Turn};
 
-/// Among more directions than this the decimals cannot name the one candidate.
-const MOST_DIRECTIONS: i64 = 1 << 40;
 /// A tangent of more roots is shorter as a decimal.
 const MOST_ROOTS: usize = 2;
 
@@ -116,25 +113,4 @@ fn by_conjugate(twice_re: &PhasorSum, twice_im: &PhasorSum) -> Option<Form> {
         return None;
     }
     real(&twice_im.times(&partner).scaled(&(denominator * star.unit).recip()))
-}
-
-/// S points to a rational turn t iff `e^{2πi·2t} = S/S̄` is a root of unity of its field. The decimals only name the
-/// one candidate; whether it is right is decided exactly.
-pub(super) fn rational_direction(sum: &PhasorSum) -> Option<Turn> {
-    let collected = sum.collected();
-    if let [only] = collected.as_slice() {
-        let angle = if only.weight < BigRational::zero() { only.angle.opposite() } else { only.angle.clone() };
-        return Some(angle);
-    }
-    let conductor = collected.iter().fold(BigInt::one(), |n, term| n.lcm(term.angle.denominator()));
-    let parts: BigInt = conductor.lcm(&BigInt::from(2)) * 2;
-    let parts = parts.to_i64().filter(|&parts| parts <= MOST_DIRECTIONS)?;
-    let turns = evaluate(sum).arg() / std::f64::consts::TAU * parts as f64;
-    let nearest = turns.round();
-    if (turns - nearest).abs() > 1e-3 {
-        return None;
-    }
-    let candidate = Turn::fraction(nearest.to_i64()?, parts);
-    let upright = sum.turned(&-&candidate);
-    upright.minus(&upright.conjugate()).vanishes().then_some(candidate)
 }

@@ -7,6 +7,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
+use super::evaluate::direction;
 use crate::exact::Turn;
 
 /// A root that a coefficient is multiplied by.
@@ -148,10 +149,10 @@ impl Form {
             Root::One => 1.0,
             Root::Whole(n) => n.to_f64().unwrap_or(f64::NAN).sqrt(),
             Root::Nested(form) => form.to_float().max(0.0).sqrt(),
-            Root::Cosine(angle) => super::direction(angle).re,
+            Root::Cosine(angle) => direction(angle).re,
             Root::Product(root, cosines) => {
                 let root = Form::new([((**root).clone(), BigRational::one())]).to_float();
-                cosines.iter().fold(root, |product, angle| product * super::direction(angle).re)
+                cosines.iter().fold(root, |product, angle| product * direction(angle).re)
             }
         };
         self.terms.iter().map(|(r, coefficient)| coefficient.to_f64().unwrap_or(f64::NAN) * root(r)).sum()

@@ -16,6 +16,7 @@ mod nested;
 mod products;
 mod quadratic;
 mod radicals;
+mod rational_direction;
 mod speed;
 mod star;
 mod trace;
