@@ -12,20 +12,11 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::pin::with_constant;
-use super::shares::{Shares, in_equilibrium};
+use super::shares::{Method, Shares, in_equilibrium};
 use super::{Missing, Motion, Peak, Scale, Swing, Waveform};
 use crate::engine::{self, Engine};
 use crate::order::{self, Contribution, OrderSum};
 use crate::proof::Sense;
-
-/// How a load is shared among the bearings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// One continuous beam of constant EI: [`crate::beam::Beam::influence`].
-    Continuous,
-    /// Each span a beam of its own, which is statically determinate: [`crate::beam::Beam::determinate`].
-    Determinate,
-}
 
 /// The loads of all main bearings, in multiples of m r ω².
 #[derive(Clone, Debug)]

@@ -9,6 +9,7 @@ mod hung_rod;
 mod missing;
 mod needed;
 mod needed_bearings;
+mod order_loads;
 mod peak_method;
 mod pin;
 mod roll;
@@ -21,30 +22,28 @@ mod vector;
 mod waveform;
 
 pub use always::vanishes_at_every_order;
-pub use bearing::{BearingLoad, BearingLoads, BearingOrder, Method, bearing_loads};
+pub use bearing::{BearingLoad, BearingLoads, BearingOrder, bearing_loads};
 use coefficients::Motion;
 pub use hung_rod::{HungRod, KnuckleLoad, LinkLoads, MasterLoad, link_loads};
 pub use missing::Missing;
 use needed::usual_torque_orders;
 pub use needed::{Bound, LeftOut, Needed, left_out, needed_orders, usual_orders};
 pub use needed_bearings::{bearing_orders, left_out_of_bearings, usual_bearing_orders};
+pub use order_loads::{OrderLoads, Torque, TorqueOrder};
+use order_loads::{harmonic, swings};
 pub use peak_method::PeakMethod;
 pub use pin::{PinLoad, PinLoads, PinOrder, pin_loads};
 pub use roll::roll_moments;
 pub use scale::{Arm, Scale, scale, unit};
-pub use shares::Shares;
+pub use shares::{Method, Shares};
 pub use spectrum::Spectrum;
 pub use swing::Swing;
 pub use tails::Tails;
 pub use vector::{Outcome, Vector};
 pub use waveform::{Circle, Harmonic, Peak, Waveform};
 
-use num_complex::Complex;
-
 use crate::engine::{self, Engine};
-use crate::motion::Coefficient;
-use crate::order::{self, Contribution, MassGroup, MissingArm, OrderSum};
-use crate::proof::{Planar, Quantity, Sense};
+use crate::order::{self, MassGroup, MissingArm};
 
 /// Forces, moments and torque of an engine, in multiples of m r ω².
 #[derive(Clone, Debug)]
@@ -73,19 +72,6 @@ pub struct Loads {
     pub coefficients: usize,
 }
 
-/// One order of force and moment, in multiples of m r ω².
-#[derive(Clone, Debug)]
-pub struct OrderLoads {
-    /// The order k.
-    pub order: u32,
-    /// Coefficient c_k; none where the rods differ, where it is zero, or where nothing is left of the order that calls for it.
-    pub coefficient: Option<Coefficient>,
-    /// The shaking force.
-    pub force: Swing,
-    /// Its moment about the reference plane.
-    pub moment: Swing,
-}
-
 /// What one group of masses adds.
 #[derive(Clone, Debug)]
 pub struct GroupLoads {
@@ -95,26 +81,6 @@ pub struct GroupLoads {
     pub force: Waveform,
     /// Its moment.
     pub moment: Waveform,
-}
-
-/// The inertia torque, in multiples of m r² ω²: the real part of its waveform.
-#[derive(Clone, Debug)]
-pub struct Torque {
-    /// Its orders.
-    pub orders: Vec<TorqueOrder>,
-    /// All of them together.
-    pub waveform: Waveform,
-}
-
-/// One order of the inertia torque: `Re(vector · e^{ikθ})`.
-#[derive(Clone, Debug)]
-pub struct TorqueOrder {
-    /// The order k.
-    pub order: u32,
-    /// The coefficient of the motion; none where the rods differ.
-    pub coefficient: Option<Coefficient>,
-    /// Coefficient times sum.
-    pub vector: Vector,
 }
 
 /// Computes the loads of an engine at these orders, and the torque at those that it needs besides.
@@ -170,38 +136,6 @@ pub fn loads_at(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
     })
 }
 
-/// Force and moment of an order, of the contributions that are meant.
-fn swings(engine: &Engine, motion: &Motion, order: u32, is_meant: impl Fn(&Contribution) -> bool) -> [Swing; 2] {
-    let contributions = Sense::BOTH.map(|sense| order::contributions(engine, order, sense));
-    Planar::BOTH.map(|quantity| {
-        let sums = contributions.each_ref().map(|of_sense| {
-            let meant = of_sense.iter().filter(|one| is_meant(one));
-            OrderSum::new(meant.map(|one| one.weighed(|position| order::lever(engine, quantity, position))))
-        });
-        motion.swing(sums, order)
-    })
-}
-
-impl OrderLoads {
-    fn new(engine: &Engine, motion: &Motion, order: u32) -> Self {
-        let [force, moment] = swings(engine, motion, order, |_| true);
-        OrderLoads { order, coefficient: motion.common(order), force, moment }
-    }
-
-    /// The force or the moment.
-    pub fn swing(&self, quantity: Planar) -> &Swing {
-        match quantity {
-            Planar::Force => &self.force,
-            Planar::Moment => &self.moment,
-        }
-    }
-
-    /// Whether there is something to judge: a piston has the order, or a shaft turns so, or a crankshaft with masses.
-    pub fn exists(&self, engine: &Engine) -> bool {
-        engine.pistons_have_order(Quantity::FORCE, self.order) || turning_orders(engine).contains(&self.order)
-    }
-}
-
 impl GroupLoads {
     fn new(engine: &Engine, motion: &Motion, group: MassGroup, orders: &[u32]) -> Self {
         let of_order = |&order: &u32| (order, swings(engine, motion, order, |one| one.source.group() == group));
@@ -212,36 +146,7 @@ impl GroupLoads {
     }
 }
 
-/// The orders of the balancer shafts, and of the crankshafts that turn faster than the reference.
-fn turning_orders(engine: &Engine) -> Vec<u32> {
-    let shafts = engine.crankshaft().balancers.iter().map(|shaft| shaft.order);
-    let faster = engine.geared_cranks().iter().map(|crank| crank.speed).filter(|speed| *speed != 1);
-    shafts.chain(faster).collect()
-}
-
-fn harmonic(order: u32, swing: &Swing) -> Harmonic {
-    let [direct, reverse] = swing.amplitudes();
-    match order {
-        0 => Harmonic { order, direct: direct + reverse, reverse: Complex::new(0.0, 0.0) },
-        _ => Harmonic { order, direct, reverse },
-    }
-}
-
 fn torque(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
     let orders: Vec<TorqueOrder> = orders.iter().map(|&order| TorqueOrder::new(engine, motion, order)).collect();
     Torque { waveform: Waveform::new(orders.iter().map(TorqueOrder::harmonic)), orders }
-}
-
-impl TorqueOrder {
-    fn new(engine: &Engine, motion: &Motion, order: u32) -> Self {
-        let sum = order::torque(engine, order);
-        let pairs: Vec<_> = sum.parts().iter().map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
-        let coefficient = match (motion.cranks.len(), pairs.as_slice()) {
-            (1, _) if motion.has_faster => None,
-            (1, [(coefficient, _)]) => Some(coefficient.clone()),
-            _ => None,
-        };
-        // No coefficient of an order that exists is zero.
-        TorqueOrder { order, coefficient, vector: Vector::of(&pairs, true) }
-    }
 }

@@ -5,8 +5,9 @@
 
 use num_traits::Zero;
 
-use super::bearing::{BearingLoads, Method, bearing_loads};
+use super::bearing::{BearingLoads, bearing_loads};
 use super::needed::{Bound, Choice, FOR_THE_REST, usual_orders, with_largest};
+use super::shares::Method;
 use super::{Missing, Tails};
 use crate::engine::Engine;
 use crate::motion::SLACK;

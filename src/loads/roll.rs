@@ -3,7 +3,8 @@
 
 use num_complex::Complex;
 
-use super::{Harmonic, Missing, Motion, Torque, TorqueOrder, Vector, Waveform};
+use super::order_loads::{Torque, TorqueOrder, turning_orders};
+use super::{Harmonic, Missing, Motion, Vector, Waveform};
 use crate::engine::{Engine, are_orders};
 use crate::exact::PhasorSum;
 use crate::motion::Coefficient;
@@ -11,7 +12,7 @@ use crate::order;
 
 /// The roll moment on the frame at these orders, and at those of the shafts and the faster crankshafts, in multiples of m r² ω².
 pub(super) fn roll(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
-    let mut all: Vec<u32> = orders.iter().copied().chain(super::turning_orders(engine)).collect();
+    let mut all: Vec<u32> = orders.iter().copied().chain(turning_orders(engine)).collect();
     all.sort_unstable();
     all.dedup();
     let orders: Vec<TorqueOrder> = all.into_iter().map(|order| of_order(engine, motion, order)).collect();

@@ -7,11 +7,19 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::Missing;
-use super::bearing::Method;
 use crate::beam::Beam;
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::order::{OrderSum, by_factor};
+
+/// How a load is shared among the bearings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// One continuous beam of constant EI: [`crate::beam::Beam::influence`].
+    Continuous,
+    /// Each span a beam of its own, which is statically determinate: [`crate::beam::Beam::determinate`].
+    Determinate,
+}
 
 /// The parts that the bearings carry of a load, by its position; each position is solved once.
 #[derive(Clone, Debug)]

@@ -1,8 +1,7 @@
 //! What is every order of force, moment and torque up to one, and what can those above it add?
 
-use num_complex::Complex;
-
-use super::{Harmonic, Missing, Motion, OrderLoads, Swing, Tails, TorqueOrder, Waveform};
+use super::order_loads::{OrderLoads, TorqueOrder, harmonic, turning_orders};
+use super::{Missing, Motion, Swing, Tails, Waveform};
 use crate::engine::Engine;
 use crate::proof::{Planar, Quantity};
 
@@ -34,7 +33,7 @@ impl<'a> Spectrum<'a> {
     /// Adds the orders up to this one.
     pub fn raise(&mut self, highest: u32, with_torque: bool) {
         let (engine, motion) = (self.engine, &self.motion);
-        let turning = super::turning_orders(engine);
+        let turning = turning_orders(engine);
         for order in self.highest + 1..=highest {
             if engine.pistons_have_order(Quantity::FORCE, order) || turning.contains(&order) {
                 self.orders.push(OrderLoads::new(engine, motion, order));
@@ -72,9 +71,7 @@ impl<'a> Spectrum<'a> {
     /// The sum of the orders.
     pub fn waveform(&self, quantity: Quantity) -> Waveform {
         match quantity {
-            Quantity::Planar(planar) => {
-                Waveform::new(self.swings(planar).map(|(order, swing)| super::harmonic(order, swing)))
-            }
+            Quantity::Planar(planar) => Waveform::new(self.swings(planar).map(|(order, swing)| harmonic(order, swing))),
             Quantity::Axial(_) => Waveform::new(self.torque.iter().map(TorqueOrder::harmonic)),
         }
     }
@@ -110,9 +107,3 @@ impl<'a> Spectrum<'a> {
 
 /// Each vector is known to the accuracy of a float, and a peak of their sum to a few roundings more.
 const ROUNDING: f64 = 1e-12;
-
-impl TorqueOrder {
-    pub(super) fn harmonic(&self) -> Harmonic {
-        Harmonic { order: self.order, direct: self.vector.value, reverse: Complex::new(0.0, 0.0) }
-    }
-}
