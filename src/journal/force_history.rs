@@ -3,15 +3,13 @@
 use std::f64::consts::TAU;
 
 use num_complex::Complex;
-use num_rational::BigRational;
 
-use super::Carried;
+use super::carried::{Carried, turns_of};
 use crate::engine::{self, Engine};
 use crate::gas::Harmonics;
 use crate::loads::HungRod;
 use crate::numbers;
-use crate::order::{self, MassGroup, Source};
-use crate::proof::Sense;
+use crate::order::{self, Source};
 use crate::torque::Class;
 
 /// The forces over the crank angle θ, in radians and newtons.
@@ -328,37 +326,5 @@ impl ForceHistory {
     pub fn carried(&self, carried: &Carried, theta: f64) -> Complex<f64> {
         let [inertia, gas] = self.carried_parts(carried, theta);
         inertia + gas
-    }
-}
-
-/// What a bearing carries: these parts of the pins, and those of the masses of the crankshaft itself.
-pub(super) fn carried_by(
-    engine: &Engine,
-    crank: usize,
-    parts: &[BigRational],
-    part: impl Fn(&BigRational) -> BigRational,
-    newtons: f64,
-) -> Carried {
-    let is_own = |group: MassGroup| match group {
-        MassGroup::Crankshaft | MassGroup::Counterweights => true,
-        // Rods load the pins, and a balancer shaft is in bearings of its own.
-        MassGroup::Reciprocating | MassGroup::Rotating | MassGroup::Balancers => false,
-    };
-    let turns = turns_of(engine, crank);
-    let speed = turns * turns;
-    let turning = order::turning_masses(engine).into_iter();
-    let turning = turning.filter(|mass| is_own(mass.source.group()) && mass.crank.is_none_or(|own| own == crank));
-    let shaft = turning.map(|mass| {
-        numbers::direction(&mass.angle) * numbers::float(&(&mass.mass_radius * part(&mass.position))) * newtons * speed
-    });
-    Carried { shaft: shaft.sum(), turns, parts: parts.iter().map(numbers::float).collect() }
-}
-
-/// How many times a crankshaft turns while the reference turns once; below 0 against it.
-fn turns_of(engine: &Engine, crank: usize) -> f64 {
-    match engine.geared_cranks().get(crank) {
-        Some(crank) if crank.sense == Sense::Reverse => -f64::from(crank.speed),
-        Some(crank) => f64::from(crank.speed),
-        None => 1.0,
     }
 }

@@ -2,7 +2,7 @@
 
 use num_complex::Complex;
 
-use super::Carried;
+use super::carried::Carried;
 use super::force_history::{ForceHistory, PistonForces};
 use crate::torque::{self, Extreme};
 

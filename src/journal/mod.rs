@@ -4,6 +4,7 @@
 //! with `−F (1 − i tan β) e^{iα}` and its rotating mass, and the main bearings carry the pins in fixed parts (theory, section 12). Largest
 //! values are those of the forces themselves, through the whole cycle; the orders are a series, halves in a four-stroke engine.
 
+mod carried;
 mod force_history;
 mod instant;
 mod largest;
@@ -11,14 +12,14 @@ mod order;
 mod peak;
 mod shared;
 
+pub use carried::Carried;
 pub use force_history::{ForceHistory, PistonForces};
 pub use instant::{Instants, PistonAt};
 pub use largest::{CyclePeak, CylinderPeaks};
-pub use order::{CycleMean, GasStars, JournalOrder};
+pub use order::{CycleMean, GasStars, JournalOrder, Series};
 pub use peak::LoadPeak;
 pub use shared::SharedPin;
 
-use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -102,40 +103,6 @@ pub struct CycleBearing {
     pub series: Series,
 }
 
-/// What of the engine's forces one place carries.
-#[derive(Clone, Debug)]
-pub struct Carried {
-    /// The part of the load of each crankpin.
-    pub parts: Vec<f64>,
-    /// What the masses of the crankshaft itself pull there with at θ = 0, in newtons; it turns with the crank.
-    pub shaft: Complex<f64>,
-    /// How many times that turns while the reference turns once; below 0 against it.
-    pub turns: f64,
-}
-
-impl Carried {
-    /// What the masses of the crankshaft pull there with.
-    pub(super) fn of_shaft(&self, theta: f64) -> Complex<f64> {
-        self.shaft * Complex::cis(self.turns * theta)
-    }
-}
-
-/// A load by orders of the cycle.
-#[derive(Clone, Debug)]
-pub struct Series {
-    /// The force that stays.
-    pub mean: CycleMean,
-    /// The orders, rising, up to [`torque::HIGHEST`]; halves in a four-stroke engine.
-    pub orders: Vec<JournalOrder>,
-}
-
-impl Series {
-    /// The sum of mean and orders at a crank angle.
-    pub fn at(&self, theta: f64) -> Complex<f64> {
-        self.orders.iter().fold(self.mean.total(), |sum, order| sum + order.at(theta))
-    }
-}
-
 impl CycleLoads {
     /// How much of the load of any bearing the orders miss at most, looked for half a degree apart; none without bearings.
     pub fn missed(&self, bearings: &CycleBearings) -> f64 {
@@ -214,7 +181,7 @@ fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<Big
             false => BigRational::zero(),
         });
         let parts: Vec<BigRational> = parts.collect();
-        let carried = force_history::carried_by(engine, crank, &parts, part, newtons);
+        let carried = carried::carried_by(engine, crank, &parts, part, newtons);
         (parts, carried)
     };
     let cranks = 0..engine.crankshafts();

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::{ForceHistory, Series};
+use super::force_history::ForceHistory;
 use crate::engine::{CycleOrder, Engine};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::loads::Swing;
@@ -53,6 +53,22 @@ pub struct CycleMean {
     pub inertia: Complex<f64>,
     /// Whether both vanish, proved, for every pressure that the cylinders of a class share.
     pub vanishes: bool,
+}
+
+/// A load by orders of the cycle.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// The force that stays.
+    pub mean: CycleMean,
+    /// The orders, rising, up to [`HIGHEST`](crate::torque::HIGHEST); halves in a four-stroke engine.
+    pub orders: Vec<JournalOrder>,
+}
+
+impl Series {
+    /// The sum of mean and orders at a crank angle.
+    pub fn at(&self, theta: f64) -> Complex<f64> {
+        self.orders.iter().fold(self.mean.total(), |sum, order| sum + order.at(theta))
+    }
 }
 
 impl CycleMean {
