@@ -5,20 +5,10 @@ use std::cmp::Ordering;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use super::{Drawn, NoFluctuation, WithPi};
+use super::drawn::{Drawn, Lobe, NoFluctuation};
+use super::with_pi::WithPi;
 use crate::file::{Diagram, Line, Torque};
 use crate::numbers;
-
-/// An area between two crossings.
-#[derive(Clone, Debug)]
-pub struct Lobe {
-    /// Where it begins, in turns; none of areas that are given.
-    pub from: Option<BigRational>,
-    /// The work above the load, in joules; below it negative.
-    pub work: WithPi,
-    /// The running sum up to its end, in joules, from 0 before the first.
-    pub sum: WithPi,
-}
 
 /// An area in N m times turns, with the angle where it begins.
 type Part = (Option<BigRational>, BigRational);

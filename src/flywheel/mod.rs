@@ -3,56 +3,21 @@
 //! Between two angles at which the torque crosses the load it gives an area of work. `ΔE` is the largest less the smallest running sum of these areas,
 //! `C_s = ΔE/(I ω²)` (theory, section 12). Of straight lines and rational areas all of it is a rational number times a power of π.
 
+mod drawn;
 mod lobes;
 mod waves;
+mod with_pi;
 
-use std::f64::consts::{FRAC_1_PI, PI, TAU};
+use std::f64::consts::{FRAC_1_PI, TAU};
 
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 use crate::file::{Diagram, Harmonic, Line, Torque};
-use crate::numbers::{self, Form};
-pub use lobes::Lobe;
-
-/// A number with a power of π: exact where its form is known.
-#[derive(Clone, Debug)]
-pub struct WithPi {
-    /// The number but for π, in closed form.
-    pub form: Option<Form>,
-    /// The power of π that it is multiplied by.
-    pub power: i32,
-    /// All of it in decimals.
-    pub decimal: f64,
-}
-
-impl WithPi {
-    fn new(form: Form, power: i32) -> Self {
-        WithPi { decimal: form.to_float() * PI.powi(power), form: Some(form), power }
-    }
-
-    fn rational(value: BigRational, power: i32) -> Self {
-        WithPi::new(Form::rational(value), power)
-    }
-
-    fn decimal(decimal: f64) -> Self {
-        WithPi { form: None, power: 0, decimal }
-    }
-
-    /// Times a rational number and a power of π.
-    fn times(&self, by: &BigRational, power: i32) -> Self {
-        let decimal = self.decimal * numbers::float(by) * PI.powi(power);
-        WithPi { form: self.form.as_ref().map(|form| form.scaled(by)), power: self.power + power, decimal }
-    }
-
-    fn over(&self, other: &WithPi) -> Self {
-        let form = self.form.as_ref().zip(other.form.as_ref()).and_then(|(above, below)| {
-            let below = below.as_rational().filter(|below| !below.is_zero())?;
-            Some(above.scaled(&below.recip()))
-        });
-        WithPi { form, power: self.power - other.power, decimal: self.decimal / other.decimal }
-    }
-}
+use crate::numbers;
+use drawn::Drawn;
+pub use drawn::{Lobe, NoFluctuation};
+pub use with_pi::WithPi;
 
 /// Values at an angle.
 #[derive(Clone, Debug)]
@@ -94,41 +59,6 @@ pub struct Fluctuation {
     pub power: Option<WithPi>,
     /// Values at the angles that are asked for.
     pub angles: Vec<AtAngle>,
-}
-
-/// Why a diagram has no answer.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum NoFluctuation {
-    /// The load takes another work than the engine gives: in N m times turns.
-    Unequal,
-    /// The load is given for another cycle.
-    OtherCycle,
-    /// Angles are asked of a diagram that is areas alone.
-    NoAngles,
-}
-
-impl std::fmt::Display for NoFluctuation {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            NoFluctuation::Unequal => {
-                "the load takes another work in a cycle than the engine gives, so that no speed is kept: their means must be equal"
-            }
-            NoFluctuation::OtherCycle => "the load's points span another angle than the torque's",
-            NoFluctuation::NoAngles => "areas alone do not give the torque at an angle: give points, triangles or harmonics",
-        })
-    }
-}
-
-impl std::error::Error for NoFluctuation {}
-
-/// The part of an answer that depends on how the torque is drawn.
-struct Drawn {
-    mean: Option<WithPi>,
-    cycle: Option<BigRational>,
-    energy: WithPi,
-    fastest_and_slowest: Option<[f64; 2]>,
-    lobes: Vec<Lobe>,
 }
 
 /// What a diagram tells.

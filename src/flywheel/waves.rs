@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::{Drawn, WithPi};
+use super::drawn::Drawn;
+use super::with_pi::WithPi;
 use crate::file::Harmonic;
 use crate::numbers::{self, Form};
 use crate::torque;
