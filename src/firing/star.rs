@@ -1,13 +1,101 @@
 //! What is the star of one order, and is it zero?
 
+use std::fmt;
+
 use num_rational::BigRational;
 
-use super::Weights;
 use crate::engine::{CycleOrder, Engine, Firing, Mechanism};
 use crate::exact::{PhasorSum, Term};
 use crate::order::Source;
 use crate::proof::{Certificate, Quantity};
 use crate::verdict::JudgedStar;
+
+/// What each cylinder's vector is multiplied by besides its crank radius.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Weights {
+    /// By one: the torque of a rigid crankshaft.
+    #[default]
+    Rigid,
+    /// By the deflection of its throw in a mode of torsional vibration, one per cylinder.
+    ModeShape(Vec<BigRational>),
+}
+
+impl Weights {
+    /// That of one cylinder.
+    pub fn of(&self, cylinder: usize) -> BigRational {
+        match self {
+            Weights::Rigid => num_traits::One::one(),
+            Weights::ModeShape(shape) => shape[cylinder].clone(),
+        }
+    }
+
+    /// Whether it is a mode of torsional vibration.
+    pub fn is_mode_shape(&self) -> bool {
+        match self {
+            Weights::Rigid => false,
+            Weights::ModeShape(_) => true,
+        }
+    }
+
+    /// Whether there is one for each of this many cylinders.
+    ///
+    /// # Errors
+    /// [`NoStar::ModeShape`].
+    pub fn fit(&self, cylinders: usize) -> Result<(), NoStar> {
+        match self {
+            Weights::ModeShape(shape) if shape.len() != cylinders => {
+                Err(NoStar::ModeShape { values: shape.len(), cylinders })
+            }
+            Weights::Rigid | Weights::ModeShape(_) => Ok(()),
+        }
+    }
+}
+
+/// Why there is no firing star.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NoStar {
+    /// The layout says neither in which order nor when the cylinders fire.
+    NoFiring,
+    /// Two pistons share each cylinder, and what is asked is known only of those alike, with known angles, on a rigid crankshaft.
+    OpposedPistons,
+    /// A half order of an engine that fires once per revolution.
+    HalfOrder(CycleOrder),
+    /// A crankshaft turns faster than the reference: how often its cylinders fire in a cycle is not asked.
+    FasterCrank,
+    /// The mode shape has another number of values than the engine has cylinders.
+    ModeShape {
+        /// How many values it has.
+        values: usize,
+        /// How many cylinders there are.
+        cylinders: usize,
+    },
+}
+
+impl fmt::Display for NoStar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NoStar::NoFiring => f.write_str(
+                "the layout does not say when the cylinders fire; above the first table, add firing_order = \"1-3-4-2\" with the cylinders in the order of \
+                 their firing, or firing_angles in degrees, one per cylinder; of a two-stroke engine cycle = \"two-stroke\" is enough",
+            ),
+            NoStar::OpposedPistons => f.write_str(
+                "firing stars of opposed pistons are decided where the two move alike in all cylinders, of known angles, and without a mode shape; torque gives the orders of any",
+            ),
+            NoStar::FasterCrank => f.write_str(
+                "when the cylinders of crankshafts of different speeds fire is not decided; firing stars are those of crankshafts that turn equally fast",
+            ),
+            NoStar::HalfOrder(order) => {
+                write!(f, "order {order} does not exist in a two-stroke engine: its cycle is one revolution; ask for whole orders")
+            }
+            NoStar::ModeShape { values, cylinders } => {
+                write!(f, "the mode shape has {values} values for {cylinders} cylinders; one per cylinder is needed")
+            }
+        }
+    }
+}
+
+impl std::error::Error for NoStar {}
 
 /// One order of the gas torque: a star for each class of cylinders that make the same torque from the same pressure.
 #[derive(Clone, Debug)]
