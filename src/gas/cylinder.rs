@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use super::error::NoGas;
 use super::geometry::Geometry;
-use super::harmonics::Harmonics;
 use super::law::{Law, float};
 use super::{solve, stage};
 use crate::engine::{Cycle, DeadCentre, Engine, PressureLaw};
@@ -172,10 +171,5 @@ impl CylinderGas {
         kinks.extend(others.map(|psi| first + (psi - first).rem_euclid(self.period())));
         kinks.sort_by(f64::total_cmp);
         kinks.into_iter()
-    }
-
-    /// The harmonics up to the n-th of the cycle.
-    pub fn harmonics(&self, highest: usize) -> Harmonics {
-        Harmonics::new(self, highest)
     }
 }

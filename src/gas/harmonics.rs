@@ -48,9 +48,16 @@ struct Sums {
     roundings: [f64; 3],
 }
 
+impl CylinderGas {
+    /// The harmonics up to the n-th of the cycle.
+    pub fn harmonics(&self, highest: usize) -> Harmonics {
+        Harmonics::new(self, highest)
+    }
+}
+
 impl Harmonics {
     /// Those of a cylinder, up to this one.
-    pub(super) fn new(gas: &CylinderGas, highest: usize) -> Self {
+    fn new(gas: &CylinderGas, highest: usize) -> Self {
         let mut sums = sums(gas, highest, 0);
         let mut changes = [f64::INFINITY; 3];
         for halvings in 1..=HALVINGS {
