@@ -31,7 +31,6 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::ball::Ball;
 use super::circle::{cosine, sine};
-use super::corrected_tail::CorrectedTail;
 use super::enclosure::{Coefficient, Enclosure};
 
 /// Bits behind the point that the strip is measured with.
@@ -125,11 +124,6 @@ impl CorrectedLinkage {
         let factor = BigRational::from_integer(BigInt::from(order) * order * 2) / &self.ratio;
         let floor = FLOOR_BITS + (self.decay() * f64::from(order)).ceil() as u32;
         Enclosure::refine(&factor, Some(floor), |bits| self.mean(order, component, bits))
-    }
-
-    /// What the orders above one add at most.
-    pub fn tail(&self) -> CorrectedTail {
-        CorrectedTail::new(self)
     }
 
     /// Bits that a harmonic falls by from order to order, about.

@@ -25,8 +25,15 @@ const STRIPS: u32 = 16;
 /// What is put under a root near 1 is enlarged by this part of it before.
 const NEAR: f64 = 1.0 + 1e-12;
 
+impl CorrectedLinkage {
+    /// What the orders above one add at most.
+    pub fn tail(&self) -> CorrectedTail {
+        CorrectedTail::new(self)
+    }
+}
+
 impl CorrectedTail {
-    pub(super) fn new(linkage: &CorrectedLinkage) -> Self {
+    fn new(linkage: &CorrectedLinkage) -> Self {
         let float = |number: &BigRational| number.to_f64().unwrap_or(f64::INFINITY);
         let [ratio, knuckle, master] = [&linkage.ratio, &linkage.knuckle, &linkage.master].map(float);
         let [angle, correction] =
