@@ -4,33 +4,13 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::convention::{Convention, KEYS, PLANE};
-use super::lines::{self, Record};
+use super::lines;
+use super::submission::{Answers, Owner, Record, Submission};
 use crate::claim::Filled;
 use crate::claim::student::{Row, Sums, filled, order};
 use crate::engine::Engine;
 use crate::file::LayoutError;
 use crate::file::written::{Table, Text, place, read};
-
-/// Whose table it is, as it says.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Owner {
-    pub sheet: Option<String>,
-    pub student: Option<String>,
-}
-
-/// A table that was handed in, not read yet beyond whose it is.
-pub(super) enum Submission {
-    Toml(String),
-    Rows(Vec<Record>),
-}
-
-/// What is filled in: the convention, and the tables by their orders.
-pub(super) struct Answers {
-    pub convention: Convention,
-    pub tables: Vec<(u32, Filled)>,
-    /// What is wrong with rows that belong nowhere, each with its line.
-    pub not_read: Vec<String>,
-}
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,6 +1,7 @@
 //! What was handed in, and which tables are in it? Read by what the name of the file ends in.
 
-use super::answers::{Owner, Submission, in_toml};
+use super::answers::in_toml;
+use super::submission::{Owner, Submission};
 use super::{csv, lines};
 use crate::table;
 use crate::text::decoded;

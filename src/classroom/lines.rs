@@ -1,8 +1,8 @@
 //! What do the rows of a spreadsheet say? One row of a student's table each, whoever the student is.
 
-use super::answers::{Answers, Owner, Submission};
 use super::convention::Convention;
 use super::csv::Row;
+use super::submission::{Answers, Owner, Record, Submission};
 use crate::claim::student::kept;
 use crate::claim::{Filled, SUMS, WrittenAngle, WrittenLength};
 use crate::engine::{Engine, HIGHEST_ORDER};
@@ -21,14 +21,6 @@ pub(super) fn sum_name(quantity: Planar) -> &'static str {
         Planar::Moment => "sum of moments",
         Planar::Force => "sum of forces",
     }
-}
-
-/// A row that somebody filled in.
-pub(super) struct Record {
-    row_number: usize,
-    order: String,
-    row: String,
-    values: [String; 2],
 }
 
 impl Record {

@@ -3,10 +3,10 @@
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::answers::Answers;
 use super::convention::Convention;
 use super::exercise::Pupil;
 use super::scheme::Scheme;
+use super::submission::Answers;
 use crate::claim::{Agrees, Filled, Judged, Marked, Place, mark};
 use crate::proof::Sense;
 use crate::text::Untrusted;

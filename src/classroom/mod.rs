@@ -17,6 +17,7 @@ mod marks;
 mod results;
 mod scheme;
 mod students;
+mod submission;
 mod vary;
 
 pub use convention::{Convention, KEYS, PLANE};

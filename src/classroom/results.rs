@@ -1,10 +1,10 @@
 //! How did the class do? A line for each student, whatever became of the sheet.
 
-use super::answers::{Owner, Submission};
 use super::exercise::{Exercise, Pupil};
 use super::handed_in::HandedIn;
 use super::marking::{MarkedSheet, mark_sheet};
 use super::scheme::Scheme;
+use super::submission::{Owner, Submission};
 use crate::text::{Format, Untrusted};
 
 /// What became of a student's sheet.

@@ -1,0 +1,33 @@
+//! What is handed in, whose is it, and what is filled in there?
+
+use super::convention::Convention;
+use crate::claim::Filled;
+
+/// Whose table it is, as it says.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Owner {
+    pub sheet: Option<String>,
+    pub student: Option<String>,
+}
+
+/// A table that was handed in, not read yet beyond whose it is.
+pub(super) enum Submission {
+    Toml(String),
+    Rows(Vec<Record>),
+}
+
+/// What is filled in: the convention, and the tables by their orders.
+pub(super) struct Answers {
+    pub convention: Convention,
+    pub tables: Vec<(u32, Filled)>,
+    /// What is wrong with rows that belong nowhere, each with its line.
+    pub not_read: Vec<String>,
+}
+
+/// A row that somebody filled in.
+pub(super) struct Record {
+    pub row_number: usize,
+    pub order: String,
+    pub row: String,
+    pub values: [String; 2],
+}
