@@ -13,7 +13,7 @@ use crate::exact::{PhasorSum, Term, Turn};
 use crate::order;
 use crate::proof::{Planar, Sense};
 
-/// Judges the given orders of a family that is [`comparable`].
+/// Judges the given orders of a family that is [`comparable`](super::comparable()).
 ///
 /// # Errors
 /// A number that is no order.
