@@ -62,7 +62,7 @@ fn value(given: &Given) -> Text {
 }
 
 /// The table of inputs: quantity, symbol, value in the units of the reader, as written, cylinder.
-pub(super) fn table(engine: &Engine) -> Table {
+pub(in crate::report) fn table(engine: &Engine) -> Table {
     Table::of(&engine.dimensions().given)
         .column("Quantity", |given| words(given.quantity).0)
         .column("Symbol", |given| Text::formula(words(given.quantity).1))

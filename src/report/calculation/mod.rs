@@ -21,6 +21,7 @@ mod words;
 
 pub(super) use amounts::{Unit, bound, largest, vector};
 pub(super) use books::books_line;
+pub(super) use inputs::table as inputs_table;
 pub use largest::Numbers;
 pub(super) use largest::percent;
 pub use page::loads_page;

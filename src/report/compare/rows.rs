@@ -114,7 +114,7 @@ pub(super) fn sizes(all: &[Sized], shown: &[Sized]) -> Table {
     add("Other forces, at most".into(), &|engine| engine.rest(Planar::Force));
     add("Other moments, at most".into(), &|engine| engine.rest(Planar::Moment));
     if all.iter().any(|engine| engine.roll().is_some()) {
-        add("Rolling torque".into(), &|engine| engine.roll().unwrap_or_else(|| "–".into()));
+        add("Roll moment".into(), &|engine| engine.roll().unwrap_or_else(|| "–".into()));
     }
     for (name, of) in [("H, rocking", rocking as fn(&GuideMoments) -> Option<f64>), ("X, twisting", twisting)] {
         if all.iter().any(|engine| !engine.compared.guides.is_empty()) {

@@ -203,10 +203,10 @@ fn about_the_axis(weighed: &Weighed) -> Option<Text> {
             Some(phrase!("{} (order {})", weighed.amount(size, Quantity::Axial(quantity))?, order))
         })
         .collect();
-    (!told.is_empty()).then(|| phrase!("Rolling torque: {}.", Text::joined(told, ", ")))
+    (!told.is_empty()).then(|| phrase!("Roll moment: {}.", Text::joined(told, ", ")))
 }
 
-/// Orders of the rolling torque that are in the box; all are in its table.
+/// Orders of the roll moment that are in the box; all are in its table.
 const MOST_OF_ROLL: usize = 2;
 
 /// Whether the direct and the reverse vector of force or moment are left.

@@ -18,7 +18,7 @@ pub(super) fn legend() -> Text {
     )
 }
 
-/// A row per order of force and of couple that stands out, with what it comes to: then the rolling torque, the small orders, and the zeros.
+/// A row per order of force and of couple that stands out, with what it comes to: then the roll moment, the small orders, and the zeros.
 pub(super) fn table(
     engine: &Engine,
     judged: &Judgement,
@@ -107,8 +107,8 @@ fn with_unit(value: Piece, unit: Unit) -> Text {
 fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
     let (roll, torque) = (weighed.loads.roll.is_some(), weighed.loads.torque.is_some());
     let shown = [
-        (Axial::Roll, "Rolling torque", roll),
-        (Axial::Torque, if roll { "Inertia torque" } else { "Rolling torque" }, torque),
+        (Axial::Roll, "Roll moment", roll),
+        (Axial::Torque, if roll { "Inertia torque" } else { "Roll moment" }, torque),
     ];
     let mut rows = Vec::new();
     for (quantity, name, _) in shown.into_iter().filter(|(.., is_there)| *is_there) {

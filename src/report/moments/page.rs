@@ -1,8 +1,9 @@
 //! What is on the page of external and guide-force moments, and on the terminal?
 
 use super::{Amplitude, External, LAST_COLUMN, LAST_TWISTING, MomentsRow, MomentsStudy, order_of_firing};
-use crate::engine::CycleOrder;
+use crate::engine::{CycleOrder, Engine};
 use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, number, phrase};
+use crate::report::calculation::inputs_table;
 use crate::report::engine_cells;
 use crate::report::torque::LINKED_GUIDES;
 
@@ -30,9 +31,29 @@ pub(super) fn page(study: &MomentsStudy) -> Document {
     let mut page = Document::new("moments", "External forces and moments, guide-force moments");
     page.push(Block::Answer(study.rows.iter().filter(|row| !row.is_bare).map(said).collect()));
     page.blocks.extend(tables(study));
+    page.push(Block::Heading(1, "Inputs".into()));
+    page.blocks.extend(inputs(study));
     page.push(Block::Heading(1, "Conventions".into()));
     page.push(Block::Paragraph(CONVENTION.into()));
     page
+}
+
+/// What the layouts give: one table for engines that are given alike, under their names where there are several tables.
+fn inputs(study: &MomentsStudy) -> Vec<Block> {
+    let mut tables: Vec<(&Engine, Vec<Text>)> = Vec::new();
+    for row in study.rows.iter().filter(|row| !row.is_bare) {
+        let given = &row.engine.dimensions().given;
+        match tables.iter_mut().find(|(engine, _)| engine.dimensions().given == *given) {
+            Some((_, names)) => names.push((&row.name).into()),
+            None => tables.push((&row.engine, vec![(&row.name).into()])),
+        }
+    }
+    let are_several = tables.len() > 1;
+    let of_alike = |(engine, names): (&Engine, Vec<Text>)| {
+        let names = are_several.then(|| Block::Paragraph(phrase!("**{}**", Text::joined(names, ", "))));
+        names.into_iter().chain([inputs_table(engine).into()]).collect::<Vec<_>>()
+    };
+    tables.into_iter().flat_map(of_alike).collect()
 }
 
 /// The largest external moment of an engine.
