@@ -11,10 +11,7 @@ use num_rational::BigRational;
 
 use super::certificate::Certificate;
 use super::enclosure::Circle;
-use super::refusal::Refusal;
-
-/// A step is about one sum or product of fractions that fit into machine words.
-pub const MOST_STEPS: u64 = 4_000_000;
+use super::refusal::{MOST_STEPS, Refusal};
 
 /// How many certificates of each kind were checked, and how many decimals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -16,7 +16,7 @@ use super::boxes::{BoxZeroClaim, BoxesClaim};
 use super::check::certify;
 use super::collected::{Collected, collect};
 use super::decimals::{enclose, scale};
-use super::when::Part;
+use super::part::Part;
 
 /// Bits of enclosures.
 const BITS: u32 = 64;

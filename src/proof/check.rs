@@ -8,15 +8,10 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use super::audit::{Audit, squared_words, steps_of};
 use super::certificate::{Certificate, Polygon, Residue};
 use super::collected::{Collected, collect, collected};
-use super::refusal::Refusal;
+use super::refusal::{LARGEST_CONDUCTOR, MOST_CORNERS, Refusal};
 use super::splitting::check_splitting;
-use super::verdict::Vector;
+use super::vector::Vector;
 use super::whole::{added, multiplied, power, prime_divisors};
-
-/// More corners than this in one certificate are not expanded.
-pub(super) const MOST_CORNERS: u64 = 100_000;
-/// The order of a root is checked by the prime divisors of the conductor, found by trial division.
-pub(super) const LARGEST_CONDUCTOR: u64 = 1_000_000;
 
 /// Checks that a certificate proves that the sum of these vectors is zero, or that it is not.
 ///

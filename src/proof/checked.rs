@@ -6,9 +6,10 @@ use num_rational::BigRational;
 
 use super::audit::Counts;
 use super::document::Document;
-use super::engine::{Masses, Quantity, RodStatement};
+use super::engine::{Masses, RodStatement};
 use super::firing::FiringDocument;
 use super::open::OpenDocument;
+use super::quantity::Quantity;
 use super::remedy::RemedyDocument;
 use super::whole_sum::{WholeClaim, WholeOutcome};
 

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::certificate::Certificate;
 use super::fraction;
-use super::verdict::Vector;
+use super::vector::Vector;
 
 /// With `u = phi·φ + delta·δ` the sum is a polynomial P in `x = e^{iu}`: it and its mirror image `P* = x^d conj(P)` have no common
 /// factor modulo a prime, as `U P + V P* ≡ 1`.

@@ -18,8 +18,8 @@ use super::circle::{ArcClaim, CircleClaim};
 use super::collected::common_multiple;
 use super::decimals::enclose;
 use super::divided_check::{check_divided, of_coefficients};
+use super::part::Part;
 use super::unknown::Unknown;
-use super::when::Part;
 
 const FEWEST_BITS: u32 = 32;
 const MOST_BITS: u32 = 512;

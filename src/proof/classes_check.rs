@@ -14,9 +14,10 @@ use super::check::certify;
 use super::circle::CircleClaim;
 use super::circle_check::check_undivided;
 use super::collected::{Collected, collect};
+use super::laurent::of_powers;
+use super::part::Part;
 use super::plane::{ClassesClaim, MeetingClaim};
-use super::unknown::{HIGHEST_EXPONENT, Unknown, product, turned};
-use super::when::Part;
+use super::unknown::{HIGHEST_EXPONENT, product, turned};
 
 /// Checks that the parts make these classes, and where both are equally long.
 pub(super) fn check_classes(claim: &ClassesClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
@@ -121,13 +122,6 @@ pub(super) fn check_circle(
         whole.insert(degree + m, sum);
     }
     check_undivided(circle, u, &of_powers(&whole), audit)
-}
-
-/// The polynomial with these coefficients by the power of y, up to a power of y.
-pub(super) fn of_powers(coefficients: &BTreeMap<i64, Collected>) -> Unknown<'_> {
-    let lowest = coefficients.keys().next().copied().unwrap_or(0);
-    let exponents = coefficients.keys().map(|power| power - lowest).collect();
-    Unknown { exponents, sums: coefficients.values().collect() }
 }
 
 /// One meeting for each rational turn.

@@ -4,10 +4,11 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde::{Deserialize, Serialize};
 
-use super::engine::{RodClaim, RodStatement};
+use super::engine::RodStatement;
 use super::knuckle::{KnuckleClaim, Part};
 use super::link::{LinkClaim, LinkageClaim};
-use super::verdict::Vector;
+use super::rod::RodClaim;
+use super::vector::Vector;
 
 /// What a sum is multiplied by.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]

@@ -9,7 +9,7 @@ use num_traits::Zero;
 
 use super::audit::{Audit, steps_of};
 use super::refusal::Refusal;
-use super::verdict::Vector;
+use super::vector::Vector;
 
 /// Collected terms: weight by angle in `[0, 1)`, no weight zero.
 pub(super) type Collected = BTreeMap<BigRational, BigRational>;

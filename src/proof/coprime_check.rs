@@ -10,11 +10,11 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use super::audit::{Audit, Reason, squared_words, steps_of};
-use super::check::LARGEST_CONDUCTOR;
 use super::circle::CoprimeClaim;
 use super::collected::Collected;
+use super::part::Part;
+use super::refusal::LARGEST_CONDUCTOR;
 use super::unknown::{Unknown, is_prime};
-use super::when::Part;
 use super::whole::{added, multiplied, power, prime_divisors};
 
 /// Larger primes are not tried by division.

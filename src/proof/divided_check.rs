@@ -15,7 +15,7 @@ use super::collected::{Collected, collect, collected, vectors};
 use super::coprime_check::check_identity;
 use super::refusal::Refusal;
 use super::unknown::Unknown;
-use super::verdict::Vector;
+use super::vector::Vector;
 
 /// Coefficients from the constant one on.
 type Coefficients = Vec<Collected>;

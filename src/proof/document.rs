@@ -4,10 +4,12 @@ use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
 use super::audit::Reason;
-use super::engine::{Cylinder, Masses, Quantity, RodClaim, RodStatement, TurningMassClaim, has_offset, rods};
+use super::engine::{Cylinder, Masses, RodStatement, TurningMassClaim, has_offset, rods};
+use super::format::Format;
 use super::fraction;
-use super::reading::Format;
+use super::quantity::Quantity;
 use super::recurrence::RecurrenceClaim;
+use super::rod::RodClaim;
 use super::shape::ShapeClaim;
 use super::theorem::TheoremClaim;
 use super::verdict::VerdictClaim;

@@ -5,16 +5,16 @@ use num_traits::Zero;
 use super::audit::{Audit, Fault, Reason};
 use super::checked::Checked;
 use super::document::Document;
-use super::engine::{
-    Masses, Quantity, RodStatement, Sense, check_asked, check_knuckle, check_names, check_shafts, check_speed,
-};
+use super::engine::{Masses, RodStatement, check_asked, check_knuckle, check_names, check_shafts, check_speed};
+use super::format::Format;
 use super::judged::{Judged, JudgedGroup};
-use super::reading::Format;
-use super::recurrence::{RecurrenceClaim, check_recurrence};
-use super::rod::Motion;
+use super::motion::Motion;
+use super::quantity::{Quantity, Sense};
+use super::recurrence::RecurrenceClaim;
+use super::recurrence_check::check_recurrence;
 use super::shape::check_shape;
 use super::source::knuckle_name;
-use super::theorem::check_theorem;
+use super::theorem_check::check_theorem;
 use super::verdict::About;
 use super::whole_sum::check_whole;
 

@@ -11,9 +11,9 @@ use super::checked::Checked;
 use super::decimals::Decimal;
 use super::document::Document;
 use super::document_check::judge;
-use super::engine::{Quantity, Sense};
 use super::judged::Judged;
 use super::outside::{Compared, Comparison, Loads};
+use super::quantity::{Quantity, Sense};
 use super::reading::{Unreadable, typed};
 use super::shape::{Shape, ShapeClaim};
 

@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 use super::certificate::Certificate;
 use super::decimals::{Decimal, length_in_range};
 use super::engine::RodStatement;
+use super::format::Format;
 use super::fraction;
-use super::reading::Format;
-use super::verdict::Vector;
+use super::vector::Vector;
 
 /// The firing stars of one engine, each with its certificate: the JSON document of `classify --firing --json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -12,8 +12,9 @@ use super::checked::Checked;
 use super::collected::collect;
 use super::engine::{RodStatement, check_names, rods};
 use super::firing::{CycleClaim, FiringClaim, FiringCylinder, FiringDocument, PatternClaim};
-use super::reading::Format;
-use super::verdict::{SaidSum, Vector};
+use super::format::Format;
+use super::vector::Vector;
+use super::verdict::SaidSum;
 
 /// Checks that a document of firing stars holds: that the stars asked for are all there and no other, that each vector is that of
 /// its cylinder, that the cylinders can fire when they are said to, and that each certificate proves what it claims.

@@ -2,7 +2,7 @@
 
 use super::coefficient::Coefficient;
 use super::collected::Collected;
-use super::engine::{Quantity, Sense};
+use super::quantity::{Quantity, Sense};
 
 /// The sums before one coefficient, one for each sense of the quantity, each proved to be zero or not.
 pub(super) struct JudgedGroup {

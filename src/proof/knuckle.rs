@@ -1,4 +1,4 @@
-//! Which terms does a link with a corrected knuckle angle have, and what numbers are they multiplied by?
+//! What numbers are the terms of a link with a corrected knuckle angle multiplied by?
 //!
 //! Its knuckle pin stands, seen from the crankpin, at Δ + ε from the master rod, and so `K = e^{iψ} + κ (√(1−λ²S²)/λ − iS) e^{iε}` in crank
 //! radii from the shaft, seen with its cylinder in direction 0, `S = sin(ψ+Δ)`. The piston is at `Re K + (L/r) √(1−Y²)`, `Y = (r/L) Im K`. Of
@@ -21,10 +21,8 @@ use super::audit::Audit;
 use super::ball::Ball;
 use super::enclosure::Circle;
 use super::fraction;
-use super::link::{LinkClaim, unsigned};
 use super::refusal::Refusal;
 use super::rod::{Strip, finer, multiple};
-use super::verdict::Vector;
 
 /// Bits that a strip is measured with.
 const BITS: u32 = 128;
@@ -64,51 +62,6 @@ pub struct KnuckleClaim {
     pub correction: BigRational,
     /// Which part of h_k.
     pub part: Part,
-}
-
-impl LinkClaim {
-    /// What tells a part of its h_k.
-    pub(super) fn corrected(&self, part: Part) -> KnuckleClaim {
-        KnuckleClaim {
-            ratio: self.ratio.clone(),
-            knuckle: self.knuckle.clone(),
-            master: self.master.clone(),
-            apart: unsigned(&self.angle),
-            correction: unsigned(&self.correction),
-            part,
-        }
-    }
-
-    /// What the vector of its piston in order 1 is multiplied by before 1.
-    pub(super) fn beside_its_own(&self) -> Vec<Vector> {
-        let half = &self.knuckle / BigRational::from_integer(2.into());
-        vec![
-            Vector { angle: BigRational::from_integer(0.into()), weight: BigRational::one() },
-            Vector { angle: &self.angle - &self.correction, weight: half.clone() },
-            Vector { angle: &self.angle + &self.correction, weight: -half },
-        ]
-    }
-
-    /// The same of an even order before c_k of the master rod.
-    pub(super) fn swung_with_the_master(&self, order: u32) -> Vec<Vector> {
-        let angle = &self.angle * BigRational::from_integer(order.into());
-        let half = &self.knuckle / BigRational::from_integer(2.into());
-        [&angle + &self.correction, angle - &self.correction].map(|angle| Vector { angle, weight: half.clone() }).into()
-    }
-
-    /// The same before a part of h_k: ±1, or ± a quarter turn.
-    pub(super) fn turned_into(&self, part: Part, order: u32) -> Vector {
-        let has_sign = |angle: &BigRational| unsigned(angle) != angle - angle.floor();
-        let [angle, correction] = [&self.angle, &self.correction].map(has_sign);
-        let one = BigRational::one();
-        let weight = if angle != correction && order % 2 == 1 { -one } else { one };
-        let quarter = BigRational::new(if angle { (-1).into() } else { 1.into() }, 4.into());
-        let angle = match part {
-            Part::Real => BigRational::from_integer(0.into()),
-            Part::Imaginary => quarter,
-        };
-        Vector { angle, weight }
-    }
 }
 
 impl KnuckleClaim {

@@ -13,10 +13,10 @@ use num_traits::{Signed, Zero};
 use super::audit::{Audit, Fault, Reason};
 use super::coefficient::Coefficient;
 use super::collected::Collected;
-use super::engine::{Quantity, Sense};
 use super::judged::{Judged, JudgedGroup};
+use super::motion::Motion;
+use super::quantity::{Quantity, Sense};
 use super::remedy::RemedyDocument;
-use super::rod::Motion;
 use super::whole_sum::longest;
 
 /// The part of the load that what is left has to stay below.

@@ -15,11 +15,11 @@ use serde::{Deserialize, Serialize};
 use super::audit::{Audit, squared_words};
 use super::ball::Ball;
 use super::enclosure::Circle;
-use super::engine::RodClaim;
 use super::fraction;
-use super::knuckle::Part;
+use super::knuckle::{KnuckleClaim, Part};
 use super::refusal::Refusal;
-use super::verdict::Vector;
+use super::rod::RodClaim;
+use super::vector::Vector;
 
 /// Bits that tell whether a link lets the crank turn round.
 const BITS_OF_REACH: u32 = 128;
@@ -118,6 +118,51 @@ impl LinkClaim {
             power *= -&self.knuckle;
         }
         vectors
+    }
+}
+
+impl LinkClaim {
+    /// What tells a part of its h_k.
+    pub(super) fn corrected(&self, part: Part) -> KnuckleClaim {
+        KnuckleClaim {
+            ratio: self.ratio.clone(),
+            knuckle: self.knuckle.clone(),
+            master: self.master.clone(),
+            apart: unsigned(&self.angle),
+            correction: unsigned(&self.correction),
+            part,
+        }
+    }
+
+    /// What the vector of its piston in order 1 is multiplied by before 1.
+    pub(super) fn beside_its_own(&self) -> Vec<Vector> {
+        let half = &self.knuckle / BigRational::from_integer(2.into());
+        vec![
+            Vector { angle: BigRational::from_integer(0.into()), weight: BigRational::one() },
+            Vector { angle: &self.angle - &self.correction, weight: half.clone() },
+            Vector { angle: &self.angle + &self.correction, weight: -half },
+        ]
+    }
+
+    /// The same of an even order before c_k of the master rod.
+    pub(super) fn swung_with_the_master(&self, order: u32) -> Vec<Vector> {
+        let angle = &self.angle * BigRational::from_integer(order.into());
+        let half = &self.knuckle / BigRational::from_integer(2.into());
+        [&angle + &self.correction, angle - &self.correction].map(|angle| Vector { angle, weight: half.clone() }).into()
+    }
+
+    /// The same before a part of h_k: ±1, or ± a quarter turn.
+    pub(super) fn turned_into(&self, part: Part, order: u32) -> Vector {
+        let has_sign = |angle: &BigRational| unsigned(angle) != angle - angle.floor();
+        let [angle, correction] = [&self.angle, &self.correction].map(has_sign);
+        let one = BigRational::one();
+        let weight = if angle != correction && order % 2 == 1 { -one } else { one };
+        let quarter = BigRational::new(if angle { (-1).into() } else { 1.into() }, 4.into());
+        let angle = match part {
+            Part::Real => BigRational::from_integer(0.into()),
+            Part::Imaginary => quarter,
+        };
+        Vector { angle, weight }
     }
 }
 

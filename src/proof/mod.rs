@@ -5,6 +5,8 @@
 //!
 #![doc = include_str!("README.md")]
 
+mod alternative;
+mod any_document;
 mod audit;
 mod ball;
 mod boxes;
@@ -28,37 +30,47 @@ mod evidence;
 mod factor_check;
 mod firing;
 mod firing_check;
+mod format;
 mod fraction;
 mod judged;
 mod knuckle;
+mod laurent;
 mod left_out;
 mod link;
+mod motion;
 mod open;
 mod open_check;
 mod outside;
+mod part;
 mod plane;
-mod product_check;
 mod quadratic;
 mod quadratic_check;
+mod quantity;
 mod reading;
 mod recurrence;
+mod recurrence_check;
 mod refusal;
 mod remedy;
+mod remedy_check;
 mod rod;
 mod roll;
 mod shape;
 mod source;
 mod splitting;
 mod theorem;
+mod theorem_check;
 mod triangle_check;
 mod twist_check;
 mod unknown;
+mod vector;
 mod verdict;
 mod when;
 mod whole;
 mod whole_sum;
 
-pub use audit::{Counts, Fault, MOST_STEPS, Reason};
+pub use alternative::{AlternativeClaim, ConditionClaim};
+pub use any_document::{AnyDocument, read_document};
+pub use audit::{Counts, Fault, Reason};
 pub use boxes::{BoxZeroClaim, BoxesClaim};
 pub use certificate::{Certificate, Polygon, Residue, Step};
 pub use check::check_certificate;
@@ -68,30 +80,29 @@ pub use coefficient::{Coefficient, GearedClaim};
 pub use decimals::Decimal;
 pub use document::Document;
 pub use document_check::check_document;
-pub use engine::{
-    Axial, CrankClaim, Cylinder, Masses, Planar, Quantity, RodClaim, RodStatement, Sense, TurningMassClaim,
-};
+pub use engine::{CrankClaim, Cylinder, Masses, RodStatement, TurningMassClaim};
 pub use evidence::EvidenceDocument;
 pub use firing::{CycleClaim, FiringClaim, FiringCylinder, FiringDocument, PatternClaim, PatternVerdict};
 pub use firing_check::check_firing_document;
+pub use format::Format;
 pub use knuckle::{KnuckleClaim, Part};
 pub use link::{LinkClaim, LinkageClaim};
+pub use motion::coefficient_bounds;
 pub use open::{
-    AlternativeClaim, ConditionClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
-    SumClaim, WhenClaim,
+    Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, SumClaim, WhenClaim,
 };
 pub use open_check::check_open_document;
-pub use plane::{ClassesClaim, MeetingClaim, ProductClaim, TriangleClaim, TriangleShape};
+pub use plane::{ClassesClaim, MeetingClaim, TriangleClaim, TriangleShape};
 pub use quadratic::{QuadraticClaim, RootClaim, RootsClaim, TwistClaim};
-pub use reading::{AnyDocument, Difference, Format, LARGEST_DOCUMENT, Unreadable, read_document};
+pub use quantity::{Axial, Planar, Quantity, Sense};
+pub use reading::{Difference, LARGEST_DOCUMENT, Unreadable};
 pub use recurrence::{ClassClaim, FactorClaim, FirstOrderClaim, RayClaim, RecurrenceClaim, SumVerdict, Zeros};
-pub use refusal::Refusal;
-pub use remedy::{
-    CorrectedClaim, LeftOutClaim, RemedyDocument, RodCylinder, TurningClaim, WeightClaim, WeightPart,
-    check_remedy_document,
-};
-pub use rod::coefficient_bounds;
+pub use refusal::{MOST_STEPS, Refusal};
+pub use remedy::{CorrectedClaim, LeftOutClaim, RemedyDocument, RodCylinder, TurningClaim, WeightClaim, WeightPart};
+pub use remedy_check::check_remedy_document;
+pub use rod::RodClaim;
 pub use shape::{Shape, ShapeClaim, ShapeEvidence};
 pub use theorem::{OrderClaim, Survivors, TheoremClaim};
-pub use verdict::{Vector, VerdictClaim};
+pub use vector::Vector;
+pub use verdict::VerdictClaim;
 pub use whole_sum::{WholeClaim, WholeOutcome};

@@ -5,15 +5,17 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
+use super::alternative::AlternativeClaim;
 use super::boxes::BoxesClaim;
 use super::certificate::Certificate;
 use super::circle::{CircleClaim, CoprimeClaim};
-use super::engine::{Masses, Quantity, Sense};
+use super::engine::Masses;
+use super::format::Format;
 use super::fraction;
-use super::plane::{ClassesClaim, ProductClaim, TriangleClaim};
+use super::plane::{ClassesClaim, TriangleClaim};
 use super::quadratic::QuadraticClaim;
-use super::reading::Format;
-use super::verdict::Vector;
+use super::quantity::{Quantity, Sense};
+use super::vector::Vector;
 
 /// The verdicts on a family: the JSON document of `classify --json` where an angle or a length is open.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -171,27 +173,17 @@ pub enum WhenClaim {
     NotSolved,
 }
 
-/// Turns of the parts after the first against the first at which they cancel.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// All parts in groups that are multiples of each other: the sum is that of one group, times that of the first parts of all, up to a
+/// factor that is not zero.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct AlternativeClaim {
-    /// One a part after the first.
-    pub conditions: Vec<ConditionClaim>,
-    /// Evidence that the parts turned so sum to zero.
-    pub certificate: Certificate,
-}
-
-/// `phi·φ + delta·δ ≡ turn`, modulo a turn.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ConditionClaim {
-    /// How many times φ enters.
-    #[serde(with = "fraction")]
-    pub phi: BigRational,
-    /// How many times δ enters.
-    #[serde(with = "fraction")]
-    pub delta: BigRational,
-    /// What it must be.
-    #[serde(with = "fraction")]
-    pub turn: BigRational,
+pub struct ProductClaim {
+    /// The places of the parts of each group among those that do not vanish.
+    pub groups: Vec<Vec<usize>>,
+    /// Evidence that `S_{gj} S_{00} − S_{g0} S_{0j}` is zero, group by group from the second on, for every part but the first of each.
+    pub certificates: Vec<Certificate>,
+    /// When the parts of the first group cancel.
+    pub group: WhenClaim,
+    /// When the first parts of all groups cancel.
+    pub firsts: WhenClaim,
 }

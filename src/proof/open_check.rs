@@ -12,11 +12,13 @@ use num_traits::{One, Zero};
 use super::audit::{Audit, Fault, Reason, steps_of};
 use super::checked::Checked;
 use super::collected::turn;
-use super::engine::{Masses, Quantity, Sense, check_asked, check_names};
+use super::engine::{Masses, check_asked, check_names};
+use super::format::Format;
 use super::open::{LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, WhenClaim};
-use super::reading::Format;
-use super::verdict::Vector;
-use super::when::{Part, check_part, check_when};
+use super::part::{Part, check_part};
+use super::quantity::{Quantity, Sense};
+use super::vector::Vector;
+use super::when::check_when;
 
 /// Checks that a family's document holds: that the verdicts asked for are all there and no other, that their parts are
 /// those of its cylinders, and that each certificate and each condition holds.

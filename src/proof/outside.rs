@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::decimals::Decimal;
-use super::engine::Quantity;
-use super::reading::Format;
+use super::format::Format;
+use super::quantity::Quantity;
 
 /// The document of `loads`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -3,10 +3,10 @@
 use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
+use super::alternative::AlternativeClaim;
 use super::certificate::Certificate;
 use super::circle::CircleClaim;
 use super::fraction;
-use super::open::{AlternativeClaim, WhenClaim};
 
 /// Three parts that φ and δ turn against each other by two angles on their own: they cancel where they make a triangle.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -86,21 +86,6 @@ pub enum MeetingClaim {
         /// Evidence that A does not vanish.
         first: Certificate,
     },
-}
-
-/// All parts in groups that are multiples of each other: the sum is that of one group, times that of the first parts of all, up to a
-/// factor that is not zero.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ProductClaim {
-    /// The places of the parts of each group among those that do not vanish.
-    pub groups: Vec<Vec<usize>>,
-    /// Evidence that `S_{gj} S_{00} − S_{g0} S_{0j}` is zero, group by group from the second on, for every part but the first of each.
-    pub certificates: Vec<Certificate>,
-    /// When the parts of the first group cancel.
-    pub group: WhenClaim,
-    /// When the first parts of all groups cancel.
-    pub firsts: WhenClaim,
 }
 
 impl ClassesClaim {

@@ -6,30 +6,25 @@
 //! simple zero of the polynomial D is not 0. Where D = 0 for every y the polynomial is `−|E|²`, and the arcs are about E: where `4|A|² > |B|²` two x
 //! are left, A not being 0, and where `4|A|² < |B|²` none, be A zero or not.
 
-use std::collections::BTreeMap;
-
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::audit::{Audit, Reason, steps_of};
 use super::certificate::Certificate;
 use super::check::certify;
 use super::circle::CircleClaim;
 use super::circle_check::check_whole;
-use super::classes_check::{check_circle, of_powers};
+use super::classes_check::check_circle;
 use super::collected::{Collected, collect, difference_of_squares};
+use super::laurent::{Laurent, combined, doubled, of_powers, twice, value};
+use super::part::Part;
 use super::plane::TriangleShape;
 use super::quadratic::{QuadraticClaim, RootClaim, RootsClaim};
 use super::triangle_check::check_sign;
 use super::twist_check::check_signs;
-use super::unknown::{product, turned};
-use super::when::Part;
 
 /// u may enter this many times in one class.
 const HIGHEST_TIMES: i64 = 512;
-
-/// Sums by the power of y before them.
-pub(super) type Laurent = BTreeMap<i64, Collected>;
 
 /// Checks that the parts make these classes, and where they cancel.
 pub(super) fn check_quadratic(claim: &QuadraticClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
@@ -155,29 +150,6 @@ fn polynomials([first, second, third]: &[Laurent; 3], audit: &Audit) -> Result<[
     Ok([difference, twist, polynomial])
 }
 
-fn doubled(class: &Laurent) -> Laurent {
-    class.iter().map(|(power, sum)| (*power, twice(sum))).collect()
-}
-
-fn twice(sum: &Collected) -> Collected {
-    sum.iter().map(|(angle, weight)| (angle.clone(), weight + weight)).collect()
-}
-
-/// `conj(a) b − conj(c) d`.
-fn combined(pairs: [(&Laurent, &Laurent); 2], audit: &Audit) -> Result<Laurent, Reason> {
-    let mut terms: BTreeMap<i64, Vec<(BigRational, BigRational)>> = BTreeMap::new();
-    let one = BigRational::one();
-    for ((a, b), sign) in pairs.into_iter().zip([one.clone(), -one]) {
-        for (low, sum) in a {
-            for (high, other) in b {
-                let signed = product(sum, other, audit)?.into_iter().map(|(angle, weight)| (angle, weight * &sign));
-                terms.entry(high - low).or_default().extend(signed);
-            }
-        }
-    }
-    terms.into_iter().map(|(power, terms)| Ok((power, collect(terms, audit)?))).collect()
-}
-
 /// What stands for each rational turn of u.
 fn check_roots(
     claim: &QuadraticClaim,
@@ -225,11 +197,6 @@ fn check_each(
         certify(sum, zero, certificate, audit)?;
     }
     Ok(())
-}
-
-/// A class at a turn of u.
-pub(super) fn value(class: &Laurent, turn: &BigRational, audit: &Audit) -> Result<Collected, Reason> {
-    Ok(collect(turned(class.iter().map(|(times, sum)| (*times, sum)), turn, audit)?, audit)?)
 }
 
 /// At each turn of x the sum vanishes, and there are no more than there can be.

@@ -1,4 +1,4 @@
-//! Which document is this, and is it said as this program says it? Read by its `format` alone.
+//! Is a document said as this program says it?
 //!
 //! What is read is written again and compared, so that no key and no number is passed over: unknown keys, keys that stand
 //! where they mean nothing, numbers in another spelling.
@@ -9,59 +9,10 @@ use serde::de::{DeserializeOwned, Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 
-use super::audit::Fault;
-use super::checked::Checked;
-use super::document::Document;
-use super::document_check::check_document;
-use super::evidence::EvidenceDocument;
-use super::firing::FiringDocument;
-use super::firing_check::check_firing_document;
 use super::fraction::MOST_DIGITS;
-use super::open::OpenDocument;
-use super::open_check::check_open_document;
-use super::remedy::{RemedyDocument, check_remedy_document};
 
 /// Larger documents are not read.
 pub const LARGEST_DOCUMENT: usize = 4 << 20;
-
-/// What a document says that it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Format {
-    /// Verdicts on an engine.
-    #[serde(rename = "crankstar classify 2")]
-    Classify,
-    /// Verdicts on a family of engines.
-    #[serde(rename = "crankstar family 2")]
-    Family,
-    /// A remedy.
-    #[serde(rename = "crankstar remedy 2")]
-    Remedy,
-    /// Firing stars of an engine.
-    #[serde(rename = "crankstar firing 1")]
-    Firing,
-    /// Numbers of one engine, with the verdicts on it.
-    #[serde(rename = "crankstar loads 3")]
-    Loads,
-    /// Engines side by side, with the verdicts on each.
-    #[serde(rename = "crankstar compare 3")]
-    Compare,
-}
-
-/// A document of one of the formats.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum AnyDocument {
-    /// Verdicts on an engine.
-    Classify(Document),
-    /// Verdicts on a family of engines.
-    Family(OpenDocument),
-    /// A remedy.
-    Remedy(RemedyDocument),
-    /// Firing stars of an engine.
-    Firing(FiringDocument),
-    /// Numbers, with verdicts as their evidence.
-    Evidence(EvidenceDocument),
-}
 
 /// Why a text is no document.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -102,69 +53,6 @@ impl fmt::Display for Unreadable {
 
 impl std::error::Error for Unreadable {}
 
-/// Reads a document.
-///
-/// # Errors
-/// Where it is too large, is no JSON, names no known format, or says something in another way than its format has it.
-pub fn read_document(bytes: &[u8]) -> Result<AnyDocument, Unreadable> {
-    if bytes.len() > LARGEST_DOCUMENT {
-        return Err(Unreadable::TooLarge(bytes.len()));
-    }
-    let Tree(tree) = serde_json::from_slice(bytes).map_err(|error| Unreadable::NotJson(error.to_string()))?;
-    if let Some(digits) = too_many_digits(&tree) {
-        return Err(Unreadable::TooManyDigits(digits));
-    }
-    let format = tree.get("format").cloned();
-    let name = format.as_ref().map(Value::to_string);
-    let format = format.and_then(|format| serde_json::from_value(format).ok());
-    let format = format.ok_or(Unreadable::Format(name))?;
-    match format {
-        Format::Classify => typed(&tree).map(AnyDocument::Classify),
-        Format::Family => typed(&tree).map(AnyDocument::Family),
-        Format::Remedy => typed(&tree).map(AnyDocument::Remedy),
-        Format::Firing => typed(&tree).map(AnyDocument::Firing),
-        Format::Loads => EvidenceDocument::of_loads(tree).map(AnyDocument::Evidence),
-        Format::Compare => EvidenceDocument::of_comparison(tree).map(AnyDocument::Evidence),
-    }
-}
-
-impl AnyDocument {
-    /// The title of the layout.
-    pub fn title(&self) -> &str {
-        match self {
-            AnyDocument::Classify(document) => &document.title,
-            AnyDocument::Family(document) => &document.title,
-            AnyDocument::Remedy(document) => &document.title,
-            AnyDocument::Firing(document) => &document.title,
-            AnyDocument::Evidence(document) => document.title(),
-        }
-    }
-
-    /// Checks all that the document says.
-    ///
-    /// # Errors
-    /// The first entry that does not hold.
-    pub fn check(&self) -> Result<Checked, Fault> {
-        match self {
-            AnyDocument::Classify(document) => check_document(document),
-            AnyDocument::Family(document) => check_open_document(document),
-            AnyDocument::Remedy(document) => check_remedy_document(document),
-            AnyDocument::Firing(document) => check_firing_document(document),
-            AnyDocument::Evidence(document) => document.check(),
-        }
-    }
-
-    /// Where the engines of two documents differ, and what both say there; none where they are the same.
-    pub fn engine_difference(&self, other: &AnyDocument) -> Option<Difference> {
-        let engine = |document: &AnyDocument| {
-            let Ok(Value::Object(fields)) = serde_json::to_value(document) else { return Value::Null };
-            let is_engine = |key: &str| ["cycle", "reference_plane", "cylinders", "turning_masses"].contains(&key);
-            Value::Object(fields.into_iter().filter(|(key, _)| is_engine(key)).collect())
-        };
-        difference("", &engine(self), &engine(other))
-    }
-}
-
 /// Reads a document that says nothing else and nothing in another way.
 pub(super) fn typed<T: DeserializeOwned + Serialize>(tree: &Value) -> Result<T, Unreadable> {
     let malformed = |error: serde_json::Error| Unreadable::Malformed(error.to_string());
@@ -195,7 +83,7 @@ pub struct Difference {
     pub right: Option<Value>,
 }
 
-fn difference(place: &str, found: &Value, right: &Value) -> Option<Difference> {
+pub(super) fn difference(place: &str, found: &Value, right: &Value) -> Option<Difference> {
     let at = |place: String, a: Option<&Value>, b: Option<&Value>| match (a, b) {
         (Some(a), Some(b)) => difference(&place, a, b),
         (None, None) => None,
@@ -218,7 +106,7 @@ fn difference(place: &str, found: &Value, right: &Value) -> Option<Difference> {
 }
 
 /// The length of a number that is too long to be read; titles and names may be long.
-fn too_many_digits(tree: &Value) -> Option<usize> {
+pub(super) fn too_many_digits(tree: &Value) -> Option<usize> {
     let is_number = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit() || b"-+/".contains(&byte));
     match tree {
         Value::String(text) => (text.len() > MOST_DIGITS && is_number(text)).then_some(text.len()),
@@ -229,7 +117,7 @@ fn too_many_digits(tree: &Value) -> Option<usize> {
 }
 
 /// JSON in which no key stands twice.
-struct Tree(Value);
+pub(super) struct Tree(pub Value);
 
 impl<'de> Deserialize<'de> for Tree {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

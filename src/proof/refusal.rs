@@ -5,8 +5,14 @@ use std::fmt;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use super::audit::MOST_STEPS;
-use super::check::{LARGEST_CONDUCTOR, MOST_CORNERS};
+/// A step is about one sum or product of fractions that fit into machine words.
+pub const MOST_STEPS: u64 = 4_000_000;
+
+/// More corners than this in one certificate are not expanded.
+pub(super) const MOST_CORNERS: u64 = 100_000;
+
+/// The order of a root is checked by the prime divisors of the conductor, found by trial division.
+pub(super) const LARGEST_CONDUCTOR: u64 = 1_000_000;
 
 /// Why a certificate is not accepted.
 #[derive(Clone, Debug, PartialEq, Eq)]

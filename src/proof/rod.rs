@@ -1,9 +1,4 @@
-//! Which number does the motion of a rod put before an order? Enclosed by the mean over points of a turn.
-//!
-//! With `φ = ψ − 90°` and `y = λ cos φ − δ` the root `f = √(1 − y²)` is even in φ, so that
-//! `c_k = [k=1] + (−i)^k · 2k²/λ · mean(f cos kφ)` (theory, section 2). The square of the velocity,
-//! `(s'/r)² = (cos φ − y sin φ/f)²`, has an even and an odd part, and `T/(m r²ω²) = −½ d/dψ (s'/r)²` makes
-//! `t_k = k (−i)^{k+1} (mean(even · cos kφ) − i mean(odd · sin kφ))`.
+//! What is a rod, and over how many points of a turn is the mean taken that its motion puts before an order?
 //!
 //! What N points miss: a function that is at most M in size where `|Im φ| ≤ η` has harmonics of at most `M q^{−|m|}`, `q = e^η`,
 //! and the mean over N points adds those of `k + N, k − N, k + 2N, …` to that of k: at most `4 M q^{−(N−k)}` where
@@ -13,17 +8,14 @@
 //! - For the velocity let it be at most `s < 1`: `|f|² ≥ 1 − s²`, and `(1 + s/|f|)² ≤ 2/(1 − s²)` bounds
 //!   `(s'/r)²` by `2 q²/(1 − s²)`.
 
-use std::cell::RefCell;
-use std::collections::BTreeMap;
-
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
+use serde::{Deserialize, Serialize};
 
 use super::audit::Audit;
-use super::ball::{Ball, Complex};
-use super::coefficient::Coefficient;
-use super::engine::{Quantity, RodClaim};
+use super::ball::Ball;
+use super::fraction;
 use super::refusal::Refusal;
 
 /// Bits of q behind the point.
@@ -37,132 +29,16 @@ const MOST_BITS: u64 = 8192;
 /// A wider strip than to this q makes the bound of the velocity large and saves nothing.
 const WIDEST: u32 = 256;
 
-/// The coefficients that one check came across.
-pub(super) struct Motion<'a> {
-    audit: &'a Audit,
-    known: RefCell<BTreeMap<(Coefficient, u32, u32), Complex>>,
-}
-
-impl<'a> Motion<'a> {
-    pub fn new(audit: &'a Audit) -> Self {
-        Motion { audit, known: RefCell::default() }
-    }
-
-    pub fn audit(&self) -> &'a Audit {
-        self.audit
-    }
-
-    /// The coefficient of an order, in units of `2^−bits`; that of rods which are not named is not known.
-    pub fn coefficient(&self, coefficient: &Coefficient, order: u32, bits: u32) -> Result<Option<Complex>, Refusal> {
-        let key = (coefficient.clone(), order, bits);
-        if let Some(known) = self.known.borrow().get(&key) {
-            return Ok(Some(known.clone()));
-        }
-        let found = match coefficient {
-            Coefficient::Geared(geared) => return self.coefficient(&geared.of, geared.own_order(order), bits),
-            Coefficient::One => return Ok(Some(one(bits))),
-            Coefficient::Common | Coefficient::CommonTorque => return Ok(None),
-            Coefficient::Torque(rod) => torque(rod, order, bits, self.audit)?,
-            Coefficient::Rod(rod) => force(rod, order, bits, self.audit)?,
-            Coefficient::Quadrature(rod) => {
-                let first = force(rod, 1, bits, self.audit)?;
-                Complex { re: first.im, im: Ball::exact(0.into()) }
-            }
-            Coefficient::Linkage(linkage) => {
-                Complex { re: linkage.number(order, bits, self.audit)?, im: Ball::exact(BigInt::from(0)) }
-            }
-            Coefficient::Corrected(linkage) => {
-                Complex { re: linkage.number(order, bits, self.audit)?, im: Ball::exact(BigInt::from(0)) }
-            }
-        };
-        self.known.borrow_mut().insert(key, found.clone());
-        Ok(Some(found))
-    }
-}
-
-/// Bounds of the real and of the imaginary part of a rod's c_k, or of its t_k for the torque, to about this many bits behind
-/// the point: what an enclosure of a whole order computes with.
-///
-/// # Errors
-/// Where that would take too many points.
-pub fn coefficient_bounds(
-    rod: &RodClaim,
-    quantity: Quantity,
-    order: u32,
-    bits: u32,
-) -> Result<[[BigRational; 2]; 2], Refusal> {
-    let audit = Audit::new();
-    let number = match quantity {
-        Quantity::Planar(_) => force(rod, order, bits, &audit),
-        Quantity::Axial(_) => torque(rod, order, bits, &audit),
-    }?;
-    let bounds = |Ball { middle, doubt }: &Ball| {
-        [middle - doubt, middle + doubt].map(|bound| BigRational::new(bound, BigInt::one() << bits))
-    };
-    Ok([bounds(&number.re), bounds(&number.im)])
-}
-
-/// About how many bits below 1 a coefficient stands: enclosures start from there, and nothing rests on it.
-pub(super) fn smallness(coefficient: &Coefficient, order: u32, audit: &Audit) -> Result<u64, Refusal> {
-    let strip = match coefficient {
-        Coefficient::Rod(rod) if rod.ratio.is_positive() => Strip::of_root(rod),
-        Coefficient::Torque(rod) if rod.ratio.is_positive() => Strip::of_velocity(rod),
-        Coefficient::Linkage(linkage) => return linkage.smallness(order, audit),
-        Coefficient::Geared(geared) => return smallness(&geared.of, geared.own_order(order), audit),
-        Coefficient::Corrected(linkage) => return linkage.smallness(order, audit),
-        Coefficient::Rod(_) | Coefficient::Quadrature(_) | Coefficient::Torque(_) => return Ok(0),
-        Coefficient::One | Coefficient::Common | Coefficient::CommonTorque => return Ok(0),
-    };
-    Ok(strip?.decay(order))
-}
-
-fn one(bits: u32) -> Complex {
-    Complex { re: Ball::exact(BigInt::one() << bits), im: Ball::exact(BigInt::from(0)) }
-}
-
-/// c_k.
-fn force(rod: &RodClaim, order: u32, bits: u32, audit: &Audit) -> Result<Complex, Refusal> {
-    let (unit, k) = (BigRational::one(), BigInt::from(order));
-    let harmonic = if rod.ratio.is_positive() {
-        let strip = Strip::of_root(rod)?;
-        let factor = BigRational::from_integer(&k * &k * 2) / &rod.ratio;
-        let fine = finer(bits, &factor)?;
-        let root = |cos: &Ball, _: &Ball| {
-            let y = cos.scaled(&rod.ratio).minus(&Ball::rational(&rod.offset, fine));
-            let root = Ball::exact(BigInt::one() << fine).minus(&y.times(&y, fine)).root(fine)?;
-            Some([root, Ball::exact(0.into())])
-        };
-        let [even, _] = strip.harmonic(order, fine, audit, root)?;
-        even.scaled(&factor).rounded(fine - bits)
-    } else {
-        // The infinitely long rod keeps its slope δ/√(1−δ²), in order 1 alone.
-        let root = Ball::rational(&(&unit - &rod.offset * &rod.offset), bits).root(bits);
-        let slope = root.and_then(|root| Ball::rational(&rod.offset, bits).over(&root, bits));
-        match order {
-            1 => slope.ok_or(Refusal::TooManySteps)?,
-            _ => Ball::exact(0.into()),
-        }
-    };
-    let rod = Complex { re: harmonic, im: Ball::exact(0.into()) }.turned_back(order);
-    Ok(if order == 1 { rod.plus(&one(bits)) } else { rod })
-}
-
-/// t_k.
-fn torque(rod: &RodClaim, order: u32, bits: u32, audit: &Audit) -> Result<Complex, Refusal> {
-    let strip = Strip::of_velocity(rod)?;
-    let k = BigRational::from_integer(order.into());
-    let fine = finer(bits, &(&k * BigRational::from_integer(strip.most.clone())))?;
-    let square = |cos: &Ball, sin: &Ball| {
-        let y = cos.scaled(&rod.ratio).minus(&Ball::rational(&rod.offset, fine));
-        let root = Ball::exact(BigInt::one() << fine).minus(&y.times(&y, fine)).root(fine)?;
-        let swing = y.times(sin, fine).over(&root, fine)?;
-        let even = cos.times(cos, fine).plus(&swing.times(&swing, fine));
-        let odd = cos.times(&swing, fine).scaled(&BigRational::from_integer((-2).into()));
-        Some([even, odd])
-    };
-    let [even, odd] = strip.harmonic(order, fine, audit, square)?;
-    let part = |ball: &Ball| ball.scaled(&k).rounded(fine - bits);
-    Ok(Complex { re: part(&even), im: part(&odd).negated() }.turned_back(order.wrapping_add(1)))
+/// A rod, which names a coefficient c_k.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RodClaim {
+    /// λ = r/l.
+    #[serde(with = "fraction")]
+    pub ratio: BigRational,
+    /// δ = e/l.
+    #[serde(with = "fraction")]
+    pub offset: BigRational,
 }
 
 /// The bits that a factor of this size takes from those that are asked for.
@@ -176,12 +52,12 @@ pub(super) struct Strip {
     /// log₂ q or less, in units of `2^−LOG_BITS`.
     log: u64,
     /// M.
-    most: BigInt,
+    pub most: BigInt,
 }
 
 impl Strip {
     /// Of the root: `λ cosh η + |δ| ≤ 1`.
-    fn of_root(rod: &RodClaim) -> Result<Self, Refusal> {
+    pub fn of_root(rod: &RodClaim) -> Result<Self, Refusal> {
         Strip::to(&((BigRational::one() - rod.offset.abs()) / &rod.ratio))
     }
 
@@ -202,7 +78,7 @@ impl Strip {
     }
 
     /// Of the velocity: `λ cosh η + |δ| ≤ s`, half-way between the most on the axis and 1.
-    fn of_velocity(rod: &RodClaim) -> Result<Self, Refusal> {
+    pub fn of_velocity(rod: &RodClaim) -> Result<Self, Refusal> {
         let one = BigRational::one();
         let s = (&one + &rod.ratio + rod.offset.abs()) / BigRational::from_integer(2.into());
         let cap = BigInt::from(WIDEST) << Q_BITS;
@@ -222,7 +98,7 @@ impl Strip {
     }
 
     /// The means of the even part times `cos kφ` and of the odd part times `sin kφ`, in units of `2^−bits`.
-    fn harmonic(
+    pub fn harmonic(
         &self,
         order: u32,
         bits: u32,

@@ -11,8 +11,10 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::collected::turn;
-use super::engine::{Cylinder, RodStatement, Sense, TurningMassClaim};
-use super::verdict::{Vector, phase};
+use super::engine::{Cylinder, RodStatement, TurningMassClaim};
+use super::quantity::Sense;
+use super::vector::Vector;
+use super::verdict::phase;
 
 fn quarter(count: i64) -> BigRational {
     BigRational::new(count.into(), 4.into())

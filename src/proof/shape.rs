@@ -9,9 +9,9 @@ use super::certificate::Certificate;
 use super::check::certify;
 use super::coefficient::Coefficient;
 use super::collected::{Collected, collect, difference_of_squares};
-use super::engine::Quantity;
 use super::judged::{Judged, JudgedGroup};
-use super::rod::Motion;
+use super::motion::Motion;
+use super::quantity::Quantity;
 use super::whole_sum::{are_nearly_equally_long, are_unequally_long};
 
 /// What is left of one order of the force or the moment.

@@ -8,10 +8,12 @@ use num_traits::{One, Zero};
 
 use super::coefficient::{Coefficient, Factor};
 use super::document::Document;
-use super::engine::{Cylinder, Masses, Quantity, RodStatement, Sense, TurningMassClaim};
+use super::engine::{Cylinder, Masses, RodStatement, TurningMassClaim};
 use super::link::LinkClaim;
+use super::quantity::{Quantity, Sense};
 use super::roll;
-use super::verdict::{Vector, phase};
+use super::vector::Vector;
+use super::verdict::phase;
 
 /// What makes a force: a cylinder, with what its vector is multiplied by; the mass at the knuckle pin of its link, as far as it moves
 /// as the master's piston does; or a mass that turns, with what its vector is multiplied by.

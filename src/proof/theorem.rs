@@ -1,19 +1,11 @@
-//! What does a statement on every order say, and does one period prove it?
+//! What does a statement on every order say?
 
 use num_bigint::BigInt;
-use num_integer::Integer;
-use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
 use serde::{Deserialize, Serialize};
 
-use super::audit::{Audit, Reason};
 use super::certificate::Certificate;
-use super::check::certify;
-use super::collected::collect;
-use super::document::Document;
-use super::engine::{Quantity, Sense};
 use super::fraction;
-use super::whole::prime_divisors;
+use super::quantity::{Quantity, Sense};
 
 /// The orders that do not vanish, out of those that exist: order 1 and the even ones.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -64,96 +56,4 @@ pub struct OrderClaim {
     pub vanishes: bool,
     /// The evidence.
     pub certificate: Certificate,
-}
-
-/// Every angle is a whole multiple of `1/period`, so one verdict per class proves all; each is checked, then the statement.
-/// Masses that turn with the crank make order 1 alone, which is stated separately.
-pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &Audit) -> Result<(), Reason> {
-    if !document.has_equal_centric_rods() {
-        return Err("a statement on every order needs rods that are equal and centric".into());
-    }
-    if document.turning_masses.iter().any(|mass| mass.order > 1) {
-        return Err("a statement on every order needs masses that turn with the crank, or none".into());
-    }
-    if document.cylinders.iter().any(|cylinder| cylinder.speed != 1) {
-        return Err("a statement on every order needs crankshafts that turn equally fast".into());
-    }
-    check_period(document, &claim.period)?;
-    check_orders(claim)?;
-    for verdict in &claim.verdicts {
-        let (quantity, order) = (claim.quantity, verdict.order);
-        let groups = document.groups(quantity, order);
-        let [group] = &groups[..] else { return Err(format!("order {order} has {} sums", groups.len()).into()) };
-        let terms = document.terms(group, quantity, order, Some(claim.sense));
-        let sum = collect(terms.into_iter().map(|(_, term)| (term.angle, term.weight)), audit)?;
-        certify(&sum, verdict.vanishes, &verdict.certificate, audit).map_err(|refusal| {
-            match Reason::from(refusal) {
-                Reason::Wrong(words) => Reason::Wrong(format!("order {}: {words}", verdict.order)),
-                Reason::TooManySteps => Reason::TooManySteps,
-            }
-        })?;
-    }
-    check_statement(claim)
-}
-
-fn check_period(document: &Document, period: &BigInt) -> Result<(), Reason> {
-    if !period.is_positive() || period.is_odd() {
-        return Err(format!("the period {period} is not a positive even number").into());
-    }
-    let times = BigRational::from_integer(period.clone());
-    for cylinder in &document.cylinders {
-        let angles = [&cylinder.throw, &cylinder.bank];
-        if let Some(angle) = angles.into_iter().find(|&angle| !(angle * &times).is_integer()) {
-            let name = &cylinder.name;
-            return Err(format!("the period {period} times the angle {angle} of cylinder {name} is not whole").into());
-        }
-    }
-    Ok(())
-}
-
-/// Order 1, and the even ones up to the period: one of each class.
-fn check_orders(claim: &TheoremClaim) -> Result<(), Reason> {
-    let mut found = claim.verdicts.iter();
-    let even = |index: u32| 2 * index;
-    let last = (&claim.period / 2_u32).to_u32().filter(|half| *half < u32::MAX / 2);
-    let Some(last) = last else {
-        return Err(format!("the period {} has more classes than verdicts", claim.period).into());
-    };
-    for order in std::iter::once(1).chain((1..=last).map(even)) {
-        match found.next() {
-            None => return Err(format!("order {order} is missing").into()),
-            Some(verdict) if verdict.order != order => {
-                return Err(format!("order {} is in the place of order {order}", verdict.order).into());
-            }
-            Some(_) => (),
-        }
-    }
-    match found.next() {
-        None => Ok(()),
-        Some(verdict) => Err(format!("order {} is beyond the period {}", verdict.order, claim.period).into()),
-    }
-}
-
-/// The modulus is the least, and divides the period, so the statement is right once it is on every order of the list.
-fn check_statement(claim: &TheoremClaim) -> Result<(), Reason> {
-    let Survivors { modulus, residues, .. } = &claim.survivors;
-    if *modulus == 0 || modulus.is_odd() || !(&claim.period % modulus).is_zero() {
-        return Err(format!("the modulus {modulus} is not an even divisor of the period {}", claim.period).into());
-    }
-    let is_rising = residues.windows(2).all(|pair| pair[0] < pair[1]);
-    if !is_rising || residues.iter().any(|residue| residue >= modulus || residue.is_odd()) {
-        return Err(format!("the residues are not rising even numbers below {modulus}").into());
-    }
-    let repeats = |prime: &u64| {
-        let step = u64::from(*modulus) / prime;
-        let is_left = |residue: u64| residues.binary_search(&u32::try_from(residue).unwrap_or(u32::MAX)).is_ok();
-        residues.iter().all(|&residue| is_left((u64::from(residue) + step) % u64::from(*modulus)))
-    };
-    if prime_divisors(u64::from(modulus / 2)).iter().any(repeats) {
-        return Err(format!("the same is said with a smaller modulus than {modulus}").into());
-    }
-    match claim.verdicts.iter().find(|verdict| claim.survivors.contains(verdict.order) == verdict.vanishes) {
-        Some(verdict) => Err(format!("order {}: the statement contradicts the verdict", verdict.order).into()),
-        None => Ok(()),
-    }
 }

@@ -10,9 +10,9 @@ use super::audit::{Audit, Reason};
 use super::check::certify;
 use super::collected::{Collected, collect};
 use super::decimals::{enclose, scale};
+use super::part::{Part, check_alternative};
 use super::plane::{TriangleClaim, TriangleShape};
 use super::unknown::product;
-use super::when::{Part, check_alternative};
 
 const FEWEST_BITS: u32 = 32;
 const MOST_BITS: u32 = 512;

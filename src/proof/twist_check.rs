@@ -5,9 +5,8 @@ use num_rational::BigRational;
 use super::audit::{Audit, Reason};
 use super::circle::{ArcClaim, CircleClaim};
 use super::circle_check::check_free;
-use super::classes_check::of_powers;
+use super::laurent::{Laurent, of_powers, value};
 use super::plane::TriangleShape;
-use super::quadratic_check::{Laurent, value};
 use super::triangle_check::check_sign;
 
 /// It has the sign where the arc begins, and vanishes nowhere on it.

@@ -7,7 +7,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::audit::{Audit, Reason, steps_of};
 use super::collected::{Collected, collect, common_multiple};
-use super::when::Part;
+use super::part::Part;
 
 /// Higher exponents are not read.
 pub(super) const HIGHEST_EXPONENT: i64 = 4096;

@@ -10,20 +10,8 @@ use super::certificate::Certificate;
 use super::check::certify;
 use super::collected::{Collected, collected, turn};
 use super::decimals::{Decimal, check_decimals, length_in_range};
-use super::engine::{Quantity, Sense};
-use super::fraction;
-
-/// One term of a sum: `weight · e^{2πi·angle}`.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Vector {
-    /// Direction, in turns.
-    #[serde(with = "fraction")]
-    pub angle: BigRational,
-    /// Length, of either sign.
-    #[serde(with = "fraction")]
-    pub weight: BigRational,
-}
+use super::quantity::{Quantity, Sense};
+use super::vector::Vector;
 
 /// A verdict with its evidence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

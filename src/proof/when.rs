@@ -3,44 +3,20 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::alternative::AlternativeClaim;
 use super::audit::{Audit, Reason, steps_of};
 use super::boxes_check::check_boxes;
 use super::certificate::Certificate;
 use super::check::certify;
 use super::circle_check::check_circle;
 use super::classes_check::check_classes;
-use super::collected::{Collected, collect, collected, difference_of_squares};
+use super::collected::{collect, difference_of_squares};
 use super::coprime_check::check_coprime;
-use super::open::{AlternativeClaim, PartClaim, WhenClaim};
-use super::product_check::check_product;
+use super::open::{ProductClaim, WhenClaim};
+use super::part::{Part, check_alternative};
 use super::quadratic_check::check_quadratic;
 use super::triangle_check::check_triangle;
-
-/// A part with its terms collected.
-#[derive(Clone)]
-pub(super) struct Part<'a> {
-    claim: &'a PartClaim,
-    sum: Collected,
-}
-
-impl Part<'_> {
-    /// Its sum without unknowns.
-    pub fn sum(&self) -> &Collected {
-        &self.sum
-    }
-
-    /// How many times more than another part it is turned by φ and δ.
-    pub fn turned_against(&self, other: &Part<'_>) -> [BigRational; 2] {
-        [&self.claim.phi - &other.claim.phi, &self.claim.delta - &other.claim.delta]
-    }
-}
-
-/// Checks the certificate of a part.
-pub(super) fn check_part<'a>(claim: &'a PartClaim, audit: &Audit) -> Result<Part<'a>, Reason> {
-    let sum = collected(&claim.terms, audit)?;
-    certify(&sum, claim.certificate.claims_zero(), &claim.certificate, audit)?;
-    Ok(Part { claim, sum })
-}
+use super::unknown::times;
 
 /// Checks the claim on when a sum vanishes against its parts that do not vanish.
 pub(super) fn check_when(when: &WhenClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
@@ -176,23 +152,43 @@ fn check_lengths(
     Ok(certify(&difference, equal, certificate, audit)?)
 }
 
-/// Each condition is about how its part is turned against the first, and the parts turned so cancel.
-pub(super) fn check_alternative(
-    first: &Part<'_>,
-    others: &[&Part<'_>],
-    claim: &AlternativeClaim,
-    audit: &Audit,
-) -> Result<(), Reason> {
-    if claim.conditions.len() != others.len() {
-        return Err("there is one condition a part after the first".into());
+/// A sum that is the product of two vanishes where one of them does: checks the groups, and when both factors vanish.
+///
+/// With `S_{gj} S_{00} = S_{g0} S_{0j}` and each group turned within itself as the first, `S_{00} Σ_g Σ_j S_{gj} e^{i(y_g + x_j)}` is
+/// `(Σ_g S_{g0} e^{iy_g}) (Σ_j S_{0j} e^{ix_j})`, and `S_{00}` is not zero.
+pub(super) fn check_product(claim: &ProductClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
+    let mut places: Vec<usize> = claim.groups.iter().flatten().copied().collect();
+    places.sort_unstable();
+    if !places.into_iter().eq(0..left.len()) {
+        return Err("the groups do not hold each part that does not vanish once".into());
     }
-    let mut terms: Vec<(BigRational, BigRational)> = first.sum.iter().map(|(t, w)| (t.clone(), w.clone())).collect();
-    for (part, condition) in others.iter().zip(&claim.conditions) {
-        let [phi, delta] = [&part.claim.phi - &first.claim.phi, &part.claim.delta - &first.claim.delta];
-        if condition.phi != phi || condition.delta != delta {
-            return Err("a condition is not about how its part is turned against the first".into());
+    let (Some(first), [_, _, ..]) = (claim.groups.first(), claim.groups.as_slice()) else {
+        return Err("there are two groups at least".into());
+    };
+    // So that both factors have fewer parts than the whole.
+    if first.len() < 2 || claim.groups.iter().any(|group| group.len() != first.len()) {
+        return Err("the groups have equally many parts, two at least".into());
+    }
+    let others = claim.groups.iter().skip(1);
+    let pairs: Vec<[usize; 3]> = others
+        .flat_map(|group| group.iter().zip(first).skip(1).map(|(&place, &like)| [group[0], place, like]))
+        .collect();
+    if pairs.len() != claim.certificates.len() {
+        return Err(format!("{} certificates for {} parts", claim.certificates.len(), pairs.len()).into());
+    }
+    let start = &left[first[0]];
+    for ([group, place, like], certificate) in pairs.into_iter().zip(&claim.certificates) {
+        let [part, base, other] = [place, group, like].map(|at| &left[at]);
+        if part.turned_against(base) != other.turned_against(start) {
+            return Err("a group is not turned within itself as the first".into());
         }
-        terms.extend(part.sum.iter().map(|(angle, weight)| (angle + &condition.turn, weight.clone())));
+        let mut terms = times(part.sum(), start.sum(), |s, t| s + t, audit)?;
+        terms.extend(
+            times(base.sum(), other.sum(), |s, t| s + t, audit)?.into_iter().map(|(angle, weight)| (angle, -weight)),
+        );
+        certify(&collect(terms, audit)?, true, certificate, audit)?;
     }
-    Ok(certify(&collect(terms, audit)?, true, &claim.certificate, audit)?)
+    let parts = |places: &mut dyn Iterator<Item = usize>| places.map(|at| left[at].clone()).collect::<Vec<_>>();
+    check_when(&claim.group, &parts(&mut first.iter().copied()), audit)?;
+    check_when(&claim.firsts, &parts(&mut claim.groups.iter().map(|group| group[0])), audit)
 }

@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 use super::audit::{Audit, Reason};
 use super::ball::Complex;
 use super::decimals::{Decimal, enclose, scale};
-use super::engine::{Quantity, Sense};
 use super::judged::{Judged, JudgedGroup};
+use super::motion::{Motion, smallness};
+use super::quantity::{Quantity, Sense};
 use super::refusal::Refusal;
-use super::rod::{Motion, smallness};
 
 /// The bits that an enclosure may have: fewer are not worth asking for.
 const FEWEST_BITS: u32 = 32;

@@ -27,7 +27,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("optimise", 1580),
     ("order", 1800),
     ("page", 6830),
-    ("proof", 8617),
+    ("proof", 8700),
     ("python", 2670),
     ("remedy", 1835),
     ("report", 34625),

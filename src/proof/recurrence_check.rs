@@ -1,0 +1,108 @@
+//! Do the classes of a statement on every order come from the engine, and do their factors tell where they vanish?
+
+use super::audit::Reason;
+use super::check::certify;
+use super::collected::{Collected, collect};
+use super::document::Document;
+use super::factor_check::{check_factor, expand};
+use super::judged::{Judged, JudgedGroup};
+use super::motion::Motion;
+use super::quantity::Sense;
+use super::recurrence::{ClassClaim, Parity, RecurrenceClaim, collect_rays, within};
+use super::source::{Group, Source};
+use super::whole_sum::{WholeClaim, check_whole};
+
+/// Order 1 is decided as any other; for each parity the classes are those of its first order, as every other has the same.
+pub(super) fn check_recurrence(
+    document: &Document,
+    claim: &RecurrenceClaim,
+    motion: &Motion<'_>,
+) -> Result<(), Reason> {
+    if document.has_links() {
+        return Err("a statement class by class needs rods on the crankpins, no links".into());
+    }
+    if document.turning_masses.iter().any(|mass| mass.order > 1) {
+        return Err("a statement on every order needs masses that turn with the crank, or none".into());
+    }
+    if document.cylinders.iter().any(|cylinder| cylinder.speed != 1) {
+        return Err("a statement on every order needs crankshafts that turn equally fast".into());
+    }
+    within("order 1", check_first(document, claim, motion))?;
+    for (parity, classes) in [(Parity::Even, &claim.even), (Parity::Odd, &claim.odd)] {
+        let groups = document.groups(claim.quantity, parity.first_order());
+        let groups: Vec<&Group> = groups.iter().filter(|group| !group.is_zero && !group.sources.is_empty()).collect();
+        if groups.len() != classes.len() {
+            let (found, right) = (classes.len(), groups.len());
+            return Err(format!("{} orders: {found} classes here, the engine has {right}", parity.name()).into());
+        }
+        for (index, (group, class)) in groups.into_iter().zip(classes).enumerate() {
+            let place = format!("{} orders, class {index}", parity.name());
+            within(&place, check_class(document, claim, group, class, parity, motion))?;
+        }
+    }
+    Ok(())
+}
+
+fn check_first(document: &Document, claim: &RecurrenceClaim, motion: &Motion<'_>) -> Result<(), Reason> {
+    let (quantity, audit) = (claim.quantity, motion.audit());
+    let groups = document.groups(quantity, 1);
+    if groups.len() != claim.first.sums.len() {
+        return Err(format!("{} sums here, the engine has {}", claim.first.sums.len(), groups.len()).into());
+    }
+    let place = Sense::BOTH.iter().position(|sense| *sense == claim.sense).unwrap_or_default();
+    let mut judged = Judged { quantity, order: 1, groups: Vec::new(), wholes: Vec::new() };
+    for (group, verdict) in groups.into_iter().zip(&claim.first.sums) {
+        let terms = document.terms(&group, quantity, 1, Some(claim.sense));
+        let sum = collect(terms.into_iter().map(|(_, term)| (term.angle, term.weight)), audit)?;
+        certify(&sum, verdict.vanishes, &verdict.certificate, audit)?;
+        // Nothing is said here of the other sense.
+        let mut sums = vec![(Collected::new(), true); Sense::BOTH.len()];
+        sums[place] = (sum, verdict.vanishes);
+        judged.groups.push(JudgedGroup { coefficient: group.coefficient, is_zero: group.is_zero, sums });
+    }
+    match (claim.first.outcome, judged.groups.len()) {
+        (None, 1) => Ok(()),
+        (Some(outcome), 2..) => {
+            let whole = WholeClaim { quantity, order: 1, sense: Some(claim.sense), outcome };
+            check_whole(&whole, &judged, place, motion).map(|_| ())
+        }
+        (None, _) => Err("`outcome` is missing: there are several sums".into()),
+        (Some(_), _) => Err("`outcome` belongs to several sums: one is the whole".into()),
+    }
+}
+
+/// The factors multiplied out are the terms of the class, and each tells its zeros.
+fn check_class(
+    document: &Document,
+    claim: &RecurrenceClaim,
+    group: &Group<'_>,
+    class: &ClassClaim,
+    parity: Parity,
+    motion: &Motion<'_>,
+) -> Result<(), Reason> {
+    let audit = motion.audit();
+    let terms = document.terms(group, claim.quantity, parity.first_order(), Some(claim.sense));
+    let names: Vec<&String> = terms.iter().map(|(name, _)| name).collect();
+    if !names.iter().copied().eq(&class.of) {
+        return Err(format!("its cylinders are {names:?}").into());
+    }
+    let mut rays = Vec::new();
+    for (source, (_, term)) in group.sources.iter().zip(terms) {
+        let Source::Cylinder(cylinder, _) = source else { return Err("a term that is not of a cylinder".into()) };
+        let per_order = match claim.sense {
+            Sense::Direct => &cylinder.throw - &cylinder.bank,
+            Sense::Reverse => &cylinder.bank - &cylinder.throw,
+        };
+        rays.push(([per_order, cylinder.bank.clone()], term.weight));
+    }
+    if class.factors.is_empty() {
+        return Err("a class has one factor at least".into());
+    }
+    if expand(&class.factors, audit)? != collect_rays(rays) {
+        return Err("the factors multiplied out are not the terms of the class".into());
+    }
+    for (index, factor) in class.factors.iter().enumerate() {
+        within(&format!("factor {index}"), check_factor(factor, parity, audit))?;
+    }
+    Ok(())
+}
