@@ -1,9 +1,8 @@
 //! What does `classify --json` hold? Every verdict with its terms and its certificate.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
-use super::recurrence_claims;
+use super::recurrence_claims::{self, outcome_claim};
 use crate::engine::{self, Engine, Mechanism, Rod};
 use crate::exact::Term;
 use crate::motion::Component;
@@ -12,7 +11,7 @@ use crate::order::{self, Factor, Masses, Source, Sources};
 use crate::proof::{
     self, Coefficient, CrankClaim, Cylinder, Document, Format, GearedClaim, KnuckleClaim, LinkClaim, LinkageClaim,
     OrderClaim, Quantity, RodClaim, RodStatement, ShapeClaim, TheoremClaim, TurningMassClaim, Vector, VerdictClaim,
-    WholeClaim, WholeOutcome,
+    WholeClaim,
 };
 use crate::verdict::{self, EveryOrderTheorem, JudgedStar, OrderVerdict, Outcome, Theorem, Verdict, WholeOrder};
 
@@ -229,18 +228,6 @@ fn wholes(order: &OrderVerdict, quantity: Quantity) -> Vec<WholeClaim> {
         }
         _ if order.parts.len() < 2 => Vec::new(),
         Quantity::Planar(planar) => both.iter().zip(&order.whole(planar).outcomes).map(claim).collect(),
-    }
-}
-
-pub(super) fn outcome_claim(outcome: &Outcome) -> WholeOutcome {
-    match outcome {
-        Outcome::Zero => WholeOutcome::Zero,
-        Outcome::NotZero => WholeOutcome::NotZero,
-        Outcome::NotZeroByEnclosure { bits } => WholeOutcome::NotZeroByEnclosure { bits: *bits },
-        Outcome::NotDecided { below } => {
-            WholeOutcome::NotDecided { below: below.to_f64().unwrap_or(f64::MAX).next_up() }
-        }
-        Outcome::Open => WholeOutcome::Open,
     }
 }
 

@@ -4,15 +4,14 @@ use num_complex::Complex;
 use num_traits::ToPrimitive;
 use serde::Serialize;
 
-use super::calculation::Numbers;
+use super::calculation::{Numbers, share};
 use super::document::document;
 use crate::accuracy::Largest;
 use crate::engine::Engine;
 use crate::loads::{Arm, Bound, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform};
-use crate::numbers;
 use crate::order::{self, MassGroup};
 use crate::proof::{Document, Format, Quantity};
-use crate::verdict;
+use crate::{numbers, verdict};
 
 /// The loads of an engine as data.
 #[derive(Clone, Debug, Serialize)]
@@ -290,16 +289,6 @@ fn evidence(engine: &Engine, loads: &Loads) -> Document {
     let judged = verdict::classify(engine, &orders, masses, &quantities)
         .unwrap_or_else(|number| unreachable!("loads are those of orders: {number}"));
     document(engine, masses, &judged, &quantities, None)
-}
-
-/// What an effect adds along the direction of the peak, at its angle.
-pub(super) fn share(waveform: &Waveform, peak: &Peak) -> f64 {
-    if peak.value == 0.0 {
-        return 0.0;
-    }
-    let along = peak.vector / peak.value;
-    let there = waveform.at(peak.angle.unwrap_or(0.0).to_radians());
-    there.re * along.re + there.im * along.im
 }
 
 fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swing: &Swing, factor: f64) -> OrderEntry {

@@ -5,6 +5,7 @@
 mod accuracy;
 mod angle;
 mod argument;
+mod asked;
 mod atlas;
 mod bearings;
 mod calculation;
@@ -65,6 +66,7 @@ pub use accuracy::{
 };
 pub use angle::{AngleStudy, AnglesAsked, NoAngles};
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
+pub use asked::{ask, questions};
 pub use atlas::{ATLAS_CYLINDERS, Atlas};
 pub use bearings::{BearingsStudy, bearings_answer, bearings_page};
 pub use calculation::{LoadsStudy, Numbers, loads_answer, loads_page};
@@ -104,7 +106,7 @@ pub use multiples::{Column, multiples};
 #[cfg(feature = "optimise")]
 pub use optimise::{OptimiseStudy, optimise_answer, optimise_layouts, optimise_page};
 pub use poster::{poster, poster_sheet};
-pub use question::{Question, Unanswered, ask, questions};
+pub use question::{Question, Unanswered};
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{
     bearing as star_bearing, class_sources, force as force_left, force_summary, largest as largest_length,

@@ -1,12 +1,13 @@
 //! How are the statements on every order written as data, class by class?
 
-use super::document::outcome_claim;
+use num_traits::ToPrimitive;
+
 use crate::engine::Engine;
 use crate::order::Source;
 use crate::proof::{
-    ClassClaim, FactorClaim, FirstOrderClaim, OrderClaim, RayClaim, RecurrenceClaim, Sense, SumVerdict,
+    ClassClaim, FactorClaim, FirstOrderClaim, OrderClaim, RayClaim, RecurrenceClaim, Sense, SumVerdict, WholeOutcome,
 };
-use crate::verdict::{ClassPattern, FactorPattern, OrderBalance, Ray, Recurrence, Recurrences};
+use crate::verdict::{ClassPattern, FactorPattern, OrderBalance, Outcome, Ray, Recurrence, Recurrences};
 
 /// One claim for each quantity and sense, with the verdicts that prove it.
 pub(super) fn claims(engine: &Engine, all: &Recurrences) -> Vec<RecurrenceClaim> {
@@ -63,5 +64,17 @@ fn factor_claim(factor: &FactorPattern) -> FactorClaim {
         period: factor.period.into(),
         judged: judged.collect(),
         zeros: factor.zeros().clone(),
+    }
+}
+
+pub(super) fn outcome_claim(outcome: &Outcome) -> WholeOutcome {
+    match outcome {
+        Outcome::Zero => WholeOutcome::Zero,
+        Outcome::NotZero => WholeOutcome::NotZero,
+        Outcome::NotZeroByEnclosure { bits } => WholeOutcome::NotZeroByEnclosure { bits: *bits },
+        Outcome::NotDecided { below } => {
+            WholeOutcome::NotDecided { below: below.to_f64().unwrap_or(f64::MAX).next_up() }
+        }
+        Outcome::Open => WholeOutcome::Open,
     }
 }

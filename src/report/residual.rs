@@ -2,7 +2,6 @@
 
 use num_rational::BigRational;
 
-pub(super) use super::residual_words::{sentence, whole_sentence};
 use super::typeset::{self, Amount, Bearing, signed_degrees};
 use crate::engine::{DOES_NOT_EXIST, Engine, Rod, WHY_NOT};
 use crate::exact::{PhasorSum, Turn};

@@ -7,8 +7,9 @@ use std::str::FromStr;
 
 use num_traits::ToPrimitive;
 
+use super::asked::{ask, questions};
 use super::data::{self, tables_of};
-use super::question::{Question, Unanswered, ask, questions};
+use super::question::{Question, Unanswered};
 use super::{AngleStudy, AnglesAsked, FlywheelStudy, RotorStudy, document};
 use crate::engine::{CycleOrder, Engine};
 use crate::file::{Kind, parse_diagram, parse_number, parse_rotor};

@@ -2,15 +2,11 @@
 
 use num_rational::BigRational;
 
-use super::super::question::{Question, Unanswered};
-use super::data;
-use super::{AccuracyCase, accuracy_answer, accuracy_page};
+use super::super::question::Unanswered;
+use super::AccuracyCase;
 use crate::accuracy::{Timing, with_rod_ratio};
 use crate::engine::Engine;
-use crate::page::Document;
 use crate::proof::Quantity;
-use crate::table::Table;
-use crate::text::Untrusted;
 
 /// The largest loads of an engine by all methods.
 pub struct AccuracyStudy {
@@ -44,27 +40,5 @@ impl AccuracyStudy {
         let steps = (engines.len() * AccuracyCase::steps(&LOADS)) as u64;
         let cases = engines.iter().map(|engine| AccuracyCase::step_by_step(engine, &LOADS, timing, &|| step(steps)));
         Ok(AccuracyStudy { cases: cases.collect::<Result<_, _>>()?, engine: engine.clone() })
-    }
-}
-
-impl Question for AccuracyStudy {
-    fn command(&self) -> &'static str {
-        "accuracy"
-    }
-
-    fn title(&self) -> Option<&Untrusted> {
-        Some(self.engine.title())
-    }
-
-    fn table(&self, name: &str) -> Option<Table> {
-        data::table(self, name)
-    }
-
-    fn answer(&self) -> Document {
-        accuracy_answer(&self.engine, &self.cases)
-    }
-
-    fn page(&self) -> Document {
-        accuracy_page(&self.engine, &self.cases)
     }
 }

@@ -2,12 +2,10 @@
 
 use super::super::typeset::Amount;
 use super::super::{engine_cells, residual, typeset};
-use super::{ORDERS, REMEDIED};
 use crate::engine::{BuildError, Cycle, Engine, LengthUnit};
 use crate::order::Masses;
 use crate::page::Text;
-use crate::proof::Quantity;
-use crate::proof::Shape;
+use crate::proof::{Quantity, Shape};
 use crate::remedy::{self, Request};
 use crate::search::{Best, FoundStar};
 use crate::text::Untrusted;
@@ -21,6 +19,12 @@ pub(super) enum Origin {
     /// The search of in-line stars.
     Found(Cycle),
 }
+
+/// The orders of the atlas.
+const ORDERS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
+
+/// The orders that the remedies are for.
+pub(super) const REMEDIED: [u32; 2] = [1, 2];
 
 /// One engine, judged.
 pub(super) struct EngineRow {

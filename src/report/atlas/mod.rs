@@ -13,14 +13,6 @@ use entry::EngineRow;
 
 /// Numbers of cylinders whose best stars are in the atlas.
 pub const ATLAS_CYLINDERS: std::ops::RangeInclusive<u32> = 2..=12;
-/// The orders of the atlas.
-const ORDERS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
-/// Those of them that centric cranks have.
-const CENTRIC: [u32; 5] = [1, 2, 4, 6, 8];
-/// Those that only cranks with a pin offset have.
-const OFFSET: [u32; 3] = [3, 5, 7];
-/// The orders that the remedies are for.
-const REMEDIED: [u32; 2] = [1, 2];
 
 /// The atlas: every engine of it, judged.
 pub struct Atlas<'a> {

@@ -3,7 +3,7 @@
 use super::super::catalogue::{catalogue_families, catalogue_pictures, catalogue_summary};
 use super::super::engine_cells;
 use super::entry::{EngineRow, Origin};
-use super::{CENTRIC, OFFSET, tables};
+use super::tables;
 use crate::engine::{Cycle, Engine};
 use crate::file::Entry;
 use crate::page::{Block, Document, Fold, Text, phrase};
@@ -57,6 +57,12 @@ fn file(name: &'static str) -> Text {
 
 /// What is said of the files beside the page.
 pub(super) type Beside = fn() -> Text;
+
+/// Those of them that centric cranks have.
+const CENTRIC: [u32; 5] = [1, 2, 4, 6, 8];
+
+/// Those that only cranks with a pin offset have.
+const OFFSET: [u32; 3] = [3, 5, 7];
 
 /// The page is written in one format.
 pub(super) const ALONE: Beside = || {

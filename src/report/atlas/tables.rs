@@ -2,8 +2,7 @@
 
 use super::super::residual::shape_name;
 use super::super::typeset::Amount;
-use super::REMEDIED;
-use super::entry::{EngineRow, Order, Origin, Remaining, Ties};
+use super::entry::{EngineRow, Order, Origin, REMEDIED, Remaining, Ties};
 use crate::engine::Cycle;
 use crate::numbers::Form;
 use crate::page::{Columns, Number, Table, Text, phrase};

@@ -24,3 +24,9 @@ pub(super) fn angle(peak: &Peak) -> Text {
         None => "every θ".into(),
     }
 }
+
+/// The orders that are shown, but for the constant force.
+pub(in crate::report) fn orders_of(loads: &BearingLoads) -> Vec<u32> {
+    let orders = loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders);
+    orders.iter().map(|order| order.order).filter(|order| *order > 0).collect()
+}

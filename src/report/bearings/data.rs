@@ -3,30 +3,19 @@
 use num_complex::Complex;
 use num_rational::BigRational;
 
+use super::columns::{components, crankshafts, peak, position_unit};
 use super::{gas_data, links};
-use crate::engine::Engine;
 use crate::exact::PhasorSum;
-use crate::loads::{
-    Arm, BearingLoad, BearingLoads, Circle, Peak, PinLoads, Swing, Vector, left_out_of_bearings, pin_loads,
-};
+use crate::loads::{BearingLoad, BearingLoads, Circle, Peak, PinLoads, Swing, Vector, left_out_of_bearings, pin_loads};
 use crate::motion::LinkMass;
 use crate::numbers;
 use crate::order::{Factor, OrderSum};
 use crate::report::BearingsStudy;
 use crate::report::bearings::{before, orders_of};
 use crate::report::calculation::data::Units;
-use crate::report::data::Filling;
-use crate::report::data::exact_number;
+use crate::report::data::{Filling, exact_number};
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
-
-/// The unit of the positions of a layout.
-pub(super) fn position_unit(engine: &Engine) -> Unit {
-    match Arm::of(engine) {
-        Arm::Metre => Unit::METRE,
-        Arm::Spacing => Unit::SPACING,
-    }
-}
 
 /// A table of the bearing loads: of the masses, or of gas and masses where the layout asks for the gas.
 pub fn table(study: &BearingsStudy, name: &str) -> Option<Table> {
@@ -82,25 +71,6 @@ fn of_bearings(study: &BearingsStudy, units: Units) -> Table {
         left_out[of_method(method)].as_ref().map(|bound| bound.most * units.newtons)
     });
     table.done()
-}
-
-/// Which crankshaft a row is about, where several are geared together.
-pub(in crate::report) fn crankshafts<R>(table: &mut Filling<R>, engine: &Engine, of: impl Fn(&R) -> usize) {
-    let cranks = engine.geared_cranks();
-    if !cranks.is_empty() {
-        table.words("crankshaft", |row| cranks.get(of(row)).map(|crank| crank.name.clone()));
-    }
-}
-
-/// A largest value, and the crank angle where it is.
-pub(super) fn peak<R>(
-    table: &mut Filling<R>,
-    [size, angle]: [&'static str; 2],
-    units: Units,
-    of: impl Fn(&R) -> &Peak,
-) {
-    table.decimal(size, units.force, |row| Some(of(row).value * units.newtons));
-    table.decimal(angle, Unit::DEGREE, |row| of(row).angle.filter(|_| of(row).value > 0.0));
 }
 
 /// The most loaded bearing of the continuous beam; none where no bearing feels anything.
@@ -238,17 +208,6 @@ fn theta(loads: &BearingLoads, units: Units) -> Table {
         components(&mut table, index + 1, units.force, |theta| force(*theta));
     }
     table.done()
-}
-
-/// The force on a bearing at a crank angle, along y and along x.
-pub(super) fn components<R>(
-    table: &mut Filling<R>,
-    bearing: usize,
-    unit: Unit,
-    force: impl Fn(&R) -> Option<Complex<f64>>,
-) {
-    table.decimal(("bearing_{bearing}_y_{unit}", bearing), unit, |row| force(row).map(|force| force.re));
-    table.decimal(("bearing_{bearing}_x_{unit}", bearing), unit, |row| force(row).map(|force| -force.im));
 }
 
 /// What the rods load the crankpins with, each beside its cylinder.

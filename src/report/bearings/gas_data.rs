@@ -2,11 +2,10 @@
 
 use num_complex::Complex;
 
-use super::data::{components, crankshafts, position_unit};
+use super::columns::{components, crankshafts, position_unit};
 use crate::engine::Engine;
 use crate::journal::{CycleBearing, CycleBearings, CycleLoads, CyclePeak, CylinderLoads, JournalOrder, SharedPin};
-use crate::report::data::Filling;
-use crate::report::data::exact_number;
+use crate::report::data::{Filling, exact_number};
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
 use crate::torque::Extreme;

@@ -4,7 +4,7 @@ use super::super::calculation::Unit;
 use super::super::plot::{Curve, PointMark, Polar};
 use super::super::torque::names;
 use super::amounts;
-use super::data::peak;
+use super::columns::peak;
 use crate::engine::Engine;
 use crate::loads::{self, Circle, KnuckleLoad, LinkLoads, MasterLoad, Waveform, link_loads};
 use crate::page::{self, Block, Picture, Text, phrase};

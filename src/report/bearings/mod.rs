@@ -1,18 +1,19 @@
 //! What do the main bearings feel, as a person reads it? Tables, plots, a page.
 
 mod amounts;
+mod columns;
 mod data;
 mod gas_data;
 mod links;
 mod page;
 mod plots;
+mod question;
 mod study;
 mod tables;
 
-pub(super) use data::crankshafts;
-pub(super) use page::{
-    ASSUMPTIONS, answer, by_orders, called, left_out, orders_of, parts_of_a_load, peaks_in_words, worst,
-};
+pub(super) use amounts::orders_of;
+pub(super) use columns::crankshafts;
+pub(super) use page::{ASSUMPTIONS, answer, by_orders, called, left_out, parts_of_a_load, peaks_in_words, worst};
 pub use page::{bearings_answer, bearings_page};
 pub(super) use plots::{drawings, farthest, style};
 pub use study::BearingsStudy;

@@ -1,6 +1,7 @@
 //! What is on the page of the main bearings, and on the terminal?
 
 use super::super::calculation::{self, percent};
+use super::amounts::orders_of;
 use super::{amounts, links, plots, tables};
 use crate::engine::Engine;
 use crate::loads::{BearingLoads, left_out_of_bearings, pin_loads};
@@ -70,12 +71,6 @@ const METHOD: &str = "A unit load at a position is carried by the bearings in fi
 const VECTORS: &str = "The two vectors of each order. Exact: the length of each sum in multiples of m r, with the coefficient of the motion that multiplies it, $c_k$ of the force along the axis and $n_k$ of the side force. In decimals: half of the sums times their numbers and ω², with the angle at θ = 0. Order 0 is a constant force, the mean side force of pistons with an offset; $u_k$ is the part of $n_k$ that $c_k$ does not have; reverse vectors have the conjugates.";
 
 const PINS: &str = "Load of each crankpin by the rod of each cylinder in a revolution: the inertia of the piston, with its side force, and the rotating part of the rod; all orders shown together.";
-
-/// The orders that are shown, but for the constant force.
-pub(in crate::report) fn orders_of(loads: &BearingLoads) -> Vec<u32> {
-    let orders = loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders);
-    orders.iter().map(|order| order.order).filter(|order| *order > 0).collect()
-}
 
 /// What the orders that are not shown add at most.
 pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Option<Text> {

@@ -1,7 +1,7 @@
 //! How are newtons shown? Decimals of six digits after ≈, in the unit that the layout file allows; 0 is proved.
 
-use crate::engine::Engine;
-use crate::loads::{self, Loads, Outcome, Scale, Swing, Torque, Vector};
+use crate::engine::{DOES_NOT_EXIST, Engine};
+use crate::loads::{self, Loads, Outcome, Peak, Scale, Swing, Torque, TorqueOrder, Vector, Waveform};
 use crate::numbers;
 use crate::page::{self, Piece, Setting, Text, number as typeset, phrase};
 use crate::proof::Quantity;
@@ -137,5 +137,47 @@ pub(crate) fn vector(vector: &Vector, unit: Unit) -> Text {
             phrase!("{} at {}°", amount(vector.value.norm() / 2.0, unit), typeset::decimal(angle))
         }
         Outcome::Undecided { .. } => bounded(&[vector], unit),
+    }
+}
+
+/// A peak with its crank angle.
+pub(super) fn peak(peak: &Peak, unit: Unit) -> Text {
+    match peak.angle {
+        _ if peak.value == 0.0 || unit.factor == 0.0 => Text::zero(),
+        Some(angle) => {
+            phrase!("≈ {} {} at θ ≈ {}°", in_digits(peak.value * unit.factor, unit), unit.label(), digits(angle))
+        }
+        None => phrase!("≈ {} {} at every crank angle", in_digits(peak.value * unit.factor, unit), unit.label()),
+    }
+}
+
+/// What an effect adds along the direction of the peak, at its angle.
+pub(in crate::report) fn share(waveform: &Waveform, peak: &Peak) -> f64 {
+    if peak.value == 0.0 {
+        return 0.0;
+    }
+    let along = peak.vector / peak.value;
+    let there = waveform.at(peak.angle.unwrap_or(0.0).to_radians());
+    there.re * along.re + there.im * along.im
+}
+
+/// The amplitude of an order of the torque, or that there is none.
+pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Text {
+    match (engine.pistons_have_order(Quantity::TORQUE, order.order), &order.vector.outcome) {
+        (false, _) => DOES_NOT_EXIST.into(),
+        (true, Outcome::Zero) => Text::zero(),
+        (true, Outcome::NotZero | Outcome::Computed) => amount(order.vector.value.norm(), unit),
+        (true, Outcome::Undecided { below }) => undecided(*below, unit),
+    }
+}
+
+/// The amplitude of an order of the roll moment, which forces with arms make as well as torques.
+pub(super) fn roll_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Text {
+    let exists = [Quantity::TORQUE, Quantity::FORCE].iter().any(|part| engine.pistons_have_order(*part, order.order));
+    match &order.vector.outcome {
+        Outcome::Zero if !exists => DOES_NOT_EXIST.into(),
+        Outcome::Zero => Text::zero(),
+        Outcome::NotZero | Outcome::Computed => amount(order.vector.value.norm(), unit),
+        Outcome::Undecided { below } => undecided(*below, unit),
     }
 }

@@ -1,7 +1,6 @@
 //! How are the largest values said, with how sure they are, and what the orders shown omit?
 
 use super::amounts::{self, Unit, UnitOf, digits, in_digits};
-use super::summary;
 use crate::accuracy::{Largest, LargestLoads};
 use crate::engine::Engine;
 use crate::loads::{self, Bound, LeftOut, Loads, Missing, Needed};
@@ -93,7 +92,7 @@ pub(super) fn shown_line(engine: &Engine, Numbers { loads, largest, .. }: &Numbe
         let Largest::Known { value, error, .. } = largest else { return None };
         let unit = Unit::of(engine, loads, quantity);
         ((peak.value - value).abs() > error + NOTICED * value && unit.factor != 0.0)
-            .then(|| phrase!(words, summary::peak(&peak, unit)))
+            .then(|| phrase!(words, amounts::peak(&peak, unit)))
     });
     let differ: Vec<Text> = differ.collect();
     (!differ.is_empty()).then(|| phrase!("The listed orders alone give: {}.", Text::joined(differ, ", ")))

@@ -19,7 +19,7 @@ mod summary;
 mod tables;
 mod words;
 
-pub(super) use amounts::{Unit, bound, largest, vector};
+pub(super) use amounts::{Unit, bound, largest, share, vector};
 pub(super) use books::books_line;
 pub(super) use inputs::table as inputs_table;
 pub use largest::Numbers;
@@ -134,7 +134,7 @@ fn lines(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
     blocks.push(tables::vectors(engine, loads).into());
     let peak = |quantity: Planar, waveform: &Waveform, words: &'static str| {
         let group = results::peak(engine, loads, quantity)?;
-        let listed = summary::peak(&waveform.peak(), Unit::of(engine, loads, quantity));
+        let listed = amounts::peak(&waveform.peak(), Unit::of(engine, loads, quantity));
         let lines = group.lines.iter().map(formula);
         Some([Block::Paragraph(phrase!(words, listed))].into_iter().chain(lines).collect::<Vec<_>>())
     };

@@ -2,7 +2,7 @@
 
 use super::super::convention::{differs, seen};
 use super::super::engine_page::reference_plane;
-use super::amounts::{Unit, amount, digits};
+use super::amounts::{self, Unit, amount, digits};
 use super::largest::{Numbers, chosen_lines, largest_lines};
 use super::{SHARES, heading, plots, roll, summary, tables, words};
 use crate::accuracy::Largest;
@@ -39,7 +39,7 @@ fn answer(engine: &Engine, numbers: &Numbers) -> Vec<Text> {
     let swings = [(Planar::Force, &largest.force), (Planar::Moment, &largest.moment)];
     lines.extend(swings.into_iter().filter_map(|(quantity, largest)| comes_to(engine, loads, quantity, largest)));
     let torque = loads.torque.as_ref().zip(largest.torque.as_ref()).filter(|(_, largest)| **largest != Largest::Zero);
-    let listed = |peak| summary::peak(&peak, Unit::as_read(engine, loads, Quantity::TORQUE));
+    let listed = |peak| amounts::peak(&peak, Unit::as_read(engine, loads, Quantity::TORQUE));
     lines.extend(torque.map(|(torque, _)| phrase!(TORQUE, listed(torque.waveform.real_peak()))));
     lines.push(scale(engine, loads));
     lines
@@ -84,7 +84,7 @@ fn comes_to(engine: &Engine, loads: &Loads, quantity: Planar, largest: &Largest)
     if *largest == Largest::Zero || doubt > WELL_KNOWN * peak.value {
         return None;
     }
-    let listed = summary::peak(&peak, unit);
+    let listed = amounts::peak(&peak, unit);
     Some(match peak.angle.filter(|_| peak.value > 0.0 && unit.factor != 0.0) {
         Some(_) => phrase!(pointing, listed, digits(direction(numbers::degrees(peak.vector)))),
         None => phrase!(turning, listed),

@@ -1,8 +1,8 @@
 //! How does the frame roll? The largest roll moment of the orders listed, what it is, and its orders.
 
 use super::super::roll_asked::roll_asked;
-use super::amounts::{Unit, UnitOf};
-use super::{heading, summary, tables};
+use super::amounts::{self, Unit, UnitOf};
+use super::tables;
 use crate::engine::Engine;
 use crate::loads::{Loads, Outcome};
 use crate::page::{Block, Text, phrase};
@@ -23,7 +23,7 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Vec
     let largest = match all_vanish {
         true => phrase!("The roll moment of the listed orders is {}.", Text::zero()),
         false => {
-            phrase!("The roll moment of the listed orders is {}.", summary::peak(&roll.waveform.real_peak(), unit))
+            phrase!("The roll moment of the listed orders is {}.", amounts::peak(&roll.waveform.real_peak(), unit))
         }
     };
     vec![largest, words.into()]
@@ -37,5 +37,5 @@ pub(super) fn roll_section(engine: &Engine, loads: &Loads) -> Vec<Block> {
     }
     let said = Block::Paragraph(Text::joined(lines, " "));
     let table = loads.roll.as_ref().map(|roll| tables::roll(engine, loads, roll).into());
-    [heading(2, "Roll moment"), said].into_iter().chain(table).collect()
+    [Block::Heading(2, "Roll moment".into()), said].into_iter().chain(table).collect()
 }

@@ -3,11 +3,11 @@
 use super::super::engine_page::Weighing;
 use super::super::residual;
 use super::super::table::with_shared_rows;
-use super::amounts::{self, Unit, UnitOf, amount, digits, in_digits};
+use super::amounts::{self, Unit, UnitOf, roll_cell, torque_cell};
 use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
 use super::roll::roll_lines;
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
-use crate::loads::{Loads, Needed, OrderLoads, Outcome, Peak, Swing, Torque, TorqueOrder};
+use crate::loads::{Loads, Needed, OrderLoads, Swing, Torque};
 use crate::page::{Block, Document, Table, Text, phrase};
 use crate::proof::Quantity;
 
@@ -114,27 +114,6 @@ fn are_small(engine: &Engine, loads: &Loads, weighing: &Weighing) -> Vec<bool> {
 /// What stands where nothing was decided.
 const NOT_JUDGED: &str = "not decided";
 
-/// The amplitude of an order of the torque, or that there is none.
-pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Text {
-    match (engine.pistons_have_order(Quantity::TORQUE, order.order), &order.vector.outcome) {
-        (false, _) => DOES_NOT_EXIST.into(),
-        (true, Outcome::Zero) => Text::zero(),
-        (true, Outcome::NotZero | Outcome::Computed) => amount(order.vector.value.norm(), unit),
-        (true, Outcome::Undecided { below }) => amounts::undecided(*below, unit),
-    }
-}
-
-/// The amplitude of an order of the roll moment, which forces with arms make as well as torques.
-pub(super) fn roll_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Text {
-    let exists = [Quantity::TORQUE, Quantity::FORCE].iter().any(|part| engine.pistons_have_order(*part, order.order));
-    match &order.vector.outcome {
-        Outcome::Zero if !exists => DOES_NOT_EXIST.into(),
-        Outcome::Zero => Text::zero(),
-        Outcome::NotZero | Outcome::Computed => amount(order.vector.value.norm(), unit),
-        Outcome::Undecided { below } => amounts::undecided(*below, unit),
-    }
-}
-
 /// What follows the table: the largest values, what the orders shown omit, the effects.
 fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Text> {
     let loads = &numbers.loads;
@@ -150,15 +129,4 @@ fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Tex
     let names = loads.groups.iter().map(|group| residual::group_words(group.group).into());
     lines.push(phrase!("Included: {}.", Text::joined(names, ", ")));
     lines
-}
-
-/// A peak with its crank angle.
-pub(super) fn peak(peak: &Peak, unit: Unit) -> Text {
-    match peak.angle {
-        _ if peak.value == 0.0 || unit.factor == 0.0 => Text::zero(),
-        Some(angle) => {
-            phrase!("≈ {} {} at θ ≈ {}°", in_digits(peak.value * unit.factor, unit), unit.label(), digits(angle))
-        }
-        None => phrase!("≈ {} {} at every crank angle", in_digits(peak.value * unit.factor, unit), unit.label()),
-    }
 }

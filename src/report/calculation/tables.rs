@@ -1,14 +1,14 @@
 //! Which tables hold the numbers? What is in the scene, the ellipse and the two vectors of each order, the torque.
 
 use super::amounts::{self, Unit};
-use super::{summary, words};
+use super::words;
 use crate::engine::Engine;
 use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque, TorqueOrder};
 use crate::numbers;
 use crate::order::MassGroup;
 use crate::page::{self, Number, Table, Text, phrase};
 use crate::proof::{Planar, Quantity};
-use crate::report::loads_document::share;
+use crate::report::calculation::amounts::share;
 
 /// What is in the scene and what is not, and what each group of masses adds to the peaks.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
@@ -116,13 +116,13 @@ pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
 /// The amplitude of each order of the inertia torque.
 pub(super) fn torque(engine: &Engine, loads: &Loads, torque: &Torque) -> Table {
     let unit = Unit::as_read(engine, loads, Quantity::TORQUE);
-    about_the_crank(&torque.orders, unit, |order| summary::torque_cell(engine, order, unit))
+    about_the_crank(&torque.orders, unit, |order| amounts::torque_cell(engine, order, unit))
 }
 
 /// The amplitude of each order of the roll moment.
 pub(super) fn roll(engine: &Engine, loads: &Loads, roll: &Torque) -> Table {
     let unit = Unit::as_read(engine, loads, Quantity::ROLL);
-    about_the_crank(&roll.orders, unit, |order| summary::roll_cell(engine, order, unit))
+    about_the_crank(&roll.orders, unit, |order| amounts::roll_cell(engine, order, unit))
 }
 
 /// Orders of a torque or a roll moment: amplitude, phase, and the multiple that both are of.

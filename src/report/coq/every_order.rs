@@ -5,7 +5,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::evidence::{Grid, evidence, fraction, list};
+use super::evidence::{Grid, evidence, fraction, grid_of, list};
 use super::not_stated::NotStated;
 use super::parts::Parts;
 use super::theorem::{Theorem, name, vector};
@@ -224,22 +224,5 @@ fn of_rays(rays: &[RayClaim]) -> Grid {
     let of = |angle: &BigRational, weight: &BigRational| Vector { angle: angle.clone(), weight: weight.clone() };
     let vectors: Vec<Vector> =
         rays.iter().flat_map(|ray| [&ray.per_order, &ray.fixed].map(|angle| of(angle, &ray.weight))).collect();
-    Grid::of(vectors.iter())
-}
-
-/// That of every order: an angle of order k is a whole combination of throws and banks, a weight one of masses times arms.
-pub(super) fn grid_of(document: &Document) -> Grid {
-    let arm = |position: &BigRational| position - &document.reference_plane;
-    let of = |angle: &BigRational, weight: BigRational| Vector { angle: angle.clone(), weight };
-    let cylinders = document.cylinders.iter().flat_map(|cylinder| {
-        let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius;
-        let moment = &weight * arm(&cylinder.position);
-        [of(&cylinder.throw, weight), of(&cylinder.bank, moment)]
-    });
-    let turning = document.turning_masses.iter().flat_map(|mass| {
-        let moment = &mass.mass_radius * arm(&mass.position);
-        [of(&mass.angle, mass.mass_radius.clone()), of(&mass.angle, moment)]
-    });
-    let vectors: Vec<Vector> = cylinders.chain(turning).collect();
     Grid::of(vectors.iter())
 }

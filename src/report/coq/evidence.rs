@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use crate::proof::{Certificate, Polygon, Step, Vector};
+use crate::proof::{Certificate, Document, Polygon, Step, Vector};
 
 /// What all angles and all weights of some vectors become whole by.
 #[derive(Clone)]
@@ -108,4 +108,21 @@ pub(super) fn fraction(number: &BigRational) -> String {
 /// A list of Coq.
 pub(super) fn list(entries: Vec<String>) -> String {
     if entries.is_empty() { "nil".to_owned() } else { format!("[:: {}]", entries.join("; ")) }
+}
+
+/// That of every order: an angle of order k is a whole combination of throws and banks, a weight one of masses times arms.
+pub(super) fn grid_of(document: &Document) -> Grid {
+    let arm = |position: &BigRational| position - &document.reference_plane;
+    let of = |angle: &BigRational, weight: BigRational| Vector { angle: angle.clone(), weight };
+    let cylinders = document.cylinders.iter().flat_map(|cylinder| {
+        let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius;
+        let moment = &weight * arm(&cylinder.position);
+        [of(&cylinder.throw, weight), of(&cylinder.bank, moment)]
+    });
+    let turning = document.turning_masses.iter().flat_map(|mass| {
+        let moment = &mass.mass_radius * arm(&mass.position);
+        [of(&mass.angle, mass.mass_radius.clone()), of(&mass.angle, moment)]
+    });
+    let vectors: Vec<Vector> = cylinders.chain(turning).collect();
+    Grid::of(vectors.iter())
 }

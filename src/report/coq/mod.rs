@@ -9,6 +9,7 @@ mod not_stated;
 mod parts;
 mod real;
 mod theorem;
+mod theorems;
 
 use self::every_order::Pattern;
 use self::parts::Parts;
@@ -32,7 +33,7 @@ pub fn coq_file(document: &Document) -> Result<String, NotStated> {
 /// The file below a comment that is open.
 fn file(head: &str, document: &Document, parts: &Parts, every: &[Pattern]) -> Result<String, NotStated> {
     not_stated::check(document)?;
-    let vectors = theorem::theorems(document, parts, every)?;
+    let vectors = theorems::theorems(document, parts, every)?;
     let mut real = real::theorems(document, parts, every);
     real.extend(exact::theorem(document));
     let engine = engine::definition(document) + &parts.definitions(document);

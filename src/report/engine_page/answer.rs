@@ -2,13 +2,14 @@
 
 use super::super::calculation::{Unit, books_line, percent};
 use super::super::{residual, stars, table};
+use super::left::Name;
 use super::weighing::{Rest, Weighed, WeighedParts, Weighing, circumstances, sizes};
 use super::{articulated, at_speed, conventions, cures, geared};
 use crate::engine::{DOES_NOT_EXIST, Engine};
-use crate::order::{self, Masses};
+use crate::order::Masses;
 use crate::page::{Block, Document, Text, phrase};
 use crate::proof::{Axial, Planar, Quantity, Shape};
-use crate::verdict::{EveryOrderTheorem, Judgement, NextLeft, OrderVerdict, Outcome, WholeOrder};
+use crate::verdict::{self, EveryOrderTheorem, Judgement, NextLeft, NoTheorem, OrderVerdict, WholeOrder};
 
 /// The lines of the box that a report opens with.
 pub(super) fn lines(
@@ -37,11 +38,6 @@ fn pistons(judged: &Judgement, weighed: &WeighedParts) -> Option<Text> {
         true => "**The pistons alone.** No force or moment at these orders.".into(),
         false => phrase!("**The pistons alone.** {}", Text::joined(left, " ")),
     })
-}
-
-/// Whether the verdicts are about what the numbers are about.
-pub(super) fn is_as_built(engine: &Engine, judged: &Judgement) -> bool {
-    judged.not_as_built.is_none() && judged.masses == order::masses_as_built(engine)
 }
 
 /// What is left, order by order, at which speed.
@@ -117,78 +113,6 @@ fn of_one_sum(order: &OrderVerdict, quantity: Planar) -> Option<Text> {
     is_of_turning.then(|| residual::largest(only.balance(quantity)).into())
 }
 
-/// What the force or the moment of an order is called.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Name {
-    Vertical,
-    Horizontal,
-    RotatingForce,
-    CounterRotatingForce,
-    Force,
-    Pitching,
-    Yawing,
-    RotatingCouple,
-    CounterRotatingCouple,
-    Couple,
-    Moment,
-}
-
-/// Degrees within which a direction is that of an axis of the engine, as it is printed.
-const ALONG: f64 = 1e-6;
-
-impl Name {
-    pub fn of(order: &OrderVerdict, quantity: Planar, shape: Shape, weighed: Option<&Weighed>) -> Self {
-        let direction = || weighed.and_then(|weighed| weighed.path(order.order, quantity)?.1);
-        let is_at = |angle: f64| direction().is_some_and(|direction| (direction.abs() - angle).abs() < ALONG);
-        match (quantity, shape) {
-            (Planar::Force, Shape::Rotating) => Name::RotatingForce,
-            (Planar::Force, Shape::CounterRotating) => Name::CounterRotatingForce,
-            (Planar::Force, Shape::Planar) if is_at(0.0) => Name::Vertical,
-            (Planar::Force, Shape::Planar) if is_at(90.0) => Name::Horizontal,
-            (Planar::Force, _) => Name::Force,
-            _ if !order.moment_is_couple() => Name::Moment,
-            (_, Shape::Rotating) => Name::RotatingCouple,
-            (_, Shape::CounterRotating) => Name::CounterRotatingCouple,
-            (_, Shape::Planar) if is_at(0.0) => Name::Pitching,
-            (_, Shape::Planar) if is_at(90.0) => Name::Yawing,
-            _ => Name::Couple,
-        }
-    }
-
-    /// In a table.
-    pub fn label(self) -> &'static str {
-        match self {
-            Name::Vertical => "Vertical force",
-            Name::Horizontal => "Horizontal force",
-            Name::RotatingForce => "Rotating force",
-            Name::CounterRotatingForce => "Counter-rotating force",
-            Name::Force => "Free force",
-            Name::Pitching => "Pitching couple",
-            Name::Yawing => "Yawing couple",
-            Name::RotatingCouple => "Rotating couple",
-            Name::CounterRotatingCouple => "Counter-rotating couple",
-            Name::Couple => "Pitching and yawing couple",
-            Name::Moment => "Moment about the reference plane",
-        }
-    }
-
-    fn sentence(self) -> &'static str {
-        match self {
-            Name::Vertical => "Vertical force: {}.",
-            Name::Horizontal => "Horizontal force: {}.",
-            Name::RotatingForce => "Rotating force: {}.",
-            Name::CounterRotatingForce => "Counter-rotating force: {}.",
-            Name::Force => "Free force: {}.",
-            Name::Pitching => "Pitching couple: {}.",
-            Name::Yawing => "Yawing couple: {}.",
-            Name::RotatingCouple => "Rotating couple: {}.",
-            Name::CounterRotatingCouple => "Counter-rotating couple: {}.",
-            Name::Couple => "Pitching and yawing couple: {}.",
-            Name::Moment => "Moment about the reference plane: {}.",
-        }
-    }
-}
-
 /// The largest orders of the roll moment, or else of the inertia torque, which rolls the engine as much: the largest of all in any case.
 fn about_the_axis(weighed: &Weighed) -> Option<Text> {
     let quantity = if weighed.loads.roll.is_some() { Axial::Roll } else { Axial::Torque };
@@ -208,12 +132,6 @@ fn about_the_axis(weighed: &Weighed) -> Option<Text> {
 
 /// Orders of the roll moment that are in the box; all are in its table.
 const MOST_OF_ROLL: usize = 2;
-
-/// Whether the direct and the reverse vector of force or moment are left.
-pub(super) fn left_vectors(order: &OrderVerdict) -> [bool; 2] {
-    let is_left = |outcome: &Outcome| outcome.vanishes() == Some(false);
-    [0, 1].map(|sense| is_left(&order.force.outcomes[sense]) || is_left(&order.moment.outcomes[sense]))
-}
 
 /// Which forces and moments vanish, and which orders are not there.
 fn balanced(all: &[OrderVerdict], existing: &[&OrderVerdict]) -> Option<Text> {
@@ -321,7 +239,7 @@ pub(super) fn why_several(engine: &Engine) -> Option<Text> {
 /// The short answer: what is left of each order, in newtons where the file gives numbers, and exactly.
 pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
     let mut page = Document::new("verdicts", engine.title());
-    let theorem = super::theorem_of(engine, judged).ok();
+    let theorem = theorem_of(engine, judged).ok();
     let weighed = WeighedParts::new(engine, judged, Weighing::usual());
     page.push(Block::Answer(lines(engine, judged, theorem.as_ref(), &weighed)));
     page.blocks.extend(tables(judged, Weighing::usual(), &weighed));
@@ -333,7 +251,7 @@ pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
 /// exact follows it where all is asked for.
 pub fn engine_answer_weighed(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Document {
     let mut page = Document::new("verdicts", engine.title());
-    let theorem = super::theorem_of(engine, judged).ok();
+    let theorem = theorem_of(engine, judged).ok();
     let weighed = WeighedParts::new(engine, judged, weighing);
     let as_judged = weighed.as_judged.as_ref();
     let at_speed = as_judged.and_then(|weighed| Some((weighed, weighed.speed()?)));
@@ -402,4 +320,13 @@ fn notes(
     }
     page.blocks.extend(residual::whose_masses(engine, judged).map(Block::Note));
     page.blocks
+}
+
+/// What is true of every order, of the masses judged or else of the pistons.
+pub(super) fn theorem_of(engine: &Engine, judged: &Judgement) -> Result<EveryOrderTheorem, NoTheorem> {
+    match verdict::every_order(engine, judged.masses) {
+        // The pistons have a pattern even where a shaft has none.
+        Err(NoTheorem::Shaft(_)) => verdict::every_order(engine, Masses::Reciprocating),
+        other => other,
+    }
 }

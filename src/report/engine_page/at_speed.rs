@@ -2,8 +2,8 @@
 
 use super::super::calculation::Unit;
 use super::super::residual;
-use super::answer::Name;
 use super::cures::Cures;
+use super::left::Name;
 use super::weighing::Weighed;
 use crate::engine::{DOES_NOT_EXIST, Engine};
 use crate::page::{Piece, Setting, Table, Text, number, phrase};

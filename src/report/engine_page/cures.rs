@@ -6,7 +6,7 @@ use num_rational::BigRational;
 
 use super::super::calculation::percent;
 use super::super::typeset::short;
-use super::answer::{is_as_built, left_vectors};
+use super::left::{is_as_built, left_vectors};
 use super::weighing::{Weighed, Weighing};
 use crate::engine::{Engine, GearedCrank, LengthUnit};
 use crate::order;

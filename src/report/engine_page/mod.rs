@@ -8,6 +8,7 @@ mod corrected;
 mod cures;
 mod engine;
 mod geared;
+mod left;
 mod orders;
 mod torque;
 mod weighing;
@@ -32,7 +33,8 @@ use crate::loads::{Missing, Needed};
 use crate::order::Masses;
 use crate::page::{Block, Document, Fold, Table, Text, phrase};
 use crate::remedy::{self, Remedy, RemedyError, Request};
-use crate::verdict::{self, EveryOrderTheorem, Judgement, NoTheorem};
+use crate::verdict::Judgement;
+use answer::theorem_of;
 
 /// What a report shows of an engine.
 #[derive(Clone, Copy)]
@@ -65,15 +67,6 @@ impl Contents<'_> {
     fn numbers(&self) -> Option<Result<Numbers, Missing>> {
         let orders: Vec<u32> = self.judged.orders.iter().map(|order| order.order).collect();
         calculation::numbers_of(self.engine, &orders, self.needed)
-    }
-}
-
-/// What is true of every order, of the masses judged or else of the pistons.
-fn theorem_of(engine: &Engine, judged: &Judgement) -> Result<EveryOrderTheorem, NoTheorem> {
-    match verdict::every_order(engine, judged.masses) {
-        // The pistons have a pattern even where a shaft has none.
-        Err(NoTheorem::Shaft(_)) => verdict::every_order(engine, Masses::Reciprocating),
-        other => other,
     }
 }
 

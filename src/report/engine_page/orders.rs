@@ -1,5 +1,6 @@
 //! How is each order proved? Its star, what is left, and the argument for each vector.
 
+use super::super::residual_words::{sentence, whole_sentence};
 use super::super::star::{WholeStars, sized_star_figure, star_figure, star_legend, whole_legend, whole_star_figure};
 use super::super::{argument, example, residual, table};
 use super::weighing::{Weighed, WeighedParts};
@@ -114,7 +115,7 @@ fn proof(engine: &Engine, star: &StarOf) -> Vec<Block> {
     blocks.extend(super::answer::why_several(engine).map(Block::Paragraph));
     blocks.extend(star.weighed.map(|weighed| table::whole_star(engine, &WholeStars::new(weighed), order.order).into()));
     let both = [("Force", &order.force), ("Moment", &order.moment)];
-    blocks.extend(both.map(|(name, of)| Block::Paragraph(residual::whole_sentence(name, order.order, of))));
+    blocks.extend(both.map(|(name, of)| Block::Paragraph(whole_sentence(name, order.order, of))));
     let mut evidence = Vec::new();
     for part in &order.parts {
         evidence.push(Block::Heading(2, phrase!("Order {}", residual::order_name(part))));
@@ -142,7 +143,7 @@ fn certificates(order: &OrderBalance) -> Block {
 
 fn force_left(order: &OrderBalance) -> Text {
     match order.exists {
-        true => phrase!("**Force.** {}", residual::sentence(&order.force)),
+        true => phrase!("**Force.** {}", sentence(&order.force)),
         false => phrase!("**Force.** {}", missing(order)),
     }
 }
@@ -161,7 +162,7 @@ fn moment_left(engine: &Engine, order: &OrderBalance) -> Text {
         ),
     };
     match order.exists {
-        true => phrase!("**Moment.** {} {}", residual::sentence(&order.moment), kind()),
+        true => phrase!("**Moment.** {} {}", sentence(&order.moment), kind()),
         false => phrase!("**Moment.** {}", missing(order)),
     }
 }

@@ -5,8 +5,7 @@ use num_traits::Zero;
 
 use super::super::typeset;
 use super::circle_words::rounded;
-use super::plane_words::near;
-use super::words::{NEVER, unknowns};
+use super::unknowns::{NEVER, near, unknowns};
 use crate::family::{BoxZero, Boxes, Place, is_in_range};
 use crate::page::{Text, phrase};
 

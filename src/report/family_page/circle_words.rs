@@ -5,8 +5,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::super::typeset;
-use super::plane_words::none_of;
-use super::words::{open_angle, unknowns};
+use super::unknowns::{NEVER, open_angle, unknowns};
 use crate::engine::Linear;
 use crate::exact::Turn;
 use crate::family::{Circle, Closed, Coprime, Place, is_in_range};
@@ -171,4 +170,9 @@ pub(super) fn between(circle: &Circle, near: [&BigRational; 2]) -> [String; 2] {
     };
     let found = (1..12).map(ends).find(is_alone).unwrap_or_else(|| near.map(degrees));
     found.map(|end| typeset::degrees(&end))
+}
+
+/// What is said where no zero is reported.
+pub(super) fn none_of(circle: Option<&Circle>) -> Text {
+    if circle.is_some_and(|circle| !circle.is_free()) { NEVER.into() } else { "never 0".into() }
 }

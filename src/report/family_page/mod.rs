@@ -10,11 +10,12 @@ mod quadratic_words;
 mod sizes;
 mod special_angles;
 mod tables;
+mod unknowns;
 mod words;
 
 pub use document::open_document;
 pub use picture::{amplitudes, amplitudes_caption};
-pub(super) use words::{argument, condition_of, greek, summary, unknowns};
+pub(super) use words::{argument, condition_of, summary};
 
 use super::convention::{differs, seen};
 use super::engine_page::{ASSUMED, FIRES};
@@ -23,6 +24,8 @@ use crate::engine::{DELTA, Family, PHI};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
 use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::{Planar, Sense};
+
+pub(super) use unknowns::{greek, unknowns};
 
 const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a vanishing moment vanishes for all lengths. Angles are those \
                       in (0°, 360°), complete, and exact unless marked ≈; ≡ is modulo 360°.";
@@ -49,7 +52,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
     page.push(Block::Heading(1, "Proofs, order by order".into()));
     page.blocks.extend(family_proofs(family, orders));
     page.push(Block::Heading(1, "Conventions".into()));
-    let plane = words::open_length(family.reference_plane());
+    let plane = unknowns::open_length(family.reference_plane());
     page.push(Block::List(vec![
         seen(family.convention()),
         FIRES.into(),
@@ -120,7 +123,7 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     let mut told = Vec::new();
     for (quantity, words) in [(Planar::Force, "force {} (order {})"), (Planar::Moment, "moment {} (order {})")] {
         let Some(unit) = picture::unit(family, Some(&sizes), quantity) else {
-            let of = orders.iter().filter(|order| !picture::verdicts(order, quantity).iter().all(OpenVerdict::always));
+            let of = orders.iter().filter(|order| !sizes::verdicts(order, quantity).iter().all(OpenVerdict::always));
             let of: Vec<String> = of.map(|order| order.order.to_string()).collect();
             let words = "a moment of {} that depends on the lengths";
             told.extend((!of.is_empty()).then(|| phrase!(words, super::residual::orders_in_words(&of))));

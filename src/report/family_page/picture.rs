@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::super::typeset;
-use super::sizes::Sizes;
+use super::sizes::{Sizes, verdicts};
 use crate::engine::{DELTA, Family, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{OpenOrder, OpenVerdict, Solutions, Zeros, phase};
@@ -149,14 +149,6 @@ type OfOrder<'a> = (u32, &'a [OpenVerdict; 2]);
 
 fn of_quantity(orders: &[OpenOrder], quantity: Planar) -> Vec<OfOrder<'_>> {
     orders.iter().map(|order| (order.order, verdicts(order, quantity))).collect()
-}
-
-/// The verdicts on both vectors of a quantity.
-pub(super) fn verdicts(order: &OpenOrder, quantity: Planar) -> &[OpenVerdict; 2] {
-    match quantity {
-        Planar::Force => &order.force,
-        Planar::Moment => &order.moment,
-    }
 }
 
 fn sizes<'a>(family: &'a Family, orders: &[OpenOrder]) -> Option<Sizes<'a>> {

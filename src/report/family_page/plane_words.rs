@@ -3,10 +3,10 @@
 use num_rational::BigRational;
 
 use super::super::typeset;
-use super::circle_words;
-use super::words::{self, together, unknowns};
+use super::circle_words::{self, none_of};
+use super::unknowns::{NEVER, near, together, unknowns};
 use crate::exact::Turn;
-use crate::family::{Circle, Classes, Corner, Meeting, Place, Product, Triangle, When, is_in_range};
+use crate::family::{Circle, Classes, Corner, Meeting, Place, Triangle, is_in_range};
 use crate::page::number::Bearing;
 use crate::page::{Text, phrase};
 
@@ -19,11 +19,6 @@ pub(super) fn condition(classes: &Classes) -> Text {
     let open = classes.circle.iter().flat_map(circle_words::open);
     let told: Vec<Text> = zeros(classes).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open).collect();
     if told.is_empty() { none_of(classes.circle.as_ref()) } else { Text::joined(told, "; ") }
-}
-
-/// What is said where no zero is reported.
-pub(super) fn none_of(circle: Option<&Circle>) -> Text {
-    if circle.is_some_and(|circle| !circle.is_free()) { words::NEVER.into() } else { "never 0".into() }
 }
 
 /// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero in the range is known.
@@ -118,7 +113,7 @@ pub(super) fn triangle_condition(triangle: &Triangle) -> Text {
     match corners(triangle) {
         Some(corners) => phrase!("0 where {}", corners),
         None if triangle.corners.is_empty() => "never 0".into(),
-        None => words::NEVER.into(),
+        None => NEVER.into(),
     }
 }
 
@@ -158,31 +153,7 @@ pub(super) fn triangle_why(triangle: &Triangle) -> Text {
     }
 }
 
-/// `0 where δ ≡ 90°; 0 where φ ≡ 60°`, without what never vanishes.
-pub(super) fn product_condition(product: &Product) -> Text {
-    let factors = [&product.group, &product.firsts].map(|when| match when {
-        When::Never(_) => None,
-        other => words::told(other),
-    });
-    Text::joined(factors.into_iter().flatten(), "; ")
-}
-
-/// Why it vanishes there, and nowhere else.
-pub(super) fn product_why(product: &Product) -> Text {
-    phrase!(
-        "The parts make {} groups, each a multiple of the first and turned against it (proved), so that the sum is a product: that of one group, \
-         and that of the first parts of all; it vanishes where either does. The group: {} The first parts: {}",
-        product.groups.len(),
-        words::why(&product.group),
-        words::why(&product.firsts)
-    )
-}
-
 /// u and v.
 fn names(classes: &Classes) -> [String; 2] {
     [&classes.u, &classes.v].map(|[phi, delta]: &[BigRational; 2]| unknowns(phi, delta))
-}
-
-pub(super) fn near(name: &str, degrees: f64) -> Text {
-    Text::label(format!("{name} ≈ {}°", typeset::decimal(degrees)))
 }

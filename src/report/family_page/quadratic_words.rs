@@ -1,9 +1,9 @@
 //! How is it put for which φ and δ three classes of parts cancel?
 
 use super::super::typeset;
-use super::circle_words;
-use super::plane_words::{near, none_of, so};
-use super::words::unknowns;
+use super::circle_words::{self, none_of};
+use super::plane_words::so;
+use super::unknowns::{near, unknowns};
 use crate::exact::Turn;
 use crate::family::{Place, Quadratic, Root, Roots, is_in_range};
 use crate::page::{Text, phrase};

@@ -6,7 +6,6 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
-use super::picture::verdicts;
 use crate::engine::{DELTA, Family, PHI};
 use crate::family::{OpenOrder, OpenVerdict, phase};
 use crate::motion::coefficients_fast;
@@ -128,5 +127,13 @@ impl<'a> Sizes<'a> {
             }
         }
         size(best)
+    }
+}
+
+/// The verdicts on both vectors of a quantity.
+pub(super) fn verdicts(order: &OpenOrder, quantity: Planar) -> &[OpenVerdict; 2] {
+    match quantity {
+        Planar::Force => &order.force,
+        Planar::Moment => &order.moment,
     }
 }

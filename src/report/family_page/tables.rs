@@ -1,7 +1,7 @@
 //! Which tables does the report of a family hold?
 
 use super::super::table::phase_formula;
-use super::words;
+use super::{unknowns, words};
 use crate::engine::Family;
 use crate::family::{self, OpenOrder};
 use crate::page::{Table, Text, phrase};
@@ -21,19 +21,19 @@ pub(super) fn summary(orders: &[OpenOrder]) -> Table {
 pub(super) fn cylinders(family: &Family) -> Table {
     Table::of(family.cylinders())
         .column("Cylinder", |cylinder| cylinder.name.clone())
-        .column("Throw β", |cylinder| words::open_angle(&cylinder.throw))
-        .column("Bank α", |cylinder| words::open_angle(&cylinder.bank))
-        .column("Position z", |cylinder| words::open_length(&cylinder.position))
+        .column("Throw β", |cylinder| unknowns::open_angle(&cylinder.throw))
+        .column("Bank α", |cylinder| unknowns::open_angle(&cylinder.bank))
+        .column("Position z", |cylinder| unknowns::open_length(&cylinder.position))
         .done()
 }
 
 /// The vector-star table of order k, the unknowns visible.
 pub(super) fn phases(family: &Family, order: u32) -> Table {
     let heading = |sense| phase_formula(i64::from(order), sense, true);
-    let phase = |cylinder, sense| words::open_angle(&family::phase(cylinder, order, sense));
+    let phase = |cylinder, sense| unknowns::open_angle(&family::phase(cylinder, order, sense));
     Table::of(family.cylinders())
         .column("Cylinder", |cylinder| cylinder.name.clone())
-        .column("Arm z", |cylinder| words::open_length(&family.arm(cylinder)))
+        .column("Arm z", |cylinder| unknowns::open_length(&family.arm(cylinder)))
         .column(phrase!("Direct phase {}", heading(Sense::Direct)), |cylinder| phase(cylinder, Sense::Direct))
         .column(phrase!("Reverse phase {}", heading(Sense::Reverse)), |cylinder| phase(cylinder, Sense::Reverse))
         .done()

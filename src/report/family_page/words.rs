@@ -6,12 +6,11 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::super::{argument, residual, typeset};
+use super::unknowns::{NEVER, exactly, together_by, unknowns};
 use super::{boxes_words, circle_words, plane_words, quadratic_words};
-use crate::engine::{DELTA, Linear, PHI};
+use crate::engine::Linear;
 use crate::exact::Turn;
-use crate::family::{
-    self, Alternative, Angles, Condition, Cosine, EvenFiring, Never, OpenSum, OpenVerdict, Part, Remaining, When,
-};
+use crate::family::{self, Angles, Cosine, EvenFiring, Never, OpenSum, OpenVerdict, Part, Product, Remaining, When};
 use crate::numbers::Form;
 use crate::page::number::Bearing;
 use crate::page::{Piece, Text, phrase};
@@ -58,11 +57,6 @@ fn rounded(turn: &Turn) -> String {
         true => format!("{:.1}°", turn.degrees().to_f64().unwrap_or(f64::NAN)),
         false => typeset::angle(turn),
     }
-}
-
-/// `2φ − δ ≡ 180°`.
-fn exactly(unknowns: String, turn: &Turn) -> String {
-    format!("{unknowns} ≡ {}", typeset::angle(turn))
 }
 
 /// The same for a table: `2φ − δ ≈ 25.7°`.
@@ -118,7 +112,7 @@ pub(super) fn told(when: &When) -> Option<Text> {
         When::Triangle(triangle) => Some(plane_words::triangle_condition(triangle)),
         When::Classes(classes) => Some(plane_words::condition(classes)),
         When::Quadratic(found) => Some(quadratic_words::condition(found)),
-        When::Product(product) => Some(plane_words::product_condition(product)),
+        When::Product(product) => Some(product_condition(product)),
         When::Boxes(found) => Some(boxes_words::condition(found)),
         When::NotSolved(parts) => Some(phrase!("not solved: {} parts", *parts)),
     }
@@ -132,30 +126,10 @@ pub(super) fn conditions_of(verdict: &OpenVerdict) -> Option<Text> {
     }
 }
 
-/// Where there is no angle in the range.
-pub(super) const NEVER: &str = "never 0 in (0°, 360°)";
-
 /// `2φ − δ ≡ 180°`, alternatives in the range joined by "or"; none where there is none.
 fn conditions(angles: &Angles, shown: fn(String, &Turn) -> String) -> Option<Text> {
     let told: Vec<Text> = angles.alternatives.iter().filter_map(|one| together_by(one, shown)).collect();
     (!told.is_empty()).then(|| Text::joined(told, ", or "))
-}
-
-/// `φ ≡ 60° and δ ≡ 90°`; none where no φ and δ in the range make it.
-pub(super) fn together(alternative: &Alternative) -> Option<Text> {
-    together_by(alternative, exactly)
-}
-
-fn together_by(alternative: &Alternative, shown: fn(String, &Turn) -> String) -> Option<Text> {
-    let one = |condition: &Condition| {
-        // φ, or else δ, is shown entering positively.
-        let Condition { phi, delta, turn } = condition;
-        Text::label(match phi.is_negative() || phi.is_zero() && delta.is_negative() {
-            true => shown(unknowns(&-phi, &-delta), &-turn),
-            false => shown(unknowns(phi, delta), turn),
-        })
-    };
-    alternative.in_range().map(|conditions| Text::joined(conditions.iter().map(one), " and "))
 }
 
 /// `cos(φ) = 0.25, φ ≈ ±75.52°`.
@@ -182,39 +156,6 @@ fn entering_positively(found: &Cosine) -> (BigRational, BigRational, Turn) {
     match found.phi.is_negative() || found.phi.is_zero() && found.delta.is_negative() {
         true => (-&found.phi, -&found.delta, -&found.turn),
         false => (found.phi.clone(), found.delta.clone(), found.turn.clone()),
-    }
-}
-
-/// `2φ − δ`.
-pub(in crate::report) fn unknowns(phi: &BigRational, delta: &BigRational) -> String {
-    let parts = [(PHI, phi), (DELTA, delta)].map(|(name, factor)| Linear::symbol(name, factor.clone()));
-    match parts.map(|part| (part != Linear::default()).then(|| greek(&part))) {
-        [None, None] => "0".to_owned(),
-        [Some(only), None] | [None, Some(only)] => only,
-        [Some(phi), Some(delta)] => format!("{phi} + {delta}").replace("+ −", "− "),
-    }
-}
-
-/// An angle with unknowns, given in turns: `45° + φ/2`; the known part in `(−180°, 180°]`.
-pub(super) fn open_angle(angle: &Linear) -> String {
-    let symbols = angle.minus(&Linear::constant(angle.known().clone()));
-    let known = typeset::degrees(&typeset::signed_degrees(&Turn::new(angle.known().clone())));
-    match (symbols == Linear::default(), angle.known().is_zero()) {
-        (true, _) => known,
-        (false, true) => greek(&symbols),
-        (false, false) => format!("{known} + {}", greek(&symbols)).replace("+ −", "− "),
-    }
-}
-
-pub(in crate::report) fn greek(linear: &Linear) -> String {
-    linear.to_string().replace(PHI, "φ").replace(DELTA, "δ")
-}
-
-/// A length with symbols.
-pub(super) fn open_length(length: &Linear) -> String {
-    match length.as_known() {
-        Some(known) => typeset::number(known),
-        None => length.to_string(),
     }
 }
 
@@ -252,7 +193,7 @@ pub(super) fn why(when: &When) -> Text {
         When::Never(Never::Triangle(triangle)) | When::Triangle(triangle) => plane_words::triangle_why(triangle),
         When::Never(Never::Classes(classes)) | When::Classes(classes) => plane_words::why(classes),
         When::Never(Never::Quadratic(found)) | When::Quadratic(found) => quadratic_words::why(found),
-        When::Never(Never::Product(product)) | When::Product(product) => plane_words::product_why(product),
+        When::Never(Never::Product(product)) | When::Product(product) => product_why(product),
         When::Never(Never::Boxes(found)) | When::Boxes(found) => boxes_words::why(found),
         When::Where(angles) => {
             let Some(conditions) = conditions(angles, exactly) else {
@@ -279,6 +220,26 @@ pub(super) fn why(when: &When) -> Text {
             phrase!("{} parts remain; for which angles they cancel is not solved here.", *count)
         }
     }
+}
+
+/// `0 where δ ≡ 90°; 0 where φ ≡ 60°`, without what never vanishes.
+pub(super) fn product_condition(product: &Product) -> Text {
+    let factors = [&product.group, &product.firsts].map(|when| match when {
+        When::Never(_) => None,
+        other => told(other),
+    });
+    Text::joined(factors.into_iter().flatten(), "; ")
+}
+
+/// Why it vanishes there, and nowhere else.
+pub(super) fn product_why(product: &Product) -> Text {
+    phrase!(
+        "The parts make {} groups, each a multiple of the first and turned against it (proved), so that the sum is a product: that of one group, \
+         and that of the first parts of all; it vanishes where either does. The group: {} The first parts: {}",
+        product.groups.len(),
+        why(&product.group),
+        why(&product.firsts)
+    )
 }
 
 fn value(part: &Part) -> Text {

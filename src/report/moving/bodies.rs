@@ -1,11 +1,10 @@
 //! How do pistons, rods and pins move? What their drawing needs of each cylinder.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::super::typeset;
 use super::super::views::axes;
-use super::open_angle::OpenAngle;
+use super::open_angle::{OpenAngle, decimal};
 use super::scene::{Body, Knuckle};
 use crate::engine::{Cylinder, Engine, Link, Mechanism};
 use crate::proof::Sense;
@@ -17,11 +16,6 @@ const LEAST_RATIO: (i64, i64) = (1, 8);
 
 fn ratio((numerator, denominator): (i64, i64)) -> BigRational {
     BigRational::new(numerator.into(), denominator.into())
-}
-
-/// A number in decimals.
-pub(super) fn decimal(value: &BigRational) -> f64 {
-    value.to_f64().unwrap_or(0.0)
 }
 
 /// The cylinders from the free end on.

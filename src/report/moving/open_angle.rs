@@ -7,8 +7,8 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::super::{family_page, typeset};
-use super::bodies::decimal;
+use super::super::family_page::summary;
+use super::super::typeset;
 use super::scene::{Mark, MovingAngle, Zeros};
 use crate::engine::{DELTA, Engine, Family, Linear, PHI};
 use crate::exact::Turn;
@@ -144,7 +144,7 @@ impl<'a> OpenAngle<'a> {
             complete: open.always() || is_solved && !of_lengths_drawn,
             at: found.exact.iter().map(|value| self.whole(value)).collect(),
             near: found.irrational.iter().map(|ends| self.nearest(ends)).collect(),
-            words: family_page::summary(open).plain(),
+            words: summary(open).plain(),
         })
     }
 
@@ -211,4 +211,9 @@ fn value_in(family: &Family, engine: &Engine, unknown: &str) -> Option<BigRation
     let mut fitting: Vec<BigRational> = candidates.filter(is_so).collect();
     fitting.sort_by_key(|value| value.abs());
     fitting.into_iter().next()
+}
+
+/// A number in decimals.
+pub(super) fn decimal(value: &BigRational) -> f64 {
+    value.to_f64().unwrap_or(0.0)
 }

@@ -4,6 +4,7 @@ mod labels;
 mod legend;
 mod names;
 mod panel;
+mod scale;
 mod sheet;
 mod small;
 mod whole;
@@ -11,9 +12,7 @@ mod whole;
 pub(super) use legend::{firing_legend, star_legend, torque_legend};
 pub(super) use names::{shortened, source_names};
 pub(super) use panel::Panel;
-pub(super) use sheet::firing_figure;
-pub(super) use sheet::sized_star_figure;
-pub(super) use sheet::{Scale, Sheet, WIDTH};
+pub(super) use sheet::{Sheet, firing_figure, sized_star_figure};
 pub use sheet::{star_figure, torque_figure};
 pub use small::{small_star, small_stars, told};
 pub(super) use whole::{WholeStars, whole_legend, whole_star_figure};
@@ -30,6 +29,8 @@ use crate::numbers;
 use crate::order::Source;
 use crate::proof::{Polygon, Quantity};
 use crate::verdict::{JudgedStar, Verdict};
+
+pub(super) use scale::{Scale, WIDTH};
 
 /// The vectors of one sum as they are drawn: all of positive length, those of negative weight turned by 180°.
 ///

@@ -1,7 +1,7 @@
 //! What are the vectors of a ray called, in full and beside their arrow?
 
 use super::Ray;
-use super::sheet::LETTERS;
+use super::scale::LETTERS;
 use crate::engine::Engine;
 use crate::order::Source;
 use crate::page::figure::text_width;

@@ -1,7 +1,7 @@
 //! How is one star drawn? About its centre: ring, polygons, vectors, and the resultant above them.
 
 use super::labels::Labels;
-use super::sheet::{LETTERS, Scale, WIDTH};
+use super::scale::{LETTERS, SAME, Scale, WIDTH};
 use super::{Ray, Star, corners, part_felt, upright};
 use crate::engine::Engine;
 use crate::page::Number;
@@ -24,8 +24,6 @@ const FINE: f64 = 12.0;
 const MOST_ROOM: f64 = 14.0;
 /// Width of the outline of a resultant in millimetres.
 const OUTLINE: f64 = 0.5;
-/// Lengths and directions that differ by less are drawn as one: totals are sums of decimals.
-pub(super) const SAME: f64 = 1e-9;
 /// A shorter resultant than this, in millimetres, is filled: its outline would close.
 const SHORT_RESULTANT: f64 = 2.5;
 

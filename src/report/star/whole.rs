@@ -6,8 +6,9 @@ use num_complex::Complex;
 use num_traits::{ToPrimitive, Zero};
 
 use super::legend::legend;
-use super::panel::{SAME, heading, rounded_sum};
-use super::sheet::{Scale, Sheet, in_both_units};
+use super::panel::{heading, rounded_sum};
+use super::scale::{SAME, Scale};
+use super::sheet::{Sheet, in_both_units};
 use super::{Panel, Ray, Star};
 use crate::loads::Outcome;
 use crate::numbers;

@@ -1,21 +1,12 @@
 //! Which speeds are barred around a critical one, and do stresses hold their limit at the ends of that range?
 
-use super::words::rpm;
-use super::{ResonanceOrder, TorsionStudy, VibrationOrder};
+use super::amounts::rpm;
+use super::study::TorsionStudy;
+use super::vibration::Barred;
+use super::{ResonanceOrder, VibrationOrder};
 use crate::engine::CycleOrder;
 use crate::page::{Text, phrase};
 use crate::torsion;
-
-/// The range of the formula around a critical speed.
-#[derive(Clone, Debug)]
-pub struct Barred {
-    /// Its ends in revolutions a minute.
-    pub speeds: [f64; 2],
-    /// Whether the stresses are permitted again at both ends, as far as they are in the range that is asked for.
-    pub suffices: bool,
-    /// The order with the largest part of the torque at the critical speed, in the shaft whose stress is farthest above its limit.
-    pub largest_part: CycleOrder,
-}
 
 impl TorsionStudy {
     /// The order with the largest part of the torque at a speed, in the shaft whose stress of all orders is farthest above its limit; none where

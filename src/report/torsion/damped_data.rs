@@ -2,7 +2,8 @@
 
 use num_traits::ToPrimitive;
 
-use super::{HeatPlace, TorsionStudy};
+use super::HeatPlace;
+use super::study::TorsionStudy;
 use crate::report::data::Filling;
 use crate::table::{Table, Unit};
 

@@ -1,8 +1,9 @@
 //! Which tables tell of a train with damping? Its shafts, discs, heat, resonances, dampers.
 
+use super::amounts::{rpm, shaft};
+use super::study::TorsionStudy;
 use super::tables::{MOST_MODES, MOST_ROWS};
-use super::words::{rpm, shaft};
-use super::{Barred, HeatPlace, ResonanceOrder, TorsionStudy, Vibration};
+use super::{Barred, HeatPlace, ResonanceOrder, Vibration};
 use crate::page::{Columns, Number, Table, Text, Unit, phrase};
 use crate::torsion::{CriticalSpeeds, Node};
 

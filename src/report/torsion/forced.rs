@@ -1,7 +1,7 @@
 //! How far does each order of the torque twist the shaft at the speed of the layout? Without damping, away from critical speeds alone.
 
-use super::TorsionStudy;
-use super::damped::omega;
+use super::study::TorsionStudy;
+use super::vibration::omega;
 use crate::engine::CycleOrder;
 use crate::torsion::{CriticalSpeeds, shaft_torques};
 
@@ -23,6 +23,18 @@ pub struct ForcedTwist {
     pub shaft: f64,
     /// In which shaft, from 0.
     pub shaft_number: usize,
+}
+
+impl TorsionStudy {
+    /// How far the orders twist the shaft at the speed of the layout; none where it lacks what the torque needs.
+    pub fn forced(&self) -> Vec<ForcedTwist> {
+        self.speed.map_or_else(Vec::new, |speed| forced(self, speed))
+    }
+
+    /// Behind which disc the shaft with the largest torque is, by its number from 1.
+    pub(super) fn behind(&self, twist: &ForcedTwist) -> usize {
+        self.torsion().shafts.get(twist.shaft_number).map_or(0, |shaft| shaft.ends[0]) + 1
+    }
 }
 
 /// The orders of a study at a speed; none where the layout lacks what the torque needs.

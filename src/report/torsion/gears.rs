@@ -1,7 +1,8 @@
 //! What is said of the torque in the teeth of gears? Tables of data and of the page, the answer.
 
-use super::words::{rpm, torque};
-use super::{TorsionStudy, Vibration};
+use super::Vibration;
+use super::amounts::{rpm, torque};
+use super::study::TorsionStudy;
 use crate::numbers::float;
 use crate::page::{self, Number, Text, Unit, phrase};
 use crate::report::data::Filling;

@@ -1,5 +1,6 @@
 //! What is said of a crankshaft that twists? Frequencies, modes, critical speeds with the star of each, a Campbell diagram.
 
+mod amounts;
 mod barred;
 mod damped;
 mod damped_data;
@@ -10,167 +11,17 @@ mod forced;
 mod gears;
 mod page;
 mod plots;
+mod question;
 mod study;
 mod tables;
+mod vibration;
 mod words;
 
-use std::collections::BTreeSet;
-use std::sync::OnceLock;
-
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
-
-use crate::engine::{CycleOrder, ElasticShaft, Engine, Torsion};
-use crate::firing::{self, NoStar};
-use crate::torsion::{Critical, CriticalSpeeds, Train, critical_speeds};
-use excited::Excited;
-
-pub use barred::Barred;
-pub use damped::{
-    DamperStudy, Excess, FoundDamper, HeatPlace, LargestTorque, ResonanceOrder, TwistAtSpeed, Vibration, VibrationOrder,
-};
 pub use forced::ForcedTwist;
 pub(super) use page::torsion_section;
 pub use page::{torsion_answer, torsion_page};
-
-/// Orders up to this one are shown where none are asked for, in halves.
-const USUAL_HALVES: u32 = 24;
-/// Stars that differ by less than this part are equally long for all that decimals tell.
-const ALIKE: f64 = 1e-9;
-
-/// The modes of an engine's shaft, with their critical speeds.
-#[derive(Clone, Debug)]
-pub struct TorsionStudy {
-    /// The engine.
-    pub engine: Engine,
-    /// The modes, rising.
-    pub modes: Vec<CriticalSpeeds>,
-    /// The speed of the layout in revolutions a minute, where it has one.
-    pub speed: Option<f64>,
-    /// Its discs and shafts in decimals.
-    pub train: Train,
-    /// What excites it, once that is asked for.
-    excited: OnceLock<Option<Excited>>,
-    cached: Cached,
-}
-
-/// What the page, the answer and several tables ask for, each computed once.
-#[derive(Clone, Debug, Default)]
-struct Cached {
-    at_speed: OnceLock<Option<Vibration>>,
-    resonances: OnceLock<Vec<ResonanceOrder>>,
-    range: OnceLock<Vec<TwistAtSpeed>>,
-    excesses: OnceLock<Vec<Excess>>,
-    dampers: OnceLock<Vec<DamperStudy>>,
-}
-
-/// Why there is no study.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum NoTorsion {
-    /// The layout has no table of the shaft.
-    NoShaft,
-    /// There are no firing stars.
-    NoStar(NoStar),
-}
-
-impl std::fmt::Display for NoTorsion {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            NoTorsion::NoShaft => f.write_str(
-                "the layout does not give the torsional data of the shaft; add a table [torsion] with inertias = [\"0.03 kg m^2\", …], one per disc from the free end on, and stiffnesses = [\"1 MN m/rad\", …], one between each two",
-            ),
-            NoTorsion::NoStar(why) => why.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for NoTorsion {}
-
-impl TorsionStudy {
-    /// The modes with the critical speeds of these orders; of those up to 12 where there are none.
-    ///
-    /// # Errors
-    /// See [`NoTorsion`].
-    pub fn new(engine: &Engine, orders: &[CycleOrder]) -> Result<Self, NoTorsion> {
-        let torsion = engine.torsion().ok_or(NoTorsion::NoShaft)?;
-        let cycle = firing::firing_of(engine).map_err(NoTorsion::NoStar)?.cycle;
-        let orders: Vec<CycleOrder> = match orders {
-            [] => {
-                let all = (1..=USUAL_HALVES).filter_map(CycleOrder::of_halves);
-                let given = torsion.harmonics.iter().map(|harmonic| harmonic.order);
-                let orders: BTreeSet<CycleOrder> = all.filter(|order| order.exists_in(cycle)).chain(given).collect();
-                orders.into_iter().collect()
-            }
-            asked => {
-                let mut orders = asked.to_vec();
-                orders.sort_unstable();
-                orders.dedup();
-                orders
-            }
-        };
-        let modes = critical_speeds(engine, torsion, &orders).map_err(NoTorsion::NoStar)?;
-        let speed = engine.dimensions().speed.as_ref().and_then(BigRational::to_f64);
-        let train = Train::new(torsion);
-        Ok(TorsionStudy {
-            engine: engine.clone(),
-            modes,
-            speed,
-            train,
-            excited: OnceLock::new(),
-            cached: Cached::default(),
-        })
-    }
-
-    /// The same at another speed than that of the layout, in revolutions a minute.
-    #[must_use]
-    pub fn at(self, speed: f64) -> Self {
-        TorsionStudy { speed: Some(speed), cached: Cached::default(), ..self }
-    }
-
-    /// Its shaft.
-    pub fn torsion(&self) -> &Torsion {
-        self.engine.torsion().unwrap_or_else(|| unreachable!("a torsional study needs a [torsion] table"))
-    }
-
-    /// Whether its discs are a row.
-    pub(super) fn is_row(&self) -> bool {
-        self.torsion().is_row()
-    }
-
-    /// The shaft from a disc to the next, by the number of the disc from 0.
-    pub(super) fn shaft_behind(&self, disc: usize) -> Option<&ElasticShaft> {
-        self.torsion().shafts.iter().find(|shaft| shaft.ends == [disc, disc + 1])
-    }
-
-    /// What excites the train; none where the layout has neither harmonics nor gas with a speed.
-    fn excited(&self) -> Option<&Excited> {
-        self.excited.get_or_init(|| Excited::new(&self.engine, self.torsion(), &self.train)).as_ref()
-    }
-
-    /// How far the orders twist the shaft at the speed of the layout; none where it lacks what the torque needs.
-    pub fn forced(&self) -> Vec<ForcedTwist> {
-        self.speed.map_or_else(Vec::new, |speed| forced::forced(self, speed))
-    }
-
-    /// Behind which disc the shaft with the largest torque is, by its number from 1.
-    fn behind(&self, twist: &ForcedTwist) -> usize {
-        self.torsion().shafts.get(twist.shaft_number).map_or(0, |shaft| shaft.ends[0]) + 1
-    }
-
-    /// The highest speed that matters: the end of the range where one is given, else the speed of the layout.
-    pub(super) fn highest_speed(&self) -> Option<f64> {
-        self.torsion().speeds.as_ref().and_then(|speeds| speeds[1].to_f64()).or(self.speed)
-    }
-
-    /// The orders of a mode by the length of their stars, the longest first; of equally long ones the lowest order first. Those above
-    /// the highest speed are omitted where there is one.
-    fn strongest<'b>(&self, mode: &'b CriticalSpeeds) -> Vec<&'b Critical> {
-        let met = |critical: &&Critical| self.highest_speed().is_none_or(|speed| critical.rpm <= speed);
-        let mut orders: Vec<&Critical> = mode.orders.iter().filter(met).collect();
-        let in_steps = |critical: &Critical| (critical.star.norm() / mode.longest / ALIKE).round();
-        orders.sort_by(|one, other| in_steps(other).total_cmp(&in_steps(one)).then(one.order.cmp(&other.order)));
-        orders.retain(|critical| in_steps(critical) > 0.0);
-        orders
-    }
-}
+pub use study::{NoTorsion, TorsionStudy};
+pub use vibration::{
+    Barred, DamperStudy, Excess, FoundDamper, HeatPlace, LargestTorque, ResonanceOrder, TwistAtSpeed, Vibration,
+    VibrationOrder,
+};

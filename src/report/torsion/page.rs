@@ -1,6 +1,7 @@
 //! What is on the page of a shaft that twists, and on the terminal?
 
-use super::{TorsionStudy, damped_tables as damped, gears, plots, tables, words};
+use super::study::TorsionStudy;
+use super::{amounts, damped_tables as damped, gears, plots, tables, words};
 use crate::engine::Engine;
 use crate::page::{Block, Document, Fold, Picture, Table, Text, phrase};
 
@@ -70,7 +71,7 @@ fn forced_twist(study: &TorsionStudy) -> Vec<Block> {
         }
     };
     if let Some(vibration) = study.at_speed() {
-        let speed = || words::rpm(vibration.speed);
+        let speed = || amounts::rpm(vibration.speed);
         section(
             phrase!("Shafts at {}, all orders together, and the largest in the range:", speed()),
             Some(damped::shafts(study, vibration)),

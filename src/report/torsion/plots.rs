@@ -2,8 +2,9 @@
 
 use super::super::figure::Ink;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
+use super::study::TorsionStudy;
 use super::tables::MOST_MODES;
-use super::{TorsionStudy, TwistAtSpeed, words};
+use super::{TwistAtSpeed, amounts};
 use crate::page::{Picture, Text, Unit, phrase};
 use crate::torsion::Critical;
 
@@ -83,7 +84,7 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
     amplitude.curves.push(Curve::new(0, "", points(&|at| at.first.to_degrees())));
     let mut torque = Plot::new("Vibration torque", x(), Axis::amplitude("Torque in {}").counted_in(Unit::NEWTON_METRE));
     for (number, &shaft) in shafts.iter().take(MOST_SHAFTS).enumerate() {
-        let name = format!("shaft {}", words::shaft(study, shaft));
+        let name = format!("shaft {}", amounts::shaft(study, shaft));
         torque.curves.push(Curve::new(number, name, points(&|at| at.torques[shaft])));
     }
     let mut pictures = vec![
@@ -104,7 +105,7 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
         shafts.into_iter().filter(|shaft| study.stress(*shaft, 1.0).is_some()).take(MOST_SHAFTS).collect();
     let mut stress = Plot::new("Vibration stress", x(), Axis::amplitude("Stress in {}").counted_in(Unit::MEGAPASCAL));
     for (number, &shaft) in stressed.iter().enumerate() {
-        let name = words::shaft(study, shaft);
+        let name = amounts::shaft(study, shaft);
         let of = |at: &TwistAtSpeed| 1e-6 * study.stress(shaft, at.torques[shaft]).unwrap_or(f64::NAN);
         stress.curves.push(Curve::new(number, format!("shaft {name}"), points(&of)));
         if study.limit(shaft).is_some() {

@@ -2,8 +2,8 @@
 
 use super::super::typeset;
 use super::ForcedTwist;
-use super::TorsionStudy;
-use super::words::{part, shaft};
+use super::amounts::{part, shaft};
+use super::study::TorsionStudy;
 use crate::engine::CycleOrder;
 use crate::page::{Number, Table, Text, Unit, number, phrase};
 

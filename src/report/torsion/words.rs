@@ -1,8 +1,10 @@
 //! What is said first of a shaft that twists, and what it rests on?
 
 use super::super::torque::misfire;
+use super::amounts::{part, rpm, shaft, torque};
+use super::study::TorsionStudy;
 use super::tables::MOST_MODES;
-use super::{TorsionStudy, barred, gears};
+use super::{barred, gears};
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::torsion::CriticalSpeeds;
 
@@ -89,16 +91,6 @@ fn hertz(mode: &CriticalSpeeds) -> Text {
     Piece::Quantity(mode.mode.hertz(), Unit::HERTZ).into()
 }
 
-/// A speed, rounded to what a reader wants to know.
-pub(super) fn rpm(value: f64) -> Text {
-    Piece::Quantity(value, Unit::PER_MINUTE).into()
-}
-
-/// A part of the greatest length, in hundredths.
-pub(super) fn part(value: f64) -> Text {
-    Piece::Quantity(100.0 * value, Unit::PERCENT).into()
-}
-
 const MISFIRE: &str = "Amplitudes, torques, stresses and heat are those of the misfire, in decimals. The stars are those of all cylinders firing alike; which orders vanish is not decided for a misfire.";
 
 /// What shakes where the torque is known, the frequencies, and the strongest critical speed.
@@ -148,16 +140,6 @@ fn frequencies(study: &TorsionStudy) -> Vec<Text> {
         ),
     });
     lines
-}
-
-/// The discs at both ends of a shaft: `7–8`.
-pub(super) fn shaft(study: &TorsionStudy, shaft: usize) -> String {
-    let [one, other] = study.torsion().shafts[shaft].ends;
-    format!("{}–{}", one + 1, other + 1)
-}
-
-pub(super) fn torque(value: f64) -> Text {
-    Piece::Quantity(value, Unit::NEWTON_METRE).into()
 }
 
 fn damping(value: f64) -> Text {

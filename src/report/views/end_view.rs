@@ -5,16 +5,12 @@ use super::super::plot::labels::Labels;
 use super::MOST_LABELS;
 use super::below::write_below;
 use super::crop::cropped;
-use super::linkage::{Linkage, Linkages, linkages};
+use super::linkage::{CROWN, HEAD, Linkage, Linkages, SKIRT, linkages};
 use super::names::{name_banks, name_offsets, name_pins, name_pistons};
 use crate::engine::{Engine, SeenFrom};
 use crate::page::Units;
 use crate::proof::Sense;
 
-/// The piston, from its pin: down and up; and how far the cylinder reaches over the piston at top dead centre.
-pub(super) const SKIRT: f64 = 1.7;
-pub(super) const CROWN: f64 = 2.6;
-pub(super) const HEAD: f64 = 1.2;
 /// Half the bore where there is room.
 const WIDEST: f64 = 4.6;
 const NARROWEST: f64 = 1.2;

@@ -22,6 +22,13 @@ const LONGEST_ROD: f64 = 6.0;
 /// From the shaft to the farthest piston pin, in millimetres.
 const REACH: f64 = 41.0;
 
+/// The piston, from its pin: down and up; and how far the cylinder reaches over the piston at top dead centre.
+pub(super) const SKIRT: f64 = 1.7;
+
+pub(super) const CROWN: f64 = 2.6;
+
+pub(super) const HEAD: f64 = 1.2;
+
 /// A piston with its rod and its crankpin; cylinders that coincide in this view are one.
 pub(super) struct Linkage<'a> {
     pub names: Vec<&'a str>,

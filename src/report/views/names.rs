@@ -6,8 +6,7 @@ use super::super::figure::{Anchor, Figure, Ink, Point, Stroke};
 use super::super::plot::curve::Area;
 use super::super::plot::labels::{LINE, Labels, Place};
 use super::super::typeset;
-use super::end_view::{CROWN, HEAD, SKIRT};
-use super::linkage::Linkage;
+use super::linkage::{CROWN, HEAD, Linkage, SKIRT};
 use super::signed_angle;
 
 /// More banks than this are named by their cylinders and not by their angles.

@@ -1,0 +1,72 @@
+//! How is an angle or a length with unknowns written?
+
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+use super::super::typeset;
+use crate::engine::{DELTA, Linear, PHI};
+use crate::exact::Turn;
+use crate::family::{Alternative, Condition};
+use crate::page::Text;
+
+/// `2φ − δ ≡ 180°`.
+pub(super) fn exactly(unknowns: String, turn: &Turn) -> String {
+    format!("{unknowns} ≡ {}", typeset::angle(turn))
+}
+
+/// Where there is no angle in the range.
+pub(super) const NEVER: &str = "never 0 in (0°, 360°)";
+
+/// `φ ≡ 60° and δ ≡ 90°`; none where no φ and δ in the range make it.
+pub(super) fn together(alternative: &Alternative) -> Option<Text> {
+    together_by(alternative, exactly)
+}
+
+pub(super) fn together_by(alternative: &Alternative, shown: fn(String, &Turn) -> String) -> Option<Text> {
+    let one = |condition: &Condition| {
+        // φ, or else δ, is shown entering positively.
+        let Condition { phi, delta, turn } = condition;
+        Text::label(match phi.is_negative() || phi.is_zero() && delta.is_negative() {
+            true => shown(unknowns(&-phi, &-delta), &-turn),
+            false => shown(unknowns(phi, delta), turn),
+        })
+    };
+    alternative.in_range().map(|conditions| Text::joined(conditions.iter().map(one), " and "))
+}
+
+/// `2φ − δ`.
+pub(in crate::report) fn unknowns(phi: &BigRational, delta: &BigRational) -> String {
+    let parts = [(PHI, phi), (DELTA, delta)].map(|(name, factor)| Linear::symbol(name, factor.clone()));
+    match parts.map(|part| (part != Linear::default()).then(|| greek(&part))) {
+        [None, None] => "0".to_owned(),
+        [Some(only), None] | [None, Some(only)] => only,
+        [Some(phi), Some(delta)] => format!("{phi} + {delta}").replace("+ −", "− "),
+    }
+}
+
+/// An angle with unknowns, given in turns: `45° + φ/2`; the known part in `(−180°, 180°]`.
+pub(super) fn open_angle(angle: &Linear) -> String {
+    let symbols = angle.minus(&Linear::constant(angle.known().clone()));
+    let known = typeset::degrees(&typeset::signed_degrees(&Turn::new(angle.known().clone())));
+    match (symbols == Linear::default(), angle.known().is_zero()) {
+        (true, _) => known,
+        (false, true) => greek(&symbols),
+        (false, false) => format!("{known} + {}", greek(&symbols)).replace("+ −", "− "),
+    }
+}
+
+pub(in crate::report) fn greek(linear: &Linear) -> String {
+    linear.to_string().replace(PHI, "φ").replace(DELTA, "δ")
+}
+
+/// A length with symbols.
+pub(super) fn open_length(length: &Linear) -> String {
+    match length.as_known() {
+        Some(known) => typeset::number(known),
+        None => length.to_string(),
+    }
+}
+
+pub(super) fn near(name: &str, degrees: f64) -> Text {
+    Text::label(format!("{name} ≈ {}°", typeset::decimal(degrees)))
+}
