@@ -11,7 +11,8 @@ use crankstar::report::Question;
 use crankstar::table;
 
 use super::failure::Failure;
-use super::pages::{self, Measures, PageArgs};
+use super::measures::Measures;
+use super::pages::{self, PageArgs};
 use super::tables::{Tables, Wanted};
 use super::{tables, verify, write};
 

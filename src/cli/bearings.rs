@@ -3,9 +3,9 @@
 use crankstar::file::Layout;
 use crankstar::report::BearingsStudy;
 
-use super::EngineAndOrders;
 use super::answer::Answer;
 use super::failure::Failure;
+use super::orders::EngineAndOrders;
 
 /// Arguments of `bearings`.
 #[derive(clap::Args)]

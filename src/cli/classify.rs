@@ -1,22 +1,22 @@
 //! `classify`: does force or moment vanish, order by order?
 
 use crankstar::engine::Family;
-use crankstar::family;
 use crankstar::file::Layout;
-use crankstar::loads;
 use crankstar::page::Document;
 use crankstar::report::{self, data};
-use crankstar::verdict;
+use crankstar::{family, loads, verdict};
 
 use super::answer::DataAnswer;
 use super::failure::Failure;
 use super::firing::{self, ModeShape};
 use super::language::LanguageArgs;
 use super::masses::Masses;
-use super::pages::{Measures, shown};
+use super::measures::Measures;
+use super::orders::EngineAndOrders;
+use super::pages::shown;
 use super::verify::proved;
 use super::weigh::Weigh;
-use super::{EngineAndOrders, layouts, write};
+use super::{layouts, write};
 
 /// Arguments of `classify`.
 #[derive(clap::Args)]

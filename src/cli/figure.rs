@@ -14,10 +14,11 @@ use crankstar::report::{self, Contents, NamedPicture};
 use crankstar::text::harmless;
 
 use super::failure::Failure;
-use super::masses::Masses;
+use super::masses::{Masses, masses_of_a_family};
+use super::orders::{EngineAndOrders, classified};
 use super::pages::Reader;
 use super::sweep::Ranges;
-use super::{EngineAndOrders, classified, folder, layouts, write};
+use super::{folder, layouts, write};
 
 /// Arguments of `figure`.
 #[derive(clap::Args)]
@@ -119,7 +120,7 @@ impl Figure {
         orders.sort_unstable();
         match layout {
             Layout::Known(engine, family) => self.of_engine(&engine, family.as_deref(), &orders),
-            Layout::Open(_) if self.masses.are_given() => Err(super::masses_of_a_family()),
+            Layout::Open(_) if self.masses.are_given() => Err(masses_of_a_family()),
             Layout::Open(family) => {
                 family::comparable(&family).map_err(Failure::new)?;
                 let verdicts = family::classify(&family, &orders).map_err(Failure::new)?;

@@ -19,7 +19,7 @@ pub struct Firing {
     layout: Option<PathBuf>,
     /// The cycle that the catalogue is run in
     #[arg(long, value_enum, default_value = "four-stroke", conflicts_with = "layout")]
-    cycle: super::search::Cycle,
+    cycle: super::cycle::Cycle,
     /// The orders to decide, such as 1/2,1,3/2 [default: up to the first that is major in even firing, at least 4]
     #[arg(long, value_delimiter = ',')]
     orders: Vec<CycleOrder>,

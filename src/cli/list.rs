@@ -1,13 +1,12 @@
 //! `list`: which engines are known by name, and what does each leave first?
 
-use crankstar::file;
 use crankstar::page::Options;
-use crankstar::report;
+use crankstar::{file, report};
 
 use super::failure::Failure;
 use super::language::LanguageArgs;
 use super::pages::shown;
-use super::{print_json, write};
+use super::write::{self, print_json};
 
 /// Arguments of `list`.
 #[derive(clap::Args)]

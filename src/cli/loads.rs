@@ -7,9 +7,9 @@ use crankstar::file::Layout;
 use crankstar::loads::{self, Needed};
 use crankstar::report::LoadsStudy;
 
-use super::EngineAndOrders;
 use super::answer::Answer;
 use super::failure::Failure;
+use super::orders::EngineAndOrders;
 use super::weigh::Threshold;
 
 /// The percentage of a bare `--auto`.

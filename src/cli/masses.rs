@@ -52,3 +52,8 @@ impl Masses {
         }
     }
 }
+
+/// Whose masses are meant says nothing of a family.
+pub fn masses_of_a_family() -> Failure {
+    Failure::new("--masses needs an engine without unknowns; give them values below [values]")
+}

@@ -9,6 +9,7 @@ mod check;
 mod classify;
 mod closed;
 mod compare;
+mod cycle;
 mod exercise;
 mod failure;
 mod figure;
@@ -23,10 +24,12 @@ mod lock;
 mod man;
 mod mark;
 mod masses;
+mod measures;
 mod moments;
 mod mounts;
 mod notation;
 mod optimise;
+mod orders;
 mod pages;
 mod pieces;
 mod progress;
@@ -47,14 +50,9 @@ mod weigh;
 mod write;
 
 use std::ffi::OsString;
-use std::path::PathBuf;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use crankstar::engine::{CycleOrder, Family};
-use crankstar::family::{self, OpenOrder};
-use crankstar::file::Layout;
-use crankstar::loads::{usual_bearing_orders, usual_orders};
 use crankstar::text;
 use failure::Failure;
 
@@ -156,73 +154,6 @@ enum Command {
     Schema(schema::Schema),
 }
 
-/// The engine and the orders that a command is about.
-#[derive(clap::Args)]
-struct EngineAndOrders {
-    /// A name of the catalogue, or the path of a layout file
-    layout: PathBuf,
-    /// The orders to decide [default: those of the layout file, else 1,2,4,6 and other large ones]
-    #[arg(long, value_delimiter = ',')]
-    orders: Vec<CycleOrder>,
-}
-
-impl EngineAndOrders {
-    /// The orders that were asked for.
-    fn asked(&self) -> Result<Vec<u32>, Failure> {
-        self.orders.iter().map(|&order| whole(order)).collect()
-    }
-
-    /// Whether orders were asked for.
-    fn are_asked(&self) -> bool {
-        !self.orders.is_empty()
-    }
-
-    /// What the layout describes, and the orders to examine, rising, each once.
-    fn read(&self) -> Result<(Layout, Vec<u32>), Failure> {
-        self.read_or(usual_orders)
-    }
-
-    /// The same for what the main bearings feel, which has orders of its own.
-    fn read_for_bearings(&self) -> Result<(Layout, Vec<u32>), Failure> {
-        self.read_or(usual_bearing_orders)
-    }
-
-    fn read_or(&self, usual: fn(&crankstar::engine::Engine) -> Vec<u32>) -> Result<(Layout, Vec<u32>), Failure> {
-        let layout = layouts::read(&self.layout)?;
-        let mut orders = match (self.orders.as_slice(), &layout) {
-            ([], Layout::Known(engine, _)) => usual(engine),
-            ([], Layout::Open(family)) => family.orders().to_vec(),
-            (_, _) => self.asked()?,
-        };
-        orders.sort_unstable();
-        orders.dedup();
-        Ok((layout, orders))
-    }
-}
-
-/// Half orders are those of the gas torque.
-fn whole(order: CycleOrder) -> Result<u32, Failure> {
-    match order.is_whole() {
-        true => Ok(order.halves() / 2),
-        false => Err(Failure::misuse(format!(
-            "order {order} is one of the gas torque, which `classify --firing` and `firing` decide; forces and moments have whole orders"
-        ))),
-    }
-}
-
-/// The family of an engine whose file gives values to symbols, judged at these orders.
-fn classified<'a>(family: Option<&'a Family>, orders: &[u32]) -> Result<Option<(&'a Family, Vec<OpenOrder>)>, Failure> {
-    // Where the rods differ nothing is said of other values than those given.
-    let family = family.filter(|family| family::comparable(family).is_ok());
-    let judged = family.map(|family| Ok((family, family::classify(family, orders).map_err(Failure::new)?)));
-    judged.transpose()
-}
-
-/// Whose masses are meant says nothing of a family.
-fn masses_of_a_family() -> Failure {
-    Failure::new("--masses needs an engine without unknowns; give them values below [values]")
-}
-
 /// Answers a command line, whose first word is the name of the program; the exit status.
 pub fn run(arguments: impl Iterator<Item = OsString>) -> u8 {
     let done = |()| 0;
@@ -291,20 +222,6 @@ fn asked(arguments: Vec<OsString>) -> Result<Arguments, clap::Error> {
 fn misused(told: &clap::Error) -> u8 {
     write::to_stderr(text::harmless_lines(&told.render().to_string()).trim_end());
     2
-}
-
-fn print_json(document: &impl serde::Serialize) -> Result<(), Failure> {
-    write::to_stdout(&json(document)?)
-}
-
-/// A document as a text that does nothing to a terminal.
-fn json(document: &impl serde::Serialize) -> Result<String, Failure> {
-    written_json(serde_json::to_string_pretty(document))
-}
-
-/// The same of a document that is a text already.
-fn written_json(json: serde_json::Result<String>) -> Result<String, Failure> {
-    Ok(text::json(&json.map_err(Failure::new)?) + "\n")
 }
 
 fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {

@@ -1,8 +1,8 @@
 //! `optimise`: which counterweights are best?
 
-use super::EngineAndOrders;
 use super::answer::Answer;
 use super::failure::Failure;
+use super::orders::EngineAndOrders;
 
 /// Arguments of `optimise`.
 #[derive(clap::Args)]

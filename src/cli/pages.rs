@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use crankstar::page::{self, Document, Figures, File, Language, Options, Units};
+use crankstar::page::{self, Document, File, Language, Options};
 
 use super::failure::Failure;
 use super::language::LanguageArgs;
+use super::measures::Measures;
 use super::notation::Notation;
 use super::{folder, layouts, tables, write};
 
@@ -56,38 +57,6 @@ pub struct Reader {
     language: LanguageArgs,
 }
 
-/// In which units, and to how many figures, a person wants to read.
-#[derive(clap::Args)]
-pub struct Measures {
-    /// The units of forces, lengths and masses on pages and in answers; JSON stays in those of the SI
-    #[arg(long, value_enum, default_value = "si")]
-    units: System,
-    /// Significant figures of decimals, 2 to 12 [default: three or four]; bounds, drawings and data keep their own
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(2..=Figures::MOST as i64))]
-    digits: Option<u8>,
-}
-
-impl Measures {
-    /// The options of a page that they decide.
-    pub fn options(&self, language: Language) -> Options {
-        let figures = self.digits.map_or_else(Figures::default, |count| Figures::new(count.into()));
-        Options { units: self.units(), figures, language, ..Options::default() }
-    }
-
-    /// Whether figures are asked for.
-    pub fn are_digits_given(&self) -> bool {
-        self.digits.is_some()
-    }
-
-    /// The units.
-    pub fn units(&self) -> Units {
-        match self.units {
-            System::Si => Units::Si,
-            System::Inch => Units::Inch,
-        }
-    }
-}
-
 impl Reader {
     /// In which units and to how many figures a page is to be.
     pub fn measures(&self) -> &Measures {
@@ -100,15 +69,6 @@ impl Reader {
         let (symbols, language) = (self.notation.read()?, self.language.language());
         Ok(Options { stamp, symbols, ..self.measures.options(language) })
     }
-}
-
-/// A system of units.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum System {
-    /// Newtons, metres, kilograms
-    Si,
-    /// Pounds, inches, feet, horsepower
-    Inch,
 }
 
 /// What a page is written in.

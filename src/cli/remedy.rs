@@ -12,8 +12,9 @@ use num_traits::{Signed, Zero};
 
 use super::answer::Answer;
 use super::failure::Failure;
+use super::orders::EngineAndOrders;
 use super::weigh::Threshold;
-use super::{EngineAndOrders, layouts, write};
+use super::{layouts, write};
 
 /// Arguments of `remedy`.
 #[derive(clap::Args)]

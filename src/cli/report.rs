@@ -2,18 +2,18 @@
 
 use crankstar::accuracy::Timing;
 use crankstar::engine::Engine;
-use crankstar::family;
 use crankstar::file::Layout;
 use crankstar::proof::Quantity;
 use crankstar::report::{self, AccuracyCase};
-use crankstar::verdict;
+use crankstar::{family, verdict};
 
 use super::failure::Failure;
 use super::loads::Auto;
-use super::masses::Masses;
+use super::masses::{Masses, masses_of_a_family};
+use super::orders::{EngineAndOrders, classified};
 use super::pages::Pages;
+use super::progress;
 use super::weigh::Weigh;
-use super::{EngineAndOrders, classified, progress};
 
 /// Arguments of `report`.
 #[derive(clap::Args)]
@@ -65,7 +65,7 @@ impl Report {
                 let answer = || report::engine_answer_weighed(engine, &judged, &weighing);
                 self.pages.show_page(answer, &report::engine_page(subject))
             }
-            Layout::Open(_) if self.masses.are_given() => Err(super::masses_of_a_family()),
+            Layout::Open(_) if self.masses.are_given() => Err(masses_of_a_family()),
             Layout::Open(family) => {
                 family::comparable(family).map_err(Failure::new)?;
                 let verdicts = family::classify(family, &orders).map_err(Failure::new)?;

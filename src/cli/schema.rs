@@ -5,7 +5,7 @@ use clap::builder::PossibleValuesParser;
 use crankstar::report;
 
 use super::failure::Failure;
-use super::print_json;
+use super::write::print_json;
 
 /// Arguments of `schema`.
 #[derive(clap::Args)]

@@ -3,9 +3,7 @@
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
-use clap::ValueEnum;
-
-use crankstar::engine::{self, CycleOrder};
+use crankstar::engine::CycleOrder;
 use crankstar::exact::Turn;
 use crankstar::file::{parse_angle, parse_number};
 use crankstar::report::{SearchStudy, search_theorems};
@@ -13,6 +11,7 @@ use crankstar::search::{self, Front, Limit, Options, Pieces, Problem, Progress, 
 use crankstar::shard::Shard;
 
 use super::answer::Answer;
+use super::cycle::Cycle;
 use super::failure::Failure;
 use super::firing::ModeShape;
 use super::layouts::{self, shown};
@@ -80,23 +79,6 @@ pub struct Search {
     json: bool,
     #[command(flatten)]
     answer: Answer,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Cycle {
-    /// Every cylinder fires once a revolution
-    TwoStroke,
-    /// Every cylinder fires once in two revolutions
-    FourStroke,
-}
-
-impl From<Cycle> for engine::Cycle {
-    fn from(cycle: Cycle) -> Self {
-        match cycle {
-            Cycle::TwoStroke => engine::Cycle::TwoStroke,
-            Cycle::FourStroke => engine::Cycle::FourStroke,
-        }
-    }
 }
 
 impl Search {

@@ -10,7 +10,7 @@ use crankstar::text::harmless;
 
 use super::failure::Failure;
 use super::layouts::shown;
-use super::pages::Measures;
+use super::measures::Measures;
 use super::{folder, write};
 
 /// Which of the tables is meant.

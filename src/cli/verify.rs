@@ -181,7 +181,7 @@ fn summary(document: &AnyDocument, checked: &Checked, engine: &str) -> String {
 /// # Errors
 /// Where it is too large for `verify`, and where it does not hold, which is a fault of this program.
 pub fn proved(document: &impl serde::Serialize) -> Result<String, Failure> {
-    let json = super::json(document)?;
+    let json = write::json(document)?;
     accepted(&json)?.map(|()| json).map_err(|why| too_large(&why))
 }
 
@@ -194,13 +194,13 @@ fn too_large(why: &str) -> Failure {
 /// # Errors
 /// See [`proved`].
 pub fn checked(question: &impl Question) -> Result<String, Failure> {
-    let json = super::written_json(question.json())?;
+    let json = write::written_json(question.json())?;
     if !question.is_certified() {
         return Ok(json);
     }
     match (accepted(&json)?, question.json_without_evidence()) {
         (Ok(()), _) => Ok(json),
-        (Err(_), Some(bare)) => super::written_json(bare),
+        (Err(_), Some(bare)) => write::written_json(bare),
         (Err(why), None) => Err(too_large(&why)),
     }
 }

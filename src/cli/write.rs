@@ -2,7 +2,7 @@
 
 use std::io::{ErrorKind, Write};
 
-use crankstar::text::harmless_but_colours;
+use crankstar::text::{self, harmless_but_colours};
 
 use super::failure::Failure;
 use super::{closed, progress};
@@ -67,4 +67,18 @@ pub fn warn(text: &str) {
 pub fn to_stderr(text: &str) {
     progress::end();
     let _ = writeln!(anstream::stderr().lock(), "{text}");
+}
+
+pub fn print_json(document: &impl serde::Serialize) -> Result<(), Failure> {
+    to_stdout(&json(document)?)
+}
+
+/// A document as a text that does nothing to a terminal.
+pub fn json(document: &impl serde::Serialize) -> Result<String, Failure> {
+    written_json(serde_json::to_string_pretty(document))
+}
+
+/// The same of a document that is a text already.
+pub fn written_json(json: serde_json::Result<String>) -> Result<String, Failure> {
+    Ok(text::json(&json.map_err(Failure::new)?) + "\n")
 }
