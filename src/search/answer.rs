@@ -1,18 +1,20 @@
-//! What does a search answer? The front with its counts, or every value there is.
+//! What does a search answer? The front with its counts, the part of it that keeps limits, or every value there is.
 
 use std::cmp::Ordering;
 
 use num_bigint::BigUint;
 
-use super::found::{self, FoundStar, Standing};
+use super::found::{self, FoundStar, Moment, Standing};
 use super::front::{Census, StarValues};
-use super::judged;
-use super::limit::Limits;
-use super::piece::{self, Counts};
+use super::limit::{Limit, Limits};
 use super::problem::{Problem, ProblemError};
+use super::sizes::Sizes;
 use super::space::Space;
-use super::symmetry;
 use super::tables::Tables;
+use super::walk::Counts;
+use super::{judged, piece, symmetry};
+use crate::exact::{PhasorSum, Term, Turn};
+use crate::numbers;
 use crate::stars::By;
 
 /// The answer: no other star is as good in everything and better in something.
@@ -72,6 +74,44 @@ impl Front {
         Space::of_any_size(&self.problem).is_ok_and(|space| space.keeps == symmetry::EVERY_IMAGE)
     }
 
+    /// The stars that keep these limits, with what turns moments into newton-metres. What beats a star that keeps them keeps them too, so
+    /// these are the best of all that do.
+    ///
+    /// # Errors
+    /// Limits of orders that are not compared; newton-metres without sizes.
+    pub fn limited(mut self, limits: Vec<Limit>, sizes: Option<Sizes>) -> Result<Front, ProblemError> {
+        if self.problem.bank_angle.is_some() && !(limits.is_empty() && sizes.is_none()) {
+            return Err(ProblemError::new("limits and newton-metres are for engines in line"));
+        }
+        for limit in &limits {
+            if !self.problem.orders.contains(&limit.order) {
+                return Err(ProblemError::new(format!(
+                    "a limit of order {}, which is not compared; give it with --orders",
+                    limit.order
+                )));
+            }
+            if limit.in_newton_metres && sizes.is_none() {
+                return Err(ProblemError::new(
+                    "a limit in newton-metres needs --sizes LAYOUT: masses, rod, spacing, speed",
+                ));
+            }
+        }
+        let of = self.stars.len();
+        let keeps = |moment: &Moment| {
+            let mut own = limits.iter().filter(|limit| limit.order == moment.order);
+            own.all(|limit| is_within(moment, limit, sizes.as_ref()))
+        };
+        let kept: Vec<bool> = self.stars.iter().map(|star| star.moments.iter().all(keeps)).collect();
+        let mut of_stars = kept.iter();
+        self.stars.retain(|_| of_stars.next() == Some(&true));
+        if self.points.len() == kept.len() {
+            let mut of_points = kept.iter();
+            self.points.retain(|_| of_points.next() == Some(&true));
+        }
+        self.limits = Limits { limits, sizes, of };
+        Ok(self)
+    }
+
     fn judge(&self, throws: &[u16]) -> Result<Vec<StarValues>, ProblemError> {
         let space = Space::of_any_size(&self.problem)?;
         match space.holds(throws) {
@@ -79,6 +119,17 @@ impl Front {
             false => Err(ProblemError::new("these throws are not a star of this problem")),
         }
     }
+}
+
+/// Whether a moment is no longer than a limit: exactly in multiples, in decimals in newton-metres.
+fn is_within(moment: &Moment, limit: &Limit, sizes: Option<&Sizes>) -> bool {
+    if let Some(sizes) = sizes.filter(|_| limit.in_newton_metres) {
+        let size = if moment.sum.vanishes() { 0.0 } else { moment.decimal * sizes.newton_metres(moment.order) };
+        return size <= numbers::float(&limit.most);
+    }
+    let square = Term { angle: Turn::zero(), weight: &limit.most * &limit.most };
+    let excess = moment.sum.times(&moment.sum.conjugate()).minus(&PhasorSum::new(vec![square]));
+    excess.vanishes() || numbers::evaluate(&excess).re < 0.0
 }
 
 /// Every combination of values there is, by looking at every star; ranked as a front is.

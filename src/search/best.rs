@@ -4,8 +4,9 @@ use num_bigint::BigUint;
 
 use super::answer::Front;
 use super::found::FoundStar;
+use super::options::{Options, SearchError};
+use super::pieces::search;
 use super::problem::Problem;
-use super::run::{self, Options, SearchError};
 use crate::engine::Cycle;
 
 /// The best in-line stars of a number of cylinders.
@@ -31,14 +32,14 @@ pub struct Best {
 /// If there are no such stars, or the search is stopped.
 pub fn best_in_line(cylinders: u32, cycle: Cycle, options: &Options) -> Result<Best, SearchError> {
     let problem = Problem::inline(cylinders, cycle, &[1, 2]);
-    let front = run::search(&problem, options)?;
+    let front = search(&problem, options)?;
     let Front { all, stars, .. } = front;
     let tied = match stars.as_slice() {
         [only] if leaves_nothing(only) && only.classes.is_some_and(|classes| classes > 1) => only.classes,
         _ => return Ok(Best { problem, all, stars, tied: None }),
     };
     let problem = Problem::inline(cylinders, cycle, &[1, 2, 4]);
-    let front = run::search(&problem, options)?;
+    let front = search(&problem, options)?;
     let stars = front.stars.into_iter().filter(leaves_nothing).collect();
     Ok(Best { problem, all, stars, tied })
 }

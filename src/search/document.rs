@@ -2,15 +2,15 @@
 
 use serde::Serialize;
 
+use super::answer::Front;
+use super::found::{self, FoundStar, Moment};
+use super::mode_shape;
+use super::theorems::theorems;
+use super::torsion::{RankedOrder, Torsion};
 use crate::engine::CycleOrder;
 use crate::exact::PhasorSum;
 use crate::numbers;
 use crate::proof::Sense;
-
-use super::answer::Front;
-use super::found::{self, FoundStar, Moment};
-use super::theorems::theorems;
-use super::torsion::{self, RankedOrder, Torsion};
 
 /// A front for other programs to read.
 #[derive(Clone, Debug, Serialize)]
@@ -167,7 +167,7 @@ pub fn document(front: &Front) -> FrontDocument {
     };
     let shape = match problem.minor_orders.is_empty() {
         true => Vec::new(),
-        false => torsion::deflections(problem, problem.mode_shape.clone()).unwrap_or_default(),
+        false => mode_shape::deflections(problem, problem.mode_shape.clone()).unwrap_or_default(),
     };
     FrontDocument {
         format: "crankstar search 1",

@@ -2,10 +2,9 @@
 
 use num_rational::BigRational;
 
+use super::problem::Problem;
 use crate::engine::{Cycle, Firing, Shot};
 use crate::exact::Turn;
-
-use super::problem::Problem;
 
 /// The steps of the cycle that lie at this crank angle, whole revolutions omitted.
 ///
@@ -102,4 +101,19 @@ pub(super) fn cycle_name(cycle: Cycle) -> &'static str {
         Cycle::TwoStroke => "two-stroke",
         Cycle::FourStroke => "four-stroke",
     }
+}
+
+/// All orders in which cylinders can fire that may do so at these steps.
+pub(super) fn orders_of(steps: &[&[usize]]) -> Vec<Vec<usize>> {
+    let mut orders: Vec<Vec<usize>> = vec![vec![0]];
+    for step in 1..steps.len() {
+        let fires_then = |cylinder: &usize| steps[*cylinder].contains(&step);
+        let candidates: Vec<usize> = (0..steps.len()).filter(fires_then).collect();
+        let longer = |order: Vec<usize>| {
+            let free = candidates.iter().filter(|cylinder| !order.contains(cylinder)).copied().collect::<Vec<_>>();
+            free.into_iter().map(move |next| order.iter().copied().chain([next]).collect())
+        };
+        orders = orders.into_iter().flat_map(longer).collect();
+    }
+    orders
 }

@@ -5,17 +5,15 @@ use std::fmt::Write;
 
 use num_rational::BigRational;
 
+use super::front::StarValues;
+use super::problem::Problem;
+use super::vee::Bank;
+use super::{firing, mode_shape};
 use crate::engine::{self, BuildError, Cycle, CycleOrder, Cylinder, Draft, Engine, Firing};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers::{self, Form};
 use crate::order;
 use crate::proof::Sense;
-
-use super::firing;
-use super::front::StarValues;
-use super::problem::Problem;
-use super::torsion;
-use super::vee::Bank;
 
 /// The moment of one order: a vector `|C|`, in m r ω² c_k times the spacing, of the direct and of the reverse sense.
 #[derive(Clone, Debug)]
@@ -72,9 +70,9 @@ impl FoundStar {
         // Uneven stars have neighbours too, but no firing order.
         let asked = problem.neighbours.then_some(point.neighbours);
         let neighbours = fired.as_ref().map(|(_, count)| *count).or(asked);
-        let shape = torsion::deflections(problem, problem.mode_shape.clone()).unwrap_or_default();
+        let shape = mode_shape::deflections(problem, problem.mode_shape.clone()).unwrap_or_default();
         let sum =
-            |order: &CycleOrder| fired.as_ref().map(|(fired, _)| torsion::sum(fired, problem.cycle, &shape, *order));
+            |order: &CycleOrder| fired.as_ref().map(|(fired, _)| mode_shape::sum(fired, problem.cycle, &shape, *order));
         let minor = problem.minor_orders.iter().filter_map(|order| Some((*order, sum(order)?))).collect();
         let moments = problem.orders.iter().flat_map(|&order| moments(&throws, &banks, order)).collect();
         let firing_order = fired.map(|(order, _)| order);

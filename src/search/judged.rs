@@ -52,3 +52,11 @@ pub(super) fn judge(space: &Space, tables: &Tables, throws: &[u16]) -> Vec<StarV
     let bounds: Vec<(i128, i128)> = (0..space.orders.len()).map(bounds).collect();
     of_star(space, throws.to_vec(), &bounds, 1)
 }
+
+impl Value {
+    /// The value of a star at an order, with an enclosure of it.
+    pub fn new(space: &Space, throws: &[u16], order: u32, bounds: (i128, i128)) -> Self {
+        let exponents = throws.iter().map(|&throw| usize::from(throw) * order as usize % space.directions);
+        Value::of(space.directions, &exponents.zip(space.weights.iter().copied()).collect::<Vec<_>>(), bounds)
+    }
+}

@@ -2,43 +2,11 @@
 
 use super::front::{Judge, StarValues};
 use super::space::Space;
-use super::symmetry::Same;
 use super::tables::Tables;
-use super::walk::Walk;
+use super::walk::{Counts, Piece, Walk};
 
 /// Above this many directions a piece fixes one pair, else two.
 const COARSE: usize = 24;
-
-/// One piece of the search: the outermost pairs of throws, and which of their images are the same.
-#[derive(Clone, Debug)]
-pub(super) struct Piece {
-    pub pairs: Vec<(usize, usize)>,
-    pub same: Same,
-}
-
-impl Piece {
-    /// Whether a star begins like this.
-    pub fn holds(&self, throws: &[u16]) -> bool {
-        let ends = throws.iter().zip(throws.iter().rev()).map(|(&a, &b)| (usize::from(a), usize::from(b)));
-        self.pairs.iter().copied().eq(ends.take(self.pairs.len()))
-    }
-}
-
-/// What came of a piece.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Counts {
-    /// Stars judged, one per class of rotation, mirror and reversal.
-    pub judged: u64,
-    /// Starts omitted with all their completions, by the bound.
-    pub cut: u64,
-}
-
-impl Counts {
-    /// Both together; none where that is more than can be counted.
-    pub fn plus(self, other: Counts) -> Option<Counts> {
-        Some(Counts { judged: self.judged.checked_add(other.judged)?, cut: self.cut.checked_add(other.cut)? })
-    }
-}
 
 /// All pieces, in the order of their numbers: a function of the space alone.
 pub(super) fn pieces(space: &Space, tables: &Tables) -> Vec<Piece> {

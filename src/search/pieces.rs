@@ -10,12 +10,12 @@ use std::sync::OnceLock;
 
 use super::answer::{self, Front};
 use super::front::{Judge, Pareto};
-use super::piece::Counts;
+use super::options::{Options, Progress, SearchError};
 use super::plan::{Plan, Way};
 use super::problem::{Problem, ProblemError};
-use super::run::{Options, Progress, SearchError};
 use super::space::Space;
 use super::tables::Tables;
+use super::walk::Counts;
 use super::written::{self, Done};
 use crate::shard::{Merged, Question, Shard, Store, in_order};
 use crate::text::harmless;
@@ -164,5 +164,20 @@ impl Sum {
         self.counts = self.counts.plus(done.counts).filter(|sum| written::is_possible(*sum, space))?;
         done.points.iter().for_each(|point| self.front.take(point.clone()));
         Some(())
+    }
+}
+
+/// Finds the exact Pareto front of a question: complete, ties counted.
+///
+/// # Errors
+/// If the question makes no sense, the file of pieces cannot be read or written, or the progress callback stops the search.
+pub fn search(problem: &Problem, options: &Options) -> Result<Front, SearchError> {
+    let pieces = Pieces::new(problem, options.way).map_err(SearchError::Problem)?;
+    match &options.resume {
+        None => pieces.front(options),
+        Some(path) => {
+            pieces.keep(Shard::WHOLE, path, options)?;
+            pieces.merged(std::slice::from_ref(path))
+        }
     }
 }

@@ -2,10 +2,10 @@
 
 use super::front::Pareto;
 use super::join::{self, outer::Outer};
-use super::piece::{self, Counts, Piece};
 use super::space::Space;
-use super::symmetry;
 use super::tables::Tables;
+use super::walk::{Counts, Piece};
+use super::{piece, symmetry};
 
 /// How the stars are gone through.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

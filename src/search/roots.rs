@@ -1,8 +1,8 @@
 //! How long is a sum of weighted roots of unity of any order? An exact square with its enclosure.
 
-use super::tables::cosine;
 use super::value::{self, Value};
 use crate::exact::Turn;
+use crate::numbers;
 
 /// All roots of unity of an order in fixed point, each off by less than one unit.
 pub(super) struct Roots(Vec<[i64; 2]>);
@@ -26,4 +26,12 @@ impl Roots {
         let doubt = terms.iter().map(|(_, weight)| weight.abs()).sum();
         Value::of(self.order(), terms, value::square(sum(0), sum(1), doubt))
     }
+}
+
+/// Bits behind the point.
+pub(super) const BITS: u32 = 40;
+
+/// The cosine in units of 2^−40, off by less than one: the decimal is good to 2^−52, and rounding adds a half.
+pub(super) fn cosine(angle: &Turn) -> i64 {
+    (numbers::direction(angle).re * (1_i64 << BITS) as f64).round() as i64
 }

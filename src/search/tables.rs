@@ -3,15 +3,12 @@
 //! Whole numbers scaled by 2^40; every entry is off by less than one unit, so a sum of entries with whole weights is off by
 //! less than the sum of the moduli of the weights. Nothing here decides a tie: see `value`.
 
-use crate::exact::Turn;
-use crate::numbers;
-
+use super::roots::cosine;
 use super::space::Space;
+use crate::exact::Turn;
 
 /// Axes that vectors are projected on, spread over half a turn.
 pub(super) const AXES: usize = 8;
-/// Bits behind the point.
-pub(super) const BITS: u32 = 40;
 
 /// Projections of unit vectors and of the best that is left, on the axes.
 pub(super) struct Tables {
@@ -106,11 +103,6 @@ impl Tables {
 
 fn axis_angle(axis: i64) -> Turn {
     Turn::fraction(axis, 2 * AXES as i64)
-}
-
-/// The cosine in units of 2^−40, off by less than one: the decimal is good to 2^−52, and rounding adds a half.
-pub(super) fn cosine(angle: &Turn) -> i64 {
-    (numbers::direction(angle).re * (1_i64 << BITS) as f64).round() as i64
 }
 
 /// How often each direction is left, from the code with one digit per direction.

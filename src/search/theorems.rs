@@ -2,13 +2,13 @@
 
 use super::answer::{self, Front};
 use super::front::StarValues;
-use super::judged;
-use super::piece::Counts;
+use super::options::{Options, SearchError};
+use super::pieces::search;
 use super::problem::{MOST_THROWS, Problem};
-use super::run::{self, Options, SearchError};
 use super::space::Space;
-use super::symmetry;
 use super::tables::Tables;
+use super::walk::Counts;
+use super::{judged, symmetry};
 use crate::stars::{self, Count, Fate, Least, Made, Obstruction, Pins, Star};
 
 /// Up to this many throws all stars are searched where a theorem gives one without their count: that takes seconds.
@@ -66,11 +66,11 @@ fn compared(problem: &Problem) -> Vec<u32> {
 /// The front, by a theorem where one gives it, else by a search.
 ///
 /// # Errors
-/// As those of [`search`](run::search).
+/// As those of [`search`].
 pub fn answer(problem: &Problem, options: &Options) -> Result<Front, SearchError> {
     match described(problem) {
         Some(front) if options.resume.is_none() => Ok(front),
-        _ => run::search(problem, options),
+        _ => search(problem, options),
     }
 }
 

@@ -8,18 +8,18 @@ use std::cmp::Reverse;
 use num_rational::BigRational;
 
 use super::answer::Front;
+use super::firing::orders_of;
 use super::found::FoundStar;
+use super::mode_shape::{mode_shape, sum};
 use super::problem::{Problem, ProblemError};
 use super::{firing, found};
-use crate::engine::{Cycle, CycleOrder};
-use crate::exact::{PhasorSum, Term};
+use crate::engine::CycleOrder;
+use crate::exact::PhasorSum;
 use crate::firing::by_length;
 use crate::numbers;
 
 /// The firing orders of this many stars of a front are evaluated, the first ones.
 pub const MOST_TORSION_STARS: usize = 12;
-/// Cylinders of more instants than this, two at each, may fire in more than 256 orders.
-const MOST_CHOICES: u32 = 9;
 
 /// The firing orders of the stars of a front, judged in a mode of torsional vibration.
 #[derive(Clone, Debug)]
@@ -60,43 +60,6 @@ impl RankedOrder {
     /// `1-3-4-2`.
     pub fn name(&self) -> String {
         found::dashed(&self.firing_order)
-    }
-}
-
-/// The mode in which the firing orders of a front are evaluated: a given one, or one that falls evenly from the free end, n, n − 1, …, 1.
-///
-/// # Errors
-/// A mode shape with another number of values than the crankshaft has throws, or more than 256 firing orders of each star.
-pub fn mode_shape(problem: &Problem, shape: Option<Vec<BigRational>>) -> Result<Vec<BigRational>, ProblemError> {
-    let instants = if problem.cycle == Cycle::FourStroke { problem.cylinders / 2 } else { 1 };
-    if instants > MOST_CHOICES {
-        return Err(ProblemError::new(format!(
-            "a star of {} cylinders has 2^{} firing orders, too many to list; omit --torsion",
-            problem.cylinders,
-            instants - 1
-        )));
-    }
-    deflections(problem, shape)
-}
-
-/// The deflections of all throws.
-pub(super) fn deflections(
-    problem: &Problem,
-    shape: Option<Vec<BigRational>>,
-) -> Result<Vec<BigRational>, ProblemError> {
-    let throws = problem.throws();
-    let falling = || (1..=throws).rev().map(|deflection| BigRational::from_integer(deflection.into())).collect();
-    let shape: Vec<BigRational> = shape.unwrap_or_else(falling);
-    match shape.len() == throws as usize {
-        true => Ok(shape),
-        false => {
-            let (what, each) =
-                if problem.bank_angle.is_some() { ("throws", "throw") } else { ("cylinders", "cylinder") };
-            Err(ProblemError::new(format!(
-                "the mode shape has {} values for {throws} {what}; one per {each} is needed",
-                shape.len()
-            )))
-        }
     }
 }
 
@@ -155,31 +118,6 @@ fn judged(problem: &Problem, star: &FoundStar, shape: &[BigRational], orders: &[
 fn firing_orders(problem: &Problem, star: &FoundStar) -> Vec<Vec<usize>> {
     let Some(steps) = firing::even_steps(&problem.dead_centres_of(&star.throws), problem) else { return Vec::new() };
     orders_of(&steps.iter().map(Vec::as_slice).collect::<Vec<_>>())
-}
-
-/// All orders in which cylinders can fire that may do so at these steps.
-pub(super) fn orders_of(steps: &[&[usize]]) -> Vec<Vec<usize>> {
-    let mut orders: Vec<Vec<usize>> = vec![vec![0]];
-    for step in 1..steps.len() {
-        let fires_then = |cylinder: &usize| steps[*cylinder].contains(&step);
-        let candidates: Vec<usize> = (0..steps.len()).filter(fires_then).collect();
-        let longer = |order: Vec<usize>| {
-            let free = candidates.iter().filter(|cylinder| !order.contains(cylinder)).copied().collect::<Vec<_>>();
-            free.into_iter().map(move |next| order.iter().copied().chain([next]).collect())
-        };
-        orders = orders.into_iter().flat_map(longer).collect();
-    }
-    orders
-}
-
-/// The phase-vector sum of an even firing order.
-pub(super) fn sum(firing_order: &[usize], cycle: Cycle, shape: &[BigRational], order: CycleOrder) -> PhasorSum {
-    let shots = firing::even(firing_order, cycle).shots.into_iter();
-    let term = |(cylinder, angle): (usize, BigRational)| Term {
-        angle: order.phase(&angle),
-        weight: shape[cylinder % shape.len()].clone(),
-    };
-    PhasorSum::new(shots.map(|shot| term((shot.cylinder, shot.angle))).collect())
 }
 
 /// The place of each sum among all lengths, equal ones alike. Decimals only make the exact comparisons few.

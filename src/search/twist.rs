@@ -6,11 +6,11 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::clock::Clock;
-use super::firing;
+use super::firing::orders_of;
 use super::problem::{Problem, ProblemError};
 use super::roots::Roots;
-use super::torsion;
 use super::value::Value;
+use super::{firing, mode_shape};
 
 /// The sum of the deflections is below this, in the whole numbers that they are multiples of.
 const LONGEST: i64 = 1 << 20;
@@ -49,7 +49,7 @@ impl Twist {
         if problem.minor_orders.is_empty() {
             return Ok(None);
         }
-        let shape = torsion::deflections(problem, problem.mode_shape.clone())?;
+        let shape = mode_shape::deflections(problem, problem.mode_shape.clone())?;
         let clock = Clock::new(problem)?;
         if !clock.is_even() {
             return Err(ProblemError::new(
@@ -92,7 +92,7 @@ impl Twist {
     pub fn of(&self, throws: &[u16], with_neighbours: bool) -> Vec<Fired> {
         let Some(steps) = self.clock.even_steps(throws) else { return Vec::new() };
         let mut different: Vec<Fired> = Vec::new();
-        for order in torsion::orders_of(&steps) {
+        for order in orders_of(&steps) {
             let values = self.multiples.iter().map(|multiple| self.square(&order, *multiple)).collect();
             let neighbours = if with_neighbours { firing::in_succession(&order, throws.len()) } else { 0 };
             let fired = Fired { order, neighbours, values };

@@ -7,8 +7,6 @@ use num_rational::BigRational;
 use crate::exact::{self, PhasorSum, Term, Turn};
 use crate::numbers;
 
-use super::space::Space;
-
 /// The square `|Σ w ζ^{kt}|²`, with whole w (twice the arms): four times the squared moment in spacings.
 #[derive(Clone, Debug)]
 pub(super) struct Value {
@@ -21,12 +19,6 @@ pub(super) struct Value {
 }
 
 impl Value {
-    /// The value of a star at an order, with an enclosure of it.
-    pub fn new(space: &Space, throws: &[u16], order: u32, bounds: (i128, i128)) -> Self {
-        let exponents = throws.iter().map(|&throw| usize::from(throw) * order as usize % space.directions);
-        Value::of(space.directions, &exponents.zip(space.weights.iter().copied()).collect::<Vec<_>>(), bounds)
-    }
-
     /// The square of a sum of weighted powers of ζ, the root of unity of this order, with an enclosure of it.
     pub fn of(roots: usize, terms: &[(usize, i64)], (low, high): (i128, i128)) -> Self {
         let mut coefficients = vec![0; roots];

@@ -1,13 +1,43 @@
 //! Which stars does one piece of the search come to, and which does it omit?
 
 use super::front::Judge;
-use super::judged;
-use super::piece::{Counts, Piece};
 use super::problem::MOST_ORDERS;
+use super::roots::BITS;
 use super::space::Space;
 use super::symmetry::{self, Same};
 use super::tables::{AXES, Tables};
-use super::value;
+use super::{judged, value};
+
+/// One piece of the search: the outermost pairs of throws, and which of their images are the same.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    pub pairs: Vec<(usize, usize)>,
+    pub same: Same,
+}
+
+impl Piece {
+    /// Whether a star begins like this.
+    pub fn holds(&self, throws: &[u16]) -> bool {
+        let ends = throws.iter().zip(throws.iter().rev()).map(|(&a, &b)| (usize::from(a), usize::from(b)));
+        self.pairs.iter().copied().eq(ends.take(self.pairs.len()))
+    }
+}
+
+/// What came of a piece.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Counts {
+    /// Stars judged, one per class of rotation, mirror and reversal.
+    pub judged: u64,
+    /// Starts omitted with all their completions, by the bound.
+    pub cut: u64,
+}
+
+impl Counts {
+    /// Both together; none where that is more than can be counted.
+    pub fn plus(self, other: Counts) -> Option<Counts> {
+        Some(Counts { judged: self.judged.checked_add(other.judged)?, cut: self.cut.checked_add(other.cut)? })
+    }
+}
 
 /// Fills places pair by pair.
 pub(super) struct Walk<'a, J> {
@@ -125,7 +155,7 @@ impl<'a, J: Judge> Walk<'a, J> {
             *low = value::square(least.max(0), 0, 0).0;
         }
         let cannot_balance = self.space.supply.is_none() && {
-            let longest = (self.space.places - 2 * placed) as i64 * ((1 << super::tables::BITS) + 1);
+            let longest = (self.space.places - 2 * placed) as i64 * ((1 << BITS) + 1);
             self.sums(placed, count).iter().any(|sum| sum.abs() > longest + self.tables.doubt)
         };
         let matters = !cannot_balance && !self.judge.hopeless(&low[..count]);

@@ -3,14 +3,13 @@
 use num_bigint::BigUint;
 use serde::{Deserialize, Serialize};
 
-use super::firing;
 use super::front::StarValues;
-use super::judged;
-use super::piece::Counts;
 use super::plan::Plan;
 use super::problem::Problem;
 use super::space::Space;
 use super::tables::Tables;
+use super::walk::Counts;
+use super::{firing, judged};
 use crate::shard::Question;
 
 /// A judged piece.

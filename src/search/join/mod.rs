@@ -5,13 +5,11 @@ mod filling;
 pub(super) mod outer;
 
 use super::front::{Judge, Pareto};
-use super::judged;
-use super::piece::Counts;
 use super::problem::MOST_ORDERS;
 use super::space::Space;
-use super::symmetry;
 use super::tables::Tables;
-use super::value;
+use super::walk::Counts;
+use super::{judged, symmetry, value};
 use cells::Cells;
 use filling::{Arrangement, Filling, Group, still_same};
 use outer::{Image, Outer};

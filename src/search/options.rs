@@ -5,11 +5,9 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::answer::Front;
-use super::pieces::Pieces;
 use super::plan::Way;
-use super::problem::{Problem, ProblemError};
-use crate::shard::{Shard, ShardError, cores};
+use super::problem::ProblemError;
+use crate::shard::{ShardError, cores};
 
 /// How far a search is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,18 +90,3 @@ impl fmt::Display for SearchError {
 }
 
 impl std::error::Error for SearchError {}
-
-/// Finds the exact Pareto front of a question: complete, ties counted.
-///
-/// # Errors
-/// If the question makes no sense, the file of pieces cannot be read or written, or the progress callback stops the search.
-pub fn search(problem: &Problem, options: &Options) -> Result<Front, SearchError> {
-    let pieces = Pieces::new(problem, options.way).map_err(SearchError::Problem)?;
-    match &options.resume {
-        None => pieces.front(options),
-        Some(path) => {
-            pieces.keep(Shard::WHOLE, path, options)?;
-            pieces.merged(std::slice::from_ref(path))
-        }
-    }
-}
