@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::figure::Figure;
+use super::figure::{Figure, Mark};
 use super::text::Text;
 use super::{Language, Units};
 use crate::text::Untrusted;
@@ -214,5 +214,31 @@ impl From<Table> for Block {
 impl From<Picture> for Block {
     fn from(picture: Picture) -> Self {
         Block::Pictures(vec![picture])
+    }
+}
+
+impl Language {
+    /// A picture whose drawing has its words in the language; its caption is a text as others.
+    pub fn picture(self, picture: &Picture) -> Picture {
+        let mut out = picture.clone();
+        if self == Language::En {
+            return out;
+        }
+        for mark in &mut out.figure.marks {
+            match mark {
+                Mark::Text { text, prose, .. } => {
+                    *text = self.signs(text);
+                    *prose = prose.take().map(|prose| self.prose(&prose));
+                }
+                Mark::Title { text, .. } => *text = self.signs(text),
+                Mark::Line { .. }
+                | Mark::Circle { .. }
+                | Mark::Polygon { .. }
+                | Mark::Path { .. }
+                | Mark::Rectangles { .. } => {}
+            }
+        }
+        out.figure = out.figure.with_room_for_texts();
+        out
     }
 }

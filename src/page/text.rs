@@ -101,11 +101,6 @@ impl Text {
         Piece::Link(Box::new(text.into()), target.into()).into()
     }
 
-    /// As plain text, in English.
-    pub fn plain(&self) -> String {
-        super::text_in(self, super::Format::PLAIN)
-    }
-
     /// The parts.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces

@@ -26,7 +26,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("numbers", 2160),
     ("optimise", 1580),
     ("order", 1800),
-    ("page", 6830),
+    ("page", 6910),
     ("proof", 8700),
     ("python", 2670),
     ("remedy", 1835),

@@ -14,8 +14,6 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use super::block::Picture;
-use super::figure::Mark;
 use crate::text::Untrusted;
 pub(super) use decimals::has_comma;
 use pattern::Pattern;
@@ -143,7 +141,7 @@ impl Language {
         }
     }
 
-    fn signs(self, english: &str) -> String {
+    pub(super) fn signs(self, english: &str) -> String {
         let known = self.whole(english).or_else(|| self.sentences(english)).or_else(|| self.sentence(english));
         known.unwrap_or_else(|| self.numbers(english))
     }
@@ -212,7 +210,7 @@ impl Language {
     }
 
     /// What is drawn as prose with `$formulas$`.
-    fn prose(self, prose: &str) -> String {
+    pub(super) fn prose(self, prose: &str) -> String {
         let part = |(index, part): (usize, &str)| match index % 2 {
             0 => self.signs(part),
             _ => format!("${}$", self.formula(part)),
@@ -221,29 +219,5 @@ impl Language {
             Some(words) => words,
             None => prose.split('$').enumerate().map(part).collect(),
         }
-    }
-
-    /// A picture whose drawing has its words in the language; its caption is a text as others.
-    pub fn picture(self, picture: &Picture) -> Picture {
-        let mut out = picture.clone();
-        if self == Language::En {
-            return out;
-        }
-        for mark in &mut out.figure.marks {
-            match mark {
-                Mark::Text { text, prose, .. } => {
-                    *text = self.signs(text);
-                    *prose = prose.take().map(|prose| self.prose(&prose));
-                }
-                Mark::Title { text, .. } => *text = self.signs(text),
-                Mark::Line { .. }
-                | Mark::Circle { .. }
-                | Mark::Polygon { .. }
-                | Mark::Path { .. }
-                | Mark::Rectangles { .. } => {}
-            }
-        }
-        out.figure = out.figure.with_room_for_texts();
-        out
     }
 }

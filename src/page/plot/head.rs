@@ -1,10 +1,11 @@
 //! What is above a plot? Its title, and the legend in rows.
 
 use super::super::figure::{Anchor, Figure, Point};
+use super::Curve;
 use super::frame::EDGE;
 use super::labels::LINE;
+use super::mark::PointMark;
 use super::number::text_width;
-use super::{Curve, PointMark};
 
 /// Length of the sample of a curve in the legend.
 const SAMPLE: f64 = 9.0;

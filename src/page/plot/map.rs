@@ -9,8 +9,9 @@ use super::curve::{Area, Curve, pieces};
 use super::frame::{BELOW, Frame, LABEL_ABOVE, LABEL_UP, WIDTH};
 use super::head::{Head, Key};
 use super::labels::Labels;
+use super::mark::{PointMark, draw_marks};
 use super::number::text_width;
-use super::{HEIGHT, PointMark, STEPS, draw_marks, draw_pieces};
+use super::{HEIGHT, STEPS, draw_pieces};
 
 /// Values over a grid of cells.
 #[derive(Clone, Debug)]

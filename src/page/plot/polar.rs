@@ -4,9 +4,10 @@ use super::super::Unit;
 use super::super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
 use super::axis::Axis;
 use super::curve::{Area, Curve, pieces, snapped};
+use super::draw_pieces;
 use super::head::{Head, Key};
 use super::labels::{LINE, Labels, Place};
-use super::{PointMark, draw_pieces};
+use super::mark::PointMark;
 
 /// The curves of the tips of vectors that begin at the centre.
 #[derive(Clone, Debug)]

@@ -8,7 +8,8 @@ use serde::de::{Deserializer, Error, MapAccess, Visitor};
 use serde_spanned::Spanned;
 
 use super::spelling::{is_plain, spelled};
-use super::{Name, SYMBOLS, Symbol, Symbols};
+use super::symbol::{SYMBOLS, Symbol};
+use super::{Name, Symbols};
 use crate::file::LayoutError;
 use crate::file::written::{place, read};
 

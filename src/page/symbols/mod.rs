@@ -5,10 +5,12 @@ mod file;
 pub(super) mod letters;
 mod scan;
 mod spelling;
+mod symbol;
 
 use std::borrow::Cow;
 
 use scan::Part;
+use symbol::Symbol;
 
 /// The reader's names of some symbols.
 #[derive(Clone, Debug, Default)]
@@ -22,48 +24,6 @@ struct Name {
     tex: String,
     plain: String,
 }
-
-/// A symbol of the pages that can have another name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Symbol {
-    /// The key of the file.
-    key: &'static str,
-    /// A command of TeX, or a letter that has an index.
-    tex: &'static str,
-    /// The letter in words.
-    letter: char,
-    /// Whether the letter means the symbol only before an index.
-    has_index: bool,
-}
-
-const fn greek(key: &'static str, tex: &'static str, letter: char) -> Symbol {
-    Symbol { key, tex, letter, has_index: false }
-}
-
-const fn indexed(key: &'static str, tex: &'static str, letter: char) -> Symbol {
-    Symbol { key, tex, letter, has_index: true }
-}
-
-const SYMBOLS: [Symbol; 18] = [
-    greek("alpha", "alpha", 'α'),
-    greek("beta", "beta", 'β'),
-    greek("gamma", "gamma", 'γ'),
-    greek("delta", "delta", 'δ'),
-    greek("theta", "theta", 'θ'),
-    greek("lambda", "lambda", 'λ'),
-    greek("rho", "rho", 'ρ'),
-    greek("phi", "varphi", 'φ'),
-    greek("psi", "psi", 'ψ'),
-    greek("omega", "omega", 'ω'),
-    indexed("c_k", "c", 'c'),
-    indexed("t_k", "t", 't'),
-    indexed("C_k", "C", 'C'),
-    indexed("F_k", "F", 'F'),
-    indexed("M_k", "M", 'M'),
-    indexed("P_k", "P", 'P'),
-    indexed("Q_k", "Q", 'Q'),
-    indexed("V_k", "V", 'V'),
-];
 
 impl Symbols {
     /// Whether each symbol has its usual name.

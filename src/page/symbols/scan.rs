@@ -1,6 +1,6 @@
 //! Where are the symbols in a formula, and where in words?
 
-use super::{SYMBOLS, Symbol};
+use super::symbol::{SYMBOLS, Symbol};
 
 /// A part of a formula, or of words.
 pub(super) enum Part<'a> {

@@ -7,7 +7,9 @@ use super::super::svg::svg;
 use super::super::tikz::tikz;
 use super::latex::Latex;
 use super::notation::plain;
-use super::{Options, Writer, templates};
+use super::options::Options;
+use super::templates;
+use super::writer::Writer;
 
 /// What one picture is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

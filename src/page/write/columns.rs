@@ -2,8 +2,14 @@
 
 use serde::Serialize;
 
-use super::labels::Caption;
 use super::templates;
+
+/// What is above a table.
+#[derive(Serialize)]
+pub(super) struct Caption {
+    pub text: String,
+    pub label: String,
+}
 
 /// A table whose cells are finished strings, and how long they are.
 #[derive(Serialize)]

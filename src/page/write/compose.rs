@@ -9,12 +9,14 @@ use super::super::markup::{Mark, marks};
 use super::super::number::{self, Number};
 use super::super::text::{Piece, Setting, Text};
 use super::super::{Unit, Units, block::in_si_units};
-use super::columns::{Cells, Letters};
+use super::columns::{Caption, Cells, Letters};
 use super::decimals::lacking;
 use super::filled::{Drawn, Folded, Heading, PageContext, fence, id};
-use super::labels::{Caption, Labels, short};
+use super::labels::{Labels, short};
 use super::notation::plain;
-use super::{File, Options, Writer, templates};
+use super::options::Options;
+use super::templates;
+use super::writer::{File, Writer};
 use crate::text;
 
 /// Writes one document.

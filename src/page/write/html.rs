@@ -5,7 +5,8 @@ use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
 use super::super::block::Picture;
 use super::super::svg::svg;
-use super::{File, Writer, templates};
+use super::templates;
+use super::writer::{File, Writer};
 use crate::text::{self, Format, Untrusted};
 
 /// One page for a browser, with nothing beside it.

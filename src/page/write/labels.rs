@@ -2,11 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
-
 use super::super::block::Document;
-use super::Options;
+use super::columns::Caption;
 use super::notation::plain;
+use super::options::Options;
 
 /// The labels of a fragment, each once; none where no fragment is written.
 #[derive(Default)]
@@ -24,13 +23,6 @@ pub(super) struct Labels {
 struct Topic {
     text: String,
     plain: String,
-}
-
-/// What is above a table.
-#[derive(Serialize)]
-pub(super) struct Caption {
-    text: String,
-    label: String,
 }
 
 /// Longer sentences are no part of a caption.

@@ -4,7 +4,8 @@ use super::super::block::Picture;
 use super::super::tikz::tikz;
 use super::super::{Unit, number};
 use super::columns::Cells;
-use super::{File, Writer, templates};
+use super::templates;
+use super::writer::{File, Writer};
 use crate::text::{self, Format, Untrusted};
 
 /// LaTeX for pdflatex.

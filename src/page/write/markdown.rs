@@ -2,8 +2,19 @@
 
 use super::super::block::Picture;
 use super::super::svg::svg;
-use super::{File, Math, Writer, templates};
+use super::templates;
+use super::writer::{File, Writer};
 use crate::text::{self, Format, Untrusted};
+
+/// How formulas are marked in Markdown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Math {
+    /// As `` $`…`$ ``, which code-hosting pages render.
+    Github,
+    /// As `$…$`, which pandoc, Quarto and Jupyter read.
+    Dollars,
+}
 
 /// Markdown with formulas marked in one of two ways.
 pub(super) struct Markdown {

@@ -2,8 +2,8 @@
 
 use super::super::symbols::Word;
 use super::super::text::Text;
-use super::Options;
 use super::compose::Composer;
+use super::options::Options;
 use super::terminal::Terminal;
 
 impl Composer<'_> {

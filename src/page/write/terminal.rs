@@ -4,7 +4,8 @@ use comfy_table::{Cell, ColumnConstraint, ContentArrangement, LineStyle, Table, 
 
 use super::super::block::Picture;
 use super::columns::Cells;
-use super::{File, Writer, templates, tex};
+use super::writer::{File, Writer};
+use super::{templates, tex};
 use crate::text::{Format, Untrusted};
 
 /// Plain text of this many columns.

@@ -3,8 +3,9 @@
 use super::super::block::Picture;
 use super::super::svg::svg;
 use super::columns::Cells;
+use super::templates;
 use super::tex::{self, Node, Space};
-use super::{File, Writer, templates};
+use super::writer::{File, Writer};
 use crate::text::{Format, Untrusted};
 
 /// Typst, for its compiler.

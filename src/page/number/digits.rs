@@ -1,10 +1,10 @@
-//! How do numbers become text? In one place: exact ones bare, decimals after `≈`, what has a unit to sensible figures.
+//! With which digits is a number written?
 
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::exact::{Turn, fraction};
-use crate::numbers::{self, Direction, Form};
+use crate::table::Unit;
 use crate::text::SUPERSCRIPTS;
 
 /// More decimal places than this make a fraction easier to read.
@@ -14,10 +14,6 @@ const POWERS_OF_TEN: [u64; MOST_PLACES + 1] = [1, 10, 100, 1000, 10_000, 100_000
 const MOST_LETTERS: usize = 20;
 /// The longest fraction that is shown as one.
 const LONGEST_FRACTION: usize = 7;
-/// Longer closed forms than this tell a reader nothing; their decimals do.
-const LONGEST_FORM: usize = 48;
-/// Digits of the longest number in a closed form that is shown.
-const MOST_DIGITS: usize = 4;
 
 /// The digits of a count in threes, `1 682 445`: narrow spaces that do not break, which no language takes for a decimal sign.
 pub(crate) fn grouped(digits: &str) -> String {
@@ -127,12 +123,12 @@ impl Figures {
     }
 
     /// A decimal; where nothing is asked for as is usual there.
-    pub(super) fn set(self, value: f64, usual: fn(f64) -> String) -> String {
+    pub(in crate::page) fn set(self, value: f64, usual: fn(f64) -> String) -> String {
         self.0.map_or_else(|| usual(value), |count| figures(value, count))
     }
 
     /// A decimal after its sign.
-    pub(super) fn approximate(self, value: f64) -> String {
+    pub(in crate::page) fn approximate(self, value: f64) -> String {
         format!("≈\u{a0}{}", self.set(value, decimal))
     }
 }
@@ -163,164 +159,6 @@ pub(crate) fn decimal(value: f64) -> String {
         _ => format!("{value:.4}"),
     };
     text.replace('-', "−")
-}
-
-/// Whether a form tells more than its decimals: it is short, and its numbers do not just repeat the digits of the layout's.
-fn is_readable(form: &Form) -> bool {
-    let text = form.to_string();
-    let longest_number = text.split(|letter: char| !letter.is_ascii_digit()).map(str::len).max().unwrap_or(0);
-    text.chars().count() <= LONGEST_FORM && longest_number <= MOST_DIGITS
-}
-
-/// A number on a page.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub enum Number {
-    /// Exactly zero, proved.
-    Zero,
-    /// An exact number that is short enough to be read.
-    Exact(BigRational),
-    /// An irrational number, exact, with its decimals.
-    Closed(Form, f64),
-    /// A decimal.
-    Decimal(f64),
-}
-
-impl Number {
-    /// An exact number; a decimal where it is too long to be read.
-    pub fn exact(value: &BigRational) -> Self {
-        match value {
-            zero if zero.is_zero() => Number::Zero,
-            long if is_long(long) => Number::Decimal(long.to_f64().unwrap_or(f64::NAN)),
-            short => Number::Exact(short.clone()),
-        }
-    }
-}
-
-/// An exact number that is given, not found: its zero is no verdict, and stands as any other number does.
-pub(crate) fn given(value: &BigRational) -> super::Text {
-    match Number::exact(value) {
-        Number::Zero => Number::Exact(value.clone()).into(),
-        other @ (Number::Exact(_) | Number::Closed(..) | Number::Decimal(_)) => other.into(),
-    }
-}
-
-/// The same in this unit, which is given elsewhere.
-pub(crate) fn given_in(value: &BigRational, unit: super::Unit) -> super::Text {
-    super::Piece::Shortly(value.clone(), unit).into()
-}
-
-/// The same with the unit behind it.
-pub(crate) fn given_with(value: &BigRational, unit: super::Unit) -> super::Text {
-    super::text::phrase!("{} {}", given_in(value, unit), unit)
-}
-
-/// A length: exact where a closed form is known, and in decimals.
-#[derive(Clone, Debug)]
-pub struct Amount {
-    /// The number itself.
-    pub exact: Option<Form>,
-    /// Its decimals.
-    pub decimal: f64,
-}
-
-impl Amount {
-    /// Zero, exactly.
-    pub fn zero() -> Self {
-        Amount { exact: Some(Form::rational(BigRational::zero())), decimal: 0.0 }
-    }
-
-    /// Half the sum of two amounts.
-    pub fn mean(&self, other: &Amount) -> Amount {
-        let half = BigRational::new(1.into(), 2.into());
-        let exact =
-            self.exact.as_ref().zip(other.exact.as_ref()).map(|(a, b)| numbers::plainer(a.plus(b).scaled(&half)));
-        Amount { exact, decimal: (self.decimal + other.decimal) / 2.0 }
-    }
-
-    /// Plain text: `4`, `√10 ≈ 3.162`, `≈ 0.1234`.
-    pub fn plain(&self) -> String {
-        super::Text::from(self.clone()).plain()
-    }
-
-    /// Prose with a formula: `$\\sqrt{10}$ ≈ 3.162`.
-    pub fn prose(&self) -> String {
-        match self.number() {
-            Number::Closed(form, decimal) => format!("${}$ {}", form.tex(), approximate(decimal)),
-            _ => self.plain(),
-        }
-    }
-
-    /// As it is shown.
-    pub fn number(&self) -> Number {
-        match &self.exact {
-            None => Number::Decimal(self.decimal),
-            Some(form) => match form.as_rational() {
-                Some(value) => Number::exact(&value),
-                None if is_readable(form) => Number::Closed(form.clone(), self.decimal),
-                None => Number::Decimal(self.decimal),
-            },
-        }
-    }
-}
-
-/// A direction: exact where a closed form is known.
-#[derive(Clone, Debug)]
-pub struct Bearing {
-    /// The direction itself.
-    pub exact: Option<Direction>,
-    /// In degrees, in `(−180, 180]`.
-    pub decimal: f64,
-}
-
-impl Bearing {
-    /// An arctangent in TeX and as plain text, where it is one.
-    pub(crate) fn arctangent(&self) -> Option<[String; 2]> {
-        let (tangent, opposite) = match &self.exact {
-            Some(Direction::Arctangent { tangent, opposite }) => (tangent, opposite),
-            Some(Direction::Turned { by, tangent }) => return Some(turned(by, tangent)),
-            Some(Direction::Turn(_)) | None => return None,
-        };
-        let negative = tangent.to_float() < 0.0;
-        let size = if negative { tangent.scaled(&-BigRational::one()) } else { tangent.clone() };
-        let set = |half_turn: &str, minus: &str, function: String| {
-            // An arctangent lies within 90° of 0°; the opposite direction is half a turn from it.
-            let before = match (opposite, negative) {
-                (false, false) => String::new(),
-                (false, true) => minus.to_owned(),
-                (true, true) => format!("{half_turn} {minus} "),
-                (true, false) => format!("{minus}{half_turn} + "),
-            };
-            format!("{before}{function}")
-        };
-        Some([set("180^\\circ", "-", format!("\\arctan({})", size.tex())), set("180°", "−", format!("arctan({size})"))])
-    }
-
-    /// Plain text: `−arctan(1/3) ≈ −18.43°`.
-    pub fn plain(&self) -> String {
-        super::Text::from(self.clone()).plain()
-    }
-
-    /// The degrees: exact where they are rational, else decimals.
-    pub(crate) fn degrees(&self) -> String {
-        match &self.exact {
-            Some(Direction::Turn(turn)) => degrees(&signed_degrees(turn)),
-            Some(Direction::Arctangent { .. } | Direction::Turned { .. }) | None => {
-                format!("{}°", approximate(self.decimal))
-            }
-        }
-    }
-}
-
-/// `16.5° + arctan(…)` in TeX and as plain text.
-fn turned(by: &Turn, tangent: &Form) -> [String; 2] {
-    let before = degrees(&signed_degrees(by));
-    let (size, sign) = match tangent.to_float() < 0.0 {
-        true => (tangent.scaled(&-BigRational::one()), ["-", "−"]),
-        false => (tangent.clone(), ["+", "+"]),
-    };
-    let in_tex = before.replace('°', "^\\circ").replace('−', "-");
-    [format!("{in_tex} {} \\arctan({})", sign[0], size.tex()), format!("{before} {} arctan({size})", sign[1])]
 }
 
 /// A decimal after its sign.
@@ -381,8 +219,8 @@ pub(crate) fn power_of_ten(power: i64) -> String {
 }
 
 /// A unit behind its number.
-pub(crate) fn behind(unit: super::Unit) -> String {
-    match unit == super::Unit::DEGREE {
+pub(crate) fn behind(unit: Unit) -> String {
+    match unit == Unit::DEGREE {
         true => unit.name.to_owned(),
         false => format!("\u{202f}{}", unit.name),
     }
