@@ -4,8 +4,8 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
+use super::amplitude::{Amplitude, float};
 use super::integers::{IntegerEngine, KnownWeights};
-use super::swept_engine::{Amplitude, float};
 use crate::engine::{Cylinder, Engine, throws};
 use crate::order::{self, Factor};
 use crate::proof::{Planar, Sense};

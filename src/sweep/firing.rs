@@ -8,9 +8,9 @@ use std::collections::BTreeSet;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
+use super::amplitude::{Amplitude, float};
 use super::parameter::Parameter;
-use super::run::{Reader, Sweep};
-use super::swept_engine::{Amplitude, float};
+use super::reader::Reader;
 use super::{SweepError, zeros};
 use crate::engine::{CycleOrder, Engine, NoSpans};
 use crate::exact::PhasorSum;
@@ -50,34 +50,6 @@ pub struct FiringZeros {
     pub irrational: Vec<[BigRational; 2]>,
     /// Whether these are proved to be all; else they are those found.
     pub complete: bool,
-}
-
-/// The firing stars of these orders at the points of a sweep.
-///
-/// # Errors
-/// A half order of a two-stroke engine, or of a file that does not say when the cylinders fire.
-pub fn firing_stars(template: &Template, sweep: &Sweep, orders: &[CycleOrder]) -> Result<FiringSweep, SweepError> {
-    can_be_judged(template, orders)?;
-    let reader = Reader::new(template, &sweep.parameters);
-    let lengths = |values: &[BigRational]| lengths(&reader, values, orders);
-    let zeros = match sweep.parameters.as_slice() {
-        [one] => found(template, one, orders),
-        _ => None,
-    };
-    let mut curve: Vec<BigRational> = match sweep.parameters.len() {
-        1 => sweep.curve.iter().filter_map(|point| point.values.first()).cloned().collect(),
-        _ => Vec::new(),
-    };
-    curve.extend(zeros.iter().flatten().flat_map(|zeros| zeros.at.iter().cloned()));
-    curve.sort();
-    curve.dedup();
-    let on_curve = |value: BigRational| Ok((value.clone(), lengths(&[value])?));
-    Ok(FiringSweep {
-        orders: orders.to_vec(),
-        points: sweep.points.iter().map(|point| lengths(&point.values)).collect::<Result<_, SweepError>>()?,
-        curve: curve.into_iter().map(on_curve).collect::<Result<_, SweepError>>()?,
-        zeros,
-    })
 }
 
 /// Whether these are orders of which the file tells enough.
@@ -122,7 +94,7 @@ fn amplitude(sum: &PhasorSum) -> Amplitude {
 }
 
 /// Where the stars vanish; `None` where the parameter is no angle, or the rods differ.
-fn found(template: &Template, parameter: &Parameter, orders: &[CycleOrder]) -> Option<Vec<FiringZeros>> {
+pub(super) fn found(template: &Template, parameter: &Parameter, orders: &[CycleOrder]) -> Option<Vec<FiringZeros>> {
     let (open, per_unit) = zeros::opened_with_firing(template, parameter)?;
     let unknown = open.open_angles().into_iter().next()?;
     let ends = [parameter.range.value(0), parameter.range.last()].map(|end| end * &per_unit);

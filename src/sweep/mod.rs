@@ -5,6 +5,7 @@
 //! sums that are further from zero than floats can be off by, and by far. Where the parameter is an angle,
 //! [`zeros()`] finds the exact angles at which each vector vanishes, between the points of the grid too.
 
+mod amplitude;
 mod counterweight;
 mod envelope;
 mod evenness;
@@ -13,21 +14,23 @@ mod integers;
 mod observed;
 mod parameter;
 mod range;
+mod reader;
 mod run;
 mod stream;
 mod swept_engine;
 mod zeros;
 
+pub use amplitude::{Amplitude, Amplitudes};
 pub use counterweight::counterweight;
 pub use envelope::{Envelope, Geometry, envelope};
 pub use evenness::{Evenness, evenness, most_even_firings};
-pub use firing::{FiringSweep, FiringZeros, StarLength, firing_stars};
-pub use observed::{Observed, ObservedSweep, Observer, observed};
+pub use firing::{FiringSweep, FiringZeros, StarLength};
+pub use observed::{Observed, ObservedSweep, Observer};
 pub use parameter::{Parameter, SHORT_CUTS};
 pub use range::{MOST_POINTS, Range};
-pub use run::{Sweep, sweep, sweep_until};
+pub use run::{Sweep, firing_stars, observed, sweep, sweep_until};
 pub use stream::Stream;
-pub use swept_engine::{Amplitude, Amplitudes, SweptEngine, SweptOrder, judge};
+pub use swept_engine::{SweptEngine, SweptOrder, judge};
 pub use zeros::{ZeroSet, Zeros, zeros};
 
 use std::fmt;

@@ -1,11 +1,7 @@
 //! Which values of other questions are beside the points of a sweep? Whoever sweeps says how they are found.
 
-use std::sync::atomic::AtomicBool;
-
 use super::SweepError;
-use super::run::{Reader, Sweep, on_all_cores};
 use crate::engine::Engine;
-use crate::file::Template;
 use crate::table::Single;
 
 /// The values of one engine, or why it has none.
@@ -44,16 +40,4 @@ impl ObservedSweep {
             points: Vec::new(),
         })
     }
-}
-
-/// The values at the points of a sweep, on all cores.
-///
-/// # Errors
-/// A first point that lacks one, or a layout that cannot be read.
-pub fn observed(template: &Template, sweep: &Sweep, observer: &Observer<'_>) -> Result<ObservedSweep, SweepError> {
-    let reader = Reader::new(template, &sweep.parameters);
-    let at = |place: usize| Ok((observer.find)(&reader.engine(&sweep.points[place].values)?));
-    let mut all = ObservedSweep::new(observer, &reader.engine(&reader.values(0))?)?;
-    all.points = on_all_cores(sweep.points.len(), 1, &AtomicBool::new(false), &|place, _: &mut ()| at(place))?;
-    Ok(all)
 }

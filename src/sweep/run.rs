@@ -1,22 +1,21 @@
 //! How are all points of a sweep computed? Each file is read anew from parsed tables, on all cores.
 
 use std::collections::BTreeSet;
-use std::num::NonZero;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
+use std::sync::atomic::AtomicBool;
 
 use num_rational::BigRational;
 
 use super::envelope::Geometry;
-use super::firing::FiringSweep;
-use super::observed::ObservedSweep;
+use super::firing::{FiringSweep, can_be_judged, found, lengths};
+use super::observed::{ObservedSweep, Observer};
 use super::parameter::Parameter;
 use super::range::{MOST_COUNTED, MOST_POINTS};
-use super::swept_engine::{Motions, SweptEngine, judge_with};
+use super::reader::{Reader, on_all_cores};
+use super::swept_engine::{Motions, SweptEngine};
 use super::zeros::{is_angle, zeros};
 use super::{SweepError, ZeroSet};
-use crate::engine::Engine;
-use crate::file::{Key, Layout, Template};
+use crate::engine::CycleOrder;
+use crate::file::Template;
 use crate::loads::{self, Arm};
 use crate::text::Untrusted;
 
@@ -165,113 +164,42 @@ pub(super) fn count(parameters: &[Parameter]) -> Result<usize, SweepError> {
     }
 }
 
-/// Reads the engines of a sweep.
-pub(super) struct Reader<'a> {
-    template: Template<'a>,
-    /// The file without a firing order, for values whose throws cannot fire in it.
-    unfired: Option<Template<'a>>,
-    parameters: &'a [Parameter],
-}
-
-impl<'a> Reader<'a> {
-    pub fn new(template: &Template<'a>, parameters: &'a [Parameter]) -> Self {
-        let template = parameters.iter().fold(template.clone(), |template, parameter| parameter.prepared(&template));
-        // The throws of an in-line engine may follow from its firing order.
-        let order_makes_throws = template.form() == Some("inline") && !template.has("inline.throws");
-        let fires = template.has("firing_order") || template.has("firing_angles");
-        let unfired = (fires && !order_makes_throws).then(|| template.without(&["firing_order", "firing_angles"]));
-        Reader { template, unfired, parameters }
-    }
-
-    /// The values of a point.
-    pub fn values(&self, index: usize) -> Vec<BigRational> {
-        match self.parameters {
-            [slow, fast] => {
-                let count = fast.range.count();
-                vec![slow.range.value(index / count), fast.range.value(index % count)]
-            }
-            _ => self.parameters.iter().map(|parameter| parameter.range.value(index)).collect(),
-        }
-    }
-
-    /// The engine with these values.
-    pub fn engine(&self, values: &[BigRational]) -> Result<Engine, SweepError> {
-        let pairs = || self.parameters.iter().zip(values);
-        let texts: Vec<String> = pairs().map(|(parameter, value)| parameter.range.written(value)).collect();
-        let put: Vec<(&Key, &str)> =
-            self.parameters.iter().zip(&texts).map(|(parameter, text)| (&parameter.key, text.as_str())).collect();
-        let read = self.template.layout(&put).or_else(|error| match &self.unfired {
-            Some(unfired) => unfired.layout(&put).map_err(|_| error),
-            None => Err(error),
-        });
-        let at = || pairs().map(|(parameter, value)| parameter.at(value)).collect::<Vec<_>>().join(", ");
-        match read.map_err(|error| SweepError::at(&at(), &error))? {
-            Layout::Known(engine, _) => Ok(*engine),
-            Layout::Open(family) => {
-                let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
-                let message = format!("the layout leaves {} open; give values below [values]", unknowns.join(", "));
-                Err(SweepError::new(message))
-            }
-        }
-    }
-
-    pub fn point(
-        &self,
-        values: &[BigRational],
-        orders: &[u32],
-        geometry: &Geometry,
-        motions: &mut Motions,
-    ) -> Result<SweptEngine, SweepError> {
-        let engine = self.engine(values)?;
-        let judged = judge_with(&engine, self.template.cycle(), orders, geometry, motions);
-        let judged = judged.map_err(|missing| SweepError::new(missing.to_string()))?;
-        Ok(SweptEngine { values: values.to_vec(), ..judged })
-    }
-}
-
-/// Computes `count` points on all cores, of which each has at least `fewest`, until `stop` is set; the first that fails is the one to tell.
-/// What a core knows of the points before is handed to the next.
-pub(super) fn on_all_cores<K: Default, P: Send>(
-    count: usize,
-    fewest: usize,
-    stop: &AtomicBool,
-    point: &(dyn Fn(usize, &mut K) -> Result<P, SweepError> + Sync),
-) -> Result<Vec<P>, SweepError> {
-    let threads = thread::available_parallelism().map_or(1, NonZero::get).min(count.div_ceil(fewest)).max(1);
-    let failed = AtomicBool::new(false);
-    let part = |thread: usize| {
-        let mut known = K::default();
-        let (from, to) = (count * thread / threads, count * (thread + 1) / threads);
-        let mut points = Vec::with_capacity(to - from);
-        for index in from..to {
-            if thread > 0 && failed.load(Ordering::Relaxed) {
-                break;
-            }
-            let point = match stop.load(Ordering::Relaxed) {
-                true => Err(SweepError::new("stopped")),
-                false => point(index, &mut known),
-            };
-            match point {
-                Ok(point) => points.push(point),
-                Err(error) => {
-                    failed.store(true, Ordering::Relaxed);
-                    return Err(error);
-                }
-            }
-        }
-        Ok(points)
+/// The firing stars of these orders at the points of a sweep.
+///
+/// # Errors
+/// A half order of a two-stroke engine, or of a file that does not say when the cylinders fire.
+pub fn firing_stars(template: &Template, sweep: &Sweep, orders: &[CycleOrder]) -> Result<FiringSweep, SweepError> {
+    can_be_judged(template, orders)?;
+    let reader = Reader::new(template, &sweep.parameters);
+    let lengths = |values: &[BigRational]| lengths(&reader, values, orders);
+    let zeros = match sweep.parameters.as_slice() {
+        [one] => found(template, one, orders),
+        _ => None,
     };
-    let parts: Vec<Result<Vec<P>, SweepError>> = thread::scope(|scope| {
-        let part = &part;
-        let others: Vec<_> = (1..threads).map(|thread| scope.spawn(move || part(thread))).collect();
-        let first = part(0);
-        let rest =
-            others.into_iter().map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
-        [first].into_iter().chain(rest).collect()
-    });
-    let mut points = Vec::with_capacity(count);
-    for part in parts {
-        points.extend(part?);
-    }
-    Ok(points)
+    let mut curve: Vec<BigRational> = match sweep.parameters.len() {
+        1 => sweep.curve.iter().filter_map(|point| point.values.first()).cloned().collect(),
+        _ => Vec::new(),
+    };
+    curve.extend(zeros.iter().flatten().flat_map(|zeros| zeros.at.iter().cloned()));
+    curve.sort();
+    curve.dedup();
+    let on_curve = |value: BigRational| Ok((value.clone(), lengths(&[value])?));
+    Ok(FiringSweep {
+        orders: orders.to_vec(),
+        points: sweep.points.iter().map(|point| lengths(&point.values)).collect::<Result<_, SweepError>>()?,
+        curve: curve.into_iter().map(on_curve).collect::<Result<_, SweepError>>()?,
+        zeros,
+    })
+}
+
+/// The values at the points of a sweep, on all cores.
+///
+/// # Errors
+/// A first point that lacks one, or a layout that cannot be read.
+pub fn observed(template: &Template, sweep: &Sweep, observer: &Observer<'_>) -> Result<ObservedSweep, SweepError> {
+    let reader = Reader::new(template, &sweep.parameters);
+    let at = |place: usize| Ok((observer.find)(&reader.engine(&sweep.points[place].values)?));
+    let mut all = ObservedSweep::new(observer, &reader.engine(&reader.values(0))?)?;
+    all.points = on_all_cores(sweep.points.len(), 1, &AtomicBool::new(false), &|place, _: &mut ()| at(place))?;
+    Ok(all)
 }

@@ -1,16 +1,16 @@
 //! How is a sweep of a million points computed? Piece by piece, each by itself, so that no more than a few are in memory.
 
+use super::firing::{FiringSweep, can_be_judged, lengths};
+use super::observed::{ObservedSweep, Observer};
+use super::parameter::Parameter;
+use super::reader::Reader;
+use super::run::{Sweep, count};
+use super::swept_engine::Motions;
+use super::{Geometry, SweepError};
 use crate::engine::CycleOrder;
 use crate::file::Template;
 use crate::loads::{self, Arm};
 use crate::shard::Question;
-
-use super::firing::{FiringSweep, can_be_judged, lengths};
-use super::observed::{ObservedSweep, Observer};
-use super::parameter::Parameter;
-use super::run::{Reader, Sweep, count};
-use super::swept_engine::Motions;
-use super::{Geometry, SweepError};
 
 /// The fewest and the most points of a piece, and how many pieces there are between.
 const FEWEST: usize = 256;

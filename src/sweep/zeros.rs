@@ -9,7 +9,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::parameter::Parameter;
-use super::run::Reader;
+use super::reader::Reader;
 use super::swept_engine::SweptEngine;
 use crate::engine::{Engine, Family, PHI};
 use crate::family::{self, Component, OpenVerdict, Solutions, component_zeros};

@@ -1,0 +1,64 @@
+//! How large is an order of a swept engine? Amplitudes in floats, with what is proved to be zero.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex;
+use num_traits::{Signed, ToPrimitive};
+
+use crate::exact::PhasorSum;
+
+/// An amplitude, zero to peak.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Amplitude {
+    /// In multiples of m r ω², for moments times the unit of the positions; of m r ω² c_k where no rod is given.
+    pub value: f64,
+    /// Whether it is proved to be zero.
+    pub vanishes: bool,
+}
+
+/// What an order of the force or the moment comes to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Amplitudes {
+    /// The half of P⁺ that turns with the crank.
+    pub direct: Amplitude,
+    /// The half of P⁻ that turns against it.
+    pub reverse: Amplitude,
+    /// Largest length in a revolution.
+    pub largest: Amplitude,
+    /// Smallest length: zero where both vectors are equally long.
+    pub smallest: Amplitude,
+    /// Along the reference direction: vertical.
+    pub along: Amplitude,
+    /// Across it: horizontal.
+    pub across: Amplitude,
+}
+
+/// One of the amplitudes.
+pub type AmplitudeOf = fn(&Amplitudes) -> Amplitude;
+
+impl Amplitudes {
+    /// Each of them by name, as columns and curves have them.
+    pub const NAMED: [(&'static str, AmplitudeOf); 6] = [
+        ("largest", |all| all.largest),
+        ("smallest", |all| all.smallest),
+        ("along", |all| all.along),
+        ("across", |all| all.across),
+        ("direct", |all| all.direct),
+        ("reverse", |all| all.reverse),
+    ];
+
+    /// All of them by name.
+    pub fn named(&self) -> [(&'static str, Amplitude); 6] {
+        Amplitudes::NAMED.map(|(name, part)| (name, part(self)))
+    }
+}
+
+/// A sum in floats.
+pub(super) fn float(sum: &PhasorSum) -> Complex<f64> {
+    let vectors = sum.terms().iter().map(|term| {
+        let weight = term.weight.to_f64().unwrap_or(f64::NAN);
+        let vector = Complex::from_polar(weight.abs(), TAU * term.angle.turns().to_f64().unwrap_or(f64::NAN));
+        if term.weight.is_negative() { -vector } else { vector }
+    });
+    vectors.sum()
+}
