@@ -10,6 +10,7 @@ mod named;
 mod parquet;
 mod stream;
 mod unit;
+mod unwritable;
 mod workbook;
 mod write;
 #[cfg(feature = "xlsx")]
@@ -21,8 +22,9 @@ pub use json::Named;
 pub use named::{NotNamed, Single, Value};
 pub use stream::Stream;
 pub use unit::Unit;
+pub use unwritable::Unwritable;
 pub use workbook::rows as workbook_rows;
-pub use write::{DataFile, Format, Unwritable};
+pub use write::{DataFile, Format};
 
 /// A table: columns of equal length.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,7 +11,7 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::{Type, TypePtr};
 
-use super::write::Unwritable;
+use super::unwritable::Unwritable;
 use super::{Column, Kind, Table, Values};
 use crate::text::{self, Format};
 

@@ -1,7 +1,5 @@
 //! In which formats is a table written, into which files?
 
-use std::fmt;
-
 use super::{Named, Table, csv};
 
 /// What tables are written as.
@@ -16,33 +14,6 @@ pub enum Format {
     /// JSON: an object with the tables below their names, each an array of its rows.
     Json,
 }
-
-/// Why tables cannot be written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Unwritable {
-    /// The program was built without the format: the name of its feature.
-    NotBuilt(&'static str),
-    /// The format does not hold it; comma-separated values do.
-    Refused(String),
-    /// It could not be written in any format: a full disk, rows of other columns.
-    Failed(String),
-}
-
-impl fmt::Display for Unwritable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Unwritable::NotBuilt(feature) => write!(
-                f,
-                "this program was built without {feature}; build it with `cargo build --release --features {feature}`, or take --format csv"
-            ),
-            Unwritable::Refused(why) => write!(f, "the tables cannot be written: {why}; take --format csv"),
-            Unwritable::Failed(why) => write!(f, "the tables cannot be written: {why}"),
-        }
-    }
-}
-
-impl std::error::Error for Unwritable {}
 
 /// A file of data.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -132,6 +103,7 @@ fn xlsx(_: &[Table]) -> Result<Vec<u8>, Unwritable> {
 
 #[cfg(feature = "parquet")]
 use super::parquet::parquet;
+use super::unwritable::Unwritable;
 
 #[cfg(not(feature = "parquet"))]
 fn parquet(_: &Table) -> Result<Vec<u8>, Unwritable> {

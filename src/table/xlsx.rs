@@ -2,7 +2,7 @@
 
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format as Style, Workbook, Worksheet, XlsxError};
 
-use super::write::Unwritable;
+use super::unwritable::Unwritable;
 use super::{Table, Values};
 use crate::text;
 
