@@ -8,10 +8,12 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::HIGHEST;
 use crate::engine::{CycleOrder, Engine};
 use crate::motion::{LinkMotion, PistonMotion};
 use crate::numbers;
+
+/// Orders of the torque are computed up to this one, unless a question asks for more.
+pub const HIGHEST: u32 = 12;
 
 /// Masses that move alike, each by the angle of its own cylinder.
 #[derive(Clone, Debug)]

@@ -3,8 +3,7 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::HIGHEST;
-use super::bodies::{self, Bodies, Inertia};
+use super::bodies::{self, Bodies, HIGHEST, Inertia};
 use crate::engine::Engine;
 use crate::gas::{CylinderGas, Harmonics, NoGas, Warning};
 use crate::loads::Missing;

@@ -13,7 +13,7 @@ mod order;
 mod peak;
 
 pub use crate::loads::PeakMethod;
-pub use bodies::{Bodies, Inertia, bodies};
+pub use bodies::{Bodies, HIGHEST, Inertia, bodies};
 pub use class::{Class, classes, warnings};
 pub use curve::TorqueCurve;
 pub use evenness::{Evenness, evenness};
@@ -70,9 +70,6 @@ pub struct ShaftTorque {
     /// The largest and the smallest.
     pub extremes: [Extreme; 2],
 }
-
-/// Orders of the torque are computed up to this one, unless a question asks for more.
-pub const HIGHEST: u32 = 12;
 
 /// The torque of an engine, gas and inertia.
 ///
