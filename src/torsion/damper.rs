@@ -4,8 +4,8 @@
 //! damper; ζ = c / (2 J_d ω₁), and f is the frequency of the ring alone over ω₁. With the frequency of the ring in place of ω₁ the
 //! formula of a tuned damper is √(3μ / 8(1+μ)): both are in use. Theory, section 13.
 
-use super::{Mode, Train, modes};
-use crate::engine::{self, DamperValue};
+use super::{Disc, Link, Mode, Train, modes};
+use crate::engine::{self, DamperValue, Torsion};
 use crate::motion::golden_section_of_costly;
 use crate::numbers::float;
 
@@ -51,7 +51,7 @@ pub fn in_first_mode(bare: &Train, damper: &engine::Damper) -> Option<DamperInMo
 }
 
 /// The values of each damper, the best ones put in.
-pub(super) fn settings(bare: &Train, dampers: &[engine::Damper]) -> Vec<DamperSetting> {
+fn settings(bare: &Train, dampers: &[engine::Damper]) -> Vec<DamperSetting> {
     let of_one = |damper: &engine::Damper| {
         let best = in_first_mode(bare, damper).map_or(DamperSetting { stiffness: 0.0, damping: 0.0 }, |one| one.best);
         let value = |setting: &DamperValue, best: f64| match setting {
@@ -116,4 +116,21 @@ pub fn highest(low: f64, high: f64, points: usize, of: &dyn Fn(f64) -> f64) -> (
     };
     let peaks = (0..=points).filter(is_peak).map(refined);
     peaks.fold((low, f64::NEG_INFINITY), |most, one| if one.1 > most.1 { one } else { most })
+}
+
+impl Train {
+    /// The shaft of an engine with its dampers, in decimals.
+    pub fn new(torsion: &Torsion) -> Self {
+        let bare = Train::bare(torsion);
+        let settings = settings(&bare, &torsion.dampers);
+        let mut train = bare;
+        for (damper, setting) in torsion.dampers.iter().zip(settings) {
+            let (ratio, ring) = (train.discs[damper.disc].ratio, train.discs.len());
+            train.discs.push(Disc { inertia: float(&damper.inertia), damping: 0.0, ratio, node: train.inertias.len() });
+            train.inertias.push(0.0);
+            let [stiffness, damping] = [setting.stiffness, setting.damping];
+            train.links.push(Link { ends: [damper.disc, ring], stiffness, loss_factor: 0.0, damping });
+        }
+        train.joined()
+    }
 }

@@ -3,7 +3,6 @@
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::damper;
 use crate::engine::Torsion;
 use crate::numbers::float;
 
@@ -17,7 +16,7 @@ pub struct Disc {
     /// Its speed over that of the crankshaft.
     pub ratio: f64,
     /// Discs in mesh turn as one: the number of that one.
-    node: usize,
+    pub(super) node: usize,
 }
 
 /// A massless shaft between two discs, or what joins the ring of a damper to its disc.
@@ -67,22 +66,7 @@ impl Train {
         self.discs[disc].ratio.signum()
     }
 
-    /// The shaft of an engine with its dampers, in decimals.
-    pub fn new(torsion: &Torsion) -> Self {
-        let bare = Train::bare(torsion);
-        let settings = damper::settings(&bare, &torsion.dampers);
-        let mut train = bare;
-        for (damper, setting) in torsion.dampers.iter().zip(settings) {
-            let (ratio, ring) = (train.discs[damper.disc].ratio, train.discs.len());
-            train.discs.push(Disc { inertia: float(&damper.inertia), damping: 0.0, ratio, node: train.inertias.len() });
-            train.inertias.push(0.0);
-            let [stiffness, damping] = [setting.stiffness, setting.damping];
-            train.links.push(Link { ends: [damper.disc, ring], stiffness, loss_factor: 0.0, damping });
-        }
-        train.joined()
-    }
-
-    /// The same without dampers.
+    /// The shaft of an engine without its dampers, in decimals; [`Train::new`] has them.
     pub fn bare(torsion: &Torsion) -> Self {
         let ratios: Vec<f64> = torsion.ratios().iter().map(|ratio| ratio.as_ref().map_or(1.0, float)).collect();
         // A disc in mesh with one of lower number turns as that one.
@@ -142,7 +126,7 @@ impl Train {
     }
 
     /// With its tree: which node hangs on which.
-    fn joined(mut self) -> Self {
+    pub(super) fn joined(mut self) -> Self {
         let count = self.inertias.len();
         self.inertias.fill(0.0);
         for disc in &self.discs {
