@@ -9,7 +9,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
-use super::recurrence::{LONGEST_SIEVED, MOST_CANDIDATES};
+use super::recurrence::MOST_CANDIDATES;
 use super::{Balance, Verdict};
 use crate::engine::Engine;
 use crate::order::{Masses, OrderTerms, Sources};
@@ -41,6 +41,9 @@ pub struct EveryOrder {
     /// The lowest order that is left.
     pub first: Option<Balance>,
 }
+
+/// Longer periods are not gone through.
+pub const LONGEST_SIEVED: u32 = 1_000_000;
 
 /// Why there is no statement on every order.
 #[derive(Clone, Debug, PartialEq, Eq)]

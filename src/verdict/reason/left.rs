@@ -6,32 +6,10 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::Reason;
+use super::plainest::{Component, Reason, Size};
 use super::symmetry::mirror_axis;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers::{self, Form, Root};
-
-/// The components of the vectors along a direction, which add up to a positive number.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Component {
-    /// The vectors that are left where like and opposite directions are collected.
-    pub vectors: Vec<Term>,
-    /// The direction.
-    pub along: Turn,
-    /// Whether the star is its own mirror image in the line of that direction, so that the sum lies on it.
-    pub is_mirror_line: bool,
-    /// What the components add up to.
-    pub size: Size,
-}
-
-/// A positive number, and how it is known to be positive.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Size {
-    /// A sum of square roots that is seen not to be zero: of one or two terms, or of positive ones.
-    Roots(Form),
-    /// It lies between these, both positive.
-    Between(BigRational, BigRational),
-}
 
 /// The directions tried are those of the vectors and across them, of at most this many vectors.
 const MOST_TRIED: usize = 24;

@@ -1,6 +1,7 @@
 //! Why does it vanish, or not? The reason that a person would give first.
 
 mod left;
+mod plainest;
 mod symmetry;
 
 use num_traits::{Signed, Zero};
@@ -9,51 +10,8 @@ use super::JudgedStar;
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::proof::{Certificate, Polygon, Quantity};
-pub use left::{Component, Size};
+pub use plainest::{Component, Reason, Size};
 pub use symmetry::{mirror_axis, mirror_partners, opposed_partners};
-
-/// The plainest reason for a verdict.
-///
-/// The reasons why a sum is not zero are about the vectors that are left where like and opposite directions are collected
-/// ([`PhasorSum::on_lines`]): all have positive weights, and no two of them lie on one line.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Reason {
-    /// All weights are zero: every arm, or every mass.
-    NoWeight,
-    /// Zero: a mirror plane across the crankshaft pairs cylinders with opposite arms.
-    Mirror,
-    /// Zero: like directions collect to nothing.
-    Cancels,
-    /// Zero: every vector has a partner, equally long and opposite, and the certificate is such pairs.
-    OpposedPairs,
-    /// Zero: the star, negative vectors turned by half a turn, maps to itself when turned by `1/fold` of a turn.
-    Rotation {
-        /// How many such turns make a whole one.
-        fold: u32,
-    },
-    /// Zero: regular polygons, as the certificate lists them.
-    Polygons,
-    /// Not zero: one vector is left.
-    OneVector(Term),
-    /// Not zero: two vectors are left, and they do not lie on one line.
-    TwoVectors([Term; 2]),
-    /// Not zero: of three vectors the first is at least as long as the other two together.
-    OneTooLong([Term; 3]),
-    /// Not zero: three vectors are equally long, and not 120° apart.
-    ThreeAlike([Term; 3]),
-    /// Not zero: all vectors are within less than a quarter of a turn of this direction.
-    OneSide {
-        /// The direction.
-        middle: Turn,
-        /// How far the outermost ones are from it.
-        within: Turn,
-    },
-    /// Not zero: the components along a direction add up to a positive number.
-    Component(Component),
-    /// Not zero: as the certificate shows.
-    Certificate,
-}
 
 /// The plainest reason for a verdict on a star of this engine.
 pub fn reason<'a>(engine: &Engine, star: impl Into<JudgedStar<'a>>) -> Reason {

@@ -8,10 +8,7 @@ use super::candidates::candidates;
 use super::rays::Ray;
 use crate::exact::PhasorSum;
 use crate::proof::{Certificate, Zeros};
-use crate::verdict::theorem::{LONGEST_PERIOD, NoTheorem};
-
-/// Longer periods are not gone through.
-pub const LONGEST_SIEVED: u32 = 1_000_000;
+use crate::verdict::theorem::{LONGEST_PERIOD, LONGEST_SIEVED, NoTheorem};
 
 /// A sum of rays at all orders of a parity.
 #[derive(Clone, Debug)]

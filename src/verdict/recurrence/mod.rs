@@ -17,7 +17,7 @@ use crate::order::{Coefficients, Factor, Masses, Source, Sources, multiples};
 use crate::proof::{Planar, Sense};
 
 pub use candidates::MOST_CANDIDATES;
-pub use factor::{FactorPattern, JudgedOrder, LONGEST_SIEVED};
+pub use factor::{FactorPattern, JudgedOrder};
 pub use next::{FirstLeft, NextLeft};
 use rays::Factors;
 pub use rays::Ray;
