@@ -14,6 +14,7 @@ mod file;
 mod height;
 mod partial;
 mod parts;
+mod planes;
 mod rounded;
 mod shafts;
 mod tables;
@@ -22,7 +23,6 @@ mod weight;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-pub use built::{Built, Replaced};
 pub use comparable_engine::ComparableEngine;
 pub use corrected::{Corrected, corrected};
 pub use counterweights::{bay_by_bay, one_plane, two_planes};
@@ -32,6 +32,7 @@ pub use file::{CorrectedFile, FileError, corrected_file};
 pub use height::{PairHeight, PairRoll, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use parts::{counterweight_parts, mass_step, power_of_ten_below};
+pub use planes::{Built, Replaced};
 pub use shafts::{Kind, LEAST, Shaft, are_slight, shaft, shafts, without_slight};
 pub use weight::Weight;
 
@@ -197,7 +198,7 @@ pub fn remedy(engine: &Engine, wish: &Request) -> Result<Remedy, RemedyError> {
     };
     let bays = match wish.factors.is_empty() {
         true => Vec::new(),
-        false => built::in_place_of_what_is_there(&subject, bay_by_bay(&subject, &wish.factors, &wish.skews)),
+        false => planes::in_place_of_what_is_there(&subject, bay_by_bay(&subject, &wish.factors, &wish.skews)),
     };
     let crankshaft =
         wish.orders.contains(&1).then(|| on_the_crankshaft(&subject, &bays, &planes, wish.planes.is_some()));
@@ -243,8 +244,8 @@ fn on_the_crankshaft(
     let is_beyond =
         |weight: &Weight| ends.as_ref().is_some_and(|[low, high]| weight.position < *low || weight.position > *high);
     let in_planes = |planes: &[BigRational; 2]| two_planes(1, Sense::Direct, &force, &moment, planes);
-    let there = if bays.is_empty() { built::planes(subject, 1, Sense::Direct) } else { Vec::new() };
-    let weights = match built::resizing(&found, &there, planes) {
+    let there = if bays.is_empty() { planes::planes(subject, 1, Sense::Direct) } else { Vec::new() };
+    let weights = match shafts::resizing(&found, &there, planes) {
         _ if planes_named => in_planes(planes),
         Some(own) => in_planes(&own),
         None if found.weights.iter().any(is_beyond) => in_planes(planes),

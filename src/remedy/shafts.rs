@@ -4,10 +4,11 @@
 //! not vanish needs a shaft of its own; and one shaft is enough, as two weights on it make any force and any moment.
 
 use num_rational::BigRational;
+use num_traits::Signed;
 
-use super::built;
 use super::comparable_engine::ComparableEngine;
 use super::counterweights::{one_plane, two_planes};
+use super::planes;
 use super::weight::Weight;
 use crate::numbers;
 use crate::order::{self, OrderSum};
@@ -63,11 +64,11 @@ pub fn shaft(
 pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational; 2], planes_named: bool) -> Vec<Shaft> {
     let mut shafts = Vec::new();
     for &order in orders {
-        let there = |sense| if planes_named { Vec::new() } else { built::planes(subject, order, sense) };
+        let there = |sense| if planes_named { Vec::new() } else { planes::planes(subject, order, sense) };
         let of_sense = |sense| {
             let (force, moment) = (subject.force(order, sense), subject.moment(order, sense));
             let found = shaft(order, sense, &force, &moment, planes)?;
-            let weights = match built::resizing(&found, &there(sense), planes) {
+            let weights = match resizing(&found, &there(sense), planes) {
                 Some(own) => two_planes(order, sense, &force, &moment, &own),
                 None => found.weights,
             };
@@ -77,7 +78,7 @@ pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational;
         let mut pair: Vec<Shaft> = direct.into_iter().chain(of_sense(Sense::Reverse)).collect();
         if let [a, b] = pair.as_mut_slice()
             && same_length(a, b)
-            && Sense::BOTH.into_iter().all(|sense| built::planes(subject, order, sense).is_empty())
+            && Sense::BOTH.into_iter().all(|sense| planes::planes(subject, order, sense).is_empty())
         {
             (a.lanchester, b.lanchester) = (true, true);
         }
@@ -150,4 +151,20 @@ fn part_of_load(subject: &ComparableEngine, shaft: &Shaft) -> [f64; 2] {
 fn same_length(a: &Shaft, b: &Shaft) -> bool {
     let ([one], [other]) = (a.weights.as_slice(), b.weights.as_slice()) else { return false };
     one.vector.is_as_long_as(&other.vector, a.order)
+}
+
+/// The planes of weights that are there, in which others than the weights found do the same; none where nothing is there to resize, or
+/// what is found is in these planes already.
+pub(super) fn resizing(found: &Shaft, there: &[BigRational], usual: &[BigRational; 2]) -> Option<[BigRational; 2]> {
+    let (first, last) = (there.first()?, there.last()?);
+    if found.weights.iter().all(|weight| there.contains(&weight.position)) {
+        return None;
+    }
+    if first != last {
+        return Some([last.clone(), first.clone()]);
+    }
+    // Beside the only plane that of the usual ones which stands farther off.
+    let off = |plane: &BigRational| (plane - first).abs();
+    let [one, other] = usual;
+    Some([first.clone(), if off(one) >= off(other) { one.clone() } else { other.clone() }])
 }
