@@ -9,8 +9,9 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use super::answer::{Answer, Found, NotSolved};
 use super::exact::Real;
-use super::{Answer, Found, NotSolved, Wanted, mass_radius};
+use super::wanted::{Wanted, mass_radius};
 use crate::exact::{PhasorSum, Term};
 use crate::file::{Rotor, RotorMass};
 use crate::numbers::{self, Form};

@@ -3,8 +3,9 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 
+use super::answer::{Answer, Found, NotSolved, Reason};
 use super::exact::{Real, across, along};
-use super::{Answer, Found, NotSolved, Reason, Wanted};
+use super::wanted::Wanted;
 use super::{secondary, triangle};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::file::{Rotor, RotorMass};

@@ -3,8 +3,9 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
+use super::answer::{Answer, Found, NotSolved, Reason};
 use super::exact::Real;
-use super::{Answer, Found, NotSolved, Reason, Wanted, mass_radius};
+use super::wanted::{Wanted, mass_radius};
 use crate::file::Rotor;
 use crate::numbers::{self, Form};
 
