@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use super::Written;
 use super::look::html;
 use super::mistake::Mistake;
+use super::written::Written;
 use crate::claim::{self, Status};
 use crate::file::Layout;
 use crate::page::{Block, Format, text_in};

@@ -2,9 +2,10 @@
 
 use serde_json::{Value, json};
 
+use super::judged::Judged;
 use super::mistake::Mistake;
 use super::slider::Set;
-use super::{Judged, Written};
+use super::written::Written;
 use crate::engine::Engine;
 use crate::page::figure::Figure;
 use crate::page::{self, Block, Document, Format, Language, Options, Table, text_in};

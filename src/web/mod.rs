@@ -7,6 +7,7 @@
 
 mod catalogue;
 mod claim;
+mod judged;
 mod look;
 #[cfg(target_arch = "wasm32")]
 pub mod memory;
@@ -14,20 +15,14 @@ mod mistake;
 mod pages;
 mod proof;
 mod slider;
+mod written;
 
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::engine::{Engine, Family};
-use crate::family::{self, OpenOrder};
-use crate::file::{self, FileResolver, Layout};
-use crate::loads;
 use crate::page::Language;
-use crate::verdict::{self, Judgement};
 use mistake::Mistake;
-
-/// Larger texts are no layouts.
-const LARGEST: usize = 1 << 20;
+use written::Written;
 
 /// What is asked of a layout.
 #[derive(Deserialize)]
@@ -65,67 +60,6 @@ enum Question {
         layout: Written,
         says: String,
     },
-}
-
-/// A layout file as it was written.
-#[derive(Deserialize)]
-struct Written {
-    /// What messages call it, and its title where it has none.
-    name: String,
-    text: String,
-}
-
-impl Written {
-    fn read(&self) -> Result<Layout, Mistake> {
-        if self.text.len() > LARGEST {
-            return Err(Mistake::plain("the layout is larger than 1 MiB", "a layout file is a page or two"));
-        }
-        let beside = FileResolver::nothing().of_catalogue(file::is_of_catalogue(&self.name, &self.text));
-        file::parse_layout_beside(&self.name, &self.text, beside)
-            .map_err(|error| Mistake::in_layout(&error, &self.text))
-    }
-
-    fn judged(&self) -> Result<Judged, Mistake> {
-        Judged::of(self.read()?)
-    }
-}
-
-/// What a layout describes, with its verdicts.
-enum Judged {
-    /// An engine, and the family that it is a member of, judged at the same orders.
-    Known { engine: Box<Engine>, judged: Judgement, family: Option<(Box<Family>, Vec<OpenOrder>)> },
-    /// A family.
-    Open { family: Box<Family>, orders: Vec<OpenOrder> },
-}
-
-impl Judged {
-    /// As the commands judge it where nothing else is asked for.
-    fn of(layout: Layout) -> Result<Self, Mistake> {
-        match layout {
-            Layout::Known(engine, family) => {
-                let mut orders = loads::usual_orders(&engine);
-                orders.sort_unstable();
-                orders.dedup();
-                let quantities = verdict::quantities(&engine, false);
-                let judged = Judgement::new(&engine, &orders, &quantities).map_err(Mistake::of)?;
-                // Where the rods differ nothing is said of other values than those given.
-                let family = family.filter(|family| family::comparable(family).is_ok());
-                let open = |family: Box<Family>| {
-                    let orders = family::classify(&family, &orders).map_err(Mistake::of)?;
-                    Ok::<_, Mistake>((family, orders))
-                };
-                Ok(Judged::Known { engine, judged, family: family.map(open).transpose()? })
-            }
-            Layout::Open(family) => {
-                family::comparable(&family).map_err(Mistake::of)?;
-                let mut orders = family.orders().to_vec();
-                orders.sort_unstable();
-                orders.dedup();
-                let orders = family::classify(&family, &orders).map_err(Mistake::of)?;
-                Ok(Judged::Open { family, orders })
-            }
-        }
-    }
 }
 
 /// The answer to a question: `{"ok": …}`, or `{"mistake": …}` with what is wrong, where, and what would be right.

@@ -4,7 +4,7 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Value, json};
 
-use super::Judged;
+use super::judged::Judged;
 use crate::page::{self, Document, File, Language, Math, Options};
 use crate::report::{self, Contents};
 

@@ -3,13 +3,11 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::Judged;
+use super::judged::Judged;
 use super::look::html;
 use super::mistake::Mistake;
 use crate::proof::{Counts, read_document};
-use crate::report;
-use crate::text;
-use crate::verdict;
+use crate::{report, text, verdict};
 
 /// The proofs as parts of the page, the JSON, and what its check found.
 pub(super) fn proof(judged: &Judged) -> Result<Value, Mistake> {

@@ -7,8 +7,8 @@ use num_traits::{One, ToPrimitive};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::Written;
 use super::mistake::Mistake;
+use super::written::Written;
 use crate::engine::{Engine, PHI};
 use crate::file::{self, Layout, Template, exact_number};
 use crate::loads;

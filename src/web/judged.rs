@@ -1,0 +1,46 @@
+//! What does a layout of the page describe, with its verdicts?
+
+use super::mistake::Mistake;
+use crate::engine::{Engine, Family};
+use crate::family::OpenOrder;
+use crate::file::Layout;
+use crate::verdict::{self, Judgement};
+use crate::{family, loads};
+
+/// What a layout describes, with its verdicts.
+pub(super) enum Judged {
+    /// An engine, and the family that it is a member of, judged at the same orders.
+    Known { engine: Box<Engine>, judged: Judgement, family: Option<(Box<Family>, Vec<OpenOrder>)> },
+    /// A family.
+    Open { family: Box<Family>, orders: Vec<OpenOrder> },
+}
+
+impl Judged {
+    /// As the commands judge it where nothing else is asked for.
+    pub fn of(layout: Layout) -> Result<Self, Mistake> {
+        match layout {
+            Layout::Known(engine, family) => {
+                let mut orders = loads::usual_orders(&engine);
+                orders.sort_unstable();
+                orders.dedup();
+                let quantities = verdict::quantities(&engine, false);
+                let judged = Judgement::new(&engine, &orders, &quantities).map_err(Mistake::of)?;
+                // Where the rods differ nothing is said of other values than those given.
+                let family = family.filter(|family| family::comparable(family).is_ok());
+                let open = |family: Box<Family>| {
+                    let orders = family::classify(&family, &orders).map_err(Mistake::of)?;
+                    Ok::<_, Mistake>((family, orders))
+                };
+                Ok(Judged::Known { engine, judged, family: family.map(open).transpose()? })
+            }
+            Layout::Open(family) => {
+                family::comparable(&family).map_err(Mistake::of)?;
+                let mut orders = family.orders().to_vec();
+                orders.sort_unstable();
+                orders.dedup();
+                let orders = family::classify(&family, &orders).map_err(Mistake::of)?;
+                Ok(Judged::Open { family, orders })
+            }
+        }
+    }
+}
