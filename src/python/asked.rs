@@ -7,7 +7,6 @@ use pyo3::types::PyDict;
 
 use super::error::told;
 use super::keys;
-use super::questions::Ranges;
 use crate::engine::{Cycle, CycleOrder, ORDERS};
 use crate::exact::Turn;
 use crate::file::{parse_angle, parse_number};
@@ -34,20 +33,6 @@ pub(super) fn written(values: &[impl ToString]) -> Vec<String> {
 /// An angle as a text that is read again.
 pub(super) fn in_turns(angle: &Turn) -> String {
     format!("{} turn", angle.turns())
-}
-
-/// The ranges of a sweep: those of the keywords that are given, and those of keys of the layout.
-pub(super) fn ranges(
-    flags: [(&'static str, Option<&Bound<'_, PyAny>>); 6],
-    keys: Option<&Bound<'_, PyDict>>,
-) -> PyResult<Ranges> {
-    let flags = flags.into_iter().filter_map(|(flag, range)| Some((flag, range?)));
-    let flags = flags.map(|(flag, range)| Ok((flag, keys::range(flag, range)?)));
-    let keys = keys.into_iter().flat_map(|keys| keys.iter()).map(|(key, range)| {
-        let key: String = key.extract()?;
-        Ok((key.clone(), keys::range(&key, &range)?))
-    });
-    Ok(Ranges { flags: flags.collect::<PyResult<_>>()?, keys: keys.collect::<PyResult<_>>()? })
 }
 
 /// Rising, each once.

@@ -15,14 +15,13 @@ use super::error::told;
 use super::interrupt::interruptible;
 use super::questions::{self, Remedy, Wanted};
 use super::reading::Source;
-use super::verdicts::Verdicts;
+use super::verdicts::{self, Verdicts};
 use super::{asked, keys, notebook, pages};
 use crate::accuracy::Timing;
 use crate::engine::{self, Family};
 #[cfg(feature = "optimise")]
 use crate::file::FileResolver;
 use crate::firing::Weights;
-use crate::loads;
 #[cfg(feature = "optimise")]
 use crate::optimise::Request;
 use crate::page::Format;
@@ -32,7 +31,7 @@ use crate::report::{
     self, AccuracyStudy, AngleStudy, AnglesAsked, BearingsStudy, FiringStudy, LoadsStudy, MountsAsked, MountsStudy,
     TorqueStudy, TorsionStudy,
 };
-use crate::verdict;
+use crate::{loads, verdict};
 
 /// An engine: its cylinders with exact angles and positions, and what else its layout says.
 ///
@@ -398,7 +397,7 @@ impl Engine {
             ("balance_factor", balance_factor),
             ("speed", speed),
         ];
-        let ranges = asked::ranges(short_cuts, ranges)?;
+        let ranges = questions::ranges(short_cuts, ranges)?;
         let (orders, firing) = (asked::orders(orders)?, asked::cycle_orders(firing_orders)?);
         let values = asked::value_names("values", &values.unwrap_or_default())?;
         let asked = self.asked("sweep", &ranges.keywords(orders.as_deref(), &firing, &values));
@@ -457,6 +456,6 @@ impl Engine {
     }
 
     fn _repr_latex_(&self, py: Python<'_>) -> PyResult<String> {
-        Ok(notebook::latex(&self.classify(py, None, None, false, false)?.verdicts))
+        Ok(verdicts::latex(&self.classify(py, None, None, false, false)?.verdicts))
     }
 }

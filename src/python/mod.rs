@@ -16,6 +16,7 @@ mod judged;
 mod keys;
 mod notebook;
 mod pages;
+mod pickle;
 mod questions;
 mod reading;
 mod star;
@@ -39,8 +40,8 @@ fn _crankstar(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<answer::Answer>()?;
     module.add_class::<questions::Remedy>()?;
     module.add_class::<questions::Checked>()?;
-    module.add_function(wrap_pyfunction!(again::_engine, module)?)?;
-    module.add_function(wrap_pyfunction!(again::_asked, module)?)?;
+    module.add_function(wrap_pyfunction!(pickle::_engine, module)?)?;
+    module.add_function(wrap_pyfunction!(pickle::_asked, module)?)?;
     module.add_function(wrap_pyfunction!(answer::_answer, module)?)?;
     module.add_function(wrap_pyfunction!(verdict::_verdict, module)?)?;
     module.add_function(wrap_pyfunction!(functions::catalogue, module)?)?;

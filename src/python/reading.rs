@@ -8,11 +8,13 @@ use std::sync::{Mutex, PoisonError};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
-use super::again::Files;
 use super::error::{self, told};
 use crate::engine::{self, Family};
 use crate::file::{self, FileResolver, Layout};
 use crate::text::decoded;
+
+/// Files beside a layout: their names, and what is in them.
+pub(super) type Files = Vec<(String, String)>;
 
 /// A layout file, and the engine that it describes.
 #[derive(Clone)]

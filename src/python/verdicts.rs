@@ -143,6 +143,36 @@ impl Verdicts {
     }
 
     fn _repr_latex_(&self) -> String {
-        notebook::latex(&self.verdicts)
+        latex(&self.verdicts)
     }
+}
+
+/// The verdicts as one formula in TeX, with what MathJax knows: a row an order, a column a quantity.
+pub(super) fn latex(verdicts: &[Verdict]) -> String {
+    let mut quantities: Vec<&str> = Vec::new();
+    let mut orders: Vec<u32> = Vec::new();
+    for verdict in verdicts {
+        if !quantities.contains(&verdict.quantity.as_str()) {
+            quantities.push(verdict.quantity.as_str());
+        }
+        if !orders.contains(&verdict.order) {
+            orders.push(verdict.order);
+        }
+    }
+    let cell = |order: u32, quantity: &str| {
+        let of = verdicts.iter().find(|verdict| verdict.order == order && verdict.quantity == quantity);
+        of.map(|verdict| verdict.tex.as_str()).unwrap_or_default()
+    };
+    let heading: Vec<String> = quantities.iter().map(|quantity| format!("\\text{{{quantity}}}")).collect();
+    let row = |&order: &u32| {
+        let cells: Vec<&str> = quantities.iter().map(|quantity| cell(order, quantity)).collect();
+        format!("{order} & {}", cells.join(" & "))
+    };
+    let rows: Vec<String> = orders.iter().map(row).collect();
+    format!(
+        "$$\\begin{{array}}{{r{}}}\n\\text{{order}} & {} \\\\\n\\hline\n{}\n\\end{{array}}$$",
+        "l".repeat(quantities.len()),
+        heading.join(" & "),
+        rows.join(" \\\\\n")
+    )
 }

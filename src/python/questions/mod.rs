@@ -7,5 +7,5 @@ mod verify;
 
 pub(super) use remedy::{Remedy, Wanted, remedy};
 pub(super) use search::{StarRequest, search};
-pub(super) use sweep::{Ranges, sweep};
+pub(super) use sweep::{ranges, sweep};
 pub(super) use verify::{Checked, verify};

@@ -4,8 +4,10 @@ use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
 
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use serde_json::{Map, Value, json};
 
+use super::super::keys;
 use crate::engine::{CycleOrder, Engine};
 use crate::file::{FileResolver, Template};
 use crate::python::asked::written;
@@ -63,4 +65,18 @@ pub(in crate::python) fn sweep(
             Some(sweep::observed(&template, &sweep, &Observer { names: &names, find: &find }).map_err(told)?);
     }
     Ok(sweep)
+}
+
+/// The ranges of a sweep: those of the keywords that are given, and those of keys of the layout.
+pub(in crate::python) fn ranges(
+    flags: [(&'static str, Option<&Bound<'_, PyAny>>); 6],
+    keys: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Ranges> {
+    let flags = flags.into_iter().filter_map(|(flag, range)| Some((flag, range?)));
+    let flags = flags.map(|(flag, range)| Ok((flag, keys::range(flag, range)?)));
+    let keys = keys.into_iter().flat_map(|keys| keys.iter()).map(|(key, range)| {
+        let key: String = key.extract()?;
+        Ok((key.clone(), keys::range(&key, &range)?))
+    });
+    Ok(Ranges { flags: flags.collect::<PyResult<_>>()?, keys: keys.collect::<PyResult<_>>()? })
 }
