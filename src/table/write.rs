@@ -1,5 +1,6 @@
 //! In which formats is a table written, into which files?
 
+use super::unwritable::Unwritable;
 use super::{Named, Table, csv};
 
 /// What tables are written as.
@@ -103,7 +104,6 @@ fn xlsx(_: &[Table]) -> Result<Vec<u8>, Unwritable> {
 
 #[cfg(feature = "parquet")]
 use super::parquet::parquet;
-use super::unwritable::Unwritable;
 
 #[cfg(not(feature = "parquet"))]
 fn parquet(_: &Table) -> Result<Vec<u8>, Unwritable> {
