@@ -8,7 +8,7 @@ use crate::numbers::Form;
 /// The plainest reason for a verdict.
 ///
 /// The reasons why a sum is not zero are about the vectors that are left where like and opposite directions are collected
-/// ([`PhasorSum::on_lines`]): all have positive weights, and no two of them lie on one line.
+/// ([`PhasorSum::on_lines`](crate::exact::PhasorSum::on_lines)): all have positive weights, and no two of them lie on one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Reason {
