@@ -1,4 +1,4 @@
-//! What does a reader see first: the verdicts, and the engine with its stars in motion?
+//! What does a reader see: first the verdicts, then the engine with its stars in motion?
 
 use serde_json::{Value, json};
 
@@ -13,47 +13,53 @@ use crate::report::{self, moving};
 use crate::text;
 use crate::verdict::Judgement;
 
-/// The verdicts and the scenes; with the text of the layout where a value was set in it.
+/// The verdicts in words, which a reader sees first.
+pub(super) fn verdicts(judged: &Judged) -> Value {
+    let (title, summary, answer) = match judged {
+        Judged::Known { engine, judged, .. } => {
+            let mut answer = report::engine_answer(engine, judged);
+            // The page has the box by itself.
+            answer.blocks.retain(|block| !matches!(block, Block::Answer(_)));
+            (engine.title(), report::engine_summary(engine, judged), answer)
+        }
+        Judged::Open { family, orders } => {
+            (family.title(), report::family_summary(family, orders), report::family_answer(family, orders))
+        }
+    };
+    json!({
+        "title": text::xml(&title.escaped(text::Format::Plain)),
+        "summary": html(std::slice::from_ref(&summary)),
+        "verdicts": html(&answer.blocks),
+        "spoken": spoken(&answer),
+    })
+}
+
+/// The verdicts, the engine in motion and its stars; with the text of the layout where a value was set in it.
 pub(super) fn look(layout: Written, set: Option<&Set>) -> Result<Value, Mistake> {
     let layout = match set {
         None => layout,
         Some(set) => Written { text: set.within(&layout)?, ..layout },
     };
     let judged = layout.judged()?;
-    let (title, summary, answer, scenes) = match &judged {
+    let (scenes, stars) = match &judged {
         Judged::Known { engine, judged, family } => {
             let family = family.as_ref().map(|(family, orders)| (family.as_ref(), orders.as_slice()));
             let scene = moving::scene(engine, judged, family, report::Weighing::usual());
-            let summary = report::engine_summary(engine, judged);
-            let mut answer = report::engine_answer(engine, judged);
-            // The page has the box by itself.
-            answer.blocks.retain(|block| !matches!(block, Block::Answer(_)));
-            (engine.title(), summary, answer, vec![scene])
+            (vec![scene], stars(engine, judged))
         }
         Judged::Open { family, orders } => {
             let numbers: Vec<u32> = orders.iter().map(|order| order.order).collect();
-            let scenes = moving::open_scenes(family, &numbers);
-            let summary = report::family_summary(family, orders);
-            (family.title(), summary, report::family_answer(family, orders), scenes)
+            (moving::open_scenes(family, &numbers), Vec::new())
         }
-    };
-    let glance = match &judged {
-        Judged::Known { engine, judged, .. } => stars(engine, judged),
-        Judged::Open { .. } => Vec::new(),
     };
     let fragment = |(index, scene): (usize, &moving::Scene)| {
         moving::moving_fragment(scene, &format!("scene-{}", index + 1), Language::En)
     };
-    let scenes: Vec<String> = scenes.iter().enumerate().map(fragment).collect();
-    Ok(json!({
-        "text": set.map(|_| &layout.text),
-        "title": text::xml(&title.escaped(text::Format::Plain)),
-        "summary": html(std::slice::from_ref(&summary)),
-        "verdicts": html(&answer.blocks),
-        "spoken": spoken(&answer),
-        "scenes": scenes,
-        "stars": glance,
-    }))
+    let mut look = verdicts(&judged);
+    look["text"] = json!(set.map(|_| &layout.text));
+    look["scenes"] = scenes.iter().enumerate().map(fragment).collect();
+    look["stars"] = stars.into();
+    Ok(look)
 }
 
 /// The star of each order in the size of a stamp, in the order in which a scene has them.

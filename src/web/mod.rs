@@ -34,6 +34,8 @@ enum Question {
     Engine { name: String },
     /// The engines known by name.
     Catalogue,
+    /// The verdicts alone, in words.
+    Verdicts(Written),
     /// The verdicts and the engine in motion, perhaps after one value was set.
     Look {
         #[serde(flatten)]
@@ -86,6 +88,7 @@ fn answered(question: Question) -> Result<Value, Mistake> {
         Question::Begin => Ok(catalogue::begin()),
         Question::Engine { name } => catalogue::engine(&name),
         Question::Catalogue => catalogue::catalogue(),
+        Question::Verdicts(layout) => Ok(look::verdicts(&layout.judged()?)),
         Question::Look { layout, set } => look::look(layout, set.as_ref()),
         Question::Proof(layout) => proof::proof(&layout.judged()?),
         Question::Sliders(layout) => slider::sliders(&layout),

@@ -48,6 +48,18 @@ fn the_catalogue_of_the_page_is_that_of_the_program_and_all_can_be_looked_at() {
 }
 
 #[test]
+fn the_first_verdicts_are_those_that_stand_beside_the_engine_in_motion() {
+    let open = "[vee]\nbank_angle = \"phi\"\nthrows = [0]\n";
+    for text in [file::find("V8-crossplane").expect("an engine of the catalogue").text, open] {
+        let first = good(json!({ "ask": "verdicts", "name": "mine", "text": text }));
+        let look = good(json!({ "ask": "look", "name": "mine", "text": text }));
+        let first = first.as_object().expect("words");
+        assert_eq!(first.keys().collect::<Vec<_>>(), ["spoken", "summary", "title", "verdicts"]);
+        assert!(first.iter().all(|(key, words)| look[key] == *words), "{text}");
+    }
+}
+
+#[test]
 fn an_engine_is_found_by_its_name_in_upper_or_lower_case() {
     for (entry, _) in file::catalogue().expect("the catalogue") {
         let found = good(json!({ "ask": "engine", "name": entry.name.to_uppercase() }));

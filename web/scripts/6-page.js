@@ -34,20 +34,28 @@ const page = async () => {
   /** When what was written is on the screen; a page that nobody sees does not wait. */
   const painted = () => document.hidden || new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
 
-  const show = async ({ title, verdicts, summary, spoken, scenes, stars: small }, took) => {
+  const words = ({ title, verdicts, summary }) => {
     $("title").innerHTML = title;
     document.title = `${$("title").textContent} · crankstar`;
     $("verdicts").innerHTML = verdicts;
     $("summary").innerHTML = summary;
+  };
+
+  const show = (answer, took) => {
+    words(answer);
     $("state").textContent = `Computed in ${took < 10 ? took.toFixed(1) : Math.round(took)} ms.`;
-    // The first verdict does not wait for its stars.
-    if (!document.body.dataset.verdict) {
-      await painted();
-      document.body.dataset.verdict = `${Math.round(performance.now())}`;
-    }
-    stars.put(scenes, small, state.isOther);
+    stars.put(answer.scenes, answer.stars, state.isOther);
     state.isOther = false;
-    speak(`${$("title").textContent}. ${spoken}`);
+    speak(`${$("title").textContent}. ${answer.spoken}`);
+  };
+
+  /** The first verdict, which does not wait for its stars. */
+  const first = async () => {
+    const answer = await answered({ ask: "verdicts", ...about() });
+    if (!answer?.ok) return;
+    words(answer.ok);
+    await painted();
+    document.body.dataset.verdict = `${Math.round(performance.now())}`;
   };
 
   /** The layout after a value was set: it is no longer the one that was picked. */
@@ -79,7 +87,7 @@ const page = async () => {
         state.isFaulty = false;
         if (answer.ok.text !== null) changed(value, answer.ok.text);
         editor.show(null);
-        await show(answer.ok, answer.took);
+        show(answer.ok, answer.took);
       } else if (answer?.mistake) {
         editor.show(answer.mistake);
         $("state").textContent = "The layout cannot be read as it stands.";
@@ -222,17 +230,18 @@ const page = async () => {
     state.values.clear();
     $("changed").textContent = "";
   };
-  const pick = (name) => {
+  const put = (name) => {
     state.name = name;
     $("pick").value = name;
     [state.isOther, state.isStep] = [true, true];
     afresh();
     editor.put(texts.get(name));
-    return look();
   };
   $("pick").addEventListener("change", () => {
     banner("");
-    if (texts.has($("pick").value)) pick($("pick").value);
+    if (!texts.has($("pick").value)) return;
+    put($("pick").value);
+    look();
   });
   editor.area.addEventListener("input", () => {
     editor.draw();
@@ -284,8 +293,9 @@ const page = async () => {
   // A link may carry an engine of the list, which then keeps its name.
   const isLink = location.hash.startsWith("#l=");
   if (isLink) await list();
-  if (await carried()) await look();
-  else await pick((await named("V8-crossplane")).name);
+  if (!(await carried())) put((await named("V8-crossplane")).name);
+  await first();
+  await look();
   document.body.dataset.ready = `${Math.round(performance.now())}`;
   if (!isLink) await list();
 };
