@@ -65,8 +65,8 @@ mod run {
                     }
                     Ok(text)
                 };
-                let wish = Request { couple, points: self.points, orders };
-                let study = OptimiseStudy::new(&engine, wish, layouts::resolver(&self.about.layout, &read))
+                let request = Request { couple, points: self.points, orders };
+                let study = OptimiseStudy::new(&engine, request, layouts::resolver(&self.about.layout, &read))
                     .map_err(Failure::new)?;
                 let named = named.into_inner().unwrap_or_default();
                 Ok(OptimiseStudy {

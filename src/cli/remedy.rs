@@ -72,7 +72,7 @@ impl Remedy {
             let Layout::Known(engine, _) = layout else {
                 return Err(Failure::new("a remedy needs an engine without unknowns; give them values below [values]"));
             };
-            let remedy = remedy::remedy(&engine, &self.wish(&engine, orders)?).map_err(Failure::new)?;
+            let remedy = remedy::remedy(&engine, &self.request(&engine, orders)?).map_err(Failure::new)?;
             if !self.planes.is_empty() && !self.reciprocating.is_empty() {
                 write::warn(ON_THE_THROWS);
             }
@@ -128,7 +128,7 @@ impl Remedy {
         Ok(parts.iter().enumerate().map(of_throw).collect())
     }
 
-    fn wish(&self, engine: &Engine, orders: Vec<u32>) -> Result<Request, Failure> {
+    fn request(&self, engine: &Engine, orders: Vec<u32>) -> Result<Request, Failure> {
         let planes = match self.planes.as_slice() {
             [] => None,
             [first, second] => Some([plane(engine, first)?, plane(engine, second)?]),

@@ -41,7 +41,7 @@ pub struct Optimum {
 /// A problem with what its solutions share.
 pub(super) struct Search<'a> {
     engine: &'a Engine,
-    wish: &'a Request,
+    request: &'a Request,
     beside: FileResolver<'a>,
     pub places: Vec<Place>,
     problem: Problem,
@@ -51,9 +51,9 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub fn new(engine: &'a Engine, wish: &'a Request, beside: FileResolver<'a>) -> Result<Self, OptimiseError> {
+    pub fn new(engine: &'a Engine, request: &'a Request, beside: FileResolver<'a>) -> Result<Self, OptimiseError> {
         let places = places(engine);
-        let mut problem = Problem::new(engine, &places, wish)?;
+        let mut problem = Problem::new(engine, &places, request)?;
         let own = throws(engine).into_iter().map(|throw| throw.angle);
         let exact = problem.shafts.iter().flat_map(|shaft| &shaft.exact);
         let others = exact.flat_map(|sum| sum.terms()).map(|term| term.angle.clone());
@@ -69,7 +69,7 @@ impl<'a> Search<'a> {
             problem.most_couple = Some(most - step * moved).filter(|left| *left > most / 2.0);
         }
         let samples = Samples::new(&problem);
-        Ok(Search { engine, wish, beside, places, problem, samples, directions, steps })
+        Ok(Search { engine, request, beside, places, problem, samples, directions, steps })
     }
 
     fn solve(&mut self, least: Least, mass: Option<f64>, peak: Option<f64>) -> Result<Solution, OptimiseError> {
@@ -107,9 +107,9 @@ impl<'a> Search<'a> {
         let draft = self.engine.with_counterweights(weights.iter().flatten().cloned().collect());
         let draft = draft.map_err(|error| OptimiseError::Unsolved(error.to_string()))?;
         let notes: Vec<String> = self.places.iter().map(|place| note(&weight(&draft, place))).collect();
-        let head = format!("{name}: {}.\n{PARTS}", condition(&self.wish.couple, self.problem.is_exact()));
+        let head = format!("{name}: {}.\n{PARTS}", condition(&self.request.couple, self.problem.is_exact()));
         let engine = file::with_counterweights((self.engine, self.beside), &weights, &head, &notes)?;
-        let design = measure(&engine, &self.places, &self.wish.orders)?;
+        let design = measure(&engine, &self.places, &self.request.orders)?;
         if !self.keeps(&design) {
             return Err(OptimiseError::Unsolved("the rounded counterweights do not keep the balance".to_owned()));
         }
@@ -128,7 +128,7 @@ impl<'a> Search<'a> {
             Residual::Zero => true,
             Residual::Between(_, high) => high <= most,
         };
-        let couple = match &self.wish.couple {
+        let couple = match &self.request.couple {
             Couple::Zero => slight * longest,
             Couple::AtMost(most) => most.to_f64().unwrap_or(0.0).max(slight * longest),
         };

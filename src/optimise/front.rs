@@ -44,8 +44,8 @@ pub struct Front {
 ///     reciprocating_mass = 0.65\nrotating_mass = 0.5\ncrank_radius = '45 mm'\nrod_ratio = 0.25\n\
 ///     [crankshaft]\nbalance_factor = 1\ncounterweight_radius = '45 mm'\nweb_offset = 0.2";
 /// let i3 = crankstar::file::parse("i3.toml", file).unwrap();
-/// let wish = Request { couple: Couple::Zero, points: 2, orders: vec![1, 2] };
-/// let front = front(&i3, &wish).unwrap();
+/// let request = Request { couple: Couple::Zero, points: 2, orders: vec![1, 2] };
+/// let front = front(&i3, &request).unwrap();
 /// let [lightest, calmest] = front.points.as_slice() else { panic!() };
 /// assert!(lightest.design.mass < calmest.design.mass && lightest.design.peak() > calmest.design.peak());
 /// assert_eq!((lightest.design.force, lightest.design.couple), (Residual::Zero, Residual::Zero));
@@ -54,22 +54,22 @@ pub struct Front {
 ///
 /// # Errors
 /// [`OptimiseError`] says what is missing.
-pub fn front(engine: &Engine, wish: &Request) -> Result<Front, OptimiseError> {
-    front_beside(engine, wish, FileResolver::nothing())
+pub fn front(engine: &Engine, request: &Request) -> Result<Front, OptimiseError> {
+    front_beside(engine, request, FileResolver::nothing())
 }
 
 /// The same of an engine whose layout names a file beside itself, which `beside` reads: the layout is written and read back.
 ///
 /// # Errors
 /// [`OptimiseError`] says what is missing.
-pub fn front_beside(engine: &Engine, wish: &Request, beside: FileResolver<'_>) -> Result<Front, OptimiseError> {
-    if !(1..=MOST_POINTS).contains(&wish.points) {
-        return Err(OptimiseError::Points(wish.points));
+pub fn front_beside(engine: &Engine, request: &Request, beside: FileResolver<'_>) -> Result<Front, OptimiseError> {
+    if !(1..=MOST_POINTS).contains(&request.points) {
+        return Err(OptimiseError::Points(request.points));
     }
-    let mut search = Search::new(engine, wish, beside)?;
+    let mut search = Search::new(engine, request, beside)?;
     let ends = search.ends()?;
     // Where the least load comes with the least mass, there is one point.
-    let steps = if ends[1] - ends[0] > 2.0 * SLACK * ends[0] { wish.points - 1 } else { 0 };
+    let steps = if ends[1] - ends[0] > 2.0 * SLACK * ends[0] { request.points - 1 } else { 0 };
     let mut points = Vec::new();
     for step in 0..=steps {
         let part = if steps == 0 { 1.0 } else { step as f64 / steps as f64 };
@@ -80,7 +80,7 @@ pub fn front_beside(engine: &Engine, wish: &Request, beside: FileResolver<'_>) -
     let mut compared = Vec::new();
     for factor in [(0, 1), (13, 20), (1, 1)].map(|(over, under)| BigRational::new(over.into(), under.into())) {
         let Some(uniform) = uniform(engine, &factor) else { continue };
-        let design = measure(&uniform, &search.places, &wish.orders)?;
+        let design = measure(&uniform, &search.places, &request.orders)?;
         let mass = design.mass.to_f64().unwrap_or(f64::INFINITY);
         // The lightest one has room to be solved in, as among the points.
         let room = ends[0] * (1.0 + SLACK);

@@ -78,20 +78,20 @@ fn enough(engine: &Engine, places: &[Place]) -> Result<(), OptimiseError> {
 }
 
 impl Problem {
-    pub fn new(engine: &Engine, places: &[Place], wish: &Request) -> Result<Self, OptimiseError> {
+    pub fn new(engine: &Engine, places: &[Place], request: &Request) -> Result<Self, OptimiseError> {
         enough(engine, places)?;
-        if !wish.orders.contains(&1) {
+        if !request.orders.contains(&1) {
             return Err(OptimiseError::NoFirstOrder);
         }
         let bare =
             engine.with_counterweights(Vec::new()).map_err(|error| OptimiseError::Unsolved(error.to_string()))?;
-        let loads = bearing_loads(&bare, &wish.orders, Method::Continuous)?;
+        let loads = bearing_loads(&bare, &request.orders, Method::Continuous)?;
         let (Some(mass), Some(radius)) = (bare.crankshaft_mass(), bare.dimensions().crank_radius.clone()) else {
             return Err(OptimiseError::NoMasses);
         };
         let unit = unit_mass(&bare) * radius;
         let float = |value: &BigRational| value.to_f64().unwrap_or(f64::INFINITY);
-        let most_couple = match (&wish.couple, &loads.scale) {
+        let most_couple = match (&request.couple, &loads.scale) {
             (Couple::Zero, _) => None,
             (Couple::AtMost(most), _) if !most.is_positive() => None,
             (Couple::AtMost(most), Some(scale)) if Arm::of(engine) == Arm::Metre => Some(float(most) / scale.force()),

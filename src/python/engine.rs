@@ -349,9 +349,9 @@ impl Engine {
         let orders = asked::rising(asked::orders(orders)?.unwrap_or_else(usual));
         let couple = couple.map(keys::number).transpose()?.unwrap_or_else(|| "zero".to_owned());
         let keywords = json!({ "orders": orders, "couple": couple, "points": points });
-        let wish = Request { couple: couple.parse().map_err(told)?, points, orders };
+        let request = Request { couple: couple.parse().map_err(told)?, points, orders };
         let read = |path: &str| self.source.beside(path);
-        let study = py.detach(|| OptimiseStudy::new(&self.engine, wish, FileResolver::new(&read))).map_err(told)?;
+        let study = py.detach(|| OptimiseStudy::new(&self.engine, request, FileResolver::new(&read))).map_err(told)?;
         Ok(Answer::new(self.asked("optimise", &keywords), study))
     }
 

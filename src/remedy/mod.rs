@@ -169,22 +169,22 @@ impl Remedy {
 ///
 /// # Errors
 /// What is missing, or does not fit.
-pub fn remedy(engine: &Engine, wish: &Request) -> Result<Remedy, RemedyError> {
+pub fn remedy(engine: &Engine, request: &Request) -> Result<Remedy, RemedyError> {
     let subject = ComparableEngine::new(engine).map_err(RemedyError::Missing)?;
-    if wish.radius.is_some() && subject.scale().is_none() {
+    if request.radius.is_some() && subject.scale().is_none() {
         return Err(RemedyError::NoMass);
     }
     let count = throws(engine).len();
-    for (what, given) in [("balance factors", wish.factors.len()), ("skew angles", wish.skews.len())] {
+    for (what, given) in [("balance factors", request.factors.len()), ("skew angles", request.skews.len())] {
         if given > 1 && given != count {
             return Err(RemedyError::TooMany { what, given, throws: count });
         }
     }
     let turns_as_the_first = |crank: &GearedCrank| (crank.speed, crank.sense) == (1, Sense::Direct);
-    if !wish.factors.is_empty() && !engine.geared_cranks().iter().all(turns_as_the_first) {
+    if !request.factors.is_empty() && !engine.geared_cranks().iter().all(turns_as_the_first) {
         return Err(RemedyError::Bays);
     }
-    let planes = match &wish.planes {
+    let planes = match &request.planes {
         Some([first, second]) if first == second => return Err(RemedyError::PlanesCoincide(first.clone())),
         Some(planes) => {
             if let Some(ends) = engine.shaft_ends()
@@ -196,14 +196,14 @@ pub fn remedy(engine: &Engine, wish: &Request) -> Result<Remedy, RemedyError> {
         }
         None => usual_planes(engine),
     };
-    let bays = match wish.factors.is_empty() {
+    let bays = match request.factors.is_empty() {
         true => Vec::new(),
-        false => planes::in_place_of_what_is_there(&subject, bay_by_bay(&subject, &wish.factors, &wish.skews)),
+        false => planes::in_place_of_what_is_there(&subject, bay_by_bay(&subject, &request.factors, &request.skews)),
     };
     let crankshaft =
-        wish.orders.contains(&1).then(|| on_the_crankshaft(&subject, &bays, &planes, wish.planes.is_some()));
+        request.orders.contains(&1).then(|| on_the_crankshaft(&subject, &bays, &planes, request.planes.is_some()));
     let crankshaft = crankshaft.flatten();
-    let shafts = shafts(&subject, &wish.orders, &planes, wish.planes.is_some());
+    let shafts = shafts(&subject, &request.orders, &planes, request.planes.is_some());
     let [needed, left_out] = without_slight(&subject, crankshaft.into_iter().chain(shafts).collect());
     let (on_the_crank, shafts): (Vec<Shaft>, Vec<Shaft>) =
         needed.into_iter().partition(|shaft| (shaft.order, shaft.sense) == (1, Sense::Direct));
@@ -212,14 +212,14 @@ pub fn remedy(engine: &Engine, wish: &Request) -> Result<Remedy, RemedyError> {
     let heights = pairs.filter_map(|shaft| pair_height(engine, shaft.order)).collect();
     let mut remedy = Remedy {
         subject,
-        orders: wish.orders.clone(),
-        small: wish.small.clone(),
+        orders: request.orders.clone(),
+        small: request.small.clone(),
         bays,
         crankshaft,
         shafts,
         left_out,
-        radius: wish.radius.clone(),
-        speeds: wish.speeds.clone(),
+        radius: request.radius.clone(),
+        speeds: request.speeds.clone(),
         heights,
         corrected: Vec::new(),
     };

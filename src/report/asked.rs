@@ -50,8 +50,8 @@ const ASKED: &[(&str, Ask)] = &[
     #[cfg(feature = "optimise")]
     ("optimise", |engine, orders| {
         let orders = whole_or(orders, || usual_bearing_orders(engine));
-        let wish = optimise::Request { couple: Couple::Zero, points: USUAL_POINTS, orders };
-        Ok(Box::new(OptimiseStudy::new(engine, wish, FileResolver::nothing())?))
+        let request = optimise::Request { couple: Couple::Zero, points: USUAL_POINTS, orders };
+        Ok(Box::new(OptimiseStudy::new(engine, request, FileResolver::nothing())?))
     }),
 ];
 

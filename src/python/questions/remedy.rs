@@ -85,8 +85,8 @@ pub(in crate::python) fn remedy(
         None => report::worth_curing(engine, loads::usual_orders(engine), Weighing::usual()),
     };
     let (factors, skews) = (factors.clone(), skews.clone());
-    let wish = Request { orders, small, planes: planes.transpose()?, factors, skews, radius, ..Request::default() };
-    let cured = remedy::remedy(engine, &wish).map_err(told)?;
+    let request = Request { orders, small, planes: planes.transpose()?, factors, skews, radius, ..Request::default() };
+    let cured = remedy::remedy(engine, &request).map_err(told)?;
     let read = |path: &str| source.beside(path);
     let layout = remedy::corrected_file(&cured, &source.name, FileResolver::new(&read))
         .map(|file| file.text)

@@ -96,7 +96,7 @@ impl EngineRow {
     }
 
     fn judged(layout: &Engine, origin: Origin, name: String, title: Untrusted, ties: Option<Ties>) -> Self {
-        let wish = Request { orders: REMEDIED.to_vec(), ..Request::default() };
+        let request = Request { orders: REMEDIED.to_vec(), ..Request::default() };
         EngineRow {
             origin,
             name,
@@ -114,7 +114,7 @@ impl EngineRow {
                 })
                 .collect(),
             first_left: engine_cells::first_left(layout, &verdict::every_order(layout, Masses::Reciprocating)),
-            remedy: engine_cells::remedy(&remedy::remedy(layout, &wish)),
+            remedy: engine_cells::remedy(&remedy::remedy(layout, &request)),
             unit: layout.length_unit(),
         }
     }

@@ -43,9 +43,9 @@ impl<'a> Cures<'a> {
         let is_cured =
             |order: &&OrderVerdict| order.order <= USUALLY_CURED || weighed.is_some_and(Weighed::asks_for_all);
         let (cured, accepted): (Vec<&OrderVerdict>, Vec<&OrderVerdict>) = worth_it.into_iter().partition(is_cured);
-        let wish = Request { orders: cured.iter().map(|order| order.order).collect(), ..Request::default() };
+        let request = Request { orders: cured.iter().map(|order| order.order).collect(), ..Request::default() };
         let is_sized = is_as_built(engine, judged) || judged.masses == crate::order::Masses::Reciprocating;
-        let remedy = weighed.filter(|_| is_sized).and_then(|weighed| remedy::remedy(&weighed.engine, &wish).ok());
+        let remedy = weighed.filter(|_| is_sized).and_then(|weighed| remedy::remedy(&weighed.engine, &request).ok());
         Cures { engine, cured, accepted, weighed, remedy, told: RefCell::default() }
     }
 

@@ -59,8 +59,8 @@ impl Contents<'_> {
     /// The remedy for orders 1 and 2, where the file asks for it.
     fn remedy(&self) -> Option<Result<Remedy, RemedyError>> {
         let orders = [1, 2].into_iter().filter(|order| self.judged.orders.iter().any(|judged| judged.order == *order));
-        let wish = Request { orders: orders.collect(), ..Request::default() };
-        self.engine.effects().remedy.then(|| remedy::remedy(self.engine, &wish))
+        let request = Request { orders: orders.collect(), ..Request::default() };
+        self.engine.effects().remedy.then(|| remedy::remedy(self.engine, &request))
     }
 
     /// The numbers of the engine, where its file gives any.

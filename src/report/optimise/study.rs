@@ -23,9 +23,9 @@ impl OptimiseStudy {
     ///
     /// # Errors
     /// See [`OptimiseError`].
-    pub fn new(engine: &Engine, wish: Request, beside: FileResolver<'_>) -> Result<Self, OptimiseError> {
-        let front = front_beside(engine, &wish, beside)?;
-        Ok(OptimiseStudy { engine: engine.clone(), front, couple: wish.couple, files: Vec::new() })
+    pub fn new(engine: &Engine, request: Request, beside: FileResolver<'_>) -> Result<Self, OptimiseError> {
+        let front = front_beside(engine, &request, beside)?;
+        Ok(OptimiseStudy { engine: engine.clone(), front, couple: request.couple, files: Vec::new() })
     }
 
     pub(in crate::report) fn units(&self) -> Units {
