@@ -1,10 +1,8 @@
 //! What are the sums of an engine in numbers? Each coefficient of its motion is enclosed once.
 
-use std::collections::BTreeMap;
-
 use super::{Missing, Swing, Vector, scale};
-use crate::engine::{Engine, Link, Mechanism};
-use crate::motion::{Coefficient, SliderCrank};
+use crate::engine::{Engine, Mechanism};
+use crate::motion::Coefficient;
 use crate::order::{self, Coefficients, Factor, OrderSum, exactly_one};
 use crate::proof::Sense;
 
@@ -13,9 +11,8 @@ const LARGEST: f64 = 1e150;
 
 /// The motions of the cylinders, and the coefficients that were asked of them.
 pub(super) struct Motion {
-    pub cranks: BTreeMap<Mechanism, SliderCrank>,
-    /// The links on master rods.
-    pub links: Vec<Link>,
+    /// The different ones.
+    pub mechanisms: Vec<Mechanism>,
     /// Whether some crankshaft turns faster than the reference, whose coefficients are then those of other orders.
     pub has_faster: bool,
     coefficients: Coefficients,
@@ -26,15 +23,13 @@ impl Motion {
         if scale(engine).is_some_and(|scale| !(scale.force() < LARGEST && scale.torque() < LARGEST)) {
             return Err(Missing::TooLarge);
         }
-        let mechanisms = engine.mechanisms();
+        let mechanisms: Vec<Mechanism> = engine.mechanisms().into_iter().cloned().collect();
         if mechanisms.is_empty() {
             return Err(Missing::Rods);
         }
         order::comparable(engine)?;
-        let links = mechanisms.iter().filter_map(|mechanism| mechanism.link()).cloned().collect();
-        let crank = |mechanism: &Mechanism| Some((mechanism.clone(), order::crank(mechanism)?));
-        let cranks = mechanisms.into_iter().filter_map(crank).collect();
-        Ok(Motion { cranks, links, has_faster: engine.faster_crank().is_some(), coefficients: Coefficients::default() })
+        let has_faster = engine.faster_crank().is_some();
+        Ok(Motion { mechanisms, has_faster, coefficients: Coefficients::default() })
     }
 
     /// The value of a factor: computed, and counted, once.
@@ -68,9 +63,11 @@ impl Motion {
         if self.has_faster {
             return None;
         }
-        let mut mechanisms = self.cranks.keys();
-        let (Some(mechanism), None, []) = (mechanisms.next(), mechanisms.next(), &self.links[..]) else { return None };
-        let (factor, sign) = Factor::of_rod(mechanism.rod(), order);
+        let [mechanism] = &self.mechanisms[..] else { return None };
+        let (factor, sign) = match mechanism {
+            Mechanism::SliderCrank(rod) => Factor::of_rod(Some(rod), order),
+            Mechanism::Link(_) => return None,
+        };
         if !factor.exists(order) {
             return None;
         }

@@ -65,7 +65,7 @@ impl TorqueOrder {
     pub(super) fn new(engine: &Engine, motion: &Motion, order: u32) -> Self {
         let sum = order::torque(engine, order);
         let pairs: Vec<_> = sum.parts().iter().map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
-        let coefficient = match (motion.cranks.len(), pairs.as_slice()) {
+        let coefficient = match (motion.mechanisms.len(), pairs.as_slice()) {
             (1, _) if motion.has_faster => None,
             (1, [(coefficient, _)]) => Some(coefficient.clone()),
             _ => None,

@@ -68,24 +68,26 @@ impl Tails {
     }
 
     fn with(motion: &Motion, tail: impl Fn(&SliderCrank) -> Tail) -> Self {
-        let rods = motion
-            .cranks
-            .iter()
-            .map(|(rod, crank)| (rod.clone(), Parts { cranks: vec![(1.0, tail(crank))], corrected: None, hung: None }));
-        let links = motion.links.iter().filter_map(|link| {
-            let master = order::crank_of(&link.master_rod());
-            let mut cranks = vec![(rounded_up(&link.knuckle), tail(&master))];
-            let corrected = match link.is_corrected() {
-                true => Some(link.corrected()?.tail()),
-                false => {
-                    let own = link.linkage()?;
-                    cranks.push((rounded_up(&own.distance()), tail(own.crank())));
-                    None
-                }
-            };
-            Some((Mechanism::Link(link.clone()), Parts { cranks, corrected, hung: Some(link.hung()) }))
-        });
-        Tails { by_mechanism: rods.chain(links).collect() }
+        let parts = |mechanism: &Mechanism| match mechanism {
+            Mechanism::SliderCrank(rod) => {
+                Some(Parts { cranks: vec![(1.0, tail(&order::crank_of(rod)))], corrected: None, hung: None })
+            }
+            Mechanism::Link(link) => {
+                let master = order::crank_of(&link.master_rod());
+                let mut cranks = vec![(rounded_up(&link.knuckle), tail(&master))];
+                let corrected = match link.is_corrected() {
+                    true => Some(link.corrected()?.tail()),
+                    false => {
+                        let own = link.linkage()?;
+                        cranks.push((rounded_up(&own.distance()), tail(own.crank())));
+                        None
+                    }
+                };
+                Some(Parts { cranks, corrected, hung: Some(link.hung()) })
+            }
+        };
+        let mechanisms = motion.mechanisms.iter();
+        Tails { by_mechanism: mechanisms.filter_map(|one| Some((one.clone(), parts(one)?))).collect() }
     }
 
     /// The orders of the pistons above this one, of at least 2, and the shafts that turn faster add at most this to a load, in

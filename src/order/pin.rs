@@ -23,7 +23,7 @@ use super::masses::MassGroup;
 use super::phase::phase;
 use super::source::Source;
 use super::turning::mass_radius;
-use crate::engine::{Engine, Mechanism, Rod};
+use crate::engine::{Cylinder, Engine, Mechanism, Rod};
 use crate::exact::{Term, Turn};
 use crate::motion::LinkMass;
 use crate::proof::{Masses, Sense};
@@ -35,42 +35,38 @@ use crate::proof::{Masses, Sense};
 /// They are those of one crankshaft, by its index: 0 where there is one alone.
 pub fn pin_contributions(engine: &Engine, crank: usize, order: u32, sense: Sense) -> Vec<Contribution> {
     let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| cylinder.crank == crank);
-    let known = cylinders
-        .filter_map(|(index, cylinder)| Some((index, cylinder, cylinder.rod()?, engine.own_order(cylinder, order)?)));
-    let of_pistons = known.flat_map(|(index, cylinder, rod, own)| {
-        let speed = engine.speed_of(cylinder);
-        let weight = geared(mass_radius(engine, cylinder), speed, 2);
-        let with_its_crank = sense == engine.sense_of(cylinder);
-        let parts = of_piston(engine, rod, own, (sense, with_its_crank)).into_iter();
-        parts.map(move |(factor, part, turned)| Contribution {
-            source: Source::Piston(index),
-            position: cylinder.position.clone(),
-            factor: factor.geared(speed),
-            term: Term { angle: &phase(cylinder, own, Some(sense)) + &turned, weight: &weight * part },
-        })
-    });
+    let of_cylinders = cylinders.flat_map(|(index, cylinder)| of_cylinder(engine, (index, cylinder), order, sense));
     // What the masses at knuckle pins do is all in the numbers of their links.
     let of_rods = |source| matches!(source, Source::BigEnd(_));
-    let links = of_links(engine, order, sense);
-    of_pistons.chain(links).chain(turning(engine, crank, (order, sense), of_rods)).collect()
+    of_cylinders.chain(turning(engine, crank, (order, sense), of_rods)).collect()
 }
 
-/// What the links hand on by their master rods; an engine that has some has one crankshaft.
-fn of_links(engine: &Engine, order: u32, sense: Sense) -> impl Iterator<Item = Contribution> {
-    let cylinders = engine.cylinders().iter().enumerate();
-    let links = cylinders.filter_map(|(index, cylinder)| Some((index, cylinder, cylinder.link()?)));
-    links.flat_map(move |(index, cylinder, link)| {
-        let masses = [
-            (Source::Piston(index), LinkMass::Piston, mass_radius(engine, cylinder)),
-            (Source::Knuckle(index), LinkMass::Knuckle, &cylinder.knuckle_mass * &cylinder.crank_radius),
-        ];
-        masses.into_iter().filter(|(_, _, weight)| !weight.is_zero()).map(move |(source, mass, weight)| Contribution {
-            source,
-            position: cylinder.position.clone(),
-            factor: Factor::OnPin(link.clone(), mass, sense),
-            term: Term { angle: phase(cylinder, order, Some(sense)), weight },
-        })
-    })
+/// What a cylinder hands on: a link by its master rod, which is on the same crankpin.
+fn of_cylinder(engine: &Engine, (index, of): (usize, &Cylinder), order: u32, sense: Sense) -> Vec<Contribution> {
+    let Some(own) = engine.own_order(of, order) else { return Vec::new() };
+    let (at, weight) = (phase(of, own, Some(sense)), mass_radius(engine, of));
+    let one = |source, factor, term| Contribution { source, position: of.position.clone(), factor, term };
+    match &of.mechanism {
+        None => Vec::new(),
+        Some(Mechanism::SliderCrank(rod)) => {
+            let (speed, with_its_crank) = (engine.speed_of(of), sense == engine.sense_of(of));
+            let weight = geared(weight, speed, 2);
+            let parts = of_piston(engine, rod, own, (sense, with_its_crank)).into_iter();
+            let term = |part, turned: Turn| Term { angle: &at + &turned, weight: &weight * part };
+            let of_part = |(factor, part, turned): (Factor, _, _)| (factor.geared(speed), term(part, turned));
+            parts.map(of_part).map(|(factor, term)| one(Source::Piston(index), factor, term)).collect()
+        }
+        Some(Mechanism::Link(link)) => {
+            let masses = [
+                (Source::Piston(index), LinkMass::Piston, weight),
+                (Source::Knuckle(index), LinkMass::Knuckle, &of.knuckle_mass * &of.crank_radius),
+            ];
+            let weighing = masses.into_iter().filter(|(_, _, weight)| !weight.is_zero());
+            let on_pin = |mass| Factor::OnPin(link.clone(), mass, sense);
+            let term = |weight| Term { angle: at.clone(), weight };
+            weighing.map(|(source, mass, weight)| one(source, on_pin(mass), term(weight))).collect()
+        }
+    }
 }
 
 /// What the bearings of a crankshaft have to carry in one order and sense: the loads of its crankpins, and its own masses.
@@ -87,8 +83,10 @@ pub fn shaft_contributions(engine: &Engine, crank: usize, order: u32, sense: Sen
 
 /// Whether some piston has an offset and a rod of finite length, or a link, so that its crankpin may feel a constant force.
 pub fn has_constant_pin_loads(engine: &Engine) -> bool {
-    engine.has_links()
-        || engine.mechanisms().into_iter().filter_map(Mechanism::rod).any(|rod| crank_of(rod).has_side_part(0))
+    engine.mechanisms().into_iter().any(|mechanism| match mechanism {
+        Mechanism::SliderCrank(rod) => crank_of(rod).has_side_part(0),
+        Mechanism::Link(_) => true,
+    })
 }
 
 fn turning(

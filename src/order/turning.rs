@@ -141,7 +141,7 @@ fn knuckles(engine: &Engine) -> impl Iterator<Item = TurningMass> {
 /// What the mass-radius of a balancer shaft is multiplied by, as the force of the piston that sizes it: 1 where none does.
 pub fn shaft_parts(engine: &Engine, shaft: &Balancer) -> Vec<(Factor, Term)> {
     match shaft.coefficient_of.and_then(|index| engine.cylinders().get(index)) {
-        Some(cylinder) => Factor::parts_of_rod(engine, cylinder.rod(), shaft.order),
+        Some(cylinder) => Factor::parts_of_force(engine, cylinder.mechanism.as_ref(), shaft.order),
         None => vec![(Factor::One, Term { angle: Turn::zero(), weight: BigRational::one() })],
     }
 }

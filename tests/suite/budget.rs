@@ -38,7 +38,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("sweep", 2110),
     ("table", 1420),
     ("text", 435),
-    ("torque", 1250),
+    ("torque", 1255),
     ("torsion", 890),
     ("verdict", 1930),
     ("web", 895),
