@@ -37,7 +37,7 @@ impl Numbers {
         mechanism.mass.as_ref()?;
         let rod = engine.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
         let crank_radius = mechanism.crank_radius.clone()?;
-        let are_alike = !engine.has_links() && engine.rods().all(|other| other == rod);
+        let are_alike = engine.mechanisms().len() == 1;
         (are_alike || (order == 1 && engine.is_centric())).then_some(())?;
         Some(Numbers {
             reciprocating_mass: unit_mass(engine),

@@ -99,7 +99,7 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
             "an engine whose crankshafts turn equally fast: the others have a star for each speed",
         ));
     }
-    if layout.has_links() {
+    if !layout.has_one_vector_per_order() {
         let right = "an engine whose rods all are on the crankpin: a link has several vectors";
         return Err(LayoutError::new("a vector-star table has a row per cylinder", right, place(&table.layout)));
     }

@@ -55,7 +55,7 @@ const TRIES: usize = 64;
 /// Why it does not.
 pub fn can_be_set(engine: &Engine) -> Result<(), &'static str> {
     match () {
-        () if engine.has_links() => Err("its rods are articulated, and a link has several vectors"),
+        () if !engine.has_one_vector_per_order() => Err("its rods are articulated, and a link has several vectors"),
         () if !engine.geared_cranks().is_empty() => Err("it has several crankshafts, and a table has throws of one"),
         () if engine.mechanisms().len() > 1 => Err("its rods differ, so that an order is several sums"),
         () if engine.has_offset() => Err("its cylinder axes miss the crankshaft, which turns the vectors of order 1"),

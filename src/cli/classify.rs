@@ -76,7 +76,7 @@ impl Classify {
             }
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
-        if self.torque && engine.has_links() {
+        if self.torque && !engine.has_judged_torque() {
             return Err(Failure::new(loads::Missing::ArticulatedRods("verdicts on the inertia torque")));
         }
         let quantities = verdict::quantities(&engine, self.torque);

@@ -28,15 +28,16 @@ pub(super) fn check(engine: &Engine) -> Result<(), BuildError> {
         cylinder.is_some_and(|cylinder| cylinder.link().is_some())
     };
     let effects = engine.effects();
+    let has_links = engine.has_links();
     let asked = [
-        (effects.torque, "the exact inertia torque, \"torque\" in effects,"),
-        (!engine.geared_cranks().is_empty(), "several crankshafts"),
+        (effects.torque && !engine.has_judged_torque(), "the exact inertia torque, \"torque\" in effects,"),
+        (has_links && !engine.geared_cranks().is_empty(), "several crankshafts"),
         (
             engine.crankshaft().balancers.iter().any(of_link),
             "a shaft with the coefficient of a link, which has several,",
         ),
     ];
-    match asked.into_iter().find(|(is_asked, _)| *is_asked && engine.has_links()) {
+    match asked.into_iter().find(|(is_asked, _)| *is_asked) {
         Some((_, what)) => Err(BuildError::ArticulatedRods(what)),
         None => Ok(()),
     }

@@ -73,6 +73,22 @@ impl Mechanism {
         }
     }
 
+    /// Whether the orders of the inertia torque are judged, and its values enclosed: of a link on a master rod they are decimals.
+    pub fn has_judged_torque(&self) -> bool {
+        match self {
+            Mechanism::SliderCrank(_) => true,
+            Mechanism::Link(_) => false,
+        }
+    }
+
+    /// Whether its piston has one rotating vector in each order and sense of the force: a link has several, before several numbers.
+    pub fn has_one_vector_per_order(&self) -> bool {
+        match self {
+            Mechanism::SliderCrank(_) => true,
+            Mechanism::Link(_) => false,
+        }
+    }
+
     /// The motion of its piston, in decimals.
     pub fn piston(&self) -> PistonMotion {
         match self {

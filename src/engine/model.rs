@@ -190,6 +190,16 @@ impl<A, L> Engine<A, L> {
         self.cylinders().iter().any(|cylinder| cylinder.link().is_some())
     }
 
+    /// Whether the orders of the inertia torque of all cylinders are judged.
+    pub fn has_judged_torque(&self) -> bool {
+        self.moved().all(|(_, mechanism)| mechanism.has_judged_torque())
+    }
+
+    /// Whether each piston has one rotating vector in each order and sense of the force.
+    pub fn has_one_vector_per_order(&self) -> bool {
+        self.moved().all(|(_, mechanism)| mechanism.has_one_vector_per_order())
+    }
+
     /// The different mechanisms of its cylinders, in their order; none where nothing is known of them.
     pub fn mechanisms(&self) -> Vec<&Mechanism> {
         let mut different: Vec<&Mechanism> = Vec::new();

@@ -31,7 +31,7 @@ type Moving = (u32, Mechanism, Turn);
 /// Whether a load vanishes at every order, proved; it may vanish without a proof only where rods or the speeds of crankshafts differ.
 pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
     let alone = match quantity {
-        Quantity::Axial(_) if engine.has_links() => false,
+        Quantity::Axial(_) if !engine.has_judged_torque() => false,
         // An endless rod has the second order of its crank alone.
         Quantity::Axial(_) => speeds(engine).all(|speed| order::torque(engine, 2 * speed).vanishes()),
         Quantity::Planar(planar) => {

@@ -94,13 +94,13 @@ pub fn excitation(engine: &Engine, mounting: &Mounting, orders: &[CycleOrder]) -
         return Err(NoExcitation::Arm(arm));
     }
     let gas = engine.gas().map(|_| torque::classes(engine)).transpose()?;
-    let is_numerical = gas.is_some() || engine.has_links();
+    let is_numerical = gas.is_some() || !engine.has_judged_torque();
     if let Some(&beyond) = orders.iter().find(|order| is_numerical && order.halves() > 2 * torque::HIGHEST) {
         return Err(NoExcitation::Order(beyond));
     }
     let whole: Vec<u32> = orders.iter().filter(|order| order.is_whole()).map(|order| order.halves() / 2).collect();
     let planar = loads_at(engine, &whole, &[])?.orders;
-    let linked = engine.has_links().then(|| torque::bodies(engine));
+    let linked = (!engine.has_judged_torque()).then(|| torque::bodies(engine));
     let turning = linked.as_ref().map(|_| without_pistons(engine)).transpose()?;
     let rolls = roll_moments(turning.as_ref().unwrap_or(engine), &whole)?;
     let [mass, radius] = [&scale.mass, &scale.crank_radius].map(numbers::float);

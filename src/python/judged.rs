@@ -14,7 +14,7 @@ use crate::verdict::{self, Judgement};
 impl Engine {
     /// The verdicts on these masses, or on all that the layout has.
     pub(super) fn judged(&self, orders: &[u32], masses: Option<Masses>, torque: bool) -> PyResult<Judgement> {
-        if torque && self.engine.has_links() {
+        if torque && !self.engine.has_judged_torque() {
             return Err(told(loads::Missing::ArticulatedRods("verdicts on the inertia torque")));
         }
         let quantities = verdict::quantities(&self.engine, torque);

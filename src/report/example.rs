@@ -18,8 +18,8 @@ pub fn worked(engine: &Engine, balance: &OrderBalance) -> Vec<Block> {
     // Above order 2 a coefficient may be negative or imaginary, and the picture would need more words than it explains.
     // A link's vector is made of several there, and in order 1 too where its knuckle angle is corrected; that of a crank which turns faster
     // is of another order of its own.
-    let is_one =
-        !(engine.has_links() || engine.faster_crank().is_some()) || (balance.order == 1 && engine.is_centric());
+    let is_one = (engine.has_one_vector_per_order() && engine.faster_crank().is_none())
+        || (balance.order == 1 && engine.is_centric());
     let is_shown = balance.exists && balance.order <= 2 && is_one;
     let Some((cylinder, weight)) = chosen(engine, balance).filter(|_| is_shown) else { return Vec::new() };
     let mut blocks =

@@ -197,7 +197,7 @@ type Parts<'a> = [(i64, &'a BigRational); 2];
 /// The vector-star table of order k: how each phase comes about, and the sums.
 pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
     let is_turned = order.class.as_ref().is_some_and(|class| matches!(class.factor, Factor::Quadrature(_)));
-    if is_turned || engine.has_links() || engine.faster_crank().is_some() {
+    if is_turned || !engine.has_one_vector_per_order() || engine.faster_crank().is_some() {
         return term_by_term(engine, order);
     }
     let k = i64::from(order.order);

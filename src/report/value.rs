@@ -236,7 +236,7 @@ fn answered(engine: &Engine, question: &str, besides: Besides) -> Result<Answere
             [] => usual_orders(engine),
             some => some.iter().filter_map(whole).collect(),
         };
-        let quantities = verdict::quantities(engine, !engine.has_links());
+        let quantities = verdict::quantities(engine, engine.has_judged_torque());
         let judged = Judgement::new(engine, &orders, &quantities)?;
         let document = document(engine, judged.masses, &judged.orders, &quantities, None);
         return Ok(Answered::Tables(data::classify(engine, &judged, &document)));

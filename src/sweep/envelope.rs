@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-use crate::engine::Engine;
+use crate::engine::{Engine, Mechanism};
 use crate::loads::Arm;
 
 /// The assumptions, as multiples of the crank radius r where nothing else is said.
@@ -55,7 +55,7 @@ pub struct Envelope {
 /// The box round an engine; none for one with cylinders of different strokes, and with links, whose tops lie elsewhere.
 pub fn envelope(engine: &Engine, geometry: &Geometry) -> Option<Envelope> {
     let one = BigRational::from_integer(1.into());
-    if engine.has_links() || engine.cylinders().iter().any(|cylinder| cylinder.crank_radius != one) {
+    if engine.cylinders().iter().any(|cylinder| cylinder.crank_radius != one) {
         return None;
     }
     let bore = geometry.bore;
@@ -63,7 +63,11 @@ pub fn envelope(engine: &Engine, geometry: &Geometry) -> Option<Envelope> {
     let radius = geometry.crankcase;
     let (mut left, mut right, mut low, mut high) = (-radius, radius, -radius, radius);
     for cylinder in engine.cylinders() {
-        let ratio = cylinder.rod().map_or(geometry.rod_ratio, |rod| rod.ratio.to_f64().unwrap_or(0.0));
+        let ratio = match &cylinder.mechanism {
+            None => geometry.rod_ratio,
+            Some(Mechanism::SliderCrank(rod)) => rod.ratio.to_f64().unwrap_or(0.0),
+            Some(Mechanism::Link(_)) => return None,
+        };
         if ratio <= 0.0 {
             return None;
         }

@@ -63,15 +63,17 @@ pub(super) struct Pair {
 }
 
 impl IntegerEngine {
-    /// The engine in words; none where it has no reciprocating masses, rods or the speeds of crankshafts differ, or a number is too long.
+    /// The engine in words; none where it has no reciprocating masses, rods or the speeds of crankshafts differ, a piston
+    /// has several vectors, or a number is too long.
     pub fn new(engine: &Engine, known: &mut KnownWeights) -> Option<Self> {
         let weightless = engine.dimensions().mass.as_ref().is_some_and(Zero::is_zero);
-        if weightless || engine.mechanisms().len() > 1 || engine.faster_crank().is_some() {
+        let differs = engine.mechanisms().len() > 1 || engine.faster_crank().is_some();
+        if weightless || differs || !engine.has_one_vector_per_order() {
             return None;
         }
         let turning = order::turning_masses(engine);
         // They are multiplied by 1, and so is order 1 of the pistons.
-        let is_plain = !engine.has_offset() && !engine.has_links();
+        let is_plain = engine.is_centric();
         let beside = |mass: &TurningMass| is_plain && mass.order == 1 && mass.factor == Factor::One;
         let unknown = turning.iter().filter(|mass| !beside(mass)).map(|mass| mass.order).collect();
         let plain: Vec<TurningMass> = turning.iter().filter(|mass| beside(mass)).cloned().collect();

@@ -86,7 +86,7 @@ pub fn firmness(engine: &Engine, balance: &Balance) -> Option<Firmness> {
     let pistons = (0..engine.cylinders().len()).map(Source::Piston);
     let of_pistons = balance.verdicts().into_iter().all(|verdict| verdict.sources.iter().copied().eq(pistons.clone()));
     // A link has terms before several numbers, but in order 1 of one at the angle of its cylinder, and no disturbance moves those of one alone.
-    let is_one_star = !engine.has_links() || (balance.direct.order == 1 && engine.is_centric());
+    let is_one_star = engine.has_one_vector_per_order() || (balance.direct.order == 1 && engine.is_centric());
     (of_pistons && is_one_star && balance.is_balanced()).then(|| Firmness { outcomes: Disturbance::ALL.map(outcome) })
 }
 

@@ -361,7 +361,7 @@ fn with_sizes(engine: &Engine, masses: Masses, weighing: &Weighing) -> Option<En
         Masses::All | Masses::Rotating | Masses::Counterweights => return None,
     }
     // Bearings, gas and the like are other questions.
-    let torque = engine.effects().torque || !engine.geared_cranks().is_empty() && !engine.has_links();
+    let torque = engine.effects().torque || !engine.geared_cranks().is_empty() && engine.has_judged_torque();
     draft.effects = Effects { torque, ..Effects::default() };
     draft.bearings = Vec::new();
     (draft.gas, draft.torsion) = (None, None);

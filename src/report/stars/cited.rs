@@ -46,7 +46,7 @@ impl Crank {
             (&other.reciprocating_mass, &other.crank_radius, &other.mechanism)
                 == (&first.reciprocating_mass, &first.crank_radius, &first.mechanism)
         });
-        if !is_equal || !engine.geared_cranks().is_empty() || engine.has_links() {
+        if !is_equal || !engine.geared_cranks().is_empty() || !engine.has_one_vector_per_order() {
             return None;
         }
         let mut pins: Vec<(&BigRational, &Turn)> =

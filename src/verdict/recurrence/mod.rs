@@ -141,7 +141,7 @@ impl Recurrence {
 /// Where links or crankshafts of several speeds add sums of other kinds, a shaft turns faster than the crank, or the pattern is longer than
 /// what is gone through.
 pub fn every_order(engine: &Engine, masses: Masses) -> Result<EveryOrderTheorem, NoTheorem> {
-    if engine.has_links() {
+    if !engine.has_one_vector_per_order() {
         return Err(NoTheorem::RodsDiffer);
     }
     if let Some(crank) = engine.faster_crank() {
