@@ -1,6 +1,6 @@
 //! Which values have these engines? A row an engine, a column a value, and why one has none.
 
-use super::data;
+use super::data::{Filling, value_columns};
 use super::question::Question;
 use super::value::{ValueName, values_of};
 use crate::engine::Engine;
@@ -67,6 +67,23 @@ impl ValuesStudy {
         [self.shown().into()].into_iter().chain(self.missing().into_iter().map(Block::Note))
     }
 
+    /// The columns of the values, and beside each why an engine has none, behind those of a table with the same rows.
+    pub(in crate::report) fn columns_into(&self, table: &mut Table) {
+        for (place, name) in self.names.iter().enumerate() {
+            let all: Vec<&Result<Single, String>> = self.rows.iter().map(|(_, values)| &values[place]).collect();
+            let first = all.iter().find_map(|one| one.as_ref().ok());
+            value_columns(&name.column(), first, &all).into_iter().for_each(|column| table.push(column));
+        }
+    }
+
+    fn data(&self) -> Table {
+        let mut table = Filling::new("values.values", &self.rows);
+        table.person("engine", |(name, _)| Some(name.clone()));
+        let mut table = table.done();
+        self.columns_into(&mut table);
+        table
+    }
+
     /// What a value is counted in, where some engine has it.
     fn unit(&self, name: &ValueName) -> Unit {
         let place = self.names.iter().position(|other| other == name);
@@ -103,7 +120,7 @@ impl Question for ValuesStudy {
     }
 
     fn table(&self, name: &str) -> Option<Table> {
-        (name == "values").then(|| data::values(self))
+        (name == "values").then(|| self.data())
     }
 
     fn answer(&self) -> Document {

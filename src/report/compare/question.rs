@@ -1,6 +1,5 @@
 //! What is a comparison as an answer? The engines, judged at the same orders.
 
-use super::super::data::values_into;
 use super::super::question::Question;
 use super::super::values::ValuesStudy;
 use super::data;
@@ -46,7 +45,7 @@ impl Question for CompareStudy {
     fn tables(&self) -> Vec<Table> {
         let mut tables = data::tables(&self.engines);
         let engines = tables.iter_mut().filter(|table| table.name() == "engines");
-        engines.zip(&self.values).for_each(|(table, values)| values_into(table, values));
+        engines.zip(&self.values).for_each(|(table, values)| values.columns_into(table));
         tables
     }
 
