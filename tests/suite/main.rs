@@ -20,6 +20,7 @@ mod budget;
 mod certificate_cheats;
 mod certificate_words;
 mod circle_cheats;
+mod circles;
 mod citation;
 mod claims;
 mod claims_files;

@@ -30,7 +30,8 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-fn source_files(folder: &Path) -> Vec<PathBuf> {
+/// The files of Rust in a folder, and in those in it.
+pub fn source_files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("the folder of a room").map(|entry| entry.expect("an entry").path());
     let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
     let nested = folders.iter().flat_map(|folder| source_files(folder));

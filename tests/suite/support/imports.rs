@@ -1,7 +1,7 @@
 //! What does a source file take from elsewhere in the crate, however it spells it?
 //!
-//! Every path that starts at `crate`, `crankstar`, `self` or `super` is followed, in imports with braces, renames and globs, in
-//! code and inside macros alike: all are the same tokens. Comments and strings are none.
+//! Every path that starts at `crate`, `crankstar`, `self` or `super` (for [`paths`] at a name in scope, too) is followed, in imports
+//! with braces, renames and globs, in code and inside macros alike: all are the same tokens. Comments and strings are none.
 
 use std::collections::BTreeSet;
 
@@ -10,24 +10,53 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 /// What stands for the crate as a whole: a path that ends at its root, or a glob of it, through which anything could come.
 pub const ROOT: &str = "crate";
 
+/// The last name of a path that takes all there is.
+const GLOB: &str = "*";
+
+/// A path, by its names from the root of the crate down.
+pub type Path = Vec<String>;
+
+/// What a path is written for.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum For {
+    Code,
+    /// An import, under this name; of a glob `*`.
+    Import(String),
+    /// An import that others may take from here: `pub use`.
+    HandedOn(String),
+}
+
 /// The first names below the root of all paths in the text of the module `module`, as in `["exact", "decide"]`.
 pub fn names(text: &str, module: &[&str]) -> BTreeSet<String> {
+    let found = read(text, module, false);
+    let first = |path: Path| path.into_iter().next().filter(|name| name != GLOB).unwrap_or_else(|| ROOT.to_owned());
+    found.into_iter().map(|(path, _)| first(path)).collect()
+}
+
+/// All paths in the text, those too that start at a name in scope: they are below `module`, and may be of another crate.
+pub fn paths(text: &str, module: &[&str]) -> BTreeSet<(Path, For)> {
+    read(text, module, true)
+}
+
+fn read(text: &str, module: &[&str], names_in_scope: bool) -> BTreeSet<(Path, For)> {
     let tokens: TokenStream = text.parse().expect("the tokens of a source file");
-    let mut reader = Reader { found: BTreeSet::new() };
+    let mut reader = Reader { found: BTreeSet::new(), names_in_scope, import: None };
     reader.code(&listed(tokens), &module.iter().map(|&name| name.to_owned()).collect());
     reader.found
 }
 
-type Path = Vec<String>;
-
 struct Reader {
-    found: BTreeSet<String>,
+    found: BTreeSet<(Path, For)>,
+    /// Whether paths are followed that start at a name in scope.
+    names_in_scope: bool,
+    /// What an import is for, while it is read.
+    import: Option<fn(String) -> For>,
 }
 
 impl Reader {
     /// Code in the module `module`.
     fn code(&mut self, tokens: &[TokenTree], module: &Path) {
-        let mut place = 0;
+        let (mut place, mut public) = (0, None);
         while place < tokens.len() {
             let word_at = |ahead: usize| tokens.get(place + ahead).and_then(word).unwrap_or_default();
             let braces = tokens.get(place + 2).and_then(in_braces);
@@ -37,16 +66,22 @@ impl Reader {
                     3
                 }
                 ("extern", _, _) if word_at(1) == "crate" && root(&word_at(2), module).is_some() => {
-                    self.found.insert(ROOT.to_owned());
+                    self.take(Path::new(), GLOB.to_owned());
                     3
                 }
-                ("pub", _, _) => 1 + usize::from(tokens.get(place + 1).is_some_and(is_visibility)),
+                ("pub", _, _) => {
+                    let length = 1 + usize::from(tokens.get(place + 1).is_some_and(is_visibility));
+                    public = Some(place + length);
+                    length
+                }
                 ("use", _, _) => {
                     let tree = tokens[place + 1..].split(|token| is_sign(token, ';')).next().unwrap_or_default();
+                    self.import = Some(if public == Some(place) { For::HandedOn } else { For::Import });
                     self.branches(tree, module, None);
+                    self.import = None;
                     1 + tree.len()
                 }
-                (start, _, _) if root(start, module).is_some() && are_colons(&tokens[place + 1..]) => {
+                (start, _, _) if self.start(start, module).is_some() && are_colons(&tokens[place + 1..]) => {
                     self.path(&tokens[place..], module, None)
                 }
                 (_, TokenTree::Group(group), _) => {
@@ -65,7 +100,9 @@ impl Reader {
             match (branch.get(colons), base) {
                 (None, _) => {}
                 (Some(TokenTree::Group(group)), _) => self.branches(&listed(group.stream()), module, base),
-                (Some(token), Some(base)) if is_sign(token, '*') => self.take(base),
+                (Some(token), Some(base)) if is_sign(token, '*') => {
+                    self.take(step(base.clone(), GLOB), GLOB.to_owned())
+                }
                 (Some(_), _) => {
                     self.path(&branch[colons..], module, base);
                 }
@@ -73,11 +110,16 @@ impl Reader {
         }
     }
 
-    /// One path and what hangs on it; returns how many tokens it has. A path that starts at another crate, or at a name in
-    /// scope, is none of ours.
+    /// Where a path with this first word starts; none where it starts at another crate, or at a name in scope that is not followed.
+    fn start(&self, word: &str, module: &Path) -> Option<Path> {
+        let in_scope = || (self.names_in_scope && !word.is_empty()).then(|| step(module.clone(), word));
+        root(word, module).or_else(in_scope)
+    }
+
+    /// One path and what hangs on it; returns how many tokens it has.
     fn path(&mut self, tokens: &[TokenTree], module: &Path, base: Option<&Path>) -> usize {
         let first = tokens.first().and_then(word).unwrap_or_default();
-        let start = base.map_or_else(|| root(&first, module), |base| Some(step(base.clone(), &first)));
+        let start = base.map_or_else(|| self.start(&first, module), |base| Some(step(base.clone(), &first)));
         let Some(mut path) = start else { return 1 };
         let mut length = 1;
         while are_colons(&tokens[length..])
@@ -90,7 +132,10 @@ impl Reader {
                     self.branches(&listed(group.stream()), module, Some(&path));
                     return length;
                 }
-                (token, None) if is_sign(token, '*') => break,
+                (token, None) if is_sign(token, '*') => {
+                    self.take(step(path, GLOB), GLOB.to_owned());
+                    return length;
+                }
                 // Generic arguments, which are code of their own.
                 (_, None) => {
                     length -= 1;
@@ -98,12 +143,15 @@ impl Reader {
                 }
             }
         }
-        self.take(&path);
+        let renamed = tokens.get(length).and_then(word).filter(|word| word == "as");
+        let renamed = renamed.and_then(|_| tokens.get(length + 1).and_then(word));
+        let name = renamed.or_else(|| path.last().cloned()).unwrap_or_default();
+        self.take(path, name);
         length
     }
 
-    fn take(&mut self, path: &Path) {
-        self.found.insert(path.first().map_or(ROOT, String::as_str).to_owned());
+    fn take(&mut self, path: Path, name: String) {
+        self.found.insert((path, self.import.map_or(For::Code, |import| import(name))));
     }
 }
 
