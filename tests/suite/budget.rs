@@ -35,7 +35,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("search", 3800),
     ("shard", 680),
     ("stars", 670),
-    ("sweep", 2110),
+    ("sweep", 2120),
     ("table", 1420),
     ("text", 435),
     ("torque", 1255),
