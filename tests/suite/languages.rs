@@ -6,13 +6,17 @@ use std::path::Path;
 
 use crankstar::accuracy::Timing;
 use crankstar::claim::parse_claims;
-use crankstar::engine::Engine;
+use crankstar::data::TABLES;
+use crankstar::engine::{Cycle, Engine};
 use crankstar::file;
 use crankstar::journal::cycle_loads;
 use crankstar::loads::{Method, bearing_loads};
 use crankstar::page::figure::Mark;
 use crankstar::page::{self, Document, Format, Language, Options};
-use crankstar::report::{self, AccuracyCase, Compared, Question};
+use crankstar::report::{
+    self, AccuracyCase, CompareStudy, Compared, FlywheelStudy, Question, RotorStudy, SearchStudy, ValuesStudy,
+};
+use crankstar::search::Problem;
 use crankstar::text::Untrusted;
 use crankstar::torque::torque;
 
@@ -21,6 +25,7 @@ use crate::support::german::{
     has_words, is_said, literals, outside, pages_of, pages_of_folders, pages_of_the_catalogue, phrases,
 };
 use crate::support::pages;
+use crate::support::tables::{searched, swept};
 
 /// The places of a phrase: how many, and which are named.
 fn places(words: &str) -> Vec<String> {
@@ -124,6 +129,56 @@ fn pages_of_the_torque_have_german_for_every_phrase() {
 }
 
 const V8_GAS: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
+const I4_MOUNTS: &str = include_str!("../../reports/examples/i4-mounts/layout.toml");
+const I6_TORSION: &str = include_str!("../../reports/examples/i6-torsion/layout.toml");
+
+fn engine(text: &str) -> Engine {
+    file::parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn every_question_of_an_engine_has_german_for_every_phrase() {
+    let four = file::catalogue().expect("the catalogue reads").into_iter().find(|(entry, _)| entry.name == "I4");
+    let engines = [V8_GAS, I4_MOUNTS, I6_TORSION].map(engine).into_iter().chain(four.map(|(_, engine)| engine));
+    let mut answered = BTreeSet::new();
+    for engine in engines {
+        for question in report::questions() {
+            // None where the layout lacks what the question needs.
+            let Some(Ok(study)) = report::ask(question, &engine, &[]) else { continue };
+            assert_known(&[study.answer(), study.page()]);
+            answered.insert(question);
+        }
+    }
+    assert_eq!(answered, report::questions().collect(), "a question that no engine here has an answer for");
+}
+
+#[test]
+fn every_other_question_has_german_for_every_phrase() {
+    let shaft = file::parse_rotor("shaft.toml", include_str!("../../examples/shaft.toml")).expect("masses");
+    let diagram = include_str!("../../examples/turning-moment.toml");
+    let diagram = file::parse_diagram("diagram.toml", diagram).expect("a diagram");
+    let (title, eight) = (Untrusted::new("V8"), engine(V8_GAS));
+    let names = ["torque.cycle.mean", "torsion.modes.1.frequency"].map(|name| name.parse().expect("a name"));
+    let values = || ValuesStudy::beside([(title.clone(), &eight)], &names);
+    let engines = vec![Compared::new(title.clone(), &eight, &[1, 2]).expect("orders")];
+    let (front, _) = searched(&Problem::inline(6, Cycle::FourStroke, &[1, 2]), false);
+    let others: [Box<dyn Question>; 6] = [
+        Box::new(RotorStudy::new(shaft).expect("it is solved")),
+        Box::new(FlywheelStudy::new(diagram).expect("it fits")),
+        Box::new(values().expect("values")),
+        Box::new(CompareStudy { engines, values: values() }),
+        Box::new(swept(V8_GAS, &["vee.bank_angle=0..180:60"], &[1, 2], &["1", "3/2"]).0),
+        Box::new(SearchStudy { front, torsion: None }),
+    ];
+    // The verdicts of `classify` are on the pages of the catalogue.
+    let mut looked_at: BTreeSet<&str> = report::questions().chain(["classify"]).collect();
+    for study in others {
+        assert_known(&[study.answer(), study.page()]);
+        looked_at.insert(study.command());
+    }
+    let all = TABLES.iter().map(|(question, _)| *question).collect();
+    assert_eq!(looked_at, all, "a question whose German no test looks at");
+}
 
 #[test]
 fn values_at_crank_angles_have_german_for_every_phrase() {
@@ -151,15 +206,14 @@ fn moments_of_project_guides_have_german_for_every_phrase() {
 
 #[test]
 fn engines_on_their_mounts_have_german_for_every_phrase() {
-    let mounted = include_str!("../../reports/examples/i4-mounts/layout.toml");
     let mirrored = "speed = 900\n[inline]\nthrows = [0, 180, 180, 0]\nspacing = '90 mm'\n[mechanism]\nstroke = '86 mm'\nrod_length = '143 mm'\n\
         reciprocating_mass = 1\n[block]\nmass = 100\ninertia = [9, 8, 5]\ncentre = [0, 0, 0]\n"
         .to_owned();
     let corners: String = [[1, 1], [1, -1], [-1, 1], [-1, -1]]
         .map(|[y, z]| format!("[[mount]]\nplace = [0, '{} mm', '{} mm']\nstiffness = 100\n", 300 * y, 200 * z))
         .concat();
-    let halves = mounted.replace("[0, 180, 180, 0]", "[0, 180, 0, 180]").replace("1-3-4-2", "1-2-3-4");
-    for text in [mounted, &(mirrored + &corners), &halves] {
+    let halves = I4_MOUNTS.replace("[0, 180, 180, 0]", "[0, 180, 0, 180]").replace("1-3-4-2", "1-2-3-4");
+    for text in [I4_MOUNTS, &(mirrored + &corners), &halves] {
         let engine = file::parse("layout.toml", text).unwrap_or_else(|error| panic!("{error}"));
         for orders in [vec![], vec!["1".parse().expect("an order")]] {
             let study = report::MountsStudy::new(&engine, &report::MountsAsked { orders, ..Default::default() });
