@@ -1,5 +1,6 @@
 //! Does the help fit a terminal, do help, README and docs name every command and option, and do their links and examples hold?
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -119,6 +120,28 @@ fn the_page_of_commands_tells_every_option() {
         }
     }
     assert!(found > 80, "only {found} options were found");
+}
+
+/// Whether a list of the page of commands, between these words, has these names, and no other.
+#[track_caller]
+fn assert_listed(before: &str, behind: &str, names: impl IntoIterator<Item = String>) {
+    let page = text("docs/commands.md");
+    let list = page.split_once(before).and_then(|(_, rest)| rest.split_once(behind));
+    let (list, _) = list.unwrap_or_else(|| panic!("no list between {before:?} and {behind:?}"));
+    let is_part = |letter: char| letter.is_ascii_lowercase() || letter == '-';
+    let words = list.split(|letter| !is_part(letter)).filter(|word| !word.is_empty() && *word != "and");
+    let (told, names) = (words.map(str::to_owned).collect::<BTreeSet<_>>(), names.into_iter().collect::<BTreeSet<_>>());
+    let (missing, wrong): (Vec<_>, Vec<_>) = (names.difference(&told).collect(), told.difference(&names).collect());
+    assert!(missing.is_empty() && wrong.is_empty(), "docs/commands.md lacks {missing:?}, and {wrong:?} are wrong");
+}
+
+#[test]
+fn the_page_of_commands_lists_all_that_write_pages_have_data_and_have_a_schema() {
+    let write_pages = commands().into_iter().filter(|name| options(name).iter().any(|option| option == "--fragment"));
+    assert_listed("\n## Every page\n", " write pages:", write_pages);
+    let have_data = crankstar::data::TABLES.iter().map(|(question, _)| (*question).to_owned());
+    assert_listed("\n## Data\n", " give tables of columns", have_data);
+    assert_listed("\n`crankstar schema ", "`\n", crankstar::report::schema_names().into_iter().map(str::to_owned));
 }
 
 #[test]
