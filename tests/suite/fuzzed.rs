@@ -164,8 +164,8 @@ fn seeds_of_documents_and_states_are_what_the_program_writes_today() {
         "family.json",
         &json(&report::open_document(&family, &family::classify(&family, &[2]).expect("orders"))),
     );
-    let wish = Request { orders: vec![1, 2], ..Request::default() };
-    let remedy = remedy::remedy(&engine("I3"), &wish).expect("a remedy");
+    let request = Request { orders: vec![1, 2], ..Request::default() };
+    let remedy = remedy::remedy(&engine("I3"), &request).expect("a remedy");
     assert_golden("document", "remedy.json", &json(&report::remedy_document(&remedy)));
     let path = std::env::temp_dir().join(format!("crankstar-seed-{}.shard", std::process::id()));
     let options = Options { threads: 1, resume: Some(path.clone()), ..Options::default() };

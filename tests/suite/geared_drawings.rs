@@ -140,8 +140,8 @@ fn left_is_the_left_of_the_drawing() {
 
 /// What a remedy for these orders says in sentences, and what it answers in short.
 fn said(text: &str, orders: &[u32]) -> [String; 2] {
-    let wish = Request { orders: orders.to_vec(), ..Request::default() };
-    let found = remedy(&layout(text), &wish).expect("a remedy");
+    let request = Request { orders: orders.to_vec(), ..Request::default() };
+    let found = remedy(&layout(text), &request).expect("a remedy");
     let cures = remedy_cures(&found).iter().map(crankstar::page::Text::plain).collect::<Vec<_>>().join("\n");
     [cures, pages::text(&remedy_answer(&found), pages::DOLLARS)]
 }

@@ -79,8 +79,8 @@ fn crankshafts_at_twice_the_speed_are_the_lanchester_pair_of_the_remedy() {
     let mass = "reciprocating_mass = ['1 kg', '0 kg', '0 kg']\n";
     let mechanism = "[mechanism]\nstroke = '80 mm'\nrod_ratio = 0.25\n";
     let plain = layout(&format!("inline.throws = [0]\n{mechanism}reciprocating_mass = '1 kg'\n"));
-    let wish = Request { orders: vec![2], ..Request::default() };
-    let shafts = remedy(&plain, &wish).expect("a remedy").shafts;
+    let request = Request { orders: vec![2], ..Request::default() };
+    let shafts = remedy(&plain, &request).expect("a remedy").shafts;
     assert!(shafts.iter().all(|shaft| shaft.lanchester) && shafts.len() == 2);
     // Before c_2 in the remedy: U = c_2/8 in each sense, which is no rational number; here 8U is written as c_2 in decimals.
     let crank = plain.cylinders()[0].mechanism.as_ref().and_then(crankstar::order::crank).expect("a rod");

@@ -41,12 +41,12 @@ fn read(engine: &str, file: &str) -> Engine {
     parse(file, &text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-pub fn wish(layout: &Engine, couple: Couple, points: usize) -> Request {
+pub fn request(layout: &Engine, couple: Couple, points: usize) -> Request {
     Request { couple, points, orders: usual_bearing_orders(layout) }
 }
 
 pub fn solved(layout: &Engine, couple: Couple, points: usize) -> Front {
-    front(layout, &wish(layout, couple, points)).unwrap_or_else(|refused| panic!("{refused}"))
+    front(layout, &request(layout, couple, points)).unwrap_or_else(|refused| panic!("{refused}"))
 }
 
 pub fn whole(number: i64) -> BigRational {
@@ -525,7 +525,7 @@ fn with_gas_the_least_load_is_that_of_gas_and_masses_and_no_other_crankshaft_com
 fn a_gas_that_is_asked_for_and_cannot_be_had_is_told() {
     let refused = |text: &str| {
         let layout = parse("four.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-        front(&layout, &wish(&layout, Couple::Zero, 1)).err().map(|refused| refused.to_string()).unwrap_or_default()
+        front(&layout, &request(&layout, Couple::Zero, 1)).err().map(|refused| refused.to_string()).unwrap_or_default()
     };
     let text = four_with_gas();
     assert!(
@@ -540,7 +540,7 @@ fn a_gas_that_is_asked_for_and_cannot_be_had_is_told() {
 fn what_is_missing_is_named() {
     let beam = "[0.15, 0.05, -0.05, -0.15]";
     let refused = |layout: &Engine, couple: Couple, points: usize| {
-        front(layout, &wish(layout, couple, points)).err().map(|refused| refused.to_string()).unwrap_or_default()
+        front(layout, &request(layout, couple, points)).err().map(|refused| refused.to_string()).unwrap_or_default()
     };
     let i3 = engine("[0, 120, 240]", beam, WEBS);
     assert_eq!(refused(&i3, Couple::Zero, 0), OptimiseError::Points(0).to_string());

@@ -22,7 +22,7 @@ use crate::support::written::{engine as read, fraction, of_catalogue as engine};
 const I3: &str = include_str!("../../reports/examples/thesis-i3/layout.toml");
 const CROSS: &str = include_str!("../../reports/examples/thesis-v8-crossplane/layout.toml");
 
-fn wish(orders: &[u32]) -> Request {
+fn request(orders: &[u32]) -> Request {
     Request { orders: orders.to_vec(), ..Request::default() }
 }
 
@@ -53,7 +53,7 @@ fn assert_near(value: f64, expected: f64) {
 #[test]
 fn every_engine_of_the_catalogue_is_balanced_up_to_order_6_by_its_remedy() {
     for (entry, layout) in catalogue().expect("the catalogue") {
-        let remedy = remedy(&layout, &wish(&[1, 2, 4, 6])).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
+        let remedy = remedy(&layout, &request(&[1, 2, 4, 6])).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
         assert_balanced(entry.name, &remedy);
     }
 }
@@ -61,16 +61,16 @@ fn every_engine_of_the_catalogue_is_balanced_up_to_order_6_by_its_remedy() {
 #[test]
 fn the_planes_of_the_moment_stand_where_the_theory_says() {
     // Throws 0, 120, 240: the moment stands at 30°, the weights at 30° and 210°.
-    let i3 = remedy(&read("inline.throws = [0, 120, 240]"), &wish(&[1])).expect("a remedy");
+    let i3 = remedy(&read("inline.throws = [0, 120, 240]"), &request(&[1])).expect("a remedy");
     let weights = &i3.crankshaft.as_ref().expect("counterweights").weights;
     assert_eq!(weights[0].direction(), Some(Direction::Turn(Turn::fraction(7, 12))));
     assert_eq!(weights[1].direction(), Some(Direction::Turn(Turn::fraction(1, 12))));
     // The 60° V6 with throws 0, 120, 240 and pins that two rods share: 30° from the same throw.
-    let v6 = remedy(&read("vee = { bank_angle = 60, throws = [0, 120, 240] }"), &wish(&[1])).expect("a remedy");
+    let v6 = remedy(&read("vee = { bank_angle = 60, throws = [0, 120, 240] }"), &request(&[1])).expect("a remedy");
     let weights = &v6.crankshaft.as_ref().expect("counterweights").weights;
     assert_eq!(weights[0].direction(), Some(Direction::Turn(Turn::fraction(7, 12))));
     for text in ["inline.throws = [0, 270, 90, 180]", "vee = { bank_angle = 90, throws = [0, 270, 90, 180] }"] {
-        let cross = remedy(&read(text), &wish(&[1])).expect("a remedy");
+        let cross = remedy(&read(text), &request(&[1])).expect("a remedy");
         let weights = &cross.crankshaft.as_ref().expect("counterweights").weights;
         let [first, second] = [0, 1].map(|at: usize| match weights[at].direction() {
             Some(Direction::Arctangent { tangent, opposite }) => (tangent.to_string(), opposite),
@@ -99,7 +99,7 @@ fn the_outer_pair_of_the_thesis_weighs_0_5954_kg_on_the_three_and_1_3101_kg_on_t
 #[test]
 fn the_engine_with_the_two_counterweights_on_it_has_no_direct_first_order_in_the_loads_either() {
     for text in [I3, CROSS] {
-        let remedy = remedy(&read(text), &wish(&[1])).expect("a remedy");
+        let remedy = remedy(&read(text), &request(&[1])).expect("a remedy");
         let weights = remedy.crankshaft.as_ref().expect("counterweights").weights.clone();
         let layout = with_counterweights(&remedy.subject, &weights).expect("numbers");
         let order = &loads(&layout, &[1]).expect("numbers").orders[0];
@@ -110,12 +110,12 @@ fn the_engine_with_the_two_counterweights_on_it_has_no_direct_first_order_in_the
 #[test]
 fn balance_factor_1_leaves_no_direct_first_order_and_65_percent_leaves_35() {
     let layout = read(I3);
-    let full = remedy(&layout, &Request { factors: vec![fraction(1, 1)], ..wish(&[1]) }).expect("a remedy");
+    let full = remedy(&layout, &Request { factors: vec![fraction(1, 1)], ..request(&[1]) }).expect("a remedy");
     assert!(full.crankshaft.is_none());
     assert_eq!(full.bays.len(), 3);
     let subject = ComparableEngine::new(&layout).expect("masses");
     let bare = subject.moment(1, Sense::Direct);
-    let part = remedy(&layout, &Request { factors: vec![fraction(65, 100)], ..wish(&[1]) }).expect("a remedy");
+    let part = remedy(&layout, &Request { factors: vec![fraction(65, 100)], ..request(&[1]) }).expect("a remedy");
     let weights = &part.crankshaft.as_ref().expect("counterweights").weights;
     let added = weights.iter().map(|w| w.adds().scaled(&w.position)).reduce(|a, b| a.plus(&b)).expect("weights");
     assert!(added.plus(&bare.scaled(&fraction(35, 100))).vanishes());
@@ -125,14 +125,15 @@ fn balance_factor_1_leaves_no_direct_first_order_and_65_percent_leaves_35() {
 #[test]
 fn skewed_bays_are_corrected_too() {
     let skews = vec![Turn::fraction(1, 12), Turn::zero(), Turn::fraction(-1, 12)];
-    let remedy = remedy(&read(I3), &Request { factors: vec![fraction(1, 1)], skews, ..wish(&[1]) }).expect("a remedy");
+    let remedy =
+        remedy(&read(I3), &Request { factors: vec![fraction(1, 1)], skews, ..request(&[1]) }).expect("a remedy");
     assert!(remedy.crankshaft.is_some());
     assert_balanced("skewed", &remedy);
 }
 
 #[test]
 fn the_four_needs_one_lanchester_pair_and_nothing_else_up_to_order_2() {
-    let remedy = remedy(&engine("I4"), &wish(&[1, 2])).expect("a remedy");
+    let remedy = remedy(&engine("I4"), &request(&[1, 2])).expect("a remedy");
     assert!(remedy.crankshaft.is_none());
     assert_eq!(remedy.shafts.len(), 2);
     for (shaft, sense) in remedy.shafts.iter().zip([Sense::Direct, Sense::Reverse]) {
@@ -147,25 +148,25 @@ fn the_four_needs_one_lanchester_pair_and_nothing_else_up_to_order_2() {
 
 #[test]
 fn a_coefficient_below_zero_turns_the_weight_round() {
-    let remedy = remedy(&engine("I4"), &wish(&[4])).expect("a remedy");
+    let remedy = remedy(&engine("I4"), &request(&[4])).expect("a remedy");
     assert_eq!(remedy.shafts[0].weights[0].direction(), Some(Direction::Turn(Turn::zero())));
     assert_balanced("I4", &remedy);
 }
 
 #[test]
 fn a_single_needs_a_counterweight_and_a_shaft_against_the_crank() {
-    let single = remedy(&read("inline.throws = [0]"), &wish(&[1])).expect("a remedy");
+    let single = remedy(&read("inline.throws = [0]"), &request(&[1])).expect("a remedy");
     let own = &single.crankshaft.as_ref().expect("a counterweight").weights;
     assert_eq!((own.len(), own[0].modulus().expect("a form").to_string()), (1, "1/2".to_owned()));
     assert_eq!(single.shafts.len(), 1);
     assert_eq!((single.shafts[0].sense, single.shafts[0].kind), (Sense::Reverse, Kind::Force));
-    let twin = remedy(&read("vee = { bank_angle = 90, throws = [0] }"), &wish(&[1])).expect("a remedy");
+    let twin = remedy(&read("vee = { bank_angle = 90, throws = [0] }"), &request(&[1])).expect("a remedy");
     assert!(twin.shafts.is_empty(), "the 90° twin needs its counterweight alone");
 }
 
 #[test]
 fn a_three_needs_a_couple_shaft_against_the_crank_at_order_1() {
-    let remedy = remedy(&read("inline.throws = [0, 120, 240]"), &wish(&[1])).expect("a remedy");
+    let remedy = remedy(&read("inline.throws = [0, 120, 240]"), &request(&[1])).expect("a remedy");
     let [shaft] = remedy.shafts.as_slice() else { panic!("one shaft") };
     assert_eq!((shaft.sense, shaft.kind, shaft.weights.len()), (Sense::Reverse, Kind::Couple, 2));
     assert!(shaft.weights[0].vector.plus(&shaft.weights[1].vector).vanishes(), "opposite weights");
@@ -174,7 +175,7 @@ fn a_three_needs_a_couple_shaft_against_the_crank_at_order_1() {
 #[test]
 fn no_set_with_a_shaft_less_balances() {
     for name in ["I4", "I3", "V6-60-shared", "I5-15234"] {
-        let whole = remedy(&engine(name), &wish(&[1, 2, 4])).expect("a remedy");
+        let whole = remedy(&engine(name), &request(&[1, 2, 4])).expect("a remedy");
         assert!(whole.shafts.len() > 1, "{name}");
         for left_out in &whole.shafts {
             let rest: Vec<_> = whole.weights().into_iter().filter(|w| !left_out.weights.contains(w)).collect();
@@ -195,7 +196,7 @@ fn a_force_that_acts_in_one_plane_needs_one_weight_there() {
     let like = at("1/8", "0", 1) + &at("1/8", "3", 2) + &at("3/8", "2", 1);
     let both = at("0", "0", 1) + &at("1/4", "3", 2);
     let weights = |text: &str| {
-        let found = remedy(&read(text), &wish(&[1])).expect("a remedy").crankshaft.expect("counterweights");
+        let found = remedy(&read(text), &request(&[1])).expect("a remedy").crankshaft.expect("counterweights");
         (found.kind, found.weights.iter().map(|weight| weight.position.to_string()).collect::<Vec<_>>())
     };
     assert_eq!(weights(&one), (Kind::Force, vec!["7".to_owned()]));
@@ -217,7 +218,7 @@ fn planes_that_coincide_are_refused() {
         refused,
         Some(RemedyError::BeyondTheShaft(fraction(-11, 100), Box::new([fraction(-1, 10), fraction(1, 10)])))
     );
-    let many = remedy(&read(I3), &Request { factors: vec![fraction(1, 1); 4], ..wish(&[1]) });
+    let many = remedy(&read(I3), &Request { factors: vec![fraction(1, 1); 4], ..request(&[1]) });
     assert!(matches!(many.err(), Some(RemedyError::TooMany { given: 4, throws: 3, .. })));
 }
 
@@ -273,7 +274,7 @@ fn a_lanchester_pair_at_its_height_takes_the_roll_moment_of_order_2_away() {
     assert_near(pair.metres.expect("a crank radius"), pair.in_crank_radii * 0.05);
     assert!((pair.in_crank_radii - 1.0 / 0.3).abs() < 0.15, "nearly the rod length: {}", pair.in_crank_radii);
     let crank = SliderCrank::new(fraction(3, 10), BigRational::zero()).expect("a crank");
-    let balanced = remedy(&layout, &wish(&[2])).expect("a remedy");
+    let balanced = remedy(&layout, &request(&[2])).expect("a remedy");
     let lengths = balanced.shafts.iter().map(|s| s.weights[0].decimals(&balanced.subject).expect("decimals"));
     let [with, against] = lengths.collect::<Vec<_>>()[..] else { panic!("a pair") };
     let roll = |theta: f64, height: f64| {
@@ -326,7 +327,7 @@ fn a_pair_upside_down_doubles_the_roll_and_a_lower_one_leaves_part_of_it() {
         let found = roll.peak(6000.0, [at, 0.0]);
         assert!((found - right).abs() < 2e-6, "{found} for {right}");
     }
-    let pair = remedy(&engine, &wish(&[2])).expect("a remedy");
+    let pair = remedy(&engine, &request(&[2])).expect("a remedy");
     let size = pair.shafts[0].weights[0].mass_radius(&pair.subject).expect("kilograms");
     assert!((size - 3.308_859_385e-3).abs() < 1e-12, "{size}");
 }
@@ -496,7 +497,7 @@ fn answered(text: &str) -> Result<(), TestCaseError> {
     let Ok(layout) = parse("layout.toml", text) else { return Ok(()) };
     let _ = loads(&layout, &[1, 2]);
     let factors = vec![fraction(1, 2)];
-    let Ok(found) = remedy(&layout, &Request { factors, ..wish(&[1, 2, 3]) }) else { return Ok(()) };
+    let Ok(found) = remedy(&layout, &Request { factors, ..request(&[1, 2, 3]) }) else { return Ok(()) };
     prop_assert!(found.holds());
     for document in [report::remedy_answer(&found), report::remedy_page(&found)] {
         let written = page::write(&document, page::Format::Latex, &page::Options::default());
@@ -540,8 +541,8 @@ proptest! {
         apart in 1..50_i64,
     ) {
         let layout = read(&cylinders.concat());
-        let wish = Request { orders: vec![1, 2, 4], planes: Some([fraction(first, 7), fraction(first + apart, 7)]), ..Request::default() };
-        let remedy = remedy(&layout, &wish).expect("a remedy");
+        let request = Request { orders: vec![1, 2, 4], planes: Some([fraction(first, 7), fraction(first + apart, 7)]), ..Request::default() };
+        let remedy = remedy(&layout, &request).expect("a remedy");
         prop_assert!(remedy.holds());
     }
 
@@ -552,8 +553,8 @@ proptest! {
         skew in angle(),
     ) {
         let layout = read(&cylinders.concat());
-        let wish = Request { orders: vec![1, 2], factors: vec![fraction(percent, 100)], skews: vec![skew], ..Request::default() };
-        let remedy = remedy(&layout, &wish).expect("a remedy");
+        let request = Request { orders: vec![1, 2], factors: vec![fraction(percent, 100)], skews: vec![skew], ..Request::default() };
+        let remedy = remedy(&layout, &request).expect("a remedy");
         prop_assert!(remedy.holds());
     }
 }
@@ -563,7 +564,7 @@ proptest! {
 fn masses_are_told_at_the_radius_that_is_asked_for() {
     let layout = read(I3);
     let radius = crankstar::file::parse_radius("3.5 in").expect("a length");
-    let asked = Request { radius: Some(radius), ..wish(&[1, 2]) };
+    let asked = Request { radius: Some(radius), ..request(&[1, 2]) };
     let cured = remedy(&layout, &asked).expect("a remedy");
     for weight in cured.weights() {
         let expected = weight.mass_radius(&cured.subject).expect("masses") / 0.0889;
@@ -572,7 +573,7 @@ fn masses_are_told_at_the_radius_that_is_asked_for() {
     let text =
         page::write(&report::remedy_answer(&cured), page::Format::PLAIN, &page::Options::default()).remove(0).text;
     assert!(text.contains("Mass at") && text.contains("88.9 mm"), "{text}");
-    assert_eq!(remedy(&layout, &wish(&[1])).expect("a remedy").mass(&cured.weights()[0]), None);
+    assert_eq!(remedy(&layout, &request(&[1])).expect("a remedy").mass(&cured.weights()[0]), None);
     assert!(crankstar::file::parse_radius("3.5").is_err() && crankstar::file::parse_radius("-1 in").is_err());
     assert_eq!(remedy(&engine("I3"), &asked).expect_err("no masses"), RemedyError::NoMass);
 }
@@ -583,7 +584,7 @@ fn the_height_of_a_pair_over_several_speeds_is_told_where_it_is_asked_for() {
     let engine = read(&format!("{FOUR}{GAS}"));
     let speeds = [2000, 3000, 4000, 6000].map(|speed| BigRational::from_integer(speed.into())).to_vec();
     let told = |speeds: Vec<BigRational>| {
-        let cured = remedy(&engine, &Request { speeds, ..wish(&[2]) }).expect("a remedy");
+        let cured = remedy(&engine, &Request { speeds, ..request(&[2]) }).expect("a remedy");
         let text = page::write(&report::remedy_answer(&cured), page::Format::PLAIN, &page::Options::default());
         text[0].text.split_whitespace().collect::<Vec<_>>().join(" ")
     };

@@ -14,8 +14,8 @@ const OFFSET: &str = include_str!("../../reports/examples/i6-offset/layout.toml"
 
 fn document_of(text: &str, orders: &[u32]) -> RemedyDocument {
     let layout = parse("layout.toml", text).expect("a layout");
-    let wish = Request { orders: orders.to_vec(), ..Request::default() };
-    let json = serde_json::to_string(&remedy_document(&remedy(&layout, &wish).expect("a remedy"))).expect("JSON");
+    let request = Request { orders: orders.to_vec(), ..Request::default() };
+    let json = serde_json::to_string(&remedy_document(&remedy(&layout, &request).expect("a remedy"))).expect("JSON");
     serde_json::from_str(&json).expect("the document reads")
 }
 

@@ -17,7 +17,7 @@ use proptest::prelude::*;
 use crate::support::program::{program, scratch};
 use crate::support::written::engine as read;
 
-fn wish(orders: &[u32]) -> Request {
+fn request(orders: &[u32]) -> Request {
     Request { orders: orders.to_vec(), ..Request::default() }
 }
 
@@ -52,12 +52,12 @@ fn directions(engine: &Engine) -> BTreeMap<Place, Vec<Turn>> {
 }
 
 /// The corrected file of an engine leaves nothing, has no weight beside its opposite, and needs no remedy.
-fn assert_cured(text: &str, wish: &Request) -> (String, Engine) {
+fn assert_cured(text: &str, request: &Request) -> (String, Engine) {
     let engine = read(text);
-    let found = remedy(&engine, wish).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let found = remedy(&engine, request).unwrap_or_else(|error| panic!("{error}\n{text}"));
     assert!(found.holds(), "{text}");
     let (written, cured) = corrected(&found);
-    for order in &wish.orders {
+    for order in &request.orders {
         for quantity in Planar::BOTH {
             for sense in [Sense::Direct, Sense::Reverse] {
                 assert!(order::all_masses(&cured, quantity, *order, sense).vanishes(), "{order}\n{text}\n{written}");
@@ -70,7 +70,7 @@ fn assert_cured(text: &str, wish: &Request) -> (String, Engine) {
             assert!(!directions.contains(&opposite), "{place:?} has a weight and one opposite:\n{text}\n{written}");
         }
     }
-    let again = remedy(&cured, &Request { orders: wish.orders.clone(), ..Request::default() }).expect("a remedy");
+    let again = remedy(&cured, &Request { orders: request.orders.clone(), ..Request::default() }).expect("a remedy");
     assert!(again.weights().is_empty() && again.left_out.is_empty(), "{written}");
     assert!(answer(&again).contains("no weight is needed"), "{}", answer(&again));
     (written, cured)
@@ -83,10 +83,10 @@ fn a_counterweight_that_is_too_heavy_becomes_lighter_and_no_second_one_is_added(
     // What is needed is 0.3 + ½·0.5 = 0.55 kg at the crank radius.
     let text = format!("{SINGLE}[[counterweight]]\nangle = 180\nmass = 0.8\nradius = 0.05\nposition = 0\n");
     let engine = read(&text);
-    let found = remedy(&engine, &wish(&[1])).expect("a remedy");
+    let found = remedy(&engine, &request(&[1])).expect("a remedy");
     let told = answer(&found);
     assert!(told.contains("resized") && told.contains("40") && told.contains("27.5"), "{told}");
-    let (_, cured) = assert_cured(&text, &wish(&[1]));
+    let (_, cured) = assert_cured(&text, &request(&[1]));
     let [weight] = cured.crankshaft().counterweights.as_slice() else { panic!("{:?}", cured.crankshaft()) };
     assert_eq!(weight.mass_radius(), BigRational::new(11.into(), 400.into()));
     assert!((found.crankshaft_mass().expect("masses") - 1.1).abs() < 1e-12, "{:?}", found.crankshaft_mass());
@@ -96,9 +96,9 @@ fn a_counterweight_that_is_too_heavy_becomes_lighter_and_no_second_one_is_added(
 fn a_weight_that_nothing_needs_is_taken_away() {
     // Two pistons against each other, of one mass: nothing turns with the crank but the weight of the file.
     let text = "[inline]\nthrows = [0, 180, 180, 0]\n[[counterweight]]\nangle = 30\nmass_radius = '1/3 m r'\nposition = 0.5\n[[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '1/4 m r'\nangle = 10\nposition = 0\n";
-    let (written, cured) = assert_cured(text, &wish(&[1]));
+    let (written, cured) = assert_cured(text, &request(&[1]));
     assert!(cured.crankshaft().counterweights.is_empty() && cured.crankshaft().balancers.is_empty(), "{written}");
-    let told = answer(&remedy(&read(text), &wish(&[1])).expect("a remedy"));
+    let told = answer(&remedy(&read(text), &request(&[1])).expect("a remedy"));
     assert!(told.contains("nothing"), "{told}");
 }
 
@@ -107,7 +107,7 @@ fn a_weight_without_mass_keeps_the_place_of_what_is_found() {
     let text = format!(
         "{SINGLE}[[counterweight]]\nangle = 0\nmass_radius = '0 m r'\nposition = 0\n[[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '0 m r'\nangle = 0\nposition = 0\n[[counterweight]]\nangle = 0\nmass_radius = '0 m r'\nposition = 2\n"
     );
-    let (written, cured) = assert_cured(&text, &wish(&[1]));
+    let (written, cured) = assert_cured(&text, &request(&[1]));
     assert_eq!(cured.crankshaft().counterweights.len(), 2, "{written}");
     assert_eq!(cured.crankshaft().balancers.len(), 1, "{written}");
 }
@@ -118,7 +118,7 @@ fn a_pair_of_balancers_is_resized_in_its_planes_and_keeps_its_axes() {
                 [[balancer]]\norder = 2\nsense = 'with'\nmass_radius = 0.001\nangle = 180\nposition = 1.5\nheight = 0.1\noffset = 0.04\n\
                 [[balancer]]\norder = 2\nsense = 'with'\nmass_radius = 0.001\nangle = 180\nposition = -1\nheight = 0.1\n\
                 [[balancer]]\norder = 4\nsense = 'with'\nmass_radius = 0.00001\nangle = 90\nposition = 0.25\nheight = -0.2\n";
-    let (written, cured) = assert_cured(text, &wish(&[1, 2]));
+    let (written, cured) = assert_cured(text, &request(&[1, 2]));
     let balancers = &cured.crankshaft().balancers;
     let of =
         |order: u32, sense: Sense| balancers.iter().filter(move |shaft| (shaft.order, shaft.sense) == (order, sense));
@@ -138,12 +138,12 @@ fn a_pair_of_balancers_is_resized_in_its_planes_and_keeps_its_axes() {
 fn balance_factors_are_of_all_that_stands_at_a_throw() {
     let text = format!("{SINGLE}[[counterweight]]\nthrow = 1\nmass = 0.8\nradius = 0.05\n");
     let half = BigRational::new(1.into(), 2.into());
-    let wish = Request { factors: vec![half.clone()], orders: vec![2], ..Request::default() };
-    let (written, cured) = corrected(&remedy(&read(&text), &wish).expect("a remedy"));
+    let request = Request { factors: vec![half.clone()], orders: vec![2], ..Request::default() };
+    let (written, cured) = corrected(&remedy(&read(&text), &request).expect("a remedy"));
     let [weight] = cured.crankshaft().counterweights.as_slice() else { panic!("{written}") };
     assert_eq!(weight.mass_radius(), BigRational::new(11.into(), 800.into()), "{written}");
     // Once more it has it already.
-    let again = remedy(&cured, &wish).expect("a remedy");
+    let again = remedy(&cured, &request).expect("a remedy");
     assert!(again.bays.is_empty(), "{:?}", again.bays);
 }
 
@@ -211,6 +211,6 @@ proptest! {
         orders in prop::sample::select(vec![vec![1_u32], vec![1, 2], vec![2], vec![1, 2, 4]]),
     ) {
         let text = cylinders.concat() + &once(counterweights) + &once(balancers);
-        assert_cured(&text, &wish(&orders));
+        assert_cured(&text, &request(&orders));
     }
 }

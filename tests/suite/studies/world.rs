@@ -79,8 +79,8 @@ impl BuiltEngine {
 
     /// What an order needs; nothing where that is not decided. Where rods differ it says the sizes, which no exact number tells.
     fn needs(&self, order: u32) -> Vec<Text> {
-        let wish = Request { orders: vec![order], ..Request::default() };
-        let Ok(remedy) = remedy::remedy(&self.engine, &wish) else { return Vec::new() };
+        let request = Request { orders: vec![order], ..Request::default() };
+        let Ok(remedy) = remedy::remedy(&self.engine, &request) else { return Vec::new() };
         let told = usize::from(remedy.crankshaft.is_some()) + usize::from(!remedy.shafts.is_empty());
         match self.engine.mechanisms().len() > 1 && told > 0 {
             true => remedy_cures(&remedy).into_iter().take(told).collect(),
