@@ -17,16 +17,13 @@
 
 use std::collections::BTreeMap;
 
-use num_rational::BigRational;
-use num_traits::{Signed, Zero};
-
-use crate::engine::{Cylinder, Engine, Link, Mechanism, Rod};
+use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::order::{self, mass_radius};
-use crate::proof::{Planar, Quantity, Sense};
+use crate::order::{self, Law, Ray, mass_radius};
+use crate::proof::{Quantity, Sense};
 
-/// How fast a crank turns, its rod, and where its piston is in its stroke.
-type Moving = (u32, Mechanism, Turn);
+/// How fast a crank turns, the law of a motion, and where the piston is in its stroke.
+type Moving = (u32, Law, Turn);
 
 /// Whether a load vanishes at every order, proved; it may vanish without a proof only where rods or the speeds of crankshafts differ.
 pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
@@ -53,64 +50,24 @@ fn speeds(engine: &Engine) -> impl Iterator<Item = u32> {
 fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<Moving, PhasorSum> {
     let mut groups: BTreeMap<Moving, Vec<Term>> = BTreeMap::new();
     for (cylinder, mechanism) in engine.moved() {
-        let rod = match mechanism {
-            Mechanism::SliderCrank(rod) => rod,
-            Mechanism::Link(link) => {
-                let parts = quantity.planar().map(|planar| of_link(engine, planar, cylinder, link));
-                for ((rod, own), term) in parts.into_iter().flatten() {
-                    groups.entry((engine.speed_of(cylinder), rod, own)).or_default().push(term);
-                }
-                continue;
-            }
-        };
-        let own = &cylinder.throw - &cylinder.bank;
-        let weight = mass_radius(engine, cylinder);
-        let ((rod, own), term) = match quantity {
-            _ if rod.ratio.is_zero() => continue,
+        let (speed, own) = (engine.speed_of(cylinder), &cylinder.throw - &cylinder.bank);
+        match quantity {
             Quantity::Axial(_) => {
-                ((mechanism.clone(), own), Term { angle: Turn::zero(), weight: weight * &cylinder.crank_radius })
+                let weight = mass_radius(engine, cylinder) * &cylinder.crank_radius;
+                for Ray { law, .. } in Ray::of(mechanism).into_iter().filter(|ray| !ray.law.is_endless()) {
+                    let term = Term { angle: Turn::zero(), weight: weight.clone() };
+                    groups.entry((speed, law, own.clone())).or_default().push(term);
+                }
             }
             Quantity::Planar(planar) => {
-                let own = match (rod.offset.is_zero(), rod.offset.is_negative()) {
-                    (true, _) => own.times(2),
-                    (_, true) => own.opposite(),
-                    (_, false) => own,
-                };
-                let rod = Rod { ratio: rod.ratio.clone(), offset: rod.offset.abs() };
-                let weight = weight * order::lever(engine, planar, &cylinder.position);
-                ((Mechanism::SliderCrank(rod), own), Term { angle: cylinder.bank.clone(), weight })
+                let lever = order::lever(engine, planar, &cylinder.position);
+                for ray in order::rays(engine, cylinder).into_iter().filter(|ray| !ray.law.is_endless()) {
+                    let (law, own) = ray.law.unsigned(&own + &ray.ahead);
+                    let term = Term { angle: &cylinder.bank + &ray.turned, weight: ray.weight * &lever };
+                    groups.entry((speed, law, own)).or_default().push(term);
+                }
             }
-        };
-        groups.entry((engine.speed_of(cylinder), rod, own)).or_default().push(term);
+        }
     }
     groups.into_iter().map(|(group, terms)| (group, PhasorSum::new(terms))).collect()
-}
-
-/// The terms of the force, or of the moment, of a link on a master rod.
-fn of_link(engine: &Engine, quantity: Planar, cylinder: &Cylinder, link: &Link) -> Vec<((Mechanism, Turn), Term)> {
-    let lever = order::lever(engine, quantity, &cylinder.position);
-    let (own, knuckle) = (&cylinder.throw - &cylinder.bank, &cylinder.knuckle_mass * &cylinder.crank_radius);
-    let piston = mass_radius(engine, cylinder);
-    let master = (Mechanism::SliderCrank(link.master_rod()), (&own + &link.angle).times(2));
-    // The knuckle pin stands, seen from the crankpin, by ε ahead of the direction of its cylinder.
-    let [ahead, behind] = [&cylinder.bank + &link.correction, &cylinder.bank - &link.correction];
-    let half = &piston * &link.knuckle / BigRational::from_integer(2.into());
-    let of_pin = [(&ahead, half.clone()), (&behind, half), (&ahead, knuckle * &link.knuckle)];
-    let with_the_master = of_pin.into_iter().filter(|_| !link.master.is_zero());
-    let with_the_master = with_the_master.map(|(angle, weight)| (master.clone(), angle.clone(), weight));
-    let kind = of_kind(link, own);
-    let own = (!link.ratio.is_zero()).then(|| (kind, cylinder.bank.clone(), piston));
-    let moving = with_the_master.chain(own);
-    moving.map(|(group, angle, weight)| (group, Term { angle, weight: weight * &lever })).collect()
-}
-
-/// The motion of its own of a link, and by how much its crank is ahead of its cylinder where that counts.
-fn of_kind(link: &Link, own: Turn) -> (Mechanism, Turn) {
-    let unsigned = link.correction.clone().min(-&link.correction);
-    let own = match (link.is_corrected(), unsigned == link.correction) {
-        (false, _) => own.times(2),
-        (true, true) => own,
-        (true, false) => own.opposite(),
-    };
-    (Mechanism::Link(Link { correction: unsigned, ..link.clone() }), own)
 }

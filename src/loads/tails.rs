@@ -1,46 +1,31 @@
 //! How much can the orders above the K-th of an engine add to a load, at most? What its pistons add, all in one direction.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Missing, Motion};
-use crate::engine::{Engine, Mechanism};
+use crate::engine::{Engine, Link, Mechanism};
 use crate::motion::{Coefficient, CorrectedTail, HungLink, LinkMass, SLACK, SliderCrank, Tail};
-use crate::order::{self, Factor, mass_radius};
-use crate::proof::Quantity;
+use crate::order::{self, Factor, Law, Ray, mass_radius, power};
+use crate::proof::{Planar, Quantity};
 
 /// What the orders of each piston leave to the higher ones.
 #[derive(Clone, Debug)]
 pub struct Tails {
-    by_mechanism: BTreeMap<Mechanism, Parts>,
+    by_law: BTreeMap<Law, LawTail>,
+    /// What links hand on to the crankpins of their master rods.
+    hung: BTreeMap<Link, HungLink>,
 }
 
-/// The motions that one of a piston is made of: those of cranks, each with the largest part it has, one, or of a link that of its master and its
-/// own; and that of a link with a corrected knuckle angle.
+/// What the orders of a law leave to the higher ones.
 #[derive(Clone, Debug)]
-struct Parts {
-    cranks: Vec<(f64, Tail)>,
-    corrected: Option<CorrectedTail>,
-    /// What a link hands on to the crankpin of its master rod.
-    hung: Option<HungLink>,
-}
-
-impl Parts {
-    /// The orders of the force above one.
-    fn force(&self, order: u32) -> f64 {
-        let of_cranks: f64 = self.cranks.iter().map(|(part, tail)| part * tail.force(order)).sum();
-        of_cranks + self.corrected.as_ref().map_or(0.0, |tail| tail.force(order))
-    }
-
-    /// What is not computed of links has no bound.
-    fn of_rod(&self, bound: impl Fn(&Tail) -> f64) -> f64 {
-        match (&self.cranks[..], &self.corrected) {
-            ([(_, only)], None) => bound(only),
-            _ => f64::INFINITY,
-        }
-    }
+enum LawTail {
+    /// Of a crank, whose harmonics are multiplied by no more than this.
+    Crank(f64, Tail),
+    /// Of a link with a corrected knuckle angle.
+    Corrected(CorrectedTail),
 }
 
 impl Tails {
@@ -68,39 +53,50 @@ impl Tails {
     }
 
     fn with(motion: &Motion, tail: impl Fn(&SliderCrank) -> Tail) -> Self {
-        let parts = |mechanism: &Mechanism| match mechanism {
-            Mechanism::SliderCrank(rod) => {
-                Some(Parts { cranks: vec![(1.0, tail(&order::crank_of(rod)))], corrected: None, hung: None })
+        let of_law = |law: &Law| match law {
+            Law::Rod(rod) => Some(LawTail::Crank(1.0, tail(&order::crank_of(rod)))),
+            Law::Link(link) => {
+                let own = link.linkage()?;
+                Some(LawTail::Crank(rounded_up(&own.distance()), tail(own.crank())))
             }
-            Mechanism::Link(link) => {
-                let master = order::crank_of(&link.master_rod());
-                let mut cranks = vec![(rounded_up(&link.knuckle), tail(&master))];
-                let corrected = match link.is_corrected() {
-                    true => Some(link.corrected()?.tail()),
-                    false => {
-                        let own = link.linkage()?;
-                        cranks.push((rounded_up(&own.distance()), tail(own.crank())));
-                        None
-                    }
-                };
-                Some(Parts { cranks, corrected, hung: Some(link.hung()) })
-            }
+            Law::Corrected(link) => Some(LawTail::Corrected(link.corrected()?.tail())),
         };
-        let mechanisms = motion.mechanisms.iter();
-        Tails { by_mechanism: mechanisms.filter_map(|one| Some((one.clone(), parts(one)?))).collect() }
+        let laws: BTreeSet<Law> = motion.mechanisms.iter().flat_map(Ray::of).map(|ray| ray.law).collect();
+        let links = motion.mechanisms.iter().filter_map(Mechanism::link);
+        Tails {
+            by_law: laws.into_iter().filter_map(|law| Some((law.clone(), of_law(&law)?))).collect(),
+            hung: links.map(|link| (link.clone(), link.hung())).collect(),
+        }
+    }
+
+    /// The orders of the force above one.
+    fn force(&self, law: &Law, order: u32) -> f64 {
+        match self.by_law.get(law) {
+            Some(LawTail::Crank(part, tail)) => part * tail.force(order),
+            Some(LawTail::Corrected(tail)) => tail.force(order),
+            None => f64::INFINITY,
+        }
+    }
+
+    /// What is known of a rod alone: what is not computed of links has no bound.
+    fn of_rod(&self, mechanism: &Mechanism, bound: impl Fn(&Tail) -> f64) -> f64 {
+        match mechanism.rod().and_then(|rod| self.by_law.get(&Law::Rod(rod.clone()))) {
+            Some(LawTail::Crank(_, tail)) => bound(tail),
+            Some(LawTail::Corrected(_)) | None => f64::INFINITY,
+        }
     }
 
     /// The orders of the pistons above this one, of at least 2, and the shafts that turn faster add at most this to a load, in
     /// its multiples of m r ω²; 0 only where there is none. The roll moment has no bound here.
     pub fn above(&self, engine: &Engine, quantity: Quantity, order: u32) -> f64 {
-        let pistons = self.sum(engine, quantity, &|parts, speed| match (quantity, order / speed.max(1)) {
-            // A crank that turns faster has had so few of its own orders up to this one.
-            (Quantity::Planar(_), 0) => 1.0 + parts.force(0),
-            (Quantity::Planar(_), own) => parts.force(own),
-            (Quantity::TORQUE, 0 | 1) => f64::INFINITY,
-            (Quantity::TORQUE, own) => parts.of_rod(|tail| tail.torque(own)),
-            (Quantity::ROLL, _) => f64::INFINITY,
-        });
+        let pistons = match quantity {
+            Quantity::Planar(planar) => self.of_force(engine, planar, order),
+            Quantity::TORQUE => self.of_torque(engine, |mechanism, speed| match order / speed.max(1) {
+                0 | 1 => f64::INFINITY,
+                own => self.of_rod(mechanism, |tail| tail.torque(own)),
+            }),
+            Quantity::ROLL => f64::INFINITY,
+        };
         let [force, moment] = self.faster_shafts(engine, order);
         let shafts = match quantity {
             Quantity::FORCE => force,
@@ -125,12 +121,7 @@ impl Tails {
         // c_k is one of the orders above k − 1 that the tail is above.
         let most = |factor: &Factor, order: u32| match factor {
             Factor::One => 1.0,
-            Factor::Motion(rod) => {
-                let of_rod = |parts: &Parts| parts.of_rod(|tail| tail.force(order.saturating_sub(1)));
-                self.by_mechanism
-                    .get(&Mechanism::SliderCrank(rod.clone()))
-                    .map_or(f64::INFINITY, |parts| 1.0 + of_rod(parts))
-            }
+            Factor::Motion(rod) => 1.0 + self.force(&Law::Rod(rod.clone()), order.saturating_sub(1)),
             // A shaft is multiplied by none of these.
             Factor::Torque(_)
             | Factor::Quadrature(_)
@@ -158,13 +149,14 @@ impl Tails {
             let speed = engine.speed_of(cylinder);
             let faster = BigRational::from_integer(speed.into());
             let faster = &faster * &faster * part.abs();
-            let known = cylinder.mechanism.as_ref().and_then(|rod| self.by_mechanism.get(rod));
-            let bound = |mass: LinkMass| match (known, order / speed.max(1)) {
+            let bound = |mass: LinkMass| match (&cylinder.mechanism, order / speed.max(1)) {
                 // A crank that turns faster has had so few of its own orders up to this one.
                 (None, _) | (_, 0) => f64::INFINITY,
                 // Decimals: a link's numbers are summed, and nothing is proved of them.
-                (Some(Parts { hung: Some(link), .. }), own) => link.above(mass, own),
-                (Some(parts), own) => parts.of_rod(|tail| tail.pin(own)),
+                (Some(Mechanism::Link(link)), own) => {
+                    self.hung.get(link).map_or(f64::INFINITY, |link| link.above(mass, own))
+                }
+                (Some(mechanism), own) => self.of_rod(mechanism, |tail| tail.pin(own)),
             };
             let masses = [
                 (LinkMass::Piston, mass_radius(engine, cylinder)),
@@ -184,46 +176,56 @@ impl Tails {
 
     /// No sum of the terms of the pistons' load is larger than this: each at the dead point of its largest acceleration.
     pub fn largest_sum(&self, engine: &Engine, quantity: Quantity) -> f64 {
-        self.sum(engine, quantity, &|parts, _| {
-            let shaking = 1.0 + parts.force(0);
-            match quantity {
-                Quantity::Planar(_) => shaking,
-                Quantity::TORQUE => shaking * shaking,
-                Quantity::ROLL => f64::INFINITY,
-            }
-        })
+        match quantity {
+            Quantity::Planar(planar) => self.of_force(engine, planar, 0),
+            Quantity::TORQUE => self.of_torque(engine, |mechanism, _| {
+                let shaking = 1.0 + self.of_rod(mechanism, |tail| tail.force(0));
+                shaking * shaking
+            }),
+            Quantity::ROLL => f64::INFINITY,
+        }
     }
 
-    /// The bounds of the pistons, each as much as its load counts, by their mechanisms and how fast their cranks turn.
-    fn sum(&self, engine: &Engine, quantity: Quantity, bound: &dyn Fn(&Parts, u32) -> f64) -> f64 {
-        let mut weights: BTreeMap<(Mechanism, u32), BigRational> = BTreeMap::new();
+    /// What the orders of the pistons above this one add to a force or a moment: each ray in one direction, and the first of the cranks
+    /// that have it above.
+    fn of_force(&self, engine: &Engine, quantity: Planar, order: u32) -> f64 {
+        let mut weights: BTreeMap<(Option<Law>, u32), BigRational> = BTreeMap::new();
         for cylinder in engine.cylinders() {
-            let Some(mechanism) = &cylinder.mechanism else { continue };
-            let (weight, speed) = (mass_radius(engine, cylinder).abs(), engine.speed_of(cylinder));
-            let faster = |exponent| num_traits::pow(BigRational::from_integer(speed.into()), exponent);
-            let weight = match quantity {
-                Quantity::Planar(planar) => weight * order::lever(engine, planar, &cylinder.position).abs() * faster(2),
-                Quantity::Axial(_) => weight * &cylinder.crank_radius * faster(3),
-            };
-            *weights.entry((mechanism.clone(), speed)).or_insert_with(BigRational::zero) += weight;
-            if let (Some(link), Some(planar)) = (cylinder.link(), quantity.planar()) {
-                // The mass at the knuckle pin moves as the master's piston does, in part.
-                let lever = order::lever(engine, planar, &cylinder.position).abs();
-                let weight = &cylinder.knuckle_mass * &cylinder.crank_radius * &link.knuckle * lever;
-                let master = Mechanism::SliderCrank(link.master_rod());
-                *weights.entry((master, speed)).or_insert_with(BigRational::zero) += weight;
+            let speed = engine.speed_of(cylinder);
+            let lever = order::lever(engine, quantity, &cylinder.position).abs() * power(speed, 2);
+            let rays = order::rays(engine, cylinder).into_iter().map(|ray| (Some(ray.law), ray.weight));
+            // A crank that turns faster has had so few of its own orders up to this one.
+            let has_first = order / speed.max(1) == 0;
+            let knuckle = cylinder.link().map(|link| &cylinder.knuckle_mass * &cylinder.crank_radius * &link.knuckle);
+            let masses = [mass_radius(engine, cylinder)].into_iter().chain(knuckle).map(|mass| (None, mass));
+            for (law, weight) in rays.chain(masses.filter(|_| has_first)) {
+                *weights.entry((law, speed)).or_insert_with(BigRational::zero) += weight.abs() * &lever;
             }
         }
-        // A mass of 0 is 0 times whatever the rest is.
-        let weights = weights.into_iter().filter(|(_, weight)| !weight.is_zero());
-        let parts = weights.map(|((rod, speed), weight)| {
-            match self.by_mechanism.get(&rod).map_or(f64::INFINITY, |parts| bound(parts, speed)) {
-                0.0 => 0.0,
-                bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
-            }
-        });
-        parts.sum()
+        sum(weights, |(law, speed)| law.as_ref().map_or(1.0, |law| self.force(law, order / (*speed).max(1))))
     }
+
+    /// The bounds of the torques of the pistons, by their mechanisms and how fast their cranks turn.
+    fn of_torque(&self, engine: &Engine, bound: impl Fn(&Mechanism, u32) -> f64) -> f64 {
+        let mut weights: BTreeMap<(Mechanism, u32), BigRational> = BTreeMap::new();
+        for (cylinder, mechanism) in engine.moved() {
+            let speed = engine.speed_of(cylinder);
+            let weight = mass_radius(engine, cylinder).abs() * &cylinder.crank_radius * power(speed, 3);
+            *weights.entry((mechanism.clone(), speed)).or_insert_with(BigRational::zero) += weight;
+        }
+        sum(weights, |(mechanism, speed)| bound(mechanism, *speed))
+    }
+}
+
+/// Bounds of what has these weights, each as much as it counts; 0 only where there is none.
+fn sum<K>(weights: BTreeMap<K, BigRational>, bound: impl Fn(&K) -> f64) -> f64 {
+    // A mass of 0 is 0 times whatever the rest is.
+    let weights = weights.into_iter().filter(|(_, weight)| !weight.is_zero());
+    let parts = weights.map(|(key, weight)| match bound(&key) {
+        0.0 => 0.0,
+        bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
+    });
+    parts.sum()
 }
 
 /// The float at or above a number that is not negative; 0 only of 0.

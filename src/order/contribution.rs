@@ -109,8 +109,8 @@ impl<'a> Sources<'a> {
 
     /// What the masses at knuckle pins add on the piston pins of their master rods.
     fn of_knuckles(&self, order: u32, sense: Sense) -> impl Iterator<Item = Contribution> {
-        let knuckles = self.cylinders().filter_map(|(index, _)| Some((index, link::knuckle(self.engine, index)?)));
-        knuckles.map(move |(index, (cylinder, link, weight))| {
+        let knuckles = self.cylinders().filter_map(|(index, own)| Some((index, own, link::knuckle(own)?)));
+        knuckles.map(move |(index, cylinder, (link, weight))| {
             let (factor, _) = Factor::of_rod(Some(&link.master_rod()), order);
             let at = phase_of(&cylinder.throw, &link::master_bank(cylinder, link), order, Some(sense));
             Contribution {
@@ -178,7 +178,7 @@ impl<'a> Sources<'a> {
 }
 
 /// How much larger what a crank does is for its speed: a force for the square of it, a torque at the reference crank for the cube.
-pub(super) fn power(speed: u32, exponent: usize) -> BigRational {
+pub fn power(speed: u32, exponent: usize) -> BigRational {
     num_traits::pow(BigRational::from_integer(speed.into()), exponent)
 }
 

@@ -17,7 +17,7 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use crate::engine::{Cylinder, Engine, Link};
+use crate::engine::{Cylinder, Link};
 use crate::exact::Turn;
 use crate::motion;
 
@@ -55,10 +55,9 @@ impl Linkage {
 }
 
 /// The mass at the knuckle pin of a cylinder's link, times the crank radius, in multiples of m r; none where there is none.
-pub(super) fn knuckle(engine: &Engine, index: usize) -> Option<(&Cylinder, &Link, BigRational)> {
-    let cylinder = &engine.cylinders()[index];
+pub(super) fn knuckle(cylinder: &Cylinder) -> Option<(&Link, BigRational)> {
     let link = cylinder.link().filter(|_| !cylinder.knuckle_mass.is_zero())?;
-    Some((cylinder, link, &cylinder.knuckle_mass * &cylinder.crank_radius))
+    Some((link, &cylinder.knuckle_mass * &cylinder.crank_radius))
 }
 
 /// The direction of the cylinder that the master rod of a link works in.

@@ -19,6 +19,7 @@ mod parts;
 mod path;
 mod phase;
 mod pin;
+mod ray;
 mod roll;
 mod source;
 mod sum;
@@ -29,13 +30,12 @@ pub use coefficients::{Coefficients, exactly_one};
 pub use comparable::{NotComparable, comparable};
 pub use contribution::{
     Contribution, Sources, all_masses, contributions, crankshaft_contributions, groups_of, lever, masses_as_built,
-    roll, star, torque,
+    power, roll, star, torque,
 };
 pub use corrected::Corrected;
 pub use crank::{crank, crank_of};
 pub use factor::Factor;
 pub use group::{Group, OrderTerms};
-
 pub use lengths::difference_of_squares;
 pub use link::Linkage;
 pub use masses::MassGroup;
@@ -43,6 +43,7 @@ pub use missing_arm::{MissingArm, roll_lacks};
 pub use path::Path;
 pub use phase::{multiples, phase, phase_of};
 pub use pin::{has_constant_pin_loads, pin_contributions, shaft_contributions};
+pub use ray::{Law, Ray, rays};
 pub use source::Source;
 pub use sum::{OrderSum, by_factor};
 pub use turning::{TurningMass, mass_radius, shaft_parts, turning_masses, unit_mass, unit_radius};

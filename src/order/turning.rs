@@ -116,8 +116,9 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
 
 /// What the masses at the knuckle pins add on the crankpins: (1 − κ e^{iγ}) of each.
 fn knuckles(engine: &Engine) -> impl Iterator<Item = TurningMass> {
-    let with_mass = (0..engine.cylinders().len()).filter_map(|index| Some((index, link::knuckle(engine, index)?)));
-    with_mass.flat_map(|(index, (cylinder, link, mass_radius))| {
+    let cylinders = engine.cylinders().iter().enumerate();
+    let with_mass = cylinders.filter_map(|(index, cylinder)| Some((index, cylinder, link::knuckle(cylinder)?)));
+    with_mass.flat_map(|(index, cylinder, (link, mass_radius))| {
         let part = |source, angle: Turn, mass_radius| TurningMass {
             source,
             order: 1,
