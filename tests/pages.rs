@@ -141,17 +141,16 @@ fn drawings(folder: &Path) -> usize {
     names.filter(|name| name.to_string_lossy().ends_with(".svg")).count()
 }
 
-/// Compiles a report until its references and the widths of its tables stand still, and looks for complaints in the log.
+/// Compiles a report until LaTeX asks for no other run, and looks for complaints in the log.
 fn compile(name: &str, folder: &Path) {
-    let auxiliary = || fs::read(folder.join("report.aux")).ok();
+    let mut log = String::new();
     for _ in 0..4 {
-        let before = auxiliary();
         run(folder, "pdflatex", &["-interaction=nonstopmode", "-halt-on-error", "report.tex"], "");
-        if auxiliary() == before {
+        log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
+        if !log.contains("Rerun") {
             break;
         }
     }
-    let log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
     for complaint in ["Overfull", "Missing character", "undefined", "Rerun LaTeX", "Rerun to get", "LaTeX Font Warning"]
     {
         assert!(!log.contains(complaint), "{name}: {complaint} in {}/report.log", folder.display());
