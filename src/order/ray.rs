@@ -1,7 +1,7 @@
-//! Of which motions is that of a piston made, at all orders above the first? Of as many rays as its mechanism has.
+//! Which motions is that of a piston made of, at all orders above the first? Each is a ray.
 //!
-//! At order k a ray adds `w e^{iα} e^{±ik(β−α+ahead)}`, turned by a fixed angle, before the number of order k that its [`Law`] has. The
-//! crank's own first order is apart from them, where the law is that of a centric rod or of a link.
+//! At order k a ray adds `w e^{iα} e^{±ik(β−α+ahead)}`, turned by a fixed angle, times the number of order k of its [`Law`]. The crank's own first
+//! order is not among them.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -26,7 +26,7 @@ pub enum Law {
     Corrected(Link),
 }
 
-/// A motion that the one of a piston has as a part.
+/// A part of the motion of a piston.
 #[derive(Clone, Debug)]
 pub struct Ray {
     /// Its numbers.
@@ -35,7 +35,7 @@ pub struct Ray {
     pub ahead: Turn,
     /// By which angle it is turned at every order.
     pub turned: Turn,
-    /// How much of it there is.
+    /// What it is multiplied by: a share of the motion, or mass times crank radius.
     pub weight: BigRational,
 }
 
@@ -111,8 +111,8 @@ impl Law {
         }
     }
 
-    /// Its numbers at an order, of a rod above the first, each with a part of the vector in the direct star and the angle that this part is
-    /// turned by; it is turned the other way in the reverse star.
+    /// Its numbers at an order (of a rod: above the first), each with a part of the vector in the direct star and the angle that this part is
+    /// turned by; in the reverse star it is turned the other way.
     pub fn parts(&self, order: u32) -> Vec<(Factor, Term)> {
         match self {
             Law::Rod(rod) => {

@@ -111,7 +111,7 @@ pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, re
 pub use residual::{
     bearing as star_bearing, class_sources, force as force_left, force_summary, largest as largest_length,
     modulus as star_length, moment as moment_left, moment_summary, order_name, roll as roll_left, shape_name,
-    torque as torque_left, torque_part as torque_part_left, whole as force_and_moment_left, whole_summary,
+    torque as torque_left, torque_part as torque_part_left, whole as force_and_moment_left,
 };
 pub use rotor::RotorStudy;
 pub use schema::{schema, schema_names};

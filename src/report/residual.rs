@@ -149,11 +149,6 @@ pub fn whole(order: &OrderVerdict) -> [Text; 2] {
     }
 }
 
-/// The same as plain text.
-pub fn whole_summary(order: &OrderVerdict) -> [String; 2] {
-    whole(order).map(|text| text.plain())
-}
-
 /// The force of an order in a few words: zero, `4, planar`, or that the order does not exist.
 pub fn force(order: &OrderBalance) -> Text {
     if order.exists { summary(&order.force, None) } else { DOES_NOT_EXIST.into() }

@@ -26,7 +26,7 @@ fn stars(name: &str, engine: &Engine) -> Vec<(String, Figure)> {
     let judged = judgement(engine);
     let orders = judged.orders.iter().chain(judged.pistons.iter().flatten());
     let of_order = orders.flat_map(|order| &order.parts).flat_map(|part| {
-        let small = report::small_star(part, Some("12"));
+        let small = report::small_star(part);
         [("stars", report::star_figure(engine, part)), ("small star", small)]
             .map(|(what, figure)| (format!("{what} of order {} of {name}", part.order), figure))
     });
@@ -236,7 +236,7 @@ fn the_resultant_lies_above_the_vectors_and_hides_none() {
     for name in ["I4", "V8-crossplane", "V2-90", "I5-12453"] {
         let layout = file::find(name).expect("in the catalogue").engine().expect("it reads");
         for part in judgement(&layout).orders.iter().flat_map(|order| &order.parts) {
-            let figure = report::small_star(part, None);
+            let figure = report::small_star(part);
             let resultant = |mark: &Mark| matches!(mark, Mark::Polygon { stroke, .. } if stroke.ink == Ink::Red);
             let vector = |mark: &Mark| matches!(mark, Mark::Line { arrow: true, .. });
             let (above, below) = (figure.marks.iter().position(resultant), figure.marks.iter().rposition(vector));

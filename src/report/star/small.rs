@@ -12,9 +12,6 @@ const SIZE: f64 = 30.0;
 const RADIUS: f64 = 13.0;
 /// Width of the outline of the resultant in millimetres.
 const OUTLINE: f64 = 0.8;
-/// Height of the line that a label has, and the size of its letters.
-const LABEL: f64 = 6.0;
-const LETTERS: f64 = 4.0;
 
 /// The sum that tells most of an order: the first that is left of force and moment, direct and reverse; where nothing is
 /// left, the direct force.
@@ -31,20 +28,18 @@ pub fn small_stars(engine: &Engine, judged: &Judgement) -> Vec<(u32, Figure)> {
         [only] if only.class.is_none() => Some(Star::of(engine, told(only))),
         _ => Some(whole.as_ref()?.told(order.order)),
     };
-    judged.orders.iter().filter_map(|order| Some((order.order, drawn(&star(order)?, None)))).collect()
+    judged.orders.iter().filter_map(|order| Some((order.order, drawn(&star(order)?)))).collect()
 }
 
-/// That sum as a star of 30 mm, read at 80 pixels, with a label below it where one is given.
-pub fn small_star(order: &OrderBalance, label: Option<&str>) -> Figure {
-    drawn(&Star::new(told(order)), label)
+/// That sum as a star of 30 mm, read at 80 pixels.
+pub fn small_star(order: &OrderBalance) -> Figure {
+    drawn(&Star::new(told(order)))
 }
 
-fn drawn(star: &Star, label: Option<&str>) -> Figure {
-    let below = if label.is_some() { LABEL } else { 0.0 };
-    let mut figure = Figure::new(SIZE, SIZE + below).lettered(LETTERS);
-    let centre = Point::new(SIZE / 2.0, SIZE / 2.0 + below);
+fn drawn(star: &Star) -> Figure {
     let reach = star.reach();
     let scale = if reach > 0.0 { RADIUS / reach } else { 0.0 };
+    let mut figure = Figure::new(SIZE, SIZE);
     let mut drawing = Figure::new(SIZE, SIZE);
     drawing.circle(Point::default(), RADIUS, Stroke::solid(Ink::Light, 0.5), None);
     for (index, polygon) in star.polygons.iter().enumerate() {
@@ -58,9 +53,6 @@ fn drawn(star: &Star, label: Option<&str>) -> Figure {
     if let Some(resultant) = star.resultant {
         draw_resultant(&mut drawing, upright(resultant) * scale, OUTLINE);
     }
-    figure.place(drawing, centre);
-    if let Some(label) = label {
-        figure.heading(Point::new(SIZE / 2.0, LABEL / 2.0), label);
-    }
+    figure.place(drawing, Point::new(SIZE / 2.0, SIZE / 2.0));
     figure
 }
