@@ -113,7 +113,7 @@ impl Law {
 
     /// Its numbers at an order (of a rod: above the first), each with a part of the vector in the direct star and the angle that this part is
     /// turned by; in the reverse star it is turned the other way.
-    pub fn parts(&self, order: u32) -> Vec<(Factor, Term)> {
+    pub(super) fn parts(&self, order: u32) -> Vec<(Factor, Term)> {
         match self {
             Law::Rod(rod) => {
                 let (factor, weight) = Factor::of_rod(Some(rod), order);
