@@ -1,7 +1,5 @@
 //! Do the reports look right where they are read: in LaTeX, in Typst, on a Markdown page, in a browser?
 //!
-//! `pages/data.rs` asks it of tables: read by openpyxl and DuckDB for Python, where the features `xlsx` and `parquet` are on.
-//!
 //! `pages/completions.rs` asks it of the shells.
 //!
 //! These tests need pdflatex, Typst for Python, pdftotext, pandoc 3, node with KaTeX and playwright-core, and Chromium: `.ci/run` installs them and runs
@@ -13,9 +11,6 @@
 mod catalogue;
 #[path = "pages/completions.rs"]
 mod completions;
-#[cfg(any(feature = "xlsx", feature = "parquet"))]
-#[path = "pages/data.rs"]
-mod data;
 #[path = "pages/moving.rs"]
 mod moving;
 

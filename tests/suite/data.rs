@@ -631,18 +631,6 @@ fn a_format_that_was_not_built_is_refused_in_words() {
     }
 }
 
-#[cfg(feature = "xlsx")]
-#[test]
-fn a_workbook_is_the_same_whenever_it_is_written() {
-    let answer = tables::compare(&known(V6), &[1, 2]);
-    let write = || Format::Xlsx.one_file(&answer.tables).expect("a workbook");
-    let first = write();
-    // Longer than the seconds in which a file's time is counted.
-    std::thread::sleep(std::time::Duration::from_millis(2100));
-    assert!(first == write());
-    assert!(first.starts_with(b"PK"));
-}
-
 #[test]
 fn a_file_to_write_says_by_its_ending_what_it_holds() {
     let folder = scratch("data-endings");

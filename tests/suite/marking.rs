@@ -4,15 +4,15 @@ use std::fs;
 
 use crankstar::claim::Judged;
 use crankstar::classroom::{
-    Content, Distribution, Exercise, HandedIn, MarkedSheet, Outcome, Pupil, Scheme, StudentResult, Vary,
-    csv_to_fill_in, mark_class, parse_exercise, parse_scheme, students,
+    Content, Distribution, Exercise, HandedIn, MarkedSheet, Outcome, Pupil, Scheme, StudentResult, Vary, mark_class,
+    parse_exercise, parse_scheme, students,
 };
 use crankstar::file;
 use crankstar::report;
 use crankstar::text::Format;
 use crankstar::{BigRational, numbers};
 
-use crate::support::class::{right, toml, with_wrong_phases};
+use crate::support::class::{class_file, right, toml, with_wrong_phases};
 use crate::support::dice::Dice;
 use crate::support::program::{program, scratch};
 
@@ -30,36 +30,6 @@ fn sheet<'a>(results: &'a [StudentResult], student: usize) -> &'a MarkedSheet {
         Outcome::Marked(sheet) => sheet,
         other => panic!("{other:?}"),
     }
-}
-
-/// The rows of a student without a mistake, as a spreadsheet writes them.
-fn rows(pupil: &Pupil, orders: &[u32]) -> Vec<String> {
-    let answers: Vec<_> = orders.iter().map(|order| right(&pupil.engine, *order, 4)).collect();
-    let mut lines = Vec::new();
-    for (place, line) in csv_to_fill_in(pupil, orders).lines().enumerate() {
-        let Some((head, row)) = line.strip_suffix(",,").and_then(|line| line.rsplit_once(',')).filter(|_| place > 0)
-        else {
-            lines.push(line.to_owned());
-            continue;
-        };
-        let order: Option<u32> = head.rsplit(',').next().and_then(|order| order.parse().ok());
-        let answer = answers.iter().find(|answer| Some(answer.order) == order);
-        let values = answer.map(|answer| match row.strip_prefix("cylinder ") {
-            Some(name) => {
-                let place = pupil.engine.cylinders().iter().position(|cylinder| cylinder.name == name);
-                answer.phases[place.expect("a cylinder")].clone()
-            }
-            None => answer.sums[usize::from(row == "sum of moments")].clone(),
-        });
-        lines.push(values.map_or_else(|| line.to_owned(), |[a, b]| format!("{head},{row},{a},{b}")));
-    }
-    lines
-}
-
-/// One file of all students.
-fn class_file(exercise: &Exercise) -> Vec<String> {
-    let of = |(place, pupil): (usize, &Pupil)| rows(pupil, &exercise.orders).split_off(usize::from(place > 0));
-    exercise.pupils.iter().enumerate().flat_map(of).collect()
 }
 
 #[test]
@@ -394,78 +364,11 @@ fn numbers_of(value: &BigRational) -> f64 {
     numbers::float(value)
 }
 
-#[test]
-fn a_workbook_is_read_or_the_message_says_what_reads_it() {
-    let exercise = draw("V6-60-even", "Ada\nJosé Müller", &[1, 2]);
-    let results = mark_class(&exercise, vec![bytes("all.xlsx", workbook(&class_file(&exercise)))], &Scheme::default());
-    if cfg!(not(feature = "xlsx")) {
-        let told = format!("{results:?}");
-        assert!(told.contains("without the feature `xlsx`") && told.contains("CSV") && results.len() == 3, "{told}");
-        return;
-    }
-    assert_eq!(results.len(), 2, "{results:?}");
-    for student in 0..2 {
-        assert_eq!(sheet(&results, student).part(), BigRational::from_integer(1.into()), "{results:?}");
-    }
-    for damaged in [b"PK".to_vec(), Vec::new(), workbook(&[]), workbook(&["a,b".to_owned()])] {
-        let results = mark_class(&exercise, vec![bytes("ada.xlsx", damaged)], &Scheme::default());
-        assert!(matches!(results[0].outcome, Outcome::Unreadable(_)), "{results:?}");
-    }
-}
-
 #[cfg(not(feature = "xlsx"))]
-fn workbook(_: &[String]) -> Vec<u8> {
-    b"PK\x03\x04".to_vec()
-}
-
-/// What a spreadsheet keeps of these rows: numbers as numbers, a header of its own, an empty row, a cell calculated.
-#[cfg(feature = "xlsx")]
-fn workbook(lines: &[String]) -> Vec<u8> {
-    let mut workbook = rust_xlsxwriter::Workbook::new();
-    let sheet = workbook.add_worksheet();
-    for (row, line) in (2..).zip(lines) {
-        for (column, cell) in (1..).zip(line.split(',')) {
-            let cell = cell.replace("direct", "Direct (deg)").replace("reverse", "Reverse");
-            let cell = if row == 2 { cell } else { cell.replace("Direct (deg)", "direct") };
-            let written = match cell.parse::<f64>() {
-                Ok(number) => sheet.write_number(row, column, number),
-                Err(_) => sheet.write_string(row, column, cell),
-            };
-            written.expect("a cell");
-        }
-    }
-    // In the last corner stands nothing but a format.
-    sheet.write_blank(1_048_575, 16_383, &rust_xlsxwriter::Format::new().set_bold()).expect("a cell");
-    workbook.save_to_buffer().expect("a workbook")
-}
-
-/// A length calculated in a cell has digits that are none of its value, and a fraction may have become a date.
-#[cfg(feature = "xlsx")]
 #[test]
-fn numbers_of_cells_count_to_twelve_digits_and_dates_are_not_readable() {
-    let engine = file::parse("layout.toml", "inline.throws = [0, 60]").expect("it reads");
-    let list = students("Ada").expect("a list");
-    let exercise = Exercise::draw(&engine, &[1], &list, 1, Vary::NOTHING).expect("an engine");
-    let mut book = rust_xlsxwriter::Workbook::new();
-    let sheet_of = book.add_worksheet();
-    let header = ["student", "order", "row", "direct", "reverse"];
-    for (column, name) in (0..).zip(header) {
-        sheet_of.write_string(0, column, name).expect("a cell");
-    }
-    for (row, name) in [(1, "sum of forces"), (2, "cylinder 1")] {
-        sheet_of.write_string(row, 0, "Ada").expect("a cell");
-        sheet_of.write_number(row, 1, 1).expect("a cell");
-        sheet_of.write_string(row, 2, name).expect("a cell");
-    }
-    // Some units of the last place beside √3.
-    sheet_of.write_number(1, 3, 3_f64.sqrt() * (1.0 + 4.0 * f64::EPSILON)).expect("a cell");
-    let date = rust_xlsxwriter::ExcelDateTime::from_ymd(2026, 7, 1).expect("a date");
-    let format = rust_xlsxwriter::Format::new().set_num_format("d/m");
-    sheet_of.write_datetime_with_format(2, 3, &date, &format).expect("a cell");
-    let files = vec![bytes("ada.xlsx", book.save_to_buffer().expect("a workbook"))];
-    let results = mark_class(&exercise, files, &Scheme::default());
-    let entries = &sheet(&results, 0).tables[0].entries;
-    let judged: Vec<Judged> =
-        entries.iter().filter(|entry| entry.written.is_some()).map(|entry| entry.judged).collect();
-    assert_eq!(judged, [Judged::Unreadable, Judged::Right]);
+fn a_workbook_that_cannot_be_read_is_told_with_what_reads_it() {
+    let exercise = draw("V6-60-even", "Ada\nJosé Müller", &[1, 2]);
+    let results = mark_class(&exercise, vec![bytes("all.xlsx", b"PK\x03\x04")], &Scheme::default());
+    let told = format!("{results:?}");
+    assert!(told.contains("without the feature `xlsx`") && told.contains("CSV") && results.len() == 3, "{told}");
 }

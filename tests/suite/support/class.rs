@@ -1,6 +1,6 @@
 //! How does a student of a test fill in a table? From the forces of the pistons in the time domain, without the phasors of the program.
 
-use crankstar::classroom::Pupil;
+use crankstar::classroom::{Exercise, Pupil, csv_to_fill_in};
 use crankstar::engine::Engine;
 use crankstar::proof::Planar;
 use num_complex::Complex;
@@ -91,4 +91,34 @@ pub fn toml(pupil: &Pupil, convention: &str, answers: &[Answer]) -> String {
         text.push_str(&format!("]\n[table.sums]\nforce_direct = '{a}'\nforce_reverse = '{b}'\nmoment_direct = '{c}'\nmoment_reverse = '{d}'\n"));
     }
     text
+}
+
+/// The rows of a student without a mistake, as a spreadsheet writes them.
+pub fn rows(pupil: &Pupil, orders: &[u32]) -> Vec<String> {
+    let answers: Vec<_> = orders.iter().map(|order| right(&pupil.engine, *order, 4)).collect();
+    let mut lines = Vec::new();
+    for (place, line) in csv_to_fill_in(pupil, orders).lines().enumerate() {
+        let Some((head, row)) = line.strip_suffix(",,").and_then(|line| line.rsplit_once(',')).filter(|_| place > 0)
+        else {
+            lines.push(line.to_owned());
+            continue;
+        };
+        let order: Option<u32> = head.rsplit(',').next().and_then(|order| order.parse().ok());
+        let answer = answers.iter().find(|answer| Some(answer.order) == order);
+        let values = answer.map(|answer| match row.strip_prefix("cylinder ") {
+            Some(name) => {
+                let place = pupil.engine.cylinders().iter().position(|cylinder| cylinder.name == name);
+                answer.phases[place.expect("a cylinder")].clone()
+            }
+            None => answer.sums[usize::from(row == "sum of moments")].clone(),
+        });
+        lines.push(values.map_or_else(|| line.to_owned(), |[a, b]| format!("{head},{row},{a},{b}")));
+    }
+    lines
+}
+
+/// One file of all students.
+pub fn class_file(exercise: &Exercise) -> Vec<String> {
+    let of = |(place, pupil): (usize, &Pupil)| rows(pupil, &exercise.orders).split_off(usize::from(place > 0));
+    exercise.pupils.iter().enumerate().flat_map(of).collect()
 }

@@ -1,6 +1,6 @@
 """Reads the tables of one answer in three formats, each with a reader of its own, and compares them cell by cell.
 
-tables.py FOLDER QUESTION [BOOK.xlsx] [PARQUET-FOLDER]: the tables in CSV lie in FOLDER. Prints how many cells were compared.
+compare.py FOLDER QUESTION [BOOK.xlsx] [PARQUET-FOLDER]: the tables in CSV lie in FOLDER. Prints how many cells were compared.
 """
 
 import csv
