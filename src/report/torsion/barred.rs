@@ -1,11 +1,12 @@
-//! Which speeds are barred around a critical one, and do stresses hold their limit at the ends of that range?
+//! Which speeds are barred around a critical one, do stresses hold their limit at the ends of that range, and may it be passed through?
 
-use super::amounts::rpm;
+use super::amounts::{rpm, shaft};
 use super::study::TorsionStudy;
 use super::vibration::Barred;
 use super::{ResonanceOrder, VibrationOrder};
 use crate::engine::CycleOrder;
-use crate::page::{Text, phrase};
+use crate::numbers::float;
+use crate::page::{Piece, Text, Unit, phrase};
 use crate::torsion;
 
 impl TorsionStudy {
@@ -35,11 +36,56 @@ impl TorsionStudy {
         let suffices = ends.all(|speed| self.exceeding(*speed).is_none());
         Some(Barred { speeds, suffices, largest_part })
     }
+
+    /// Where in a barred range a stress of all orders is farthest above τ_T; none where it may be passed through.
+    pub(super) fn impassable(&self, barred: &Barred) -> Option<Impassable> {
+        let [from, to] = barred.speeds;
+        let rated = float(self.torsion().rated_speed.as_ref()?);
+        let inside = self.over_range().iter().filter(|at| (from..=to).contains(&at.speed));
+        let above = inside.flat_map(|at| {
+            at.torques.iter().enumerate().filter_map(move |(shaft, torque)| {
+                let stress = self.stress(shaft, *torque)?;
+                let permitted = self.limit(shaft)?.transient(at.speed / rated)?;
+                (stress > permitted).then_some(Impassable { speed: at.speed, shaft, stress, permitted })
+            })
+        });
+        above.max_by(|one, other| (one.stress - one.permitted).total_cmp(&(other.stress - other.permitted)))
+    }
+
+    /// The range that is barred around a critical speed, where that is a cure: the stress is below τ_C at its ends and below τ_T within it.
+    pub(super) fn cure<'a>(&self, one: &'a ResonanceOrder) -> Option<&'a Barred> {
+        one.barred.as_ref().filter(|barred| barred.suffices && self.impassable(barred).is_none())
+    }
 }
 
-/// The barred range around a critical speed; where the stress exceeds the limit at its ends, at which speeds it does, and whose it is.
+/// A stress that is too large even for passing through quickly.
+pub(super) struct Impassable {
+    speed: f64,
+    shaft: usize,
+    /// In pascals, as the next.
+    stress: f64,
+    permitted: f64,
+}
+
+/// The barred range around a critical speed; where it is none that may be passed through, or the stress exceeds the limit at its ends, why.
 pub(super) fn said(study: &TorsionStudy, one: &ResonanceOrder, barred: &Barred) -> Text {
     let [from, to] = barred.speeds;
+    if let Some(worst) = study.impassable(barred) {
+        let stress = |pascals: f64| {
+            Text::measured(1e-6 * pascals, Unit::MEGAPASCAL)
+                .and(Piece::Label("\u{202f}".to_owned()))
+                .and(Unit::MEGAPASCAL)
+        };
+        return phrase!(
+            "Around the critical speed {} of order {} a barred range is no cure: at {} the stress in shaft {} is {}, and {} is permitted for passing through quickly.",
+            rpm(one.rpm),
+            one.order.to_string(),
+            rpm(worst.speed),
+            shaft(study, worst.shaft),
+            stress(worst.stress),
+            stress(worst.permitted)
+        );
+    }
     if barred.suffices {
         return phrase!(
             "Around the critical speed {} of order {} its formula bars {} to {}.",

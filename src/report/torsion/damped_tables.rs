@@ -84,11 +84,11 @@ pub(super) fn resonances(study: &TorsionStudy) -> Table {
     let table = first_columns(study, rows.iter())
         .column("By energy (°)", |one| Number::Decimal(one.energy.amplitude.to_degrees()));
     let table = with_peak(table);
-    if rows.iter().all(|one| !one.barred.as_ref().is_some_and(|barred| barred.suffices)) {
+    if rows.iter().all(|one| study.cure(one).is_none()) {
         return table.done();
     }
-    // A range at whose ends the stress is above the limit is told in words.
-    let barred = |one: &&ResonanceOrder| match one.barred.as_ref().filter(|barred| barred.suffices) {
+    // Why another range is no cure is told in words.
+    let barred = |one: &&ResonanceOrder| match study.cure(one) {
         Some(Barred { speeds: [from, to], .. }) => phrase!("{} to {}", rpm(*from), rpm(*to)),
         None => none(),
     };
