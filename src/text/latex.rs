@@ -1,5 +1,7 @@
 //! How is a text written in LaTeX? Its special characters as what they look like, and none that pdflatex would stop at.
 
+use super::letters::TEX_LETTERS;
+
 /// A person's text: signs that end a row or open an argument are no more than signs.
 pub(super) fn quoted(text: &str) -> String {
     let mut out = String::new();
@@ -16,6 +18,9 @@ pub(super) fn quoted(text: &str) -> String {
 /// The digits as exponents.
 pub const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
+/// Letters beyond ÿ that the fonts of the encoding T1 have.
+const OF_T1: &str = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŊŋŐőŒœŔŕŘřŚśŞşŠšŢţŤťŮůŰűŸŹźŻżŽž";
+
 /// Plain text for pdflatex: its special characters, and the signs that the reports use.
 pub fn latex(text: &str) -> String {
     let mut out = String::new();
@@ -26,6 +31,10 @@ pub fn latex(text: &str) -> String {
         }
         if let Some(digit) = ('₀'..='₉').position(|sign| sign == letter) {
             out.push_str(&format!("\\textsubscript{{{digit}}}"));
+            continue;
+        }
+        if let Some((command, _)) = TEX_LETTERS.iter().find(|(_, sign)| *sign == letter) {
+            out.push_str(&format!("$\\{command}$"));
             continue;
         }
         let sign = match letter {
@@ -59,26 +68,19 @@ pub fn latex(text: &str) -> String {
             '<' => "\\textless{}",
             '>' => "\\textgreater{}",
             '"' => "''",
-            'α' => "$\\alpha$",
-            'β' => "$\\beta$",
-            'δ' => "$\\delta$",
-            'γ' => "$\\gamma$",
-            'ρ' => "$\\rho$",
-            'κ' => "$\\kappa$",
-            'λ' => "$\\lambda$",
-            'ψ' => "$\\psi$",
-            'θ' => "$\\theta$",
-            'φ' => "$\\varphi$",
-            'ω' => "$\\omega$",
-            'Δ' => "$\\Delta$",
-            'Ψ' => "$\\Psi$",
-            'Σ' => "$\\Sigma$",
+            '∞' => "$\\infty$",
+            '∥' => "$\\parallel$",
+            '⊥' => "$\\perp$",
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
                 out.push('\\');
                 out.push(letter);
                 continue;
             }
-            _ if letter.is_ascii_graphic() || letter == ' ' || ('¡'..='ÿ').contains(&letter) => {
+            _ if letter.is_ascii_graphic()
+                || letter == ' '
+                || ('¡'..='ÿ').contains(&letter)
+                || OF_T1.contains(letter) =>
+            {
                 out.push(letter);
                 continue;
             }

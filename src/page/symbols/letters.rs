@@ -1,49 +1,6 @@
 //! Which letters of TeX are there, and how do they read as plain text?
 
-/// Commands without arguments, with their letters.
-const LETTERS: [(&str, char); 41] = [
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ϵ'),
-    ("varepsilon", 'ε'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("vartheta", 'ϑ'),
-    ("iota", 'ι'),
-    ("kappa", 'κ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("nu", 'ν'),
-    ("xi", 'ξ'),
-    ("pi", 'π'),
-    ("varpi", 'ϖ'),
-    ("rho", 'ρ'),
-    ("varrho", 'ϱ'),
-    ("sigma", 'σ'),
-    ("varsigma", 'ς'),
-    ("tau", 'τ'),
-    ("upsilon", 'υ'),
-    ("phi", 'ϕ'),
-    ("varphi", 'φ'),
-    ("chi", 'χ'),
-    ("psi", 'ψ'),
-    ("omega", 'ω'),
-    ("Gamma", 'Γ'),
-    ("Delta", 'Δ'),
-    ("Theta", 'Θ'),
-    ("Lambda", 'Λ'),
-    ("Xi", 'Ξ'),
-    ("Pi", 'Π'),
-    ("Sigma", 'Σ'),
-    ("Upsilon", 'Υ'),
-    ("Phi", 'Φ'),
-    ("Psi", 'Ψ'),
-    ("Omega", 'Ω'),
-    ("ell", 'ℓ'),
-];
+use crate::text::TEX_LETTERS;
 
 /// Commands that put a sign over a letter, with the sign that follows it in plain text.
 const ACCENTS: [(&str, char); 7] = [
@@ -61,7 +18,7 @@ const FONTS: [&str; 4] = ["mathrm", "mathbf", "mathit", "mathcal"];
 
 /// A letter of TeX as plain text.
 pub(in crate::page) fn letter(command: &str) -> Option<char> {
-    LETTERS.iter().find(|(name, _)| *name == command).map(|(_, letter)| *letter)
+    TEX_LETTERS.iter().find(|(name, _)| *name == command).map(|(_, letter)| *letter)
 }
 
 /// The sign over a letter.
