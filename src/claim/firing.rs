@@ -10,6 +10,11 @@ use crate::exact::Turn;
 /// Answers a claim about the firing intervals; a layout without a firing order is asked for one that is even.
 pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
     let (status, intervals) = match engine.firing() {
+        Some(_) if engine.has_dead_centres_apart() => {
+            return Answer::nothing(
+                "firing angles count where crankpins are in line with their cylinders, and offsets move the dead centres of this engine apart",
+            );
+        }
         Some(firing) => {
             let status = if firing.is_even() == claimed { Status::True } else { Status::False };
             (status, Some(firing.intervals()))

@@ -33,6 +33,11 @@ impl Rod {
         self.offset.is_zero()
     }
 
+    /// `e/(r + l)`, the sine of the angle by which its piston stands highest after its crankpin is in line with the axis; 0 of an endless rod.
+    pub fn highest_after(&self) -> BigRational {
+        if self.ratio.is_zero() { BigRational::zero() } else { &self.offset / (BigRational::one() + &self.ratio) }
+    }
+
     /// The same rod with its cylinder on the side of ψ = 90°, or centric.
     pub fn unsigned(&self) -> Rod {
         Rod { ratio: self.ratio.clone(), offset: self.offset.abs() }

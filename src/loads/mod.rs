@@ -44,6 +44,7 @@ pub use waveform::{Circle, Harmonic, Peak, Waveform};
 
 use crate::engine::{self, Engine};
 use crate::order::{self, MassGroup, MissingArm};
+use crate::proof::Axial;
 
 /// Forces, moments and torque of an engine, in multiples of m r ω².
 #[derive(Clone, Debug)]
@@ -70,6 +71,18 @@ pub struct Loads {
     pub scale: Option<Scale>,
     /// How many values of the motion's coefficients were computed: the cost of the scene.
     pub coefficients: usize,
+}
+
+impl Loads {
+    /// Which of the two rolls the frame: the roll moment, or the inertia torque turned round where that is all of it; neither where the roll
+    /// moment hangs on a length that the layout omits.
+    pub fn rolling(&self) -> Option<Axial> {
+        match (&self.roll, self.roll_lacks) {
+            (Some(_), _) => Some(Axial::Roll),
+            (None, Some(_)) => None,
+            (None, None) => Some(Axial::Torque),
+        }
+    }
 }
 
 /// What one group of masses adds.

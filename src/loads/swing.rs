@@ -57,7 +57,12 @@ impl Swing {
             let degrees = ((direct.arg() + reverse.arg()) / 2.0).to_degrees();
             // An axis has two ends: the one in the right half is named.
             let folded = if degrees > 90.0 { degrees - 180.0 } else { degrees };
-            if folded <= -90.0 { folded + 180.0 } else { folded }
+            match folded {
+                _ if folded <= -90.0 => folded + 180.0,
+                // Rounding of two angles that cancel.
+                _ if folded.abs() < 1e-12 => 0.0,
+                _ => folded,
+            }
         })
     }
 

@@ -2,7 +2,7 @@
 
 use super::residual;
 use super::typeset;
-use crate::engine::{Engine, Firing, Shot};
+use crate::engine::{Engine, Firing, Shot, firing_pistons};
 use crate::page::{Text, phrase};
 use crate::proof::{Planar, Sense};
 use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
@@ -10,6 +10,12 @@ use crate::verdict::{EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, Orde
 
 /// Of more intervals than this only the least and the largest are given.
 const MOST_INTERVALS: usize = 4;
+
+/// How many cylinders: with its pistons, where two of these share one.
+pub(super) fn cylinders(engine: &Engine) -> Text {
+    let (pistons, cylinders) = (engine.cylinders().len(), firing_pistons(engine.cylinders()).len());
+    if pistons == cylinders { cylinders.into() } else { phrase!("{} with {} pistons", cylinders, pistons) }
+}
 
 /// `even, 180°`, `uneven: 405°, 315°`; `not given` where the layout does not say.
 pub fn firing(firing: Option<&Firing>) -> Text {

@@ -16,6 +16,7 @@ mod compare;
 mod convention;
 mod coq;
 pub mod data;
+mod dead_centres;
 mod document;
 mod engine_cells;
 mod engine_page;

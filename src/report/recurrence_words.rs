@@ -63,7 +63,7 @@ fn zeros(stars: &Stars) -> Text {
         Stars::One(star) => match set(star) {
             Set::All => "all vanish".into(),
             Set::None => "none vanishes".into(),
-            Set::These(these) => phrase!("those that are {} vanish, and no other", these),
+            Set::These(these) => phrase!("exactly these vanish: {}", these),
         },
         Stars::Banks { bank, banks } => match (set(bank), set(banks)) {
             (Set::All, _) | (_, Set::All) => "all vanish".into(),
@@ -72,10 +72,10 @@ fn zeros(stars: &Stars) -> Text {
                 phrase!("exactly those vanish at which the star of one bank does: {}", these)
             }
             (Set::None, Set::These(these)) => {
-                phrase!("those vanish at which the star of the banks does, that are {}, and no other", these)
+                phrase!("exactly those vanish at which the star of the banks does: {}", these)
             }
             (Set::These(bank), Set::These(banks)) => phrase!(
-                "those vanish at which the star of one bank does, that are {}, or the star of the banks, that are {}, and no other",
+                "exactly those vanish at which the star of one bank ({}) or that of the banks ({}) does",
                 bank,
                 banks
             ),

@@ -178,13 +178,16 @@ fn names(engine: &Engine, ray: &ExactRay) -> String {
 /// A sentence on polygons with the same number of sides.
 fn sentence(engine: &Engine, star: &ExactStar, sides: u64, polygons: &[&Polygon]) -> Text {
     match (sides, polygons) {
-        (2, [only]) => phrase!("The vectors {} are equally long and opposite, and cancel.", member(engine, star, only)),
+        (2, [only]) => {
+            let vectors = inside(engine, star, only);
+            phrase!("The vectors {} are equally long and opposite, and cancel.", vectors)
+        }
         (2, several) => phrase!(
             "These vectors are equally long and opposite, two by two, and cancel: {}.",
             Text::joined(several.iter().map(|polygon| member(engine, star, polygon)), "; ")
         ),
         (_, [only]) => {
-            phrase!("The vectors {} are the corners of {} and sum to zero.", member(engine, star, only), name(sides))
+            phrase!("The vectors {} are the corners of {} and sum to zero.", inside(engine, star, only), name(sides))
         }
         (_, several) => phrase!(
             "Each of these sets of vectors is the corners of {} and sums to zero: {}.",
@@ -194,19 +197,30 @@ fn sentence(engine: &Engine, star: &ExactStar, sides: u64, polygons: &[&Polygon]
     }
 }
 
+/// The corners of a polygon inside of a sentence that goes on.
+fn inside(engine: &Engine, star: &ExactStar, polygon: &Polygon) -> Text {
+    let corners = member(engine, star, polygon);
+    if is_by_name(star, polygon) { corners } else { corners.and(",") }
+}
+
+/// Whether each corner is one whole vector, which has a name.
+fn is_by_name(star: &ExactStar, polygon: &Polygon) -> bool {
+    rays(star, polygon).iter().all(|ray| ray.total() == polygon.weight && ray.members.len() == 1)
+}
+
 /// The corners of one polygon: by the names of their vectors, or by their directions where a vector is a part or several.
 fn member(engine: &Engine, star: &ExactStar, polygon: &Polygon) -> Text {
     let mut corners = rays(star, polygon);
     let is_whole = corners.iter().all(|ray| ray.total() == polygon.weight);
-    if is_whole && corners.iter().all(|ray| ray.members.len() == 1) {
+    if is_by_name(star, polygon) {
         corners.sort_by_key(|ray| ray.members[0].0);
         return listed(corners.into_iter().map(|ray| names(engine, ray).into()).collect());
     }
     let places = corners.into_iter().map(|ray| phrase!("{} ({})", angle(&ray.angle), names(engine, ray)));
     let places = listed(places.collect());
     match is_whole {
-        true => phrase!("at {}, {} long each,", places, Number::exact(&polygon.weight)),
-        false => phrase!("at {}, taken {} long each,", places, Number::exact(&polygon.weight)),
+        true => phrase!("at {}, {} long each", places, Number::exact(&polygon.weight)),
+        false => phrase!("at {}, taken {} long each", places, Number::exact(&polygon.weight)),
     }
 }
 

@@ -1,6 +1,6 @@
 //! What is on the page of the main bearings, and on the terminal?
 
-use super::super::calculation::{self, percent};
+use super::super::calculation::{self, percent_at_most};
 use super::amounts::orders_of;
 use super::{amounts, links, plots, tables};
 use crate::engine::Engine;
@@ -78,7 +78,10 @@ pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Opti
     let bound = left_out_of_bearings(engine, loads).ok()??;
     let words = match bound.part() {
         Some(part) => {
-            phrase!("The orders that are not shown add at most {} % of the largest load to any bearing.", percent(part))
+            phrase!(
+                "The orders that are not shown add at most {} % of the largest load to any bearing.",
+                percent_at_most(part)
+            )
         }
         None => phrase!(
             "The orders that are not shown add at most {} {} to the load of any bearing.",

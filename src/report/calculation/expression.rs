@@ -94,6 +94,11 @@ const RESULT_DIGITS: usize = 6;
 /// Letters of formula and figures that still fit on one line.
 const WIDE: usize = 52;
 
+/// What is left of figures that cancel is rounding: a value is 0 where it is as small as that beside what it is made of.
+fn unless_rounding(value: f64, parts: f64) -> f64 {
+    if value.abs() < 1e-12 * parts { 0.0 } else { value }
+}
+
 impl Expression {
     /// The value, from the figures as printed.
     fn value(&self) -> f64 {
@@ -105,11 +110,14 @@ impl Expression {
             Minus(of) => -of.value(),
             Pi => std::f64::consts::PI,
             Product(factors) => factors.iter().map(Expression::value).product(),
-            Sum(terms) => terms.iter().map(Expression::value).sum(),
+            Sum(terms) => {
+                let values = || terms.iter().map(Expression::value);
+                unless_rounding(values().sum(), values().map(f64::abs).sum())
+            }
             Fraction(above, below) => above.value() / below.value(),
             Power(base, exponent) => base.value().powi(*exponent as i32),
             Root(square) => square.value().sqrt(),
-            Cosine(degrees) => degrees.value().to_radians().cos(),
+            Cosine(degrees) => unless_rounding(degrees.value().to_radians().cos(), 1.0),
         }
     }
 

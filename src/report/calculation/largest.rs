@@ -56,7 +56,7 @@ fn value(largest: &Largest, unit: Unit) -> Text {
         Largest::Zero => "0, at every order, proved".into(),
         _ if unit.factor == 0.0 => Text::zero(),
         Largest::Known { value, angle, error } => {
-            let (size, part) = (in_digits(value * unit.factor, unit), percent(error / value));
+            let (size, part) = (in_digits(value * unit.factor, unit), percent_at_most(error / value));
             match angle {
                 Some(angle) => phrase!(
                     "≈ {} {} at θ ≈ {}°, of the exact motion with all orders, to within {} %",
@@ -116,7 +116,7 @@ pub(super) fn chosen_lines(
     if let Some(needed) = needed {
         lines.push(phrase!(
             "Orders kept for an accuracy of {} % of each peak: {}; omitted: {}, and all above {}.",
-            percent(needed.accuracy),
+            percent_at_most(needed.accuracy),
             list(&needed.kept),
             list(&needed.dropped),
             needed.looked_at
@@ -130,7 +130,7 @@ pub(super) fn chosen_lines(
         let bound = bound.as_ref()?;
         let unit = unit_of(engine, loads, quantity);
         Some(match bound.part() {
-            Some(part) => phrase!(of_peak, percent(part)),
+            Some(part) => phrase!(of_peak, percent_at_most(part)),
             None => phrase!(alone, amounts::bound(bound.most, unit), unit.label()),
         })
     };
@@ -150,8 +150,14 @@ pub(super) fn chosen_lines(
     lines
 }
 
-/// A part in percent, rounded up to two digits.
+/// A part in percent, rounded to two digits.
 pub(in crate::report) fn percent(part: f64) -> String {
+    let percent = part * 100.0;
+    digits(format!("{percent:.1e}").parse().unwrap_or(percent))
+}
+
+/// A bound in percent, rounded up to two digits.
+pub(in crate::report) fn percent_at_most(part: f64) -> String {
     let percent = part * 100.0;
     if percent == 0.0 {
         return "0".to_owned();

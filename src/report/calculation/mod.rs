@@ -23,7 +23,7 @@ pub(super) use amounts::{Unit, bound, largest, share, vector};
 pub(super) use books::books_line;
 pub(super) use inputs::table as inputs_table;
 pub use largest::Numbers;
-pub(super) use largest::percent;
+pub(super) use largest::{percent, percent_at_most};
 pub use page::loads_page;
 pub use study::LoadsStudy;
 pub use summary::loads_answer;

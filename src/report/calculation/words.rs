@@ -39,6 +39,9 @@ pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
     lines
 }
 
+const FROM_TOP: &str = "crank angle of a cylinder, 0 at top dead centre";
+const FROM_ALIGNMENT: &str = "crank angle of a cylinder, 0 where its crankpin is in line with the axis";
+
 /// Symbols with their meaning and unit.
 pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
     let row = |symbol: &str, meaning: &'static str, unit: &'static str| -> Vec<Text> {
@@ -47,7 +50,7 @@ pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
     let mut rows = vec![
         row("\\theta", "crank angle of the reference throw", "°"),
         row("\\alpha,\\ \\beta", "angle of a cylinder axis; of its throw", "°"),
-        row("\\psi = \\theta + \\beta - \\alpha", "crank angle of a cylinder, 0 at top dead centre", "°"),
+        row("\\psi = \\theta + \\beta - \\alpha", if engine.has_offset() { FROM_ALIGNMENT } else { FROM_TOP }, "°"),
     ];
     let mut seen: Vec<Measure> = Vec::new();
     for given in &engine.dimensions().given {
@@ -72,14 +75,21 @@ pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
     }
     if loads.scale.is_some() {
         rows.push(row("\\omega", "angular speed", "rad/s"));
-        rows.push(row("K = m r \\omega^2", "unit of the forces", "N"));
     }
+    rows.push(row("K = m r \\omega^2", "unit of the forces", "N"));
+    rows.push(row("s(\\psi)", "position of a piston; a prime is its derivative by ψ", "m"));
+    rows.push(row("[k=1]", "1 at order 1, else 0", "–"));
     rows.push(row("c_k", "coefficient of order k of the piston acceleration", "–"));
     rows.push(row("P_k^{\\pm},\\ C_k^{\\pm}", "vector stars of force and moment, as in the proofs", "–; m"));
     rows.push(row("V_k^{\\pm},\\ W_k^{\\pm}", "rotating vectors of force and moment with their coefficients", "–; m"));
     rows.push(row("\\hat F_k,\\ \\check F_k", "largest and smallest force of order k in a revolution", "N"));
     rows.push(row("\\hat M_k,\\ \\check M_k", "the same of the moment", "N m"));
     rows.push(row("F_\\parallel,\\ F_\\perp", "force along and across the reference direction; so for M", "N"));
+    if [&loads.force, &loads.moment].into_iter().any(|waveform| waveform.harmonics().len() > 1) {
+        rows.push(row("\\theta^{*}", "crank angle of the largest value", "°"));
+        let meaning = "amplitude and phase of order k of a component; so for M";
+        rows.push(row("F_{k\\parallel},\\ \\varepsilon_{k\\parallel}", meaning, "N, °"));
+    }
     if loads.torque.is_some() {
         rows.push(row("t_k,\\ Q_k", "coefficient and star of the inertia torque", "–"));
         rows.push(row("\\hat T_k", "amplitude of order k of the inertia torque", "N m"));

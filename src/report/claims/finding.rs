@@ -199,7 +199,7 @@ fn in_newtons(subject: Subject, absolute: &Absolute) -> Text {
     match subject.order {
         1 => phrase!("That is {}.", value(absolute.whole)),
         _ => phrase!(
-            "That is {} with the first term of c_k alone, {} with the whole series.",
+            "That is {} with the first term of $c_k$ alone, {} with the whole series.",
             value(absolute.first_term),
             value(absolute.whole)
         ),

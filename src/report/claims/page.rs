@@ -90,7 +90,7 @@ fn of_moments(claims: &Claims) -> Option<Block> {
     is_told.then(|| Block::Note(METRES.into()))
 }
 
-const METRES: &str = "Where a layout gives its positions in a unit of length, moments without a unit of their own are in metres, times m r ω² c_k: divided by the spacing in metres they are the multiples that books print.";
+const METRES: &str = "Where a layout gives its positions in a unit of length, moments without a unit of their own are in metres, times m r ω² $c_k$: divided by the spacing in metres they are the multiples that books print.";
 
 fn answered<'a>(claims: impl Iterator<Item = &'a Claim>) -> Vec<Answered<'a>> {
     claims.map(|claim| (claim, claim.answer())).collect()

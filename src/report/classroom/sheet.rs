@@ -1,7 +1,7 @@
 //! What is a student given, and what is to be found? The engine in pictures and numbers, and the tables to fill in.
 
 use super::super::convention::seen;
-use super::super::engine_page::CENTRES;
+use super::super::engine_page::centres;
 use super::super::residual;
 use super::super::table;
 use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};
@@ -44,7 +44,7 @@ pub(super) fn given(pupil: &Pupil) -> Vec<Block> {
         Block::Paragraph(phrase!("An engine with {} cylinders.", engine.cylinders().len())),
         Block::Pictures(vec![end, side]),
         table::cylinders(engine).into(),
-        Block::List(vec![seen(engine.convention()), CENTRES.into(), vectors, plane]),
+        Block::List(vec![seen(engine.convention()), centres(engine).into(), vectors, plane]),
     ]
 }
 

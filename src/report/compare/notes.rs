@@ -19,6 +19,13 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
         notes.push(residual::SPEED_LEGEND.into());
     }
     notes.extend(engines.iter().filter_map(without_gas));
+    let moved = names(engines, |engine| engine.engine.firing().is_some() && engine.engine.has_dead_centres_apart());
+    if !moved.is_empty() {
+        notes.push(phrase!(
+            "Firing intervals count where crankpins are in line with their cylinders; offsets move the top dead centres: {}.",
+            moved
+        ));
+    }
     let silent = names(engines, |engine| engine.engine.gas().is_some() && !engine.engine.effects().gas);
     if !silent.is_empty() {
         let key = Text::code("effects = [\"gas\"]");
@@ -35,7 +42,7 @@ const SIZES: &str = "Sizes are the largest values through a revolution, rounded;
 
 const FIRST_LEFT: &str = "Force from order, moment from order: the lowest of all orders at which it is not zero. All values are for the engines as built, with all masses of their layouts; where rotating masses contribute to an order, the pistons alone are below it.";
 
-const SEVERAL_SUMS: &str = "Where rods differ, or a shaft turns at an order of the pistons, both the whole order and each of its sums are decided: only equal rods have the same c_k.";
+const SEVERAL_SUMS: &str = "Where rods differ, or a shaft turns at an order of the pistons, both the whole order and each of its sums are decided: only equal rods have the same $c_k$.";
 
 /// The names of those that this is true of.
 pub(super) fn names(engines: &[Compared], of: impl Fn(&Compared) -> bool) -> Text {
@@ -47,13 +54,13 @@ fn positions(engines: &[Compared]) -> Text {
     let of = |unit: LengthUnit| names(engines, |engine| engine.engine.length_unit() == unit);
     match (of(LengthUnit::Metre), of(LengthUnit::Spacing)) {
         (_, spacings) if spacings.is_empty() => {
-            "m, r, ω and c_k are those of each engine. Positions are in metres.".into()
+            "m, r, ω and $c_k$ are those of each engine. Positions are in metres.".into()
         }
         (metres, _) if metres.is_empty() => {
-            "m, r, ω and c_k are those of each engine. Positions have no unit: they are multiples of the spacing of each engine.".into()
+            "m, r, ω and $c_k$ are those of each engine. Positions have no unit: they are multiples of the spacing of each engine.".into()
         }
         (metres, spacings) => phrase!(
-            "m, r, ω and c_k are those of each engine. Positions are in different units, so that the moments do not compare: metres in {}, multiples of the spacing in {}.",
+            "m, r, ω and $c_k$ are those of each engine. Positions are in different units, so that the moments do not compare: metres in {}, multiples of the spacing in {}.",
             metres,
             spacings
         ),

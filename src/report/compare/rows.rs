@@ -1,13 +1,13 @@
 //! Which rows does a comparison have? A column per engine: sizes and cures first, the exact verdicts below.
 
-use super::super::calculation::percent;
+use super::super::calculation::percent_at_most;
 use super::super::engine_page::{Rest, Weighed, Weighing, circumstances};
 use super::super::{bearings, engine_cells, residual};
 use super::{Compared, orders_of};
 use crate::engine::LengthUnit;
 use crate::loads::Missing;
 use crate::page::{self, Piece, Table, Text, phrase};
-use crate::proof::{Axial, Planar, Quantity};
+use crate::proof::{Planar, Quantity};
 use crate::torque::GuideMoments;
 use crate::verdict::OrderVerdict;
 
@@ -47,7 +47,7 @@ impl<'a> Sized<'a> {
     fn rest(&self, quantity: Planar) -> Text {
         match self.weighed.as_ref().and_then(|weighed| weighed.rest(quantity).1) {
             None => "–".into(),
-            Some(Rest::Part(part)) => phrase!("{} % of the largest", percent(part)),
+            Some(Rest::Part(part)) => phrase!("{} % of the largest", percent_at_most(part)),
             Some(Rest::Amount(amount)) => amount,
         }
     }
@@ -55,7 +55,7 @@ impl<'a> Sized<'a> {
     /// The largest order of the roll moment, or of the inertia torque.
     fn roll(&self) -> Option<Text> {
         let weighed = self.weighed.as_ref()?;
-        let quantity = if weighed.loads.roll.is_some() { Axial::Roll } else { Axial::Torque };
+        let quantity = weighed.loads.rolling()?;
         let orders = weighed.about_the_axis(quantity).into_iter();
         let (order, size) = orders.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
         Some(phrase!("{} (order {})", weighed.amount(size, Quantity::Axial(quantity))?, order))
@@ -102,7 +102,7 @@ pub(super) fn sizes(all: &[Sized], shown: &[Sized]) -> Table {
         table.push([name].into_iter().chain(shown.iter().map(cell)).collect());
     };
     add("Title".into(), &|engine| engine.compared.engine.title().into());
-    add("Cylinders".into(), &|engine| engine.compared.engine.cylinders().len().into());
+    add("Cylinders".into(), &|engine| engine_cells::cylinders(&engine.compared.engine));
     add("Sizes".into(), &|engine| circumstances(engine.weighed.as_ref()).unwrap_or_else(|| "–".into()));
     for order in orders_of(all.iter().map(|engine| engine.compared)) {
         for (name, quantity) in [("Force, order {}", Planar::Force), ("Moment, order {}", Planar::Moment)] {

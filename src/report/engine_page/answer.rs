@@ -1,6 +1,7 @@
 //! What shakes, how much, what cures it and what that leaves? What a reader sees first: five lines at most.
 
-use super::super::calculation::{Unit, books_line, percent};
+use super::super::calculation::{Unit, books_line, percent_at_most};
+use super::super::roll_asked::roll_asked;
 use super::super::{residual, stars, table};
 use super::left::Name;
 use super::weighing::{Rest, Weighed, WeighedParts, Weighing, circumstances, sizes};
@@ -8,7 +9,7 @@ use super::{articulated, at_speed, conventions, cures, geared};
 use crate::engine::{DOES_NOT_EXIST, Engine};
 use crate::order::Masses;
 use crate::page::{Block, Document, Text, phrase};
-use crate::proof::{Axial, Planar, Quantity, Shape};
+use crate::proof::{Planar, Quantity, Shape};
 use crate::verdict::{self, EveryOrderTheorem, Judgement, NextLeft, NoTheorem, OrderVerdict, WholeOrder};
 
 /// The lines of the box that a report opens with.
@@ -49,7 +50,7 @@ fn shaking(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Text {
             "No force and no moment at these orders.".into()
         }
         true => match weighed {
-            Some(weighed) => phrase!("Nothing above {} % of one piston's force.", percent(weighed.above())),
+            Some(weighed) => phrase!("Nothing above {} % of one piston's force.", percent_at_most(weighed.above())),
             None => "Nothing is known to remain at the orders examined.".into(),
         },
     };
@@ -113,9 +114,9 @@ fn of_one_sum(order: &OrderVerdict, quantity: Planar) -> Option<Text> {
     is_of_turning.then(|| residual::largest(only.balance(quantity)).into())
 }
 
-/// The largest orders of the roll moment, or else of the inertia torque, which rolls the engine as much: the largest of all in any case.
+/// The largest orders of the roll moment, where it is given: the largest of all in any case.
 fn about_the_axis(weighed: &Weighed) -> Option<Text> {
-    let quantity = if weighed.loads.roll.is_some() { Axial::Roll } else { Axial::Torque };
+    let quantity = weighed.loads.rolling()?;
     let mut falling = weighed.about_the_axis(quantity);
     falling.retain(|(_, size)| *size > 0.0);
     falling.sort_by(|(_, one), (_, other)| other.total_cmp(one));
@@ -159,52 +160,66 @@ fn balanced(all: &[OrderVerdict], existing: &[&OrderVerdict]) -> Option<Text> {
     (!sentences.is_empty()).then(|| phrase!("**Balanced, proved.** {}", Text::joined(sentences, " ")))
 }
 
-/// What is known of the orders that are not told: that there are none, or what they add up to at most.
+/// What is known of the orders that are not told: that there are none, or what they add up to at most, forces and moments together where
+/// they are the same orders.
 fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&EveryOrderTheorem>) -> Option<Text> {
-    let [force, moment] = match weighed {
-        Some(weighed) => Planar::BOTH.map(|quantity| weighed.rest(quantity)),
-        None => Default::default(),
-    };
-    let mut small: Vec<u32> = force.0.iter().chain(&moment.0).copied().collect();
-    small.sort_unstable();
-    small.dedup();
-    let small: Vec<String> = small.iter().map(u32::to_string).collect();
-    let bound = |rest: Option<Rest>, [of_largest, alone]: [&'static str; 2]| match rest? {
-        Rest::Part(part) => Some(phrase!(of_largest, percent(part))),
-        Rest::Amount(amount) => Some(phrase!(alone, amount)),
-    };
-    let bounds: Vec<Text> = [
-        bound(force.1, ["{} % of the largest force", "{} of force"]),
-        bound(moment.1, ["{} % of the largest moment", "{} of moment"]),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
     let told: Vec<u32> = judged.iter().map(|order| order.order).collect();
     let next = theorem.map_or(NextLeft::NotKnown, |theorem| theorem.next_left(&told));
-    let bounds = || Text::joined(bounds.clone(), ", ");
-    let listed = |small: &[String]| Text::label(small.join(", "));
-    Some(match (small.as_slice(), next) {
-        ([], NextLeft::None) => "**All other orders.** Zero.".into(),
-        _ if bounds().is_empty() => match next {
-            NextLeft::Order(next) => phrase!("**All other orders.** The next non-zero order is {}.", next),
-            NextLeft::None | NextLeft::NotKnown => return None,
-        },
-        ([], NextLeft::Order(next)) => {
-            phrase!("**All other orders.** From {} on, together at most {}.", next, bounds())
+    let bound = |(quantity, [of_largest, alone]): (Planar, [&'static str; 2])| {
+        let (small, rest) = weighed?.rest(quantity);
+        let small: Vec<String> = small.iter().map(u32::to_string).collect();
+        match rest? {
+            Rest::Part(part) => Some((small, phrase!(of_largest, percent_at_most(part)))),
+            Rest::Amount(amount) => Some((small, phrase!(alone, amount))),
         }
-        ([], NextLeft::NotKnown) => phrase!("**All other orders.** Together at most {}.", bounds()),
-        ([only], NextLeft::None) => phrase!("**Order {}.** At most {}.", only.clone(), bounds()),
-        (small, NextLeft::None) => {
-            phrase!("**Orders {}.** Together at most {}.", listed(small), bounds())
+    };
+    let of_force = bound((Planar::Force, ["{} % of the largest force", "{} of force"]));
+    let of_moment = bound((Planar::Moment, ["{} % of the largest moment", "{} of moment"]));
+    match (of_force, of_moment, next) {
+        (None, None, NextLeft::None) if is_all_told(weighed) => Some("**All other orders.** Zero.".into()),
+        (None, None, NextLeft::Order(next)) => {
+            Some(phrase!("**All other orders.** The next non-zero order is {}.", next))
         }
+        (None, None, NextLeft::None | NextLeft::NotKnown) => None,
+        (Some((small, force)), Some((same, moment)), next) if small == same => {
+            Some(at_most(&small, next, Text::joined([force, moment], ", ")))
+        }
+        (Some((small, bound)), None, next) | (None, Some((small, bound)), next) => Some(at_most(&small, next, bound)),
+        (Some(force), Some(moment), next) => {
+            let more = (next != NextLeft::None).then(|| "…".to_owned());
+            let named = |(small, bound): (Vec<String>, Text)| match small.is_empty() {
+                true => bound,
+                false => {
+                    let orders: Vec<String> = small.into_iter().chain(more.clone()).collect();
+                    phrase!("{} ({})", bound, orders.join(", "))
+                }
+            };
+            let bounds = Text::joined([force, moment].map(named), ", ");
+            Some(phrase!("**All other orders.** Together at most {}.", bounds))
+        }
+    }
+}
+
+/// Whether no order that exists is left untold.
+fn is_all_told(weighed: Option<&Weighed>) -> bool {
+    Planar::BOTH.into_iter().all(|quantity| weighed.is_none_or(|weighed| weighed.rest(quantity).0.is_empty()))
+}
+
+/// What orders that are not told, and those that were not looked at, add up to at most.
+fn at_most(small: &[String], next: NextLeft, bound: Text) -> Text {
+    let listed = || Text::label(small.join(", "));
+    match (small, next) {
+        ([], NextLeft::Order(next)) => phrase!("**All other orders.** From {} on, together at most {}.", next, bound),
+        ([], NextLeft::None | NextLeft::NotKnown) => phrase!("**All other orders.** Together at most {}.", bound),
+        ([only], NextLeft::None) => phrase!("**Order {}.** At most {}.", only.clone(), bound),
+        (_, NextLeft::None) => phrase!("**Orders {}.** Together at most {}.", listed(), bound),
         ([only], NextLeft::Order(_) | NextLeft::NotKnown) => {
-            phrase!("**Order {} and all others.** Together at most {}.", only.clone(), bounds())
+            phrase!("**Order {} and all others.** Together at most {}.", only.clone(), bound)
         }
-        (small, NextLeft::Order(_) | NextLeft::NotKnown) => {
-            phrase!("**Orders {} and all others.** Together at most {}.", listed(small), bounds())
+        (_, NextLeft::Order(_) | NextLeft::NotKnown) => {
+            phrase!("**Orders {} and all others.** Together at most {}.", listed(), bound)
         }
-    })
+    }
 }
 
 /// Whose masses the verdicts are about, and in what they are counted.
@@ -310,7 +325,10 @@ fn notes(
     page.blocks.extend(articulated::hidden(engine).map(Block::Note));
     page.blocks
         .extend((is_exact && !engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
-    page.blocks.extend(geared::roll_asked_of(engine).map(Block::Note));
+    let lacks = as_judged.and_then(|weighed| weighed.loads.roll_lacks);
+    let asked = geared::roll_asked_of(engine).or_else(|| lacks.map(|missing| roll_asked(engine, missing)));
+    page.blocks.extend(asked.map(Block::Note));
+    page.blocks.extend(geared::flywheels(engine, judged).map(|words| Block::Note(words.into())));
     page.blocks.extend(engine.faster_crank().filter(|_| is_exact).map(|_| Block::Note(residual::SPEED_LEGEND.into())));
     page.blocks.extend(residual::turning_unit(judged).filter(|_| is_exact).map(|words| Block::Note(words.into())));
     let missing =

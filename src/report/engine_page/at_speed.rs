@@ -105,10 +105,10 @@ fn with_unit(value: Piece, unit: Unit) -> Text {
 /// The orders of the torque, and of the roll moment where it is another, that stand out; the largest in any case, since the torque was asked for. Then those
 /// that vanish.
 fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
-    let (roll, torque) = (weighed.loads.roll.is_some(), weighed.loads.torque.is_some());
+    let rolls = weighed.loads.rolling() == Some(Axial::Torque);
     let shown = [
-        (Axial::Roll, "Roll moment", roll),
-        (Axial::Torque, if roll { "Inertia torque" } else { "Roll moment" }, torque),
+        (Axial::Roll, "Roll moment", weighed.loads.roll.is_some()),
+        (Axial::Torque, if rolls { "Roll moment" } else { "Inertia torque" }, weighed.loads.torque.is_some()),
     ];
     let mut rows = Vec::new();
     for (quantity, name, _) in shown.into_iter().filter(|(.., is_there)| *is_there) {

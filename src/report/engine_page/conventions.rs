@@ -9,7 +9,7 @@ use crate::page::{Block, Text, phrase};
 pub(super) fn section(engine: &Engine) -> Vec<Block> {
     let mut lines = vec![seen(engine.convention())];
     lines.extend(differs(engine.convention()));
-    lines.extend([CENTRES.into(), FIRES.into(), reference_plane(engine), assumed(engine)]);
+    lines.extend([centres(engine).into(), FIRES.into(), reference_plane(engine), assumed(engine)]);
     vec![Block::Heading(1, "Conventions".into()), Block::List(lines)]
 }
 
@@ -26,7 +26,10 @@ pub(in crate::report) fn reference_plane(engine: &Engine) -> Text {
 pub(super) fn units(engine: &Engine) -> Text {
     let forces: Text = match engine.has_unit_masses() {
         true => "Forces are counted in m r ω² $c_k$:".into(),
-        false => "Forces are counted in r ω² $c_k$ times kilograms:".into(),
+        false => {
+            "Forces are counted in m r ω² $c_k$, m being the reciprocating mass of the first cylinder that has one:"
+                .into()
+        }
     };
     let moments: Text = match engine.length_unit() {
         LengthUnit::Metre => "moments in that times metres.".into(),
@@ -49,9 +52,9 @@ const LARGEST: &str =
     "the number is the largest value through a revolution, $\\tfrac12(\\lvert P^{+}\\rvert + \\lvert P^{-}\\rvert)$;";
 const SIGNS: &str = "**0** is exact and proved; a number after ≈ is a decimal, all others are exact. A couple is the same about every plane; a moment is taken about the reference plane.";
 
-const LINKS: &str = "Rows that name Δ belong to links on a master rod: their unit has g_k in place of c_k.";
+const LINKS: &str = "Rows that name Δ belong to links on a master rod: their unit has $g_k$ in place of $c_k$.";
 
-const CORRECTED: &str = "Rows that name ε are about links with a corrected knuckle angle: they count in the real part (Re) or the imaginary part (Im) of h_k where others count in c_k, and rows of order 1 without it in m r ω².";
+const CORRECTED: &str = "Rows that name ε are about links with a corrected knuckle angle: they count in the real part (Re) or the imaginary part (Im) of $h_k$ where others count in $c_k$, and rows of order 1 without it in m r ω².";
 
 const OFFSETS: &str = "With unequal rods order 1 is multiplied by 1 and, with a pin offset, by the imaginary part of $c_1$, whose real part is 1 for every rod: rows of order 1 that name it (Im) count in m r ω² Im $c_1$, the others in m r ω².";
 
@@ -89,7 +92,13 @@ const CENTRIC_OWN_ORDERS: &str =
 const ORDERS_OF_CORRECTED: &str = "Knuckle angles are corrected, so that every order may exist.";
 const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";
 
-pub(in crate::report) const CENTRES: &str =
+/// Where crankpins and cylinders stand.
+pub(in crate::report) fn centres(engine: &Engine) -> &'static str {
+    if engine.has_offset() { ALIGNED } else { CENTRES }
+}
+
+const ALIGNED: &str = "Crankpin j is at θ + β, the axis of cylinder j points to α; they are in line where θ + β = α. An offset e moves the top dead centre to arcsin(e/(r + l)) after that.";
+const CENTRES: &str =
     "Crankpin j is at θ + β, the axis of cylinder j points to α; its piston is at top dead centre where θ + β = α.";
 pub(in crate::report) const FIRES: &str = "A cylinder that fires later has a lagging throw: β − α is smaller by the firing angle. (Books where it increases draw the mirror image: verdicts and lengths are the same, directions have the opposite sign.) The pin of the second bank of a V is at the throw plus the pin split.";
 pub(in crate::report) const ASSUMED: &str = "Assumed: a rigid crankshaft at constant speed, equal rods and no pin offset, rods in the plane of their cylinder; in a radial all rods on the crankpin itself. Orders of a centric engine are 1 and the even ones.";

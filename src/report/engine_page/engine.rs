@@ -1,6 +1,7 @@
 //! How does a report show the engine itself?
 
 use super::super::convention::differs;
+use super::super::dead_centres;
 use super::super::table;
 use super::super::typeset;
 use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};
@@ -24,6 +25,7 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
     blocks.extend([side.into(), table::cylinders(engine).into()]);
     blocks.extend(geared::section(engine));
     blocks.extend(engine.firing().map(|firing| Block::Paragraph(fires(engine, firing))));
+    blocks.extend(dead_centres::counted(engine).map(Block::Paragraph));
     let source = engine.source().map(|source| phrase!("Source of the crank star: {}.", source));
     blocks.extend(source.map(Block::Paragraph));
     blocks

@@ -6,6 +6,7 @@ use crate::engine::{Engine, GearedCrank};
 use crate::order;
 use crate::page::{Block, Table, Text, phrase};
 use crate::proof::Sense;
+use crate::verdict::Judgement;
 
 /// The crankshafts, and the pins of the cylinders on them; nothing where there is one.
 pub(super) fn section(engine: &Engine) -> Vec<Block> {
@@ -62,6 +63,15 @@ pub(super) fn roll_asked_of(engine: &Engine) -> Option<Text> {
     let missing = order::roll_lacks(engine).filter(|_| is_geared)?;
     Some(roll_asked(engine, missing))
 }
+
+/// What a roll moment rests on where a crankshaft turns against the reference, or faster: else it does not count which of them has a flywheel.
+pub(super) fn flywheels(engine: &Engine, judged: &Judgement) -> Option<&'static str> {
+    let is_apart = |crank: &GearedCrank| crank.sense == Sense::Reverse || crank.speed > 1;
+    let has_roll = judged.orders.iter().any(|order| order.roll.is_some());
+    (has_roll && engine.geared_cranks().iter().any(is_apart)).then_some(FLYWHEELS)
+}
+
+const FLYWHEELS: &str = "The roll moment assumes that each crankshaft has its own flywheel and constant speed, so that the gears transmit no alternating torque.";
 
 const TORQUE_AND_ROLL: &str = "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is the moment on the frame about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank reversed. Assumed: each crankshaft has its own flywheel and constant speed, so that the gears transmit no alternating torque; with one flywheel at the reference crankshaft the frame takes the reversed torque instead of the sum of those on the cranks.";
 const AT_SEVERAL_SPEEDS: &str = "The torque is that of all crankshafts together at the reference one, where that on a faster one counts as often as it turns. The roll moment is the moment on the frame about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank reversed. Assumed: each crankshaft has its own flywheel and constant speed, so that the gears transmit no alternating torque.";

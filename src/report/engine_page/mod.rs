@@ -14,7 +14,7 @@ mod torque;
 mod weighing;
 
 pub use answer::{engine_answer, engine_answer_weighed};
-pub(super) use conventions::{ASSUMED, CENTRES, FIRES, reference_plane};
+pub(super) use conventions::{ASSUMED, FIRES, centres, reference_plane};
 pub use cures::worth_curing;
 pub(super) use orders::symbol;
 pub use weighing::Weighing;

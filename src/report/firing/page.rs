@@ -1,7 +1,7 @@
 //! What is on the page of the firing stars, and on the terminal?
 
 use super::super::star::{firing_figure, firing_legend};
-use super::super::{argument, residual};
+use super::super::{argument, dead_centres, residual};
 use super::words::names_of;
 use super::{FiringStudy, tables, words};
 use crate::engine::Engine;
@@ -21,7 +21,7 @@ pub(super) const MEANING: &str = "A cylinder that fires at the crank angle $\\va
 pub(super) const MEANING_OF_A_MODE: &str = "A cylinder that fires at the crank angle $\\varphi_j$ does work in order $\\kappa$ on a mode of torsional vibration in proportion to \
                        the deflection $\\Delta_j$ of its throw. Where all cylinders have the same pressure and bore, that of all is $t_\\kappa$ times the sum of phase vectors";
 const ASSUMED: [&str; 3] = [
-    "Every cylinder fires once per cycle at the angle of the table, with the same pressure law and the same bore; a verdict holds for any such law. A particular law may have further zero orders.",
+    "Every cylinder fires once per cycle at its angle, with the same pressure law and the same bore; a verdict holds for any such law. A particular law may have further zero orders.",
     "Lengths are counted in crank radii; r is that of the layout, 1 where all are alike.",
     "At whole orders the inertia of the pistons adds to the torque; half orders are of the gas only.",
 ];
@@ -31,6 +31,7 @@ const ASSUMED_RIGID: &str =
 /// What shakes the crankshaft: how evenly it fires, which orders vanish, which is the strongest.
 fn answer(study: &FiringStudy) -> Vec<Text> {
     let mut lines: Vec<Text> = words::evenness(&study.engine).into_iter().collect();
+    lines.extend(dead_centres::counted(&study.engine));
     match study.pattern() {
         Ok(pattern) => {
             let whose = match (study.weights.is_mode_shape(), study.is_of_one_class()) {

@@ -11,6 +11,9 @@ pub(super) fn orders(study: &FiringStudy) -> Table {
     Table::of(stars)
         .column("Order κ", |(order, star)| match order.only() {
             Some(_) => order.order.to_string().into(),
+            None if star.sources.len() == 1 => {
+                phrase!("{} (cylinder {})", order.order.to_string(), names_of(&study.engine, star))
+            }
             None => phrase!("{} (cylinders {})", order.order.to_string(), names_of(&study.engine, star)),
         })
         .column("Firing star", |(_, star)| residual::modulus(*star))

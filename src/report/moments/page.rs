@@ -169,7 +169,7 @@ fn external(study: &MomentsStudy, unit: Unit, of: fn(&MomentsRow) -> &[External]
     let mut table = Table::new(head);
     for row in &study.rows {
         let speed = row.engine.dimensions().speed.as_ref().map_or_else(Text::default, number::given);
-        let mut cells = vec![name(row), row.engine.cylinders().len().into(), firing(row), speed];
+        let mut cells = vec![name(row), engine_cells::cylinders(&row.engine), firing(row), speed];
         cells.extend(
             columns
                 .iter()

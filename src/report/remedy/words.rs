@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::super::calculation::percent;
+use super::super::calculation::percent_at_most;
 use super::super::typeset;
 use super::{ranked, weights};
 use crate::engine::GearedCrank;
@@ -252,7 +252,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let small = (!small.orders.is_empty()).then(|| {
         phrase!(
             "Weights are proposed for orders 1 and 2 and for orders of at least {} % of the largest force or moment. Smaller orders, cancelled only on request: {}.",
-            percent(small.below),
+            percent_at_most(small.below),
             Text::joined(small.orders.iter().map(|order| (*order).into()), ", ")
         )
     });

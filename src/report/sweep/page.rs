@@ -29,8 +29,7 @@ const MULTIPLES: &str = "$m$ is the reciprocating mass of a cylinder, $r$ the cr
 const COEFFICIENT: &str = "$c_k$ is the coefficient of order k, which the rod decides; the layout gives no rod.";
 const SPACING: &str = "$a$ is the spacing of neighbouring cylinders, which the layout does not give as a length.";
 const COUNTERWEIGHTS: &str = "There are two counterweights, in the planes of the outermost throws. They cancel the part of order 1 that turns with the crank; the larger one is shown.";
-const FIRING: &str =
-    "Where the layout gives no firing order, the intervals are those of the most even order that the throws allow.";
+const FIRING: &str = "Firing intervals count where crankpins are in line with their cylinders: offsets move the top dead centres. Where the layout gives no firing order, they are those of the most even order that the throws allow.";
 
 /// The short answer: what is zero, what is greatest, and where.
 pub fn sweep_answer(sweep: &Sweep) -> Document {

@@ -54,8 +54,11 @@ pub(super) fn answer(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
         phrase!("**Unevenness.** The largest less the smallest is {} times the mean.", Number::Decimal(part))
     }));
     if let (Some(power), Some(speed)) = (torque.power, &engine.dimensions().speed) {
-        let kilowatts = quantity(power / 1e3, Unit::KILOWATT);
-        lines.push(phrase!("**Power.** At {} rpm the gas delivers {} to the crank.", number::given(speed), kilowatts));
+        let kilowatts = quantity(power.abs() / 1e3, Unit::KILOWATT);
+        lines.push(match power < 0.0 {
+            true => phrase!("**Power.** At {} rpm the gas takes {} from the crank.", number::given(speed), kilowatts),
+            false => phrase!("**Power.** At {} rpm the gas delivers {} to the crank.", number::given(speed), kilowatts),
+        });
     }
     lines.extend(torque.evenness.as_ref().map(|evenness| flywheel(engine, evenness)));
     lines.extend(left_out(engine, torque));
@@ -165,7 +168,7 @@ pub(in crate::report) fn warning(engine: &Engine, cylinders: &[usize], warning: 
         Warning::TakesWork(mean) => phrase!(
             "Cylinders {}: the mean torque of the gas is negative, {}: is the dead centre a revolution off, or does the table count backwards?",
             of,
-            quantity(-mean, Unit::NEWTON_METRE)
+            quantity(*mean, Unit::NEWTON_METRE)
         ),
         Warning::Coarse(degrees) => phrase!(
             "Cylinders {}: rows of the table are {} apart; the straight lines between them decide the higher orders.",

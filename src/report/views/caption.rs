@@ -18,7 +18,8 @@ pub(in crate::report) fn end_view_caption(engine: &Engine) -> Text {
         words.push(phrase!("From the free end: {}.", Text::joined(named, ", ")));
     }
     words.push(match (engine.rods().next().is_some(), is_shortened(engine)) {
-        (true, false) => "Crank radius, rod length and offset are to scale.".into(),
+        (true, false) if engine.has_offset() => "Crank radius, rod length and offset are to scale.".into(),
+        (true, false) => "Crank radius and rod length are to scale.".into(),
         (true, true) => "Rods longer than six crank radii are drawn shorter.".into(),
         (false, _) => "The layout gives no rods: they are drawn 3.5 crank radii long.".into(),
     });

@@ -1,0 +1,127 @@
+//! Sentences that were false of engines that can be written: are they true of these now?
+
+use crankstar::claim::{self, Status, parse_statement};
+use crankstar::engine::Engine;
+use crankstar::loads::{Loads, usual_orders};
+use crankstar::page::Format;
+use crankstar::proof::Axial;
+
+use crate::support::pages;
+use crate::support::program::{call, scratch};
+use crate::support::written::engine;
+
+/// What the program prints of a layout, on lines joined to one.
+fn said(question: &str, layout: &str, more: &[&str]) -> String {
+    let path = scratch("true-sentences").join("layout.toml");
+    std::fs::write(&path, layout).expect("a layout");
+    let output = call(&[&[question, path.to_str().expect("UTF-8")], more].concat());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8_lossy(&output.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn loads_of(engine: &Engine) -> Loads {
+    crankstar::loads::loads(engine, &usual_orders(engine)).expect("numbers")
+}
+
+const TWIN: &str = "speed = 4500\neffects = ['torque']\n[u]\nthrows = [0, 170]\nsense = 'against'\nphase = 180\ndistance = '110 mm'\nspacing = '70 mm'\n\
+    [mechanism]\nstroke = '54 mm'\nrod_length = '104 mm'\npin_offset = '4 mm'\nreciprocating_mass = '0.21 kg'\nrotating_mass = '0.17 kg'\n\
+    [[balancer]]\norder = 1\nsense = 'with'\nmass = '0.1 kg'\nradius = '20 mm'\nposition = 0\nangle = 0\n";
+
+#[test]
+fn a_roll_moment_that_hangs_on_a_length_left_out_is_named_nowhere_as_one() {
+    for layout in
+        [TWIN, &TWIN.replace("[u]", "[inline]").replace("sense = 'against'\nphase = 180\ndistance = '110 mm'\n", "")]
+    {
+        let given = layout.replace("position = 0\n", "position = 0\nheight = '10 mm'\noffset = '20 mm'\n");
+        assert_eq!(loads_of(&engine(layout)).rolling(), None);
+        assert_eq!(loads_of(&engine(&given)).rolling(), Some(Axial::Roll));
+        let told = said("classify", layout, &[]);
+        let built = told.split("The pistons alone.").next().expect("a text");
+        assert!(!built.contains("Roll moment") && built.contains("Inertia torque"), "{told}");
+        assert!(
+            told.contains("The roll moment is not given: it depends on the position of balancer shaft 1."),
+            "{told}"
+        );
+        assert!(said("classify", &given, &[]).contains("Roll moment"));
+    }
+    let centric = "speed = 4500\neffects = ['torque']\n[inline]\nthrows = [0, 180]\n[mechanism]\nstroke = '54 mm'\nrod_length = '104 mm'\nreciprocating_mass = 1\n";
+    assert_eq!(loads_of(&engine(centric)).rolling(), Some(Axial::Torque));
+    assert!(said("classify", centric, &[]).contains("Roll moment"));
+}
+
+#[test]
+fn the_roll_moment_of_a_crankshaft_that_turns_against_another_tells_what_it_assumes() {
+    let told = |sense: &str| {
+        said(
+            "classify",
+            &TWIN
+                .replace("sense = 'against'", &format!("sense = '{sense}'"))
+                .replace("position = 0\n", "position = 0\nheight = 0\noffset = 0\n"),
+            &[],
+        )
+    };
+    assert!(told("against").contains("assumes that each crankshaft has its own flywheel"));
+    assert!(!told("with").contains("flywheel"));
+}
+
+const FOUR: &str = "speed = 3000\n[inline]\nthrows = [0, 180, 180, 0]\nspacing = '100 mm'\n[mechanism]\nstroke = '90 mm'\nrod_ratio = '1/4'\n\
+    reciprocating_mass = ['0.65 kg', '0.65', '0.65', '0.70']\n";
+
+#[test]
+fn orders_that_are_small_beside_others_are_those_of_the_force_or_of_the_moment() {
+    let engine = engine(FOUR);
+    let text = pages::text(&pages::document(&engine), Format::PLAIN).split_whitespace().collect::<Vec<_>>().join(" ");
+    // Order 4 of the force is 1.6 % of order 2, and told; of the moment it is among the small ones.
+    assert!(text.contains("48.2 N (order 4)"), "{text}");
+    let (force, moment) = ("% of the largest force (6, …), ", "% of the largest moment (4, 6, …).");
+    assert!(
+        text.contains("All other orders. Together at most") && text.contains(force) && text.contains(moment),
+        "{text}"
+    );
+    // Whose mass the multiples are of.
+    assert!(text.contains("m being the reciprocating mass of the first cylinder that has one"), "{text}");
+    assert!(!text.contains("times kilograms"), "{text}");
+}
+
+#[test]
+fn what_a_cure_leaves_is_rounded_and_not_raised() {
+    // 1 of 3 vectors: a third is 33 %, not 34.
+    let fan = "[fan]\nbanks = [-60, 0, 60]\nthrows = [0, 240, 120]\n";
+    let told = said("classify", fan, &[]);
+    assert!(!told.contains("34 %"), "{told}");
+}
+
+const VR6: &str = "cycle = 'four-stroke'\nspeed = 6000\nfiring_order = '1-5-3-6-2-4'\neffects = ['firing']\n[vr]\nbank_angle = 15\npin_splay = 22\npin_offset = '12.5 mm'\n\
+    spacing = '65 mm'\n[mechanism]\nstroke = '90.3 mm'\nrod_length = '164 mm'\nreciprocating_mass = '0.55 kg'\n";
+
+/// `22° − 2 arcsin(12.5/209.15) = 15.147°` are 0.147° more than the banks are apart.
+#[test]
+fn firing_angles_of_displaced_axes_say_what_they_count_and_how_far_apart_the_dead_centres_are() {
+    let told = said("firing", VR6, &[]);
+    let moved = "from one top dead centre to the next it is ≈ 119.9° to ≈ 120.1°";
+    assert!(told.contains("fire unevenly") && told.contains(moved), "{told}");
+    // Even by the pins, and uneven by the pistons.
+    let pins = said("firing", &VR6.replace("pin_splay = 22", "pin_splay = 15"), &[]);
+    assert!(pins.contains("fire evenly") && pins.contains("≈ 113.1° to ≈ 126.9°"), "{pins}");
+    let page = pages::text(&pages::document(&engine(VR6)), Format::GITHUB);
+    assert!(
+        page.contains("from one top dead centre to the next") && !page.contains("its piston is at top dead centre"),
+        "{page}"
+    );
+    // One offset for all moves every dead centre alike.
+    let alike = engine(
+        "cycle = 'four-stroke'\nfiring_order = '1-3-4-2'\n[inline]\nthrows = [0, 180, 180, 0]\n[mechanism]\nrod_ratio = '1/4'\nstroke = '80 mm'\npin_offset = '2 mm'\n",
+    );
+    assert!(alike.has_offset() && !alike.has_dead_centres_apart());
+    let claim = parse_statement("fires evenly").expect("a claim");
+    assert_eq!(claim::answer(&engine(VR6), &claim, None).status, Status::NotDecided);
+    assert_eq!(claim::answer(&alike, &claim, None).status, Status::True);
+}
+
+#[test]
+fn greek_and_latin_letters_stand_in_latex_as_they_are_written() {
+    let radial = "title = 'Škoda ε η Ω ∞ ł'\n[vee]\nbank_angle = 90\nthrows = [0]\n[articulated]\nmaster = 1\nknuckle_ratio = '1/4'\nknuckle_correction = 3\n[mechanism]\nrod_ratio = '1/4'\n";
+    let text = pages::text(&pages::document(&engine(radial)), Format::Latex);
+    assert!(!text.contains("[U+"), "{text}");
+    assert!(text.contains("Škoda $\\varepsilon$ $\\eta$ $\\Omega$ $\\infty$ ł"), "{text}");
+}
