@@ -233,21 +233,19 @@ pub(super) fn whose(engine: &Engine, judged: &Judgement) -> Option<Text> {
 
 /// Why an order is made of several sums, in a plain sentence.
 pub(super) fn why_several(engine: &Engine) -> Option<Text> {
-    let links = engine.cylinders().iter().filter(|cylinder| cylinder.link().is_some()).count();
-    Some(match (links, engine.has_offset(), engine.faster_crank().is_some()) {
-        (1.., ..) => phrase!(
-            "The {} link pistons move differently from one another and from the master piston: each kind of link has its own coefficient.",
-            links
-        ),
-        (0, true, _) => {
+    Some(match (engine.has_links(), engine.has_offset(), engine.faster_crank().is_some()) {
+        (true, ..) => {
+            "A piston on a link moves differently from the master piston: each kind of link has its own coefficient.".into()
+        }
+        (false, true, _) => {
             "The cylinder axes miss the crankshaft: cylinders with different rods or offsets have different coefficients."
                 .into()
         }
-        (0, false, true) => "The crankshafts turn at different speeds: each has its own coefficients.".into(),
-        (0, false, false) if engine.mechanisms().len() > 1 => {
+        (false, false, true) => "The crankshafts turn at different speeds: each has its own coefficients.".into(),
+        (false, false, false) if engine.mechanisms().len() > 1 => {
             "The rods differ: cylinders with different rods have different coefficients.".into()
         }
-        (0, false, false) => "The pistons have the coefficient $c_k$ of their rods; rotating masses have none.".into(),
+        (false, false, false) => "The pistons have the coefficient $c_k$ of their rods; rotating masses have none.".into(),
     })
 }
 
