@@ -17,15 +17,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crankstar::claim::Judged;
-use crankstar::classroom::{
-    Content, Exercise, HandedIn, MarkedSheet, Outcome, Scheme, StudentResult, Vary, mark_class, students,
-};
+use crankstar::classroom::{Exercise, Outcome, Scheme, Vary, mark_class, students};
 use crankstar::report::Compared;
 use crankstar::table::{Format, Table};
 use crankstar::text::Untrusted;
 use crankstar::{BigRational, data, file};
 
-use support::class::class_file;
+use support::class::{bytes, class_file, draw, sheet};
 use support::program::{call, program, scratch};
 
 /// A layout with numbers, bearings and gas, and with names that spreadsheets would reckon with.
@@ -134,22 +132,6 @@ fn a_file_to_write_says_by_its_ending_that_it_is_a_workbook_or_parquet() {
             call(&["loads".as_ref(), folder.join("=layout.toml").as_os_str(), "--output".as_ref(), path.as_os_str()]);
         assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
         assert!(fs::read(&path).expect("a file").starts_with(sign), "{name}");
-    }
-}
-
-fn draw(layout: &str, names: &str, orders: &[u32]) -> Exercise {
-    let engine = file::find(layout).expect("a name of the catalogue").engine().expect("it reads");
-    Exercise::draw(&engine, orders, &students(names).expect("a list"), 1, Vary::ALL).expect("engines")
-}
-
-fn bytes(name: &str, content: impl Into<Vec<u8>>) -> HandedIn {
-    HandedIn { name: name.to_owned(), content: Content::Bytes(content.into()) }
-}
-
-fn sheet<'a>(results: &'a [StudentResult], student: usize) -> &'a MarkedSheet {
-    match &results[student].outcome {
-        Outcome::Marked(sheet) => sheet,
-        other => panic!("{other:?}"),
     }
 }
 

@@ -4,33 +4,16 @@ use std::fs;
 
 use crankstar::claim::Judged;
 use crankstar::classroom::{
-    Content, Distribution, Exercise, HandedIn, MarkedSheet, Outcome, Pupil, Scheme, StudentResult, Vary, mark_class,
-    parse_exercise, parse_scheme, students,
+    Distribution, Exercise, Outcome, Pupil, Scheme, Vary, mark_class, parse_exercise, parse_scheme, students,
 };
 use crankstar::file;
 use crankstar::report;
 use crankstar::text::Format;
 use crankstar::{BigRational, numbers};
 
-use crate::support::class::{class_file, right, toml, with_wrong_phases};
+use crate::support::class::{bytes, class_file, draw, right, sheet, toml, with_wrong_phases};
 use crate::support::dice::Dice;
 use crate::support::program::{program, scratch};
-
-fn draw(layout: &str, names: &str, orders: &[u32]) -> Exercise {
-    let engine = file::find(layout).expect("a name of the catalogue").engine().expect("it reads");
-    Exercise::draw(&engine, orders, &students(names).expect("a list"), 1, Vary::ALL).expect("engines")
-}
-
-fn bytes(name: &str, content: impl Into<Vec<u8>>) -> HandedIn {
-    HandedIn { name: name.to_owned(), content: Content::Bytes(content.into()) }
-}
-
-fn sheet<'a>(results: &'a [StudentResult], student: usize) -> &'a MarkedSheet {
-    match &results[student].outcome {
-        Outcome::Marked(sheet) => sheet,
-        other => panic!("{other:?}"),
-    }
-}
 
 #[test]
 fn an_exercise_among_the_sheets_writes_nowhere_else() {

@@ -1,7 +1,10 @@
 //! How does a student of a test fill in a table? From the forces of the pistons in the time domain, without the phasors of the program.
 
-use crankstar::classroom::{Exercise, Pupil, csv_to_fill_in};
+use crankstar::classroom::{
+    Content, Exercise, HandedIn, MarkedSheet, Outcome, Pupil, StudentResult, Vary, csv_to_fill_in, students,
+};
 use crankstar::engine::Engine;
+use crankstar::file;
 use crankstar::proof::Planar;
 use num_complex::Complex;
 use num_traits::ToPrimitive;
@@ -121,4 +124,20 @@ pub fn rows(pupil: &Pupil, orders: &[u32]) -> Vec<String> {
 pub fn class_file(exercise: &Exercise) -> Vec<String> {
     let of = |(place, pupil): (usize, &Pupil)| rows(pupil, &exercise.orders).split_off(usize::from(place > 0));
     exercise.pupils.iter().enumerate().flat_map(of).collect()
+}
+
+pub fn draw(layout: &str, names: &str, orders: &[u32]) -> Exercise {
+    let engine = file::find(layout).expect("a name of the catalogue").engine().expect("it reads");
+    Exercise::draw(&engine, orders, &students(names).expect("a list"), 1, Vary::ALL).expect("engines")
+}
+
+pub fn bytes(name: &str, content: impl Into<Vec<u8>>) -> HandedIn {
+    HandedIn { name: name.to_owned(), content: Content::Bytes(content.into()) }
+}
+
+pub fn sheet<'a>(results: &'a [StudentResult], student: usize) -> &'a MarkedSheet {
+    match &results[student].outcome {
+        Outcome::Marked(sheet) => sheet,
+        other => panic!("{other:?}"),
+    }
 }
