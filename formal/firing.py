@@ -2,7 +2,7 @@
 from fractions import Fraction
 
 from enclosures import check_shown
-from verify import certify, collect, demand, each, equal, read, rod_of, terms_of, types
+from verify import certify, check_masters, collect, demand, each, equal, read, rod_of, terms_of, types
 
 types("""cycle = two-stroke four-stroke; firing-cylinder: name=text throw bank firing_angle crank_radius deflection rod;
     star: order of?=[text] vanishes=truth terms=[vector] modulus=decimal angle_deg=decimal? certificate; pattern-star: order vanishes=truth certificate;
@@ -19,6 +19,7 @@ def check(tree, notes):
         demand(0 <= c.firing_angle < turns and centre(c) == centre(cylinders[0]), "it does not fire in the cycle, at a dead centre of its own")
         rod = rod_of(c.rod)
         stars.setdefault("endless" if rod[:2] == ("rod", 0) else rod, []).append(c)
+    check_masters(cylinders, [rod_of(c.rod) for c in cylinders])
     demand(any(c.firing_angle == 0 for c in cylinders), "no cylinder fires at 0")
     demand(len({c.name for c in cylinders}) == len(cylinders), "two cylinders have the same name")
     demand(len({c.rod == "unknown" for c in cylinders}) == 1, "some rods are known and some are not")

@@ -121,9 +121,17 @@ def rod_of(entry):
     demand(entry.known.ratio >= 0 and entry.known.ratio + abs(entry.known.offset) < 1, "the rod cannot turn round")
     return ("rod", entry.known.ratio, entry.known.offset)
 
+def check_masters(cylinders, rods):
+    """A link hangs on a master rod of the engine, on the same crankpin, with its axis at the angle that is said."""
+    place = lambda c, bank: (c.throw % 1, bank % 1, c.get("crank_radius"))
+    masters = {(*place(c, c.bank), rod[1]) for c, rod in zip(cylinders, rods) if rod[0] == "rod" and rod[2] == 0}
+    links = [(*place(c, c.bank - rod[3]), rod[1]) for c, rod in zip(cylinders, rods) if rod[0] == "link"]
+    demand(masters.issuperset(links), "a link hangs on no master rod of the engine")
+
 def check_engine(cylinders, turning):
-    """Rods are known or not, all alike, and nothing is said of a cylinder that is not reckoned with."""
+    """Rods are known or not, all alike, and nothing is said of a cylinder that is not computed with."""
     rods = [rod_of(c.rod) for c in cylinders]
+    check_masters(cylinders, rods)
     shafts = [rod_of(mass.coefficient_of) for mass in turning if mass.coefficient_of]
     demand(rods and len({rod == ("unknown",) for rod in rods + shafts}) == 1, "there is no rod, or some are known and some are not")
     demand(all(rod[0] != "link" for rod in shafts), "a shaft takes the number of a link, which has several")

@@ -5,7 +5,9 @@ use num_traits::Zero;
 use super::audit::{Audit, Fault, Reason};
 use super::checked::Checked;
 use super::document::Document;
-use super::engine::{Masses, RodStatement, check_asked, check_knuckle, check_names, check_shafts, check_speed};
+use super::engine::{
+    Masses, RodStatement, check_asked, check_knuckle, check_masters, check_names, check_shafts, check_speed,
+};
 use super::format::Format;
 use super::judged::{Judged, JudgedGroup};
 use super::motion::Motion;
@@ -60,7 +62,9 @@ fn check_head(document: &Document) -> Result<(), Fault> {
         let checked = checked.and_then(|()| check_speed(&cylinder.rod, cylinder.speed));
         checked.map_err(|reason| Fault { place: "cylinders".into(), reason })?;
     }
-    document.rods().map(|_| ()).map_err(|reason| Fault { place: "cylinders".into(), reason })
+    let held = document.cylinders.iter().map(|one| (&one.throw, &one.crank_radius, &one.bank, &one.rod));
+    let rods = document.rods().and_then(|_| check_masters(held));
+    rods.map_err(|reason| Fault { place: "cylinders".into(), reason })
 }
 
 /// Where axes stand and which way cranks turn counts for the roll moment alone: elsewhere nothing is said of it.

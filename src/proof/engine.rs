@@ -194,6 +194,37 @@ pub(super) fn rods<'a>(
     }
 }
 
+/// What a master rod and its links have in common, in turns of one revolution: crankpin, crank radius, axis of the master's cylinder, λ of its rod.
+type Master = (BigRational, BigRational, BigRational, BigRational);
+
+/// Checks that each link hangs on a master rod of the engine: one without offset, on the same crankpin, with its axis at the angle that is said.
+pub(super) fn check_masters<'a>(
+    cylinders: impl Iterator<Item = (&'a BigRational, &'a BigRational, &'a BigRational, &'a RodStatement)>,
+) -> Result<(), Reason> {
+    let within = |angle: BigRational| &angle - angle.floor();
+    let (mut masters, mut links) = (BTreeSet::new(), Vec::<(Master, &LinkClaim)>::new());
+    for (throw, radius, bank, rod) in cylinders {
+        let master = |axis: BigRational, ratio: &BigRational| {
+            (within(throw.clone()), radius.clone(), within(axis), ratio.clone())
+        };
+        match rod {
+            RodStatement::Known(rod) if rod.offset.is_zero() => {
+                masters.insert(master(bank.clone(), &rod.ratio));
+            }
+            RodStatement::Link(link) => links.push((master(bank - &link.angle, &link.master), link)),
+            RodStatement::Known(_) | RodStatement::Unknown => {}
+        }
+    }
+    match links.iter().find(|(master, _)| !masters.contains(master)) {
+        None => Ok(()),
+        Some(((throw, _, axis, ratio), link)) => Err(format!(
+            "a link at {} turns from its master rod has none: no rod of ratio {ratio} without offset is on the crankpin at {throw}, with its axis at {axis}",
+            link.angle
+        )
+        .into()),
+    }
+}
+
 /// Checks that the engine has cylinders, each with a name of its own.
 pub(super) fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), Fault> {
     let mut seen = BTreeSet::new();

@@ -13,7 +13,7 @@ use super::coefficient::{Coefficient, Factor};
 use super::collected::{Collected, collect, collected, vectors};
 use super::decimals::check_decimals;
 use super::engine::{
-    Masses, RodStatement, check_asked, check_knuckle, check_shafts, check_speed, own_order, power, rods,
+    Masses, RodStatement, check_asked, check_knuckle, check_masters, check_shafts, check_speed, own_order, power, rods,
 };
 use super::format::Format;
 use super::left_out::{LeftOut, check_left_out};
@@ -99,6 +99,10 @@ fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
         let checked = checked.and_then(|()| check_speed(&cylinder.rod, cylinder.speed));
         checked.map_err(|reason| Fault::new("cylinders", reason))?;
     }
+    // Weights are masses times radii here: which radius is not said.
+    let radius = BigRational::one();
+    let held = document.cylinders.iter().map(|one| (&one.throw, &radius, &one.bank, &one.rod));
+    check_masters(held).map_err(|reason| Fault::new("cylinders", reason))?;
     let of_shafts = document.turning_masses.iter().filter_map(|mass| mass.coefficient_of.as_ref());
     check_shafts(of_shafts.clone()).map_err(|reason| Fault::new("turning_masses", reason))?;
     let rods = rods(document.cylinders.iter().map(|cylinder| &cylinder.rod).chain(of_shafts));

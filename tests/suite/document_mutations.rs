@@ -4,12 +4,14 @@
 //! exchanged, keys dropped and added. What is accepted has to be on one of the short lists below.
 
 use crankstar::file::{self, Layout};
-use crankstar::proof::{Masses, Sense, read_document};
+use crankstar::firing::Weights;
+use crankstar::proof::{LinkClaim, Masses, RodStatement, Sense, check_firing_document, read_document};
 use crankstar::remedy::{Request, remedy};
 use crankstar::{family, report};
 use serde_json::Value;
 
 use crate::support::mutations::{at, changes, walk, written};
+use crate::support::second;
 use crate::support::verdicts::{self, judged, theorem};
 use crate::support::whole_documents::{cylinder, document, turning};
 
@@ -42,6 +44,11 @@ fn excuse(format: &Value, path: &str, before: &Value, after: &Value) -> Option<&
     // A rod says which cylinders have a coefficient in common: where those stay, the verdicts hold for the other engine too.
     if path.contains(".cylinders[].rod.known") {
         return Some("another rod that none else has");
+    }
+    // The same of firing stars and a link's sizes; where it hangs is told by throws and banks.
+    let is_size = ["ratio", "knuckle"].iter().any(|key| path.ends_with(&format!(".cylinders[].rod.link.{key}")));
+    if is_size && format == "crankstar firing 1" {
+        return Some("another link that none else has");
     }
     // Inside of a certificate a change that is accepted is another proof of the same statement: nothing else has changed.
     if path.contains(".certificate.")
@@ -163,6 +170,30 @@ fn every_change_of_links_on_a_master_rod_is_refused() {
         file::parse("engine", &format!("radial.cylinders = 3\n{row}\nknuckle_mass = '1/7'")).expect("a layout");
     let found = remedy(&engine, &Request { orders: vec![1, 2], ..Request::default() }).expect("a remedy");
     assert_guarded(&report::remedy_document(&found));
+}
+
+/// What hangs where is checked also where no vector comes of it.
+#[test]
+fn every_change_of_the_firing_stars_of_links_is_refused() {
+    let text = "cycle = 'four-stroke'\nfiring_order = '1-3-2'\nradial.cylinders = 3\n[mechanism]\nrod_ratio = '1/4'\n[articulated]\nmaster = 1\nknuckle_ratio = '1/5'";
+    let engine = file::parse("engine", text).expect("a layout");
+    let stars = report::FiringStudy::new(&engine, &[], Weights::Rigid).expect("stars");
+    let document = report::firing_document(&stars, false);
+    assert_guarded(&document);
+    let changes: [fn(&mut LinkClaim); 2] =
+        [|link| link.angle = link.angle.recip(), |link| link.master = link.knuckle.clone()];
+    for change in changes {
+        let mut cheat = document.clone();
+        for cylinder in &mut cheat.cylinders {
+            if let RodStatement::Link(link) = &mut cylinder.rod {
+                change(link);
+            }
+        }
+        let fault = check_firing_document(&cheat).expect_err("a link without a master rod").to_string();
+        assert!(fault.contains("master rod"), "{fault}");
+        second::refuses(&[("a link without a master rod", cheat)]);
+    }
+    second::accepts(&[document], &[]);
 }
 
 #[test]
