@@ -6,13 +6,13 @@ use std::sync::LazyLock;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
-use crankstar::page::{Document, File};
+use crankstar::page::{self, Document, File};
 use crankstar::report::Question;
 use crankstar::table;
 
 use super::failure::Failure;
 use super::measures::Measures;
-use super::pages::{self, PageArgs};
+use super::pages::PageArgs;
 use super::tables::{Tables, Wanted};
 use super::{tables, verify, write};
 
@@ -33,7 +33,7 @@ pub struct Answer {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Format {
     Data(DataFormat),
-    Page(pages::Format),
+    Page(page::Format),
 }
 
 /// Data for other programs.
@@ -81,7 +81,7 @@ impl ValueEnum for Format {
     fn value_variants<'a>() -> &'a [Self] {
         static ALL: LazyLock<Vec<Format>> = LazyLock::new(|| {
             let data = DataFormat::value_variants().iter().copied().map(Format::Data);
-            data.chain(pages::Format::value_variants().iter().copied().map(Format::Page)).collect()
+            data.chain(page::Format::value_variants().iter().copied().map(Format::Page)).collect()
         });
         &ALL
     }
@@ -200,10 +200,10 @@ impl Answer {
         self.page.shown(document)
     }
 
-    fn page_format(&self) -> pages::Format {
+    fn page_format(&self) -> page::Format {
         match self.format {
             Some(Format::Page(format)) => format,
-            Some(Format::Data(_)) | None => pages::Format::Markdown,
+            Some(Format::Data(_)) | None => page::Format::GITHUB,
         }
     }
 }

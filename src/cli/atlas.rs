@@ -2,12 +2,12 @@
 
 use crankstar::engine::Cycle;
 use crankstar::file;
-use crankstar::page::File;
+use crankstar::page::{File, Format};
 use crankstar::report;
 use crankstar::search::{self, Best, Options};
 
 use super::failure::Failure;
-use super::pages::{Format, PageArgs};
+use super::pages::PageArgs;
 use super::{folder, layouts, progress, write};
 
 /// Arguments of `atlas`.
@@ -48,7 +48,7 @@ impl Atlas {
             Some(format) => self.page.files(&atlas.page(), format)?,
             None => {
                 let [readme, named] = atlas.pages();
-                let written = [(&readme, Format::Markdown), (&named, Format::Latex), (&named, Format::Html)];
+                let written = [(&readme, Format::GITHUB), (&named, Format::Latex), (&named, Format::Html)];
                 let written = written.map(|(page, format)| self.page.files(page, format));
                 written.into_iter().collect::<Result<Vec<_>, _>>()?.concat()
             }

@@ -8,12 +8,12 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
 use crankstar::classroom::{self, Content, HandedIn, Outcome, Scheme, StudentResult};
-use crankstar::page::File;
+use crankstar::page::{self, File};
 use crankstar::{report, table};
 
 use super::exercise::KEY;
 use super::failure::Failure;
-use super::pages::{self, PageArgs};
+use super::pages::PageArgs;
 use super::{layouts, write};
 
 /// Arguments of `mark`.
@@ -39,13 +39,13 @@ pub struct Mark {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Format {
     Csv,
-    Page(pages::Format),
+    Page(page::Format),
 }
 
 impl ValueEnum for Format {
     fn value_variants<'a>() -> &'a [Self] {
         static ALL: LazyLock<Vec<Format>> = LazyLock::new(|| {
-            let pages = pages::Format::value_variants().iter().copied().map(Format::Page);
+            let pages = page::Format::value_variants().iter().copied().map(Format::Page);
             [Format::Csv].into_iter().chain(pages).collect()
         });
         &ALL
@@ -94,7 +94,7 @@ impl Mark {
             format => {
                 let format = match format {
                     Some(Format::Page(format)) => format,
-                    Some(Format::Csv) | None => pages::Format::Markdown,
+                    Some(Format::Csv) | None => page::Format::GITHUB,
                 };
                 let mut files = self.page.files(&report::marks_page(&exercise, &results, &scheme), format)?;
                 files.push(csv());
@@ -110,7 +110,7 @@ impl Mark {
         &self,
         results: &[StudentResult],
         scheme: &Scheme,
-        format: pages::Format,
+        format: page::Format,
     ) -> Result<Vec<File>, Failure> {
         let mut files = Vec::new();
         for result in results {

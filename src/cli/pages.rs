@@ -1,9 +1,12 @@
 //! How is a page written: in which format, into which folder, with what at its foot?
 
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use clap::ValueEnum;
-use crankstar::page::{self, Document, File, Language, Options};
+use clap::builder::PossibleValue;
+
+use crankstar::page::{self, Document, File, Format, Language, Options};
 
 use super::failure::Failure;
 use super::language::LanguageArgs;
@@ -71,19 +74,16 @@ impl Reader {
     }
 }
 
-/// What a page is written in.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Format {
-    /// Markdown with SVG files beside it
-    Markdown,
-    /// LaTeX for pdflatex
-    Latex,
-    /// One file for a browser
-    Html,
-    /// Typst with SVG files beside it
-    Typst,
-    /// Plain text without pictures
-    Text,
+impl ValueEnum for Format {
+    fn value_variants<'a>() -> &'a [Self] {
+        static NAMED: LazyLock<Vec<Format>> = LazyLock::new(|| Format::NAMED.map(|(_, format, _)| format).into());
+        &NAMED
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, _, about) = Format::NAMED.into_iter().find(|(_, format, _)| format == self)?;
+        Some(PossibleValue::new(name).help(about))
+    }
 }
 
 /// How formulas are marked in Markdown.
@@ -112,14 +112,10 @@ fn prefix(text: &str) -> Result<String, String> {
 }
 
 impl PageArgs {
-    fn format(&self, format: Format) -> page::Format {
+    fn format(&self, format: Format) -> Format {
         match (format, self.math) {
-            (Format::Markdown, Math::Github) => page::Format::Markdown(page::Math::Github),
-            (Format::Markdown, Math::Dollars) => page::Format::Markdown(page::Math::Dollars),
-            (Format::Latex, _) => page::Format::Latex,
-            (Format::Html, _) => page::Format::Html,
-            (Format::Typst, _) => page::Format::Typst,
-            (Format::Text, _) => page::Format::PLAIN,
+            (Format::Markdown(_), Math::Dollars) => Format::Markdown(page::Math::Dollars),
+            (format, _) => format,
         }
     }
 
@@ -241,7 +237,7 @@ const WIDEST: usize = 140;
 /// A document for the terminal that this runs in; colours are taken away where nobody sees them.
 pub fn shown(document: &Document, options: &Options) -> String {
     let width = comfy_table::Table::new().width().map_or(USUAL_WIDTH, usize::from);
-    let format = page::Format::Terminal { width: width.clamp(20, WIDEST), colour: true };
+    let format = Format::Terminal { width: width.clamp(20, WIDEST), colour: true };
     let files = page::write(document, format, options);
     format!("{}\n", files[0].text.trim_end())
 }

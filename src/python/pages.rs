@@ -8,15 +8,11 @@ use crate::report;
 
 /// The format of this name.
 pub(super) fn format(name: &str) -> PyResult<Format> {
-    match name {
+    Ok(match Format::of_name(name).map_err(told)? {
         // As notebooks read it.
-        "markdown" => Ok(Format::Markdown(Math::Dollars)),
-        "html" => Ok(Format::Html),
-        "latex" => Ok(Format::Latex),
-        "typst" => Ok(Format::Typst),
-        "text" => Ok(Format::PLAIN),
-        other => Err(told(format!("format `{other}`; markdown, html, latex, typst or text are written"))),
-    }
+        Format::Markdown(_) => Format::Markdown(Math::Dollars),
+        format => format,
+    })
 }
 
 /// The options of this language.

@@ -20,7 +20,7 @@ mod written;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::page::Language;
+use crate::page::{self, Language};
 use mistake::Mistake;
 use written::Written;
 
@@ -50,7 +50,8 @@ enum Question {
     Report {
         #[serde(flatten)]
         layout: Written,
-        format: pages::Format,
+        #[serde(deserialize_with = "pages::format")]
+        format: page::Format,
         #[serde(default, deserialize_with = "pages::language")]
         language: Language,
         /// Whether the engine moves in it, where a format can show that.

@@ -5,18 +5,12 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Value, json};
 
 use super::judged::Judged;
-use crate::page::{self, Document, File, Language, Math, Options};
+use crate::page::{self, Document, File, Format, Language, Options};
 use crate::report::{self, Contents};
 
-/// What a report is written in.
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(super) enum Format {
-    Markdown,
-    Latex,
-    Html,
-    Typst,
-    Text,
+/// The format of a name.
+pub(super) fn format<'de, D: Deserializer<'de>>(from: D) -> Result<Format, D::Error> {
+    Format::of_name(&String::deserialize(from)?).map_err(D::Error::custom)
 }
 
 /// The language of a code.
@@ -27,13 +21,6 @@ pub(super) fn language<'de, D: Deserializer<'de>>(from: D) -> Result<Language, D
 
 /// The files of the report, the main one first, as `crankstar report` writes them.
 pub(super) fn report(judged: &Judged, format: Format, language: Language, moving: bool) -> Value {
-    let format = match format {
-        Format::Markdown => page::Format::Markdown(Math::Github),
-        Format::Latex => page::Format::Latex,
-        Format::Html => page::Format::Html,
-        Format::Typst => page::Format::Typst,
-        Format::Text => page::Format::PLAIN,
-    };
     let files = page::write(&document(judged, moving), format, &Options { language, ..Options::default() });
     let files = files.iter().map(|File { name, text }| json!({ "name": name, "text": text }));
     json!({ "files": files.collect::<Vec<_>>() })

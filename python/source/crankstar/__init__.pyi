@@ -45,7 +45,8 @@ _Key: TypeAlias = _Number | bool | None | Iterable[Any] | Mapping[str, Any]
 _Column: TypeAlias = NDArray[np.float64] | NDArray[np.int64] | NDArray[np.bool_] | list[Any]
 _Columns: TypeAlias = dict[str, _Column]
 _Format: TypeAlias = Literal["markdown", "html", "latex", "typst", "text"]
-_Language: TypeAlias = Literal["en", "de"]
+# The code of a list of words, such as "de"; of another one the error says which there are.
+_Language: TypeAlias = str
 
 class CrankstarError(ValueError):
     """What was asked for cannot be answered; the message says what would be right."""

@@ -1,6 +1,6 @@
 //! In which language is a page written? English words are the keys of one list per language; what a list lacks stays English.
 //!
-//! A list says how the language writes decimals, then gives its words: `[words]` for phrases of the program, with the same places
+//! A list says what the language is called and how it writes decimals, then gives its words: `[words]` for phrases of the program, with the same places
 //! `{}` (or `{1}`, `{2}` in another order) and the same `$formulas$`; `[labels]` for names in drawings and the like, which are
 //! finished signs when they come here and are compared with the patterns of the list; `[titles]` for the engines of the catalogue.
 
@@ -10,29 +10,24 @@ mod pattern;
 use std::borrow::Cow;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 use crate::text::Untrusted;
 pub(super) use decimals::has_comma;
 use pattern::Pattern;
 
-/// A language of pages.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Language {
-    /// English.
-    #[default]
-    En,
-    /// German.
-    De,
-}
+// `Language`, a variant for each list in `templates/words`, and their `FILES`.
+include!(concat!(env!("OUT_DIR"), "/languages.rs"));
 
 /// The list of a language as its file has it.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Written {
+    #[serde(rename = "name")]
+    _name: IgnoredAny,
     decimal: String,
     separator: String,
     hyphenation: String,
@@ -51,10 +46,7 @@ struct List {
 const OURS: &str = "a list of words of the program";
 
 /// In the order of [`Language`]; a list is read where it is used.
-static LISTS: [LazyLock<List>; 2] = [
-    LazyLock::new(|| read(include_str!("../../../templates/words/en.toml"))),
-    LazyLock::new(|| read(include_str!("../../../templates/words/de.toml"))),
-];
+static LISTS: [OnceLock<List>; FILES.len()] = [const { OnceLock::new() }; FILES.len()];
 
 fn read(file: &'static str) -> List {
     let written: Written = toml::from_str(file).expect(OURS);
@@ -67,27 +59,18 @@ fn read(file: &'static str) -> List {
 }
 
 impl Language {
-    /// Every language.
-    pub const ALL: [Language; 2] = [Language::En, Language::De];
-
     fn list(self) -> &'static List {
-        &LISTS[self as usize]
+        LISTS[self as usize].get_or_init(|| read(FILES[self as usize].2))
     }
 
     /// As `lang` in HTML has it.
     pub fn code(self) -> &'static str {
-        match self {
-            Language::En => "en",
-            Language::De => "de",
-        }
+        FILES[self as usize].0
     }
 
     /// What it is called.
     pub fn name(self) -> &'static str {
-        match self {
-            Language::En => "English",
-            Language::De => "German, with decimal commas",
-        }
+        FILES[self as usize].1
     }
 
     /// What LaTeX calls its patterns of hyphenation.

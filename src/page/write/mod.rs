@@ -53,6 +53,30 @@ impl Format {
     pub const GITHUB: Format = Format::Markdown(Math::Github);
     /// Plain text of 80 columns.
     pub const PLAIN: Format = Format::Terminal { width: 80, colour: false };
+    /// Those that a person asks for by name, and what is told of them.
+    pub const NAMED: [(&str, Format, &str); 5] = [
+        ("markdown", Format::GITHUB, "Markdown with SVG files beside it"),
+        ("latex", Format::Latex, "LaTeX for pdflatex"),
+        ("html", Format::Html, "One file for a browser"),
+        ("typst", Format::Typst, "Typst with SVG files beside it"),
+        ("text", Format::PLAIN, "Plain text without pictures"),
+    ];
+
+    /// The format of a name; or what can be written, in a row.
+    ///
+    /// # Errors
+    /// The names that there are.
+    pub fn of_name(name: &str) -> Result<Self, String> {
+        let known = Format::NAMED.iter().find(|(known, ..)| *known == name);
+        known.map(|(_, format, _)| *format).ok_or_else(|| {
+            let names = Format::NAMED.map(|(known, ..)| known);
+            format!(
+                "format `{name}`; {} or {} are written",
+                names[..names.len() - 1].join(", "),
+                names[names.len() - 1]
+            )
+        })
+    }
 
     /// What knows the signs of the format.
     fn writer(self) -> Box<dyn Writer> {
