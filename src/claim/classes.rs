@@ -33,7 +33,7 @@ pub(super) fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Nu
         | Statement::GasTorque { .. }
         | Statement::FiresEvenly { .. } => Answer::nothing(match engine.faster_crank() {
             Some(_) => "a crankshaft turns faster than the reference, so no order is a single sum",
-            None => "the rods of the engine differ, so no order is a single sum",
+            None => "the rods of the engine or their offsets differ, so no order is a single sum",
         }),
     }
 }
@@ -69,7 +69,7 @@ fn one(
                     "a crankshaft turns faster than the reference and an order has a sum for each speed, so that its size and direction are not compared"
                 }
                 None => {
-                    "the rods of the engine differ and this order has a sum for each kind, so that its size and direction are not compared"
+                    "the rods of the engine or their offsets differ and this order has a sum for each kind, so that its size and direction are not compared"
                 }
             });
         }

@@ -9,5 +9,11 @@ pub type Find<'a> = &'a dyn Fn(&str) -> Result<Engine, String>;
 
 /// The engine that a text names.
 pub(super) fn engine(name: &Text, find: Find) -> Result<Engine, LayoutError> {
-    find(&name.get_ref().0).map_err(|reason| LayoutError::new(reason, "this engine is not found", place(name)))
+    find(&name.get_ref().0).map_err(|reason| {
+        LayoutError::new(
+            reason,
+            "a claim is about one engine: a name of the catalogue, or a layout file in which nothing is open",
+            place(name),
+        )
+    })
 }

@@ -57,7 +57,7 @@ pub struct Ranges {
     /// The speed in revolutions per minute
     #[arg(long, value_name = "RANGE")]
     speed: Option<String>,
-    /// Any key of the layout file: vee.bank_offset=0..0.02:0.001, vee.throws.2=0..120:10; a second sweep makes a map
+    /// Any key of the layout file, with its unit: "mechanism.rod_length=120..160:5 mm", vee.throws.2=0..120:10; a second sweep makes a map
     #[arg(long, value_name = "KEY=RANGE")]
     set: Vec<String>,
 }

@@ -26,6 +26,11 @@ impl Family {
         parts.flat_map(|linear| linear.symbols().keys()).map(String::as_str).collect()
     }
 
+    /// Whether φ turns a bank, not the throws alone.
+    pub fn has_open_banks(&self) -> bool {
+        self.cylinders().iter().any(|cylinder| cylinder.bank.symbols().contains_key(PHI))
+    }
+
     /// The family with some unknowns known: angles in turns, lengths in the unit of the positions.
     ///
     /// # Errors

@@ -257,7 +257,10 @@ impl Keys {
             return Err(LayoutError::new(message, right, place(list)));
         }
         let (Some(lengths), Some(centres)) = (lengths, table.column(&self.rod_centre, Measure::RodCentre)?) else {
-            let right = "add rod_length and rod_centre, the distance of its centre of gravity from the big end";
+            let right = match lengths {
+                Some(_) => "add rod_centre, the distance of its centre of gravity from the big end",
+                None => "add rod_length and rod_centre, the distance of its centre of gravity from the big end",
+            };
             let list = self.rod_mass.as_ref().and_then(place);
             return Err(LayoutError::new("a rod mass that cannot be split in two masses", right, list));
         };

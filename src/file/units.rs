@@ -71,6 +71,7 @@ const SPEEDS: Units = &[
     ("U/min", (1, 1)),
     ("rev/min", (1, 1)),
     ("min^-1", (1, 1)),
+    ("min-1", (1, 1)),
     ("min⁻¹", (1, 1)),
     ("rev/s", (60, 1)),
     ("Hz", (60, 1)),
@@ -368,7 +369,7 @@ const PI: (i128, i128) =
 
 /// A speed in revolutions a minute, which is also what a number without a unit means.
 pub(crate) fn speed(text: &str) -> Result<BigRational, String> {
-    const EXAMPLES: &str = "\"6000\", \"6000 rpm\", \"100 Hz\" or \"314 rad/s\"";
+    const EXAMPLES: &str = "\"6000\", \"6000 rpm\", \"6000 1/min\", \"100 Hz\" or \"314 rad/s\"";
     let Some(radians) = text.trim().strip_suffix("rad/s") else { return in_units(text, SPEEDS, EXAMPLES) };
     let radians = in_units(radians.trim_end(), &[], EXAMPLES)?;
     let millionths = BigRational::from_integer(30_000_000.into()) * BigRational::new(PI.1.into(), PI.0.into());

@@ -12,7 +12,7 @@ use toml::de::{DeTable, DeValue};
 use super::error::LayoutError;
 use super::layout::Layout;
 use super::rewritten::exact_number;
-use super::{units, written};
+use super::{quantities, units, written};
 use crate::engine::{Engine, LengthUnit, Mechanism, PressureLaw};
 
 /// Something odd in a layout file, with its place. It changes no result.
@@ -30,23 +30,39 @@ struct Kind {
     read: fn(&str) -> Option<BigRational>,
     unit: &'static str,
     meant: &'static [&'static str],
+    asked: &'static str,
 }
 
-const LENGTH: Kind =
-    Kind { read: |text| Some(units::length(text).ok()?.value), unit: "m", meant: &["mm", "cm", "in", "ft", "m"] };
+const IS_THE_UNIT_RIGHT: &str = "is the unit right?";
+
+const LENGTH: Kind = Kind {
+    read: |text| Some(units::length(text).ok()?.value),
+    unit: " m",
+    meant: &["mm", "cm", "in", "ft", "m"],
+    asked: IS_THE_UNIT_RIGHT,
+};
 /// A length that is one of the spacing where no unit is written.
 const OF_SPACING: Kind = Kind {
     read: |text| units::length(text).ok().filter(|length| length.has_unit).map(|length| length.value),
-    unit: "m",
-    meant: &["mm", "cm", "in", "ft", "m"],
+    ..LENGTH
 };
-const MASS: Kind = Kind { read: |text| units::mass(text).ok(), unit: "kg", meant: &["g", "oz", "lb", "kg", "t"] };
-const SPEED: Kind = Kind { read: |text| units::speed(text).ok(), unit: "rpm", meant: &["rev/s", "rad/s", "rpm"] };
+const MASS: Kind =
+    Kind { read: |text| units::mass(text).ok(), unit: " kg", meant: &["g", "oz", "lb", "kg", "t"], ..LENGTH };
+const SPEED: Kind =
+    Kind { read: |text| units::speed(text).ok(), unit: " rpm", meant: &["rev/s", "rad/s", "rpm"], ..LENGTH };
 
 const PRESSURE: Kind = Kind {
     read: |text| Some(units::pressure(text, None).ok()? / BigRational::from_integer(100_000.into())),
-    unit: "bar",
+    unit: " bar",
     meant: &[],
+    ..LENGTH
+};
+/// A share of masses that counterweights balance.
+const SHARE: Kind = Kind {
+    read: |text| quantities::plain(text, "0.5").ok(),
+    unit: "",
+    meant: &[],
+    asked: "is it in per cent? 50 % is 0.5",
 };
 
 /// Largest pressures that engines have, in bar.
@@ -77,6 +93,10 @@ const USUAL: &[(&str, Kind, i64, i64)] = &[
     ("speed", SPEED, 1_000, 100_000_000),
     ("peak_pressure", PRESSURE, 1_000 * *USUAL_PEAK_BAR.start(), 1_000 * *USUAL_PEAK_BAR.end()),
     ("mean_pressure", PRESSURE, 10, 60_000),
+    ("balance_factor", SHARE, 0, 5_000),
+    ("rotating", SHARE, 0, 5_000),
+    ("reciprocating", SHARE, 0, 5_000),
+    ("rotating_and_half_reciprocating", SHARE, 0, 5_000),
 ];
 /// What ends so is a mass: `piston_mass`.
 const MASS_ENDS: &str = "_mass";
@@ -159,6 +179,10 @@ fn below(key: &str, value: &DeValue<'_>, span: Range<usize>, then: &mut impl FnM
 
 /// What is odd about a quantity by itself.
 fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
+    if key == "spacing" && (LENGTH.read)(text).is_some_and(|length| length.is_zero()) {
+        let right = "all throws are then in one plane, and no moment is left: how far are they apart?";
+        return Some(LayoutError::new("spacing is 0", right, Some(span)));
+    }
     let name = if key.ends_with(MASS_ENDS) { "mass" } else { key };
     let (_, kind, least, most) = USUAL.iter().find(|(known, ..)| *known == name)?;
     let thousandths = |number: i64| BigRational::new(number.into(), 1000.into());
@@ -167,14 +191,14 @@ fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
     let value = (kind.read)(text).filter(|value| !is_usual(value))?;
     let meant = kind.meant.iter().map(|unit| format!("{} {unit}", text.trim()));
     let meant = meant.into_iter().find(|text| (kind.read)(text).is_some_and(|value| is_usual(&value)));
-    let shown = |value: &BigRational| format!("{} {}", exact_number(value).trim_matches('"'), kind.unit);
+    let shown = |value: &BigRational| format!("{}{}", exact_number(value).trim_matches('"'), kind.unit);
     let engines = match least.is_zero() {
         true => format!("engines have at most {}", shown(&most)),
         false => format!("engines have {} to {}", shown(&least), shown(&most)),
     };
     let right = match meant {
-        Some(meant) => format!("{engines}: is the unit right? such as \"{meant}\""),
-        None => format!("{engines}: is the unit right?"),
+        Some(meant) => format!("{engines}: {} such as \"{meant}\"", kind.asked),
+        None => format!("{engines}: {}", kind.asked),
     };
     Some(LayoutError::new(format!("{key} is read as {}", shown(&value)), right, Some(span)))
 }

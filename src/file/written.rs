@@ -88,7 +88,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
         impl<'de, T: Deserialize<'de>> Visitor<'de> for Keys<T> {
             type Value = Table<T>;
             fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("one table, its keys below a name such as [vee]")
+                f.write_str("one table, its keys below a name such as [vee], or in braces such as { rotating = 1, reciprocating = 0.5 }")
             }
             fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<Table<T>, A::Error> {
                 T::deserialize(MapAccessDeserializer::new(keys)).map(Table)
@@ -197,6 +197,10 @@ fn toml_error(error: toml::de::Error) -> LayoutError {
         }
         _ if what == "duplicate key" => (what.to_owned(), "this key is in the file before".to_owned()),
         _ if what.contains("recurs") => ("lists or tables nest too deeply".to_owned(), "no key needs that".to_owned()),
+        _ if what == "string values must be quoted" => (
+            "this is neither a number nor a text in quotes".to_owned(),
+            "text stands in quotes, and between the values of a list stand commas".to_owned(),
+        ),
         (_, "" | "nothing") => (what.to_owned(), "this is not TOML".to_owned()),
         (_, expected) => (what.to_owned(), format!("expected {expected}")),
     };

@@ -29,12 +29,16 @@ impl Remedy {
         self.built().into_iter().find(|plane| is_with(&plane.becomes, weight))
     }
 
-    /// A weight of the remedy as it is built: itself, or what one that is there becomes; none where that is taken away.
+    /// A weight of the remedy as it is built: itself, or what one that is there becomes; none where that is taken away. What a balance
+    /// factor asks for takes the place of what is there, and what cancels the rest in the same plane is told by itself.
     pub fn as_built(&self, weight: &Weight) -> Option<Weight> {
-        match self.built_of(weight).filter(Built::is_resized) {
-            None => Some(weight.clone()),
-            Some(plane) => (!plane.becomes.vector.vanishes()).then_some(plane.becomes),
-        }
+        let Some(plane) = self.built_of(weight).filter(Built::is_resized) else { return Some(weight.clone()) };
+        let shown = match self.bays.iter().find(|bay| is_with(bay, weight)) {
+            Some(bay) if bay == weight => Weight { vector: plane.was.vector.plus(&bay.vector), ..plane.was },
+            Some(_) => weight.clone(),
+            None => plane.becomes,
+        };
+        (!shown.vector.vanishes()).then_some(shown)
     }
 
     /// The planes in which weights of the engine are resized.

@@ -18,6 +18,8 @@ pub enum RemedyError {
     BeyondTheShaft(BigRational, Box<[BigRational; 2]>),
     /// Balance factors where a crankshaft turns otherwise than the first, whose throws they are about.
     Bays,
+    /// Balance factors of an engine that has counterweights in other planes than those of its throws, which would stay beside them.
+    Weighted(BigRational),
     /// A mass at a radius of an engine without masses or a crank radius.
     NoMass,
     /// Neither one value for all nor one per throw.
@@ -48,6 +50,10 @@ impl fmt::Display for RemedyError {
             }
             RemedyError::Bays => f.write_str(
                 "balance factors are of crankshafts that all turn as the first one does; leave them out: then weights in two planes are proposed",
+            ),
+            RemedyError::Weighted(position) => write!(
+                f,
+                "the file has a counterweight at z = {position}, beside the planes of the throws in which balance factors put theirs: take balance_factor, counterweights and [[counterweight]] out of the file, or ask without factors"
             ),
             RemedyError::NoMass => f.write_str(
                 "a mass at a radius needs the masses of the engine and its crank radius; give them below [mechanism]",

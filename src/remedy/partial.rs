@@ -37,7 +37,8 @@ pub struct Ellipse {
 }
 
 impl Partial {
-    /// The first order of a layout; `None` with a pin offset or a corrected knuckle angle, whose c_1 is no longer 1.
+    /// The first order of a layout; `None` with a pin offset or a corrected knuckle angle, whose c_1 is no longer 1, and with masses at knuckle
+    /// pins, of which a part moves as the master piston does.
     ///
     /// ```standalone_crate
     /// use crankstar::remedy::Partial;
@@ -57,7 +58,9 @@ impl Partial {
             let cylinders = engine.cylinders().iter().filter(|cylinder| engine.own_order(cylinder, 1).is_some());
             PhasorSum::new(PhasorSum::new(cylinders.map(term).collect()).collected())
         };
-        engine.is_centric().then(|| Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) })
+        let has_knuckles = engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero());
+        (engine.is_centric() && !has_knuckles)
+            .then(|| Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) })
     }
 
     /// The ellipse where this part of the reciprocating masses is balanced.

@@ -111,8 +111,9 @@ pub(super) fn why(all: &Recurrences) -> Vec<Text> {
     let factors = || classes().flat_map(|class| class.stars.factors());
     let verdicts: usize = factors().map(|factor| factor.judged.len()).sum();
     let mut paragraphs = vec![phrase!(
-        "From order 2 on the cylinders whose rods have one λ and one |δ| have one coefficient in common, which is not zero where the order exists; an offset below 0 turns their vectors round in odd orders. The order $k$ only multiplies angles, so that whether their sum is zero depends on $k$ modulo a period alone, of even and of odd orders apart: {} verdicts prove it, and `classify --json --all-orders` writes them.",
-        verdicts
+        "From order 2 on the cylinders whose rods have one λ and one |δ| have one coefficient in common, which is not zero where the order exists; an offset below 0 turns their vectors round in odd orders. The order $k$ only multiplies angles, so that whether their sum is zero depends on $k$ modulo a period alone, of even and of odd orders apart: {} verdicts prove it, and {} writes them.",
+        verdicts,
+        Text::code("classify --json --all-orders")
     )];
     let has_banks = |class: &ClassPattern| match class.stars {
         Stars::One(_) => false,

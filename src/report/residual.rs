@@ -104,7 +104,7 @@ fn class_words(class: &Class, order: u32) -> String {
 /// More masses that turn than this are counted, not named.
 const MOST_NAMED: usize = 3;
 
-/// `cylinders 1–3`, `balancer shaft 1`, `6 masses that turn`.
+/// `cylinders 1–3`, `balancer shaft 1`, `6 other masses`: those that turn, and those at knuckle pins.
 pub fn class_sources(class: &Class) -> String {
     let names: Vec<&str> = class.cylinders.iter().map(String::as_str).collect();
     let cylinders = match names.as_slice() {
@@ -115,7 +115,7 @@ pub fn class_sources(class: &Class) -> String {
     let turning = match class.turning.as_slice() {
         [] => None,
         named if named.len() <= MOST_NAMED => Some(named.join(", ")),
-        many => Some(format!("{} rotating masses", many.len())),
+        many => Some(format!("{} other masses", many.len())),
     };
     cylinders.into_iter().chain(turning).collect::<Vec<_>>().join(", ")
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 
 use super::engine_page::Weighed;
 use super::firmness;
@@ -203,7 +203,12 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
     let k = i64::from(order.order);
     let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != Turn::zero());
     let pistons_alone = order.force.verdicts().iter().all(|verdict| verdict.sources.iter().all(is_piston));
-    let with_mass = !(engine.has_unit_masses() && pistons_alone);
+    // As the sums have it: an offset below 0 changes the sign of odd orders.
+    let direct = &order.force.direct;
+    let weights: BTreeMap<Source, &BigRational> =
+        direct.sources.iter().copied().zip(direct.sum.terms().iter().map(|term| &term.weight)).collect();
+    let has_negative = weights.values().any(|weight| weight.is_negative());
+    let with_mass = !(engine.has_unit_masses() && pistons_alone) || has_negative;
     let mut header: Vec<Text> = vec![if pistons_alone { "Cylinder" } else { "Source" }.into(), "Throw β".into()];
     header.extend(has_banks.then(|| "Bank α".into()));
     header.push(arm_heading(engine));
@@ -211,12 +216,13 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
     header.push(phrase!("Direct phase {}", phase_formula(k, Sense::Direct, has_banks)));
     header.push(phrase!("Reverse phase {}", phase_formula(k, Sense::Reverse, has_banks)));
     let mut table = Table::new(header);
-    let row = |cylinder: &Cylinder| {
+    let row = |index: usize, cylinder: &Cylinder| {
         let bank = typeset::signed_degrees(&cylinder.bank);
         let mut cells: Vec<Text> = vec![cylinder.name.clone().into(), typeset::angle(&cylinder.throw).into()];
         cells.extend(has_banks.then(|| typeset::degrees(&bank).into()));
         cells.push(position(engine, &engine.arm(cylinder)));
-        cells.extend(with_mass.then(|| Number::exact(&order::mass_radius(engine, cylinder)).into()));
+        let weight = || weights.get(&Source::Piston(index)).map(|weight| Number::exact(weight).into());
+        cells.extend(with_mass.then(|| weight().unwrap_or_default()));
         let throw = cylinder.throw.degrees();
         let phases = Sense::BOTH.map(|sense| phase(&parts(order.order, sense, &throw, &bank)));
         cells.extend(phases.map(Text::label));
@@ -235,7 +241,7 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
     let masses = order::turning_masses(engine);
     for source in sources(order) {
         match source {
-            Source::Piston(index) => table.push(row(&engine.cylinders()[index])),
+            Source::Piston(index) => table.push(row(index, &engine.cylinders()[index])),
             other => masses.iter().filter(|mass| mass.source == other).for_each(|mass| table.push(turning(mass))),
         }
     }

@@ -23,7 +23,7 @@ pub struct Range {
 }
 
 impl Range {
-    /// Reads `FROM..TO:STEP`, perhaps with a unit: `80..120:5 mm`.
+    /// Reads `FROM..TO:STEP`, perhaps with a unit: `80..120:5 mm`, or behind each number.
     ///
     /// ```standalone_crate
     /// let range = crankstar::sweep::Range::parse("0..1:1/3").unwrap();
@@ -48,7 +48,8 @@ impl Range {
             return Err(refuse(format!("has `{}` for its unit; such as mm, deg or rpm", shown(unit.trim()))));
         }
         let number = |what: &str, text: &str| {
-            parse_number(text).map_err(|error| refuse(format!("has `{}` for its {what}: {error}", shown(text.trim()))))
+            parse_number(text.trim().strip_suffix(unit.trim()).unwrap_or(text).trim())
+                .map_err(|error| refuse(format!("has `{}` for its {what}: {error}", shown(text.trim()))))
         };
         let (from, to, step) = (number("start", from)?, number("end", to)?, number("step", step.trim())?);
         if step.is_zero() {

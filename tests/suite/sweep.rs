@@ -57,6 +57,7 @@ fn values_are_exact_and_the_end_is_one_where_it_lies_on_the_grid() {
     assert_eq!(values("10..-10:-10"), ["10", "0", "-10"]);
     assert_eq!(values("5..5:7"), ["5"]);
     let metric = Range::parse("80..120:20 mm").expect("millimetres");
+    assert_eq!(metric, Range::parse("80 mm..120mm:20 mm").expect("a unit behind each number"));
     assert_eq!((metric.unit(), metric.count()), ("mm", 3));
     assert_eq!(Range::parse("0..1:1e-1").expect("an exponent").count(), 11);
 }

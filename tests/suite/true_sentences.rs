@@ -125,3 +125,76 @@ fn greek_and_latin_letters_stand_in_latex_as_they_are_written() {
     assert!(!text.contains("[U+"), "{text}");
     assert!(text.contains("Škoda $\\varepsilon$ $\\eta$ $\\Omega$ $\\infty$ ł"), "{text}");
 }
+
+/// Pins that a factor is asked for, with weights that a file has beside them already.
+const WEIGHTED: &str = "speed = 7000\n[inline]\nthrows = [0, 90]\nspacing = '90 mm'\n[mechanism]\nstroke = '68 mm'\nrod_length = '125 mm'\n\
+    reciprocating_mass = '0.42 kg'\nrotating_mass = '0.35 kg'\n[crankshaft]\ncounterweights = { rotating = 1, reciprocating = 0.5 }\ncounterweight_radius = '40 mm'\n";
+
+#[test]
+fn a_balance_factor_takes_the_place_of_the_weights_of_the_file_or_is_refused() {
+    // (0.35 + 0.3·0.42) kg · 34 mm, whatever stands in the planes of the throws before.
+    let size = "16.2 kg·mm at z = 45 mm, 16.2 kg·mm at z = −45 mm.";
+    let told = said("remedy", WEIGHTED, &["--reciprocating", "0.3"]);
+    assert!(told.contains(&format!("by the balance factors asked for: {size}")), "{told}");
+    let apart = format!("{WEIGHTED}web_offset = '22 mm'\n");
+    let path = scratch("true-sentences").join("weighted.toml");
+    std::fs::write(&path, &apart).expect("a layout");
+    let output = call(&["remedy", path.to_str().expect("UTF-8"), "--reciprocating", "0.3"]);
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && error.contains("beside the planes of the throws"), "{error}");
+}
+
+#[test]
+fn parts_of_masses_that_are_negative_are_not_called_balanced() {
+    let light = "[[counterweight]]\nthrow = 1\nangle = 180\nmass_radius = '5 kg mm'\n";
+    let bare = WEIGHTED.split("[crankshaft]").next().expect("what stands before");
+    let told = said("remedy", &format!("{bare}{light}"), &[]);
+    assert!(told.contains("balance not even the rotating masses") && !told.contains("balance all rotating masses and"));
+    assert!(said("remedy", WEIGHTED, &[]).contains("balance all rotating masses and these parts"));
+}
+
+#[test]
+fn what_a_knuckle_pin_carries_keeps_the_section_on_counterweights_alone_away() {
+    let radial = "speed = 2000\neffects = ['remedy']\n[radial]\ncylinders = 3\n[articulated]\nmaster = 1\nknuckle_radius = '50 mm'\n\
+        [mechanism]\nstroke = '120 mm'\nrod_length = '240 mm'\nreciprocating_mass = '2 kg'\nrotating_mass = [1, 0, 0]\n";
+    let page = |layout: &str| pages::text(&pages::document(&engine(layout)), Format::GITHUB);
+    assert!(page(radial).contains("where the force vanishes"));
+    let with_mass = radial.replace("'50 mm'\n", "'50 mm'\nknuckle_mass = '1 kg'\n");
+    assert!(!page(&with_mass).contains("where the force vanishes"), "548 N are left at f = 1/2");
+}
+
+/// The table of an order with offsets below 0 adds up: what is multiplied by −1 says so.
+#[test]
+fn a_star_with_offsets_below_zero_shows_the_weights_that_its_sum_has() {
+    let text = "[mechanism]\ncrank_radius = '40 mm'\nrod_length = '140 mm'\npin_offset = ['8 mm', '-8 mm']\nreciprocating_mass = '0.5 kg'\n\
+        [inline]\nthrows = [0, 180]\nspacing = '90 mm'\n";
+    let page = pages::text(&pages::document(&engine(&format!("orders = [3]\n{text}"))), Format::GITHUB);
+    assert!(page.contains("| 2 | 180° | −45 | −1 |"), "{page}");
+    assert!(page.contains("A vector with a negative weight is drawn turned"));
+    assert!(page.contains("in odd orders above 1 its term is multiplied by −1"));
+}
+
+#[test]
+fn every_order_of_the_roll_moment_that_stands_out_is_named_in_the_box() {
+    let twin = "speed = 5500\neffects = ['torque']\n[vee]\nbank_angle = 45\nthrows = [22.5]\nspacing = '1 in'\n[mechanism]\nstroke = '4.375 in'\n\
+        rod_length = '7.667 in'\nreciprocating_mass = ['1.62 lb', '1.66 lb']\n";
+    let page = pages::text(&pages::document(&engine(twin)), Format::GITHUB);
+    assert!(page.contains("(order 2), ") && page.contains("(order 3); smaller at order 1."), "{page}");
+}
+
+#[test]
+fn what_counterweights_leave_is_told_of_force_and_moment_where_the_parts_differ() {
+    let w = "cycle = 'four-stroke'\n[w]\nbank_angle = 72\nnarrow_angle = 15\nthrows = [0, 90, 270, 180]\npin_split = 18\nbank_offset = '1/5'\n";
+    let told = said("classify", w, &[]);
+    assert!(told.contains("leave 100 % of the force and 3"), "{told}");
+}
+
+#[test]
+fn stars_that_are_equally_good_are_all_counted() {
+    let told = said_of(&["search", "--cylinders", "5", "--cycle", "four-stroke"]);
+    assert!(told.contains("24 of the 24 crank stars are the best, with 8 different sets of values"), "{told}");
+}
+
+fn said_of(arguments: &[&str]) -> String {
+    String::from_utf8_lossy(&call(arguments).stdout).split_whitespace().collect::<Vec<_>>().join(" ")
+}

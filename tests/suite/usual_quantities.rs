@@ -37,6 +37,7 @@ fn a_forgotten_unit_is_told_with_its_key_and_the_unit_that_may_be_meant() {
         ("'450 g'", "450", ["a reciprocating mass of 450 kg at a stroke of 92 mm", "layout.toml:5", "\"450 g\""]),
         ("'90 mm'", "'90 m'", ["spacing is read as 90 m", "layout.toml:9", "engines have 0.002 m to 10 m"]),
         ("'45 mm'", "45", ["radius is read as 45 m", "layout.toml:13", "such as \"45 mm\""]),
+        ("'90 mm'", "0", ["spacing is 0", "layout.toml:9", "all throws are then in one plane"]),
         ("3000", "0.5", ["speed is read as 0.5 rpm", "layout.toml:1", "such as \"0.5 rev/s\""]),
         ("3000", "30000", ["speed makes a mean piston speed of 92 m/s", "layout.toml:1", "at most 40 m/s"]),
         ("3000", "'314 rev/s'", ["speed makes a mean piston speed of 58 m/s", "layout.toml:1", "at most 40 m/s"]),
@@ -51,6 +52,18 @@ fn a_forgotten_unit_is_told_with_its_key_and_the_unit_that_may_be_meant() {
         for words in words {
             assert!(told.contains(words), "{to}: no {words:?} in {told}");
         }
+    }
+    for key in ["balance_factor = 50", "counterweights = { rotating = 1, reciprocating = 50 }"] {
+        let four = FOUR.split("[[counterweight]]").next().expect("what stands before");
+        let told = warnings(&format!("{four}[crankshaft]\ncounterweight_radius = '45 mm'\n{key}\n")).join("\n");
+        assert!(
+            told.contains("is read as 50\n") && told.contains("at most 5: is it in per cent? 50 % is 0.5"),
+            "{told}"
+        );
+        assert!(
+            warnings(&format!("{four}[crankshaft]\ncounterweight_radius = '45 mm'\n{}\n", key.replace("50", "0.5")))
+                .is_empty()
+        );
     }
     let fast = FOUR.replace("'46 mm'", "'4 mm'").replace("3000", "95000").replace("'450 g'", "'1 g'");
     assert!(warnings(&fast).join("").contains("speed makes a piston's acceleration"), "{:?}", warnings(&fast));

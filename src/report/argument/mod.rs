@@ -26,6 +26,7 @@ pub fn argument<'a>(engine: &Engine, star: impl Into<JudgedStar<'a>>) -> Text {
         Reason::NoWeight if star.quantity == Quantity::MOMENT && stand_in_the_plane(engine, star) => {
             "Every cylinder is in the reference plane: all arms are zero.".into()
         }
+        Reason::NoWeight if star.quantity == Quantity::MOMENT => "Each mass is zero, or its arm is.".into(),
         Reason::NoWeight => "All masses are zero.".into(),
         Reason::Mirror => zero::mirror(engine),
         Reason::Cancels => zero::cancelling(engine, star),

@@ -137,7 +137,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
             "given: odd orders appear",
             if engine.is_centric() { "none: no odd orders but 1" } else { "none" },
         ),
-        row("unequal cylinders", unequal, "masses, radii or rods differ", "all are alike"),
+        row("unequal cylinders", unequal, "masses, radii, rods or offsets differ", "all are alike"),
         row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
         row("main bearings", !engine.bearings().is_empty(), "positions given", "no positions given"),
     ];

@@ -122,16 +122,24 @@ fn about_the_axis(weighed: &Weighed) -> Option<Text> {
     falling.sort_by(|(_, one), (_, other)| other.total_cmp(one));
     let largest = falling.first().map(|(order, _)| *order);
     let is_told = |order: u32| Some(order) == largest || weighed.is_told(order, Quantity::Axial(quantity));
-    let told = falling.into_iter().filter(|(order, _)| is_told(*order)).take(MOST_OF_ROLL);
-    let told: Vec<Text> = told
-        .filter_map(|(order, size)| {
-            Some(phrase!("{} (order {})", weighed.amount(size, Quantity::Axial(quantity))?, order))
-        })
-        .collect();
-    (!told.is_empty()).then(|| phrase!("Roll moment: {}.", Text::joined(told, ", ")))
+    let told: Vec<(u32, f64)> = falling.into_iter().filter(|(order, _)| is_told(*order)).collect();
+    let (large, small) = told.split_at(told.len().min(MOST_OF_ROLL));
+    let large = large
+        .iter()
+        .map(|(order, size)| Some(phrase!("{} (order {})", weighed.amount(*size, Quantity::Axial(quantity))?, *order)));
+    let large: Vec<Text> = large.collect::<Option<_>>()?;
+    let small: Vec<String> = small.iter().map(|(order, _)| order.to_string()).collect();
+    match (large.is_empty(), small.is_empty()) {
+        (true, _) => None,
+        (false, true) => Some(phrase!("Roll moment: {}.", Text::joined(large, ", "))),
+        (false, false) => {
+            let small = residual::orders_in_words(&small);
+            Some(phrase!("Roll moment: {}; smaller at {}.", Text::joined(large, ", "), small))
+        }
+    }
 }
 
-/// Orders of the roll moment that are in the box; all are in its table.
+/// Orders of the roll moment whose sizes are in the box; all are in its table.
 const MOST_OF_ROLL: usize = 2;
 
 /// Which forces and moments vanish, and which orders are not there.

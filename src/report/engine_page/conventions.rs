@@ -83,7 +83,7 @@ fn assumed(engine: &Engine) -> Text {
 
 const RIGID: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; in a radial all rods on the crankpin itself.";
 const ARTICULATED: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder, each rod as two masses, links on the master rod as the layout file says.";
-const RODS_DIFFER: &str = " The rods differ: cylinders with equal rods are decided together, since only they have the same coefficient $c_k$.";
+const RODS_DIFFER: &str = " The rods or their offsets differ: cylinders in which both are equal are decided together, since only they have the same coefficient $c_k$.";
 const EVERY_ORDER: &str = "The cylinder axes miss the crankshaft, so that every order exists.";
 const EVERY_OWN_ORDER: &str =
     "The cylinder axes miss the crankshaft, so that every order of each crankshaft exists, multiplied by its speed.";

@@ -224,9 +224,12 @@ impl Cure<'_> {
 
     /// Which part of the largest value these vectors make; 0 where they are not left.
     fn decimal_left(&self, vectors: [bool; 2]) -> f64 {
-        let Some(weighed) = self.weighed else { return 1.0 };
         // Of the force, where it is left.
-        let quantity = if self.order.force.is_left() { Planar::Force } else { Planar::Moment };
+        self.part_of(if self.order.force.is_left() { Planar::Force } else { Planar::Moment }, vectors)
+    }
+
+    fn part_of(&self, quantity: Planar, vectors: [bool; 2]) -> f64 {
+        let Some(weighed) = self.weighed else { return 1.0 };
         let lengths = weighed.lengths(self.order.order, quantity);
         let kept: f64 = lengths.iter().zip(vectors).map(|(length, is_kept)| if is_kept { *length } else { 0.0 }).sum();
         kept / lengths.iter().sum::<f64>()
@@ -237,7 +240,14 @@ impl Cure<'_> {
         let is_left = vectors.into_iter().zip(left_vectors(self.order)).any(|(kept, left)| kept && left);
         match (is_left, self.weighed.is_some()) {
             (false, _) => "nothing".into(),
-            (true, true) => phrase!("{} %", percent(self.decimal_left(vectors))),
+            (true, true) => {
+                let [force, moment] = Planar::BOTH.map(|quantity| percent(self.part_of(quantity, vectors)));
+                let both = Planar::BOTH.into_iter().all(|quantity| self.order.whole(quantity).is_left());
+                match both && force != moment {
+                    true => phrase!("{} % of the force and {} % of the moment", force, moment),
+                    false => phrase!("{} %", percent(self.decimal_left(vectors))),
+                }
+            }
             (true, false) => "the part that turns the other way".into(),
         }
     }

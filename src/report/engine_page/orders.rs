@@ -4,7 +4,9 @@ use super::super::residual_words::{sentence, whole_sentence};
 use super::super::star::{WholeStars, sized_star_figure, star_figure, star_legend, whole_legend, whole_star_figure};
 use super::super::{argument, example, residual, table};
 use super::weighing::{Weighed, WeighedParts};
-use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
+use crate::engine::{Cylinder, DOES_NOT_EXIST, Engine, WHY_NOT};
+use num_traits::Signed;
+
 use crate::exact::Turn;
 use crate::page::{Block, Fold, Picture, Text, phrase};
 use crate::proof::{Quantity, Sense};
@@ -80,6 +82,13 @@ const BANKS: &str = "Between two banks an angle φ apart the direct phases of or
 
 const SPEEDS: &str = "A crankshaft that turns ν times while the reference turns once has its own order k/ν at order k of the engine: its terms have k/ν in place of k and are multiplied by ν². What turns on it has order ν, and its weight is multiplied by ν².";
 
+const BELOW_ZERO: &str = "A cylinder with an offset below 0 is the mirror image of one with the same offset above 0: in odd orders above 1 its term is multiplied by −1, which is its weight in the table of the order.";
+
+fn has_offset_below_zero(engine: &Engine) -> bool {
+    let offset = |cylinder: &Cylinder| Some(cylinder.mechanism.as_ref()?.rod()?.offset.clone());
+    engine.cylinders().iter().filter_map(offset).any(|offset| offset.is_negative())
+}
+
 /// The proofs, order by order.
 pub(super) fn section(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
     let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != Turn::zero());
@@ -94,6 +103,7 @@ pub(super) fn section(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
         Block::Formula(PHASES.to_owned(), Some(2)),
         paragraph("The moment has the same sums with each term multiplied by its arm z; they are called C."),
     ]);
+    blocks.extend(has_offset_below_zero(engine).then(|| paragraph(BELOW_ZERO)));
     blocks.extend((has_banks && engine.faster_crank().is_none()).then(|| paragraph(BANKS)));
     blocks.extend(engine.faster_crank().map(|_| paragraph(SPEEDS)));
     for star in stars {
@@ -155,6 +165,9 @@ fn missing(order: &OrderBalance) -> Text {
 
 fn moment_left(engine: &Engine, order: &OrderBalance) -> Text {
     let kind = || match order.moment_is_couple() {
+        true if order.moment.is_balanced() => {
+            "The force of this order vanishes, so the moment vanishes about every plane.".into()
+        }
         true => "The force of this order vanishes, so the moment is a free couple: the same about every plane.".into(),
         false => phrase!(
             "The force of this order does not vanish, so the moment depends on the reference plane, here z = {}.",

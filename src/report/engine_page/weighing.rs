@@ -43,14 +43,16 @@ impl Weighing {
     }
 
     /// Below this an order is reported with others, in multiples of m r ω²: a part of the largest order, or of what one piston does: its m r ω²,
-    /// that at the end of the engine, that at the crank radius.
+    /// that at the end of the engine, half of that at the crank radius, about its torque of order 2.
     pub(in crate::report) fn limit(&self, engine: &Engine, quantity: Quantity, most: f64) -> f64 {
         let of_one = engine.cylinders().iter().map(|cylinder| {
             let mass = order::mass_radius(engine, cylinder).abs();
             match quantity {
                 Quantity::FORCE => mass,
                 Quantity::MOMENT => mass * engine.arm(cylinder).abs(),
-                Quantity::TORQUE | Quantity::ROLL => mass * &cylinder.crank_radius,
+                Quantity::TORQUE | Quantity::ROLL => {
+                    mass * &cylinder.crank_radius / BigRational::from_integer(2.into())
+                }
             }
         });
         let of_one = of_one.max().and_then(|largest| largest.to_f64()).unwrap_or(0.0);

@@ -130,7 +130,14 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
             continue;
         };
         let size = |(order, size): (u32, f64)| phrase!(words, format!("{} {unit}", number::sensible(size)), order);
-        told.extend(sizes.told(quantity, orders).0.into_iter().map(size));
+        let (large, small) = sizes.told(quantity, orders);
+        told.extend(large.into_iter().map(size));
+        let words = match quantity {
+            Planar::Force => "force below 1 % of the largest or of one piston's at {}",
+            Planar::Moment => "moment below 1 % of the largest at {}",
+        };
+        let small: Vec<String> = small.iter().map(u32::to_string).collect();
+        told.extend((!small.is_empty()).then(|| phrase!(words, super::residual::orders_in_words(&small))));
     }
     let has_angle = [PHI, DELTA].iter().any(|angle| family.unknowns().contains(angle));
     let words = match has_angle {

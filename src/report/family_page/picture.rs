@@ -31,7 +31,11 @@ const MOST_DOTS: usize = 24;
 /// drawn where its arms are known, or multiples of one open length, which is the unit then.
 pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
     let unknown = open_angle(family)?;
-    let symbol = if unknown == PHI { "Bank angle φ in °" } else { "Pin split δ in °" };
+    let symbol = match (unknown == PHI, family.has_open_banks()) {
+        (true, true) => "Bank angle φ in °",
+        (true, false) => "Angle φ in °",
+        (false, _) => "Pin split δ in °",
+    };
     let mut plots = Vec::new();
     let sizes = sizes(family, orders);
     for (quantity, curves) in shown(family, orders) {
@@ -61,10 +65,10 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
 /// What the drawing of [`amplitudes`] shows.
 pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     let unknown = open_angle(family)?;
-    let over = if unknown == PHI {
-        "Largest value of each order through a revolution over the bank angle φ."
-    } else {
-        "Largest value of each order through a revolution over the pin split δ."
+    let over = match (unknown == PHI, family.has_open_banks()) {
+        (true, true) => "Largest value of each order through a revolution over the bank angle φ.",
+        (true, false) => "Largest value of each order through a revolution over the angle φ.",
+        (false, _) => "Largest value of each order through a revolution over the pin split δ.",
     };
     let drawn = shown(family, orders);
     let mut words = vec![over.into()];

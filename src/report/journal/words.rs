@@ -33,7 +33,9 @@ fn worst(bearings: &CycleBearings) -> Option<(Text, f64)> {
 fn largest(bearings: &CycleBearings) -> Option<Text> {
     let (names, size) = worst(bearings)?;
     let peaks = bearings.worst.iter().map(|index| &bearings.bearings[*index].peak);
-    let at = Text::joined(peaks.clone().map(|peak| angle(peak.angle)), ", ");
+    let mut at: Vec<Text> = peaks.clone().map(|peak| angle(peak.angle)).collect();
+    at.dedup_by_key(|angle| angle.plain());
+    let at = Text::joined(at, ", ");
     let gas = peaks.clone().next()?.gas_along();
     Some(if gas < 0.0 {
         phrase!(
@@ -86,6 +88,10 @@ fn first(loads: &CycleLoads, size: impl Fn(usize) -> f64) -> Option<usize> {
 }
 
 fn pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
+    // A link is on a knuckle pin; what the master rod and its links do to the crankpin together is told beside it.
+    if engine.has_links() {
+        return None;
+    }
     let index = first(loads, |index| loads.cylinders[index].peaks.pin.value)?;
     let peak: &CyclePeak = &loads.cylinders[index].peaks.pin;
     Some(phrase!(

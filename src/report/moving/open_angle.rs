@@ -177,7 +177,8 @@ impl<'a> OpenAngle<'a> {
         let step = self.per_turn / (360 * STEPS);
         let [low, high] = range(self.unknown).map(|end| self.whole(&end));
         let (symbol, name, margin) = match self.unknown {
-            PHI => ("φ", "Bank angle φ", step),
+            PHI if self.family.has_open_banks() => ("φ", "Bank angle φ", step),
+            PHI => ("φ", "Angle φ", step),
             _ => ("δ", "Pin split δ", 0),
         };
         let text = typeset::turns(&self.start);

@@ -37,7 +37,7 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
     match front.points.as_slice() {
         [] => {}
         [only] => lines.push(phrase!(
-            "The best crankshaft has a mass of {}; its largest bearing load is {}.",
+            "One crankshaft keeps the balance that is asked for: its mass is {}, its largest bearing load {}.",
             amounts::kilograms(&only.design.mass),
             amounts::load(&only.design, units)
         )),

@@ -17,8 +17,8 @@ pub(super) fn points(layout: &Engine, front: &Front) -> Table {
         .column("Largest bearing load", |(_, point)| amounts::load(&point.design, units))
         .column("Bearing", |(_, point)| amounts::worst(&point.design))
         .column("Above the least possible", |(_, point)| amounts::within(point))
-        .column("Order 1 force", |(_, point)| amounts::left(point.design.force, units.force))
-        .column("Order 1 couple", |(_, point)| amounts::left(point.design.couple, units.couple))
+        .column("Order 1 force with the crank", |(_, point)| amounts::left(point.design.force, units.force))
+        .column("Order 1 couple with the crank", |(_, point)| amounts::left(point.design.couple, units.couple))
         .done()
 }
 
@@ -37,7 +37,8 @@ pub(super) fn compared(layout: &Engine, front: &Front) -> Option<Table> {
         .column("One balance factor", |uniform| given(&uniform.factor))
         .column("Crankshaft mass", |uniform| amounts::kilograms(&uniform.design.mass))
         .column("Largest bearing load", |uniform| amounts::load(&uniform.design, units))
-        .column("Order 1 couple", |uniform| amounts::left(uniform.design.couple, units.couple))
+        .column("Order 1 force with the crank", |uniform| amounts::left(uniform.design.force, units.force))
+        .column("Order 1 couple with the crank", |uniform| amounts::left(uniform.design.couple, units.couple))
         .column("Best at that mass", |uniform| best(uniform))
         .column("Lightest with that load", |uniform| match &uniform.lightest {
             Some(point) => amounts::kilograms(&point.design.mass),

@@ -65,7 +65,7 @@ fn turns(weight: &Weight) -> Text {
 fn position_of(engine: &Engine, weight: &Weight) -> Text {
     match engine.length_unit() {
         LengthUnit::Metre => {
-            Piece::Exactly(&weight.position * BigRational::from_integer(1000.into()), Unit::MILLIMETRE).into()
+            Piece::Shortly(&weight.position * BigRational::from_integer(1000.into()), Unit::MILLIMETRE).into()
         }
         LengthUnit::Spacing => given(&weight.position),
     }

@@ -1,10 +1,9 @@
 //! What does a remedy come to, in sentences? What cancels what, what is proved, and what is good to know besides.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive};
 
 use super::super::calculation::percent_at_most;
-use super::super::typeset;
 use super::{ranked, weights};
 use crate::engine::GearedCrank;
 use crate::page::{Number, Piece, Text, Unit, phrase};
@@ -236,7 +235,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let fewest = match on_a_crankshaft.unwrap_or(remedy.shafts.len()) {
         0 => None,
         count if on_a_crankshaft.is_some() => Some(phrase!(
-            "With what turns at 1× on that crankshaft, these balancer shafts are still needed: {}. Fewer are not possible: each changes only what turns at its own speed and in its own sense.",
+            "With what turns on that crankshaft, these balancer shafts are still needed: {}. Fewer are not possible: each changes only what turns at its own speed and in its own sense.",
             count
         )),
         1 => Some(
@@ -301,7 +300,7 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
     if engine.crankshaft().counterweights.iter().any(|weight| weight.throw.is_some()) {
         let factors = engine.balance_factors();
         let factors = factors.iter().map(|factor| match factor {
-            Some(factor) => Text::label(typeset::number(factor)),
+            Some(factor) => Piece::Shortly(factor.clone(), Unit::NONE).into(),
             None => "none".into(),
         });
         lines.push(phrase!(
@@ -309,14 +308,19 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
             Text::joined(factors, ", ")
         ));
         let parts = engine.reciprocating_factors();
-        let parts = parts.iter().map(|part| match part {
-            Some(part) => Text::label(typeset::number(part)),
+        let words = match parts.iter().flatten().any(Signed::is_negative) {
+            false => {
+                "By the other convention the same counterweights balance all rotating masses and these parts of the reciprocating masses of each throw: {}."
+            }
+            true => {
+                "By the other convention, with all rotating masses of a throw counted first, these parts of the reciprocating masses of each throw: {}. A negative part means that the counterweights balance not even the rotating masses."
+            }
+        };
+        let parts = parts.into_iter().map(|part| match part {
+            Some(part) => Piece::Shortly(part, Unit::NONE).into(),
             None => "none".into(),
         });
-        lines.push(phrase!(
-            "By the other convention the same counterweights balance all rotating masses and these parts of the reciprocating masses of each throw: {}.",
-            Text::joined(parts, ", ")
-        ));
+        lines.push(phrase!(words, Text::joined(parts, ", ")));
     }
     let kilograms = |mass: f64| Piece::Quantity(mass, Unit::KILOGRAM);
     if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {

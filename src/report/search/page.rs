@@ -102,15 +102,26 @@ fn best(front: &Front) -> Vec<Text> {
             limits_of(front)
         ),
         0 => phrase!("None of the {} crank stars has balanced first-order force.", all),
-        1 if front.stars.iter().all(|star| star.classes.is_none()) => {
-            phrase!("**None of the {} crank stars is better** than this one in any value compared.", all)
-        }
-        1 => phrase!("**One of the {} crank stars is the best** in all values compared.", all),
-        several => phrase!(
-            "**{} of the {} crank stars are the best:** no other is as good as one of them in all values compared and better in one.",
-            several,
-            all
-        ),
+        sets => match (sets, front.stars.iter().map(|star| star.stars).sum::<Option<u64>>()) {
+            (1, Some(1)) => phrase!("**One of the {} crank stars is the best** in all values compared.", all),
+            (1, Some(several)) => phrase!(
+                "**{} of the {} crank stars are the best** in all values compared, and have the same values.",
+                number::grouped(&several.to_string()),
+                all
+            ),
+            (1, None) => phrase!("**None of the {} crank stars is better** than this one in any value compared.", all),
+            (_, Some(several)) => phrase!(
+                "**{} of the {} crank stars are the best,** with {} different sets of values: no other is as good as one of them in all values compared and better in one.",
+                number::grouped(&several.to_string()),
+                all,
+                sets
+            ),
+            (_, None) => phrase!(
+                "**The best of the {} crank stars have {} different sets of values:** no other is as good as one of them in all values compared and better in one.",
+                all,
+                sets
+            ),
+        },
     };
     let first = front.stars.first().map(|star| match (firing_order(star), left(star)) {
         (Some(order), Some(left)) => {

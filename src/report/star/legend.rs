@@ -57,11 +57,15 @@ pub(super) fn legend(drawn: &[(Quantity, Star, Scale)]) -> Text {
         ),
     });
     words.extend(any(&|_, star| star.resultant.is_some()).then(|| "The red arrow in outline is the resultant.".into()));
-    if any(&|quantity, star| star.has_turned && quantity == Quantity::MOMENT) {
-        words.push("A vector with a negative arm is drawn turned by 180°.".into());
-    } else if any(&|_, star| star.has_turned) {
-        words.push("A vector with a negative weight is drawn turned by 180°.".into());
-    }
+    let is_turned = |is_moment: bool| any(&|of, star| star.has_turned && (of == Quantity::MOMENT) == is_moment);
+    words.extend(match [is_turned(false), is_turned(true)] {
+        [false, false] => None,
+        [false, true] => Some("A vector with a negative arm is drawn turned by 180°.".into()),
+        [true, false] => Some("A vector with a negative weight is drawn turned by 180°.".into()),
+        [true, true] => Some(
+            "A vector with a negative weight, or a negative product of weight and arm, is drawn turned by 180°.".into(),
+        ),
+    });
     let arrows =
         drawn.iter().flat_map(|(_, star, scale)| labelled(star).iter().flat_map(|ray| ray.arrows(scale.millimetres)));
     let counted = arrows.map(|(_, count)| count).find(|count| *count > 1);
@@ -101,9 +105,9 @@ fn kind(source: Source) -> Option<&'static str> {
     match source {
         Source::Piston(_) => None,
         Source::BigEnd(_) => Some("rod for the big end of a rod"),
-        Source::Knuckle(_) | Source::KnuckleAtPin(_) | Source::KnuckleOffPin(_) => {
-            Some("kn for the mass at a knuckle pin")
-        }
+        Source::Knuckle(_) => Some("kn for the mass at a knuckle pin, as far as it moves as the master piston does"),
+        Source::KnuckleAtPin(_) => Some("kn on for that mass at the crankpin"),
+        Source::KnuckleOffPin(_) => Some("kn off for what is taken from it there, at the angle of the knuckle"),
         Source::Pin(_) => Some("pin for a crankpin"),
         Source::Webs(_) => Some("webs for the webs of a throw"),
         Source::Counterweight(_) => Some("cw for a counterweight"),

@@ -112,7 +112,7 @@ fn zeros(sweep: &Sweep, firing: &FiringSweep) -> Option<Table> {
             (_, _, true, true) => "never".into(),
             (_, _, true, false) => at(),
             (_, _, false, true) => "not solved".into(),
-            (_, _, false, false) => phrase!("{}, perhaps more", at()),
+            (_, _, false, false) => phrase!("{} at least", at()),
         };
         table.push(vec![zeros.order.to_string().into(), cell]);
     }

@@ -34,7 +34,7 @@ fn zero_cell(parameter: &Parameter, set: &ZeroSet) -> Text {
         (_, true, true) => "never".into(),
         (_, true, false) => at(),
         (_, false, true) => "not solved".into(),
-        (_, false, false) => phrase!("{}, perhaps more", at()),
+        (_, false, false) => phrase!("{} at least", at()),
     }
 }
 

@@ -151,27 +151,30 @@ pub(super) fn warnings(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
 
 /// What is odd about the pressure of these cylinders.
 pub(in crate::report) fn warning(engine: &Engine, cylinders: &[usize], warning: &Warning) -> Text {
-    let of = names(engine, cylinders);
+    let of = match cylinders {
+        [_] => phrase!("cylinder {}", names(engine, cylinders)),
+        _ => phrase!("cylinders {}", names(engine, cylinders)),
+    };
     match warning {
         Warning::Peak(pascals) => phrase!(
-            "Cylinders {}: the largest pressure is {}. Engines have {} to {}: is the unit right?",
+            "In {}: the largest pressure is {}. Engines have {} to {}: is the unit right?",
             of,
             quantity(pascals / 1e5, Unit::BAR),
             Text::from(Piece::Measured(5.0, Unit::BAR, Setting::Usual(number::sensible))),
             quantity(400.0, Unit::BAR)
         ),
         Warning::PeakAngle(degrees) => phrase!(
-            "Cylinders {}: the largest pressure is at {} of the firing dead centre. Usual is −5° to 40°: does the table count from another dead centre (where firing is at 360°, subtract 360°), or backwards?",
+            "In {}: the largest pressure is at {} of the firing dead centre. Usual is −5° to 40°: does the table count from another dead centre (where firing is at 360°, subtract 360°), or backwards?",
             of,
             angle(*degrees)
         ),
         Warning::TakesWork(mean) => phrase!(
-            "Cylinders {}: the mean torque of the gas is negative, {}: is the dead centre a revolution off, or does the table count backwards?",
+            "In {}: the mean torque of the gas is negative, {}: is the dead centre a revolution off, or does the table count backwards?",
             of,
             quantity(*mean, Unit::NEWTON_METRE)
         ),
         Warning::Coarse(degrees) => phrase!(
-            "Cylinders {}: rows of the table are {} apart; the straight lines between them decide the higher orders.",
+            "In {}: the rows of the table are {} apart; the straight lines between them decide the higher orders.",
             of,
             angle(*degrees)
         ),

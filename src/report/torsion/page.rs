@@ -3,7 +3,7 @@
 use super::study::TorsionStudy;
 use super::{amounts, damped_tables as damped, gears, plots, tables, words};
 use crate::engine::Engine;
-use crate::page::{Block, Document, Fold, Picture, Table, Text, phrase};
+use crate::page::{Block, Document, Fold, Number, Picture, Table, Text, phrase};
 
 /// The short answer: what shakes, then the first modes and the strongest orders.
 pub fn torsion_answer(study: &TorsionStudy) -> Document {
@@ -19,12 +19,21 @@ pub fn torsion_answer(study: &TorsionStudy) -> Document {
     answer_page.push(critical);
     if shown < orders {
         let command = Text::code("crankstar torsion --output");
-        answer_page.push(Block::Note(phrase!(
-            "{} orders of {} are shown, those with the longest stars in the first mode: {} writes all of them.",
-            shown,
-            orders,
-            command
-        )));
+        answer_page.push(Block::Note(match study.highest_speed() {
+            None => phrase!(
+                "{} orders of {} are shown, those with the longest stars in the first mode: {} writes all of them.",
+                shown,
+                orders,
+                command
+            ),
+            Some(speed) => phrase!(
+                "{} orders of {} are shown: of those that meet the first mode at no more than {} rpm the ones with the longest stars. {} writes all of them.",
+                shown,
+                orders,
+                Number::Decimal(speed),
+                command
+            ),
+        }));
     }
     answer_page
 }

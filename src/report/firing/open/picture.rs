@@ -27,11 +27,14 @@ pub(super) fn lengths(study: &OpenFiringStudy<'_>) -> Option<Picture> {
     let is_drawn = |star: &&OpenStar| !star.always() && star.spans.as_ref().is_ok_and(|spans| !spans.is_empty());
     let drawn: Vec<&OpenStar> = study.orders.iter().filter(is_drawn).take(MOST_ORDERS).collect();
     let plots: Vec<Figure> = drawn.chunks(MOST_CURVES).map(|chunk| plot(study, unknown, chunk)).collect();
-    let caption = match unknown == PHI {
-        true => {
+    let caption = match (unknown == PHI, study.family.has_open_banks()) {
+        (true, true) => {
             "Length of the firing stars over the bank angle φ, in crank radii. Rings are exact zeros in (0°, 360°); orders that vanish for all angles are not drawn."
         }
-        false => {
+        (true, false) => {
+            "Length of the firing stars over the angle φ, in crank radii. Rings are exact zeros in (0°, 360°); orders that vanish for all angles are not drawn."
+        }
+        (false, _) => {
             "Length of the firing stars over the pin split δ, in crank radii. Rings are exact zeros in (0°, 360°); orders that vanish for all angles are not drawn."
         }
     };
@@ -48,7 +51,11 @@ fn plot(study: &OpenFiringStudy<'_>, unknown: &str, stars: &[&OpenStar]) -> Figu
         [only] => format!("Firing star, order {only}"),
         several => format!("Firing stars, orders {}", several.join(", ")),
     };
-    let symbol = if unknown == PHI { "Bank angle φ in °" } else { "Pin split δ in °" };
+    let symbol = match (unknown == PHI, study.family.has_open_banks()) {
+        (true, true) => "Bank angle φ in °",
+        (true, false) => "Angle φ in °",
+        (false, _) => "Pin split δ in °",
+    };
     let mut plot = Plot::new(title, Axis::angle(symbol, 0.0, 360.0, 30), Axis::amplitude("Length in r"));
     for (number, (star, name)) in stars.iter().zip(names).enumerate() {
         let zeros: Vec<BigRational> = words::values(study, star).into_iter().flatten().collect();
