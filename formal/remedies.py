@@ -41,6 +41,7 @@ def check(tree, notes):
     cylinders, turning, plane = document.cylinders, document.turning_masses, document.reference_plane
     check_asked(document, ["force", "moment"])
     check_engine(cylinders, turning)
+    demand(all(c.weight >= 0 for c in cylinders), "a piston weighs less than nothing")
     demand(document.masses == "all" and len(document.quantities) == 2, "a remedy is about force and moment of all masses")
     for weight in each("weights", document.weights):
         demand(weight.order in document.orders, "it turns in an order not asked for")
@@ -78,9 +79,9 @@ def check(tree, notes):
 
 def check_slight(document, left):
     """What is left in an order, both senses end to end, is less than a millionth of the load: of the force of all pistons at order 1,
-    end to end; of that times the length of the engine for the moment. A vector S is a force of half its length."""
-    load = sum(abs(c.weight) for c in document.cylinders)
-    along = [document.reference_plane, *(one.position for one in document.cylinders + document.turning_masses)]
+    end to end; of that times the distance from the first of them to the last for the moment. A vector S is a force of half its length."""
+    load = sum(c.weight for c in document.cylinders)
+    along = [c.position for c in document.cylinders if c.weight] or [0]
     for k in sorted({k for k, _ in left}):
         for quantity, unit in (("force", load), ("moment", load * (max(along) - min(along)))):
             most = sum(longest(of[quantity], k, sense) for (order, sense), of in left.items() if order == k and quantity in of)

@@ -1,6 +1,6 @@
 //! `classify`: does force or moment vanish, order by order?
 
-use crankstar::engine::Family;
+use crankstar::engine::{Draft, Effects, Engine, Family};
 use crankstar::file::Layout;
 use crankstar::page::Document;
 use crankstar::report::{self, data};
@@ -52,6 +52,12 @@ pub struct Classify {
 const UNKNOWNS_IN_COQ: &str =
     "a file of Coq states numbers, and this engine has unknowns; give them values below [values]";
 
+/// The engine as a file has it that asks for the inertia torque: its size is told beside the forces.
+fn with_torque(engine: Engine) -> Result<Engine, Failure> {
+    let effects = Effects { torque: true, ..engine.effects() };
+    Draft { effects, ..engine.into_draft() }.build().map_err(Failure::new)
+}
+
 impl Classify {
     /// Prints the verdicts.
     pub fn run(&self) -> Result<(), Failure> {
@@ -79,6 +85,7 @@ impl Classify {
         if self.torque && !engine.has_judged_torque() {
             return Err(Failure::new(loads::Missing::ArticulatedRods("verdicts on the inertia torque")));
         }
+        let engine = if self.torque { with_torque(*engine)? } else { *engine };
         let quantities = verdict::quantities(&engine, self.torque);
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if let Some(wanted) = wanted {

@@ -1,14 +1,15 @@
 //! Is what a remedy omits too little for a weight?
 //!
 //! The force that is left in an order, both senses end to end, is below a millionth of the load: of the force that all pistons make
-//! at order 1, end to end. The moment that is left is below a millionth of the load at the end of an arm as long as the engine is. A
-//! vector S is a force of half its length, so the load is the vector that is twice all weights long.
+//! at order 1, end to end. The moment that is left is below a millionth of the load at the end of an arm that reaches from the first of
+//! these pistons to the last: neither a mass elsewhere nor the plane of reference makes it longer. A vector S is a force of half its
+//! length, so the load is the vector that is twice all weights long.
 
 use std::collections::BTreeSet;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 
 use super::audit::{Audit, Fault, Reason};
 use super::coefficient::Coefficient;
@@ -42,7 +43,7 @@ pub(super) fn check_left_out(document: &RemedyDocument, left: &[LeftOut], audit:
     if named.len() < document.left_out.len() || named != found {
         return Err(Fault::new("left_out", "it names orders and senses without a residual, or one of them twice"));
     }
-    let load: BigRational = document.cylinders.iter().map(|cylinder| cylinder.weight.abs()).sum();
+    let load: BigRational = document.cylinders.iter().map(|cylinder| &cylinder.weight).sum();
     let orders: BTreeSet<u32> = named.into_iter().map(|(order, _)| order).collect();
     for order in orders {
         for (quantity, unit) in [(Quantity::FORCE, load.clone()), (Quantity::MOMENT, &load * length(document))] {
@@ -61,11 +62,10 @@ pub(super) fn check_left_out(document: &RemedyDocument, left: &[LeftOut], audit:
     Ok(())
 }
 
-/// From the first to the last of what the engine is made of, and the reference plane.
+/// From the first to the last of the pistons that make the load.
 fn length(document: &RemedyDocument) -> BigRational {
-    let cylinders = document.cylinders.iter().map(|cylinder| &cylinder.position);
-    let masses = document.turning_masses.iter().map(|mass| &mass.position);
-    let all = || cylinders.clone().chain(masses.clone()).chain([&document.reference_plane]);
+    let pistons = document.cylinders.iter().filter(|cylinder| !cylinder.weight.is_zero());
+    let all = || pistons.clone().map(|cylinder| &cylinder.position);
     let ends = all().max().zip(all().min());
     ends.map_or_else(BigRational::zero, |(last, first)| last - first)
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::audit::{Audit, Fault, Reason};
 use super::check::certify;
@@ -93,6 +93,9 @@ fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
     }
     if let Some(index) = document.turning_masses.iter().position(|mass| mass.order == 0) {
         return Err(Fault::new(format!("turning_masses[{index}]"), "a mass that turns has an order from 1 on"));
+    }
+    if document.cylinders.iter().any(|cylinder| cylinder.weight.is_negative()) {
+        return Err(Fault::new("cylinders", "a piston weighs less than nothing"));
     }
     for cylinder in &document.cylinders {
         let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);

@@ -4,7 +4,7 @@
 //! not vanish needs a shaft of its own; and one shaft is enough, as two weights on it make any force and any moment.
 
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, Zero};
 
 use super::comparable_engine::ComparableEngine;
 use super::counterweights::{one_plane, two_planes};
@@ -88,7 +88,7 @@ pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational;
 }
 
 /// What is left in an order and makes less than this part of the load is omitted: of the force of all pistons at order 1, end to end,
-/// and for the moment of that at the end of an arm as long as the engine is.
+/// and for the moment of that at the end of an arm from the first of them to the last.
 pub const LEAST: f64 = 1e-6;
 
 /// Decimals decide what is omitted, and the checker of the document encloses it: they keep this far from the limit.
@@ -128,15 +128,11 @@ pub fn are_slight(subject: &ComparableEngine, shafts: &[&Shaft]) -> bool {
 fn part_of_load(subject: &ComparableEngine, shaft: &Shaft) -> [f64; 2] {
     let engine = subject.engine();
     let cylinders = engine.cylinders();
-    let load: f64 = cylinders.iter().map(|cylinder| numbers::float(&order::mass_radius(engine, cylinder)).abs()).sum();
-    let masses = order::turning_masses(engine);
-    let positions = cylinders.iter().map(|cylinder| &cylinder.position).chain(masses.iter().map(|mass| &mass.position));
-    let positions: Vec<&BigRational> = positions.chain([engine.reference_plane()]).collect();
-    let length = positions
-        .iter()
-        .max()
-        .zip(positions.iter().min())
-        .map_or(0.0, |(last, first)| numbers::float(&(*last - *first)));
+    let load: f64 = cylinders.iter().map(|cylinder| numbers::float(&order::mass_radius(engine, cylinder))).sum();
+    let pistons = || cylinders.iter().filter(|cylinder| !cylinder.reciprocating_mass.is_zero());
+    let positions = || pistons().map(|cylinder| &cylinder.position);
+    let ends = positions().max().zip(positions().min());
+    let length = ends.map_or(0.0, |(last, first)| numbers::float(&(last - first)));
     let force = |weight: &Weight| weight.adds();
     let moment = |weight: &Weight| weight.adds().scaled(&(&weight.position - engine.reference_plane()));
     let part = |of_weight: &dyn Fn(&Weight) -> OrderSum, unit: f64| {

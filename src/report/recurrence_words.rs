@@ -41,7 +41,10 @@ fn parity(engine: &Engine, [direct, reverse]: [&[ClassPattern]; 2], orders: &Tex
             _ => {
                 let names: Vec<String> = of_direct.sources.iter().map(|source| source.name(engine)).collect();
                 let names: Vec<&str> = names.iter().map(String::as_str).collect();
-                phrase!("{}, cylinders {}", orders.clone(), typeset::names(&names))
+                match names.as_slice() {
+                    [only] => phrase!("{}, cylinder {}", orders.clone(), (*only).to_owned()),
+                    several => phrase!("{}, cylinders {}", orders.clone(), typeset::names(several)),
+                }
             }
         };
         let stated =

@@ -1,12 +1,14 @@
 //! Is what a remedy leaves out below a millionth of the load, for both checkers, all of an order together?
 
 use crankstar::numbers::evaluate;
-use crankstar::proof::{Coefficient, LeftOutClaim, Quantity, RemedyDocument, Sense, check_remedy_document};
+use crankstar::proof::{
+    Coefficient, LeftOutClaim, Quantity, RemedyDocument, RodCylinder, Sense, TurningClaim, check_remedy_document,
+};
 use crankstar::remedy::{Remedy, Request, remedy};
 use crankstar::report::remedy_document;
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::{Signed, ToPrimitive, Zero};
 
 use crate::support::dice::Dice;
 use crate::support::second;
@@ -47,6 +49,39 @@ fn an_order_that_is_left_as_it_is_is_no_remedy() {
     for (name, cheat) in &cheats {
         let fault = check_remedy_document(cheat).expect_err(name);
         assert!(fault.to_string().contains("a millionth of the load"), "{name}: {fault}");
+    }
+    second::refuses(&cheats);
+}
+
+/// The load and its arm are those of pistons: nothing far off makes them larger.
+#[test]
+fn a_mass_or_a_plane_far_off_makes_no_couple_small() {
+    let order = BOTH.map(|sense| (1, sense));
+    let three = || without_weights("inline.throws = [0, 120, 240]", &[1], &order);
+    let far = || BigRational::from_integer(10_000_000.into());
+    let [mut of_mass, mut of_cylinder, mut of_weights] = [three(), three(), three()];
+    of_mass.turning_masses.push(TurningClaim {
+        order: 1,
+        sense: Sense::Direct,
+        position: far(),
+        angle: BigRational::zero(),
+        mass_radius: BigRational::zero(),
+        coefficient_of: None,
+    });
+    let cylinder = three().cylinders[0].clone();
+    of_cylinder.cylinders.push(RodCylinder { position: far(), weight: BigRational::zero(), ..cylinder.clone() });
+    for weight in [far(), -far()] {
+        of_weights.cylinders.push(RodCylinder { weight, ..cylinder.clone() });
+    }
+    let cheats = [
+        ("a mass", of_mass),
+        ("a cylinder", of_cylinder),
+        ("a plane", without_weights("reference_plane = 10000000\ninline.throws = [0, 120, 240]", &[1], &order)),
+        ("pistons that weigh less than nothing", of_weights),
+    ];
+    for (name, cheat) in &cheats {
+        let fault = check_remedy_document(cheat).expect_err(name).to_string();
+        assert!(fault.contains("a millionth of the load") || fault.contains("less than nothing"), "{name}: {fault}");
     }
     second::refuses(&cheats);
 }

@@ -80,7 +80,12 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
     ];
     blocks.push(match study.rows.iter().any(|row| row.forces.iter().any(|force| force.components != [None; 2])) {
         true => external(study, Unit::KILONEWTON, |row| &row.forces, false).into(),
-        false => Block::Paragraph("The forces of the orders 1, 2 and 4 vanish in every engine, proved.".into()),
+        false if study.rows.len() == 1 => {
+            Block::Paragraph("The forces of the orders 1, 2 and 4 vanish, proved.".into())
+        }
+        false => {
+            Block::Paragraph("The forces of the orders 1, 2 and 4 vanish in each of these engines, proved.".into())
+        }
     });
     blocks.push(Block::Heading(1, "Guide-force moments".into()));
     let has_guides = study.rows.iter().any(|row| row.guides.is_ok());
