@@ -302,7 +302,7 @@ fn nothing_is_judged_of_order_0_and_no_cell_is_blank() {
     let rows = loads_table(&layout, &[1]);
     assert!(rows.iter().flatten().all(|cell| !cell.is_empty()), "{rows:?}");
     assert!(
-        rows.iter().any(|row| row[1] == "not decided") && rows.iter().any(|row| row[1] == "does not exist"),
+        rows.iter().any(|row| row[1] == "not computed") && rows.iter().any(|row| row[1] == "does not exist"),
         "{rows:?}"
     );
 }

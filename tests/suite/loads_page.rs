@@ -196,7 +196,7 @@ fn by_order(engine: &Engine, page: &Document, document: &serde_json::Value) {
             if entries.iter().any(|entry| entry["order"].as_u64() == row[0].parse().ok()) {
                 compare(&row[place], of(&row[0], quantity), "largest");
             } else {
-                assert!(["not decided", "does not exist"].contains(&row[place].as_str()), "{row:?}");
+                assert!(["not computed", "does not exist"].contains(&row[place].as_str()), "{row:?}");
             }
         }
     }

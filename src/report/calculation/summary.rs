@@ -111,8 +111,8 @@ fn are_small(engine: &Engine, loads: &Loads, weighing: &Weighing) -> Vec<bool> {
     orders(loads).into_iter().map(|order| !weighing.tells_all(engine) && is_small(order)).collect()
 }
 
-/// What stands where nothing was decided.
-const NOT_JUDGED: &str = "not decided";
+/// What stands of an order that is there for another quantity alone.
+const NOT_JUDGED: &str = "not computed";
 
 /// What follows the table: the largest values, what the orders shown omit, the effects.
 fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Text> {

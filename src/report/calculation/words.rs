@@ -6,6 +6,8 @@ use crate::engine::{Engine, Measure};
 use crate::loads::{Arm, Loads};
 use crate::order::MassGroup;
 use crate::page::{Table, Text, phrase};
+use crate::proof::Quantity;
+use crate::verdict;
 
 /// What every number rests on.
 pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
@@ -98,6 +100,7 @@ pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
 }
 
 const CORRECTED: &str = "corrected knuckle angles";
+const DECIDED: &str = "decided order by order; its size is not asked for";
 
 /// A row of the table of effects.
 pub(super) struct EffectRow {
@@ -129,6 +132,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
         why: if inside { yes } else { no }.into(),
         group: None,
     };
+    let is_decided = verdict::quantities(engine, false).contains(&Quantity::TORQUE);
     let unequal = engine.mechanisms().len() > 1 || !engine.has_unit_masses();
     let others = [
         row(
@@ -138,7 +142,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
             if engine.is_centric() { "none: no odd orders but 1" } else { "none" },
         ),
         row("unequal cylinders", unequal, "masses, radii, rods or offsets differ", "all are alike"),
-        row("inertia torque", loads.torque.is_some(), "asked for", "not asked for"),
+        row("inertia torque", loads.torque.is_some(), "asked for", if is_decided { DECIDED } else { "not asked for" }),
         row("main bearings", !engine.bearings().is_empty(), "positions given", "no positions given"),
     ];
     let faster = engine.faster_crank();
