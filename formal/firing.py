@@ -13,13 +13,13 @@ types("""cycle = two-stroke four-stroke; firing-cylinder: name=text throw bank f
 def check(tree, notes):
     document = read(tree, "firing")
     turns, stars = {"two-stroke": 1, "four-stroke": 2}[document.cycle], {}
-    cylinders, orders = document.cylinders, document.orders
+    cylinders, orders, rods = document.cylinders, document.orders, []
     centre = lambda c: (c.firing_angle - c.bank + c.throw) % 1
     for c in each("cylinders", cylinders):
         demand(0 <= c.firing_angle < turns and centre(c) == centre(cylinders[0]), "it does not fire in the cycle, at a dead centre of its own")
-        rod = rod_of(c.rod)
+        rods.append(rod := rod_of(c.rod))
         stars.setdefault("endless" if rod[:2] == ("rod", 0) else rod, []).append(c)
-    check_masters(cylinders, [rod_of(c.rod) for c in cylinders])
+    check_masters(cylinders, rods)
     demand(any(c.firing_angle == 0 for c in cylinders), "no cylinder fires at 0")
     demand(len({c.name for c in cylinders}) == len(cylinders), "two cylinders have the same name")
     demand(len({c.rod == "unknown" for c in cylinders}) == 1, "some rods are known and some are not")

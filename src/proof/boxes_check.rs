@@ -14,7 +14,7 @@ use super::audit::{Audit, Reason, steps_of};
 use super::ball::{Ball, Complex};
 use super::boxes::{BoxZeroClaim, BoxesClaim};
 use super::check::certify;
-use super::collected::{Collected, collect};
+use super::collected::{Collected, collect, turn};
 use super::decimals::{enclose, scale};
 use super::part::Part;
 
@@ -288,8 +288,7 @@ fn largest(vector: &Complex) -> BigInt {
 
 /// How far two numbers of turns are from each other, modulo a turn.
 fn apart(one: &BigRational, other: &BigRational) -> BigRational {
-    let apart = one - other;
-    let apart = &apart - apart.floor();
+    let apart = turn(&(one - other));
     let back = BigRational::one() - &apart;
     apart.min(back)
 }

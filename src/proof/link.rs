@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use super::audit::{Audit, squared_words};
 use super::ball::Ball;
+use super::collected::turn;
 use super::enclosure::Circle;
 use super::fraction;
 use super::knuckle::{KnuckleClaim, Part};
@@ -153,7 +154,7 @@ impl LinkClaim {
 
     /// The same before a part of h_k: ±1, or ± a quarter turn.
     pub(super) fn turned_into(&self, part: Part, order: u32) -> Vector {
-        let has_sign = |angle: &BigRational| unsigned(angle) != angle - angle.floor();
+        let has_sign = |angle: &BigRational| unsigned(angle) != turn(angle);
         let [angle, correction] = [&self.angle, &self.correction].map(has_sign);
         let one = BigRational::one();
         let weight = if angle != correction && order % 2 == 1 { -one } else { one };
@@ -168,7 +169,7 @@ impl LinkClaim {
 
 /// The angle or its opposite, in turns: the one up to ½.
 pub(super) fn unsigned(angle: &BigRational) -> BigRational {
-    let part = angle - angle.floor();
+    let part = turn(angle);
     if &part + &part > BigRational::one() { BigRational::one() - part } else { part }
 }
 

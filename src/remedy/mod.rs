@@ -198,14 +198,7 @@ pub fn remedy(engine: &Engine, request: &Request) -> Result<Remedy, RemedyError>
     };
     let bays = match request.factors.is_empty() {
         true => Vec::new(),
-        false => {
-            let bays = bay_by_bay(&subject, &request.factors, &request.skews);
-            let has_bay = |plane: &BigRational| bays.iter().any(|bay| bay.position == *plane);
-            if let Some(plane) = planes::planes(&subject, 1, Sense::Direct).into_iter().find(|plane| !has_bay(plane)) {
-                return Err(RemedyError::Weighted(plane));
-            }
-            planes::in_place_of_what_is_there(&subject, bays)
-        }
+        false => planes::in_place_of_what_is_there(&subject, bay_by_bay(&subject, &request.factors, &request.skews))?,
     };
     let crankshaft =
         request.orders.contains(&1).then(|| on_the_crankshaft(&subject, &bays, &planes, request.planes.is_some()));

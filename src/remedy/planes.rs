@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::comparable_engine::ComparableEngine;
+use super::error::RemedyError;
 use super::weight::Weight;
 use crate::engine::Engine;
 use crate::exact::Term;
@@ -99,10 +100,20 @@ pub(super) fn planes(subject: &ComparableEngine, order: u32, sense: Sense) -> Ve
 }
 
 /// Less what is on the crankshaft in their planes.
-pub(super) fn in_place_of_what_is_there(subject: &ComparableEngine, weights: Vec<Weight>) -> Vec<Weight> {
+///
+/// # Errors
+/// What is on it in another plane, and would stay.
+pub(super) fn in_place_of_what_is_there(
+    subject: &ComparableEngine,
+    weights: Vec<Weight>,
+) -> Result<Vec<Weight>, RemedyError> {
+    let takes = |plane: &BigRational| weights.iter().any(|weight| weight.position == *plane);
+    if let Some(plane) = planes(subject, 1, Sense::Direct).into_iter().find(|plane| !takes(plane)) {
+        return Err(RemedyError::Weighted(plane));
+    }
     let less = |weight: Weight| {
         let (_, there) = there(subject, weight.order, weight.sense, &weight.position);
         Weight { vector: weight.vector.minus(&there), ..weight }
     };
-    weights.into_iter().map(less).filter(|weight| !weight.vector.vanishes()).collect()
+    Ok(weights.into_iter().map(less).filter(|weight| !weight.vector.vanishes()).collect())
 }

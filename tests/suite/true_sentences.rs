@@ -10,11 +10,16 @@ use crate::support::pages;
 use crate::support::program::{call, scratch};
 use crate::support::written::engine;
 
-/// What the program prints of a layout, on lines joined to one.
+/// What the program prints of a layout, on one line.
 fn said(question: &str, layout: &str, more: &[&str]) -> String {
     let path = scratch("true-sentences").join("layout.toml");
     std::fs::write(&path, layout).expect("a layout");
-    let output = call(&[&[question, path.to_str().expect("UTF-8")], more].concat());
+    printed(&[&[question, path.to_str().expect("UTF-8")], more].concat())
+}
+
+/// What it prints when it is asked so, on lines joined to one.
+fn printed(arguments: &[&str]) -> String {
+    let output = call(arguments);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8_lossy(&output.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -191,10 +196,6 @@ fn what_counterweights_leave_is_told_of_force_and_moment_where_the_parts_differ(
 
 #[test]
 fn stars_that_are_equally_good_are_all_counted() {
-    let told = said_of(&["search", "--cylinders", "5", "--cycle", "four-stroke"]);
+    let told = printed(&["search", "--cylinders", "5", "--cycle", "four-stroke"]);
     assert!(told.contains("24 of the 24 crank stars are the best, with 8 different sets of values"), "{told}");
-}
-
-fn said_of(arguments: &[&str]) -> String {
-    String::from_utf8_lossy(&call(arguments).stdout).split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -1,12 +1,12 @@
 //! How is each order proved? Its star, what is left, and the argument for each vector.
 
+use num_traits::Signed;
+
 use super::super::residual_words::{sentence, whole_sentence};
 use super::super::star::{WholeStars, sized_star_figure, star_figure, star_legend, whole_legend, whole_star_figure};
 use super::super::{argument, example, residual, table};
 use super::weighing::{Weighed, WeighedParts};
-use crate::engine::{Cylinder, DOES_NOT_EXIST, Engine, WHY_NOT};
-use num_traits::Signed;
-
+use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::exact::Turn;
 use crate::page::{Block, Fold, Picture, Text, phrase};
 use crate::proof::{Quantity, Sense};
@@ -85,8 +85,7 @@ const SPEEDS: &str = "A crankshaft that turns ν times while the reference turns
 const BELOW_ZERO: &str = "A cylinder with an offset below 0 is the mirror image of one with the same offset above 0: in odd orders above 1 its term is multiplied by −1, which is its weight in the table of the order.";
 
 fn has_offset_below_zero(engine: &Engine) -> bool {
-    let offset = |cylinder: &Cylinder| Some(cylinder.mechanism.as_ref()?.rod()?.offset.clone());
-    engine.cylinders().iter().filter_map(offset).any(|offset| offset.is_negative())
+    engine.mechanisms().iter().filter_map(|mechanism| mechanism.rod()).any(|rod| rod.offset.is_negative())
 }
 
 /// The proofs, order by order.

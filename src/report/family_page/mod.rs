@@ -14,6 +14,7 @@ mod unknowns;
 mod words;
 
 pub use document::open_document;
+pub(super) use picture::axis_name;
 pub use picture::{amplitudes, amplitudes_caption};
 pub(super) use words::{argument, condition_of, summary};
 

@@ -31,11 +31,7 @@ const MOST_DOTS: usize = 24;
 /// drawn where its arms are known, or multiples of one open length, which is the unit then.
 pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
     let unknown = open_angle(family)?;
-    let symbol = match (unknown == PHI, family.has_open_banks()) {
-        (true, true) => "Bank angle φ in °",
-        (true, false) => "Angle φ in °",
-        (false, _) => "Pin split δ in °",
-    };
+    let axis_name = axis_name(family, unknown);
     let mut plots = Vec::new();
     let sizes = sizes(family, orders);
     for (quantity, curves) in shown(family, orders) {
@@ -50,7 +46,7 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
             None => curves.len().div_ceil(curves.len().div_ceil(MOST_CURVES).max(1)).max(1),
         };
         for chunk in curves.chunks(in_each) {
-            let x = Axis::angle(symbol, 0.0, 360.0, 30);
+            let x = Axis::angle(axis_name, 0.0, 360.0, 30);
             let mut plot = Plot::new(heading(quantity, chunk), x, Axis::amplitude(axis.clone()));
             for (order, verdicts) in chunk {
                 let scale = sizes.as_ref().map_or(1.0, |sizes| sizes.coefficient(*order));
@@ -60,6 +56,15 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
         }
     }
     (!plots.is_empty()).then(|| stacked(plots))
+}
+
+/// What the axis of an open angle is called: φ is the bank angle where it turns banks.
+pub(in crate::report) fn axis_name(family: &Family, unknown: &str) -> &'static str {
+    match (unknown == PHI, family.has_open_banks()) {
+        (true, true) => "Bank angle φ in °",
+        (true, false) => "Angle φ in °",
+        (false, _) => "Pin split δ in °",
+    }
 }
 
 /// What the drawing of [`amplitudes`] shows.

@@ -6,6 +6,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use super::super::super::family_page::axis_name;
 use super::super::super::typeset;
 use super::{OpenFiringStudy, words};
 use crate::engine::{FiringSpan, PHI};
@@ -51,12 +52,8 @@ fn plot(study: &OpenFiringStudy<'_>, unknown: &str, stars: &[&OpenStar]) -> Figu
         [only] => format!("Firing star, order {only}"),
         several => format!("Firing stars, orders {}", several.join(", ")),
     };
-    let symbol = match (unknown == PHI, study.family.has_open_banks()) {
-        (true, true) => "Bank angle φ in °",
-        (true, false) => "Angle φ in °",
-        (false, _) => "Pin split δ in °",
-    };
-    let mut plot = Plot::new(title, Axis::angle(symbol, 0.0, 360.0, 30), Axis::amplitude("Length in r"));
+    let mut plot =
+        Plot::new(title, Axis::angle(axis_name(study.family, unknown), 0.0, 360.0, 30), Axis::amplitude("Length in r"));
     for (number, (star, name)) in stars.iter().zip(names).enumerate() {
         let zeros: Vec<BigRational> = words::values(study, star).into_iter().flatten().collect();
         let spans = star.spans.as_deref().unwrap_or_default();
