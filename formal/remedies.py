@@ -3,7 +3,7 @@ from fractions import Fraction
 from math import isqrt
 
 from enclosures import check_shown, common_denominator, enclose
-from verify import ONE, SENSES, certify, check_asked, check_engine, collect, demand, each, equal, groups, plain, read, terms_of, types
+from verify import ONE, SENSES, certify, check_asked, check_engine, collect, demand, each, equal, groups, note_idle, plain, read, terms_of, types
 from wholes import Whole, is_open
 
 SLIGHT, BITS = Fraction(1, 10**6), 256
@@ -41,6 +41,7 @@ def check(tree, notes):
     cylinders, turning, plane = document.cylinders, document.turning_masses, document.reference_plane
     check_asked(document, ["force", "moment"])
     check_engine(cylinders, turning)
+    note_idle(document, notes)
     demand(all(c.weight >= 0 for c in cylinders), "a piston weighs less than nothing")
     demand(document.masses == "all" and len(document.quantities) == 2, "a remedy is about force and moment of all masses")
     for weight in each("weights", document.weights):
@@ -79,11 +80,13 @@ def check(tree, notes):
 
 def check_slight(document, left):
     """What is left in an order, both senses end to end, is less than a millionth of the load: of the force of all pistons at order 1,
-    end to end; of that times the distance from the first of them to the last for the moment. A vector S is a force of half its length."""
-    load = sum(c.weight for c in document.cylinders)
-    along = [c.position for c in document.cylinders if c.weight] or [0]
+    end to end; for the moment, of that force of each times its distance from the centre of mass of all. A vector S is a force of half its length."""
+    cylinders = document.cylinders
+    load = sum(c.weight for c in cylinders)
+    centre = sum(c.weight * c.position for c in cylinders) / load if load else 0
+    of_moment = sum(c.weight * abs(c.position - centre) for c in cylinders)
     for k in sorted({k for k, _ in left}):
-        for quantity, unit in (("force", load), ("moment", load * (max(along) - min(along)))):
+        for quantity, unit in (("force", load), ("moment", of_moment)):
             most = sum(longest(of[quantity], k, sense) for (order, sense), of in left.items() if order == k and quantity in of)
             demand(most < 2 * SLIGHT * unit or most == 0, f"order {k}: the {quantity} that is left is no less than a millionth of the load")
 

@@ -1,15 +1,15 @@
 //! Is what a remedy omits too little for a weight?
 //!
 //! The force that is left in an order, both senses end to end, is below a millionth of the load: of the force that all pistons make
-//! at order 1, end to end. The moment that is left is below a millionth of the load at the end of an arm that reaches from the first of
-//! these pistons to the last: neither a mass elsewhere nor the plane of reference makes it longer. A vector S is a force of half its
+//! at order 1, end to end. The moment that is left is below a millionth of these forces, each times the distance of its piston from the
+//! centre of mass of all: neither a light mass far off nor the plane of reference makes it larger. A vector S is a force of half its
 //! length, so the load is the vector that is twice all weights long.
 
 use std::collections::BTreeSet;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 
 use super::audit::{Audit, Fault, Reason};
 use super::coefficient::Coefficient;
@@ -46,7 +46,7 @@ pub(super) fn check_left_out(document: &RemedyDocument, left: &[LeftOut], audit:
     let load: BigRational = document.cylinders.iter().map(|cylinder| &cylinder.weight).sum();
     let orders: BTreeSet<u32> = named.into_iter().map(|(order, _)| order).collect();
     for order in orders {
-        for (quantity, unit) in [(Quantity::FORCE, load.clone()), (Quantity::MOMENT, &load * length(document))] {
+        for (quantity, unit) in [(Quantity::FORCE, load.clone()), (Quantity::MOMENT, load_of_moment(document))] {
             let place = || format!("left_out (order {order}, {})", quantity.name());
             let of_order = left.iter().filter(|one| (one.quantity, one.order) == (quantity, order));
             let of_order: Vec<&LeftOut> = of_order.collect();
@@ -62,12 +62,15 @@ pub(super) fn check_left_out(document: &RemedyDocument, left: &[LeftOut], audit:
     Ok(())
 }
 
-/// From the first to the last of the pistons that make the load.
-fn length(document: &RemedyDocument) -> BigRational {
-    let pistons = document.cylinders.iter().filter(|cylinder| !cylinder.weight.is_zero());
-    let all = || pistons.clone().map(|cylinder| &cylinder.position);
-    let ends = all().max().zip(all().min());
-    ends.map_or_else(BigRational::zero, |(last, first)| last - first)
+/// The force of each piston times its distance from their centre of mass.
+fn load_of_moment(document: &RemedyDocument) -> BigRational {
+    let load: BigRational = document.cylinders.iter().map(|cylinder| &cylinder.weight).sum();
+    if load.is_zero() {
+        return load;
+    }
+    let first: BigRational = document.cylinders.iter().map(|cylinder| &cylinder.weight * &cylinder.position).sum();
+    let centre = first / load;
+    document.cylinders.iter().map(|cylinder| &cylinder.weight * (&cylinder.position - &centre).abs()).sum()
 }
 
 /// The lengths of the vectors of both senses, added.

@@ -88,7 +88,7 @@ pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational;
 }
 
 /// What is left in an order and makes less than this part of the load is omitted: of the force of all pistons at order 1, end to end,
-/// and for the moment of that at the end of an arm from the first of them to the last.
+/// and for the moment of the force of each times its distance from the centre of mass of all.
 pub const LEAST: f64 = 1e-6;
 
 /// Decimals decide what is omitted, and the checker of the document encloses it: they keep this far from the limit.
@@ -127,12 +127,12 @@ pub fn are_slight(subject: &ComparableEngine, shafts: &[&Shaft]) -> bool {
 /// as 2, which none is above.
 fn part_of_load(subject: &ComparableEngine, shaft: &Shaft) -> [f64; 2] {
     let engine = subject.engine();
-    let cylinders = engine.cylinders();
-    let load: f64 = cylinders.iter().map(|cylinder| numbers::float(&order::mass_radius(engine, cylinder))).sum();
-    let pistons = || cylinders.iter().filter(|cylinder| !cylinder.reciprocating_mass.is_zero());
-    let positions = || pistons().map(|cylinder| &cylinder.position);
-    let ends = positions().max().zip(positions().min());
-    let length = ends.map_or(0.0, |(last, first)| numbers::float(&(last - first)));
+    let weights: Vec<(BigRational, &BigRational)> =
+        engine.cylinders().iter().map(|one| (order::mass_radius(engine, one), &one.position)).collect();
+    let load: BigRational = weights.iter().map(|(weight, _)| weight).sum();
+    let first: BigRational = weights.iter().map(|(weight, position)| weight * *position).sum();
+    let centre = if load.is_zero() { BigRational::zero() } else { first / &load };
+    let of_moment: BigRational = weights.iter().map(|(weight, position)| weight * (*position - &centre).abs()).sum();
     let force = |weight: &Weight| weight.adds();
     let moment = |weight: &Weight| weight.adds().scaled(&(&weight.position - engine.reference_plane()));
     let part = |of_weight: &dyn Fn(&Weight) -> OrderSum, unit: f64| {
@@ -141,7 +141,7 @@ fn part_of_load(subject: &ComparableEngine, shaft: &Shaft) -> [f64; 2] {
         let vector = subject.value(&sum, shaft.order, shaft.sense).map_or_else(bare, |value| value.norm());
         if sum.vanishes() { 0.0 } else { vector / 2.0 / unit }
     };
-    [part(&force, load), part(&moment, load * length)]
+    [part(&force, numbers::float(&load)), part(&moment, numbers::float(&of_moment))]
 }
 
 fn same_length(a: &Shaft, b: &Shaft) -> bool {
