@@ -123,7 +123,7 @@ def rod_of(entry):
 
 def check_masters(cylinders, rods):
     """A link hangs on a master rod of the engine, on the same crankpin, with its axis at the angle that is said."""
-    place = lambda c, bank: (c.throw % 1, bank % 1, c.get("crank_radius"))
+    place = lambda c, bank: (c.throw % 1, bank % 1, c.get("crank_radius"), c.get("position"))
     masters = {(*place(c, c.bank), rod[1]) for c, rod in zip(cylinders, rods) if rod[0] == "rod" and rod[2] == 0}
     links = [(*place(c, c.bank - rod[3]), rod[1]) for c, rod in zip(cylinders, rods) if rod[0] == "link"]
     demand(masters.issuperset(links), "a link hangs on no master rod of the engine")
@@ -223,6 +223,7 @@ def check_classify(tree, notes):
     cylinders, turning, quantities = document.cylinders, document.turning_masses, document.quantities
     check_asked(document, list(SENSES))
     check_engine(cylinders, turning)
+    note_idle(document, notes)
     demand(document.masses != "reciprocating" or not turning, "the verdicts are about the reciprocating masses alone")
     names = [one.name for one in cylinders + turning] + [f"knuckle of cylinder {c.name}" for c in cylinders if c.knuckle_weight]
     demand(len(set(names)) == len(names), "two sources have the same name")
@@ -261,6 +262,10 @@ def check_asked(document, allowed):
     orders, quantities = document.orders, document.quantities
     demand(orders and orders[0] >= 1 and sorted(set(orders)) == orders, "orders rise from 1 on")
     demand(quantities and quantities == [one for one in allowed if one in quantities], f"quantities are in the order {allowed}")
+
+def note_idle(document, notes):
+    if any(mass.order not in document.orders for mass in document.turning_masses) and not document.get("all_orders"):
+        notes.add("the masses that turn at orders not asked for: no sum of the document is about them")
 
 def check_verdict(entry, quantity, k, number, sense, found):
     equal(entry, quantity=quantity, order=k, sense=sense)

@@ -62,7 +62,8 @@ fn check_head(document: &Document) -> Result<(), Fault> {
         let checked = checked.and_then(|()| check_speed(&cylinder.rod, cylinder.speed));
         checked.map_err(|reason| Fault { place: "cylinders".into(), reason })?;
     }
-    let held = document.cylinders.iter().map(|one| (&one.throw, &one.crank_radius, &one.bank, &one.rod));
+    let cylinders = document.cylinders.iter();
+    let held = cylinders.map(|one| (&one.throw, &one.bank, &one.rod, [&one.crank_radius, &one.position]));
     let rods = document.rods().and_then(|_| check_masters(held));
     rods.map_err(|reason| Fault { place: "cylinders".into(), reason })
 }

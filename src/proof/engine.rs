@@ -7,6 +7,7 @@ use num_traits::{One, Signed, Zero};
 use serde::{Deserialize, Serialize};
 
 use super::audit::{Fault, Reason};
+use super::collected::turn;
 use super::fraction;
 use super::link::LinkClaim;
 use super::quantity::{Quantity, Sense};
@@ -194,19 +195,18 @@ pub(super) fn rods<'a>(
     }
 }
 
-/// What a master rod and its links have in common, in turns of one revolution: crankpin, crank radius, axis of the master's cylinder, λ of its rod.
-type Master = (BigRational, BigRational, BigRational, BigRational);
+/// What a master rod and its links have in common: their crankpin (its throw in turns of one revolution, and what else a document says of
+/// it), the axis of the master's cylinder, λ of its rod.
+type Master<'a, const N: usize> = (BigRational, [&'a BigRational; N], BigRational, BigRational);
 
 /// Checks that each link hangs on a master rod of the engine: one without offset, on the same crankpin, with its axis at the angle that is said.
-pub(super) fn check_masters<'a>(
-    cylinders: impl Iterator<Item = (&'a BigRational, &'a BigRational, &'a BigRational, &'a RodStatement)>,
+/// Of each cylinder throw, bank and rod, and what else the document says of its crankpin: crank radius, position.
+pub(super) fn check_masters<'a, const N: usize>(
+    cylinders: impl Iterator<Item = (&'a BigRational, &'a BigRational, &'a RodStatement, [&'a BigRational; N])>,
 ) -> Result<(), Reason> {
-    let within = |angle: BigRational| &angle - angle.floor();
-    let (mut masters, mut links) = (BTreeSet::new(), Vec::<(Master, &LinkClaim)>::new());
-    for (throw, radius, bank, rod) in cylinders {
-        let master = |axis: BigRational, ratio: &BigRational| {
-            (within(throw.clone()), radius.clone(), within(axis), ratio.clone())
-        };
+    let (mut masters, mut links) = (BTreeSet::new(), Vec::<(Master<'a, N>, &LinkClaim)>::new());
+    for (throw, bank, rod, pin) in cylinders {
+        let master = |axis: BigRational, ratio: &BigRational| (turn(throw), pin, turn(&axis), ratio.clone());
         match rod {
             RodStatement::Known(rod) if rod.offset.is_zero() => {
                 masters.insert(master(bank.clone(), &rod.ratio));

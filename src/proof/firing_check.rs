@@ -54,7 +54,7 @@ fn check_head(document: &FiringDocument) -> Result<(), Fault> {
         return Err(Fault::new("format", "firing stars are in `crankstar firing 1`"));
     }
     check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
-    let held = document.cylinders.iter().map(|one| (&one.throw, &one.crank_radius, &one.bank, &one.rod));
+    let held = document.cylinders.iter().map(|one| (&one.throw, &one.bank, &one.rod, [&one.crank_radius]));
     rods(document.cylinders.iter().map(|cylinder| &cylinder.rod))
         .and_then(|_| check_masters(held))
         .map_err(|reason| Fault { place: "cylinders".into(), reason })?;

@@ -103,8 +103,7 @@ fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
         checked.map_err(|reason| Fault::new("cylinders", reason))?;
     }
     // Weights are masses times radii here: which radius is not said.
-    let radius = BigRational::one();
-    let held = document.cylinders.iter().map(|one| (&one.throw, &radius, &one.bank, &one.rod));
+    let held = document.cylinders.iter().map(|one| (&one.throw, &one.bank, &one.rod, [&one.position]));
     check_masters(held).map_err(|reason| Fault::new("cylinders", reason))?;
     let of_shafts = document.turning_masses.iter().filter_map(|mass| mass.coefficient_of.as_ref());
     check_shafts(of_shafts.clone()).map_err(|reason| Fault::new("turning_masses", reason))?;

@@ -5,9 +5,12 @@
 
 use crankstar::file::{self, Layout};
 use crankstar::firing::Weights;
-use crankstar::proof::{LinkClaim, Masses, RodStatement, Sense, check_firing_document, read_document};
+use crankstar::proof::{
+    LinkClaim, Masses, RodStatement, Sense, check_document, check_firing_document, check_remedy_document, read_document,
+};
 use crankstar::remedy::{Request, remedy};
 use crankstar::{family, report};
+use num_rational::BigRational;
 use serde_json::Value;
 
 use crate::support::mutations::{at, changes, walk, written};
@@ -24,7 +27,7 @@ fn is_same_direction(path: &str, before: &Value, after: &Value) -> bool {
         .iter()
         .any(|key| path.ends_with(&format!(".{key}")));
     let is_known_part = path.ends_with(".throw.1") || path.ends_with(".bank.1");
-    let parsed = |value: &Value| value.as_str().and_then(|text| text.parse::<num_rational::BigRational>().ok());
+    let parsed = |value: &Value| value.as_str().and_then(|text| text.parse::<BigRational>().ok());
     let (Some(before), Some(after)) = (parsed(before), parsed(after)) else { return false };
     (is_angle || is_known_part) && (before - after).is_integer()
 }
@@ -194,6 +197,31 @@ fn every_change_of_the_firing_stars_of_links_is_refused() {
         second::refuses(&[("a link without a master rod", cheat)]);
     }
     second::accepts(&[document], &[]);
+}
+
+/// Of two crankpins at one angle, and on none.
+#[test]
+fn a_link_in_another_plane_than_its_master_rod_is_refused() {
+    let text = "[vee]\nbank_angle = 60\nthrows = [0, 0]\n[mechanism]\nrod_ratio = '1/4'\n[articulated]\nmaster = [1, 2]\nknuckle_ratio = '1/5'";
+    let engine = file::parse("engine", text).expect("a layout");
+    let found = remedy(&engine, &Request { orders: vec![1], ..Request::default() }).expect("a remedy");
+    let verdicts = verdicts::document(&engine, &judged(&engine, &[1], false), false, None);
+    let remedy = report::remedy_document(&found);
+    let is_link = |rod: &RodStatement| matches!(rod, RodStatement::Link(_));
+    let last = verdicts.cylinders.iter().rposition(|cylinder| is_link(&cylinder.rod)).expect("a link");
+    for position in ["99", "0"].map(|position| position.parse::<BigRational>().expect("a number")) {
+        let (mut one, mut other) = (verdicts.clone(), remedy.clone());
+        one.cylinders[last].position = position.clone();
+        other.cylinders[last].position = position;
+        let faults = [check_document(&one).map(|_| ()), check_remedy_document(&other).map(|_| ())];
+        for fault in faults {
+            let fault = fault.expect_err("a link in another plane").to_string();
+            assert!(fault.contains("master rod"), "{fault}");
+        }
+        second::refuses(&[("a link in another plane", one)]);
+        second::refuses(&[("a link in another plane", other)]);
+    }
+    second::accepts(&[verdicts], &[]);
 }
 
 #[test]
