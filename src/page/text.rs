@@ -86,6 +86,11 @@ impl Text {
         Piece::Measured(value, unit, Setting::About).into()
     }
 
+    /// A decimal after ≈ with its unit.
+    pub fn measured_in(value: f64, unit: Unit) -> Self {
+        Text::measured(value, unit).and(Piece::Label("\u{202f}".to_owned())).and(unit)
+    }
+
     /// A decimal without a sign before it, to four figures or those that the reader asks for.
     pub fn figures(value: f64) -> Self {
         Piece::Measured(value, Unit::NONE, Setting::Usual(super::number::decimal)).into()

@@ -1,7 +1,5 @@
 //! How is the answer to a claim put in words: whether it holds, and what is the case?
 
-use num_rational::BigRational;
-
 use super::super::residual;
 use super::super::typeset::{self, Amount};
 use super::orders::Asked;
@@ -9,7 +7,7 @@ use super::{counterweights, forces, gas_torque, shaking};
 use crate::claim::{self, Absolute, Answer, Condition, Finding, Numbers, Statement, Status, Subject};
 use crate::engine::{Engine, WHY_NOT};
 use crate::order::Masses;
-use crate::page::{Piece, Text, Unit, number, phrase};
+use crate::page::{Text, Unit, number, phrase};
 use crate::proof::{Quantity, Sense, Shape};
 use crate::remedy::Remedy;
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, TorquePart, Verdict};
@@ -76,7 +74,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
             let degrees = intervals.iter().map(|interval| typeset::turns(interval).into());
             phrase!("The intervals are {}.", Text::joined(degrees, ", "))
         }
-        (Finding::Mass(mass), _) => phrase!("The crankshaft's mass is {}.", kilograms(mass)),
+        (Finding::Mass(mass), _) => phrase!("The crankshaft's mass is {}.", number::given_with(mass, Unit::KILOGRAM)),
         (Finding::Bearings(loads), _) => super::super::bearings::peaks_in_words(loads),
         (Finding::CombinedOrders(orders), _) => Text::joined(orders.iter().map(of_several_rods), " "),
         (Finding::Remedy(remedy), _) => needs(remedy),
@@ -174,11 +172,6 @@ fn left(name: &Text, order: u32, balance: &Balance) -> Text {
     }
 }
 
-/// A mass exactly, where it is no long fraction.
-fn kilograms(mass: &BigRational) -> Text {
-    number::given_with(mass, Unit::KILOGRAM)
-}
-
 /// A force or a moment with whose it is, where it is not that of the pistons.
 fn whose(name: &'static str, masses: Masses) -> Text {
     match masses {
@@ -195,7 +188,7 @@ fn sense(verdict: &Verdict) -> &'static str {
 
 fn in_newtons(subject: Subject, absolute: &Absolute) -> Text {
     let unit = if subject.quantity == Quantity::MOMENT { Unit::NEWTON_METRE } else { Unit::NEWTON };
-    let value = |value: f64| Text::measured(value, unit).and(Piece::Label("\u{202f}".to_owned())).and(unit);
+    let value = |value: f64| Text::measured_in(value, unit);
     match subject.order {
         1 => phrase!("That is {}.", value(absolute.whole)),
         _ => phrase!(

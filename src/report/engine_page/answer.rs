@@ -318,32 +318,29 @@ fn notes(
     weighing: &Weighing,
     is_exact: bool,
 ) -> Vec<Block> {
-    let mut page = Document::new("verdicts", Text::default());
-    page.blocks.extend(stars::cited(engine).into_iter().map(Block::Note));
-    page.blocks.extend(sizes(as_judged).filter(|_| is_exact).map(Block::Note));
+    let mut notes: Vec<Text> = stars::cited(engine).into_iter().collect();
+    notes.extend(sizes(as_judged).filter(|_| is_exact));
     // What books say of rods that are assumed nobody asks.
     let given = as_judged.filter(|weighed| weighed.assumed.is_none());
-    page.blocks.extend(given.and_then(|weighed| books_line(engine, &weighed.loads, Unit::as_read)).map(Block::Note));
-    page.blocks.extend(is_exact.then(|| Block::Note(residual::LEGEND.into())));
-    let rows = is_exact && shows_classes(weighing, as_judged);
-    let rows = rows.then(|| conventions::rows(engine)).into_iter().flatten();
-    page.blocks.extend(rows.map(|words| Block::Note(words.into())));
-    page.blocks.extend(articulated::hidden(engine).map(Block::Note));
-    page.blocks
-        .extend((is_exact && !engine.geared_cranks().is_empty()).then(|| Block::Note(residual::ROLL_LEGEND.into())));
+    notes.extend(given.and_then(|weighed| books_line(engine, &weighed.loads, Unit::as_read)));
+    notes.extend(is_exact.then(|| residual::LEGEND.into()));
+    if is_exact && shows_classes(weighing, as_judged) {
+        notes.extend(conventions::rows(engine).into_iter().map(Text::from));
+    }
+    notes.extend(articulated::hidden(engine));
+    notes.extend((is_exact && !engine.geared_cranks().is_empty()).then(|| residual::ROLL_LEGEND.into()));
     let lacks = as_judged.and_then(|weighed| weighed.loads.roll_lacks);
-    let asked = geared::roll_asked_of(engine).or_else(|| lacks.map(|missing| roll_asked(engine, missing)));
-    page.blocks.extend(asked.map(Block::Note));
-    page.blocks.extend(geared::flywheels(engine, judged).map(|words| Block::Note(words.into())));
-    page.blocks.extend(engine.faster_crank().filter(|_| is_exact).map(|_| Block::Note(residual::SPEED_LEGEND.into())));
-    page.blocks.extend(residual::turning_unit(judged).filter(|_| is_exact).map(|words| Block::Note(words.into())));
+    notes.extend(geared::roll_asked_of(engine).or_else(|| lacks.map(|missing| roll_asked(engine, missing))));
+    notes.extend(geared::flywheels(engine, judged).map(Text::from));
+    notes.extend(engine.faster_crank().filter(|_| is_exact).map(|_| residual::SPEED_LEGEND.into()));
+    notes.extend(residual::turning_unit(judged).filter(|_| is_exact).map(Text::from));
     let missing =
         |order: &OrderVerdict| !order.exists() || order.torque.as_ref().is_some_and(|torque| !torque.exists());
     if judged.orders.iter().any(missing) {
-        page.push(Block::Note(residual::why_not(judged.masses).into()));
+        notes.push(residual::why_not(judged.masses).into());
     }
-    page.blocks.extend(residual::whose_masses(engine, judged).map(Block::Note));
-    page.blocks
+    notes.extend(residual::whose_masses(engine, judged));
+    notes.into_iter().map(Block::Note).collect()
 }
 
 /// What is true of every order, of the masses judged or else of the pistons.

@@ -6,7 +6,7 @@ use super::vibration::Barred;
 use super::{ResonanceOrder, VibrationOrder};
 use crate::engine::CycleOrder;
 use crate::numbers::float;
-use crate::page::{Piece, Text, Unit, phrase};
+use crate::page::{Text, Unit, phrase};
 use crate::torsion;
 
 impl TorsionStudy {
@@ -71,11 +71,7 @@ pub(super) struct Impassable {
 pub(super) fn said(study: &TorsionStudy, one: &ResonanceOrder, barred: &Barred) -> Text {
     let [from, to] = barred.speeds;
     if let Some(worst) = study.impassable(barred) {
-        let stress = |pascals: f64| {
-            Text::measured(1e-6 * pascals, Unit::MEGAPASCAL)
-                .and(Piece::Label("\u{202f}".to_owned()))
-                .and(Unit::MEGAPASCAL)
-        };
+        let stress = |pascals: f64| Text::measured_in(1e-6 * pascals, Unit::MEGAPASCAL);
         return phrase!(
             "Around the critical speed {} of order {} a barred range is no cure: at {} the stress in shaft {} is {}, and {} is permitted for passing through quickly.",
             rpm(one.rpm),
