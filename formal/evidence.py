@@ -5,20 +5,20 @@ from verify import check_classify, demand, each, equal, read, types
 # Beside the evidence of loads and comparisons stand numbers with their labels: no word of what is zero, and no truth.
 types("""amplitudes = zero-to-peak; force-unit = N m_r_ω²; moment-unit = N_m N_a m_r_ω²_·_1_m m_r_ω²_a; torque-unit = N_m m_r²_ω²;
     units: force=force-unit moment=moment-unit torque=torque-unit; effect = reciprocating rotating crankshaft counterweights balancers;
-    scale: mass_kg=decimal crank_radius_m=decimal speed_rpm=decimal angular_speed_rad_s=decimal m_r_omega_squared_n=decimal;
-    load-coefficient: order=count re=decimal im=decimal; load-vector: amplitude=decimal angle_deg=decimal? below=decimal?;
-    load-order: quantity order=count direct=load-vector reverse=load-vector largest=decimal smallest=decimal direction_deg=decimal?
-        along=decimal across=decimal dimensionless=decimal;
-    load-torque: order=count amplitude=decimal phase_deg=decimal? dimensionless=decimal;
-    largest-load: value=decimal theta_deg=decimal? error_bound=decimal; bound: at_most=decimal part=decimal?;
+    scale: mass_kg=size crank_radius_m=size speed_rpm=size angular_speed_rad_s=size m_r_omega_squared_n=size;
+    load-coefficient: order=count re=decimal im=decimal; load-vector: amplitude=size angle_deg=decimal? below=size?;
+    load-order: quantity order=count direct=load-vector reverse=load-vector largest=size smallest=size direction_deg=decimal?
+        along=size across=size dimensionless=size;
+    load-torque: order=count amplitude=size phase_deg=decimal? dimensionless=size;
+    largest-load: value=size theta_deg=decimal? error_bound=size; bound: at_most=size part=size?;
     largest-loads: force=largest-load moment=largest-load inertia_torque?=largest-load;
     left-out-loads: force=bound? moment=bound? inertia_torque=bound?;
-    peak: value=decimal crank_angle_deg=decimal? effects=[(effect,decimal)]; peaks: force=peak moment=peak torque?=peak;
-    auto: accuracy=decimal kept=[count] dropped=[count] torque_kept=[count] torque_dropped=[count] looked_at=count;
+    peak: value=size crank_angle_deg=decimal? effects=[(effect,decimal)]; peaks: force=peak moment=peak torque?=peak;
+    auto: accuracy=size kept=[count] dropped=[count] torque_kept=[count] torque_dropped=[count] looked_at=count;
     loads: format=text title=text amplitudes units scale=scale? effects=[effect] coefficients=[load-coefficient] orders=[load-order]
         torque=[load-torque] roll?=[load-torque] largest=largest-loads left_out=left-out-loads peaks coefficients_computed=count auto? evidence=[document];
-    position-unit = m spacing; intervals: intervals_deg=[decimal]; amount: largest=decimal?; compared-order: order=count force=amount moment=amount;
-    newtons: order=count force=decimal moment=decimal; worst: bearings=[count] peak=decimal unit=force-unit;
+    position-unit = m spacing; intervals: intervals_deg=[size]; amount: largest=size?; compared-order: order=count force=amount moment=amount;
+    newtons: order=count force=size moment=size; worst: bearings=[count] peak=size unit=force-unit;
     compared: title=text position_unit=position-unit firing=intervals? orders=[compared-order] newtons=[newtons]? worst_bearings=worst?
         worst_bearing_with_gas?=worst;
     comparison: format=text orders=[count] amplitudes engines=[compared] evidence=[document]""")
@@ -52,30 +52,61 @@ def agrees(size, is_zero):
 
 def check_loads(document, evidence, judged):
     equal(document, title=evidence["title"])
+    scale, effects, peaks = document.scale, document.effects, document.peaks
+    demand(all(unit.startswith("N") == (scale is not None) for unit in document.units.values()), "newtons need a scale")
     # In newtons all is 0 of an engine at rest, in multiples of m r ω² it is not.
-    at_rest = document.scale is not None and is_nothing(document.scale.m_r_omega_squared_n)
+    at_rest = scale is not None and is_nothing(scale.speed_rpm)
+    for key, size in (scale or {}).items():
+        demand(is_nothing(size) is (at_rest and key not in ("mass_kg", "crank_radius_m")), f"{key}: no speed makes no force, and nothing else is 0")
+    left = {"force": [], "moment": [], "torque": [], "roll": []}  # is anything left in the orders that are listed?
     for entry in each("orders", document.orders):
-        direct, reverse = (is_zero is True for is_zero in judged[entry.quantity, entry.order])
-        agrees(entry.direct.amplitude, direct or at_rest)
-        agrees(entry.reverse.amplitude, reverse or at_rest)
-        agrees(entry.largest, direct and reverse or at_rest)
-        agrees(entry.dimensionless, direct and reverse)
-    for entry in each("torque", document.torque):
-        is_zero = judged["torque", entry.order] == [True]
-        agrees(entry.amplitude, is_zero or at_rest)
-        agrees(entry.dimensionless, is_zero)
+        zeros = judged[entry.quantity, entry.order]
+        for vector, is_zero in zip((entry.direct, entry.reverse), zeros):
+            agrees(vector.amplitude, is_zero is True or at_rest)
+            demand(is_zero is not True or vector.angle_deg is None, "what is zero has no direction")
+            demand(vector.below is None or is_zero is None and is_nothing(vector.below) is at_rest, "what is decided has no bound")
+        agrees(entry.largest, zeros == [True, True] or at_rest)
+        agrees(entry.dimensionless, zeros == [True, True])
+        left[entry.quantity].append(zeros != [True, True])
+    for quantity, entries in (("torque", document.torque), ("roll", document.roll or [])):
+        for entry in each(quantity, entries):
+            is_zero = judged[quantity, entry.order] == [True]
+            agrees(entry.amplitude, is_zero or at_rest)
+            agrees(entry.dimensionless, is_zero)
+            demand(not is_zero or entry.phase_deg is None, "what is zero has no phase")
+            left[quantity].append(not is_zero)
+    for quantity, largest in (("force", "force"), ("moment", "moment"), ("torque", "inertia_torque")):
+        demand((quantity in peaks) == (quantity in evidence["quantities"]) and (quantity in peaks or largest not in document.largest), "another quantity")
+        if quantity in peaks:
+            agrees(peaks[quantity].value, not any(left[quantity]) or at_rest)
+            demand([name for name, _ in peaks[quantity].effects] == ([] if quantity == "torque" else effects), "the effects differ")
+        if largest in document.largest:
+            demand(not is_nothing(document.largest[largest].value) or not any(left[quantity]) or at_rest, "the largest is not 0")
     shaking = [entry.order for entry in document.orders if entry.quantity == "force"]
-    torque = [entry.order for entry in document.torque]
-    rising = all(one == sorted(set(one)) for one in (shaking, torque))
+    torque, roll = ([entry.order for entry in entries] for entries in (document.torque, document.roll or []))
+    rising = all(one == sorted(set(one)) for one in (shaking, torque, [one.order for one in document.coefficients]))
     due = [(quantity, k) for quantity in ("force", "moment") for k in shaking]
     demand(due == [(entry.quantity, entry.order) for entry in document.orders] and rising and sorted({*shaking, *torque}) == evidence["orders"],
            "these are not the orders of the evidence, force and then moment, each once")
+    demand(roll == (torque if "roll" in evidence["quantities"] else []), "the roll moment has the orders of the torque, where it is judged")
+    demand(len(set(effects)) == len(effects) and all(one.order in shaking for one in document.coefficients), "an effect twice, or a number of no order")
+    auto = document.get("auto")
+    demand(auto is None or (auto.kept, auto.torque_kept) == (shaking, torque), "these are not the orders that are kept")
 
 
 def check_compared(engine, evidence, shapes):
     equal(engine, title=evidence["title"])
     for entries in [engine.orders] if engine.newtons is None else [engine.orders, engine.newtons]:
         demand([entry.order for entry in entries] == evidence["orders"], "these are not the orders of the evidence")
+    is_zero = {about: shape in ("balanced", "does-not-exist") for about, shape in shapes.items()}
+    several = {(whole["quantity"], whole["order"]) for whole in evidence["wholes"]}
+    newtons = engine.newtons or []
+    at_rest = all(is_nothing(entry[quantity]) for entry in newtons for quantity in ("force", "moment"))
     for entry in each("orders", engine.orders):
         for quantity in ("force", "moment"):
-            agrees(entry[quantity].largest, shapes[quantity, entry.order] in ("balanced", "does-not-exist"))
+            about, largest = (quantity, entry.order), entry[quantity].largest
+            demand((largest is None) == (about in several and not is_zero[about]), "several sums have no length, and one has")
+            agrees(largest, is_zero[about])
+    for entry in each("newtons", newtons):
+        for quantity in ("force", "moment"):
+            agrees(entry[quantity], is_zero[quantity, entry.order] or at_rest)

@@ -51,8 +51,8 @@ def exact_of(text):
 
 PLAIN = {"truth": lambda value: type(value) is bool, "count": lambda value: type(value) is int and 0 <= value < 2**32,
          "sign": lambda value: type(value) is int, "decimal": lambda value: type(value) in (int, Decimal) and isfinite(float(value)),
-         "document": lambda value: type(value) is dict,
-         "text": lambda value: type(value) is str and not re.search("[\ud800-\udfff]", value)}
+         "size": lambda value: PLAIN["decimal"](value) and float(value) >= 0, "document": lambda value: type(value) is dict,
+         "text": lambda value: type(value) is str and not re.search("[\ud800-\udfff]|^[0-9+/-]{5001,}\Z", value)}
 
 def read(value, of, key="it"):
     """The value, which has to be written as its type is, with exact numbers as fractions."""

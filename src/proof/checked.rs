@@ -6,11 +6,11 @@ use num_rational::BigRational;
 
 use super::audit::Counts;
 use super::document::Document;
-use super::engine::{Masses, RodStatement};
+use super::engine::{Masses, RodStatement, TurningMassClaim};
 use super::firing::FiringDocument;
 use super::open::OpenDocument;
 use super::quantity::Quantity;
-use super::remedy::RemedyDocument;
+use super::remedy::{RemedyDocument, TurningClaim};
 use super::whole_sum::{WholeClaim, WholeOutcome};
 
 /// What a check that found nothing wrong was about.
@@ -39,6 +39,7 @@ pub struct Checked {
 const COEFFICIENTS: &str =
     "the coefficients c_k of the motion: that those of orders that exist are not zero is a theorem (src/motion)";
 const FORMS: &str = "closed forms of the residual, and how robust a zero is (neither is in the document)";
+const OTHER_ORDERS: &str = "the masses that turn at orders not asked for: no sum of the document is about them";
 const EQUAL_RODS: &str = "that the rods are equal and centric: the document names none";
 const SAME_RODS: &str = "that the rods are equal, so that each sum is one of the engine: families name none";
 const OUTSIDE: &str =
@@ -56,6 +57,8 @@ impl Checked {
     pub(super) fn classify(document: &Document, counts: Counts) -> Self {
         let rods_known = document.rods().is_ok_and(|rods| rods.is_some());
         let unknown = (!rods_known).then_some(EQUAL_RODS);
+        let is_idle = |mass: &TurningMassClaim| !document.all_orders && !document.orders.contains(&mass.order);
+        let other = document.turning_masses.iter().any(is_idle).then_some(OTHER_ORDERS);
         let is_open = |whole: &&WholeClaim| match whole.outcome {
             WholeOutcome::NotDecided { .. } | WholeOutcome::Open => true,
             WholeOutcome::Zero | WholeOutcome::NotZero | WholeOutcome::NotZeroByEnclosure { .. } => false,
@@ -69,7 +72,7 @@ impl Checked {
             open_wholes: document.wholes.iter().filter(is_open).count(),
             shapes: document.shapes.len(),
             theorems: document.theorems.len() + document.recurrences.len(),
-            not_covered: [COEFFICIENTS, FORMS].into_iter().chain(unknown).collect(),
+            not_covered: [COEFFICIENTS, FORMS].into_iter().chain(other).chain(unknown).collect(),
         }
     }
 
@@ -102,11 +105,13 @@ impl Checked {
     pub(super) fn remedy(document: &RemedyDocument, rods_known: bool, counts: Counts) -> Self {
         let left_out = (!document.left_out.is_empty()).then_some(LEFT_OUT);
         let unknown = (!rods_known).then_some(EQUAL_RODS);
+        let is_idle = |mass: &TurningClaim| !document.orders.contains(&mass.order);
+        let other = document.turning_masses.iter().any(is_idle).then_some(OTHER_ORDERS);
         Checked {
             masses: vec![document.masses],
             orders: exact(&document.orders),
             quantities: document.quantities.clone(),
-            not_covered: [WEIGHTS].into_iter().chain(left_out).chain(unknown).collect(),
+            not_covered: [WEIGHTS].into_iter().chain(left_out).chain(other).chain(unknown).collect(),
             ..Checked::of_sums(counts)
         }
     }

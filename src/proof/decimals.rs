@@ -3,8 +3,8 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
-use serde::Serializer;
 use serde::ser::Error;
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::audit::{Audit, Reason, squared_words, steps_of};
 use super::ball::{Ball, Complex};
@@ -15,6 +15,26 @@ use super::refusal::Refusal;
 /// A decimal for reading; no verdict is made from it.
 #[expect(clippy::disallowed_types, reason = "decimals beside a verdict are shown and never used")]
 pub type Decimal = f64;
+
+/// A decimal that is 0 or more.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Decimal")]
+pub(super) struct Size(Decimal);
+
+impl Size {
+    /// Whether it is 0.
+    pub(super) fn is_nothing(self) -> bool {
+        self.0 == 0.0
+    }
+}
+
+impl TryFrom<Decimal> for Size {
+    type Error = &'static str;
+
+    fn try_from(size: Decimal) -> Result<Self, Self::Error> {
+        if size < 0.0 { Err("a size is not below 0") } else { Ok(Size(size)) }
+    }
+}
 
 /// Writes the length of a sum; one beyond the range of decimals is no number, and no document is written that lacks it.
 pub(super) fn length_in_range<S: Serializer>(length: &Decimal, serializer: S) -> Result<S::Ok, S::Error> {

@@ -3,19 +3,21 @@
 //! The documents of loads and comparisons hold documents of verdicts under `evidence`, which are checked as any.
 //! All else in those of loads and comparisons is numbers with their labels: a 0 is compared with the verdicts, which alone say what is zero.
 
+use std::collections::BTreeSet;
+
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use super::audit::{Audit, Fault};
 use super::checked::Checked;
-use super::decimals::Decimal;
+use super::decimals::{Decimal, Size};
 use super::document::Document;
 use super::document_check::judge;
 use super::judged::Judged;
-use super::outside::{Compared, Comparison, Loads};
+use super::outside::{Compared, Comparison, Effect, Loads, LoadsTorque, Vector};
 use super::quantity::{Quantity, Sense};
 use super::reading::{Unreadable, typed};
-use super::shape::{Shape, ShapeClaim};
+use super::shape::Shape;
 
 /// Numbers with verdicts as their evidence: the JSON document of `loads` or `compare`.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,34 +87,119 @@ impl EvidenceDocument {
 /// Every order of the evidence has its numbers: those of the force, the same of the moment, those of the torque.
 fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged]) -> Result<(), Fault> {
     check_title("title", &loads.title, evidence)?;
-    let find =
-        |quantity: Quantity, order: u32| judged.iter().find(|one| (one.quantity, one.order) == (quantity, order));
-    // In newtons all is 0 of an engine at rest, in multiples of m r ω² it is not.
-    let is_at_rest = loads.scale.as_ref().is_some_and(|scale| is_nothing(scale.m_r_omega_squared_n));
+    let is_at_rest = check_scale(loads)?;
+    let find = |quantity: Quantity, order: u32| {
+        let found = judged.iter().find(|one| (one.quantity, one.order) == (quantity, order));
+        found.ok_or("the evidence says nothing of it")
+    };
+    // The quantities of which something is left in the orders that are listed.
+    let mut left = BTreeSet::new();
     for (index, entry) in loads.orders.iter().enumerate() {
         let at = |key: &str| format!("orders[{index}].{key}");
-        let found = find(entry.quantity, entry.order);
-        let of = |sense: Sense| {
-            let place = found.and_then(|one| one.place(Some(sense)).map(|place| one.vanishes(place)));
-            place.ok_or_else(|| Fault::new(at("order"), "the evidence says nothing of it"))
-        };
-        let [direct, reverse] = [of(Sense::Direct)?, of(Sense::Reverse)?].map(|is_zero| is_zero == Some(true));
-        agrees(&at("direct.amplitude"), entry.direct.amplitude, direct || is_at_rest)?;
-        agrees(&at("reverse.amplitude"), entry.reverse.amplitude, reverse || is_at_rest)?;
-        agrees(&at("largest"), entry.largest, direct && reverse || is_at_rest)?;
-        agrees(&at("dimensionless"), entry.dimensionless, direct && reverse)?;
+        let found = find(entry.quantity, entry.order).map_err(|why| Fault::new(at("order"), why))?;
+        let mut is_zero = true;
+        for (key, sense, vector) in
+            [("direct", Sense::Direct, &entry.direct), ("reverse", Sense::Reverse, &entry.reverse)]
+        {
+            let place = found.place(Some(sense)).ok_or_else(|| Fault::new(at(key), "it has no sense"))?;
+            check_vector(&at(key), vector, found.vanishes(place), is_at_rest)?;
+            is_zero &= found.vanishes(place) == Some(true);
+        }
+        agrees(&at("largest"), entry.largest, is_zero || is_at_rest)?;
+        agrees(&at("dimensionless"), entry.dimensionless, is_zero)?;
+        if !is_zero {
+            left.insert(entry.quantity);
+        }
     }
-    for (index, entry) in loads.torque.iter().enumerate() {
-        let at = |key: &str| format!("torque[{index}].{key}");
-        let found = find(Quantity::TORQUE, entry.order).map(|one| one.vanishes(0));
-        let found = found.ok_or_else(|| Fault::new(at("order"), "the evidence says nothing of it"))?;
-        agrees(&at("amplitude"), entry.amplitude, found == Some(true) || is_at_rest)?;
-        agrees(&at("dimensionless"), entry.dimensionless, found == Some(true))?;
+    for (name, quantity, entries) in
+        [("torque", Quantity::TORQUE, &loads.torque), ("roll", Quantity::ROLL, &loads.roll)]
+    {
+        for (index, entry) in entries.iter().enumerate() {
+            let at = |key: &str| format!("{name}[{index}].{key}");
+            let found = find(quantity, entry.order).map_err(|why| Fault::new(at("order"), why))?;
+            let is_zero = found.vanishes(0) == Some(true);
+            agrees(&at("amplitude"), entry.amplitude, is_zero || is_at_rest)?;
+            agrees(&at("dimensionless"), entry.dimensionless, is_zero)?;
+            has_no_direction(&at("phase_deg"), is_zero, entry.phase_deg)?;
+            if !is_zero {
+                left.insert(quantity);
+            }
+        }
     }
+    check_peaks(loads, evidence, |quantity| left.contains(&quantity) && !is_at_rest)?;
+    check_orders(loads, evidence)
+}
+
+/// Newtons need a scale, in which all is 0 of an engine at rest; in multiples of m r ω² it is not. Returns whether it is at rest.
+fn check_scale(loads: &Loads) -> Result<bool, Fault> {
+    if loads.units.are_newtons() != Some(loads.scale.is_some()) {
+        return Err(Fault::new("units", "they are newtons where there is a scale, and multiples where there is none"));
+    }
+    let Some(scale) = &loads.scale else { return Ok(false) };
+    let is_at_rest = scale.speed_rpm.is_nothing();
+    agrees("scale.mass_kg", scale.mass_kg, false)?;
+    agrees("scale.crank_radius_m", scale.crank_radius_m, false)?;
+    agrees("scale.angular_speed_rad_s", scale.angular_speed_rad_s, is_at_rest)?;
+    agrees("scale.m_r_omega_squared_n", scale.m_r_omega_squared_n, is_at_rest)?;
+    Ok(is_at_rest)
+}
+
+/// What is zero has no direction, and what is decided no bound.
+fn check_vector(place: &str, vector: &Vector, vanishes: Option<bool>, is_at_rest: bool) -> Result<(), Fault> {
+    let at = |key: &str| format!("{place}.{key}");
+    let is_zero = vanishes == Some(true);
+    agrees(&at("amplitude"), vector.amplitude, is_zero || is_at_rest)?;
+    has_no_direction(&at("angle_deg"), is_zero, vector.angle_deg)?;
+    match vector.below {
+        None => Ok(()),
+        Some(below) if vanishes.is_none() => agrees(&at("below"), below, is_at_rest),
+        Some(_) => Err(Fault::new(at("below"), "what is decided has no bound")),
+    }
+}
+
+fn has_no_direction(place: &str, is_zero: bool, angle: Option<Decimal>) -> Result<(), Fault> {
+    if is_zero && angle.is_some() { Err(Fault::new(place, "what is zero has no direction")) } else { Ok(()) }
+}
+
+/// The peaks are those of the listed orders, and the largest of all orders: neither is 0 where `is_left` says that something is.
+fn check_peaks(loads: &Loads, evidence: &Document, is_left: impl Fn(Quantity) -> bool) -> Result<(), Fault> {
+    let (peaks, largest) = (&loads.peaks, &loads.largest);
+    let effects: BTreeSet<Effect> = loads.effects.iter().copied().collect();
+    if effects.len() < loads.effects.len() {
+        return Err(Fault::new("effects", "an effect is here twice"));
+    }
+    for (quantity, peak, largest, effects) in [
+        (Quantity::FORCE, Some(&peaks.force), Some(&largest.force), &loads.effects[..]),
+        (Quantity::MOMENT, Some(&peaks.moment), Some(&largest.moment), &loads.effects[..]),
+        (Quantity::TORQUE, peaks.torque.as_ref(), largest.inertia_torque.as_ref(), &[]),
+    ] {
+        let name = quantity.name();
+        if peak.is_some() != evidence.quantities.contains(&quantity) || peak.is_none() && largest.is_some() {
+            return Err(Fault::new(
+                format!("peaks.{name}"),
+                "it is here where the evidence is about it, and only there",
+            ));
+        }
+        if let Some(peak) = peak {
+            agrees(&format!("peaks.{name}.value"), peak.value, !is_left(quantity))?;
+            if !peak.effects.iter().map(|(effect, _)| effect).eq(effects) {
+                return Err(Fault::new(format!("peaks.{name}.effects"), "these are not the effects of the loads"));
+            }
+        }
+        if largest.is_some_and(|largest| largest.value.is_nothing()) && is_left(quantity) {
+            return Err(Fault::new(format!("largest.{name}"), "it is not what the evidence says"));
+        }
+    }
+    Ok(())
+}
+
+fn check_orders(loads: &Loads, evidence: &Document) -> Result<(), Fault> {
     let said: Vec<(Quantity, u32)> = loads.orders.iter().map(|entry| (entry.quantity, entry.order)).collect();
     let shaking: Vec<u32> =
         said.iter().filter(|(quantity, _)| *quantity == Quantity::FORCE).map(|(_, order)| *order).collect();
-    let torque: Vec<u32> = loads.torque.iter().map(|entry| entry.order).collect();
+    let orders = |entries: &[LoadsTorque]| entries.iter().map(|entry| entry.order).collect();
+    let [torque, roll]: [Vec<u32>; 2] = [orders(&loads.torque), orders(&loads.roll)];
+    let numbered: Vec<u32> = loads.coefficients.iter().map(|entry| entry.order).collect();
     let of = |quantity: Quantity| shaking.iter().map(move |order| (quantity, *order));
     let mut all = [&shaking[..], &torque].concat();
     all.sort_unstable();
@@ -122,7 +209,19 @@ fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged]) -> Result<
     if !are_due || all != evidence.orders || !rise(&shaking) || !rise(&torque) {
         return Err(Fault::new("orders", "these are not the orders of the evidence, force and then moment, each once"));
     }
-    Ok(())
+    let of_roll = if evidence.quantities.contains(&Quantity::ROLL) { &torque[..] } else { &[] };
+    if roll != of_roll {
+        return Err(Fault::new("roll", "it has the orders of the torque where the evidence is about it, else none"));
+    }
+    if !rise(&numbered) || !numbered.iter().all(|order| shaking.contains(order)) {
+        return Err(Fault::new("coefficients", "these are of orders that are listed, rising"));
+    }
+    match &loads.auto {
+        Some(auto) if auto.kept != shaking || auto.torque_kept != torque => {
+            Err(Fault::new("auto", "the orders that are kept are those that are listed"))
+        }
+        Some(_) | None => Ok(()),
+    }
 }
 
 fn check_comparison(comparison: &Comparison, evidence: &[Document]) -> Result<(), Fault> {
@@ -149,15 +248,34 @@ fn check_compared(at: &dyn Fn(&str) -> String, engine: &Compared, evidence: &Doc
     if let Some(newtons) = &engine.newtons {
         right("newtons", newtons.iter().map(|entry| entry.order).collect())?;
     }
+    let is_zero = |quantity: Quantity, order: u32| {
+        let claim = evidence.shapes.iter().find(|claim| (claim.quantity, claim.order) == (quantity, order));
+        claim.map(|claim| matches!(claim.shape, Shape::Balanced | Shape::DoesNotExist))
+    };
+    let agrees_with = |at: String, quantity: Quantity, order: u32, size: Size, is_at_rest: bool| {
+        let is_zero = is_zero(quantity, order);
+        let is_zero = is_zero.ok_or_else(|| Fault::new(at.clone(), "the evidence says nothing of it"))?;
+        agrees(&at, size, is_zero || is_at_rest)
+    };
     for (place, entry) in engine.orders.iter().enumerate() {
         for (quantity, said) in [(Quantity::FORCE, &entry.force), (Quantity::MOMENT, &entry.moment)] {
             let at = at(&format!("orders[{place}].{}.largest", quantity.name()));
-            let is_it = |claim: &&ShapeClaim| (claim.quantity, claim.order) == (quantity, entry.order);
-            let claim = evidence.shapes.iter().find(is_it);
-            let claim = claim.ok_or_else(|| Fault::new(at.clone(), "the evidence says nothing of it"))?;
-            let is_zero = matches!(claim.shape, Shape::Balanced | Shape::DoesNotExist);
-            // Null where several sums make up the order.
-            agrees(&at, said.largest.unwrap_or(Decimal::INFINITY), is_zero)?;
+            let has_several = evidence.wholes.iter().any(|one| (one.quantity, one.order) == (quantity, entry.order));
+            match said.largest {
+                Some(size) if !has_several || size.is_nothing() => agrees_with(at, quantity, entry.order, size, false)?,
+                None if has_several && is_zero(quantity, entry.order) == Some(false) => {}
+                Some(_) | None => {
+                    return Err(Fault::new(at, "it is null where several sums are not zero, and only there"));
+                }
+            }
+        }
+    }
+    let newtons = engine.newtons.as_deref().unwrap_or_default();
+    let is_at_rest = newtons.iter().all(|entry| entry.force.is_nothing() && entry.moment.is_nothing());
+    for (place, entry) in newtons.iter().enumerate() {
+        for (quantity, size) in [(Quantity::FORCE, entry.force), (Quantity::MOMENT, entry.moment)] {
+            let at = at(&format!("newtons[{place}].{}", quantity.name()));
+            agrees_with(at, quantity, entry.order, size, is_at_rest)?;
         }
     }
     Ok(())
@@ -168,14 +286,9 @@ fn check_title(place: &str, title: &str, document: &Document) -> Result<(), Faul
 }
 
 /// A size is 0 exactly where the evidence proves that it is.
-fn agrees(place: &str, size: Decimal, is_zero: bool) -> Result<(), Fault> {
-    match is_nothing(size) == is_zero {
+fn agrees(place: &str, size: Size, is_zero: bool) -> Result<(), Fault> {
+    match size.is_nothing() == is_zero {
         true => Ok(()),
         false => Err(Fault::new(place, "it is not what the evidence says")),
     }
-}
-
-/// 0 is written for what is proved to be zero, and for nothing else.
-fn is_nothing(size: Decimal) -> bool {
-    size == 0.0
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::decimals::Decimal;
+use super::decimals::{Decimal, Size};
 use super::format::Format;
 use super::quantity::Quantity;
 
@@ -13,20 +13,20 @@ pub(super) struct Loads {
     format: Format,
     pub title: String,
     amplitudes: Amplitudes,
-    units: Units,
+    pub units: Units,
     pub scale: Option<Scale>,
-    effects: Vec<Effect>,
-    coefficients: Vec<Coefficient>,
+    pub effects: Vec<Effect>,
+    pub coefficients: Vec<Coefficient>,
     pub orders: Vec<LoadsOrder>,
     pub torque: Vec<LoadsTorque>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    roll: Vec<LoadsTorque>,
-    largest: AllLargest,
+    pub roll: Vec<LoadsTorque>,
+    pub largest: AllLargest,
     left_out: LeftOut,
-    peaks: Peaks,
+    pub peaks: Peaks,
     coefficients_computed: u32,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    auto: Option<Auto>,
+    pub auto: Option<Auto>,
     /// Read and checked by itself.
     evidence: Value,
 }
@@ -38,10 +38,20 @@ enum Amplitudes {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Units {
+pub(super) struct Units {
     force: ForceUnit,
     moment: MomentUnit,
     torque: TorqueUnit,
+}
+
+impl Units {
+    /// Whether each is one of newtons; none where some are and some are not.
+    pub(super) fn are_newtons(&self) -> Option<bool> {
+        let force = self.force == ForceUnit::Newton;
+        let moment = matches!(self.moment, MomentUnit::NewtonMetre | MomentUnit::NewtonSpacing);
+        let torque = self.torque == TorqueUnit::NewtonMetre;
+        (force == moment && moment == torque).then_some(force)
+    }
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -74,17 +84,17 @@ enum TorqueUnit {
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Scale {
-    mass_kg: Decimal,
-    crank_radius_m: Decimal,
-    speed_rpm: Decimal,
-    angular_speed_rad_s: Decimal,
+    pub mass_kg: Size,
+    pub crank_radius_m: Size,
     /// 0 of an engine at rest.
-    pub m_r_omega_squared_n: Decimal,
+    pub speed_rpm: Size,
+    pub angular_speed_rad_s: Size,
+    pub m_r_omega_squared_n: Size,
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-enum Effect {
+pub(super) enum Effect {
     Reciprocating,
     Rotating,
     Crankshaft,
@@ -93,8 +103,8 @@ enum Effect {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Coefficient {
-    order: u32,
+pub(super) struct Coefficient {
+    pub order: u32,
     re: Decimal,
     im: Decimal,
 }
@@ -106,43 +116,43 @@ pub(super) struct LoadsOrder {
     pub order: u32,
     pub direct: Vector,
     pub reverse: Vector,
-    pub largest: Decimal,
-    smallest: Decimal,
+    pub largest: Size,
+    smallest: Size,
     direction_deg: Option<Decimal>,
-    along: Decimal,
-    across: Decimal,
-    pub dimensionless: Decimal,
+    along: Size,
+    across: Size,
+    pub dimensionless: Size,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Vector {
-    pub amplitude: Decimal,
-    angle_deg: Option<Decimal>,
-    below: Option<Decimal>,
+    pub amplitude: Size,
+    pub angle_deg: Option<Decimal>,
+    pub below: Option<Size>,
 }
 
 /// One order of the torque, or of the roll moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct LoadsTorque {
     pub order: u32,
-    pub amplitude: Decimal,
-    phase_deg: Option<Decimal>,
-    pub dimensionless: Decimal,
+    pub amplitude: Size,
+    pub phase_deg: Option<Decimal>,
+    pub dimensionless: Size,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct AllLargest {
-    force: Largest,
-    moment: Largest,
+pub(super) struct AllLargest {
+    pub force: Largest,
+    pub moment: Largest,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    inertia_torque: Option<Largest>,
+    pub inertia_torque: Option<Largest>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Largest {
-    value: Decimal,
+pub(super) struct Largest {
+    pub value: Size,
     theta_deg: Option<Decimal>,
-    error_bound: Decimal,
+    error_bound: Size,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -154,31 +164,31 @@ struct LeftOut {
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Bound {
-    at_most: Decimal,
-    part: Option<Decimal>,
+    at_most: Size,
+    part: Option<Size>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Peaks {
-    force: Peak,
-    moment: Peak,
+pub(super) struct Peaks {
+    pub force: Peak,
+    pub moment: Peak,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    torque: Option<Peak>,
+    pub torque: Option<Peak>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Peak {
-    value: Decimal,
+pub(super) struct Peak {
+    pub value: Size,
     crank_angle_deg: Option<Decimal>,
-    effects: Vec<(Effect, Decimal)>,
+    pub effects: Vec<(Effect, Decimal)>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Auto {
-    accuracy: Decimal,
-    kept: Vec<u32>,
+pub(super) struct Auto {
+    accuracy: Size,
+    pub kept: Vec<u32>,
     dropped: Vec<u32>,
-    torque_kept: Vec<u32>,
+    pub torque_kept: Vec<u32>,
     torque_dropped: Vec<u32>,
     looked_at: u32,
 }
@@ -217,7 +227,7 @@ enum PositionUnit {
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Firing {
-    intervals_deg: Vec<Decimal>,
+    intervals_deg: Vec<Size>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -229,19 +239,19 @@ pub(super) struct ComparedOrder {
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Amount {
-    pub largest: Option<Decimal>,
+    pub largest: Option<Size>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Newtons {
     pub order: u32,
-    force: Decimal,
-    moment: Decimal,
+    pub force: Size,
+    pub moment: Size,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Worst {
     bearings: Vec<u32>,
-    peak: Decimal,
+    peak: Size,
     unit: ForceUnit,
 }

@@ -1,16 +1,16 @@
 //! What does `loads --json` hold? Vectors, ellipses, peaks; every amplitude zero to peak.
 
 use num_complex::Complex;
-use num_traits::ToPrimitive;
+use num_traits::Zero;
 use serde::Serialize;
 
 use super::calculation::{Numbers, share};
 use super::document::document;
 use crate::accuracy::Largest;
 use crate::engine::Engine;
-use crate::loads::{Arm, Bound, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform};
+use crate::loads::{Arm, Bound, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform, above_zero};
 use crate::order::{self, MassGroup};
-use crate::proof::{Document, Format, Quantity};
+use crate::proof::{Document, Format, Planar, Quantity};
 use crate::{numbers, verdict};
 
 /// The loads of an engine as data.
@@ -177,12 +177,15 @@ fn bound_entry(bound: &Option<Bound>, factor: f64) -> Option<BoundEntry> {
 fn largest_entry(largest: &Largest, factor: f64) -> LargestEntry {
     match *largest {
         Largest::Zero => LargestEntry { value: 0.0, theta_deg: None, error_bound: 0.0, vanishes: Some(true) },
-        Largest::Known { value, angle, error } => {
-            LargestEntry { value: value * factor, theta_deg: angle, error_bound: error * factor, vanishes: Some(false) }
-        }
+        Largest::Known { value, angle, error } => LargestEntry {
+            value: size(value, factor, false),
+            theta_deg: angle,
+            error_bound: error * factor,
+            vanishes: Some(false),
+        },
         // Between nothing and the bound.
         Largest::Below(bound) => {
-            let middle = bound * factor / 2.0;
+            let middle = size(bound / 2.0, factor, false);
             LargestEntry { value: middle, theta_deg: None, error_bound: middle, vanishes: None }
         }
     }
@@ -217,12 +220,16 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
         let shares = loads.groups.iter().map(|group| (effect_name(group.group), share(part(group), peak) * factor));
         shares.collect()
     };
-    let entry = |peak: Peak, effects, factor: f64| PeakEntry {
-        value: peak.value * factor,
+    let entry = |peak: Peak, effects, factor: f64, is_zero: bool| PeakEntry {
+        value: size(peak.value, factor, is_zero),
         crank_angle_deg: peak.angle,
         effects,
     };
     let (force, moment) = (loads.force.peak(), loads.moment.peak());
+    let is_zero = |quantity| {
+        let mut swings = loads.orders.iter().map(|order| order.swing(quantity));
+        swings.all(|swing| swing.direct.vanishes() && swing.reverse.vanishes())
+    };
     LoadsDocument {
         format: Format::Loads,
         evidence: vec![evidence(engine, loads)],
@@ -230,9 +237,9 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
         amplitudes: "zero-to-peak",
         units: units(engine, loads.scale.as_ref()),
         scale: loads.scale.as_ref().map(|scale| ScaleEntry {
-            mass_kg: scale.mass.to_f64().unwrap_or(f64::NAN),
-            crank_radius_m: scale.crank_radius.to_f64().unwrap_or(f64::NAN),
-            speed_rpm: scale.speed.to_f64().unwrap_or(f64::NAN),
+            mass_kg: above_zero(numbers::float(&scale.mass)),
+            crank_radius_m: above_zero(numbers::float(&scale.crank_radius)),
+            speed_rpm: if scale.speed.is_zero() { 0.0 } else { above_zero(numbers::float(&scale.speed)) },
             angular_speed_rad_s: scale.omega(),
             m_r_omega_squared_n: scale.force(),
         }),
@@ -252,9 +259,12 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
             inertia_torque: bound_entry(&left.torque, torque_factor),
         },
         peaks: Peaks {
-            force: entry(force, effects(|group| &group.force, &force), factor),
-            moment: entry(moment, effects(|group| &group.moment, &moment), factor),
-            torque: loads.torque.as_ref().map(|torque| entry(torque.waveform.real_peak(), Vec::new(), torque_factor)),
+            force: entry(force, effects(|group| &group.force, &force), factor, is_zero(Planar::Force)),
+            moment: entry(moment, effects(|group| &group.moment, &moment), factor, is_zero(Planar::Moment)),
+            torque: loads.torque.as_ref().map(|torque| {
+                let is_zero = torque.orders.iter().all(|order| order.vector.vanishes());
+                entry(torque.waveform.real_peak(), Vec::new(), torque_factor, is_zero)
+            }),
         },
         coefficients_computed: loads.coefficients,
         auto: needed.map(|needed| AutoEntry {
@@ -286,6 +296,9 @@ fn evidence(engine: &Engine, loads: &Loads) -> Document {
         orders.dedup();
         quantities.push(Quantity::TORQUE);
     }
+    if loads.roll.as_ref().is_some_and(|roll| !roll.orders.is_empty()) {
+        quantities.push(Quantity::ROLL);
+    }
     let judged = verdict::classify(engine, &orders, masses, &quantities)
         .unwrap_or_else(|number| unreachable!("loads are those of orders: {number}"));
     document(engine, masses, &judged, &quantities, None)
@@ -297,7 +310,7 @@ fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swin
         angle_deg: angle(vector),
         vanishes: vector.outcome.vanishes(),
         below: match vector.outcome {
-            Outcome::Undecided { below } => Some(below / 2.0 * factor),
+            Outcome::Undecided { below } => Some(size(below / 2.0, factor, false)),
             Outcome::Zero | Outcome::NotZero | Outcome::Computed => None,
         },
     };
@@ -323,9 +336,9 @@ fn amplitude(vector: &Vector, factor: f64) -> f64 {
     size(vector.value.norm(), factor, vector.vanishes())
 }
 
-/// 0 says that it is proved to be zero, or that the engine is at rest: all else has a decimal above it, however small it is.
-fn size(multiple: f64, unit: f64, is_zero: bool) -> f64 {
-    if is_zero || unit == 0.0 { 0.0 } else { (multiple * unit).max(f64::MIN_POSITIVE) }
+/// 0 says that it is proved to be zero, or that the engine is at rest.
+pub(super) fn size(multiple: f64, unit: f64, is_zero: bool) -> f64 {
+    if is_zero || unit == 0.0 { 0.0 } else { above_zero(multiple * unit) }
 }
 
 fn angle(vector: &Vector) -> Option<f64> {

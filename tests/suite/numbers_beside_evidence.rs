@@ -31,10 +31,10 @@ fn accepts(tree: &Value) -> bool {
 }
 
 /// The parts that are numbers and no more: a part may be left out, and of a list any of them.
-const PARTS: [&str; 5] = ["inertia_torque", "torque", "auto", "roll", "worst_bearing_with_gas"];
-const LISTS: [&str; 5] = ["coefficients", "intervals_deg", "bearings", "effects", "roll"];
+const PARTS: [&str; 3] = ["inertia_torque", "auto", "worst_bearing_with_gas"];
+const LISTS: [&str; 3] = ["coefficients", "intervals_deg", "bearings"];
 /// Where there may be no number.
-const NONE: [&str; 13] = [
+const NONE: [&str; 12] = [
     "angle_deg",
     "direction_deg",
     "phase_deg",
@@ -42,31 +42,37 @@ const NONE: [&str; 13] = [
     "crank_angle_deg",
     "part",
     "below",
-    "scale",
     "firing",
     "newtons",
     "worst_bearings",
     "force",
     "inertia_torque",
 ];
+/// The numbers that may be below 0; all others are sizes.
+const SIGNED: [&str; 9] =
+    ["re", "im", "angle_deg", "direction_deg", "phase_deg", "theta_deg", "crank_angle_deg", "effects", "looked_at"];
 
 /// Whether a change is one of numbers that say nothing of zero, of which nothing is checked.
 fn is_of_numbers(path: &str, before: &Value, after: &Value) -> bool {
     let key = path.trim_end_matches("[]").rsplit('.').next().expect("a key");
     let is_nothing = |value: &Value| value.as_f64() == Some(0.0);
     let is_left_out = path.starts_with(".left_out");
-    let is_of_an_order =
-        path.starts_with(".orders[]") || path.starts_with(".torque[]") || path.starts_with(".engines[].orders[]");
-    let is_size = is_of_an_order && ["amplitude", "largest", "dimensionless"].contains(&key);
-    let may_be_null = NONE.contains(&key) && (key != "force" || is_left_out)
-        || is_left_out && key == "moment"
-        || path.starts_with(".engines[].orders[]") && key == "largest";
+    let is_of_an_order = path.starts_with(".orders[]")
+        || path.starts_with(".torque[]")
+        || path.starts_with(".roll[]")
+        || path.starts_with(".engines[].orders[]")
+        || path.starts_with(".engines[].newtons[]");
+    let is_size = is_of_an_order && ["amplitude", "largest", "dimensionless", "force", "moment"].contains(&key)
+        || path.starts_with(".scale")
+        || path.starts_with(".peaks") && key == "value";
+    let may_be_null = NONE.contains(&key) && (key != "force" || is_left_out) || is_left_out && key == "moment";
     match (before, after) {
-        (_, Value::Null) => may_be_null && !(is_size && is_nothing(before)),
-        (Value::Null, Value::Number(_)) => may_be_null && !(is_size && is_nothing(after)),
-        (Value::Number(_), Value::Number(_)) => {
+        (_, Value::Null) => may_be_null && !is_size,
+        (Value::Null, Value::Number(_)) => may_be_null && !is_size,
+        (Value::Number(_), Value::Number(after_it)) => {
             !(is_size && is_nothing(before) != is_nothing(after))
-                && !(key == "order" && (is_of_an_order || path.contains(".newtons")))
+                && (SIGNED.contains(&key) || after_it.as_f64().is_some_and(|size| size >= 0.0))
+                && !(key == "order" && is_of_an_order)
                 && path != ".orders[]"
         }
         // The evidence is about the orders of force and torque together: an order of one may be left out where the other has it.
@@ -194,29 +200,115 @@ fn the_size_of_an_order_that_is_not_decided_may_be_any_but_0() {
     second::refuses(&[("0", &none)]);
 }
 
+/// Checks that a document is accepted and none in which other values stand at these places.
+#[track_caller]
+fn assert_refused(genuine: &Value, cheats: &[(&str, &[(&str, Value)])]) {
+    assert!(accepts(genuine));
+    let with = |changes: &[(&str, Value)]| {
+        let mut changed = genuine.clone();
+        for (place, value) in changes {
+            *changed.pointer_mut(place).unwrap_or_else(|| panic!("no {place}")) = value.clone();
+        }
+        changed
+    };
+    let changed: Vec<(&str, Value)> = cheats.iter().map(|(name, changes)| (*name, with(changes))).collect();
+    for (name, cheat) in &changed {
+        assert!(cheat != genuine && !accepts(cheat), "{name}");
+    }
+    second::accepts(&[genuine], &[]);
+    second::refuses(&changed);
+}
+
+#[test]
+fn no_size_is_0_and_no_bound_or_direction_stands_where_the_evidence_says_otherwise() {
+    let genuine = document("numbers-cheats", IN_NEWTONS, &["loads", "FILE", "--orders", "1,2", "--json"]);
+    let is_zero = |order: &Value| order["largest"] == json!(0.0);
+    let orders = genuine["orders"].as_array().expect("orders");
+    let zero = orders.iter().position(is_zero).expect("an order that is zero");
+    let angle = format!("/orders/{zero}/direct/angle_deg");
+    let below = format!("/orders/{}/direct/below", orders.iter().position(|one| !is_zero(one)).expect("another"));
+    let mut at_rest = vec![
+        ("/scale/m_r_omega_squared_n".to_owned(), json!(0.0)),
+        ("/scale/angular_speed_rad_s".to_owned(), json!(0.0)),
+    ];
+    for (index, _) in orders.iter().enumerate() {
+        let places = ["direct/amplitude", "reverse/amplitude", "largest"];
+        at_rest.extend(places.map(|place| (format!("/orders/{index}/{place}"), json!(0.0))));
+    }
+    let at_rest: Vec<(&str, Value)> = at_rest.iter().map(|(place, value)| (place.as_str(), value.clone())).collect();
+    assert_refused(
+        &genuine,
+        &[
+            ("at rest, with a speed", &at_rest),
+            ("no speed, and newtons", &[("/scale/speed_rpm", json!(0.0))]),
+            ("no mass", &[("/scale/mass_kg", json!(0.0))]),
+            ("newtons without a scale", &[("/scale", Value::Null)]),
+            ("multiples with a scale", &[("/units/force", json!("m r ω²"))]),
+            ("a direction of nothing", &[(&angle, json!(10.0))]),
+            ("a bound of what is decided", &[(&below, json!(1.0))]),
+            ("no peak", &[("/peaks/force/value", json!(0.0))]),
+            ("a largest of 0", &[("/largest/force/value", json!(0.0))]),
+            ("a peak below 0", &[("/peaks/moment/value", json!(-1.0))]),
+            ("an effect twice", &[("/effects", json!(["reciprocating", "reciprocating"]))]),
+            ("another effect", &[("/effects", json!(["balancers"]))]),
+            ("a coefficient of another order", &[("/coefficients/0/order", json!(7))]),
+            ("the roll moment of another order", &[("/roll/0/order", json!(7))]),
+            ("no roll moment", &[("/roll/1/amplitude", json!(0.0))]),
+        ],
+    );
+}
+
+#[test]
+fn a_comparison_says_neither_more_nor_less_of_zero_than_its_evidence() {
+    // Of rods that differ an order has several sums.
+    let rods = "speed = '1000 rpm'\ninline = { throws = [0, 90], spacing = '0.1 m' }\n[mechanism]\nrod_ratio = [0.25, 0.3]\nreciprocating_mass = '1 kg'\ncrank_radius = '40 mm'";
+    let genuine = document("numbers-compare", rods, &["compare", "FILE", "I4", "--orders", "1,2,3", "--json"]);
+    assert_eq!(genuine["engines"][0]["orders"][1]["force"]["largest"], Value::Null);
+    let newtons =
+        |value: f64| move |(order, key): (usize, &str)| (format!("/engines/0/newtons/{order}/{key}"), json!(value));
+    let one = newtons(0.0)((0, "force"));
+    let two = newtons(3.0)((2, "force"));
+    assert_refused(
+        &genuine,
+        &[
+            ("no length of one sum", &[("/engines/0/orders/0/force/largest", Value::Null)]),
+            ("a length of several", &[("/engines/0/orders/1/force/largest", json!(1.0))]),
+            ("0 of several", &[("/engines/0/orders/1/force/largest", json!(0.0))]),
+            ("a length below 0", &[("/engines/0/orders/0/force/largest", json!(-1.0))]),
+            ("no newtons", &[(&one.0, one.1.clone())]),
+            ("newtons of what is zero", &[(&two.0, two.1.clone())]),
+            ("an interval below 0", &[("/engines/1/firing/intervals_deg/0", json!(-180.0))]),
+        ],
+    );
+}
+
+/// Floats round mass times radius times speed twice to 0.
+#[test]
+fn what_is_not_zero_is_not_0_however_small_it_is() {
+    let text = "speed = '1e-100 rpm'\neffects = ['torque']\ninline = { throws = [0, 90], spacing = '0.1 m' }\n\
+                mechanism = { crank_radius = '1e-100 m', rod_ratio = 0.25, reciprocating_mass = '1e-100 kg' }";
+    let loads = document("numbers-small", text, &["loads", "FILE", "--orders", "1", "--json"]);
+    let compare = document("numbers-small-compare", text, &["compare", "FILE", "FILE", "--orders", "1", "--json"]);
+    assert!(accepts(&loads) && accepts(&compare));
+    second::accepts(&[loads, compare], &[]);
+}
+
 /// At rest all is 0 in newtons, and the multiples tell what is zero.
 #[test]
 fn loads_of_an_engine_at_rest_are_0_in_newtons_alone() {
     let text = "speed = 0\neffects = ['torque']\ninline = { throws = [0, 90], spacing = '0.1 m' }\n\
                 mechanism = { crank_radius = 0.05, rod_ratio = 0.25, reciprocating_mass = 1 }";
     let genuine = document("numbers-at-rest", text, &["loads", "FILE", "--orders", "1", "--json"]);
-    let with = |place: &str, value: f64| {
-        let mut changed = genuine.clone();
-        *changed.pointer_mut(place).expect("a place") = json!(value);
-        changed
-    };
-    let cheats = [
-        ("a force at rest", with("/orders/0/direct/amplitude", 1.0)),
-        ("no multiple", with("/orders/0/dimensionless", 0.0)),
-        ("no multiple of the torque", with("/torque/0/dimensionless", 0.0)),
-        ("no rest", with("/scale/m_r_omega_squared_n", 1.0)),
-    ];
-    assert!(accepts(&genuine));
-    second::accepts(&[&genuine], &[]);
-    for (name, cheat) in &cheats {
-        assert!(!accepts(cheat), "{name}");
-    }
-    second::refuses(&cheats);
+    assert_refused(
+        &genuine,
+        &[
+            ("a force at rest", &[("/orders/0/direct/amplitude", json!(1.0))]),
+            ("no multiple", &[("/orders/0/dimensionless", json!(0.0))]),
+            ("no multiple of the torque", &[("/torque/0/dimensionless", json!(0.0))]),
+            ("no rest", &[("/scale/m_r_omega_squared_n", json!(1.0))]),
+            ("a peak at rest", &[("/peaks/force/value", json!(1.0))]),
+        ],
+    );
 }
 
 #[test]

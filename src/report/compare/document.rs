@@ -3,10 +3,11 @@
 use num_rational::BigRational;
 use serde::Serialize;
 
+use super::super::loads_document::size;
 use super::super::{document, engine_cells, residual};
 use super::{Compared, orders_of};
 use crate::engine::LengthUnit;
-use crate::loads::{BearingLoads, OrderLoads};
+use crate::loads::{BearingLoads, OrderLoads, Swing};
 use crate::numbers;
 use crate::proof::{Document, Format, Quantity, Shape};
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, WholeOrder};
@@ -199,10 +200,11 @@ fn amount(balance: &Balance) -> Amount {
 fn newtons(engine: &Compared) -> Option<Vec<Newtons>> {
     let loads = engine.loads.as_ref().ok().filter(|_| engine.has_newtons())?;
     let unit = loads.scale.as_ref()?.force();
+    let newtons = |swing: &Swing| size(swing.largest(), unit, swing.direct.vanishes() && swing.reverse.vanishes());
     let order = |order: &OrderLoads| Newtons {
         order: order.order,
-        force: order.force.largest() * unit,
-        moment: order.moment.largest() * unit,
+        force: newtons(&order.force),
+        moment: newtons(&order.moment),
     };
     Some(loads.orders.iter().map(order).collect())
 }
