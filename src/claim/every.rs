@@ -32,8 +32,10 @@ pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) 
         (Orders::Higher, Some(period)) => ((2..=period).step_by(2).collect(), Some(period)),
     };
     let balances: Vec<OrderBalance> = judged.iter().filter_map(|order| masses::pistons(engine, *order)).collect();
+    // With infinitely long rods there are none above 1.
+    let existing = balances.iter().filter(|order| order.exists);
     let (vanishing, surviving): (Vec<&OrderBalance>, Vec<&OrderBalance>) =
-        balances.iter().partition(|order| asked(order, &quantities).all(Balance::is_balanced));
+        existing.partition(|order| asked(order, &quantities).all(Balance::is_balanced));
     // A couple that is free of the reference plane is the plainest counterexample.
     let counterexample = surviving.iter().find(|order| order.moment_is_couple()).or(surviving.first());
     let status = match counterexample {

@@ -45,7 +45,7 @@ pub fn are_orders(numbers: &[u32]) -> Result<(), NotAnOrder> {
 pub const DOES_NOT_EXIST: &str = "does not exist";
 
 /// Why an order does not exist, as a sentence.
-pub const WHY_NOT: &str = "“Does not exist”: the coefficient of the order is 0: without a pin offset the odd orders above 1 of force and moment, with infinitely long rods all but order 1.";
+pub const WHY_NOT: &str = "“Does not exist”: the coefficient of the order is 0: without a pin offset the odd orders above 1 of force and moment; with infinitely long rods every order of force and moment but 1, and of the torque but 2.";
 
 impl Mechanism {
     /// Whether the coefficient of an order is not zero; there is no order 0.

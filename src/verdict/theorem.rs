@@ -7,11 +7,11 @@ use std::fmt;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 use super::recurrence::MOST_CANDIDATES;
 use super::{Balance, Verdict};
-use crate::engine::Engine;
+use crate::engine::{Engine, Mechanism};
 use crate::order::{Masses, OrderTerms, Sources};
 use crate::proof::{Planar, Sense, Survivors};
 
@@ -92,9 +92,10 @@ pub fn period(engine: &Engine) -> BigInt {
     angles.fold(BigInt::from(2), |period, angle| period.lcm(angle.denominator()))
 }
 
-/// Judges one period of orders; none where the pattern is long, or the engine not one of equal centric rods.
+/// Judges one period of orders; none where the pattern is long, or the engine not one of equal centric rods, whose even orders exist.
 pub(super) fn theorem(engine: &Engine, sources: &Sources) -> Option<Theorem> {
-    if engine.mechanisms().len() > 1 || engine.has_offset() {
+    let is_endless = |mechanism: &Mechanism| mechanism.rod().is_some_and(|rod| rod.ratio.is_zero());
+    if engine.mechanisms().len() > 1 || engine.has_offset() || engine.mechanisms().into_iter().any(is_endless) {
         return None;
     }
     let period = period(engine).to_u32().filter(|&period| period <= LONGEST_PERIOD)?;
