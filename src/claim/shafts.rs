@@ -6,7 +6,7 @@ use super::finding::Finding;
 use super::ordinal::order_number;
 use super::statement::{Shafts, Statement};
 use crate::engine::Engine;
-use crate::proof::Quantity;
+use crate::proof::{Quantity, Sense};
 use crate::remedy::{Request, remedy};
 use crate::verdict::{Judgement, OrderVerdict, both_vanish};
 
@@ -59,18 +59,20 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
         Ok(remedy) => remedy,
         Err(refused) => return Answer::nothing(&refused.to_string()),
     };
-    // Counterweights on the crankshaft are the shaft that turns with the crank at order 1.
-    let with = direct && order > 1;
+    // Counterweights on a crankshaft are the shaft that turns as it does.
+    let cranks = || engine.geared_cranks().iter();
+    let with = direct && order > 1 && !cranks().any(|crank| (crank.speed, crank.sense) == (order, Sense::Direct));
+    let against = reverse && !cranks().any(|crank| (crank.speed, crank.sense) == (order, Sense::Reverse));
     let is_so = match claimed {
         Shafts::Nothing => !direct && !reverse,
-        Shafts::None => !with && !reverse,
-        Shafts::Counterweights => direct && !reverse,
-        Shafts::With => with && !reverse,
-        Shafts::Against => !with && reverse,
+        Shafts::None => !with && !against,
+        Shafts::Counterweights => (direct || reverse) && !with && !against,
+        Shafts::With => with && !against,
+        Shafts::Against => !with && against,
         Shafts::AmongThemWith => with,
-        Shafts::AmongThemAgainst => reverse,
-        Shafts::Two => with && reverse,
-        Shafts::Lanchester => with && reverse && remedy.shafts.iter().all(|shaft| shaft.lanchester),
+        Shafts::AmongThemAgainst => against,
+        Shafts::Two => with && against,
+        Shafts::Lanchester => with && against && remedy.shafts.iter().all(|shaft| shaft.lanchester),
     };
     let status = if is_so { Status::True } else { Status::False };
     Answer { status, finding: Finding::Remedy(Box::new(remedy)), evidence: evidence(verdict) }

@@ -21,7 +21,7 @@ mod tables;
 mod weight;
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 pub use comparable_engine::ComparableEngine;
 pub use corrected::{Corrected, corrected};
@@ -33,6 +33,7 @@ pub use height::{PairHeight, PairRoll, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use parts::{counterweight_parts, mass_step, power_of_ten_below};
 pub use planes::{Built, Replaced};
+use planes::{ends, usual_planes};
 pub use shafts::{Kind, LEAST, Shaft, are_slight, shaft, shafts, without_slight};
 pub use weight::Weight;
 
@@ -106,25 +107,33 @@ impl Remedy {
     }
 
     /// The crankshaft's mass in kilograms, as [`Engine::crankshaft_mass`] counts it, with the counterweights of the remedy at
-    /// the radius that is asked for, or the crank radius; `None` where the layout gives no numbers.
+    /// their radii; `None` where the layout gives no numbers.
     pub fn crankshaft_mass(&self) -> Option<f64> {
-        let bare = self.subject.engine().crankshaft_mass()?.to_f64()?;
-        let own = self.crankshaft.iter().flat_map(|shaft| &shaft.weights);
-        let masses =
-            self.bays.iter().chain(own).filter(|weight| !self.built_of(weight).is_some_and(|plane| plane.is_resized()));
-        let added = masses.map(|weight| self.mass_in_the_file(weight)).sum::<Option<f64>>()?;
-        let there = &self.subject.engine().crankshaft().counterweights;
-        let on_the_crank = |plane: &&Built| (plane.was.order, plane.was.sense) == (1, Sense::Direct);
-        let resized = self.resized();
-        let resized = resized.iter().filter(on_the_crank).map(|plane| {
+        let engine = self.subject.engine();
+        let there = &engine.crankshaft().counterweights;
+        let planes = self.built();
+        let on_the_crank = planes.iter().filter(|plane| plane.becomes.is_on_the_crank());
+        let more = on_the_crank.map(|plane| {
             let before = plane.replaced.counterweights.iter().map(|index| there[*index].mass.to_f64());
-            Some(self.mass_in_the_file(&plane.becomes)? - before.sum::<Option<f64>>()?)
+            let becomes = plane.becomes.mass_radius(&self.subject)? / self.radius_in(plane).to_f64()?;
+            Some(becomes - before.sum::<Option<f64>>()?)
         });
-        Some(bare + added + resized.sum::<Option<f64>>()?)
+        Some(engine.crankshaft_mass()?.to_f64()? + more.sum::<Option<f64>>()?)
     }
 
-    fn mass_in_the_file(&self, weight: &Weight) -> Option<f64> {
-        self.mass(weight).or_else(|| weight.mass_at_crank_radius(&self.subject))
+    /// The crankshaft that turns as a shaft does, whose counterweights can take its place; none but in engines of several.
+    pub fn crank_of(&self, shaft: &Shaft) -> Option<&GearedCrank> {
+        let turns_so = |crank: &&GearedCrank| (crank.speed, crank.sense) == (shaft.order, shaft.sense);
+        self.subject.engine().geared_cranks().iter().find(turns_so)
+    }
+
+    /// The radius in metres at which counterweights in a plane are: what is resized keeps its own, others are at the one that is asked for, or
+    /// at the crank radius.
+    pub fn radius_in(&self, plane: &Built) -> BigRational {
+        let engine = self.subject.engine();
+        let own = plane.replaced.counterweights.first().map(|index| &engine.crankshaft().counterweights[*index].radius);
+        let radius = own.or(self.radius.as_ref()).filter(|radius| !radius.is_zero());
+        radius.cloned().unwrap_or_else(|| engine.unit_radius())
     }
 
     /// The mass in kilograms of a weight at the radius that is asked for; none where none is.
@@ -239,33 +248,13 @@ fn on_the_crankshaft(
         force = force.plus(&weight.adds());
         moment = moment.plus(&weight.adds().scaled(&weight.position));
     }
-    let found = shaft(1, Sense::Direct, &force, &moment, planes)?;
-    let ends = subject.engine().shaft_ends();
-    let is_beyond =
-        |weight: &Weight| ends.as_ref().is_some_and(|[low, high]| weight.position < *low || weight.position > *high);
+    let found = shaft(1, Sense::Direct, &force, &moment, planes, &ends(subject.engine()))?;
     let in_planes = |planes: &[BigRational; 2]| two_planes(1, Sense::Direct, &force, &moment, planes);
     let there = if bays.is_empty() { planes::planes(subject, 1, Sense::Direct) } else { Vec::new() };
     let weights = match shafts::resizing(&found, &there, planes) {
         _ if planes_named => in_planes(planes),
         Some(own) => in_planes(&own),
-        None if found.weights.iter().any(is_beyond) => in_planes(planes),
         None => found.weights,
     };
     Some(Shaft { weights, ..found })
-}
-
-/// The planes of the outermost throws; of the outermost cylinders or weights where those stand together.
-fn usual_planes(engine: &Engine) -> [BigRational; 2] {
-    let throws: Vec<BigRational> = throws(engine).into_iter().map(|throw| throw.position).collect();
-    let cylinders: Vec<BigRational> = engine.cylinders().iter().map(|cylinder| cylinder.position.clone()).collect();
-    let crankshaft = engine.crankshaft();
-    let weights = crankshaft.counterweights.iter().map(|weight| &weight.position);
-    let weights = weights.chain(crankshaft.balancers.iter().map(|shaft| &shaft.position));
-    let all: Vec<BigRational> = cylinders.iter().chain(weights).cloned().collect();
-    let ends = |list: &[BigRational]| Some([list.iter().max()?.clone(), list.iter().min()?.clone()]);
-    let apart = |[high, low]: &[BigRational; 2]| high != low;
-    let found = [throws, cylinders, all].iter().find_map(|list| ends(list).filter(apart));
-    // Where all is in one plane, no couple is left that planes would be needed for.
-    let one = BigRational::from_integer(1.into());
-    found.unwrap_or_else(|| [engine.reference_plane() + &one, engine.reference_plane() - &one])
 }

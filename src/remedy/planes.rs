@@ -6,7 +6,7 @@ use num_traits::Zero;
 use super::comparable_engine::ComparableEngine;
 use super::error::RemedyError;
 use super::weight::Weight;
-use crate::engine::Engine;
+use crate::engine::{Engine, throws};
 use crate::exact::Term;
 use crate::order::{self, MassGroup, OrderSum, Source, TurningMass};
 use crate::proof::Sense;
@@ -116,4 +116,37 @@ pub(super) fn in_place_of_what_is_there(
         Weight { vector: weight.vector.minus(&there), ..weight }
     };
     Ok(weights.into_iter().map(less).filter(|weight| !weight.vector.vanishes()).collect())
+}
+
+/// The planes of the outermost throws; of the outermost cylinders or weights where those stand together.
+pub(super) fn usual_planes(engine: &Engine) -> [BigRational; 2] {
+    let throws: Vec<BigRational> = throws(engine).into_iter().map(|throw| throw.position).collect();
+    let cylinders: Vec<BigRational> = engine.cylinders().iter().map(|cylinder| cylinder.position.clone()).collect();
+    let apart = |[low, high]: &[BigRational; 2]| low != high;
+    let found = [throws, cylinders, everywhere(engine)].iter().find_map(|list| outermost(list).filter(apart));
+    // Where all is in one plane, no couple is left that planes would be needed for.
+    let one = BigRational::from_integer(1.into());
+    let [low, high] = found.unwrap_or_else(|| [engine.reference_plane() - &one, engine.reference_plane() + &one]);
+    [high, low]
+}
+
+/// The ends of the engine along its crankshaft, between which its weights are: those of the shaft where they are known, else the outermost
+/// cylinders and weights.
+pub(super) fn ends(engine: &Engine) -> [BigRational; 2] {
+    let plane = engine.reference_plane();
+    let found = engine.shaft_ends().or_else(|| outermost(&everywhere(engine)));
+    found.unwrap_or_else(|| [plane.clone(), plane.clone()])
+}
+
+/// The places of all cylinders, counterweights and balancer shafts.
+fn everywhere(engine: &Engine) -> Vec<BigRational> {
+    let crankshaft = engine.crankshaft();
+    let cylinders = engine.cylinders().iter().map(|cylinder| &cylinder.position);
+    let weights = crankshaft.counterweights.iter().map(|weight| &weight.position);
+    let shafts = crankshaft.balancers.iter().map(|shaft| &shaft.position);
+    cylinders.chain(weights).chain(shafts).cloned().collect()
+}
+
+fn outermost(list: &[BigRational]) -> Option<[BigRational; 2]> {
+    Some([list.iter().min()?.clone(), list.iter().max()?.clone()])
 }

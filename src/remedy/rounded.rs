@@ -5,10 +5,11 @@ use std::collections::BTreeSet;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
+use super::Remedy;
 use super::comparable_engine::ComparableEngine;
+use super::planes::{ends, usual_planes};
 use super::shafts::{Shaft, are_slight, shaft};
 use super::weight::Weight;
-use super::{Remedy, usual_planes};
 use crate::engine::Engine;
 use crate::exact::Turn;
 use crate::order::Factor;
@@ -48,13 +49,13 @@ fn to_digits(value: f64) -> Option<BigRational> {
 /// against that would be too slight to be proposed.
 pub(super) fn leaves_little(remedy: &Remedy, read: &Engine) -> bool {
     let Ok(subject) = ComparableEngine::new(read) else { return false };
-    let planes = usual_planes(read);
+    let (planes, ends) = (usual_planes(read), ends(read));
     let weights = remedy.weights();
     let rounded = weights.iter().filter(|weight| is_of_link(weight));
     let rounded: BTreeSet<(u32, Sense)> = rounded.map(|weight| (weight.order, weight.sense)).collect();
     rounded.iter().all(|(order, _)| {
         let left = rounded.iter().filter(|one| one.0 == *order).filter_map(|&(order, sense)| {
-            shaft(order, sense, &subject.force(order, sense), &subject.moment(order, sense), &planes)
+            shaft(order, sense, &subject.force(order, sense), &subject.moment(order, sense), &planes, &ends)
         });
         are_slight(&subject, &left.collect::<Vec<Shaft>>().iter().collect::<Vec<_>>())
     })

@@ -40,18 +40,21 @@ pub struct Shaft {
     pub lanchester: bool,
 }
 
-/// The shaft of an order and sense whose force and moment about position 0 are these; `None` where both vanish.
+/// The shaft of an order and sense whose force and moment about position 0 are these; `None` where both vanish. One weight where it is
+/// between the ends of the engine, else two in the planes.
 pub fn shaft(
     order: u32,
     sense: Sense,
     force: &OrderSum,
     moment: &OrderSum,
     planes: &[BigRational; 2],
+    ends: &[BigRational; 2],
 ) -> Option<Shaft> {
+    let is_inside = |weight: &Weight| (&ends[0]..=&ends[1]).contains(&&weight.position);
     let (kind, weights) = match (force.vanishes(), moment.vanishes()) {
         (true, true) => return None,
         (true, false) => (Kind::Couple, two_planes(order, sense, force, moment, planes)),
-        (false, _) => match one_plane(order, sense, force, moment) {
+        (false, _) => match one_plane(order, sense, force, moment).filter(is_inside) {
             Some(weight) => (Kind::Force, vec![weight]),
             None => (Kind::ForceAndMoment, two_planes(order, sense, force, moment, planes)),
         },
@@ -62,12 +65,12 @@ pub fn shaft(
 /// The least set of shafts that cancels every vector of these orders but the direct ones of order 1, which
 /// counterweights on the crankshaft cancel. Shafts of the engine are resized in their own planes, unless planes were named.
 pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational; 2], planes_named: bool) -> Vec<Shaft> {
-    let mut shafts = Vec::new();
+    let (mut shafts, ends) = (Vec::new(), planes::ends(subject.engine()));
     for &order in orders {
         let there = |sense| if planes_named { Vec::new() } else { planes::planes(subject, order, sense) };
         let of_sense = |sense| {
             let (force, moment) = (subject.force(order, sense), subject.moment(order, sense));
-            let found = shaft(order, sense, &force, &moment, planes)?;
+            let found = shaft(order, sense, &force, &moment, planes, &ends)?;
             let weights = match resizing(&found, &there(sense), planes) {
                 Some(own) => two_planes(order, sense, &force, &moment, &own),
                 None => found.weights,
@@ -89,6 +92,8 @@ pub fn shafts(subject: &ComparableEngine, orders: &[u32], planes: &[BigRational;
 
 /// What is left in an order and makes less than this part of the load is omitted: of the force of all pistons at order 1, end to end,
 /// and for the moment of the force of each times its distance from the centre of mass of all.
+///
+/// The checker has the same limit (`src/proof/left_out.rs`).
 pub const LEAST: f64 = 1e-6;
 
 /// Decimals decide what is omitted, and the checker of the document encloses it: they keep this far from the limit.

@@ -175,12 +175,10 @@ fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
     let weight = &plane.becomes;
     let own = engine.unit_mass() * engine.unit_radius();
     let multiples = unit(remedy);
-    // What is resized keeps its throw and its radius.
-    let resized = plane.replaced.counterweights.first().map(|index| &engine.crankshaft().counterweights[*index]);
-    let radius = resized.map(|there| there.radius.clone()).or_else(|| remedy.radius.clone());
-    let radius = radius.filter(|radius| !radius.is_zero());
-    let radius = radius.unwrap_or_else(|| engine.unit_radius());
-    let throw = resized.and_then(|there| there.throw);
+    let radius = remedy.radius_in(plane);
+    // What is resized keeps its throw.
+    let resized = plane.replaced.counterweights.first();
+    let throw = resized.and_then(|index| engine.crankshaft().counterweights[*index].throw);
     // A shaft that is there keeps its axis.
     let axis = plane.replaced.balancers.first().map(|index| &engine.crankshaft().balancers[*index]);
     let axis = axis.filter(|there| (there.order, there.sense) != (1, Sense::Direct));

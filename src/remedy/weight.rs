@@ -58,6 +58,11 @@ impl Weight {
         Some(self.decimals(subject)?[0] * unit.to_f64()?)
     }
 
+    /// Whether it turns with the crankshaft at its speed.
+    pub fn is_on_the_crank(&self) -> bool {
+        (self.order, self.sense) == (1, Sense::Direct)
+    }
+
     /// Its mass in kilograms at the crank radius; `None` where the layout gives no numbers.
     pub fn mass_at_crank_radius(&self, subject: &ComparableEngine) -> Option<f64> {
         let [_, radius] = subject.scale()?;

@@ -100,6 +100,9 @@ pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> Text {
             Some(_) if shaft.lanchester => phrase!("Lanchester pair ±{}", order),
             Some(other) if other.kind == shaft.kind => phrase!("shafts ±{} ({} each)", order, kind(shaft)),
             Some(other) => phrase!("shafts +{} ({}) and −{} ({})", order, kind(shaft), order, kind(other)),
+            None if let Some(crank) = remedy.crank_of(shaft) => {
+                phrase!("{} on crankshaft {}", counterweights(shaft), crank.name.clone())
+            }
             None if shaft.sense == Sense::Direct => phrase!("shaft +{} ({})", order, kind(shaft)),
             None => phrase!("shaft −{} ({})", order, kind(shaft)),
         });

@@ -265,7 +265,7 @@ impl Cure<'_> {
         // Counterweights on another crankshaft that turns so need no shaft.
         let crank = self.engine.geared_cranks().iter().find(turns_so);
         let shaft = match (crank, self.order.order, sense) {
-            (Some(crank), ..) => phrase!("counterweights on crankshaft {}", crank.name.clone()),
+            (Some(crank), ..) => phrase!("counterweights added on crankshaft {}", crank.name.clone()),
             (None, 1, _) => "a shaft against the crank".into(),
             (None, order, Sense::Direct) => phrase!("a shaft at {} crank speed with the crank", times(order)),
             (None, order, Sense::Reverse) => phrase!("a shaft at {} crank speed against the crank", times(order)),

@@ -5,7 +5,6 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::super::calculation::percent_at_most;
 use super::{ranked, weights};
-use crate::engine::GearedCrank;
 use crate::page::{Number, Piece, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::remedy::{Kind, PairHeight, Remedy, Shaft, Weight};
@@ -74,8 +73,7 @@ fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
     let mut lines = Vec::new();
     let mut others = 0;
     for shaft in &remedy.shafts {
-        let turns_so = |crank: &&GearedCrank| (crank.speed, crank.sense) == (shaft.order, shaft.sense);
-        let Some(crank) = remedy.subject.engine().geared_cranks().iter().find(turns_so) else {
+        let Some(crank) = remedy.crank_of(shaft) else {
             others += 1;
             continue;
         };
@@ -100,8 +98,7 @@ fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
 
 /// The first crankshaft that turns against the reference, where a shaft of the remedy turns as it does, and how many other shafts there are.
 fn on_a_crankshaft(remedy: &Remedy) -> Option<(Text, usize)> {
-    remedy.shafts.iter().find(|shaft| shaft.order == 1 && shaft.sense == Sense::Reverse)?;
-    let crank = remedy.subject.engine().geared_cranks().iter().find(|crank| crank.sense == Sense::Reverse)?;
+    let crank = remedy.shafts.iter().find_map(|shaft| remedy.crank_of(shaft))?;
     Some((crank.name.clone().into(), remedy.shafts.len() - 1))
 }
 
@@ -325,7 +322,14 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
     let kilograms = |mass: f64| Piece::Quantity(mass, Unit::KILOGRAM);
     if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {
         let bare = kilograms(bare.to_f64().unwrap_or(f64::NAN));
+        let planes = remedy.resized();
+        let is_resized = planes.iter().any(|plane| plane.becomes.is_on_the_crank());
         lines.push(match remedy.bays.is_empty() && remedy.crankshaft.is_none() {
+            _ if is_resized => phrase!(
+                "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy, resized ones at their own radius: {}.",
+                bare,
+                kilograms(with)
+            ),
             true => phrase!(
                 "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}.",
                 bare
