@@ -125,7 +125,7 @@ pub use sweep::{sweep_answer, sweep_csv, sweep_page};
 pub use torque::{TorqueStudy, torque_answer, torque_page};
 pub use torsion::{
     Barred, DamperStudy, Excess, ForcedTwist, FoundDamper, HeatPlace, LargestTorque, NoTorsion, ResonanceOrder,
-    TorsionStudy, TwistAtSpeed, Vibration, VibrationOrder, torsion_answer, torsion_page,
+    TorsionStudy, TwistAtSpeed, Vibration, VibrationOrder,
 };
 pub use value::{ValueName, Valued, values_of};
 pub use values::ValuesStudy;

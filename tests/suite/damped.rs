@@ -5,7 +5,7 @@
 use crankstar::engine::{CycleOrder, Engine};
 use crankstar::file;
 use crankstar::page::Format;
-use crankstar::report::{self, Question, TorsionStudy};
+use crankstar::report::{Question, TorsionStudy};
 use crankstar::torsion::{
     Excitation, StressLimit, Train, barred, forced_twist, formula, half_range, heat, highest, modes, search,
     shaft_torques,
@@ -171,9 +171,9 @@ fn the_strongest_resonance_is_told_at_its_peak_where_that_is_in_the_range() {
 #[test]
 fn stars_are_compared_up_to_the_end_of_the_range_where_one_is_given() {
     let layout = AUTOMOTIVE.replace("loss_factor", "speed_range = [1000, 8000]\nloss_factor");
-    let text = pages::text(&report::torsion_answer(&study(&layout)), Format::PLAIN);
+    let text = pages::text(&study(&layout).answer(), Format::PLAIN);
     assert!(text.contains("Up to 8000 rpm the order"), "{text}");
-    let text = pages::text(&report::torsion_answer(&study(AUTOMOTIVE)), Format::PLAIN);
+    let text = pages::text(&study(AUTOMOTIVE).answer(), Format::PLAIN);
     assert!(text.contains("Up to 6000 rpm the order"), "{text}");
 }
 
@@ -488,10 +488,10 @@ fn pages_and_tables_of_damped_trains_say_what_was_computed_in_both_languages() {
 #[test]
 fn a_shaft_without_damping_or_without_torque_is_told_so() {
     let undamped = MARINE.replace("loss_factor = 0.02\n", "").replace("\"60 kN m s/rad\"", "0");
-    let answer = report::torsion_answer(&study(&undamped));
+    let answer = study(&undamped).answer();
     assert!(pages::text(&answer, Format::PLAIN).contains("at a critical speed the amplitude is infinite"));
     let silent = MARINE.split("[[torsion.harmonic]]").next().expect("a text").to_owned();
-    let answer = report::torsion_answer(&study(&silent));
+    let answer = study(&silent).answer();
     assert!(pages::text(&answer, Format::PLAIN).contains("No amplitudes: they need the torque"));
 }
 

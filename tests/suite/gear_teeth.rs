@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crankstar::file;
 use crankstar::page::Format;
-use crankstar::report::{self, Question, TorsionStudy};
+use crankstar::report::{Question, TorsionStudy};
 use crankstar::torsion::{Excitation, Train, forced_twist, mesh_torques, shaft_torques};
 use num_complex::Complex;
 
@@ -169,6 +169,6 @@ fn the_pages_tell_it_in_both_languages() {
     }
     let answer = pages::text(&answer, Format::PLAIN);
     assert!(answer.contains("largest vibration torque in the teeth of gears is"), "{answer}");
-    let row = report::torsion_page(&study(crate::damped::MARINE));
+    let row = study(crate::damped::MARINE).page();
     assert!(!pages::text(&row, Format::GITHUB).contains("teeth"));
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crankstar::engine::{CycleOrder, ElasticShaft, Engine, Torsion};
 use crankstar::file;
 use crankstar::page::{Document, Format, Language};
-use crankstar::report::{self, Question, TorsionStudy};
+use crankstar::report::{Question, TorsionStudy};
 use crankstar::torsion::{Excitation, Mode, Train, critical_speeds, forced_twist, modes};
 use num_complex::Complex;
 
@@ -173,7 +173,7 @@ fn a_draft_with_a_shaft_for_other_pins_is_no_engine() {
 
 /// Page and answer, every phrase of which has its German, and whose pictures have no texts on each other.
 pub fn said_in_german(study: &TorsionStudy) -> [Document; 2] {
-    let pages = [report::torsion_page(study), report::torsion_answer(study)];
+    let pages = [study.page(), study.answer()];
     let phrases = pages.iter().flat_map(phrases);
     let has_words = |words: &str| words.chars().filter(|letter| letter.is_alphabetic()).count() > 2;
     let missing: Vec<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();

@@ -11,7 +11,6 @@ mod forced;
 mod gears;
 mod page;
 mod plots;
-mod question;
 mod study;
 mod tables;
 mod vibration;
@@ -19,9 +18,12 @@ mod words;
 
 pub use forced::ForcedTwist;
 pub(super) use page::torsion_section;
-pub use page::{torsion_answer, torsion_page};
 pub use study::{NoTorsion, TorsionStudy};
 pub use vibration::{
     Barred, DamperStudy, Excess, FoundDamper, HeatPlace, LargestTorque, ResonanceOrder, TwistAtSpeed, Vibration,
     VibrationOrder,
 };
+
+use super::question::question_of_its_room;
+
+question_of_its_room!(TorsionStudy, "torsion", |study| Some(study.engine.title()));

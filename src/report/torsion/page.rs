@@ -6,7 +6,7 @@ use crate::engine::Engine;
 use crate::page::{Block, Document, Fold, Number, Picture, Table, Text, phrase};
 
 /// The short answer: what shakes, then the first modes and the strongest orders.
-pub fn torsion_answer(study: &TorsionStudy) -> Document {
+pub(super) fn answer(study: &TorsionStudy) -> Document {
     let mut answer_page = Document::new("torsion", study.engine.title());
     answer_page.blocks.extend(words::answer(study).into_iter().map(Block::Paragraph));
     let resonances = damped::strongest(study);
@@ -108,7 +108,7 @@ fn pictures(study: &TorsionStudy) -> Vec<Picture> {
 }
 
 /// The page, with modes and a Campbell diagram.
-pub fn torsion_page(study: &TorsionStudy) -> Document {
+pub(super) fn page(study: &TorsionStudy) -> Document {
     let mut page = Document::new("torsion", phrase!("{}: torsional vibration", study.engine.title()));
     let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
     page.push(Block::Answer(words::answer(study)));
