@@ -67,6 +67,10 @@ def check_loads(document, evidence, judged):
             demand(vector.below is None or is_zero is None and is_nothing(vector.below) is at_rest, "what is decided has no bound")
         agrees(entry.largest, zeros == [True, True] or at_rest)
         agrees(entry.dimensionless, zeros == [True, True])
+        parts = [entry.smallest, entry.along, entry.across]
+        demand(zeros != [True, True] and not at_rest or all(map(is_nothing, parts)), "the evidence differs")
+        demand(zeros != [True, True] or entry.direction_deg is None, "what is zero has no direction")
+        demand(scale is not None or exact(entry.largest) == exact(entry.dimensionless), "without a scale it is the same multiple")
         left[entry.quantity].append(zeros != [True, True])
     for quantity, entries in (("torque", document.torque), ("roll", document.roll or [])):
         for entry in each(quantity, entries):
@@ -81,7 +85,9 @@ def check_loads(document, evidence, judged):
             agrees(peaks[quantity].value, not any(left[quantity]) or at_rest)
             demand([name for name, _ in peaks[quantity].effects] == ([] if quantity == "torque" else effects), "the effects differ")
         if largest in document.largest:
-            demand(not is_nothing(document.largest[largest].value) or not any(left[quantity]) or at_rest, "the largest is not 0")
+            of_all = any(not all(is_zero is True for is_zero in zeros) for (of, _), zeros in judged.items() if of == quantity)
+            nothing = is_nothing(document.largest[largest].value)
+            demand(nothing if at_rest else not (nothing and of_all), "the largest contradicts the evidence")
     shaking = [entry.order for entry in document.orders if entry.quantity == "force"]
     torque, roll = ([entry.order for entry in entries] for entries in (document.torque, document.roll or []))
     rising = all(one == sorted(set(one)) for one in (shaking, torque, [one.order for one in document.coefficients]))
@@ -90,8 +96,10 @@ def check_loads(document, evidence, judged):
            "these are not the orders of the evidence, force and then moment, each once")
     demand(roll == (torque if "roll" in evidence["quantities"] else []), "the roll moment has the orders of the torque, where it is judged")
     demand(len(set(effects)) == len(effects) and all(one.order in shaking for one in document.coefficients), "an effect twice, or a number of no order")
+    demand("reciprocating" in effects and (len(effects) == 1) == (evidence["masses"] == "reciprocating"), "these are not the effects of the masses")
     auto = document.get("auto")
     demand(auto is None or (auto.kept, auto.torque_kept) == (shaking, torque), "these are not the orders that are kept")
+    demand(auto is None or not {*auto.dropped} & {*shaking} and not {*auto.torque_dropped} & {*torque}, "an order is kept and dropped")
 
 
 def check_compared(engine, evidence, shapes):

@@ -20,6 +20,7 @@ def check(tree, notes):
         rods.append(rod := rod_of(c.rod))
         stars.setdefault("endless" if rod[:2] == ("rod", 0) else rod, []).append(c)
     check_masters(cylinders, rods)
+    demand(all(c.crank_radius > 0 for c in cylinders), "a crank radius is not above 0")
     demand(any(c.firing_angle == 0 for c in cylinders), "no cylinder fires at 0")
     demand(len({c.name for c in cylinders}) == len(cylinders), "two cylinders have the same name")
     demand(len({c.rod == "unknown" for c in cylinders}) == 1, "some rods are known and some are not")

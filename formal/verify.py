@@ -124,7 +124,7 @@ def rod_of(entry):
 def check_masters(cylinders, rods):
     """A link hangs on a master rod of the engine, on the same crankpin, with its axis at the angle that is said."""
     place = lambda c, bank: (c.throw % 1, bank % 1, c.get("crank_radius"), c.get("position"))
-    masters = {(*place(c, c.bank), rod[1]) for c, rod in zip(cylinders, rods) if rod[0] == "rod" and rod[2] == 0}
+    masters = {(*place(c, c.bank), rod[1]) for c, rod in zip(cylinders, rods) if rod[0] == "rod" and rod[2] == 0 and not c.get("speed")}
     links = [(*place(c, c.bank - rod[3]), rod[1]) for c, rod in zip(cylinders, rods) if rod[0] == "link"]
     demand(masters.issuperset(links), "a link hangs on no master rod of the engine")
 
@@ -138,6 +138,8 @@ def check_engine(cylinders, turning):
     demand(all(rod[0] == "link" or not c.knuckle_weight for c, rod in zip(cylinders, rods)), "a knuckle weight without a link")
     demand(all(c.speed is None or c.speed > 1 and rod[0] != "link" for c, rod in zip(cylinders, rods)), "a speed is out of place")
     demand(all(mass.order >= 1 for mass in turning), "a mass turns in no order")
+    sizes = [c.get(key) or 0 for c in cylinders for key in ("weight", "reciprocating_mass", "knuckle_weight")]
+    demand(min(sizes) >= 0 < min(c.get("crank_radius", 1) for c in cylinders), "a mass is below 0, or a crank radius not above it")
 
 def phase(throw, bank, k, sense):
     """Order k of a cylinder: its force is direct at kβ − (k−1)α, reverse at −kβ + (k+1)α; its torque is at k(β − α)."""
@@ -264,7 +266,8 @@ def check_asked(document, allowed):
     demand(quantities and quantities == [one for one in allowed if one in quantities], f"quantities are in the order {allowed}")
 
 def note_idle(document, notes):
-    if any(mass.order not in document.orders for mass in document.turning_masses) and not document.get("all_orders"):
+    idle = [mass for mass in document.turning_masses if mass.order not in document.orders]
+    if idle and (not document.get("all_orders") or any(mass.get("axis") for mass in idle)):
         notes.add("the masses that turn at orders not asked for: no sum of the document is about them")
 
 def check_verdict(entry, quantity, k, number, sense, found):

@@ -34,7 +34,7 @@ use order_loads::{harmonic, swings};
 pub use peak_method::PeakMethod;
 pub use pin::{PinLoad, PinLoads, PinOrder, pin_loads};
 pub use roll::roll_moments;
-pub use scale::{Arm, Scale, above_zero, scale, unit};
+pub use scale::{Arm, Scale, scale, unit};
 pub use shares::{Method, Shares};
 pub use spectrum::Spectrum;
 pub use swing::Swing;

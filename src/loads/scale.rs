@@ -1,7 +1,7 @@
 //! What turns multiples of m r ω² into newtons?
 
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 use crate::engine::{Engine, LengthUnit};
 use crate::numbers;
@@ -21,30 +21,20 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// Angular speed ω in radians a second; 0 only at rest.
+    /// Angular speed ω in radians a second.
     pub fn omega(&self) -> f64 {
-        self.moving(numbers::angular_speed(self.speed.to_f64().unwrap_or(f64::INFINITY)))
+        numbers::angular_speed(self.speed.to_f64().unwrap_or(f64::INFINITY))
     }
 
-    /// m r ω² in newtons; 0 only at rest.
+    /// m r ω² in newtons.
     pub fn force(&self) -> f64 {
-        let product = (&self.mass * &self.crank_radius).to_f64().unwrap_or(f64::INFINITY);
-        self.moving(product * self.omega() * self.omega())
+        (&self.mass * &self.crank_radius).to_f64().unwrap_or(f64::INFINITY) * self.omega() * self.omega()
     }
 
-    fn moving(&self, size: f64) -> f64 {
-        if self.speed.is_zero() { 0.0 } else { above_zero(size) }
-    }
-
-    /// m r² ω² in newton-metres; 0 only at rest.
+    /// m r² ω² in newton-metres.
     pub fn torque(&self) -> f64 {
-        self.moving(self.force() * self.crank_radius.to_f64().unwrap_or(f64::INFINITY))
+        self.force() * self.crank_radius.to_f64().unwrap_or(f64::INFINITY)
     }
-}
-
-/// The decimal of what is above 0, however small it is.
-pub fn above_zero(size: f64) -> f64 {
-    size.max(f64::MIN_POSITIVE)
 }
 
 /// What the moments of a layout are counted in, besides the force.

@@ -57,7 +57,10 @@ impl Checked {
     pub(super) fn classify(document: &Document, counts: Counts) -> Self {
         let rods_known = document.rods().is_ok_and(|rods| rods.is_some());
         let unknown = (!rods_known).then_some(EQUAL_RODS);
-        let is_idle = |mass: &TurningMassClaim| !document.all_orders && !document.orders.contains(&mass.order);
+        // Of the roll moment nothing is said of every order.
+        let is_idle = |mass: &TurningMassClaim| {
+            !document.orders.contains(&mass.order) && (!document.all_orders || !mass.axis.is_empty())
+        };
         let other = document.turning_masses.iter().any(is_idle).then_some(OTHER_ORDERS);
         let is_open = |whole: &&WholeClaim| match whole.outcome {
             WholeOutcome::NotDecided { .. } | WholeOutcome::Open => true,

