@@ -32,7 +32,7 @@ fn languages(lists: &[(String, PathBuf)]) -> String {
         let text = fs::read_to_string(path).expect("the list is part of the package");
         let name = text.lines().find_map(|line| line.strip_prefix("name = \"")?.strip_suffix('"'));
         let name = name.unwrap_or_else(|| panic!("{}: it has no line `name = \"…\"`", path.display()));
-        let variant = code[..1].to_uppercase() + &code[1..];
+        let variant = code[..1].to_uppercase() + &code[1..].replace('-', "");
         let default = if all.is_empty() { "#[default]\n" } else { "" };
         variants += &format!("/// {name}.\n{default}{variant},\n");
         all += &format!("Language::{variant}, ");

@@ -40,7 +40,7 @@ pub enum BuildError {
     },
     /// A number that is no order.
     Order(NotAnOrder),
-    /// A list that has not one value for each throw.
+    /// A list without exactly one value for each throw.
     List {
         /// What the list holds.
         of: &'static str,

@@ -42,7 +42,7 @@ pub struct Cylinder<A = Turn, L = BigRational> {
 pub struct Shared {
     /// Its number: that of both pistons in it, and of no others.
     pub number: usize,
-    /// Whether it is told by the other piston, whose dead centre is when it fires.
+    /// Whether the other piston stands for the cylinder: it fires at the dead centre of that one.
     pub is_second: bool,
 }
 

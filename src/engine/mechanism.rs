@@ -22,8 +22,8 @@ pub enum Mechanism {
 pub struct Rod {
     /// Rod ratio λ = r/l.
     pub ratio: BigRational,
-    /// Offset δ = e/l: the cylinder axis passes the crankshaft at the distance e, on the side of ψ = 90° of its own crank: to which the pin goes
-    /// after dead centre.
+    /// Offset δ = e/l: the cylinder axis passes the crankshaft at the distance e, on the side of ψ = 90° of its own crank: that
+    /// towards which the pin moves after dead centre.
     pub offset: BigRational,
 }
 

@@ -13,12 +13,12 @@ impl<A, L> Engine<A, L> {
         partner(self.cylinders(), index)
     }
 
-    /// The pistons of the cylinder that is told by this one.
+    /// The pistons of the cylinder for which this one stands.
     pub fn pistons_of(&self, first: usize) -> impl Iterator<Item = usize> + Clone + use<A, L> {
         std::iter::once(first).chain(self.partner(first))
     }
 
-    /// Whether its cylinder is told by another piston, which faces it.
+    /// Whether another piston, which faces it, stands for its cylinder.
     pub fn is_second_piston(&self, index: usize) -> bool {
         is_second(&self.cylinders()[index])
     }

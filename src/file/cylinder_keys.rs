@@ -114,7 +114,7 @@ fn number_pins(cylinders: &mut [Cylinder<Linear, Linear>]) {
     }
 }
 
-/// Two pistons face each other in one cylinder, which is told by the one that the other names.
+/// Two pistons face each other in one cylinder; the one that the other names stands for it.
 fn face(cylinders: &mut [Cylinder<Linear, Linear>], index: usize, text: &Text) -> Result<(), LayoutError> {
     let written = &text.get_ref().0;
     let Some(first) = cylinders.iter().position(|other| other.name == *written).filter(|first| *first != index) else {

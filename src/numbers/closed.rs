@@ -1,7 +1,7 @@
 //! What is the length of a sum exactly? Decimals propose, exact arithmetic decides, the plainest true form wins.
 //!
 //! From the conjugates of a sum in decimals forms of several kinds are proposed, a file a kind. A form is taken only where
-//! its difference from the sum, again a sum of rotating vectors, is proved to be zero (theory, open questions, section 3).
+//! its difference from the sum, again a sum of rotating vectors, is proved to be zero (theory, section 6).
 
 use std::cell::RefCell;
 

@@ -2,7 +2,7 @@
 //!
 //! With the direct sum `(1 + e(c))·M`, the reverse one `(1 + e(d))·M'` and |M| = |M'| it is `2|M| cos ½(x+y) cos ½(x−y)`, where x and y
 //! are the halves of c and d, turned by half a turn into (−90°, 90°]: the length of the sum `½ (1 + e(x+y)) (1 + e(x−y)) M`
-//! (theory, open questions, section 3).
+//! (theory, section 6).
 
 use num_rational::BigRational;
 use num_traits::One;

@@ -411,7 +411,7 @@ impl Engine {
     ///
     /// format: "markdown", "html", "latex", "typst" or "text". HTML and LaTeX hold their pictures; of Markdown and Typst the pictures are
     /// files beside it, which `report_files` gives too.
-    /// language: "en" or "de".
+    /// language: "en", or the code of another list of words: "de".
     #[pyo3(signature = (format="markdown", *, orders=None, language="en"))]
     fn report(
         &self,

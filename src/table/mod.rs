@@ -1,6 +1,6 @@
 //! What is a table of data made of, and how is it written for a spreadsheet or a notebook? Columns with a type, a name, a unit and a meaning.
 //!
-//! A table knows nothing of pages: it is filled once (room `data`), and every writer here writes the same values.
+//! A table knows nothing of pages: it is filled once (`report::data`), and every writer here writes the same values.
 
 mod column;
 mod csv;

@@ -21,7 +21,7 @@ fn general(cylinders: &[(&str, &str, &str)]) -> Engine {
 }
 
 /// The short form comes to the same cylinders, in the same order, about the same plane; which pins they share, only the
-/// short form knows (`tests/crankshaft.rs`).
+/// short form knows (`tests/suite/crankshaft.rs`).
 #[track_caller]
 fn assert_same(short: &str, form: Form, cylinders: &[(&str, &str, &str)]) {
     let (short, long) = (read(short), general(cylinders));

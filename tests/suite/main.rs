@@ -1,4 +1,4 @@
-//! All tests that need a Rust toolchain and nothing else, as one program: one link instead of forty.
+//! All tests that need a Rust toolchain and nothing else, as one program, which links once.
 
 #![allow(clippy::disallowed_types)]
 

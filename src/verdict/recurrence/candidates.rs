@@ -1,7 +1,7 @@
 //! Which orders of a long pattern may be zero at all? All others are left, by a lemma of conductors.
 //!
 //! In a sum of n rays with rational weights that vanishes every ray i has a partner j with `R·(angle_i − angle_j)` whole, R the product
-//! of the primes up to n (theory, open questions, section 4).
+//! of the primes up to n (the lemma in `src/proof/README.md`).
 
 use num_bigint::BigInt;
 use num_integer::Integer;

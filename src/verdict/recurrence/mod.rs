@@ -1,7 +1,7 @@
 //! Which of all orders vanish, where the rods differ or have offsets, or the pattern is long? Told class by class, even and odd orders apart.
 //!
-//! Of the cylinders whose rods have one λ and one |δ| every order from 2 on is one sum before a number that is not zero where the
-//! order exists; with the weights of negative offsets reversed in odd orders (theory, open questions, section 4).
+//! Of the cylinders whose rods have one λ and one |δ| every order from 2 on is one sum times a number that is not zero where
+//! the order exists, the weights of negative offsets reversed in odd orders (theory, section 2).
 
 mod candidates;
 mod factor;
