@@ -62,6 +62,11 @@ fn mode_shape(shape: &str) -> Result<Weights, ClaimError> {
 
 /// Answers a claim about the gas torque.
 pub(super) fn answer(engine: &Engine, orders: &[CycleOrder], says: GasTorque, weights: &Weights) -> Answer {
+    if engine.gas().is_some_and(|gas| !gas.is_shared()) {
+        return Answer::nothing(
+            "the gas of the layout differs between its cylinders, and a firing star is about one that they share",
+        );
+    }
     match says {
         GasTorque::Vanishes(claimed) => match firing::firing_stars(engine, orders, weights) {
             Err(why) => Answer::nothing(&why.to_string()),

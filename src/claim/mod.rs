@@ -59,17 +59,16 @@ pub use statement::{
 };
 pub use student::{StarTable, Verdict as TableVerdict};
 
-/// Whether a claim that names no masses holds of all of them: none where it names some or is about no order of a force or moment, and where
-/// the engine has none beside its pistons.
-pub fn holds_of_all_masses(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Option<bool> {
+/// How a claim that names no masses is answered of all of them; none where it names some or is about no order of a force or moment, and
+/// where the engine has none beside its pistons.
+pub fn status_of_all_masses(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Option<Status> {
     let Statement::Order { subject, predicate } = statement else { return None };
     let has_others = masses_as_built(engine) != Masses::Reciprocating;
     if subject.masses != Masses::Reciprocating || subject.quantity == Quantity::TORQUE || !has_others {
         return None;
     }
     let subject = Subject { masses: Masses::All, ..*subject };
-    let of_all = answer(engine, &Statement::Order { subject, predicate: predicate.clone() }, numbers);
-    (of_all.status != Status::NotDecided).then(|| of_all.status.holds())
+    Some(classes::answer(engine, &Statement::Order { subject, predicate: predicate.clone() }, numbers).status)
 }
 
 /// Answers a claim about an engine.

@@ -24,6 +24,8 @@ pub(super) fn read(
     let Some(cycle) = above.cycle else { return firing_order::without_cycle(above.order, above.angles).map(|()| None) };
     match (above.order, above.angles) {
         (None, None) if cycle == Cycle::TwoStroke => Ok(Some(Firing::two_stroke(cylinders))),
+        // One cylinder has one order.
+        (None, None) if cylinders.len() == 1 => Ok(Firing::from_order(&[0], cycle, cylinders).ok()),
         (None, None) => Ok(None),
         (Some(order), None) => {
             let indices = order.get_ref().indices(cylinders, place(order))?;

@@ -1,10 +1,12 @@
 //! Does gas on both sides of a piston act as the difference of two forces, in every question of the gas?
 
+use crankstar::claim::{self, Status, parse_statement};
 use crankstar::engine::Engine;
 use crankstar::file;
+use crankstar::firing::Weights;
 use crankstar::gas::{CylinderGas, Warning};
 use crankstar::page::Format;
-use crankstar::report::{self, AngleStudy, AnglesAsked, Question};
+use crankstar::report::{self, AngleStudy, AnglesAsked, FiringStudy, Question};
 use crankstar::torque::{TorqueOrder, torque};
 
 use crate::angle::steam_engine;
@@ -89,6 +91,13 @@ fn verdicts_are_those_of_one_law_a_cylinder() {
     // A cylinder that is double-acting alone is in a class of its own.
     let unlike = format!("[[gas.cylinder]]\ncylinders = [2]\n{keys}");
     assert_eq!(twin(&unlike).classes.len(), 2);
+    // A star that vanishes is about gas that all cylinders share.
+    let unlike = engine(&two_stroke("0, 180", &above, &unlike));
+    let answer = claim::answer(&unlike, &parse_statement("order 1 of the gas torque vanishes").expect("a claim"), None);
+    assert_eq!(answer.status, Status::NotDecided);
+    let study = FiringStudy::new(&unlike, &[], Weights::Rigid).expect("stars");
+    let told = pages::text(&report::firing_answer(&study), Format::PLAIN);
+    assert!(told.contains("differs between its cylinders"), "{told}");
 }
 
 /// Like cards half a turn apart on pistons that move as `cos ψ`: odd orders of the torque cancel. A long rod is nearly that, a short one is not.

@@ -4,7 +4,10 @@ use crankstar::claim::{self, Status, parse_statement};
 use crankstar::engine::Engine;
 use crankstar::loads::{Loads, usual_orders};
 use crankstar::page::Format;
-use crankstar::proof::Axial;
+use crankstar::proof::{Axial, read_document};
+use crankstar::remedy::{Request, remedy};
+use num_rational::BigRational;
+use num_traits::Signed;
 
 use crate::support::pages;
 use crate::support::program::{call, scratch};
@@ -12,9 +15,14 @@ use crate::support::written::engine;
 
 /// What the program prints of a layout, on one line.
 fn said(question: &str, layout: &str, more: &[&str]) -> String {
+    printed(&[&[question, written(layout).as_str()], more].concat())
+}
+
+/// The path of a file that holds a layout.
+fn written(layout: &str) -> String {
     let path = scratch("true-sentences").join("layout.toml");
     std::fs::write(&path, layout).expect("a layout");
-    printed(&[&[question, path.to_str().expect("UTF-8")], more].concat())
+    path.to_str().expect("UTF-8").to_owned()
 }
 
 /// What it prints when it is asked so, on lines joined to one.
@@ -142,9 +150,7 @@ fn a_balance_factor_takes_the_place_of_the_weights_of_the_file_or_is_refused() {
     let told = said("remedy", WEIGHTED, &["--reciprocating", "0.3"]);
     assert!(told.contains(&format!("by the balance factors asked for: {size}")), "{told}");
     let apart = format!("{WEIGHTED}web_offset = '22 mm'\n");
-    let path = scratch("true-sentences").join("weighted.toml");
-    std::fs::write(&path, &apart).expect("a layout");
-    let output = call(&["remedy", path.to_str().expect("UTF-8"), "--reciprocating", "0.3"]);
+    let output = call(&["remedy", &written(&apart), "--reciprocating", "0.3"]);
     let error = String::from_utf8_lossy(&output.stderr);
     assert!(!output.status.success() && error.contains("beside the planes of the throws"), "{error}");
 }
@@ -198,4 +204,72 @@ fn what_counterweights_leave_is_told_of_force_and_moment_where_the_parts_differ(
 fn stars_that_are_equally_good_are_all_counted() {
     let told = printed(&["search", "--cylinders", "5", "--cycle", "four-stroke"]);
     assert!(told.contains("24 of the 24 crank stars are the best, with 8 different sets of values"), "{told}");
+}
+
+/// With infinitely long rods force and moment have order 1 alone, whatever the sums of the others would be.
+#[test]
+fn of_infinitely_long_rods_no_order_above_1_is_called_left() {
+    let yoke = "inline.throws = [0, 180, 180, 0]\nmechanism.scotch_yoke = true\n";
+    let told = said("classify", yoke, &[]);
+    assert!(told.contains("All other orders. Zero."), "{told}");
+    assert!(checked(yoke, "forces vanish at every order").contains("true."));
+    let document = printed(&["classify", &written(yoke), "--all-orders", "--json"]);
+    assert!(read_document(document.as_bytes()).is_ok_and(|document| document.check().is_ok()), "{document}");
+}
+
+/// A weight in one plane would be at z = 28.7 m.
+#[test]
+fn weights_of_a_remedy_are_between_the_ends_of_the_engine() {
+    let four = "speed = 6000\ninline = { throws = [0, 180, 180, 0], spacing = '96 mm' }\n[mechanism]\nstroke = '86 mm'\nrod_length = '146 mm'\n\
+        reciprocating_mass = ['0.560 kg', '0.55 kg', '0.55 kg', '0.5401 kg']\n";
+    let found = remedy(&engine(four), &Request { orders: vec![1, 2], ..Request::default() }).expect("a remedy");
+    assert!(found.holds() && found.crankshaft.as_ref().is_some_and(|weights| weights.weights.len() == 2));
+    let end = BigRational::new(144.into(), 1000.into());
+    assert!(found.weights().iter().all(|weight| weight.position.abs() <= end));
+}
+
+const WITH_SHAFTS: &str = "speed = 6000\ninline = { throws = [0, 180, 180, 0], spacing = '96 mm' }\n[mechanism]\nstroke = '86 mm'\n\
+    rod_length = '146 mm'\nreciprocating_mass = '0.55 kg'\n\
+    [[balancer]]\norder = 2\nsense = 'with'\nmass_radius = '0.0045 kg m'\nangle = 180\nposition = '60 mm'\n\
+    [[balancer]]\norder = 2\nsense = 'against'\nmass_radius = '0.0045 kg m'\nangle = 180\nposition = '60 mm'\n";
+
+/// The shafts of order 2 are not multiplied by λ, and their moment is not that of the pistons.
+#[test]
+fn what_is_said_of_pistons_is_not_said_of_the_balancer_shafts_beside_them() {
+    let page = pages::text(&pages::document(&engine(WITH_SHAFTS)), Format::GITHUB);
+    assert!(!page.contains("c_2 = \\lambda}"), "the first term alone");
+    assert!(said("classify", WITH_SHAFTS, &[]).contains("so that the pistons' moments of all orders vanish"));
+    let told = checked(WITH_SHAFTS, "second-order moment vanishes");
+    assert!(told.contains("the claim is false of all masses"), "{told}");
+    let told = checked(WITH_SHAFTS, "second-order force = 2964 N ± 1 %");
+    assert!(told.contains("of all masses the claim is not decided"), "{told}");
+}
+
+/// What turns against the reference can be counterweights on the crankshaft that does.
+#[test]
+fn no_shaft_is_asked_for_what_another_crankshaft_can_carry() {
+    let h = "speed = 5000\n[h]\nthrows = [0, 180]\nsense = 'against'\nphase = 90\ndistance = '250 mm'\nspacing = '120 mm'\n\
+        [mechanism]\nstroke = '80 mm'\nrod_length = '150 mm'\nreciprocating_mass = '0.6 kg'\nrotating_mass = '0.5 kg'\n";
+    assert!(said("classify", h, &[]).contains("counterweights added on crankshaft"));
+    let told = checked(h, "order 1 needs counterweights alone");
+    assert!(told.contains("true. Order 1 needs counterweights alone."), "{told}");
+    assert!(printed(&["compare", &written(h), "I4"]).contains("on crankshaft"));
+}
+
+#[test]
+fn one_cylinder_needs_no_firing_order() {
+    let told = said("firing", "cycle = 'four-stroke'\ninline.throws = [0]\n", &[]);
+    assert!(told.contains("The one cylinder fires every 720°."), "{told}");
+}
+
+/// A claim about a layout, answered.
+fn checked(layout: &str, says: &str) -> String {
+    let folder = scratch("true-sentences");
+    std::fs::write(folder.join("layout.toml"), layout).expect("a layout");
+    let claims =
+        format!("[[statement]]\ntext = 'a claim'\n[[statement.claim]]\nlayout = 'layout.toml'\nsays = '{says}'\n");
+    let path = folder.join("claims.toml");
+    std::fs::write(&path, claims).expect("claims");
+    let output = call(&["check", path.to_str().expect("UTF-8"), "--format", "text"]);
+    String::from_utf8_lossy(&output.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -104,6 +104,11 @@ impl Below {
 }
 
 impl Gas {
+    /// Whether the gas of all cylinders is one, on pistons of one size.
+    pub fn is_shared(&self) -> bool {
+        self.chambers.windows(2).all(|pair| pair[0] == pair[1])
+    }
+
     /// Whether it fits an engine of this many cylinders.
     ///
     /// # Errors

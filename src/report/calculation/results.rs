@@ -3,6 +3,7 @@
 use num_traits::{ToPrimitive, Zero};
 
 use super::amounts::Unit;
+use super::books::second_coefficient;
 use super::expression::{Expression, Line, fraction, half, power, quantity};
 use crate::engine::Engine;
 use crate::loads::{Harmonic, Loads, OrderLoads, Outcome, Swing, Vector, Waveform};
@@ -186,15 +187,11 @@ fn extremes(engine: &Engine, loads: &Loads, order: u32, of: Planar, swing: &Swin
 
 /// The second order with `c_2 = λ` alone, as textbooks take it.
 fn textbook(engine: &Engine, loads: &Loads, order: &OrderLoads, of: Planar, swing: &Swing) -> Option<Line> {
-    let rod = engine.rods().next().filter(|rod| rod.offset.is_zero() && !rod.ratio.is_zero())?;
-    let c = order.coefficient.as_ref()?.to_complex().norm();
-    if order.order != 2 {
-        return None;
-    }
+    let [lambda, c] = second_coefficient(engine, order)?;
     let star = (swing.direct.value.norm() + swing.reverse.value.norm()) / c;
     let letter = if of == Planar::Moment { "C" } else { "P" };
     let inner = Expression::Product(vec![
-        quantity("\\lambda", rod.ratio.to_f64()?),
+        quantity("\\lambda", lambda),
         quantity(
             format!("\\left(\\left|{letter}_{{2}}^{{+}}\\right| + \\left|{letter}_{{2}}^{{-}}\\right|\\right)"),
             star,

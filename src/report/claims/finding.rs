@@ -9,7 +9,7 @@ use crate::engine::{Engine, WHY_NOT};
 use crate::order::Masses;
 use crate::page::{Text, Unit, number, phrase};
 use crate::proof::{Quantity, Sense, Shape};
-use crate::remedy::Remedy;
+use crate::remedy::{Remedy, Shaft};
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, TorquePart, Verdict};
 
 /// `true`, `false`, `true only if …`.
@@ -47,11 +47,17 @@ pub fn claim_finding_on(
     answer: &Answer,
 ) -> Text {
     let finding = claim_finding(statement, answer);
-    let of_all = claim::holds_of_all_masses(engine, statement, numbers);
-    match of_all.filter(|holds| answer.status != Status::NotDecided && *holds != answer.status.holds()) {
+    let of_all = claim::status_of_all_masses(engine, statement, numbers);
+    let differs = |of_all: &Status| *of_all == Status::NotDecided || of_all.holds() != answer.status.holds();
+    match of_all.filter(|of_all| answer.status != Status::NotDecided && differs(of_all)) {
         None => finding,
-        Some(true) => phrase!("{} This is for the pistons alone; the claim is true of all masses.", finding),
-        Some(false) => phrase!("{} This is for the pistons alone; the claim is false of all masses.", finding),
+        Some(Status::NotDecided) => {
+            phrase!("{} This is for the pistons alone; of all masses the claim is not decided.", finding)
+        }
+        Some(of_all) if of_all.holds() => {
+            phrase!("{} This is for the pistons alone; the claim is true of all masses.", finding)
+        }
+        Some(_) => phrase!("{} This is for the pistons alone; the claim is false of all masses.", finding),
     }
 }
 
@@ -95,8 +101,9 @@ fn of_several_rods(order: &OrderVerdict) -> Text {
 /// What takes an order away, in a word or two.
 pub fn needs(remedy: &Remedy) -> Text {
     let order = remedy.orders.first().copied().unwrap_or_default();
-    let weights = remedy.crankshaft.is_some();
-    match remedy.shafts.as_slice() {
+    let shafts: Vec<&Shaft> = remedy.shafts.iter().filter(|shaft| remedy.crank_of(shaft).is_none()).collect();
+    let weights = remedy.crankshaft.is_some() || shafts.len() < remedy.shafts.len();
+    match shafts.as_slice() {
         [] if weights => phrase!("Order {} needs counterweights alone.", order),
         [] => phrase!("Order {} needs nothing.", order),
         [one] if one.sense == Sense::Direct => phrase!("Order {} needs one balancer shaft with the crank.", order),

@@ -4,7 +4,7 @@
 use super::evidence::evidence;
 use super::finding::{claim_finding_on, claim_status};
 use super::student;
-use crate::claim::{Answer, Claim, Claims, Provenance, Published, Quote, Statement, Status, Topic};
+use crate::claim::{Answer, Claim, Claims, Finding, Provenance, Published, Quote, Statement, Status, Topic};
 use crate::engine::{Engine, LengthUnit};
 use crate::page::{Block, Document, Fold, Table, Text, phrase};
 use crate::proof::Quantity;
@@ -176,9 +176,10 @@ fn found(claim: &Claim, answer: &Answer) -> Text {
 fn narrow(claims: &[Answered]) -> Table {
     let mut table = Table::new(["Claim", "Answer"]);
     for (claim, answer) in claims {
+        let words = if matches!(answer.finding, Finding::Nothing(_)) { "{}: {}" } else { "{}. {}" };
         table.push(vec![
             phrase!("{}: {}", &claim.engine, &claim.says),
-            phrase!("{}. {}", claim_status(answer), found(claim, answer)),
+            phrase!(words, claim_status(answer), found(claim, answer)),
         ]);
     }
     table

@@ -28,10 +28,15 @@ const ASSUMED: [&str; 3] = [
 const ASSUMED_RIGID: &str =
     "The crankshaft is taken to be rigid: a minor order that vanishes here may still twist the shaft.";
 
+const UNLIKE_GAS: &str = "The gas of this layout differs between its cylinders: orders that vanish here may be left in its torque, which {} computes.";
+
 /// What shakes the crankshaft: how evenly it fires, which orders vanish, which is the strongest.
 fn answer(study: &FiringStudy) -> Vec<Text> {
     let mut lines: Vec<Text> = words::evenness(&study.engine).into_iter().collect();
     lines.extend(dead_centres::counted(&study.engine));
+    if study.engine.gas().is_some_and(|gas| !gas.is_shared()) {
+        lines.push(phrase!(UNLIKE_GAS, Text::code("crankstar torque")));
+    }
     match study.pattern() {
         Ok(pattern) => {
             let whose = match (study.weights.is_mode_shape(), study.is_of_one_class()) {
@@ -40,7 +45,7 @@ fn answer(study: &FiringStudy) -> Vec<Text> {
                     "**Gas torque of a rigid crankshaft, for every pressure law common to all cylinders.** {}"
                 }
                 (false, false) => {
-                    "**Gas torque of a rigid crankshaft, for every pressure law common to all cylinders; the rods differ.** {}"
+                    "**Gas torque of a rigid crankshaft, for every pressure law common to all cylinders; rods or offsets differ.** {}"
                 }
             };
             lines.push(phrase!(whose, words::statement(pattern)));

@@ -49,7 +49,7 @@ pub(super) fn answer(study: &MountsStudy) -> Vec<Text> {
     let moving: Vec<&OrderMotion> = study.moving().map(|(_, one)| one).collect();
     let mut lines: Vec<Text> = resonance(study).into_iter().chain(force(study)).chain(velocity(study)).collect();
     lines.push(match (list(study.still()), moving.is_empty()) {
-        (none, _) if none.is_empty() => "Every order shown moves the engine: of none do force, moment and roll moment all vanish.".into(),
+        (none, _) if none.is_empty() => "Every order shown moves the engine: in each, force, moment or roll moment is left.".into(),
         (_, true) => "No order shown moves the engine, proved: force, moment and roll moment of each vanish.".into(),
         (still, false) => phrase!(
             "These orders do not move the engine on any mounts, proved: {}. Force, moment and roll moment of each vanish.",

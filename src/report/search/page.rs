@@ -1,5 +1,7 @@
 //! What is on the page of a search, and on the terminal? The best stars, pictures of the first, how they were found.
 
+use num_traits::Signed;
+
 use super::super::residual;
 use super::front::front_picture;
 use super::pictures::pictures;
@@ -173,10 +175,12 @@ fn legend(front: &Front) -> Vec<Text> {
 fn banks(front: &Front) -> Vec<Text> {
     let problem = &front.problem;
     let split = problem.pin_split.as_ref().map(|split| {
-        phrase!(
-            "Each throw has two pins: that of bank 2 is {} ahead. The throws are those of bank 1.",
-            number::degrees(&number::signed_degrees(split))
-        )
+        let degrees = number::signed_degrees(split);
+        let words = match degrees.is_negative() {
+            false => "Each throw has two pins: that of bank 2 is {} ahead. The throws are those of bank 1.",
+            true => "Each throw has two pins: that of bank 2 is {} behind. The throws are those of bank 1.",
+        };
+        phrase!(words, number::degrees(&degrees.abs()))
     });
     let offset = problem
         .bank_offset

@@ -18,7 +18,7 @@ pub(in crate::report) fn cited(engine: &Engine) -> Vec<Text> {
         (1, Fate::Never(Obstruction { prime, .. })) if throws > 2 => vec![never(throws, banks, prime)],
         (1, Fate::Lost(_)) if banks == 1 && !engine.has_offset() && star.loses(1) => lost(&star),
         (2, _) if throws > 1 && (1..=throws).all(|order| star.loses(order)) => vec![phrase!(
-            "**The crankshaft is its own mirror image:** the two throws in each direction have opposite arms, so that the moments of all orders vanish (page of stars, {}).",
+            "**The crankshaft is its own mirror image:** the two throws in each direction have opposite arms, so that the pistons' moments of all orders vanish (page of stars, {}).",
             page()
         )],
         _ => Vec::new(),
