@@ -11,7 +11,7 @@ use super::shared_keys::SharedKeys;
 use super::written::place;
 use crate::engine::{Cycle, Cylinder, Engine, Firing};
 
-/// The firings of the engine; none where the file says nothing of them.
+/// The firings of the engine; none where the file says nothing of them and has several cylinders.
 ///
 /// # Errors
 /// What the throws cannot fire, with what would fit.
@@ -24,9 +24,7 @@ pub(super) fn read(
     let Some(cycle) = above.cycle else { return firing_order::without_cycle(above.order, above.angles).map(|()| None) };
     match (above.order, above.angles) {
         (None, None) if cycle == Cycle::TwoStroke => Ok(Some(Firing::two_stroke(cylinders))),
-        // One cylinder has one order.
-        (None, None) if cylinders.len() == 1 => Ok(Firing::from_order(&[0], cycle, cylinders).ok()),
-        (None, None) => Ok(None),
+        (None, None) => Ok((cylinders.len() == 1).then(|| Firing::from_order(&[0], cycle, cylinders).ok()).flatten()),
         (Some(order), None) => {
             let indices = order.get_ref().indices(cylinders, place(order))?;
             let fits = |others: &[Cylinder]| {

@@ -202,9 +202,12 @@ fn a_force_that_acts_in_one_plane_needs_one_weight_there() {
     assert_eq!(weights(&one), (Kind::Force, vec!["7".to_owned()]));
     assert_eq!(weights(&like), (Kind::Force, vec!["2".to_owned()]));
     assert_eq!(weights(&both), (Kind::ForceAndMoment, vec!["3".to_owned(), "0".to_owned()]));
-    // Triangles: 1 + e^{120°} at 1 and e^{240°} at 0 act as −e^{240°} does, at a place between.
-    let hidden = at("0", "1", 2) + &at("1/3", "1", 2) + &at("2/3", "0", 1);
-    assert_eq!(weights(&hidden), (Kind::Force, vec!["2".to_owned()]));
+    // Triangles: 1 + e^{120°} at 1 and e^{60°} at 0 act as e^{60°} does, at a place between.
+    let hidden = at("0", "1", 2) + &at("1/3", "1", 2) + &at("1/6", "0", 1);
+    assert_eq!(weights(&hidden), (Kind::Force, vec!["2/3".to_owned()]));
+    // With e^{240°} at 0 that place is z = 2, beyond the cylinders.
+    let beyond = at("0", "1", 2) + &at("1/3", "1", 2) + &at("2/3", "0", 1);
+    assert_eq!(weights(&beyond), (Kind::ForceAndMoment, vec!["1".to_owned(), "0".to_owned()]));
 }
 
 #[test]
