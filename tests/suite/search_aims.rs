@@ -287,10 +287,12 @@ fn a_page_tells_all_that_was_compared_in_german_too() {
     assert!(front.counts_whole_classes() && !in_part.counts_whole_classes());
     for page in pages.into_iter().chain([report::search_answer(&in_part)]) {
         let text = page::write(&page, Format::GITHUB, &page::Options::default()).remove(0).text;
-        for words in ["that of bank 2 is −60° ahead", "Bank 1 is 0.2", "these minor orders", "Order ½", "Neighbours"]
+        for words in ["that of bank 2 is 60° behind", "Bank 1 is 0.2", "these minor orders", "Order ½", "Neighbours"]
         {
             assert!(text.contains(words), "{words}: {text}");
         }
+        // Each crank star has two firing orders, and is one star.
+        assert!(!text.contains("4 of the 2"), "{text}");
         let unknown: Vec<&str> = phrases(&page).into_iter().filter(|words| !Language::De.knows(words)).collect();
         let unknown: Vec<&&str> = unknown.iter().filter(|words| words.chars().any(char::is_alphabetic)).collect();
         assert!(unknown.is_empty(), "no German for {unknown:#?}");

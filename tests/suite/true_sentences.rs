@@ -250,10 +250,10 @@ fn what_is_said_of_pistons_is_not_said_of_the_balancer_shafts_beside_them() {
 fn no_shaft_is_asked_for_what_another_crankshaft_can_carry() {
     let h = "speed = 5000\n[h]\nthrows = [0, 180]\nsense = 'against'\nphase = 90\ndistance = '250 mm'\nspacing = '120 mm'\n\
         [mechanism]\nstroke = '80 mm'\nrod_length = '150 mm'\nreciprocating_mass = '0.6 kg'\nrotating_mass = '0.5 kg'\n";
-    assert!(said("classify", h, &[]).contains("counterweights added on crankshaft"));
+    assert!(said("classify", h, &[]).contains("added on crankshaft lower"));
     let told = checked(h, "order 1 needs counterweights alone");
     assert!(told.contains("true. Order 1 needs counterweights alone."), "{told}");
-    assert!(printed(&["compare", &written(h), "I4"]).contains("on crankshaft"));
+    assert!(printed(&["compare", &written(h), "I4"]).contains("on crankshaft lower"));
 }
 
 #[test]

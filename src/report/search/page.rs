@@ -1,5 +1,6 @@
 //! What is on the page of a search, and on the terminal? The best stars, pictures of the first, how they were found.
 
+use num_bigint::BigUint;
 use num_traits::Signed;
 
 use super::super::residual;
@@ -90,6 +91,7 @@ fn best(front: &Front) -> Vec<Text> {
     let (all, limits) = (number::grouped(&front.all.to_string()), &front.limits.limits);
     let orders: Vec<String> = front.problem.orders.iter().map(u32::to_string).collect();
     let orders = phrase!("Compared: the moments of {}.", residual::orders_in_words(&orders));
+    let counted = front.stars.iter().map(|star| star.stars).sum::<Option<u64>>();
     let how_many = match front.stars.len() {
         0 if !limits.is_empty() => phrase!("**No crank star keeps these limits:** {}.", limits_of(front)),
         1 if !limits.is_empty() => phrase!(
@@ -104,7 +106,8 @@ fn best(front: &Front) -> Vec<Text> {
             limits_of(front)
         ),
         0 => phrase!("None of the {} crank stars has balanced first-order force.", all),
-        sets => match (sets, front.stars.iter().map(|star| star.stars).sum::<Option<u64>>()) {
+        // Where firing orders are compared too, a crank star counts once for each.
+        sets => match (sets, counted.filter(|several| BigUint::from(*several) <= front.all)) {
             (1, Some(1)) => phrase!("**One of the {} crank stars is the best** in all values compared.", all),
             (1, Some(several)) => phrase!(
                 "**{} of the {} crank stars are the best** in all values compared, and have the same values.",
