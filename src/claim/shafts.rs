@@ -60,9 +60,8 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
         Err(refused) => return Answer::nothing(&refused.to_string()),
     };
     // Counterweights on a crankshaft are the shaft that turns as it does.
-    let cranks = || engine.geared_cranks().iter();
-    let with = direct && order > 1 && !cranks().any(|crank| (crank.speed, crank.sense) == (order, Sense::Direct));
-    let against = reverse && !cranks().any(|crank| (crank.speed, crank.sense) == (order, Sense::Reverse));
+    let with = direct && order > 1 && engine.crank_turning(order, Sense::Direct).is_none();
+    let against = reverse && engine.crank_turning(order, Sense::Reverse).is_none();
     let is_so = match claimed {
         Shafts::Nothing => !direct && !reverse,
         Shafts::None => !with && !against,

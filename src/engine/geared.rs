@@ -49,6 +49,11 @@ impl<A, L> Engine<A, L> {
         self.geared_cranks().iter().find(|crank| crank.speed != 1)
     }
 
+    /// The crankshaft that turns so often and in this sense while the reference turns once, of several geared together.
+    pub fn crank_turning(&self, speed: u32, sense: Sense) -> Option<&GearedCrank> {
+        self.geared_cranks().iter().find(|crank| (crank.speed, crank.sense) == (speed, sense))
+    }
+
     /// The order of a cylinder's own motion that is this order of the engine; none where its crank turns so fast that it has no part in it.
     pub fn own_order(&self, cylinder: &Cylinder<A, L>, order: u32) -> Option<u32> {
         own_order(self.speed_of(cylinder), order)

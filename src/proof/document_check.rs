@@ -6,8 +6,8 @@ use super::audit::{Audit, Fault, Reason};
 use super::checked::Checked;
 use super::document::Document;
 use super::engine::{
-    Masses, RodStatement, check_asked, check_knuckle, check_masters, check_names, check_shafts, check_sizes,
-    check_speed,
+    Masses, RodStatement, check_asked, check_knuckle, check_masses, check_masters, check_names, check_radii,
+    check_shafts, check_speed,
 };
 use super::format::Format;
 use super::judged::{Judged, JudgedGroup};
@@ -64,7 +64,8 @@ fn check_head(document: &Document) -> Result<(), Fault> {
         checked.map_err(|reason| Fault { place: "cylinders".into(), reason })?;
     }
     let masses = document.cylinders.iter().flat_map(|one| [&one.reciprocating_mass, &one.knuckle_weight]);
-    let sizes = check_sizes(masses, document.cylinders.iter().map(|one| &one.crank_radius));
+    let radii = document.cylinders.iter().map(|one| &one.crank_radius);
+    let sizes = check_masses(masses).and_then(|()| check_radii(radii));
     // No link hangs on a crank that turns faster.
     let cylinders = document.cylinders.iter().filter(|one| one.speed == 1);
     let held = cylinders.map(|one| (&one.throw, &one.bank, &one.rod, [&one.crank_radius, &one.position]));

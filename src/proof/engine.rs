@@ -195,16 +195,14 @@ pub(super) fn rods<'a>(
     }
 }
 
-/// Checks that no mass is below 0, and each crank radius above it.
-pub(super) fn check_sizes<'a>(
-    mut masses: impl Iterator<Item = &'a BigRational>,
-    mut radii: impl Iterator<Item = &'a BigRational>,
-) -> Result<(), Reason> {
-    match (masses.any(Signed::is_negative), radii.all(Signed::is_positive)) {
-        (false, true) => Ok(()),
-        (true, _) => Err("a mass is less than nothing".into()),
-        (false, false) => Err("a crank radius is not above 0".into()),
-    }
+/// Checks that no mass is below 0.
+pub(super) fn check_masses<'a>(mut masses: impl Iterator<Item = &'a BigRational>) -> Result<(), Reason> {
+    if masses.any(Signed::is_negative) { Err("a mass is less than nothing".into()) } else { Ok(()) }
+}
+
+/// Checks that crank radii are above 0.
+pub(super) fn check_radii<'a>(mut radii: impl Iterator<Item = &'a BigRational>) -> Result<(), Reason> {
+    if radii.all(Signed::is_positive) { Ok(()) } else { Err("a crank radius is not above 0".into()) }
 }
 
 /// What a master rod and its links have in common: their crankpin (its throw in turns of one revolution, and what else a document says of

@@ -10,7 +10,7 @@ use super::audit::{Audit, Fault, steps_of};
 use super::check::certify;
 use super::checked::Checked;
 use super::collected::collect;
-use super::engine::{RodStatement, check_masters, check_names, check_sizes, rods};
+use super::engine::{RodStatement, check_masters, check_names, check_radii, rods};
 use super::firing::{CycleClaim, FiringClaim, FiringCylinder, FiringDocument, PatternClaim};
 use super::format::Format;
 use super::vector::Vector;
@@ -56,7 +56,7 @@ fn check_head(document: &FiringDocument) -> Result<(), Fault> {
     check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
     let held = document.cylinders.iter().map(|one| (&one.throw, &one.bank, &one.rod, [&one.crank_radius]));
     rods(document.cylinders.iter().map(|cylinder| &cylinder.rod))
-        .and_then(|_| check_sizes(std::iter::empty(), document.cylinders.iter().map(|one| &one.crank_radius)))
+        .and_then(|_| check_radii(document.cylinders.iter().map(|one| &one.crank_radius)))
         .and_then(|()| check_masters(held))
         .map_err(|reason| Fault { place: "cylinders".into(), reason })?;
     let centre = |cylinder: &FiringCylinder| &cylinder.firing_angle - (&cylinder.bank - &cylinder.throw);

@@ -5,6 +5,7 @@
 //!
 #![doc = include_str!("README.md")]
 
+mod agreement;
 mod alternative;
 mod any_document;
 mod audit;
@@ -37,6 +38,7 @@ mod knuckle;
 mod laurent;
 mod left_out;
 mod link;
+mod loads_check;
 mod motion;
 mod open;
 mod open_check;

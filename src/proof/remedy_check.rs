@@ -13,8 +13,8 @@ use super::coefficient::{Coefficient, Factor};
 use super::collected::{Collected, collect, collected, vectors};
 use super::decimals::check_decimals;
 use super::engine::{
-    Masses, RodStatement, check_asked, check_knuckle, check_masters, check_shafts, check_sizes, check_speed, own_order,
-    power, rods,
+    Masses, RodStatement, check_asked, check_knuckle, check_masses, check_masters, check_shafts, check_speed,
+    own_order, power, rods,
 };
 use super::format::Format;
 use super::left_out::{LeftOut, check_left_out};
@@ -96,7 +96,7 @@ fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
         return Err(Fault::new(format!("turning_masses[{index}]"), "a mass that turns has an order from 1 on"));
     }
     let masses = document.cylinders.iter().flat_map(|one| [&one.weight, &one.knuckle_weight]);
-    check_sizes(masses, std::iter::empty()).map_err(|reason| Fault::new("cylinders", reason))?;
+    check_masses(masses).map_err(|reason| Fault::new("cylinders", reason))?;
     for cylinder in &document.cylinders {
         let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);
         let checked = checked.and_then(|()| check_speed(&cylinder.rod, cylinder.speed));

@@ -34,7 +34,7 @@ pub use partial::{Ellipse, Partial};
 pub use parts::{counterweight_parts, mass_step, power_of_ten_below};
 pub use planes::{Built, Replaced};
 use planes::{ends, usual_planes};
-pub use shafts::{Kind, LEAST, Shaft, are_slight, shaft, shafts, without_slight};
+pub use shafts::{Kind, LEAST, Shaft, shaft, shafts, without_slight};
 pub use weight::Weight;
 
 use crate::engine::{Engine, GearedCrank, throws};
@@ -123,8 +123,7 @@ impl Remedy {
 
     /// The crankshaft that turns as a shaft does, whose counterweights can take its place; none but in engines of several.
     pub fn crank_of(&self, shaft: &Shaft) -> Option<&GearedCrank> {
-        let turns_so = |crank: &&GearedCrank| (crank.speed, crank.sense) == (shaft.order, shaft.sense);
-        self.subject.engine().geared_cranks().iter().find(turns_so)
+        self.subject.engine().crank_turning(shaft.order, shaft.sense)
     }
 
     /// The radius in metres at which counterweights in a plane are: what is resized keeps its own, others are at the one that is asked for, or

@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use super::Remedy;
 use super::comparable_engine::ComparableEngine;
 use super::planes::{ends, usual_planes};
-use super::shafts::{Shaft, are_slight, shaft};
+use super::shafts::{shaft, without_slight};
 use super::weight::Weight;
 use crate::engine::Engine;
 use crate::exact::Turn;
@@ -53,10 +53,9 @@ pub(super) fn leaves_little(remedy: &Remedy, read: &Engine) -> bool {
     let weights = remedy.weights();
     let rounded = weights.iter().filter(|weight| is_of_link(weight));
     let rounded: BTreeSet<(u32, Sense)> = rounded.map(|weight| (weight.order, weight.sense)).collect();
-    rounded.iter().all(|(order, _)| {
-        let left = rounded.iter().filter(|one| one.0 == *order).filter_map(|&(order, sense)| {
-            shaft(order, sense, &subject.force(order, sense), &subject.moment(order, sense), &planes, &ends)
-        });
-        are_slight(&subject, &left.collect::<Vec<Shaft>>().iter().collect::<Vec<_>>())
-    })
+    let left = rounded.iter().filter_map(|&(order, sense)| {
+        shaft(order, sense, &subject.force(order, sense), &subject.moment(order, sense), &planes, &ends)
+    });
+    let [needed, _] = without_slight(&subject, left.collect());
+    needed.is_empty()
 }

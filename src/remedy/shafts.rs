@@ -10,6 +10,7 @@ use super::comparable_engine::ComparableEngine;
 use super::counterweights::{one_plane, two_planes};
 use super::planes;
 use super::weight::Weight;
+use crate::engine::Engine;
 use crate::numbers;
 use crate::order::{self, OrderSum};
 use crate::proof::Sense;
@@ -103,18 +104,21 @@ const MARGIN: f64 = 0.999;
 /// load all together.
 pub fn without_slight(subject: &ComparableEngine, shafts: Vec<Shaft>) -> [Vec<Shaft>; 2] {
     let [mut needed, mut left_out]: [Vec<Shaft>; 2] = Default::default();
+    let load = load(subject.engine());
     let mut rest = shafts;
     while let Some(order) = rest.first().map(|shaft| shaft.order) {
         let (of_order, others): (Vec<Shaft>, Vec<Shaft>) = rest.into_iter().partition(|shaft| shaft.order == order);
         rest = others;
-        let largest = |shaft: &&Shaft| {
-            let [force, moment] = part_of_load(subject, shaft);
-            force.max(moment)
+        let mut rising: Vec<([f64; 2], &Shaft)> =
+            of_order.iter().map(|shaft| (part_of_load(subject, shaft, load), shaft)).collect();
+        let largest = |[force, moment]: [f64; 2]| force.max(moment);
+        rising.sort_by(|(one, _), (other, _)| largest(*one).total_cmp(&largest(*other)));
+        let is_slight = |count: &usize| {
+            let all_of = |quantity: usize| rising[..*count].iter().map(|(part, _)| part[quantity]).sum::<f64>();
+            [0, 1].into_iter().all(|quantity| all_of(quantity) < MARGIN * LEAST)
         };
-        let mut rising: Vec<&Shaft> = of_order.iter().collect();
-        rising.sort_by(|one, other| largest(one).total_cmp(&largest(other)));
-        let count = (1..=rising.len()).rev().find(|&count| are_slight(subject, &rising[..count])).unwrap_or(0);
-        let slight: Vec<Shaft> = rising[..count].iter().copied().cloned().collect();
+        let count = (1..=rising.len()).rev().find(is_slight).unwrap_or(0);
+        let slight: Vec<Shaft> = rising[..count].iter().map(|(_, shaft)| (*shaft).clone()).collect();
         let (out, kept): (Vec<Shaft>, Vec<Shaft>) = of_order.into_iter().partition(|shaft| slight.contains(shaft));
         left_out.extend(out);
         needed.extend(kept.into_iter().map(|shaft| Shaft { lanchester: shaft.lanchester && count == 0, ..shaft }));
@@ -122,31 +126,30 @@ pub fn without_slight(subject: &ComparableEngine, shafts: Vec<Shaft>) -> [Vec<Sh
     [needed, left_out]
 }
 
-/// Whether what these shafts of one order cancel is less than [`LEAST`] of the load, all together.
-pub fn are_slight(subject: &ComparableEngine, shafts: &[&Shaft]) -> bool {
-    let parts: Vec<[f64; 2]> = shafts.iter().map(|shaft| part_of_load(subject, shaft)).collect();
-    [0, 1].into_iter().all(|quantity| parts.iter().map(|part| part[quantity]).sum::<f64>() < MARGIN * LEAST)
-}
-
-/// Force and moment that a shaft cancels, in parts of the load. A vector is a force of half its length; a c_k that is not known counts
-/// as 2, which none is above.
-fn part_of_load(subject: &ComparableEngine, shaft: &Shaft) -> [f64; 2] {
-    let engine = subject.engine();
+/// The load of force and of moment: of all pistons at order 1, and of each times its distance from the centre of mass of all.
+fn load(engine: &Engine) -> [f64; 2] {
     let weights: Vec<(BigRational, &BigRational)> =
         engine.cylinders().iter().map(|one| (order::mass_radius(engine, one), &one.position)).collect();
     let load: BigRational = weights.iter().map(|(weight, _)| weight).sum();
     let first: BigRational = weights.iter().map(|(weight, position)| weight * *position).sum();
     let centre = if load.is_zero() { BigRational::zero() } else { first / &load };
     let of_moment: BigRational = weights.iter().map(|(weight, position)| weight * (*position - &centre).abs()).sum();
+    [load, of_moment].map(|load| numbers::float(&load))
+}
+
+/// Force and moment that a shaft cancels, in parts of the load. A vector is a force of half its length; a c_k that is not known counts
+/// as 2, which none is above.
+fn part_of_load(subject: &ComparableEngine, shaft: &Shaft, [of_force, of_moment]: [f64; 2]) -> [f64; 2] {
+    let plane = subject.engine().reference_plane();
     let force = |weight: &Weight| weight.adds();
-    let moment = |weight: &Weight| weight.adds().scaled(&(&weight.position - engine.reference_plane()));
-    let part = |of_weight: &dyn Fn(&Weight) -> OrderSum, unit: f64| {
+    let moment = |weight: &Weight| weight.adds().scaled(&(&weight.position - plane));
+    let part = |of_weight: &dyn Fn(&Weight) -> OrderSum, load: f64| {
         let sum = shaft.weights.iter().map(of_weight).fold(OrderSum::default(), |sum, more| sum.plus(&more));
         let bare = || sum.parts().values().map(|sum| 2.0 * numbers::evaluate(sum).norm()).sum();
         let vector = subject.value(&sum, shaft.order, shaft.sense).map_or_else(bare, |value| value.norm());
-        if sum.vanishes() { 0.0 } else { vector / 2.0 / unit }
+        if sum.vanishes() { 0.0 } else { vector / 2.0 / load }
     };
-    [part(&force, numbers::float(&load)), part(&moment, numbers::float(&of_moment))]
+    [part(&force, of_force), part(&moment, of_moment)]
 }
 
 fn same_length(a: &Shaft, b: &Shaft) -> bool {

@@ -96,15 +96,13 @@ pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> Text {
     while let Some(shaft) = shafts.next() {
         let partner = shafts.next_if(|next| next.order == shaft.order);
         let order = shaft.order;
-        words.push(match partner {
-            Some(_) if shaft.lanchester => phrase!("Lanchester pair ±{}", order),
-            Some(other) if other.kind == shaft.kind => phrase!("shafts ±{} ({} each)", order, kind(shaft)),
-            Some(other) => phrase!("shafts +{} ({}) and −{} ({})", order, kind(shaft), order, kind(other)),
-            None if let Some(crank) = remedy.crank_of(shaft) => {
-                phrase!("{} on crankshaft {}", counterweights(shaft), crank.name.clone())
-            }
-            None if shaft.sense == Sense::Direct => phrase!("shaft +{} ({})", order, kind(shaft)),
-            None => phrase!("shaft −{} ({})", order, kind(shaft)),
+        words.push(match (partner, remedy.crank_of(shaft)) {
+            (Some(_), _) if shaft.lanchester => phrase!("Lanchester pair ±{}", order),
+            (Some(other), _) if other.kind == shaft.kind => phrase!("shafts ±{} ({} each)", order, kind(shaft)),
+            (Some(other), _) => phrase!("shafts +{} ({}) and −{} ({})", order, kind(shaft), order, kind(other)),
+            (None, Some(crank)) => phrase!("{} on crankshaft {}", counterweights(shaft), crank.name.clone()),
+            (None, None) if shaft.sense == Sense::Direct => phrase!("shaft +{} ({})", order, kind(shaft)),
+            (None, None) => phrase!("shaft −{} ({})", order, kind(shaft)),
         });
     }
     if words.is_empty() { "none needed".into() } else { Text::joined(words, "; ") }

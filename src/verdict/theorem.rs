@@ -7,13 +7,13 @@ use std::fmt;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 use super::recurrence::MOST_CANDIDATES;
 use super::{Balance, Verdict};
-use crate::engine::{Engine, Mechanism};
+use crate::engine::Engine;
 use crate::order::{Masses, OrderTerms, Sources};
-use crate::proof::{Planar, Sense, Survivors};
+use crate::proof::{Planar, Quantity, Sense, Survivors};
 
 /// Of longer periods only the orders that may be zero are decided.
 pub const LONGEST_PERIOD: u32 = 720;
@@ -94,8 +94,7 @@ pub fn period(engine: &Engine) -> BigInt {
 
 /// Judges one period of orders; none where the pattern is long, or the engine not one of equal centric rods, whose even orders exist.
 pub(super) fn theorem(engine: &Engine, sources: &Sources) -> Option<Theorem> {
-    let is_endless = |mechanism: &Mechanism| mechanism.rod().is_some_and(|rod| rod.ratio.is_zero());
-    if engine.mechanisms().len() > 1 || engine.has_offset() || engine.mechanisms().into_iter().any(is_endless) {
+    if engine.mechanisms().len() > 1 || engine.has_offset() || !engine.pistons_have_order(Quantity::FORCE, 2) {
         return None;
     }
     let period = period(engine).to_u32().filter(|&period| period <= LONGEST_PERIOD)?;

@@ -27,6 +27,11 @@ impl Unit {
         self.unit.into()
     }
 
+    /// So many multiples in it, with its name.
+    pub fn sized(self, multiples: f64, setting: Setting) -> Text {
+        phrase!("{}\u{202f}{}", Text::from(Piece::Measured(multiples * self.factor, self.unit, setting)), self.label())
+    }
+
     /// The same in which a person reads all values of a quantity best: its orders, and what they add up to.
     pub fn as_read(engine: &Engine, of: &Loads, quantity: impl Into<Quantity>) -> Self {
         let quantity = quantity.into();

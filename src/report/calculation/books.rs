@@ -6,7 +6,7 @@ use super::amounts::{Unit, UnitOf};
 use crate::engine::Engine;
 use crate::loads::{Loads, OrderLoads, Swing};
 use crate::order;
-use crate::page::{Piece, Setting, Text, number, phrase};
+use crate::page::{Setting, Text, number, phrase};
 use crate::proof::Planar;
 
 /// The second order with `c_2 = λ`; none where nothing is left of it, or where not all of it has one coefficient.
@@ -35,8 +35,5 @@ pub(super) fn second_coefficient(engine: &Engine, order: &OrderLoads) -> Option<
 
 fn size(unit: Unit, swing: &Swing, part: f64) -> Option<Text> {
     let is_left = !swing.vanishes() && unit.factor != 0.0;
-    is_left.then(|| {
-        let size = Piece::Measured(swing.largest() * part * unit.factor, unit.unit, Setting::Usual(number::sensible));
-        phrase!("{}\u{202f}{}", Text::from(size), unit.label())
-    })
+    is_left.then(|| unit.sized(swing.largest() * part, Setting::Usual(number::sensible)))
 }

@@ -95,11 +95,7 @@ fn of_order(
 }
 
 fn size(value: f64, unit: Unit) -> Text {
-    with_unit(Piece::Measured(value * unit.factor, unit.unit, Setting::Usual(number::decimal)), unit)
-}
-
-fn with_unit(value: Piece, unit: Unit) -> Text {
-    phrase!("{}\u{202f}{}", Text::from(value), unit.label())
+    unit.sized(value, Setting::Usual(number::decimal))
 }
 
 /// The orders of the torque, and of the roll moment where it is another, that stand out; the largest in any case, since the torque was asked for. Then those
@@ -144,9 +140,9 @@ fn small(orders: &[&OrderVerdict], weighed: &Weighed, theorem: Option<&EveryOrde
             NextLeft::Order(next) if small.is_empty() => named.extend([next.to_string(), MORE.to_owned()]),
             NextLeft::Order(_) | NextLeft::NotKnown => named.push(MORE.to_owned()),
         }
-        let most = Piece::Measured(most? * unit.factor, unit.unit, Setting::Fixed(bound));
+        let most = unit.sized(most?, Setting::Fixed(bound));
         let named = Text::label(named.join(", "));
-        Some(vec![name.into(), named, phrase!("≤ {}", with_unit(most, unit)), Text::default(), Text::default()])
+        Some(vec![name.into(), named, phrase!("≤ {}", most), Text::default(), Text::default()])
     };
     [(Planar::Force, "All other forces"), (Planar::Moment, "All other moments")].into_iter().filter_map(of).collect()
 }

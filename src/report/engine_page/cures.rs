@@ -8,7 +8,7 @@ use super::super::calculation::percent;
 use super::super::typeset::short;
 use super::left::{is_as_built, left_vectors};
 use super::weighing::{Weighed, Weighing};
-use crate::engine::{Engine, GearedCrank, LengthUnit};
+use crate::engine::{Engine, LengthUnit};
 use crate::order;
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::proof::{Planar, Sense};
@@ -261,9 +261,8 @@ impl Cure<'_> {
 
     /// A shaft with its size.
     fn shaft(&self, sense: Sense) -> Text {
-        let turns_so = |crank: &&GearedCrank| (crank.speed, crank.sense) == (self.order.order, sense);
         // Counterweights on another crankshaft that turns so need no shaft.
-        let crank = self.engine.geared_cranks().iter().find(turns_so);
+        let crank = self.engine.crank_turning(self.order.order, sense);
         let shaft = match (crank, self.order.order, sense) {
             (Some(crank), ..) => phrase!("counterweights added on crankshaft {}", crank.name.clone()),
             (None, 1, _) => "a shaft against the crank".into(),

@@ -324,29 +324,28 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
         let bare = kilograms(bare.to_f64().unwrap_or(f64::NAN));
         let planes = remedy.resized();
         let is_resized = planes.iter().any(|plane| plane.becomes.is_on_the_crank());
-        lines.push(match remedy.bays.is_empty() && remedy.crankshaft.is_none() {
-            _ if is_resized => phrase!(
+        let is_bare = remedy.bays.is_empty() && remedy.crankshaft.is_none();
+        lines.push(match (is_bare, is_resized, &remedy.radius) {
+            (false, true, _) => phrase!(
                 "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy, resized ones at their own radius: {}.",
                 bare,
                 kilograms(with)
             ),
-            true => phrase!(
+            (true, ..) => phrase!(
                 "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}.",
                 bare
             ),
-            false => match &remedy.radius {
-                None => phrase!(
-                    "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at the crank radius: {}.",
+            (false, false, None) => phrase!(
+                "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at the crank radius: {}.",
                     bare,
                     kilograms(with)
                 ),
-                Some(radius) => phrase!(
-                    "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at a radius of {}: {}.",
+            (false, false, Some(radius)) => phrase!(
+                "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at a radius of {}: {}.",
                     bare,
                     crate::page::number::given_with(&(radius * BigRational::from_integer(1000.into())), Unit::MILLIMETRE),
-                    kilograms(with)
-                ),
-            },
+                kilograms(with)
+            ),
         });
     }
     let half = BigRational::new(1.into(), 2.into());
