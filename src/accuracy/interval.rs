@@ -1,7 +1,7 @@
 //! Between which floats does a number lie? Intervals of doubles, every end rounded outward.
 
+use crate::numbers::float;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::real::{Real, cos_sin, turned};
 
@@ -31,7 +31,7 @@ impl Interval {
 
     /// The tightest interval around a rational number.
     pub fn around(number: &BigRational) -> Self {
-        let near = number.to_f64().unwrap_or(f64::NAN);
+        let near = float(number);
         if !near.is_finite() {
             return Interval::WHOLE;
         }

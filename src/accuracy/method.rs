@@ -14,6 +14,7 @@ use super::timing::{Timing, measured};
 use crate::engine::Engine;
 use crate::loads::{self, Missing};
 use crate::motion::Enclosure;
+use crate::numbers::float;
 use crate::order::{TurningMass, turning_masses};
 use crate::proof::Quantity;
 
@@ -240,7 +241,7 @@ struct Yardstick {
 impl Yardstick {
     fn new(peak: &Enclosure) -> Self {
         let middle = (&peak.low + &peak.high) / BigRational::from_integer(2.into());
-        let size = middle.to_f64().unwrap_or(f64::NAN);
+        let size = float(&middle);
         Yardstick { middle, size }
     }
 

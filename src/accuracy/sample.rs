@@ -3,14 +3,13 @@
 use std::f64::consts::TAU;
 
 use num_complex::Complex;
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::bodies::{phases, turning};
 use crate::engine::Engine;
 use crate::loads::Missing;
 use crate::motion::SliderCrank;
 use crate::numbers;
+use crate::numbers::float;
 use crate::order;
 use crate::proof::Quantity;
 
@@ -33,7 +32,6 @@ impl Doubles {
     /// # Errors
     /// A crank cannot turn round.
     pub fn new(engine: &Engine, quantity: Quantity) -> Result<Self, Missing> {
-        let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
         let mut pistons = Vec::new();
         for ((cylinder, mechanism), phase) in engine.moved().zip(phases(engine)) {
             let Some(crank) = order::crank(mechanism) else { continue };

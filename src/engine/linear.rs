@@ -68,6 +68,12 @@ impl Linear {
         sum
     }
 
+    /// Turns as degrees, the unknowns as they are.
+    pub(crate) fn in_degrees(&self) -> Linear {
+        let constant = Constant(fraction::times(self.known(), &BigRational::from_integer(360.into())));
+        Linear { constant, symbols: self.symbols.clone() }
+    }
+
     /// A multiple.
     pub fn scaled(&self, by: &BigRational) -> Linear {
         let scaled = |(name, coefficient): (&String, &BigRational)| (name.clone(), fraction::times(coefficient, by));

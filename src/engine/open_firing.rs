@@ -29,8 +29,11 @@ impl OpenFiring {
         for (angle, cylinder) in angles.iter().zip(cylinders) {
             let (angle, right) = (angle.minus(&angles[0]), dead_centre(cylinder).minus(&dead_centre(&cylinders[0])));
             if !angle.minus(&right).as_known().is_some_and(BigRational::is_integer) {
-                let message = format!("cylinder {} cannot fire {}° after the first", cylinder.name, degrees(&angle));
-                return Err((message, format!("it reaches top dead centre at {}°, and every 360°", degrees(&right))));
+                let message = format!("cylinder {} cannot fire {}° after the first", cylinder.name, angle.in_degrees());
+                return Err((
+                    message,
+                    format!("it reaches top dead centre at {}°, and every 360°", right.in_degrees()),
+                ));
             }
         }
         Ok(OpenFiring::Angles(angles))
@@ -59,10 +62,4 @@ impl OpenFiring {
 /// Crank angle of a top dead centre, in turns.
 pub(super) fn dead_centre(cylinder: &Cylinder<Linear, Linear>) -> Linear {
     cylinder.bank.minus(&cylinder.throw)
-}
-
-/// Turns as degrees, the unknowns as they are.
-fn degrees(turns: &Linear) -> Linear {
-    let known = Linear::constant(turns.known().clone());
-    turns.minus(&known).plus(&known.scaled(&BigRational::from_integer(360.into())))
 }

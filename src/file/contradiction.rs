@@ -8,7 +8,7 @@ use num_rational::BigRational;
 
 use super::error::LayoutError;
 use super::numbering::{Along, renumbered};
-use super::pin_split::{degrees, split_of, throws_of};
+use super::pin_split::{split_of, throws_of};
 use super::shared_keys::evenly;
 use crate::engine::{Convention, Cycle, Cylinder, Engine, Firing, Linear, Rotation};
 use crate::exact::Turn;
@@ -28,7 +28,7 @@ pub(super) fn of_order(
     let open: Vec<Cylinder<Linear, Linear>> = cylinders.iter().map(opened).collect();
     let needed = split_of(&open, &throws_of(&open, &evenly(order, cycle)));
     let needed = needed.filter(|split| *split != Linear::default() && turns_one_way(engine));
-    let needed = needed.map(|split| format!("with these banks this order needs pins {}° apart", degrees(&split)));
+    let needed = needed.map(|split| format!("with these banks this order needs pins {}° apart", split.in_degrees()));
     let right = match would_fit(engine, fits) {
         Some(words) => needed.into_iter().chain([words]).collect::<Vec<_>>().join("; "),
         None => format!("{right}; {}", steps(cylinders, order)),

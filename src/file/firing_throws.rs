@@ -7,7 +7,7 @@ use super::contradiction;
 use super::error::LayoutError;
 use super::forms::Expanded;
 use super::geared_keys::{Geared, equivalent};
-use super::pin_split::{degrees, neighbours, reduced, signed, throws_of};
+use super::pin_split::{neighbours, reduced, signed, throws_of};
 use super::shared_keys::{SharedKeys, Throws};
 use crate::engine::{Cylinder, Linear};
 
@@ -34,7 +34,7 @@ pub(super) fn follow(expanded: &mut Expanded, above: &SharedKeys<'_>) -> Result<
     let throws = throws_of(cylinders, &fires);
     let place = || above.firing_place();
     if splits_given && let Some([one, other]) = first_misfit(cylinders, &throws) {
-        let apart = |throws: &[&Linear; 2]| degrees(&signed(throws[1].minus(throws[0])));
+        let apart = |throws: &[&Linear; 2]| signed(throws[1].minus(throws[0])).in_degrees();
         let needed = apart(&[&throws[one], &throws[other]]);
         let written = apart(&[&cylinders[one].throw, &cylinders[other].throw]);
         let message = format!(
@@ -59,7 +59,7 @@ pub(super) fn follow(expanded: &mut Expanded, above: &SharedKeys<'_>) -> Result<
             && then < now
             && let Some([one, two]) = first_apart(cylinders, &here)
         {
-            let between = |pins: &[Linear]| degrees(&signed(pins[two].minus(&pins[one])));
+            let between = |pins: &[Linear]| signed(pins[two].minus(&pins[one])).in_degrees();
             let (now, then) = (between(&here), between(&there));
             return Err(LayoutError::new(
                 format!("with these banks this order needs pins {now}° apart"),

@@ -37,9 +37,3 @@ pub(super) fn signed(angle: Linear) -> Linear {
     let turns = (angle.known() - &half).ceil();
     angle.minus(&Linear::constant(turns))
 }
-
-/// Turns as degrees, the unknowns as they are.
-pub(super) fn degrees(turns: &Linear) -> Linear {
-    let known = Linear::constant(turns.known().clone());
-    turns.minus(&known).plus(&known.scaled(&BigRational::from_integer(360.into())))
-}

@@ -11,7 +11,6 @@ mod with_pi;
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use crate::file::{Diagram, Harmonic, Line, Torque};
 use crate::numbers;
@@ -162,7 +161,7 @@ impl<'a> TorqueCurve<'a> {
                 [torque, load].map(|lines| numbers::float(&lobes::at_any(lines, angle)) * by)
             }
             TorqueCurve::Waves(mean, both) => {
-                let theta = angle.to_f64().unwrap_or(f64::NAN) * TAU;
+                let theta = numbers::float(angle) * TAU;
                 both.map(|waves| mean + waves::at(waves, theta))
             }
         }

@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 
 use super::error::NoGas;
 use super::geometry::Geometry;
-use super::law::{Law, float};
+use super::law::Law;
 use super::{solve, stage};
 use crate::engine::{Cycle, DeadCentre, Engine, PressureLaw};
+use crate::motion::float;
 
 /// One cylinder with its gas, in SI units; angles are ψ in radians.
 #[derive(Clone, Debug)]

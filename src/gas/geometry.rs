@@ -3,11 +3,11 @@
 use std::f64::consts::{PI, TAU};
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::error::NoGas;
 use crate::engine::Engine;
 use crate::motion::PistonMotion;
+use crate::motion::float;
 
 /// Crank, rod and bore of a cylinder, in SI units. Where two pistons share it, lever and slope are those of the one that ψ is of, and the volume is
 /// that between both.
@@ -52,7 +52,6 @@ impl Geometry {
         let Some(mechanism) = &cylinder.mechanism else { return Err(NoGas::Rods) };
         let Some(radius) = engine.dimensions().crank_radius.as_ref() else { return Err(NoGas::Radius) };
         let motion = mechanism.piston();
-        let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
         let bore = float(bore);
         let [outermost, innermost] = motion.dead_centres();
         let geometry = Geometry {

@@ -3,11 +3,11 @@
 use std::f64::consts::{PI, TAU};
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::burning::Burning;
 use super::geometry::Geometry;
 use crate::engine::{Cycle, IdealCycle, PressureTable};
+use crate::motion::float;
 use crate::motion::golden_section;
 
 /// A pressure over a cycle.
@@ -42,10 +42,6 @@ pub(super) enum Shape {
 /// An angle in turns as radians.
 pub(super) fn radians(turns: &BigRational) -> f64 {
     float(turns) * TAU
-}
-
-pub(super) fn float(number: &BigRational) -> f64 {
-    number.to_f64().unwrap_or(f64::NAN)
 }
 
 /// Length of a cycle in radians.

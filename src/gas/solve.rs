@@ -2,8 +2,9 @@
 
 use super::error::NoGas;
 use super::geometry::Geometry;
-use super::law::{Law, float};
+use super::law::Law;
 use crate::engine::{Cycle, Heat, IdealCycle};
+use crate::motion::float;
 
 /// A bar in pascals.
 const BAR: f64 = 1e5;

@@ -2,8 +2,9 @@
 
 use super::error::NoGas;
 use super::geometry::Geometry;
-use super::law::{Law, Piece, Shape, float, period};
+use super::law::{Law, Piece, Shape, period};
 use crate::engine::{CompressorStage, Cycle};
+use crate::motion::float;
 
 /// The law of a stage, from the innermost place of the piston to the next.
 pub(super) fn law(stage: &CompressorStage, geometry: &Geometry) -> Result<Law, NoGas> {

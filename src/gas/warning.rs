@@ -61,7 +61,7 @@ impl CylinderGas {
         }
         let widest = table.map(|table| table.widest_step(cycle) * BigRational::from_integer(360.into()));
         if let Some(step) = widest.filter(|step| *step > BigRational::from_integer(WIDEST_STEP.into())) {
-            warnings.push(Warning::Coarse(super::law::float(&step)));
+            warnings.push(Warning::Coarse(crate::motion::float(&step)));
         }
         warnings
     }

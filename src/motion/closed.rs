@@ -1,9 +1,10 @@
 //! Where is the piston at an angle, how fast, and how fast does that change? Closed forms in floats.
 
+use super::enclosure::float;
 use std::f64::consts::PI;
 
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
+use num_traits::One;
 
 /// The numbers of a crank as floats. The gaps `1 ± δ − λ` are rounded from exact ones: near the end of reach they decide.
 #[derive(Clone, Debug)]
@@ -26,7 +27,6 @@ struct Place {
 
 impl ClosedForm {
     pub fn new(ratio: &BigRational, offset: &BigRational) -> Self {
-        let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
         let one = BigRational::one();
         ClosedForm {
             ratio: float(ratio),

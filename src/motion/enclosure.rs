@@ -17,6 +17,11 @@ const FIRST_BITS: u32 = 192;
 /// A value that might be exactly zero is computed to this many bits behind the point, if it does not show itself before.
 pub(super) const FLOOR_BITS: u32 = 256;
 
+/// An exact number as a float; not a number where no float is near it.
+pub fn float(value: &BigRational) -> f64 {
+    value.to_f64().unwrap_or(f64::NAN)
+}
+
 /// A real number that is guaranteed to lie in `low ..= high`. An exactly known number is a point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Enclosure {
@@ -57,7 +62,7 @@ impl Enclosure {
         let (low, high) = (&self.low, &self.high);
         let twice = low.numer() * high.denom() + high.numer() * low.denom();
         // A float needs no lowest terms.
-        BigRational::new_raw(twice, (low.denom() * high.denom()) << 1).to_f64().unwrap_or(f64::NAN)
+        float(&BigRational::new_raw(twice, (low.denom() * high.denom()) << 1))
     }
 
     /// The sum of two numbers.

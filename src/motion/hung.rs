@@ -13,12 +13,13 @@
 //! These numbers have no closed form here: they are means of the exact motion over a turn, which converge as the orders of the motion fall,
 //! in decimals.
 
+use super::enclosure::float;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::OnceLock;
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{FromPrimitive, ToPrimitive};
+use num_traits::FromPrimitive;
 
 use super::enclosure::{Coefficient, Enclosure};
 use super::piston::LinkMotion;
@@ -55,7 +56,6 @@ const ROUNDING: f64 = 1e-12;
 impl HungLink {
     /// From r/L, κ and λ, and Δ and ε in turns.
     pub fn new(ratios: [&BigRational; 3], turns: [&BigRational; 2]) -> Self {
-        let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
         let [_, knuckle, master] = ratios.map(float);
         let [angle, correction] = turns.map(|turns| float(turns) * TAU);
         HungLink {

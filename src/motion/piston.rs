@@ -5,10 +5,10 @@
 //!
 //! `K = e^{iψ} + (κ/λ) e^{iε} (f − iλ sin(ψ+Δ))`, `f = √(1 − λ² sin²(ψ+Δ))`, and the piston at `Re K + √((L/r)² − Im² K)`.
 
+use super::enclosure::float;
 use std::f64::consts::{PI, TAU};
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::crank::SliderCrank;
 use super::jet::Jet;
@@ -48,7 +48,6 @@ const HALVINGS: u32 = 60;
 impl LinkMotion {
     /// From r/L, κ and λ, and Δ and ε in turns.
     pub fn new([ratio, knuckle, master]: [&BigRational; 3], [angle, correction]: [&BigRational; 2]) -> Self {
-        let float = |number: &BigRational| number.to_f64().unwrap_or(f64::NAN);
         let (sin, cos) = (float(correction) * TAU).sin_cos();
         LinkMotion {
             ratio: float(ratio),

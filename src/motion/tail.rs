@@ -14,9 +14,10 @@
 //! Side force: its part `|u_k|` is at most `¼ (h_k(p, R) + h_k(q, S))`, `h_k(p, R) = p^{k−1} ((k+1) − (k−1) p²)/R`, for k > 1, whose
 //! sum over k > K telescopes to `(p^K (K+2) + p^{K+1} (K+3) + 4 p^{K+2}/(1−p))/R`.
 
+use super::enclosure::float;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::crank::SliderCrank;
 use super::enclosure::{Coefficient, Enclosure};
@@ -137,10 +138,6 @@ impl Tail {
         let short = gap / sum;
         root * p.powf(k - 1.0) * ((k + 1.0) - k * p) / (short * short) / (sum * sum) / 2.0
     }
-}
-
-fn float(number: &BigRational) -> f64 {
-    number.to_f64().unwrap_or(f64::NAN)
 }
 
 /// The float at or above a number that is not negative.

@@ -11,6 +11,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::fixed::FixedPoint;
 use super::memory::{self, Memory};
 use crate::exact::{PhasorSum, Term, Turn};
+use crate::motion::float;
 
 /// Bits behind the point that every evaluation starts with.
 const FIRST_BITS: u32 = 128;
@@ -41,11 +42,6 @@ fn evaluated(sum: &PhasorSum) -> Complex<f64> {
     let re = if sum.plus(&mirrored).vanishes() { 0.0 } else { part(sum, |(cos, _)| cos) };
     let im = if sum.minus(&mirrored).vanishes() { 0.0 } else { part(sum, |(_, sin)| sin) };
     Complex::new(re, im)
-}
-
-/// An exact number as a float; not a number where no float is near it.
-pub fn float(value: &BigRational) -> f64 {
-    value.to_f64().unwrap_or(f64::NAN)
 }
 
 /// The length of a vector, with the same last digit on every machine.

@@ -1,8 +1,8 @@
 //! In what is a decimal counted? In SI units, or in those of the inch where a reader asks for them.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
+use crate::numbers::float;
 use crate::table::Unit;
 
 /// Newtons, newton metres and kilogram millimetres from which on thousands of them are read more easily, and millions.
@@ -26,7 +26,7 @@ impl Units {
         match self {
             Units::Si => (value, unit),
             Units::Inch => match unit.inch() {
-                Some((inch, size)) => (value / size.to_f64().unwrap_or(f64::NAN), inch),
+                Some((inch, size)) => (value / float(&size), inch),
                 None => (value, unit),
             },
         }

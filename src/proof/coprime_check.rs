@@ -14,8 +14,8 @@ use super::circle::CoprimeClaim;
 use super::collected::Collected;
 use super::part::Part;
 use super::refusal::LARGEST_CONDUCTOR;
-use super::unknown::{Unknown, is_prime};
-use super::whole::{added, multiplied, power, prime_divisors};
+use super::unknown::Unknown;
+use super::whole::{added, is_prime, multiplied, power, prime_divisors};
 
 /// Larger primes are not tried by division.
 const LARGEST_PRIME: u64 = 1 << 32;

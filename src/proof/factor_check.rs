@@ -15,7 +15,7 @@ use super::audit::{Audit, Reason, steps_of};
 use super::check::certify;
 use super::collected::collect;
 use super::recurrence::{FactorClaim, Parity, Rays, Zeros, collect_rays, within};
-use super::whole::prime_divisors;
+use super::whole::{is_prime, prime_divisors};
 
 /// Longer periods are not gone through.
 const LONGEST_PERIOD: u64 = 1_000_000;
@@ -115,7 +115,7 @@ fn check_orders(factor: &FactorClaim, parity: Parity, period: u64, audit: &Audit
 fn sieve(factor: &FactorClaim, parity: Parity, period: u64, audit: &Audit) -> Result<Vec<bool>, Reason> {
     let count = factor.terms.len() as u64;
     audit.spend((period / 2).saturating_mul(count).saturating_mul(count) / MARKS_A_STEP + 1)?;
-    let product = (2..=count).filter(|p| prime_divisors(*p) == [*p]).fold(BigInt::one(), |product, p| product * p);
+    let product = (2..=count).filter(|p| is_prime(*p)).fold(BigInt::one(), |product, p| product * p);
     let times = BigRational::from_integer(product);
     let orders = usize::try_from(period / 2).unwrap_or_default();
     let mut all = vec![true; orders];

@@ -9,14 +9,10 @@ use super::audit::{Audit, squared_words, steps_of};
 use super::certificate::Step;
 use super::collected::{Collected, collect, common_multiple};
 use super::refusal::Refusal;
-use super::whole::prime_divisors;
+use super::whole::is_prime;
 
 /// Primes of a comparison are recognised by trial division. Those above the number of terms serve nothing, as a class is empty then.
 const LARGEST_PRIME: u64 = 1_000_000;
-
-fn is_prime(number: u64) -> bool {
-    prime_divisors(number) == [number]
-}
 
 /// One vector of non-zero weight is not zero.
 pub(super) fn check_splitting(sum: &Collected, steps: &[Step], audit: &Audit) -> Result<(), Refusal> {

@@ -8,6 +8,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use super::audit::{Audit, Reason, steps_of};
 use super::collected::{Collected, collect, common_multiple};
 use super::part::Part;
+use super::whole::is_prime;
 
 /// Higher exponents are not read.
 pub(super) const HIGHEST_EXPONENT: i64 = 4096;
@@ -96,11 +97,6 @@ impl<'a> Unknown<'a> {
         }
         Ok(self.exponents.iter().skip(1).map(|exponent| &modulus * exponent).collect())
     }
-}
-
-/// By trial division: small numbers alone are asked for.
-pub(super) fn is_prime(number: u64) -> bool {
-    number > 1 && (2..).take_while(|divisor| divisor * divisor <= number).all(|divisor| !number.is_multiple_of(divisor))
 }
 
 /// `conj(A)·B`, not collected.

@@ -28,6 +28,11 @@ pub(super) fn power(base: u64, mut exponent: u64, modulus: u64) -> u64 {
     result
 }
 
+/// By trial division: small numbers alone are asked for.
+pub(super) fn is_prime(number: u64) -> bool {
+    number > 1 && (2..).take_while(|divisor| divisor * divisor <= number).all(|divisor| !number.is_multiple_of(divisor))
+}
+
 /// The primes that divide a number, by trial division.
 pub(super) fn prime_divisors(number: u64) -> Vec<u64> {
     let (mut left, mut divisors, mut candidate) = (number, Vec::new(), 2);

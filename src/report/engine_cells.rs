@@ -41,7 +41,7 @@ pub(super) fn firing_order(engine: &Engine) -> Text {
     let name = |shot: &Shot| engine.cylinders()[shot.cylinder].name.as_str();
     let groups = together.map(|shots| match shots {
         [only] => name(only).to_owned(),
-        several => format!("({})", several.iter().map(name).collect::<Vec<_>>().join(", ")),
+        several => format!("({})", typeset::listed(several.iter().map(name))),
     });
     Text::label(groups.collect::<Vec<_>>().join("-"))
 }

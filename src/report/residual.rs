@@ -117,7 +117,7 @@ pub fn class_sources(class: &Class) -> String {
         named if named.len() <= MOST_NAMED => Some(named.join(", ")),
         many => Some(format!("{} other masses", many.len())),
     };
-    cylinders.into_iter().chain(turning).collect::<Vec<_>>().join(", ")
+    typeset::listed(cylinders.into_iter().chain(turning))
 }
 
 /// What is known of an order that several sums make up: zero, `not 0, elliptical`, `not decided`.

@@ -1,6 +1,7 @@
 //! In which sentences is a statement on every order put, and why does it hold?
 
 use super::argument::listed;
+use super::typeset;
 use crate::engine::Engine;
 use crate::order::{self, Masses};
 use crate::page::{Number, Text, phrase};
@@ -195,7 +196,7 @@ enum Orders {
 fn orders(residues: &[u32], modulus: u32) -> Orders {
     let lowest = lowest(residues, modulus);
     if lowest.len() > MOST_NAMED {
-        return Orders::Counted(lowest.iter().map(u32::to_string).collect::<Vec<_>>().join(", "));
+        return Orders::Counted(typeset::listed(lowest));
     }
     Orders::Named(listed(lowest.into_iter().map(|order| phrase!("orders {}", class(order, modulus))).collect()))
 }

@@ -3,9 +3,10 @@
 use std::f64::consts::TAU;
 
 use num_complex::Complex;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::Signed;
 
 use crate::exact::PhasorSum;
+use crate::numbers;
 
 /// An amplitude, zero to peak.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -56,8 +57,8 @@ impl Amplitudes {
 /// A sum in floats.
 pub(super) fn float(sum: &PhasorSum) -> Complex<f64> {
     let vectors = sum.terms().iter().map(|term| {
-        let weight = term.weight.to_f64().unwrap_or(f64::NAN);
-        let vector = Complex::from_polar(weight.abs(), TAU * term.angle.turns().to_f64().unwrap_or(f64::NAN));
+        let weight = numbers::float(&term.weight);
+        let vector = Complex::from_polar(weight.abs(), TAU * numbers::float(term.angle.turns()));
         if term.weight.is_negative() { -vector } else { vector }
     });
     vectors.sum()

@@ -91,7 +91,7 @@ impl Motions {
 
 fn coefficients(rod: &Rod, highest: u32) -> Vec<Complex<f64>> {
     if rod.offset.is_zero() {
-        let real = coefficients_fast(rod.ratio.to_f64().unwrap_or(f64::NAN), highest);
+        let real = coefficients_fast(numbers::float(&rod.ratio), highest);
         return real.into_iter().map(|value| Complex::new(value, 0.0)).collect();
     }
     let crank = order::crank_of(rod);

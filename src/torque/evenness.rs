@@ -4,11 +4,10 @@
 //! speed over their arithmetic mean: exact, with the inertia torque of the mean speed. With the energy of the reciprocating mass
 //! `½ (J + Σ m s'²) ω² = E₀ + ∫ (T_gas − T̄) dθ`; nearly that comes of J and the mean of `Σ m s'²` in place of J.
 
-use num_traits::ToPrimitive;
-
 use super::curve::TorqueCurve;
 use super::extreme::Extreme;
 use crate::engine::Engine;
+use crate::numbers::float;
 
 /// How evenly an engine turns at its speed.
 #[derive(Clone, Debug)]
@@ -66,7 +65,6 @@ pub fn evenness(engine: &Engine, course: &TorqueCurve, omega: f64) -> Evenness {
     let reciprocating =
         course.angles().map(|theta| course.reduced_inertia(theta)).sum::<f64>() / course.angles().count() as f64;
     let flywheel = engine.flywheel();
-    let float = |number: &num_rational::BigRational| number.to_f64().unwrap_or(f64::NAN);
     let given = flywheel.inertia.as_ref().map(|inertia| {
         let inertia = float(inertia);
         Given {

@@ -1,10 +1,11 @@
 //! Is a number exact, closed or a decimal, and so a length and a direction?
 
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Zero};
 
 use super::digits::{approximate, degrees, is_long, signed_degrees};
 use crate::exact::Turn;
+use crate::numbers::float;
 use crate::numbers::{self, Direction, Form};
 
 /// Longer closed forms than this tell a reader nothing; their decimals do.
@@ -38,7 +39,7 @@ impl Number {
     pub fn exact(value: &BigRational) -> Self {
         match value {
             zero if zero.is_zero() => Number::Zero,
-            long if is_long(long) => Number::Decimal(long.to_f64().unwrap_or(f64::NAN)),
+            long if is_long(long) => Number::Decimal(float(long)),
             short => Number::Exact(short.clone()),
         }
     }

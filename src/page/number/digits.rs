@@ -1,9 +1,12 @@
 //! With which digits is a number written?
 
+use std::fmt;
+
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::exact::{Turn, fraction};
+use crate::numbers::float;
 use crate::table::Unit;
 use crate::text::SUPERSCRIPTS;
 
@@ -24,7 +27,7 @@ pub(crate) fn grouped(digits: &str) -> String {
 /// An exact number: an integer, a short decimal, or a fraction; `−` for minus.
 pub(crate) fn number(value: &BigRational) -> String {
     if is_rounded(value) {
-        return approximate(value.to_f64().unwrap_or(f64::NAN));
+        return approximate(float(value));
     }
     let text = exact_text(value);
     if value.is_negative() { format!("−{text}") } else { text }
@@ -32,14 +35,14 @@ pub(crate) fn number(value: &BigRational) -> String {
 
 /// An exact number in little room: decimals after ≈ where it is long.
 pub(crate) fn short(value: &BigRational) -> String {
-    if is_long(value) { approximate(value.to_f64().unwrap_or(f64::NAN)) } else { number(value) }
+    if is_long(value) { approximate(float(value)) } else { number(value) }
 }
 
 /// An exact number that was converted: its decimals, after ≈ where they do not end soon.
 pub(crate) fn in_decimals(value: &BigRational) -> String {
     match terminating(value) {
         Some(_) => number(value),
-        None => approximate(value.to_f64().unwrap_or(f64::NAN)),
+        None => approximate(float(value)),
     }
 }
 
@@ -226,6 +229,11 @@ pub(crate) fn behind(unit: Unit) -> String {
     }
 }
 
+/// Items in a row: `1, 2, 4`.
+pub(crate) fn listed<I: IntoIterator<Item: fmt::Display>>(items: I) -> String {
+    items.into_iter().map(|item| item.to_string()).collect::<Vec<_>>().join(", ")
+}
+
 /// Names in a row, runs of three and more numbers drawn together: `1, 4–7`.
 pub(crate) fn names(names: &[&str]) -> String {
     let numbers: Option<Vec<u32>> = names.iter().map(|name| name.parse().ok()).collect();
@@ -243,7 +251,7 @@ pub(crate) fn names(names: &[&str]) -> String {
         1 => format!("{first}, {last}"),
         _ => format!("{first}–{last}"),
     };
-    runs.iter().map(run).collect::<Vec<_>>().join(", ")
+    listed(runs.iter().map(run))
 }
 
 /// A multiple of an angle as it is worked out by hand: `2·270°`, nothing for a factor of 0.

@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
+use super::super::typeset;
 use super::sums::{MOST_IN_LIST, image_tex, sum_tex, vectors};
 use crate::exact::{PhasorSum, Term};
 use crate::page::{Text, phrase};
@@ -41,7 +42,7 @@ fn of_polygons(polygons: &[Polygon]) -> Text {
 /// `(3; 0; 1), (2; 1/4; 1)`: sides, turn of a corner, weight.
 pub(in crate::report) fn listed_polygons(polygons: &[Polygon]) -> String {
     let one = |p: &Polygon| format!("({}; {}; {})", p.sides, fraction(&p.rotation), fraction(&p.weight));
-    polygons.iter().map(one).collect::<Vec<_>>().join(", ")
+    typeset::listed(polygons.iter().map(one))
 }
 
 fn fraction(value: &BigRational) -> String {

@@ -130,5 +130,5 @@ fn throws(layout: &Engine) -> String {
     }
     let steps = layout.cylinders().iter().map(|cylinder| typeset::number(&(cylinder.throw.turns() * &count)));
     let unit = typeset::turns(&count.recip());
-    format!("throws {} times {unit}", steps.collect::<Vec<_>>().join(", "))
+    format!("throws {} times {unit}", typeset::listed(steps))
 }

@@ -1,5 +1,6 @@
 //! How are the largest values said, with how sure they are, and what the orders shown omit?
 
+use super::super::typeset;
 use super::amounts::{self, Unit, UnitOf, digits, in_digits};
 use crate::accuracy::{Largest, LargestLoads};
 use crate::engine::Engine;
@@ -110,7 +111,7 @@ pub(super) fn chosen_lines(
 ) -> Vec<Text> {
     let list = |orders: &[u32]| match orders {
         [] => Text::from("none"),
-        orders => orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ").into(),
+        orders => typeset::listed(orders).into(),
     };
     let mut lines = Vec::new();
     if let Some(needed) = needed {

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 
 use super::super::convention::said;
+use super::super::typeset;
 use super::amounts::{Unit, is_left};
 use crate::engine::Engine;
 use crate::loads::{Circle, Loads, Outcome, Torque, Waveform};
@@ -158,7 +159,7 @@ fn caption(subject: &'static str, first: &[Order], rest: &[Order]) -> Text {
 }
 
 fn numbers(orders: &[Order]) -> String {
-    orders.iter().map(|(order, _)| order.to_string()).collect::<Vec<_>>().join(", ")
+    typeset::listed(orders.iter().map(|(order, _)| order))
 }
 
 /// The orders as curves that differ from those before them.

@@ -4,13 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Zero};
 
 use super::super::typeset;
 use super::sizes::{Sizes, verdicts};
 use crate::engine::{DELTA, Family, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{OpenOrder, OpenVerdict, Solutions, Zeros, phase};
+use crate::numbers::float;
 use crate::page::figure::Figure;
 use crate::page::plot::{Axis, Curve, Plot, PointMark, stacked};
 use crate::page::{Text, phrase};
@@ -100,10 +101,7 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
         let sized = sizes.as_ref().filter(|_| unit(family, sizes.as_ref(), quantity).is_some());
         let small = sized.map_or_else(Vec::new, |sizes| sizes.told(quantity, orders).1);
         let small_words = if quantity == Planar::Force { SMALL_FORCE } else { SMALL_MOMENT };
-        words.extend(
-            (!small.is_empty())
-                .then(|| phrase!(small_words, small.iter().map(u32::to_string).collect::<Vec<_>>().join(", "))),
-        );
+        words.extend((!small.is_empty()).then(|| phrase!(small_words, typeset::listed(&small))));
         if unit(family, sizes.as_ref(), quantity).is_none() {
             // A force has no arms.
             words.push("The moment is not drawn: its arms contain several open lengths.".into());
@@ -141,7 +139,7 @@ const OF_MOMENT: Labels = Labels {
 };
 
 fn numbers(orders: &[&OfOrder]) -> String {
-    orders.iter().map(|(order, _)| order.to_string()).collect::<Vec<_>>().join(", ")
+    typeset::listed(orders.iter().map(|(order, _)| order))
 }
 
 /// The one open angle; none where two are open.
@@ -198,7 +196,7 @@ pub(super) fn unit(family: &Family, sizes: Option<&Sizes>, quantity: Planar) -> 
 }
 
 fn heading(quantity: Planar, chunk: &[OfOrder]) -> String {
-    let orders = chunk.iter().map(|(order, _)| order.to_string()).collect::<Vec<_>>().join(", ");
+    let orders = typeset::listed(chunk.iter().map(|(order, _)| order));
     match (quantity, chunk.len()) {
         (Planar::Force, 1) => format!("Force, order {orders}"),
         (Planar::Force, _) => format!("Force, orders {orders}"),
@@ -246,7 +244,7 @@ enum Place {
 impl Place {
     fn degrees(&self) -> f64 {
         match self {
-            Place::Exact(turn) => turn.degrees().to_f64().unwrap_or(f64::NAN),
+            Place::Exact(turn) => float(&turn.degrees()),
             Place::Irrational(degrees) => *degrees,
         }
     }
@@ -295,7 +293,7 @@ fn places(of: &Solutions, other: Option<&Solutions>) -> Vec<Place> {
     };
     let middle = |[low, high]: &[BigRational; 2]| {
         let degrees = (low + high) * BigRational::from_integer(180.into());
-        Place::Irrational(degrees.to_f64().unwrap_or(f64::NAN))
+        Place::Irrational(float(&degrees))
     };
     let exact = exact.map(|at| Place::Exact(Turn::new(at.clone())));
     exact.chain(of.irrational.iter().filter(apart).map(middle)).collect()
@@ -333,7 +331,6 @@ fn terms(family: &Family, unknown: &str, quantity: Planar, order: u32, sense: Se
         let key = (phase.coefficient(unknown), Turn::new(phase.known().clone()));
         *sums.entry(key).or_insert_with(BigRational::zero) += cylinder.weight() * arm;
     }
-    let float = |value: &BigRational| value.to_f64().unwrap_or(f64::NAN);
     let term = |((times, angle), weight): (&(BigRational, Turn), &BigRational)| {
         (float(times), float(angle.turns()), float(weight))
     };

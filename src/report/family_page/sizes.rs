@@ -9,6 +9,7 @@ use num_traits::{One, ToPrimitive, Zero};
 use crate::engine::{DELTA, Family, PHI};
 use crate::family::{OpenOrder, OpenVerdict, phase};
 use crate::motion::coefficients_fast;
+use crate::numbers::float;
 use crate::page::{Text, phrase};
 use crate::proof::{Planar, Sense};
 
@@ -75,7 +76,6 @@ impl<'a> Sizes<'a> {
     }
 
     fn terms(&self, quantity: Planar, order: u32) -> Terms {
-        let float = |value: &BigRational| value.to_f64().unwrap_or(f64::NAN);
         Sense::BOTH.map(|sense| {
             let term = |cylinder: &_| {
                 let phase = phase(cylinder, order, sense);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::super::{argument, residual, typeset};
 use super::unknowns::{NEVER, exactly, together_by, unknowns};
@@ -12,6 +12,7 @@ use crate::engine::Linear;
 use crate::exact::Turn;
 use crate::family::{self, Angles, Cosine, EvenFiring, Never, OpenSum, OpenVerdict, Part, Product, Remaining, When};
 use crate::numbers::Form;
+use crate::numbers::float;
 use crate::page::number::Bearing;
 use crate::page::{Piece, Text, phrase};
 
@@ -38,7 +39,7 @@ pub(super) fn cell(verdict: &OpenVerdict) -> Text {
     match (verdict.bank_angles(), verdict.sums.as_slice()) {
         _ if verdict.always() || verdict.never() => summary(verdict),
         (Some(angles), _) if angles.iter().any(is_fractional) => {
-            phrase!("0 at φ ≈ {}", angles.iter().map(rounded).collect::<Vec<_>>().join(", "))
+            phrase!("0 at φ ≈ {}", typeset::listed(angles.iter().map(rounded)))
         }
         (None, [OpenSum { when: When::Where(angles), .. }]) => {
             conditions(angles, nearly).map_or_else(|| summary(verdict), |shown| phrase!("0 where {}", shown))
@@ -54,7 +55,7 @@ fn is_fractional(turn: &Turn) -> bool {
 /// `25.7°` for (180/7)°.
 fn rounded(turn: &Turn) -> String {
     match is_fractional(turn) {
-        true => format!("{:.1}°", turn.degrees().to_f64().unwrap_or(f64::NAN)),
+        true => format!("{:.1}°", float(&turn.degrees())),
         false => typeset::angle(turn),
     }
 }
@@ -87,7 +88,7 @@ pub(super) fn even_firing_lines_words(even: &EvenFiring) -> Text {
 
 /// Angles in a row.
 pub(super) fn list(angles: &BTreeSet<Turn>) -> String {
-    angles.iter().map(typeset::angle).collect::<Vec<_>>().join(", ")
+    typeset::listed(angles.iter().map(typeset::angle))
 }
 
 pub(in crate::report) fn condition_of(sum: &OpenSum) -> Option<Text> {
@@ -134,7 +135,7 @@ fn conditions(angles: &Angles, shown: fn(String, &Turn) -> String) -> Option<Tex
 
 /// `cos(φ) = 0.25, φ ≈ ±75.52°`.
 pub(super) fn cosine(found: &Cosine) -> Text {
-    let degrees = found.cosine.to_f64().unwrap_or(f64::NAN).acos().to_degrees();
+    let degrees = float(&found.cosine).acos().to_degrees();
     let (argument, value) = (argument_of(found), typeset::number(&found.cosine));
     let (phi, delta, turn) = entering_positively(found);
     let degrees = circle_words::signed(&[phi, delta], &turn, degrees);

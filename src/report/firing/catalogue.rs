@@ -134,7 +134,7 @@ fn intervals(engine: &Engine) -> Text {
     let all = firing.intervals();
     match (all.as_slice(), firing.is_even()) {
         ([first, ..], true) => phrase!("{} × {}", all.len(), typeset::turns_in_decimals(first)),
-        _ => all.iter().map(typeset::turns_in_decimals).collect::<Vec<_>>().join(", ").into(),
+        _ => typeset::listed(all.iter().map(typeset::turns_in_decimals)).into(),
     }
 }
 

@@ -43,12 +43,12 @@ pub(super) fn statement(pattern: &FiringPattern) -> Text {
         }
         (left, zeros) if left.len() <= zeros.len() => phrase!(
             "Every order vanishes but {}, and those that differ from one of these by a multiple of {}.",
-            in_a_row(left),
+            typeset::listed(left),
             repeats.to_string()
         ),
         (_, zeros) => phrase!(
             "The orders {} vanish, and those that differ from one of these by a multiple of {}; no other order vanishes.",
-            in_a_row(zeros),
+            typeset::listed(zeros),
             repeats.to_string()
         ),
     }
@@ -109,10 +109,6 @@ fn tex(halves: u32) -> String {
     }
 }
 
-fn in_a_row(orders: &[CycleOrder]) -> String {
-    orders.iter().map(CycleOrder::to_string).collect::<Vec<_>>().join(", ")
-}
-
 /// The minor orders with the longest stars, and how long these are.
 fn strongest_minor(pattern: &FiringPattern) -> Option<(Vec<CycleOrder>, Amount)> {
     let strongest = pattern.strongest_minor();
@@ -123,7 +119,7 @@ fn strongest_minor(pattern: &FiringPattern) -> Option<(Vec<CycleOrder>, Amount)>
 /// `1½: 3√2`.
 pub(super) fn strongest_in_short(pattern: &FiringPattern) -> Option<Text> {
     let (orders, length) = strongest_minor(pattern)?;
-    Some(phrase!("{}: {}", in_a_row(&orders), length))
+    Some(phrase!("{}: {}", typeset::listed(&orders), length))
 }
 
 /// The minor orders that leave most, with the length of their stars.
@@ -135,7 +131,7 @@ pub(super) fn strongest(pattern: &FiringPattern) -> Option<Text> {
 pub(in crate::report) fn strongest_in_words(orders: &[CycleOrder], length: Amount) -> Text {
     match orders {
         [only] => phrase!("The strongest minor order is {}, with a star of length {}.", only.to_string(), length),
-        _ => phrase!("The strongest minor orders are {}, with stars of length {}.", in_a_row(orders), length),
+        _ => phrase!("The strongest minor orders are {}, with stars of length {}.", typeset::listed(orders), length),
     }
 }
 
@@ -182,5 +178,5 @@ pub(super) fn why(pattern: &FiringPattern) -> Text {
 
 /// `1, 3, 5`.
 pub(super) fn names_of(engine: &Engine, star: &FiringStar) -> String {
-    star.sources.iter().map(|source| source.name(engine)).collect::<Vec<_>>().join(", ")
+    typeset::listed(star.sources.iter().map(|source| source.name(engine)))
 }

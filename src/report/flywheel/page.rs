@@ -7,6 +7,7 @@ use super::super::torque::{angle, quantity};
 use super::FlywheelStudy;
 use crate::file::Torque;
 use crate::flywheel::{TorqueCurve, WithPi};
+use crate::numbers::float;
 use crate::page::number::{Amount, Number, given, turns_in_decimals};
 use crate::page::plot::{Axis, Curve, Plot};
 use crate::page::{Block, Document, Picture, Piece, Table, Text, Unit, phrase};
@@ -97,7 +98,7 @@ fn lines(study: &FlywheelStudy) -> Vec<Text> {
         phrase!("**Power.** At {} rpm: {}.", given(speed), quantity(power.decimal / 1e3, Unit::KILOWATT))
     }));
     lines.extend(found.irregularity.as_ref().zip(diagram.inertia.as_ref()).map(|(part, inertia)| {
-        let inertia = quantity(inertia.to_f64().unwrap_or(f64::NAN), Unit::KILOGRAM_SQUARE_METRE);
+        let inertia = quantity(float(inertia), Unit::KILOGRAM_SQUARE_METRE);
         let percent = Number::Decimal(part.decimal * 50.0);
         phrase!(
             "**Speed.** With an inertia of {} the coefficient of fluctuation of speed at {} rpm is {}, that is ± {} % of the mean.",
@@ -184,7 +185,7 @@ fn picture(study: &FlywheelStudy) -> Option<Picture> {
     turns.push(cycle - BigRational::new(1.into(), 1_000_000.into()));
     turns.retain(|at| *at >= BigRational::zero());
     turns.sort();
-    let degrees = |turns: &BigRational| turns.to_f64().unwrap_or(f64::NAN) * 360.0;
+    let degrees = |turns: &BigRational| float(turns) * 360.0;
     let course = TorqueCurve::new(diagram).ok()?;
     let values: Vec<(f64, [f64; 2])> = turns.iter().map(|at| (degrees(at), course.at(at))).collect();
     let curve = |index: usize| values.iter().map(|(at, both)| (*at, both[index])).collect();

@@ -1,6 +1,6 @@
 //! What is said of an engine on its mounts in words?
 
-use super::super::residual;
+use super::super::{residual, typeset};
 use super::{MountsStudy, OrderMotion, Place, SOFTEST, largest};
 use crate::engine::CycleOrder;
 use crate::page::{Piece, Text, Unit, phrase};
@@ -32,10 +32,6 @@ pub(super) fn rpm(value: f64) -> Text {
     Piece::Quantity(value, Unit::PER_MINUTE).into()
 }
 
-pub(super) fn list(orders: impl Iterator<Item = CycleOrder>) -> String {
-    orders.map(|order| order.to_string()).collect::<Vec<_>>().join(", ")
-}
-
 pub(super) fn place(of: Place) -> Text {
     match of {
         Place::Centre => "centre of gravity".into(),
@@ -48,7 +44,7 @@ pub(super) fn place(of: Place) -> Text {
 pub(super) fn answer(study: &MountsStudy) -> Vec<Text> {
     let moving: Vec<&OrderMotion> = study.moving().map(|(_, one)| one).collect();
     let mut lines: Vec<Text> = resonance(study).into_iter().chain(force(study)).chain(velocity(study)).collect();
-    lines.push(match (list(study.still()), moving.is_empty()) {
+    lines.push(match (typeset::listed(study.still()), moving.is_empty()) {
         (none, _) if none.is_empty() => "Every order shown moves the engine: in each, force, moment or roll moment is left.".into(),
         (_, true) => "No order shown moves the engine, proved: force, moment and roll moment of each vanish.".into(),
         (still, false) => phrase!(
@@ -79,7 +75,8 @@ pub(super) fn passed_on(study: &MountsStudy) -> Option<(f64, usize, CycleOrder)>
 }
 
 fn resonance(study: &MountsStudy) -> Option<Text> {
-    let orders = list(study.moving().filter(|(_, one)| one.motion.is_none()).map(|(_, one)| one.excitation.order));
+    let orders =
+        typeset::listed(study.moving().filter(|(_, one)| one.motion.is_none()).map(|(_, one)| one.excitation.order));
     (!orders.is_empty()).then(|| {
         phrase!("**Resonance.** At {} without damping the motion has no bound in order {}.", rpm(study.speed), orders)
     })

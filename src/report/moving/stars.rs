@@ -210,5 +210,5 @@ fn label(engine: &Engine, sources: impl Iterator<Item = Source>) -> String {
     let pistons = labels(&pistons);
     let pistons = typeset::names(&pistons.iter().map(String::as_str).collect::<Vec<_>>());
     let others = if others.len() > MOST_LABELLED { vec![format!("+{}", others.len())] } else { labels(&others) };
-    (!pistons.is_empty()).then_some(pistons).into_iter().chain(others).collect::<Vec<_>>().join(", ")
+    typeset::listed((!pistons.is_empty()).then_some(pistons).into_iter().chain(others))
 }

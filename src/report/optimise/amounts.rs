@@ -1,11 +1,11 @@
 //! How are the figures of a front written? With four digits at most, which neither solver nor machine changes.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::super::calculation;
 use crate::engine::Engine;
 use crate::loads::Arm;
+use crate::numbers::float;
 use crate::optimise::{Design, Front, Optimum, PlacedWeight, Residual};
 use crate::page::{Piece, Text, Unit, phrase};
 
@@ -44,7 +44,7 @@ fn quantity(value: f64, unit: Unit) -> Text {
 
 /// A mass in kilograms.
 pub(super) fn kilograms(mass: &BigRational) -> Text {
-    quantity(mass.to_f64().unwrap_or(f64::NAN), Unit::KILOGRAM)
+    quantity(float(mass), Unit::KILOGRAM)
 }
 
 /// The largest load of a design.

@@ -1,7 +1,6 @@
 //! Which files are beside the page? A layout file of each best crankshaft.
 
-use num_traits::ToPrimitive;
-
+use crate::numbers::float;
 use crate::optimise::{Front, Optimum};
 use crate::page::File;
 
@@ -14,7 +13,7 @@ pub fn optimise_layouts(front: &Front) -> Vec<File> {
     let points = front.points.iter().enumerate();
     let mut files: Vec<File> = points.map(|(index, point)| file(format!("point-{}.toml", index + 1), point)).collect();
     for uniform in &front.uniform {
-        let factor = uniform.factor.to_f64().unwrap_or(f64::NAN);
+        let factor = float(&uniform.factor);
         let compared = [("heavy", &uniform.best), ("calm", &uniform.lightest)];
         let named = compared.into_iter().filter_map(|(as_what, point)| Some((as_what, point.as_ref()?)));
         files.extend(named.map(|(as_what, point)| file(format!("as-{as_what}-as-{factor}.toml"), point)));

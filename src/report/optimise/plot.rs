@@ -1,11 +1,10 @@
 //! How is the front drawn? Load over mass, with uniform balance factors beside it.
 
-use num_traits::ToPrimitive;
-
 use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::super::typeset;
 use super::amounts::{Units, four};
 use crate::engine::Engine;
+use crate::numbers::float;
 use crate::optimise::{Design, Front, Uniform};
 use crate::page::{Picture, Unit};
 use crate::text::Format;
@@ -16,7 +15,7 @@ const CAPTION: &str = "The largest bearing load over the mass of the crankshaft.
 pub(super) fn picture(layout: &Engine, front: &Front) -> Picture {
     let units = Units::of(layout, front);
     // Four digits, so that the drawing is the same wherever the figures are.
-    let at = |design: &Design| (four(design.mass.to_f64().unwrap_or(f64::NAN)), four(design.peak() * units.newtons));
+    let at = |design: &Design| (four(float(&design.mass)), four(design.peak() * units.newtons));
     let load = Axis::linear("Largest bearing load in {}").counted_in(units.force);
     let mass = Axis::linear("Crankshaft mass in {}").counted_in(Unit::KILOGRAM);
     let mut plot = Plot::new(layout.title().escaped(Format::Plain), mass, load);

@@ -1,10 +1,11 @@
 //! What can counterweights alone do? The first-order force over the part of the reciprocating masses that they balance.
 
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::Zero;
 
 use super::super::plot::{Axis, Curve, Plot};
 use crate::loads::{self, Scale};
+use crate::numbers::float;
 use crate::page::number::{Amount, given};
 use crate::page::{Block, Picture, Piece, Table, Text, Unit, phrase};
 use crate::remedy::{Ellipse, Partial, Remedy};
@@ -77,7 +78,7 @@ fn picture(remedy: &Remedy) -> Option<Picture> {
     let scale = loads::scale(remedy.subject.engine());
     let factor = scale.as_ref().map_or(1.0, Scale::force);
     let points = |axis: fn(&Ellipse) -> f64| -> Vec<(f64, f64)> {
-        curve.iter().map(|(part, ellipse)| (part.to_f64().unwrap_or(f64::NAN), axis(ellipse) * factor)).collect()
+        curve.iter().map(|(part, ellipse)| (float(part), axis(ellipse) * factor)).collect()
     };
     let force = match scale.is_some() {
         true => Axis::linear("Force in {}").counted_in(Unit::NEWTON),

@@ -6,6 +6,7 @@ use num_traits::ToPrimitive;
 use crate::engine::LengthUnit;
 use crate::remedy::{self, Cure, Kind, Remedy, Weight};
 use crate::report::data::Filling;
+use crate::report::typeset;
 use crate::table::{Table, Unit};
 
 /// The weights of a remedy.
@@ -41,8 +42,7 @@ pub fn cures(remedy: &Remedy) -> Table {
     table.whole("rank", |(index, _)| index + 1);
     table.whole("order", |(_, cure)| cure.order as usize);
     table.words("cancels", |(_, cure)| Some(if is_force(cure) { "force" } else { "couple" }.to_owned()));
-    table
-        .words("senses", |(_, cure)| Some(cure.senses.iter().map(|sense| sense.name()).collect::<Vec<_>>().join(", ")));
+    table.words("senses", |(_, cure)| Some(typeset::listed(cure.senses.iter().map(|sense| sense.name()))));
     table.whole("shafts", |(_, cure)| cure.shafts);
     table.decimal("removed_{unit}", Unit::PERCENT, |(_, cure)| Some(100.0 * cure.removed));
     table.truth("is_exact", |(_, cure)| Some(cure.is_exact));

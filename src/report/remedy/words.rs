@@ -1,17 +1,19 @@
 //! What does a remedy come to, in sentences? What cancels what, what is proved, and what is good to know besides.
 
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::Signed;
 
 use super::super::calculation::percent_at_most;
+use super::super::typeset;
 use super::{ranked, weights};
+use crate::numbers::float;
 use crate::page::{Number, Piece, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::remedy::{Kind, PairHeight, Remedy, Shaft, Weight};
 
 /// The orders of a remedy.
 fn orders(remedy: &Remedy) -> String {
-    remedy.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
+    typeset::listed(&remedy.orders)
 }
 
 /// What cancels what, a sentence each, and the proof of it: the answer to what cures an engine.
@@ -321,7 +323,7 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
     }
     let kilograms = |mass: f64| Piece::Quantity(mass, Unit::KILOGRAM);
     if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {
-        let bare = kilograms(bare.to_f64().unwrap_or(f64::NAN));
+        let bare = kilograms(float(&bare));
         let planes = remedy.resized();
         let is_resized = planes.iter().any(|plane| plane.becomes.is_on_the_crank());
         let is_bare = remedy.bays.is_empty() && remedy.crankshaft.is_none();
@@ -350,11 +352,11 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
     }
     let half = BigRational::new(1.into(), 2.into());
     if let Some(bob) = engine.bob_weight(0, &half) {
-        let all = kilograms(bob.per_throw.to_f64().unwrap_or(f64::NAN));
+        let all = kilograms(float(&bob.per_throw));
         lines.push(match bob.per_cylinder.as_slice() {
             [one, others @ ..] if others.iter().all(|other| other == one) => phrase!(
                 "Bob weight of throw 1 with half the reciprocating masses: {} per cylinder, {} for the throw.",
-                kilograms(one.to_f64().unwrap_or(f64::NAN)),
+                kilograms(float(one)),
                 all
             ),
             _ => phrase!("Bob weight of throw 1 with half the reciprocating masses: {}.", all),

@@ -1,7 +1,7 @@
 //! How is it told which firing orders of a star twist the shaft least? A table a star, the best order first.
 
 use crate::page::{Block, Number, Table, Text, phrase};
-use crate::report::residual;
+use crate::report::{residual, typeset};
 use crate::search::{Front, MOST_TORSION_STARS, RankedOrder, StarTorsion, Torsion};
 
 /// More firing orders of a star than this are not listed.
@@ -74,7 +74,7 @@ fn of_star(number: usize, star: &StarTorsion, torsion: &Torsion) -> Vec<Block> {
 
 /// The orders at which the sum is longest, up to the middle of a period.
 fn names(ranked: &RankedOrder, torsion: &Torsion) -> String {
-    ranked.strongest.iter().map(|&place| torsion.orders[place].to_string()).collect::<Vec<_>>().join(", ")
+    typeset::listed(ranked.strongest.iter().map(|&place| torsion.orders[place]))
 }
 
 /// Firing orders × minor orders.

@@ -28,7 +28,7 @@ fn listed(
     let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| source.piston().is_some());
     let pistons: Vec<String> = pistons.into_iter().map(|source| source.name(engine)).collect();
     let cylinders = typeset::names(&pistons.iter().map(String::as_str).collect::<Vec<_>>());
-    (!cylinders.is_empty()).then_some(cylinders).into_iter().chain(turning(&others)).collect::<Vec<_>>().join(", ")
+    typeset::listed((!cylinders.is_empty()).then_some(cylinders).into_iter().chain(turning(&others)))
 }
 
 impl Ray {

@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use super::super::typeset;
 use super::tables::every;
 use super::words::least_moment;
 use crate::engine::Engine;
@@ -103,7 +104,7 @@ fn never(throws: u32, banks: usize, prime: u32) -> Text {
 /// That no star loses more, that none leaves less, that none of fewer throws loses as much: of a star that loses order 1.
 fn lost(star: &Star) -> Vec<Text> {
     let throws = star.directions();
-    let written = |orders: &[u32]| orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    let written = |orders: &[u32]| typeset::listed(orders);
     let left = star.first_left();
     let before: Vec<u32> = every(throws).into_iter().filter(|order| left.is_none_or(|left| *order < left)).collect();
     let never = |count: u32| {

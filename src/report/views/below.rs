@@ -1,7 +1,6 @@
 //! What is below the view from the free end? The firing order, and the offset.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::super::figure::{Anchor, Figure, Point};
 use super::super::plot::labels::LINE;
@@ -9,6 +8,7 @@ use super::super::typeset::Amount;
 use super::{MOST_LABELS, wrapped};
 use crate::engine::Engine;
 use crate::numbers::Form;
+use crate::numbers::float;
 
 /// Lines are broken at this width, or at that of the drawing.
 const WIDTH: f64 = 80.0;
@@ -36,9 +36,8 @@ fn firing_words(engine: &Engine) -> Option<String> {
 
 /// The offsets against the rod length.
 fn offset_words(engine: &Engine) -> Option<String> {
-    let amount = |offset: &BigRational| {
-        Amount { exact: Some(Form::rational(offset.clone())), decimal: offset.to_f64().unwrap_or(f64::NAN) }.plain()
-    };
+    let amount =
+        |offset: &BigRational| Amount { exact: Some(Form::rational(offset.clone())), decimal: float(offset) }.plain();
     let mut offsets: Vec<String> = Vec::new();
     for offset in engine.rods().map(|rod| amount(&rod.offset)) {
         if !offsets.contains(&offset) {

@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use super::super::super::family_page::axis_name;
 use super::super::super::typeset;
@@ -92,14 +91,14 @@ fn ends(span: &FiringSpan) -> [f64; 2] {
 }
 
 fn degrees(turns: &BigRational) -> f64 {
-    360.0 * turns.to_f64().unwrap_or(f64::NAN)
+    360.0 * numbers::float(turns)
 }
 
 /// The length of a star at an angle in turns.
 fn length(unknown: &str, star: &SpanStar, angle: f64) -> f64 {
     let parts = star.sum.left().map(|part| {
         let times = if unknown == PHI { &part.phi } else { &part.delta };
-        numbers::evaluate(&part.sum) * Complex::from_polar(1.0, TAU * times.to_f64().unwrap_or(f64::NAN) * angle)
+        numbers::evaluate(&part.sum) * Complex::from_polar(1.0, TAU * numbers::float(times) * angle)
     });
     parts.sum::<Complex<f64>>().norm()
 }

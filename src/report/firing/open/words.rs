@@ -124,7 +124,7 @@ fn length_of_span(star: &SpanStar) -> Option<Text> {
 
 /// Angles in turns, in a row.
 pub(super) fn list(values: &BTreeSet<BigRational>) -> String {
-    values.iter().map(typeset::turns).collect::<Vec<_>>().join(", ")
+    typeset::listed(values.iter().map(typeset::turns))
 }
 
 pub(super) fn symbol(unknown: &str) -> &'static str {
