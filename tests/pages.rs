@@ -142,10 +142,13 @@ const ASKS_FOR_ANOTHER_RUN: [&str; 2] = ["Rerun LaTeX", "Rerun to get"];
 /// Compiles a report until LaTeX asks for no other run, and looks for complaints in the log.
 fn compile(name: &str, folder: &Path) {
     let mut log = String::new();
-    for _ in 0..4 {
-        run(folder, "pdflatex", &["-interaction=nonstopmode", "-halt-on-error", "report.tex"], "");
+    for attempt in 0..4 {
+        // The first run finds where things are, and needs no page for it.
+        let draft = (attempt == 0).then_some("-draftmode");
+        let arguments = ["-interaction=nonstopmode", "-halt-on-error", "report.tex"];
+        run(folder, "pdflatex", &draft.into_iter().chain(arguments).collect::<Vec<_>>(), "");
         log = String::from_utf8_lossy(&fs::read(folder.join("report.log")).expect("a log")).into_owned();
-        if !ASKS_FOR_ANOTHER_RUN.iter().any(|asks| log.contains(asks)) {
+        if attempt > 0 && !ASKS_FOR_ANOTHER_RUN.iter().any(|asks| log.contains(asks)) {
             break;
         }
     }
@@ -365,33 +368,35 @@ fn every_formula_is_found_by_pandoc_and_read_by_katex() {
     run(Path::new(env!("CARGO_TARGET_TMPDIR")), "node", &[script], &list);
 }
 
-/// Looks at a page in a browser: in this folder, which it writes to, with this many pictures.
-fn look(name: &str, folder: &Path, page: &str, pictures: usize) {
-    let check = include_str!("pages/check.html");
+/// What a browser is to look at: a file, and the title that its check gives it.
+type Looked = (PathBuf, String);
+
+/// A page with its check, for a browser: in this folder, which it writes to, with this many pictures.
+fn to_look_at(folder: &Path, page: &str, pictures: usize) -> Looked {
     let body = run(folder, "pandoc", &["-f", "gfm", "-t", "html", "--mathml", page], "");
-    fs::write(folder.join("page.html"), check.replace("BODY", &body)).expect("a page");
-    let page = format!("file://{}", folder.join("page.html").display());
-    let profile = format!("--user-data-dir={}", folder.join("profile").display());
-    let quiet = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"];
-    let more =
-        ["--disable-quic", "--disable-component-update", "--disable-sync", "--window-size=1100,900", "--dump-dom"];
-    let arguments: Vec<&str> = quiet.into_iter().chain(more).chain([profile.as_str(), page.as_str()]).collect();
-    let dom = run(folder, "chromium", &arguments, "");
-    let _ = fs::remove_dir_all(folder.join("profile"));
-    let title = format!("<title>{pictures} pictures, 0 broken, fits</title>");
-    assert!(dom.contains(&title), "{name}: {}", folder.display());
+    let page = folder.join("page.html");
+    fs::write(&page, include_str!("pages/check.html").replace("BODY", &body)).expect("a page");
+    (page, format!("{pictures} pictures, 0 broken, fits"))
+}
+
+/// Looks at all pages in one browser.
+fn look(pages: &[Looked]) {
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/pages/look.cjs");
+    let list = serde_json::to_string(pages).expect("JSON");
+    run(Path::new(env!("CARGO_TARGET_TMPDIR")), "node", &[script], &list);
 }
 
 #[test]
-#[ignore = "needs pandoc 3 and Chromium"]
+#[ignore = "needs pandoc 3, node with playwright-core, and Chromium"]
 fn every_page_shows_its_pictures_and_fits_a_browser_window() {
+    let mut pages = Vec::new();
     for (name, page) in reports() {
         let folder = write_page(&name, &page, Format::GITHUB);
         let pictures = fs::read_dir(&folder).expect("the folder").filter(|file| {
             let name = file.as_ref().expect("a file").file_name();
             name.to_string_lossy().ends_with(".svg")
         });
-        look(&name, &folder, "report.md", pictures.count() + usize::from(!name.contains("open")));
+        pages.push(to_look_at(&folder, "report.md", pictures.count() + usize::from(!name.contains("open"))));
     }
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages-atlas");
     fs::create_dir_all(&folder).expect("a folder");
@@ -399,14 +404,16 @@ fn every_page_shows_its_pictures_and_fits_a_browser_window() {
         let file = file.expect("a file");
         fs::copy(file.path(), folder.join(file.file_name())).expect("a copy");
     }
-    look("atlas", &folder, "README.md", drawings(&atlas()));
+    pages.push(to_look_at(&folder, "README.md", drawings(&atlas())));
+    look(&pages);
 }
 
 #[test]
-#[ignore = "needs pandoc 3 and Chromium"]
+#[ignore = "needs pandoc 3, node with playwright-core, and Chromium"]
 fn pages_of_several_engines_show_their_pictures_and_fit_a_browser_window() {
-    for (name, page) in wide_pages() {
+    let pages = wide_pages().map(|(name, page)| {
         let folder = write_page(name, &page, Format::GITHUB);
-        look(name, &folder, "report.md", drawings(&folder));
-    }
+        to_look_at(&folder, "report.md", drawings(&folder))
+    });
+    look(&pages);
 }
