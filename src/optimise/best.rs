@@ -19,7 +19,6 @@ use crate::engine::{Engine, throws};
 use crate::exact::Turn;
 use crate::file::FileResolver;
 use crate::loads::Scale;
-use crate::numbers::float;
 use crate::remedy::counterweight_parts;
 
 /// Part by which the mass, or the peak, may exceed its optimum where the other is made least among all that reach it.
@@ -154,5 +153,5 @@ fn condition(couple: &Couple, is_exact: bool) -> String {
 
 /// A number in the words of a file.
 pub(super) fn decimal(value: &BigRational) -> String {
-    float(value).to_string()
+    crate::numbers::float(value).to_string()
 }

@@ -14,7 +14,6 @@ use crate::exact::{PhasorSum, Term};
 use crate::journal::{self, bearing_peaks};
 use crate::loads::{Arm, Method, Scale, bearing_loads};
 use crate::numbers;
-use crate::numbers::float;
 use crate::order::unit_mass;
 
 /// A crankshaft with its counterweights.
@@ -131,7 +130,7 @@ pub(super) fn weight(engine: &Engine, place: &Place) -> PlacedWeight {
 /// A weight in words, for the file that holds it.
 pub(super) fn note(weight: &PlacedWeight) -> String {
     let owner = weight.place.throw.map_or_else(|| "On its own".to_owned(), |throw| format!("Throw {}", throw + 1));
-    let amount = format!("{:.4e} kg m, {:.4} kg", weight.mass_radius.norm(), float(&weight.mass));
+    let amount = format!("{:.4e} kg m, {:.4} kg", weight.mass_radius.norm(), numbers::float(&weight.mass));
     let share = weight.factor.map(|factor| format!(", balance factor {factor:.4}")).unwrap_or_default();
     let skew =
         weight.skew.map(|skew| format!(", {:.2}° on from opposite to its throw", skew + 0.0)).unwrap_or_default();
