@@ -1,9 +1,9 @@
 //! Between which floats does a number lie? Intervals of doubles, every end rounded outward.
 
-use crate::numbers::float;
 use num_rational::BigRational;
 
 use super::real::{Real, cos_sin, turned};
+use crate::numbers::float;
 
 /// All numbers from `low` to `high`; the result of an operation holds every result of numbers in its operands.
 ///

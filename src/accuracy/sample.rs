@@ -8,8 +8,7 @@ use super::bodies::{phases, turning};
 use crate::engine::Engine;
 use crate::loads::Missing;
 use crate::motion::SliderCrank;
-use crate::numbers;
-use crate::numbers::float;
+use crate::numbers::{self, float};
 use crate::order;
 use crate::proof::Quantity;
 

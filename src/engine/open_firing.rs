@@ -30,10 +30,8 @@ impl OpenFiring {
             let (angle, right) = (angle.minus(&angles[0]), dead_centre(cylinder).minus(&dead_centre(&cylinders[0])));
             if !angle.minus(&right).as_known().is_some_and(BigRational::is_integer) {
                 let message = format!("cylinder {} cannot fire {}° after the first", cylinder.name, angle.in_degrees());
-                return Err((
-                    message,
-                    format!("it reaches top dead centre at {}°, and every 360°", right.in_degrees()),
-                ));
+                let right = format!("it reaches top dead centre at {}°, and every 360°", right.in_degrees());
+                return Err((message, right));
             }
         }
         Ok(OpenFiring::Angles(angles))

@@ -6,8 +6,7 @@ use num_rational::BigRational;
 
 use super::error::NoGas;
 use crate::engine::Engine;
-use crate::motion::PistonMotion;
-use crate::motion::float;
+use crate::motion::{PistonMotion, float};
 
 /// Crank, rod and bore of a cylinder, in SI units. Where two pistons share it, lever and slope are those of the one that ψ is of, and the volume is
 /// that between both.

@@ -7,8 +7,7 @@ use num_rational::BigRational;
 use super::burning::Burning;
 use super::geometry::Geometry;
 use crate::engine::{Cycle, IdealCycle, PressureTable};
-use crate::motion::float;
-use crate::motion::golden_section;
+use crate::motion::{float, golden_section};
 
 /// A pressure over a cycle.
 #[derive(Clone, Debug)]

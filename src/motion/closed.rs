@@ -1,10 +1,11 @@
 //! Where is the piston at an angle, how fast, and how fast does that change? Closed forms in floats.
 
-use super::enclosure::float;
 use std::f64::consts::PI;
 
 use num_rational::BigRational;
 use num_traits::One;
+
+use super::enclosure::float;
 
 /// The numbers of a crank as floats. The gaps `1 ± δ − λ` are rounded from exact ones: near the end of reach they decide.
 #[derive(Clone, Debug)]

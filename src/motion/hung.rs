@@ -13,7 +13,6 @@
 //! These numbers have no closed form here: they are means of the exact motion over a turn, which converge as the orders of the motion fall,
 //! in decimals.
 
-use super::enclosure::float;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::OnceLock;
 
@@ -21,7 +20,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::FromPrimitive;
 
-use super::enclosure::{Coefficient, Enclosure};
+use super::enclosure::{Coefficient, Enclosure, float};
 use super::piston::LinkMotion;
 
 /// A link on its master rod: what its knuckle pin feels, and what becomes of it.

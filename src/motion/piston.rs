@@ -5,12 +5,12 @@
 //!
 //! `K = e^{iψ} + (κ/λ) e^{iε} (f − iλ sin(ψ+Δ))`, `f = √(1 − λ² sin²(ψ+Δ))`, and the piston at `Re K + √((L/r)² − Im² K)`.
 
-use super::enclosure::float;
 use std::f64::consts::{PI, TAU};
 
 use num_rational::BigRational;
 
 use super::crank::SliderCrank;
+use super::enclosure::float;
 use super::jet::Jet;
 use super::section::golden_section;
 

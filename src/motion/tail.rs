@@ -14,13 +14,12 @@
 //! Side force: its part `|u_k|` is at most `¼ (h_k(p, R) + h_k(q, S))`, `h_k(p, R) = p^{k−1} ((k+1) − (k−1) p²)/R`, for k > 1, whose
 //! sum over k > K telescopes to `(p^K (K+2) + p^{K+1} (K+3) + 4 p^{K+2}/(1−p))/R`.
 
-use super::enclosure::float;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::crank::SliderCrank;
-use super::enclosure::{Coefficient, Enclosure};
+use super::enclosure::{Coefficient, Enclosure, float};
 
 /// Floats of a bound are enlarged by this part of it, far more than they are rounded by.
 pub const SLACK: f64 = 1.0 + 1e-9;

@@ -5,8 +5,7 @@ use num_traits::{One, Zero};
 
 use super::digits::{approximate, degrees, is_long, signed_degrees};
 use crate::exact::Turn;
-use crate::numbers::float;
-use crate::numbers::{self, Direction, Form};
+use crate::numbers::{self, Direction, Form, float};
 
 /// Longer closed forms than this tell a reader nothing; their decimals do.
 const LONGEST_FORM: usize = 48;

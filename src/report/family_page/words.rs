@@ -11,8 +11,7 @@ use super::{boxes_words, circle_words, plane_words, quadratic_words};
 use crate::engine::Linear;
 use crate::exact::Turn;
 use crate::family::{self, Angles, Cosine, EvenFiring, Never, OpenSum, OpenVerdict, Part, Product, Remaining, When};
-use crate::numbers::Form;
-use crate::numbers::float;
+use crate::numbers::{Form, float};
 use crate::page::number::Bearing;
 use crate::page::{Piece, Text, phrase};
 

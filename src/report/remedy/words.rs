@@ -328,24 +328,24 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
         let is_resized = planes.iter().any(|plane| plane.becomes.is_on_the_crank());
         let is_bare = remedy.bays.is_empty() && remedy.crankshaft.is_none();
         lines.push(match (is_bare, is_resized, &remedy.radius) {
-            (false, true, _) => phrase!(
+            (_, true, _) => phrase!(
                 "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy, resized ones at their own radius: {}.",
                 bare,
                 kilograms(with)
             ),
-            (true, ..) => phrase!(
+            (true, false, _) => phrase!(
                 "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}.",
                 bare
             ),
             (false, false, None) => phrase!(
                 "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at the crank radius: {}.",
-                    bare,
-                    kilograms(with)
-                ),
+                bare,
+                kilograms(with)
+            ),
             (false, false, Some(radius)) => phrase!(
                 "Crankshaft mass that counts in the balance (throws with rotating and half the reciprocating masses, counterweights): {}; with the counterweights of the remedy at a radius of {}: {}.",
-                    bare,
-                    crate::page::number::given_with(&(radius * BigRational::from_integer(1000.into())), Unit::MILLIMETRE),
+                bare,
+                typeset::given_with(&(radius * BigRational::from_integer(1000.into())), Unit::MILLIMETRE),
                 kilograms(with)
             ),
         });

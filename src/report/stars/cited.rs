@@ -104,7 +104,6 @@ fn never(throws: u32, banks: usize, prime: u32) -> Text {
 /// That no star loses more, that none leaves less, that none of fewer throws loses as much: of a star that loses order 1.
 fn lost(star: &Star) -> Vec<Text> {
     let throws = star.directions();
-    let written = |orders: &[u32]| typeset::listed(orders);
     let left = star.first_left();
     let before: Vec<u32> = every(throws).into_iter().filter(|order| left.is_none_or(|left| *order < left)).collect();
     let never = |count: u32| {
@@ -121,7 +120,7 @@ fn lost(star: &Star) -> Vec<Text> {
         Some(_) => phrase!(
             "**No star of 2 to {} throws in evenly spread directions is free of the moments of these orders:** {} (page of stars, {}).",
             throws - 1,
-            written(&before),
+            typeset::listed(&before),
             page()
         ),
     });
@@ -130,7 +129,7 @@ fn lost(star: &Star) -> Vec<Text> {
         Some(Fate::Never(why)) => Some(phrase!(
             "**No star of {} throws is free of the moments of these orders together:** {}. Throws 1/{} of a turn apart would coincide (page of stars, {}).",
             throws,
-            written(&why.orders),
+            typeset::listed(&why.orders),
             why.prime,
             page()
         )),

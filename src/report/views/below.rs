@@ -7,8 +7,7 @@ use super::super::plot::labels::LINE;
 use super::super::typeset::Amount;
 use super::{MOST_LABELS, wrapped};
 use crate::engine::Engine;
-use crate::numbers::Form;
-use crate::numbers::float;
+use crate::numbers::{Form, float};
 
 /// Lines are broken at this width, or at that of the drawing.
 const WIDTH: f64 = 80.0;

@@ -34,7 +34,8 @@ fn python() -> Option<&'static Path> {
     static PYTHON: OnceLock<Option<PathBuf>> = OnceLock::new();
     let found = || {
         let asked = Command::new("python3").args(["-c", "import sys; print(sys.executable)"]).output().ok()?;
-        Some(PathBuf::from(String::from_utf8(asked.stdout).ok()?.trim()))
+        let path = String::from_utf8(asked.stdout).ok().filter(|_| asked.status.success())?;
+        Some(PathBuf::from(path.trim()))
     };
     PYTHON.get_or_init(found).as_deref()
 }
