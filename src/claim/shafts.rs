@@ -32,10 +32,6 @@ pub(super) fn parse(text: &str) -> Option<Result<Statement, ClaimError>> {
     };
     let found = NEEDS.iter().find(|(words, _)| *words == needs);
     Some(match found {
-        Some((_, Shafts::Counterweights)) if order > 1 => Err(ClaimError::new(
-            format!("counterweights reach order 1 alone, not order {order}"),
-            "what shafts the order needs, such as \"order 2 needs a Lanchester pair\"",
-        )),
         Some((_, shafts)) => Ok(Statement::Shafts { order, shafts: *shafts }),
         None => Err(ClaimError::new(
             format!("`{needs}` is not something that an order needs"),

@@ -54,6 +54,11 @@ impl<A, L> Engine<A, L> {
         self.geared_cranks().iter().find(|crank| (crank.speed, crank.sense) == (speed, sense))
     }
 
+    /// Whether a crankshaft turns so, the reference one or another: what counterweights on it cancel needs no balancer shaft.
+    pub fn has_crank_turning(&self, speed: u32, sense: Sense) -> bool {
+        (speed, sense) == (1, Sense::Direct) || self.crank_turning(speed, sense).is_some()
+    }
+
     /// The order of a cylinder's own motion that is this order of the engine; none where its crank turns so fast that it has no part in it.
     pub fn own_order(&self, cylinder: &Cylinder<A, L>, order: u32) -> Option<u32> {
         own_order(self.speed_of(cylinder), order)

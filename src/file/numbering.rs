@@ -105,7 +105,7 @@ pub(super) fn cylinder_name(text: &Text) -> Result<String, LayoutError> {
     if fits {
         Ok(name.clone())
     } else {
-        Err(misread("name", name, "one to six letters or digits, such as \"L2\"".to_owned(), text))
+        Err(misread("name", name, "one to six letters (A to Z, a to z) or digits, such as \"L2\"".to_owned(), text))
     }
 }
 

@@ -74,6 +74,14 @@ impl CylinderGas {
         }
     }
 
+    /// From which crank angle the firing of a cylinder counts, in radians after its crank is in line with its axis: 0 unless the file counts from
+    /// where the piston is farthest out.
+    pub fn firing_zero(engine: &Engine, index: usize) -> f64 {
+        let chamber = engine.gas().map(|gas| &gas.chambers[index]).filter(|chamber| chamber.zero == DeadCentre::Piston);
+        let geometry = chamber.and_then(|chamber| Geometry::new(engine, index, &chamber.bore).ok());
+        geometry.map_or(0.0, |geometry| geometry.outermost)
+    }
+
     /// Crank, rod and bore.
     pub fn geometry(&self) -> &Geometry {
         &self.geometry

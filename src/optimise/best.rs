@@ -23,6 +23,8 @@ use crate::remedy::counterweight_parts;
 
 /// Part by which the mass, or the peak, may exceed its optimum where the other is made least among all that reach it.
 pub(super) const SLACK: f64 = 1e-6;
+/// Part by which the peak that the solver finds may exceed the least one.
+const ACCURACY: f64 = 1e-4;
 /// What the rounding of irrational numbers may leave, in multiples of m r ω² a cylinder.
 const SLIGHT: f64 = 1e-9;
 
@@ -87,6 +89,8 @@ impl<'a> Search<'a> {
     /// The least mass with which no bearing load is larger than this; none where no mass does that.
     pub fn lightest(&mut self, peak: f64) -> Result<Option<f64>, OptimiseError> {
         let least = self.solve(Least::Peak, None, None)?.peak;
+        // The least load is known to the accuracy of the solver: a load a little below it is that load.
+        let peak = if peak >= least * (1.0 - ACCURACY) { peak.max(least * (1.0 + SLACK)) } else { peak };
         if peak < least * (1.0 + SLACK) {
             return Ok(None);
         }

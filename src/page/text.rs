@@ -6,7 +6,9 @@ use num_rational::BigRational;
 
 use super::Unit;
 use super::number::{Amount, Bearing, Number};
+use crate::engine::{Cycle, SeenFrom};
 use crate::numbers::Form;
+use crate::proof::{Axial, Planar, Quantity, Sense};
 use crate::text::Untrusted;
 
 /// What a paragraph, a cell or a caption holds.
@@ -45,6 +47,8 @@ pub enum Piece {
     Formula(String),
     /// What is typed: a command, a name of a file.
     Code(String),
+    /// Which of the words of its place are said: `{with|against}`, counted from 0.
+    Choice(usize),
     /// Words that lead elsewhere: a file, or `#` and the name of a heading.
     Link(Box<Text>, String),
 }
@@ -106,6 +110,19 @@ impl Text {
         Piece::Link(Box::new(text.into()), target.into()).into()
     }
 
+    /// For a place such as `{order|orders}`: the first words for one, the second for more.
+    pub fn one_or_more(count: usize) -> Self {
+        Text::from(count == 1)
+    }
+
+    /// Which of the words of its place it chooses.
+    pub(super) fn choice(&self) -> Option<usize> {
+        match self.pieces[..] {
+            [Piece::Choice(choice)] => Some(choice),
+            _ => None,
+        }
+    }
+
     /// The parts.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
@@ -140,7 +157,7 @@ impl Text {
     }
 }
 
-/// Words of the program with values: `phrase!("vanishes at {} of {}", here, there)`.
+/// Words of the program with values: `phrase!("vanishes at {} of {}", here, there)`, `phrase!("turns {with|against} the crank", sense)`.
 macro_rules! phrase {
     ($words:expr $(, $value:expr)* $(,)?) => {
         $crate::page::Text::phrase($words, vec![$($crate::page::Text::from($value)),*])
@@ -180,6 +197,52 @@ impl From<u32> for Text {
 impl From<usize> for Text {
     fn from(number: usize) -> Self {
         Text::label(number.to_string())
+    }
+}
+
+/// For a place such as `{if it holds|if not}`.
+impl From<bool> for Text {
+    fn from(holds: bool) -> Self {
+        Piece::Choice(usize::from(!holds)).into()
+    }
+}
+
+/// For a place such as `{with|against}`.
+impl From<Sense> for Text {
+    fn from(sense: Sense) -> Self {
+        Text::from(sense == Sense::Direct)
+    }
+}
+
+/// For a place such as `{force|moment}`.
+impl From<Planar> for Text {
+    fn from(quantity: Planar) -> Self {
+        Text::from(quantity == Planar::Force)
+    }
+}
+
+/// For a place such as `{force|moment|inertia torque|roll moment}`.
+impl From<Quantity> for Text {
+    fn from(quantity: Quantity) -> Self {
+        match quantity {
+            Quantity::Planar(quantity) => quantity.into(),
+            Quantity::Axial(Axial::Torque) => Piece::Choice(2).into(),
+            Quantity::Axial(Axial::Roll) => Piece::Choice(3).into(),
+        }
+    }
+}
+
+/// For a place such as `{from the free end|from the flywheel}`.
+impl From<SeenFrom> for Text {
+    fn from(end: SeenFrom) -> Self {
+        Text::from(end == SeenFrom::FreeEnd)
+    }
+}
+
+/// For a place such as `{two|four}`.
+impl From<Cycle> for Text {
+    fn from(cycle: Cycle) -> Self {
+        Text::from(cycle == Cycle::TwoStroke)
     }
 }
 

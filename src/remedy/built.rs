@@ -41,6 +41,11 @@ impl Remedy {
         (!shown.vector.vanishes()).then_some(shown)
     }
 
+    /// Whether the engine has a weight where this one belongs, which is resized.
+    pub fn resizes(&self, weight: &Weight) -> bool {
+        self.built_of(weight).is_some_and(|plane| plane.is_resized())
+    }
+
     /// The planes in which weights of the engine are resized.
     pub fn resized(&self) -> Vec<Built> {
         self.built().into_iter().filter(Built::is_resized).collect()

@@ -47,14 +47,16 @@ impl Cure {
     }
 }
 
-/// The cures of these orders, those first that remove most of the peak for each shaft, and of equal ones for each weight. None of an order
-/// whose coefficients are not known.
+/// The cures of these orders, of forces before those of couples; of either those first that remove most of the peak for each shaft, and of
+/// equal ones for each weight. None of an order whose coefficients are not known.
 pub fn cures(subject: &ComparableEngine, orders: &[u32]) -> Vec<Cure> {
     let mut all: Vec<Cure> = orders.iter().flat_map(|&order| of_order(subject, order)).collect();
     let per_shaft = |cure: &Cure| cure.per_shaft().unwrap_or(f64::INFINITY);
     all.sort_by(|one, other| {
-        let in_shafts = per_shaft(other).total_cmp(&per_shaft(one));
-        in_shafts.then(other.per_mass_radius().total_cmp(&one.per_mass_radius()))
+        let by_kind = (one.kind != Kind::Force).cmp(&(other.kind != Kind::Force));
+        by_kind
+            .then(per_shaft(other).total_cmp(&per_shaft(one)))
+            .then(other.per_mass_radius().total_cmp(&one.per_mass_radius()))
     });
     all
 }
@@ -85,7 +87,7 @@ fn of_order(subject: &ComparableEngine, order: u32) -> Vec<Cure> {
             order,
             kind,
             senses: taken.iter().map(|(sense, _)| *sense).collect(),
-            shafts: taken.iter().filter(|(sense, _)| (order, *sense) != (1, Sense::Direct)).count(),
+            shafts: taken.iter().filter(|(sense, _)| !subject.engine().has_crank_turning(order, *sense)).count(),
             mass_radius: length / f64::from(2 * order * order),
             peak: [whole / 2.0, if is_all { 0.0 } else { (whole - length) / 2.0 }],
             removed: if are_equal && !is_all { 0.5 } else { removed },

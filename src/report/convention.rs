@@ -3,7 +3,7 @@
 //! So angles in the sense of rotation are those of the drawing (theory of mechanisms, section 4), and no page mixes two counts.
 
 use crate::engine::{Convention, Rotation, SeenFrom};
-use crate::page::Text;
+use crate::page::{Text, phrase};
 
 /// A sentence for pages that look from the free end, and the same for the flywheel.
 pub(super) fn said(convention: Convention, [free_end, flywheel]: [&'static str; 2]) -> &'static str {
@@ -23,8 +23,7 @@ pub(super) fn differs(convention: Convention) -> Option<Text> {
     match (convention.rotation, convention.seen_from) {
         (Rotation::Anticlockwise, SeenFrom::FreeEnd) => None,
         (Rotation::Anticlockwise, SeenFrom::Flywheel) => Some(FROM_THE_FLYWHEEL.into()),
-        (Rotation::Clockwise, SeenFrom::FreeEnd) => Some(CLOCKWISE_FROM_THE_FREE_END.into()),
-        (Rotation::Clockwise, SeenFrom::Flywheel) => Some(CLOCKWISE_FROM_THE_FLYWHEEL.into()),
+        (Rotation::Clockwise, end) => Some(phrase!(CLOCKWISE, end)),
     }
 }
 
@@ -37,5 +36,4 @@ const SEEN: [&str; 2] = [
 ];
 const FROM_THE_FLYWHEEL: &str =
     "The layout file and this page view the engine from the flywheel; angles grow in the sense of rotation.";
-const CLOCKWISE_FROM_THE_FREE_END: &str = "The layout file draws the engine from the free end, where the crank turns clockwise. This page views it from the flywheel, where it turns anticlockwise: angles grow in the sense of rotation, and an angle of the file has the opposite sign here.";
-const CLOCKWISE_FROM_THE_FLYWHEEL: &str = "The layout file draws the engine from the flywheel, where the crank turns clockwise. This page views it from the free end, where it turns anticlockwise: angles grow in the sense of rotation, and an angle of the file has the opposite sign here.";
+const CLOCKWISE: &str = "The layout file draws the engine from the {1:free end|flywheel}, where the crank turns clockwise. This page views it from the {1:flywheel|free end}, where it turns anticlockwise: angles grow in the sense of rotation, and an angle of the file has the opposite sign here.";

@@ -4,7 +4,7 @@ use super::residual;
 use super::typeset;
 use crate::engine::{Engine, Firing, Shot, firing_pistons};
 use crate::page::{Text, phrase};
-use crate::proof::{Planar, Sense};
+use crate::proof::Planar;
 use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
 use crate::verdict::{EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, OrderVerdict};
 
@@ -101,8 +101,7 @@ pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> Text {
             (Some(other), _) if other.kind == shaft.kind => phrase!("shafts ±{} ({} each)", order, kind(shaft)),
             (Some(other), _) => phrase!("shafts +{} ({}) and −{} ({})", order, kind(shaft), order, kind(other)),
             (None, Some(crank)) => phrase!("{} on crankshaft {}", counterweights(shaft), crank.name.clone()),
-            (None, None) if shaft.sense == Sense::Direct => phrase!("shaft +{} ({})", order, kind(shaft)),
-            (None, None) => phrase!("shaft −{} ({})", order, kind(shaft)),
+            (None, None) => phrase!("shaft {+|−}{} ({})", shaft.sense, order, kind(shaft)),
         });
     }
     if words.is_empty() { "none needed".into() } else { Text::joined(words, "; ") }

@@ -192,7 +192,11 @@ pub fn roll(roll: &TorqueVerdict) -> Text {
 
 /// Whether a part of the roll moment is of torques; else of forces with their arms.
 pub(super) fn is_of_torques(part: &TorquePart) -> bool {
-    part.class.as_ref().is_none_or(|class| is_of_torque(&class.factor))
+    match &part.class {
+        Some(class) => is_of_torque(&class.factor),
+        // Masses that only turn have no torque.
+        None => part.verdict.sources.iter().any(|source| source.piston().is_some()),
+    }
 }
 
 fn is_of_torque(factor: &Factor) -> bool {
@@ -223,7 +227,7 @@ pub fn moment_summary(order: &OrderBalance) -> String {
 pub(super) const LEGEND: &str = "0 is proved; any other number is the largest value ½(|P⁺| + |P⁻|), exact unless marked ≈: forces in m r ω² c_k, moments in that times the unit of the positions.";
 
 /// What the torque and the roll moment are counted in, where crankshafts are geared together.
-pub(super) const ROLL_LEGEND: &str = "Torque: of all crankshafts, referred to the reference crankshaft, in m r² ω² $t_k$. Roll: the moment on the frame about the middle of the engine, of the forces by their arms in crank radii, in m r² ω² $c_k$, and of the torques, in m r² ω² $t_k$; a single number is the amplitude.";
+pub(super) const ROLL_LEGEND: &str = "Torque: of all crankshafts, referred to the reference crankshaft, in m r² ω² $t_k$. Roll: the moment on the frame about the origin of the layout, of the forces by their arms in crank radii, in m r² ω² $c_k$, and of the torques, in m r² ω² $t_k$; a single number is the amplitude.";
 
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
 pub(super) fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<Text> {
@@ -272,7 +276,9 @@ pub(super) fn masses_words(masses: Masses) -> &'static str {
 pub(super) fn why_not(masses: Masses) -> &'static str {
     match masses {
         Masses::Reciprocating | Masses::All => WHY_NOT,
-        Masses::Rotating | Masses::Counterweights => "What turns with the crank has order 1 and no other.",
+        Masses::Rotating | Masses::Counterweights => {
+            "What turns at k times the speed of the crank has order k and no other."
+        }
     }
 }
 

@@ -5,8 +5,8 @@ use num_traits::{One, Signed};
 
 use super::residual::{largest, line_bearing, shape_name};
 use crate::engine::DOES_NOT_EXIST;
-use crate::page::{Text, phrase};
-use crate::proof::{Planar, Shape, ShapeEvidence};
+use crate::page::{Piece, Text, phrase};
+use crate::proof::{Planar, Sense, Shape, ShapeEvidence};
 use crate::verdict::{Balance, Outcome, WholeOrder};
 
 /// A sentence on what the two vectors together trace.
@@ -79,99 +79,62 @@ fn difference(balance: &Balance, relation: &str) -> Text {
 
 fn planar(balance: &Balance) -> Text {
     let (difference, line, size) = (difference(balance, "="), line_bearing(balance), largest(balance));
-    match balance.quantity {
-        Planar::Force => phrase!(
-            "The residual is **planar**: both vectors are equally long ({}, proved), so the force swings along the line at {}; its largest value is {}.",
-            difference,
-            line,
-            size
-        ),
-        Planar::Moment => phrase!(
-            "The residual is **planar**: both vectors are equally long ({}, proved), so the moment swings along the line at {}; its largest value is {}.",
-            difference,
-            line,
-            size
-        ),
-    }
+    phrase!(
+        "The residual is **planar**: both vectors are equally long ({}, proved), so the {force|moment} swings along the line at {}; its largest value is {}.",
+        difference,
+        balance.quantity,
+        line,
+        size
+    )
 }
 
 fn elliptical(balance: &Balance) -> Text {
     let (difference, line, size) = (difference(balance, "\\ne"), line_bearing(balance), largest(balance));
-    match balance.quantity {
-        Planar::Force => phrase!(
-            "The residual is **elliptical**: the vectors differ in length ({}, proved), so the tip of the force runs round an ellipse; its largest value is {}, along the line at {}.",
-            difference,
-            size,
-            line
-        ),
-        Planar::Moment => phrase!(
-            "The residual is **elliptical**: the vectors differ in length ({}, proved), so the tip of the moment runs round an ellipse; its largest value is {}, along the line at {}.",
-            difference,
-            size,
-            line
-        ),
-    }
+    phrase!(
+        "The residual is **elliptical**: the vectors differ in length ({}, proved), so the tip of the {force|moment} runs round an ellipse; its largest value is {}, along the line at {}.",
+        difference,
+        balance.quantity,
+        size,
+        line
+    )
 }
 
 /// A sentence on a whole order, how it is known whether it vanishes.
 pub(super) fn whole_sentence(name: &'static str, order: u32, whole: &WholeOrder) -> Text {
     let [direct, reverse] = &whole.outcomes;
     let outcomes = match direct == reverse {
-        true => vec![both_vectors(direct)],
-        false => vec![direct_vector(direct), reverse_vector(reverse)],
+        true => vec![vector_sentence(None, direct)],
+        false => vec![vector_sentence(Some(Sense::Direct), direct), vector_sentence(Some(Sense::Reverse), reverse)],
     };
     let lead = phrase!("**{} of order {}, all its sums together.**", name, order);
     Text::joined([lead].into_iter().chain(outcomes).chain(what_is_left(whole)), " ")
 }
 
-fn both_vectors(outcome: &Outcome) -> Text {
+/// How it is known whether a vector vanishes, or both do.
+fn vector_sentence(vector: Option<Sense>, outcome: &Outcome) -> Text {
+    let vector = vector.map_or_else(|| Piece::Choice(2).into(), Text::from);
     match outcome {
-        Outcome::Zero => "Both vectors vanish: each of their sums is zero.".into(),
-        Outcome::NotZero => {
-            "Neither vector vanishes: only one of its sums remains, and its coefficient is not zero.".into()
-        }
-        Outcome::NotZeroByEnclosure { .. } => {
-            "Neither vector vanishes: an enclosure of the whole, each sum times its coefficient, excludes zero.".into()
-        }
+        Outcome::Zero => phrase!(
+            "{1:The direct vector vanishes|The reverse vector vanishes|Both vectors vanish}: each of {1:its|its|their} sums is zero.",
+            vector
+        ),
+        Outcome::NotZero => phrase!(
+            "{The direct vector does not vanish|The reverse vector does not vanish|Neither vector vanishes}: only one of its sums remains, and its coefficient is not zero.",
+            vector
+        ),
+        Outcome::NotZeroByEnclosure { .. } => phrase!(
+            "{The direct vector does not vanish|The reverse vector does not vanish|Neither vector vanishes}: an enclosure of the whole, each sum times its coefficient, excludes zero.",
+            vector
+        ),
         Outcome::NotDecided { below } => phrase!(
-            "Neither vector is decided: only the coefficients could make it vanish, and it is no longer than {}.",
+            "{The direct vector is not|The reverse vector is not|Neither vector is} decided: only the coefficients could make it vanish, and it is no longer than {}.",
+            vector,
             rounded_up(below)
         ),
-        Outcome::Open => "Neither vector is decided: it depends on the rods, of which the layout says nothing.".into(),
-    }
-}
-
-fn direct_vector(outcome: &Outcome) -> Text {
-    match outcome {
-        Outcome::Zero => "The direct vector vanishes: each of its sums is zero.".into(),
-        Outcome::NotZero => {
-            "The direct vector does not vanish: only one of its sums remains, and its coefficient is not zero.".into()
-        }
-        Outcome::NotZeroByEnclosure { .. } => {
-            "The direct vector does not vanish: an enclosure of the whole, each sum times its coefficient, excludes zero.".into()
-        }
-        Outcome::NotDecided { below } => phrase!(
-            "The direct vector is not decided: only the coefficients could make it vanish, and it is no longer than {}.",
-            rounded_up(below)
+        Outcome::Open => phrase!(
+            "{The direct vector is not|The reverse vector is not|Neither vector is} decided: it depends on the rods, of which the layout says nothing.",
+            vector
         ),
-        Outcome::Open => "The direct vector is not decided: it depends on the rods, of which the layout says nothing.".into(),
-    }
-}
-
-fn reverse_vector(outcome: &Outcome) -> Text {
-    match outcome {
-        Outcome::Zero => "The reverse vector vanishes: each of its sums is zero.".into(),
-        Outcome::NotZero => {
-            "The reverse vector does not vanish: only one of its sums remains, and its coefficient is not zero.".into()
-        }
-        Outcome::NotZeroByEnclosure { .. } => {
-            "The reverse vector does not vanish: an enclosure of the whole, each sum times its coefficient, excludes zero.".into()
-        }
-        Outcome::NotDecided { below } => phrase!(
-            "The reverse vector is not decided: only the coefficients could make it vanish, and it is no longer than {}.",
-            rounded_up(below)
-        ),
-        Outcome::Open => "The reverse vector is not decided: it depends on the rods, of which the layout says nothing.".into(),
     }
 }
 

@@ -152,35 +152,32 @@ fn sentence(survivors: &Survivors) -> Text {
         ([], _, true) => "Zero at every order but order 1.".into(),
         (_, [], true) => "Zero at no order.".into(),
         (_, [], false) => "Zero at order 1 and at no other.".into(),
-        ([0], _, false) => {
-            phrase!("Zero exactly at the orders $k$ that {} does not divide ({}).", *modulus, does("\\nmid"))
-        }
-        ([0], _, true) => {
-            phrase!("Zero exactly at the orders $k$ but 1 that {} does not divide ({}).", *modulus, does("\\nmid"))
-        }
-        (_, [0], true) => phrase!("Zero exactly at the orders $k$ that {} divides ({}).", *modulus, does("\\mid")),
-        (_, [0], false) => {
-            phrase!("Zero exactly at order 1 and at the orders $k$ that {} divides ({}).", *modulus, does("\\mid"))
-        }
+        ([0], _, one) => phrase!(
+            "Zero exactly at the orders $k$ {but 1 |}that {} does not divide ({}).",
+            *one,
+            *modulus,
+            does("\\nmid")
+        ),
+        (_, [0], one) => phrase!(
+            "Zero exactly {|at order 1 and }at the orders $k$ that {} divides ({}).",
+            *one,
+            *modulus,
+            does("\\mid")
+        ),
         (left, zeros, one) if left.len() <= zeros.len() => match (orders(left, *modulus), one) {
-            (Orders::Named(list), true) => phrase!("Zero at every order but order 1 and {}.", list),
-            (Orders::Named(list), false) => phrase!("Zero at every order but {}.", list),
-            (Orders::Counted(list), true) => {
-                phrase!("Zero at every order but order 1 and those that are {} modulo {}.", list, *modulus)
-            }
-            (Orders::Counted(list), false) => {
-                phrase!("Zero at every order but those that are {} modulo {}.", list, *modulus)
+            (Orders::Named(list), one) => phrase!("Zero at every order but {order 1 and |}{}.", *one, list),
+            (Orders::Counted(list), one) => {
+                phrase!("Zero at every order but {order 1 and |}those that are {} modulo {}.", *one, list, *modulus)
             }
         },
         (_, zeros, one) => match (orders(zeros, *modulus), one) {
-            (Orders::Named(list), true) => phrase!("Zero at {} and at no other.", list),
-            (Orders::Named(list), false) => phrase!("Zero at order 1 and {}, and at no other.", list),
-            (Orders::Counted(list), true) => {
-                phrase!("Zero at the orders that are {} modulo {}, and at no other.", list, *modulus)
-            }
-            (Orders::Counted(list), false) => {
-                phrase!("Zero at order 1, at the orders that are {} modulo {}, and at no other.", list, *modulus)
-            }
+            (Orders::Named(list), one) => phrase!("Zero at {1:|order 1 and }{2}{1:|,} and at no other.", *one, list),
+            (Orders::Counted(list), one) => phrase!(
+                "Zero at {|order 1, at }the orders that are {} modulo {}, and at no other.",
+                *one,
+                list,
+                *modulus
+            ),
         },
     }
 }

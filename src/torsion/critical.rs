@@ -5,6 +5,7 @@ use num_complex::Complex;
 use super::{Mode, Train, modes};
 use crate::engine::{CycleOrder, Engine, Torsion};
 use crate::firing::{NoStar, are_orders_of, firing_of};
+use crate::gas::CylinderGas;
 use crate::numbers;
 
 /// A speed at which an order has a natural frequency.
@@ -14,7 +15,7 @@ pub struct Critical {
     pub order: CycleOrder,
     /// The speed in revolutions a minute.
     pub rpm: f64,
-    /// `Σ Δ_j r_j e^{−iκφ_j}`: the work of a torque of this order on the mode goes with its length. Of two pistons in a cylinder both count when it
+    /// `Σ Δ_j r_j e^{−iκφ_j}`: the work of a torque of this order on the mode goes with its length. φ_j counts from where the file's gas does. Of two pistons in a cylinder both count when it
     /// fires, as if neither led the other.
     pub star: Complex<f64>,
 }
@@ -44,6 +45,10 @@ pub fn critical_speeds(
     let firing = firing_of(engine)?;
     are_orders_of(firing.cycle, orders)?;
     let train = Train::new(torsion);
+    // Two pistons in a cylinder count together: neither is farthest out when it fires.
+    let zeros: Vec<f64> = (0..engine.cylinders().len())
+        .map(|index| if engine.has_opposed_pistons() { 0.0 } else { CylinderGas::firing_zero(engine, index) })
+        .collect();
     let radius = |cylinder: usize| numbers::float(&engine.cylinders()[cylinder].crank_radius);
     let of_mode = |mode: Mode| {
         let disc = |cylinder: &crate::engine::Cylinder| torsion.pins[cylinder.pin];
@@ -51,7 +56,8 @@ pub fn critical_speeds(
         let deflections: Vec<f64> = engine.cylinders().iter().map(deflection).collect();
         let star = |order: CycleOrder| -> Complex<f64> {
             let vector = |shot: &crate::engine::Shot| {
-                let direction = numbers::direction(&order.phase(&shot.angle));
+                let after = zeros[shot.cylinder] * f64::from(order.halves()) / 2.0;
+                let direction = numbers::direction(&order.phase(&shot.angle)) * Complex::from_polar(1.0, -after);
                 let pistons = engine.pistons_of(shot.cylinder);
                 direction * pistons.map(|piston| deflections[piston] * radius(piston)).sum::<f64>()
             };

@@ -1,6 +1,6 @@
 //! Does a finished text follow a pattern of the list, and how does it read in the other language?
 
-use super::super::markup::places;
+use super::super::markup::{Place, places};
 
 /// English words with places, and the same in another language.
 pub(super) struct Pattern<'a> {
@@ -22,8 +22,8 @@ impl<'a> Pattern<'a> {
     pub fn filled(&self, text: &str, inside: &impl Fn(&str) -> String) -> Option<String> {
         let values: Vec<String> = self.values(text)?.into_iter().map(inside).collect();
         let mut following = 0..;
-        let set = |(words, place): (&str, Option<Option<usize>>)| {
-            let value = place.map(|place| place.or_else(|| following.next()).and_then(|at| values.get(at)));
+        let set = |(words, place): (&str, Option<Place>)| {
+            let value = place.map(|place| place.value.or_else(|| following.next()).and_then(|at| values.get(at)));
             format!("{words}{}", value.flatten().map_or("", String::as_str))
         };
         Some(places(self.words).into_iter().map(set).collect())

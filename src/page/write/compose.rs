@@ -312,6 +312,7 @@ impl<'a> Composer<'a> {
             }
             Piece::Formula(tex) => self.formula(tex),
             Piece::Code(text) => writer.code(text),
+            Piece::Choice(_) => String::new(),
             Piece::Link(text, target) => writer.link(&self.text(text), target),
         }
     }
@@ -333,8 +334,12 @@ impl<'a> Composer<'a> {
                 Mark::Words(words) => self.words(words),
                 Mark::Formula(tex) => self.formula(tex),
                 Mark::Place(place) => {
-                    let value = place.map_or_else(|| following.next(), |place| values.get(place));
-                    value.map(|text| self.text(text)).unwrap_or_default()
+                    let value = place.value.map_or_else(|| following.next(), |value| values.get(value));
+                    let chosen = value.and_then(Text::choice).and_then(|choice| place.chosen(choice));
+                    match chosen {
+                        Some(words) => self.words(words),
+                        None => value.map(|text| self.text(text)).unwrap_or_default(),
+                    }
                 }
                 Mark::Bold => match bold.take() {
                     Some(inside) => {

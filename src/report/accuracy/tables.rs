@@ -7,7 +7,6 @@ use super::{AccuracyCase, case, words};
 use crate::accuracy::{Method, Row, Study};
 use crate::engine::Engine;
 use crate::page::{Block, Fold, Table, Text, phrase};
-use crate::proof::Quantity;
 
 /// A row a method: what it finds in newtons or multiples, its errors, its cost, and whether it is on the Pareto front.
 pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
@@ -39,30 +38,20 @@ pub(super) fn errors(cases: &[AccuracyCase]) -> Vec<Block> {
         }
         let measures = |row: &Row| row.method != Method::Fractions;
         let guarantees = |row: &Row| row.bound.is_some();
-        blocks.push(Block::Paragraph(measured_caption(first.quantity).into()));
+        blocks.push(Block::Paragraph(phrase!(
+            "Measured error of the peak {force|moment|inertia torque}:",
+            first.quantity
+        )));
         blocks.push(by_ratio(cases, &studies, &measures, &methods::measured).into());
         blocks.push(Block::Folded(Fold {
-            summary: guaranteed_caption(first.quantity).into(),
+            summary: phrase!(
+                "Guaranteed bound of the error of the peak {force|moment|inertia torque}, roundings of the sums apart",
+                first.quantity
+            ),
             blocks: vec![by_ratio(cases, &studies, &guarantees, &|_, row| methods::guaranteed(row)).into()],
         }));
     }
     blocks
-}
-
-fn measured_caption(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::FORCE => "Measured error of the peak force:",
-        Quantity::MOMENT => "Measured error of the peak moment:",
-        Quantity::Axial(_) => "Measured error of the peak inertia torque:",
-    }
-}
-
-fn guaranteed_caption(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::FORCE => "Guaranteed bound of the error of the peak force, roundings of the sums apart",
-        Quantity::MOMENT => "Guaranteed bound of the error of the peak moment, roundings of the sums apart",
-        Quantity::Axial(_) => "Guaranteed bound of the error of the peak inertia torque, roundings of the sums apart",
-    }
 }
 
 /// A row a method, a column a rod ratio.

@@ -53,27 +53,18 @@ pub(super) fn vanishing(study: &Study) -> Option<Text> {
         return None;
     }
     if study.peak.high.is_zero() {
-        return Some(match study.quantity {
-            Quantity::FORCE => "The force vanishes at every order, proved: there is no peak to compare.".into(),
-            Quantity::MOMENT => "The moment vanishes at every order, proved: there is no peak to compare.".into(),
-            Quantity::Axial(_) => {
-                "The inertia torque vanishes at every order, proved: there is no peak to compare.".into()
-            }
-        });
+        return Some(phrase!(
+            "The {force|moment|inertia torque} vanishes at every order, proved: there is no peak to compare.",
+            study.quantity
+        ));
     }
-    let words = match study.quantity {
-        Quantity::FORCE => {
-            "The force vanishes at every order examined, and the others add less than {} {}: there is no peak to compare."
-        }
-        Quantity::MOMENT => {
-            "The moment vanishes at every order examined, and the others add less than {} {}: there is no peak to compare."
-        }
-        Quantity::Axial(_) => {
-            "The inertia torque vanishes at every order examined, and the others add less than {} {}: there is no peak to compare."
-        }
-    };
     let bound = study.peak.high.to_f64().unwrap_or(f64::INFINITY);
-    Some(phrase!(words, methods::power(bound), multiple(study.quantity)))
+    Some(phrase!(
+        "The {force|moment|inertia torque} vanishes at every order examined, and the others add less than {} {}: there is no peak to compare.",
+        study.quantity,
+        methods::power(bound),
+        multiple(study.quantity)
+    ))
 }
 
 /// The digits of a peak that are sure.

@@ -31,21 +31,18 @@ pub(super) fn mirror(engine: &Engine) -> Text {
 pub(super) fn opposed(engine: &Engine, star: JudgedStar<'_>) -> Text {
     let partners = opposed_partners(star.sum).unwrap_or_default();
     let pairs = pairs(engine, star.sources, partners.into_iter());
-    match (star.quantity, pairs.len()) {
-        (Quantity::MOMENT, 1) => phrase!(
-            "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel.",
-            listed(pairs)
+    let number = Text::one_or_more(pairs.len());
+    let listed = if pairs.len() == 1 { listed(pairs) } else { Text::joined(pairs, ", of ") };
+    match star.quantity {
+        Quantity::MOMENT => phrase!(
+            "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel{| pair by pair}.",
+            listed,
+            number
         ),
-        (Quantity::MOMENT, _) => phrase!(
-            "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel pair by pair.",
-            Text::joined(pairs, ", of ")
-        ),
-        (Quantity::FORCE | Quantity::Axial(_), 1) => {
-            phrase!("By opposed pairs: the vectors of {} are equally long and opposite, and cancel.", listed(pairs))
-        }
-        (Quantity::FORCE | Quantity::Axial(_), _) => phrase!(
-            "By opposed pairs: the vectors of {} are equally long and opposite, and cancel pair by pair.",
-            Text::joined(pairs, ", of ")
+        Quantity::FORCE | Quantity::Axial(_) => phrase!(
+            "By opposed pairs: the vectors of {} are equally long and opposite, and cancel{| pair by pair}.",
+            listed,
+            number
         ),
     }
 }
@@ -127,11 +124,11 @@ fn class(star: JudgedStar<'_>) -> Option<Text> {
 
 /// What is done with vectors of negative weight, where there are some.
 fn negative_turned(star: JudgedStar<'_>) -> Option<Text> {
-    ExactStar::new(star).has_turned.then(|| match star.quantity {
-        Quantity::MOMENT => "Take the vectors of negative arms turned by 180°, as they are drawn.".into(),
-        Quantity::FORCE | Quantity::Axial(_) => {
-            "Take the vectors of negative weight turned by 180°, as they are drawn.".into()
-        }
+    ExactStar::new(star).has_turned.then(|| {
+        phrase!(
+            "Take the vectors of negative {arms|weight} turned by 180°, as they are drawn.",
+            star.quantity == Quantity::MOMENT
+        )
     })
 }
 

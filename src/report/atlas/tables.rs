@@ -108,9 +108,7 @@ pub(super) fn longer_forms(all: &[EngineRow]) -> Vec<Text> {
     let mut lines = Vec::new();
     for engine in all.iter().filter(|engine| engine.origin != Origin::Found(Cycle::FourStroke)) {
         for order in engine.orders.iter().filter(|order| REMEDIED.contains(&order.order)) {
-            for (words, left) in
-                [("{}, force of order {}: {}", &order.force), ("{}, moment of order {}: {}", &order.moment)]
-            {
+            for (quantity, left) in [(Planar::Force, &order.force), (Planar::Moment, &order.moment)] {
                 let Some(largest) = &left.largest else { continue };
                 let is_long = largest.exact.as_ref().is_some_and(|form| letters(form) > LONGEST_IN_TABLE);
                 let is_shown = match largest.number() {
@@ -118,7 +116,13 @@ pub(super) fn longer_forms(all: &[EngineRow]) -> Vec<Text> {
                     Number::Zero | Number::Exact(_) | Number::Decimal(_) => false,
                 };
                 if is_long && is_shown {
-                    lines.push(phrase!(words, name(engine), order.order, largest.clone()));
+                    lines.push(phrase!(
+                        "{}, {force|moment} of order {}: {}",
+                        name(engine),
+                        quantity,
+                        order.order,
+                        largest.clone()
+                    ));
                 }
             }
         }

@@ -1,7 +1,6 @@
 //! How does the force on a bearing go through a revolution? Its components over the crank angle, and its polar diagram.
 
 use super::super::calculation::Unit;
-use super::super::convention::said;
 use super::super::plot::{Axis, Curve, Plot, PointMark, Polar};
 use super::amounts::unit_of;
 use crate::engine::Convention;
@@ -81,12 +80,7 @@ fn over_crank_angle(
     Picture { name: format!("bearing-{number}"), caption, figure: plot.figure() }
 }
 
-const PATH: [&str; 2] = [
-    "Bearing {}: path of the tip of the force through a revolution, seen from the free end, direction 0 upwards. Rings \
-     mark crank angles, the dot the largest force.",
-    "Bearing {}: path of the tip of the force through a revolution, seen from the flywheel, direction 0 upwards. Rings \
-     mark crank angles, the dot the largest force.",
-];
+const PATH: &str = "Bearing {}: path of the tip of the force through a revolution, seen from the {free end|flywheel}, direction 0 upwards. Rings mark crank angles, the dot the largest force.";
 
 fn polar(
     convention: Convention,
@@ -95,7 +89,7 @@ fn polar(
     largest: f64,
     unit: Unit,
 ) -> Picture {
-    let caption = phrase!(said(convention, PATH), bearing.name.clone());
+    let caption = phrase!(PATH, bearing.name.clone(), convention.turns_anticlockwise_from());
     let label = "Force in {}; 0° is the reference direction";
     let mut polar =
         Polar::new(format!("Main bearing {}", bearing.name), label, vec![Curve::new(style::WHOLE, "", tips.clone())])

@@ -132,14 +132,19 @@ fn lines(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
     }
     blocks.extend([heading(2, "The two vectors of each order, whose lengths add up to the largest value")]);
     blocks.push(tables::vectors(engine, loads).into());
-    let peak = |quantity: Planar, waveform: &Waveform, words: &'static str| {
+    let peak = |quantity: Planar, waveform: &Waveform| {
         let group = results::peak(engine, loads, quantity)?;
         let listed = amounts::peak(&waveform.peak(), Unit::of(engine, loads, quantity));
         let lines = group.lines.iter().map(formula);
-        Some([Block::Paragraph(phrase!(words, listed))].into_iter().chain(lines).collect::<Vec<_>>())
+        Some(
+            [Block::Paragraph(phrase!("The {force|moment} of the listed orders is {}:", quantity, listed))]
+                .into_iter()
+                .chain(lines)
+                .collect::<Vec<_>>(),
+        )
     };
-    let force = peak(Planar::Force, &loads.force, "The force of the listed orders is {}:");
-    let moment = peak(Planar::Moment, &loads.moment, "The moment of the listed orders is {}:");
+    let force = peak(Planar::Force, &loads.force);
+    let moment = peak(Planar::Moment, &loads.moment);
     blocks.extend(force.into_iter().chain(moment).flatten());
     if let Some(group) = results::torque(engine, loads) {
         blocks.push(Block::Heading(2, group.heading));

@@ -63,10 +63,6 @@ fn scale(engine: &Engine, loads: &Loads) -> Text {
     }
 }
 
-const FORCE: [&str; 2] =
-    ["The force of the listed orders is {} and points to ≈ {}° there.", "The force of the listed orders is {}."];
-const MOMENT: [&str; 2] =
-    ["The moment of the listed orders is {} and points to ≈ {}° there.", "The moment of the listed orders is {}."];
 const TORQUE: &str = "The inertia torque of the listed orders is {}.";
 
 /// A vector that is less well known than this part of its length has no direction to name.
@@ -75,9 +71,9 @@ const WELL_KNOWN: f64 = 1e-9;
 /// The peak of the orders that are listed, with its direction; none where nothing is left, or what is left is not decided.
 fn comes_to(engine: &Engine, loads: &Loads, quantity: Planar, largest: &Largest) -> Option<Text> {
     let unit = Unit::as_read(engine, loads, quantity);
-    let (waveform, [pointing, turning]) = match quantity {
-        Planar::Moment => (&loads.moment, MOMENT),
-        Planar::Force => (&loads.force, FORCE),
+    let waveform = match quantity {
+        Planar::Moment => &loads.moment,
+        Planar::Force => &loads.force,
     };
     let peak = waveform.peak();
     let doubt: f64 = loads.orders.iter().map(|order| order.swing(quantity).doubt()).sum();
@@ -86,8 +82,13 @@ fn comes_to(engine: &Engine, loads: &Loads, quantity: Planar, largest: &Largest)
     }
     let listed = amounts::peak(&peak, unit);
     Some(match peak.angle.filter(|_| peak.value > 0.0 && unit.factor != 0.0) {
-        Some(_) => phrase!(pointing, listed, digits(direction(numbers::degrees(peak.vector)))),
-        None => phrase!(turning, listed),
+        Some(_) => phrase!(
+            "The {force|moment} of the listed orders is {} and points to ≈ {}° there.",
+            quantity,
+            listed,
+            digits(direction(numbers::degrees(peak.vector)))
+        ),
+        None => phrase!("The {force|moment} of the listed orders is {}.", quantity, listed),
     })
 }
 

@@ -4,14 +4,13 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use super::super::convention::said;
 use super::super::typeset;
 use super::amounts::{Unit, is_left};
 use crate::engine::Engine;
 use crate::loads::{Circle, Loads, Outcome, Torque, Waveform};
 use crate::page::plot::{Axis, Curve, Plot, Polar, stacked};
 use crate::page::{Picture, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::{Planar, Quantity};
 
 /// Steps of a revolution in a plot.
 const STEPS: usize = 360;
@@ -38,33 +37,23 @@ const MOMENT: [Heading; 2] = [
     ["Pitching moment", "Moment of the forces along the reference direction (pitching)"],
     ["Yawing moment", "Moment of the forces across it (yawing)"],
 ];
-const FORCE_PATH: [&str; 3] = [
-    "Path of the force in a revolution",
-    "Path of the tip of the force in a revolution, seen from the free end, direction 0 upwards; rings mark crank angles.",
-    "Path of the tip of the force in a revolution, seen from the flywheel, direction 0 upwards; rings mark crank angles.",
-];
-const MOMENT_PATH: [&str; 3] = [
-    "Path of the moment in a revolution",
-    "Path of the tip of the moment, arm times force, in a revolution, seen from the free end, direction 0 upwards; rings mark crank angles.",
-    "Path of the tip of the moment, arm times force, in a revolution, seen from the flywheel, direction 0 upwards; rings mark crank angles.",
-];
+const PATH: &str = "Path of the tip of the {force|moment, arm times force,} in a revolution, seen from the {free end|flywheel}, direction 0 upwards; rings mark crank angles.";
 
 /// All plots of the numbers of an engine; none of what is zero.
 pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture> {
     let mut figures = Vec::new();
-    let path_words =
-        |[title, free_end, flywheel]: [&'static str; 3]| [title, said(engine.convention(), [free_end, flywheel])];
+    let path = |quantity: Planar| phrase!(PATH, quantity, engine.convention().turns_anticlockwise_from());
     let drawing = |name, waveform, axis, quantity| {
         let unit = Unit::as_read(engine, loads, quantity);
         Drawing { name, waveform, unit, axis }
     };
     if loads.orders.iter().any(|order| is_left(&order.force)) {
         let drawing = drawing("force", &loads.force, "Force in {}", Quantity::FORCE);
-        figures.extend(vectors(&drawing, FORCE, path_words(FORCE_PATH)));
+        figures.extend(vectors(&drawing, FORCE, ("Path of the force in a revolution", path(Planar::Force))));
     }
     if loads.orders.iter().any(|order| is_left(&order.moment)) {
         let drawing = drawing("moment", &loads.moment, "Moment in {}", Quantity::MOMENT);
-        figures.extend(vectors(&drawing, MOMENT, path_words(MOMENT_PATH)));
+        figures.extend(vectors(&drawing, MOMENT, ("Path of the moment in a revolution", path(Planar::Moment))));
     }
     let is_left = |torque: &&Torque| torque.orders.iter().any(|order| order.vector.outcome == Outcome::NotZero);
     if let Some(torque) = loads.torque.as_ref().filter(is_left) {
@@ -75,7 +64,7 @@ pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture>
 }
 
 /// Both components of a vector, and its path where it has both.
-fn vectors(drawing: &Drawing, headings: [Heading; 2], path_words: [&'static str; 2]) -> Vec<Picture> {
+fn vectors(drawing: &Drawing, headings: [Heading; 2], path_words: (&'static str, Text)) -> Vec<Picture> {
     let along = curves(drawing, headings[0], "-along", |vector| vector.re);
     let across = curves(drawing, headings[1], "-across", |vector| vector.im);
     let path = (along.is_some() && across.is_some()).then(|| path(drawing, path_words));
@@ -144,8 +133,9 @@ fn caption(subject: &'static str, first: &[Order], rest: &[Order]) -> Text {
     };
     let below = match rest {
         [] => return words,
-        [(only, _)] => phrase!("Below, to a larger scale, order {}.", *only),
-        few if few.len() <= MOST_CURVES => phrase!("Below, to a larger scale, orders {}.", numbers(few)),
+        few if few.len() <= MOST_CURVES => {
+            phrase!("Below, to a larger scale, {order|orders} {}.", Text::one_or_more(few.len()), numbers(few))
+        }
         many => {
             let (shown, others) = many.split_at(MOST_CURVES - 1);
             phrase!(
@@ -185,7 +175,7 @@ fn with_others(mut orders: Vec<Order>) -> Vec<Order> {
 }
 
 /// The path of the tip of the vector, as seen from the free end.
-fn path(drawing: &Drawing, [heading, caption]: [&'static str; 2]) -> Picture {
+fn path(drawing: &Drawing, (heading, caption): (&'static str, Text)) -> Picture {
     let waveform = drawing.waveform.scaled(drawing.unit.factor);
     let tip = |step: usize| {
         let vector = waveform.at(step as f64 * TAU / STEPS as f64);
@@ -196,5 +186,5 @@ fn path(drawing: &Drawing, [heading, caption]: [&'static str; 2]) -> Picture {
     let curve = Curve::new(0, "", tips.clone());
     let mut polar = Polar::new(heading, drawing.axis, vec![curve]).counted_in(drawing.unit.unit);
     polar.mark_quarters(&tips, STEPS);
-    Picture { name: format!("{}-path", drawing.name), caption: caption.into(), figure: polar.figure() }
+    Picture { name: format!("{}-path", drawing.name), caption, figure: polar.figure() }
 }

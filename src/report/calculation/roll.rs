@@ -9,7 +9,7 @@ use crate::page::{Block, Text, phrase};
 use crate::proof::Quantity;
 
 const OF_ONE: &str = "The roll moment is that on the frame about the middle of the engine: the inertia torque reversed, and the forces whose lines pass beside the middle, with their arms.";
-const OF_SEVERAL: &str = "The roll moment is that on the frame about the middle of the engine: the torque on each crankshaft reversed, and the forces of its pistons with the arms of their axes. Assumed: each crankshaft has its own flywheel and constant speed.";
+const OF_SEVERAL: &str = "The roll moment is that on the frame about the origin of the layout, from which the axes of its crankshafts are counted: the torque on each crankshaft reversed, and the forces of its pistons with the arms of their axes. Assumed: each crankshaft has its own flywheel and constant speed.";
 
 /// What is said of the roll moment: its largest value, and what it is, or what it lacks; nothing where the frame feels no more than the torque
 /// turned round.

@@ -21,20 +21,18 @@ pub fn claim_status(answer: &Answer) -> Text {
         Status::NotDecided => "not decided".into(),
         Status::TrueOnlyIf { conditions, met } => {
             let conditions = Text::joined(conditions.iter().map(condition), " and ");
-            match met {
-                true => phrase!("true only if {}, as it is here", conditions),
-                false => phrase!("true only if {}, which it is not here", conditions),
-            }
+            phrase!("true only if {}, {as it is|which it is not} here", conditions, *met)
         }
     }
 }
 
 fn condition(condition: &Condition) -> Text {
     match condition {
-        Condition::AboutPlane(plane) => phrase!("moments are taken about the plane z = {}", typeset::number(plane)),
-        Condition::NotAboutPlane(plane) => {
-            phrase!("moments are not taken about the plane z = {}", typeset::number(plane))
-        }
+        Condition::AboutPlane(plane) | Condition::NotAboutPlane(plane) => phrase!(
+            "moments are {|not }taken about the plane z = {}",
+            matches!(condition, Condition::AboutPlane(_)),
+            typeset::number(plane)
+        ),
         Condition::NoBankOffset => "the cylinders of a crankpin are in one plane".into(),
         Condition::FiringOrder => "the firing order is one of the even ones".into(),
     }
@@ -54,10 +52,11 @@ pub fn claim_finding_on(
         Some(Status::NotDecided) => {
             phrase!("{} This is for the pistons alone; of all masses the claim is not decided.", finding)
         }
-        Some(of_all) if of_all.holds() => {
-            phrase!("{} This is for the pistons alone; the claim is true of all masses.", finding)
-        }
-        Some(_) => phrase!("{} This is for the pistons alone; the claim is false of all masses.", finding),
+        Some(of_all) => phrase!(
+            "{} This is for the pistons alone; the claim is {true|false} of all masses.",
+            finding,
+            of_all.holds()
+        ),
     }
 }
 
@@ -106,11 +105,12 @@ pub fn needs(remedy: &Remedy) -> Text {
     match shafts.as_slice() {
         [] if weights => phrase!("Order {} needs counterweights alone.", order),
         [] => phrase!("Order {} needs nothing.", order),
-        [one] if one.sense == Sense::Direct => phrase!("Order {} needs one balancer shaft with the crank.", order),
-        [_] if weights => {
-            phrase!("Order {} needs counterweights and one balancer shaft against the crank.", order)
-        }
-        [_] => phrase!("Order {} needs one balancer shaft against the crank.", order),
+        [one] => phrase!(
+            "Order {} needs {counterweights and |}one balancer shaft {with|against} the crank.",
+            order,
+            weights && one.sense == Sense::Reverse,
+            one.sense
+        ),
         [one, _] if one.lanchester => phrase!("Order {} needs a Lanchester pair.", order),
         [..] => phrase!("Order {} needs two balancer shafts, one turning each way.", order),
     }
@@ -128,10 +128,7 @@ fn about_order(subject: Subject, order: &OrderBalance) -> Text {
     let is_force = subject.quantity == Quantity::FORCE;
     let k = subject.order;
     if !order.exists {
-        return match is_force {
-            true => phrase!("Order {} of the force does not exist. {}", k, WHY_NOT),
-            false => phrase!("Order {} of the moment does not exist. {}", k, WHY_NOT),
-        };
+        return phrase!("Order {} of the {force|moment} does not exist. {}", k, is_force, WHY_NOT);
     }
     let balance: &Balance = if is_force { &order.force } else { &order.moment };
     let verdict: Option<&Verdict> = subject.sense.map(|sense| match sense {

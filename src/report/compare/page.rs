@@ -5,9 +5,9 @@ use super::super::residual;
 use super::rows::Sized;
 use super::{Compared, notes, orders_of, rows};
 use crate::page::{Block, Document, Fold, Picture, Text, phrase};
-use crate::proof::Planar;
+use crate::proof::{Planar, Shape};
 use crate::text::Format;
-use crate::verdict::{FirstLeft, OrderBalance};
+use crate::verdict::{FirstLeft, NextLeft, OrderBalance};
 
 /// Engines that are beside each other on a terminal; more begin a new table.
 const MOST_BESIDE: usize = 3;
@@ -72,33 +72,51 @@ fn balanced(engines: &[Compared]) -> Option<Text> {
     (!names.is_empty()).then(|| phrase!("No force and no moment at orders 1 and 2: {}.", names))
 }
 
-/// The engines that leave nothing up to the highest order, where every order of all is known and they are not all alike.
+/// The engines that leave nothing up to the highest order, where every order of all is known and they are not all alike. What turns with the
+/// crank at order 1 is not counted: counterweights cancel it.
 fn furthest(engines: &[Compared]) -> Option<Text> {
-    let lowest: Vec<u32> = engines.iter().map(lowest_left).collect::<Option<_>>()?;
-    let highest = lowest.iter().copied().max()?;
-    let best: Vec<&Compared> =
-        engines.iter().zip(&lowest).filter(|(_, order)| **order == highest).map(|(engine, _)| engine).collect();
-    let names = Text::joined(best.iter().map(|engine| (&engine.name).into()), ", ");
-    match (best.len(), highest) {
-        (several, _) if several == engines.len() => None,
-        (_, u32::MAX) => Some(phrase!("Balanced at every order: {}.", names)),
-        (_, order) => Some(phrase!("Best balanced: {}, with no free force or moment below order {}.", names, order)),
+    let lowest: Vec<(u32, bool)> = engines.iter().map(lowest_left).collect::<Option<_>>()?;
+    let highest = lowest.iter().map(|(order, _)| *order).max()?;
+    let best = || engines.iter().zip(&lowest).filter(|(_, (order, _))| *order == highest);
+    let names = Text::joined(best().map(|(engine, _)| (&engine.name).into()), ", ");
+    let needs_weights = best().any(|(_, (_, needs_weights))| *needs_weights);
+    match (best().count() == engines.len(), highest) {
+        (true, _) => None,
+        (false, u32::MAX) => {
+            Some(phrase!("Balanced at every order{, with counterweights on the crank|}: {}.", needs_weights, names))
+        }
+        (false, order) => Some(phrase!(
+            "No free force or moment below order {}{, with counterweights on the crank|}: {}.",
+            order,
+            needs_weights,
+            names
+        )),
     }
 }
 
-/// The lowest order at which anything is left, the highest number where nothing is; none where it is not known.
-fn lowest_left(engine: &Compared) -> Option<u32> {
+/// The lowest order at which anything is left but what counterweights on the crank cancel, and whether it takes these; the highest number
+/// where nothing is left; none where it is not known.
+fn lowest_left(engine: &Compared) -> Option<(u32, bool)> {
     let [force, moment] = first_left(engine)?;
-    let order = |first: Option<(u32, &'static str)>| first.map_or(u32::MAX, |(order, _)| order);
-    Some(order(force).min(order(moment)))
+    let lowest = |first: &Option<(u32, Shape)>| first.map_or(u32::MAX, |(order, _)| order);
+    let needs_weights = [force, moment].into_iter().flatten().all(|first| first.0 > 1 || first == (1, Shape::Rotating))
+        && lowest(&force).min(lowest(&moment)) == 1;
+    if !needs_weights {
+        return Some((lowest(&force).min(lowest(&moment)), false));
+    }
+    match engine.theorem.as_ref().ok()?.next_left(&[1]) {
+        NextLeft::Order(order) => Some((order, true)),
+        NextLeft::None => Some((u32::MAX, true)),
+        NextLeft::NotKnown => None,
+    }
 }
 
 /// The lowest order of the force and of the moment that is left, with its shape; none of all where it is not known.
-fn first_left(engine: &Compared) -> Option<[Option<(u32, &'static str)>; 2]> {
+fn first_left(engine: &Compared) -> Option<[Option<(u32, Shape)>; 2]> {
     let theorem = engine.theorem.as_ref().ok()?;
     let first = |quantity| match theorem.first_left(&engine.engine, quantity) {
         FirstLeft::Nothing => Some(None),
-        FirstLeft::Order(order, shape) => Some(Some((order, residual::shape_name(shape)))),
+        FirstLeft::Order(order, shape) => Some(Some((order, shape))),
         FirstLeft::NotKnown => None,
     };
     Some([first(Planar::Force)?, first(Planar::Moment)?])
@@ -112,19 +130,20 @@ fn left(engine: &Compared) -> Text {
     };
     match (force, moment) {
         (None, None) => phrase!("**{}** has no residual force or moment at any order.", name),
-        (Some((order, shape)), None) => {
-            phrase!("**{}** has a residual force from order {} on, {}, and no moment at any order.", name, order, shape)
-        }
-        (None, Some((order, shape))) => {
-            phrase!("**{}** has a residual moment from order {} on, {}, and no force at any order.", name, order, shape)
-        }
+        (Some((order, shape)), None) | (None, Some((order, shape))) => phrase!(
+            "**{1}** has a residual {2:force|moment} from order {3} on, {4}, and no {2:moment|force} at any order.",
+            name,
+            force.is_some(),
+            order,
+            residual::shape_name(shape)
+        ),
         (Some((force, force_shape)), Some((moment, moment_shape))) => phrase!(
             "**{}** has a residual force from order {} on, {}, and a residual moment from order {} on, {}.",
             name,
             force,
-            force_shape,
+            residual::shape_name(force_shape),
             moment,
-            moment_shape
+            residual::shape_name(moment_shape)
         ),
     }
 }

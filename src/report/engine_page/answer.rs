@@ -221,12 +221,12 @@ fn at_most(small: &[String], next: NextLeft, bound: Text) -> Text {
         ([], NextLeft::None | NextLeft::NotKnown) => phrase!("**All other orders.** Together at most {}.", bound),
         ([only], NextLeft::None) => phrase!("**Order {}.** At most {}.", only.clone(), bound),
         (_, NextLeft::None) => phrase!("**Orders {}.** Together at most {}.", listed(), bound),
-        ([only], NextLeft::Order(_) | NextLeft::NotKnown) => {
-            phrase!("**Order {} and all others.** Together at most {}.", only.clone(), bound)
-        }
-        (_, NextLeft::Order(_) | NextLeft::NotKnown) => {
-            phrase!("**Orders {} and all others.** Together at most {}.", listed(), bound)
-        }
+        (_, NextLeft::Order(_) | NextLeft::NotKnown) => phrase!(
+            "**{Order|Orders} {} and all others.** Together at most {}.",
+            Text::one_or_more(small.len()),
+            listed(),
+            bound
+        ),
     }
 }
 

@@ -31,10 +31,10 @@ pub(super) fn table(
     let mut table =
         Table::new([phrase!("At {} rpm", speed), "Order".into(), "Size".into(), "Cure".into(), "Leaves".into()]);
     for order in &orders {
-        let mut is_cured = false;
+        let steps = cures.steps(order);
+        let mut named = 0;
         for quantity in Planar::BOTH {
-            for row in of_order(order, quantity, weighed, &cures, is_cured) {
-                is_cured = true;
+            for row in of_order(order, quantity, weighed, &cures, (&steps, &mut named)) {
                 table.push(row);
             }
         }
@@ -53,13 +53,16 @@ pub(super) fn table(
 /// Quantity, order, size, cure, and what that leaves.
 const COLUMNS: usize = 5;
 
-/// The rows of force or moment of an order: one per step of its cure.
+/// A step of a cure, and which of both vectors it leaves.
+type Step = (Text, [bool; 2]);
+
+/// The rows of force or moment of an order: one per step of its cure, up to the one that leaves nothing; `named` steps stand in rows above.
 fn of_order(
     order: &OrderVerdict,
     quantity: Planar,
     weighed: &Weighed,
     cures: &Cures,
-    is_cured: bool,
+    (steps, named): (&[Step], &mut usize),
 ) -> Vec<Vec<Text>> {
     let whole = order.whole(quantity);
     let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some());
@@ -71,49 +74,70 @@ fn of_order(
     if !is_known {
         return vec![vec![name, order.order.into(), residual::whole_text(whole), Text::default(), Text::default()]];
     }
-    let mut steps = cures.steps(order);
-    if is_cured && let Some(last) = steps.pop() {
-        steps = vec![("the same".into(), last.1)];
-    }
     let left = |kept: [bool; 2]| {
         let lengths = weighed.lengths(order.order, quantity).into_iter().zip(kept).zip(&whole.outcomes);
         let kept: Vec<f64> =
             lengths.filter(|((_, kept), of)| *kept && of.vanishes() == Some(false)).map(|((one, _), _)| one).collect();
         if kept.is_empty() { Text::zero() } else { size(kept.into_iter().sum(), unit) }
     };
+    let left: Vec<Text> = steps.iter().map(|(_, kept)| left(*kept)).collect();
+    let enough = left.iter().position(Text::is_zero).map_or(steps.len(), |last| last + 1);
+    let above = std::mem::replace(named, enough.max(*named));
     let mut first = [name, order.order.into(), size(weighed.size(order.order, quantity), unit)].to_vec();
     let accepted = || if cures.is_accepted(order) { "usually uncorrected".into() } else { Text::default() };
     if steps.is_empty() {
         return vec![[first, vec![accepted(), Text::default()]].concat()];
     }
-    let row = |(step, (cure, kept)): (usize, (Text, [bool; 2]))| {
+    let row = |(step, left): (usize, Text)| {
         let named = std::mem::replace(&mut first, vec![Text::default(); 3]);
+        let cure = match step {
+            _ if step >= above => steps[step].0.clone(),
+            0 if above == 1 => "the same".into(),
+            0 => "the first of these".into(),
+            _ => "the other".into(),
+        };
         let cure = if step == 0 { cure } else { phrase!("and {}", cure) };
-        [named, vec![cure, left(kept)]].concat()
+        [named, vec![cure, left]].concat()
     };
-    steps.into_iter().enumerate().map(row).collect()
+    left.into_iter().take(enough).enumerate().map(row).collect()
 }
 
 fn size(value: f64, unit: Unit) -> Text {
     unit.sized(value, Setting::Usual(number::decimal))
 }
 
+/// What an order of the roll moment is called, and all others.
+const ROLL: [&str; 2] = ["Roll moment", "All other roll moments"];
+
 /// The orders of the torque, and of the roll moment where it is another, that stand out; the largest in any case, since the torque was asked for. Then those
 /// that vanish.
 fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
     let rolls = weighed.loads.rolling() == Some(Axial::Torque);
     let shown = [
-        (Axial::Roll, "Roll moment", weighed.loads.roll.is_some()),
-        (Axial::Torque, if rolls { "Roll moment" } else { "Inertia torque" }, weighed.loads.torque.is_some()),
+        (Axial::Roll, ROLL, weighed.loads.roll.is_some()),
+        (
+            Axial::Torque,
+            if rolls { ROLL } else { ["Inertia torque", "All other torques"] },
+            weighed.loads.torque.is_some(),
+        ),
     ];
     let mut rows = Vec::new();
-    for (quantity, name, _) in shown.into_iter().filter(|(.., is_there)| *is_there) {
+    for (quantity, [name, others], _) in shown.into_iter().filter(|(.., is_there)| *is_there) {
         let orders = weighed.about_the_axis(quantity);
         let most = orders.iter().map(|(_, size)| *size).fold(0.0, f64::max);
         let unit = weighed.unit(Quantity::Axial(quantity)).for_values_up_to(most);
         let is_shown = |order: u32, value: f64| value >= most || weighed.is_told(order, Quantity::Axial(quantity));
-        for (order, value) in orders.into_iter().filter(|(order, value)| *value > 0.0 && is_shown(*order, *value)) {
+        let (shown, small): (Vec<(u32, f64)>, Vec<(u32, f64)>) =
+            orders.into_iter().filter(|(_, value)| *value > 0.0).partition(|(order, value)| is_shown(*order, *value));
+        for (order, value) in shown {
             rows.push(vec![name.into(), order.into(), size(value, unit), Text::default(), Text::default()]);
+        }
+        // Of the roll moment of geared cranks no bound of the orders that were not looked at is known.
+        let beyond = (quantity == Axial::Torque).then(|| MORE.to_owned());
+        let orders: Vec<String> = small.iter().map(|(order, _)| order.to_string()).chain(beyond).collect();
+        if let Some(most) = weighed.rest_in_multiples(Quantity::Axial(quantity)).1 {
+            let most = phrase!("≤ {}", unit.sized(most, Setting::Fixed(bound)));
+            rows.push(vec![others.into(), Text::label(orders.join(", ")), most, Text::default(), Text::default()]);
         }
         let zeros: Vec<String> = weighed.zeros_about_the_axis(quantity).map(|order| order.to_string()).collect();
         if !zeros.is_empty() {

@@ -15,8 +15,14 @@ use crate::proof::{Planar, Sense};
 use crate::remedy::{self, Remedy, Request, Shaft, SmallOrders, Weight};
 use crate::verdict::{Judgement, OrderVerdict};
 
-/// Orders above this are usually left as they are.
+/// Orders of a crankshaft above this are usually left as they are.
 const USUALLY_CURED: u32 = 2;
+
+/// Whether an order is usually cured: the first two of a crankshaft, of which one may turn faster than the reference.
+pub(in crate::report) fn is_usually_cured(engine: &Engine, order: u32) -> bool {
+    let speeds = engine.geared_cranks().iter().map(|crank| crank.speed);
+    [1].into_iter().chain(speeds).any(|speed| order.is_multiple_of(speed) && order / speed <= USUALLY_CURED)
+}
 
 /// Sizes that differ by less than this part are printed alike.
 const ALIKE: f64 = 1e-6;
@@ -40,8 +46,8 @@ impl<'a> Cures<'a> {
         weighed: Option<&'a Weighed>,
     ) -> Self {
         let worth_it: Vec<&OrderVerdict> = orders.iter().copied().filter(|order| is_worth_it(order, weighed)).collect();
-        let is_cured =
-            |order: &&OrderVerdict| order.order <= USUALLY_CURED || weighed.is_some_and(Weighed::asks_for_all);
+        let asks_for_all = weighed.is_some_and(Weighed::asks_for_all);
+        let is_cured = |order: &&OrderVerdict| asks_for_all || is_usually_cured(engine, order.order);
         let (cured, accepted): (Vec<&OrderVerdict>, Vec<&OrderVerdict>) = worth_it.into_iter().partition(is_cured);
         let request = Request { orders: cured.iter().map(|order| order.order).collect(), ..Request::default() };
         let is_sized = is_as_built(engine, judged) || judged.masses == crate::order::Masses::Reciprocating;
@@ -101,9 +107,9 @@ pub fn worth_curing(engine: &Engine, orders: Vec<u32>, weighing: &Weighing) -> (
         sizes.iter().any(|(size, _)| *size > 0.0) && !sizes.iter().any(|(size, of)| weighed.is_worth_it(*size, *of))
     };
     let weighed = weighed.filter(|_| !weighing.tells_all(engine));
-    let (small, worth): (Vec<u32>, Vec<u32>) = orders
-        .into_iter()
-        .partition(|&order| order > USUALLY_CURED && weighed.as_ref().is_some_and(|weighed| is_small(weighed, order)));
+    let (small, worth): (Vec<u32>, Vec<u32>) = orders.into_iter().partition(|&order| {
+        !is_usually_cured(engine, order) && weighed.as_ref().is_some_and(|weighed| is_small(weighed, order))
+    });
     (worth, SmallOrders { below: weighing.above(engine), orders: small })
 }
 
@@ -190,13 +196,17 @@ impl Cure<'_> {
             }
             [(Means::Shaft(sense), kept)] => phrase!("Order {}: {} leaves {}.", order, self.shaft(sense), leaves(kept)),
             [(Means::Shaft(sense), kept), ..] => {
-                let (words, other) = match sense {
-                    Sense::Direct => (WITH, Sense::Reverse),
-                    Sense::Reverse => (AGAINST, Sense::Direct),
-                };
-                let left = percent(self.decimal_left(kept));
+                let other = if sense == Sense::Direct { Sense::Reverse } else { Sense::Direct };
                 let [first, second] = [sense, other].map(|sense| self.size(sense).unwrap_or_default());
-                phrase!(words, order, times(order), first, left, second)
+                phrase!(
+                    "Order {}: a shaft at {} crank speed {with|against} the crank ({}) leaves {} %; with one the other way ({}), nothing.",
+                    order,
+                    times(order),
+                    sense,
+                    first,
+                    percent(self.decimal_left(kept)),
+                    second
+                )
             }
             [(Means::Pair, _), ..] => phrase!("Order {}: {}, leave nothing.", order, self.named(Means::Pair)),
             [(Means::Counterweights, _), ..] | [] => return None,
@@ -266,8 +276,7 @@ impl Cure<'_> {
         let shaft = match (crank, self.order.order, sense) {
             (Some(crank), ..) => phrase!("counterweights added on crankshaft {}", crank.name.clone()),
             (None, 1, _) => "a shaft against the crank".into(),
-            (None, order, Sense::Direct) => phrase!("a shaft at {} crank speed with the crank", times(order)),
-            (None, order, Sense::Reverse) => phrase!("a shaft at {} crank speed against the crank", times(order)),
+            (None, order, sense) => phrase!("a shaft at {} crank speed {with|against} the crank", times(order), sense),
         };
         match self.size(sense) {
             Some(size) => phrase!("{} ({})", shaft, size),
@@ -280,12 +289,20 @@ impl Cure<'_> {
         let remedy = self.remedy?;
         let is_meant = |shaft: &&Shaft| (shaft.order, shaft.sense) == (self.order.order, sense);
         let shaft = remedy.crankshaft.iter().chain(&remedy.shafts).find(is_meant)?;
+        let sizes = self.sizes(remedy, shaft)?;
+        // What is there already takes the place of nothing that is added.
+        let is_resized = shaft.weights.iter().any(|weight| remedy.resizes(weight));
+        Some(if is_resized { phrase!("resized to {}", sizes) } else { sizes })
+    }
+
+    /// The mass-radius of each weight of a shaft, as it is built.
+    fn sizes(&self, remedy: &Remedy, shaft: &Shaft) -> Option<Text> {
         let weights: Vec<Weight> = shaft.weights.iter().filter_map(|weight| remedy.as_built(weight)).collect();
         let sizes: Vec<f64> = weights.iter().filter_map(|weight| decimal(remedy, weight)).collect();
         let alike = |first: f64| sizes.iter().all(|other| (other - first).abs() <= ALIKE * first);
         match sizes.as_slice() {
             _ if sizes.len() != weights.len() => None,
-            [] => None,
+            [] => (!shaft.weights.is_empty()).then(|| "nothing".into()),
             [only] => Some(mass_radius(remedy, *only)),
             [first, _] if alike(*first) => {
                 Some(self.with_distance(phrase!("2\u{a0}×\u{a0}{}", mass_radius(remedy, *first)), remedy, &weights))
@@ -321,11 +338,6 @@ impl Cure<'_> {
         }
     }
 }
-
-const WITH: &str =
-    "Order {}: a shaft at {} crank speed with the crank ({}) leaves {} %; with one the other way ({}), nothing.";
-const AGAINST: &str =
-    "Order {}: a shaft at {} crank speed against the crank ({}) leaves {} %; with one the other way ({}), nothing.";
 
 /// In kilogram-metres, else in multiples of m r.
 fn decimal(remedy: &Remedy, weight: &Weight) -> Option<f64> {

@@ -7,7 +7,7 @@ use super::super::typeset;
 use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};
 use super::geared;
 use super::orders::StarOf;
-use crate::engine::{Cycle, Engine, Firing};
+use crate::engine::{Engine, Firing};
 use crate::page::{Block, Picture, Text, phrase};
 
 /// The engine from its free end, beside the first star that is left, or else the first of all.
@@ -33,10 +33,7 @@ pub(super) fn section(engine: &Engine) -> Vec<Block> {
 
 fn fires(engine: &Engine, firing: &Firing) -> Text {
     let names: Vec<&str> = firing.shots.iter().map(|shot| engine.cylinders()[shot.cylinder].name.as_str()).collect();
-    let order = match firing.cycle {
-        Cycle::FourStroke => phrase!("Firing order {} (four-stroke).", names.join("–")),
-        Cycle::TwoStroke => phrase!("Firing order {} (two-stroke).", names.join("–")),
-    };
+    let order = phrase!("Firing order {} ({two-stroke|four-stroke}).", names.join("–"), firing.cycle);
     order.and(" ").and(intervals(firing))
 }
 

@@ -73,14 +73,13 @@ pub(super) fn flywheels(engine: &Engine, judged: &Judgement) -> Option<&'static 
 
 const FLYWHEELS: &str = "The roll moment assumes that each crankshaft has its own flywheel and constant speed, so that the gears transmit no alternating torque.";
 
-const TORQUE_AND_ROLL: &str = "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is the moment on the frame about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank reversed. Assumed: each crankshaft has its own flywheel and constant speed, so that the gears transmit no alternating torque; with one flywheel at the reference crankshaft the frame takes the reversed torque instead of the sum of those on the cranks.";
-const AT_SEVERAL_SPEEDS: &str = "The torque is that of all crankshafts together at the reference one, where that on a faster one counts as often as it turns. The roll moment is the moment on the frame about the middle of the engine: each piston's force times the arm of its axis, and the torque on its crank reversed. Assumed: each crankshaft has its own flywheel and constant speed, so that the gears transmit no alternating torque.";
+const TORQUE_AND_ROLL: &str = "The torque is that of all crankshafts together at the reference one, to which they are geared one to one. The roll moment is the moment on the frame about the origin of the layout, from which the axes of its crankshafts are counted: each piston's force times the arm of its axis, and the torque on its crank reversed. Assumed: each crankshaft has its own flywheel and constant speed, so that the gears transmit no alternating torque; with one flywheel at the reference crankshaft the frame takes the reversed torque instead of the sum of those on the cranks.";
+const AT_SEVERAL_SPEEDS: &str = "The torque is that of all crankshafts together at the reference one, where that on a faster one counts as often as it turns. The roll moment is the moment on the frame about the origin of the layout, from which the axes of its crankshafts are counted: each piston's force times the arm of its axis, and the torque on its crank reversed. Assumed: each crankshaft has its own flywheel and constant speed, so that the gears transmit no alternating torque.";
 
 fn turns(crank: &GearedCrank) -> Text {
     match (crank.sense, crank.speed) {
         (Sense::Direct, 1) => "with the reference".into(),
         (Sense::Reverse, 1) => "against the reference".into(),
-        (Sense::Direct, speed) => phrase!("{} times as fast, with the reference", speed),
-        (Sense::Reverse, speed) => phrase!("{} times as fast, against the reference", speed),
+        (sense, speed) => phrase!("{} times as fast, {with|against} the reference", speed, sense),
     }
 }

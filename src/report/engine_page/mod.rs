@@ -15,6 +15,7 @@ mod weighing;
 
 pub use answer::{engine_answer, engine_answer_weighed};
 pub(super) use conventions::{ASSUMED, FIRES, centres, reference_plane};
+pub(super) use cures::is_usually_cured;
 pub use cures::worth_curing;
 pub(super) use orders::symbol;
 pub use weighing::Weighing;

@@ -13,7 +13,7 @@ const ROLL: &str = "R_k = \\sum_j \\left( c_k\\, m_j r_j\\, a_j - s_j\\, t_k\\, 
 const TORQUE: &str = "Q_k = \\sum_j m_j\\, r_j^2\\, e^{ik(\\beta_j - \\alpha_j)}";
 
 const TORQUE_SPEEDS: &str = "with k/ν for k and the factor ν³ for the terms of a crankshaft that turns ν times while the reference turns once: ν² for the forces, ν for the gear.";
-const ROLL_ARMS: &str = "$s_j$ is 1 for a crank that turns with the reference and −1 for one against it. The axis of the crankshaft of cylinder j stands at $\\sum d\\, e^{i\\eta}$ from the middle of the engine; the axis of the cylinder misses it by $e_j$, positive on the side to which its crankpin goes after dead centre.";
+const ROLL_ARMS: &str = "$s_j$ is 1 for a crank that turns with the reference and −1 for one against it. The axis of the crankshaft of cylinder j stands at $\\sum d\\, e^{i\\eta}$ from the origin of the layout; the axis of the cylinder misses it by $e_j$, positive on the side to which its crankpin goes after dead centre.";
 const ROLL_SPEEDS: &str =
     "A crankshaft that turns ν times while the reference turns once has k/ν for k and the factor ν² for its terms.";
 
@@ -99,7 +99,7 @@ pub(super) fn roll_section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     let mut blocks = vec![
         Block::Heading(1, "Roll moment".into()),
         Block::Paragraph(
-            "The roll moment of order k about the middle of the engine, in multiples of m r² ω², with arms in crank radii:"
+            "The roll moment of order k about the origin of the layout, in multiples of m r² ω², with arms in crank radii:"
                 .into(),
         ),
         Block::Formula(ROLL.to_owned(), None),

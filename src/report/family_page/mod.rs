@@ -14,8 +14,8 @@ mod unknowns;
 mod words;
 
 pub use document::open_document;
-pub(super) use picture::axis_name;
 pub use picture::{amplitudes, amplitudes_caption};
+pub(super) use picture::{axis_name, which_angle};
 pub(super) use words::{argument, condition_of, summary};
 
 use super::convention::{differs, seen};
@@ -24,7 +24,7 @@ use super::moving;
 use crate::engine::{DELTA, Family, PHI};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
 use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
-use crate::proof::{Planar, Sense};
+use crate::proof::Planar;
 
 pub(super) use unknowns::{greek, unknowns};
 
@@ -122,7 +122,7 @@ fn amplitude_picture(family: &Family, orders: &[OpenOrder]) -> Option<Block> {
 fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     let sizes = sizes::Sizes::new(family, orders.iter().map(|order| order.order).max()?)?;
     let mut told = Vec::new();
-    for (quantity, words) in [(Planar::Force, "force {} (order {})"), (Planar::Moment, "moment {} (order {})")] {
+    for quantity in Planar::BOTH {
         let Some(unit) = picture::unit(family, Some(&sizes), quantity) else {
             let of = orders.iter().filter(|order| !sizes::verdicts(order, quantity).iter().all(OpenVerdict::always));
             let of: Vec<String> = of.map(|order| order.order.to_string()).collect();
@@ -130,15 +130,19 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
             told.extend((!of.is_empty()).then(|| phrase!(words, super::residual::orders_in_words(&of))));
             continue;
         };
-        let size = |(order, size): (u32, f64)| phrase!(words, format!("{} {unit}", number::sensible(size)), order);
+        let size = |(order, size): (u32, f64)| {
+            phrase!("{force|moment} {} (order {})", quantity, format!("{} {unit}", number::sensible(size)), order)
+        };
         let (large, small) = sizes.told(quantity, orders);
         told.extend(large.into_iter().map(size));
-        let words = match quantity {
-            Planar::Force => "force below 1 % of the largest or of one piston's at {}",
-            Planar::Moment => "moment below 1 % of the largest at {}",
-        };
         let small: Vec<String> = small.iter().map(u32::to_string).collect();
-        told.extend((!small.is_empty()).then(|| phrase!(words, super::residual::orders_in_words(&small))));
+        told.extend((!small.is_empty()).then(|| {
+            phrase!(
+                "{1:force|moment} below 1 % of the largest{1: or of one piston's|} at {2}",
+                quantity,
+                super::residual::orders_in_words(&small)
+            )
+        }));
     }
     let has_angle = [PHI, DELTA].iter().any(|angle| family.unknowns().contains(angle));
     let words = match has_angle {
@@ -178,13 +182,13 @@ pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
     let sentence = |verdict: &OpenVerdict| {
         let listed = verdict.bank_angles().filter(|angles| !angles.is_empty() && !verdict.always());
         if let Some(angles) = listed {
-            let words = match (verdict.quantity, verdict.sense) {
-                (Planar::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly at φ = {}.",
-                (Planar::Moment, Sense::Reverse) => "The reverse moment of order {} vanishes exactly at φ = {}.",
-                (_, Sense::Direct) => "The direct force of order {} vanishes exactly at φ = {}.",
-                (_, Sense::Reverse) => "The reverse force of order {} vanishes exactly at φ = {}.",
-            };
-            return Some(phrase!(words, verdict.order, words::list(&angles)));
+            return Some(phrase!(
+                "The {direct|reverse} {force|moment} of order {} vanishes exactly at φ = {}.",
+                verdict.sense,
+                verdict.quantity,
+                verdict.order,
+                words::list(&angles)
+            ));
         }
         let [OpenSum { when, .. }] = verdict.sums.as_slice() else { return None };
         let zeros = match when {
@@ -194,13 +198,13 @@ pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
             When::Triangle(_) | When::Classes(_) | When::Quadratic(_) => return None,
             When::Product(_) | When::Boxes(_) | When::NotSolved(_) => return None,
         };
-        let words = match (verdict.quantity, verdict.sense) {
-            (Planar::Moment, Sense::Direct) => "The direct moment of order {} vanishes exactly where {}.",
-            (Planar::Moment, Sense::Reverse) => "The reverse moment of order {} vanishes exactly where {}.",
-            (_, Sense::Direct) => "The direct force of order {} vanishes exactly where {}.",
-            (_, Sense::Reverse) => "The reverse force of order {} vanishes exactly where {}.",
-        };
-        Some(phrase!(words, verdict.order, zeros))
+        Some(phrase!(
+            "The {direct|reverse} {force|moment} of order {} vanishes exactly where {}.",
+            verdict.sense,
+            verdict.quantity,
+            verdict.order,
+            zeros
+        ))
     };
     verdicts.filter_map(sentence).collect()
 }
@@ -208,15 +212,15 @@ pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
 /// Each vector of an order with its argument, and the certificates.
 fn proofs(order: &OpenOrder) -> Vec<Block> {
     let argued = order.force.iter().chain(&order.moment).map(|verdict| {
-        let words = match (verdict.quantity, verdict.sense) {
-            (Planar::Moment, Sense::Direct) => "**Moment, direct:** {}. {}",
-            (Planar::Moment, Sense::Reverse) => "**Moment, reverse:** {}. {}",
-            (_, Sense::Direct) => "**Force, direct:** {}. {}",
-            (_, Sense::Reverse) => "**Force, reverse:** {}. {}",
-        };
         let none = verdict.sums.is_empty().then(|| "Every weight is zero.".into());
         let sums = verdict.sums.iter().map(words::argument).chain(none).chain(words::left_sentence(verdict));
-        phrase!(words, words::summary(verdict), Text::joined(sums, " "))
+        phrase!(
+            "**{Force|Moment}, {direct|reverse}:** {}. {}",
+            verdict.quantity,
+            verdict.sense,
+            words::summary(verdict),
+            Text::joined(sums, " ")
+        )
     });
     vec![Block::List(argued.collect())]
 }

@@ -14,7 +14,7 @@ use crate::family::{OpenOrder, OpenVerdict, Solutions, Zeros, phase};
 use crate::numbers::float;
 use crate::page::figure::Figure;
 use crate::page::plot::{Axis, Curve, Plot, PointMark, stacked};
-use crate::page::{Text, phrase};
+use crate::page::{Piece, Text, phrase};
 use crate::proof::{Planar, Sense};
 
 /// Steps of a turn of the open angle.
@@ -59,6 +59,16 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
     (!plots.is_empty()).then(|| stacked(plots))
 }
 
+/// For a place such as `{bank angle φ|angle φ|pin split δ}`.
+pub(in crate::report) fn which_angle(family: &Family, unknown: &str) -> Text {
+    let choice = match (unknown == PHI, family.has_open_banks()) {
+        (true, true) => 0,
+        (true, false) => 1,
+        (false, _) => 2,
+    };
+    Piece::Choice(choice).into()
+}
+
 /// What the axis of an open angle is called: φ is the bank angle where it turns banks.
 pub(in crate::report) fn axis_name(family: &Family, unknown: &str) -> &'static str {
     match (unknown == PHI, family.has_open_banks()) {
@@ -71,13 +81,9 @@ pub(in crate::report) fn axis_name(family: &Family, unknown: &str) -> &'static s
 /// What the drawing of [`amplitudes`] shows.
 pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     let unknown = open_angle(family)?;
-    let over = match (unknown == PHI, family.has_open_banks()) {
-        (true, true) => "Largest value of each order through a revolution over the bank angle φ.",
-        (true, false) => "Largest value of each order through a revolution over the angle φ.",
-        (false, _) => "Largest value of each order through a revolution over the pin split δ.",
-    };
     let drawn = shown(family, orders);
-    let mut words = vec![over.into()];
+    let over = "Largest value of each order through a revolution over the {bank angle φ|angle φ|pin split δ}.";
+    let mut words = vec![phrase!(over, which_angle(family, unknown))];
     let sizes = sizes(family, orders);
     words.extend(sizes.as_ref().map(|sizes| phrase!("Sizes: {}.", sizes.circumstances())));
     words.push(phrase!(MARKS, MOST_DOTS));
@@ -89,24 +95,27 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
     if drawn.iter().flat_map(|(_, curves)| curves).any(rounded) {
         words.push(IRRATIONAL.into());
     }
-    for (quantity, said) in [(Planar::Force, OF_FORCE), (Planar::Moment, OF_MOMENT)] {
+    for quantity in Planar::BOTH {
         let of = of_quantity(orders, quantity);
         let is_always = |(_, verdicts): &&OfOrder| verdicts.iter().all(OpenVerdict::always);
         let (always, left): (Vec<&OfOrder>, Vec<&OfOrder>) = of.iter().partition(is_always);
         let open = |verdict: &OpenVerdict| !is_solved(verdict, unknown);
         let unsolved: Vec<&OfOrder> = of.iter().filter(|(_, verdicts)| verdicts.iter().any(open)).collect();
         let curves = drawn.iter().find(|(other, _)| *other == quantity).map_or(0, |(_, curves)| curves.len());
-        words.extend((!always.is_empty()).then(|| phrase!(said.always, numbers(&always))));
-        words.extend((!unsolved.is_empty()).then(|| phrase!(said.unsolved, numbers(&unsolved))));
+        words.extend((!always.is_empty()).then(|| {
+            phrase!("Not drawn, since zero for all angles: {force|moment} at {}.", quantity, numbers(&always))
+        }));
+        words.extend((!unsolved.is_empty()).then(|| {
+            phrase!("Not solved, so that zeros may be unmarked: {force|moment} at {}.", quantity, numbers(&unsolved))
+        }));
         let sized = sizes.as_ref().filter(|_| unit(family, sizes.as_ref(), quantity).is_some());
         let small = sized.map_or_else(Vec::new, |sizes| sizes.told(quantity, orders).1);
-        let small_words = if quantity == Planar::Force { SMALL_FORCE } else { SMALL_MOMENT };
-        words.extend((!small.is_empty()).then(|| phrase!(small_words, typeset::listed(&small))));
+        words.extend((!small.is_empty()).then(|| phrase!(SMALL, quantity, typeset::listed(&small))));
         if unit(family, sizes.as_ref(), quantity).is_none() {
             // A force has no arms.
             words.push("The moment is not drawn: its arms contain several open lengths.".into());
         } else if curves + small.len() < left.len() {
-            words.push(phrase!(said.not_drawn, numbers(&left[curves..])));
+            words.push(phrase!("Not drawn: {force|moment} at {}.", quantity, numbers(&left[curves..])));
         }
     }
     (!drawn.is_empty()).then(|| Text::joined(words, " "))
@@ -115,28 +124,9 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
 const MARKS: &str = "Rings are its exact zeros in (0°, 360°); at a dot just one of the direct and the reverse vector is exactly zero, and the \
                      other turns at constant length (marked for orders with no more than {} of them).";
 
-const SMALL_FORCE: &str = "Not drawn, below 1 % of the largest or of one piston's force: force at {}.";
-const SMALL_MOMENT: &str = "Not drawn, below 1 % of the largest: moment at {}.";
+const SMALL: &str = "Not drawn, below 1 % of the largest{1: or of one piston's force|}: {1:force|moment} at {2}.";
 
 const IRRATIONAL: &str = "Marks that the legend calls irrational are at angles that are not rational turns, proved to be zeros and drawn rounded.";
-
-/// What is said of orders that have no curve, or may have zeros without a ring.
-struct Labels {
-    always: &'static str,
-    unsolved: &'static str,
-    not_drawn: &'static str,
-}
-
-const OF_FORCE: Labels = Labels {
-    always: "Not drawn, since zero for all angles: force at {}.",
-    unsolved: "Not solved, so that zeros may be unmarked: force at {}.",
-    not_drawn: "Not drawn: force at {}.",
-};
-const OF_MOMENT: Labels = Labels {
-    always: "Not drawn, since zero for all angles: moment at {}.",
-    unsolved: "Not solved, so that zeros may be unmarked: moment at {}.",
-    not_drawn: "Not drawn: moment at {}.",
-};
 
 fn numbers(orders: &[&OfOrder]) -> String {
     typeset::listed(orders.iter().map(|(order, _)| order))

@@ -199,11 +199,11 @@ pub(super) fn why(when: &When) -> Text {
             let Some(conditions) = conditions(angles, exactly) else {
                 return "The remaining parts are equally long (proved), but no angles in (0°, 360°) make them cancel.".into();
             };
-            let words = match angles.alternatives.len() {
-                1 => "The remaining parts are equally long (proved), so they cancel exactly where they are opposite: {} (modulo 360°).",
-                _ => "The remaining parts are equally long (proved), so they cancel exactly where they are 120° apart: {} (modulo 360°).",
-            };
-            phrase!(words, conditions)
+            phrase!(
+                "The remaining parts are equally long (proved), so they cancel exactly where they are {opposite|120° apart}: {} (modulo 360°).",
+                angles.alternatives.len() == 1,
+                conditions
+            )
         }
         When::Irrational { .. } => {
             "The two parts are equally long (proved) and cancel where they are opposite; no rational turn was found for that.".into()

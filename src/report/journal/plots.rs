@@ -5,7 +5,6 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 
 use super::super::bearings::{farthest, style};
-use super::super::convention::said;
 use super::super::torque::names;
 use crate::engine::{Convention, Engine};
 use crate::journal::{CycleBearing, CycleBearings, CycleLoads, ForceHistory, SharedPin};
@@ -84,10 +83,7 @@ fn over_crank_angle(
     }
 }
 
-const PATH: [&str; 2] = [
-    "Bearing {}: path of the tip of the force through the cycle, seen from the free end, direction 0 upwards: with gas (solid) and of the masses alone (dash-dotted). The dot is the largest force.",
-    "Bearing {}: path of the tip of the force through the cycle, seen from the flywheel, direction 0 upwards: with gas (solid) and of the masses alone (dash-dotted). The dot is the largest force.",
-];
+const PATH: &str = "Bearing {}: path of the tip of the force through the cycle, seen from the {free end|flywheel}, direction 0 upwards: with gas (solid) and of the masses alone (dash-dotted). The dot is the largest force.";
 
 fn polar(
     convention: Convention,
@@ -103,7 +99,7 @@ fn polar(
     polar.marks.push(PointMark::dot(tip(bearing.peak.vector), format!("largest, θ ≈ {:.0}°", bearing.peak.angle)));
     Picture {
         name: format!("bearing-{number}-cycle-polar"),
-        caption: phrase!(said(convention, PATH), bearing.name.clone()),
+        caption: phrase!(PATH, bearing.name.clone(), convention.turns_anticlockwise_from()),
         figure: polar.figure(),
     }
 }

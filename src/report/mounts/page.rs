@@ -1,6 +1,6 @@
 //! What stands on the page of an engine on its mounts, and on the terminal?
 
-use super::{MountsStudy, plots, tables, words};
+use super::{MountsStudy, Place, plots, tables, words};
 use crate::page::{Block, Document, Text, phrase};
 
 /// The short answer: what shakes, then orders, motions and modes.
@@ -47,8 +47,8 @@ pub(super) fn page(study: &MountsStudy) -> Document {
     page.push(tables::forces(study));
     section(&mut page, "Over the speed");
     page.push(Block::Paragraph(phrase!(
-        "The largest velocity of the {} and the largest mount force along one axis in the range, and where they are:",
-        words::place(study.watched())
+        "The largest velocity of {the point of the file|the centre of gravity} and the largest mount force along one axis in the range, and where they are:",
+        study.watched() == Place::Point
     )));
     page.push(tables::range(study));
     section(&mut page, "The torque-roll axis");

@@ -91,13 +91,9 @@ fn speeds(study: &MountsStudy) -> Option<Picture> {
         let points = of_order(study, order).map(|at| (at.rpm, at.velocity.map_or(f64::NAN, |velocity| velocity * 1e3)));
         plot.curves.push(Curve::new(number, format!("order {}", name(order, study)), points.collect()));
     }
-    let caption = match study.watched() {
-        Place::Centre | Place::Mount(_) => phrase!(
-            "Velocity of the centre of gravity over the speed in the orders that move it most, zero to peak along one axis."
-        ),
-        Place::Point => phrase!(
-            "Velocity of the point of the file over the speed in the orders that move it most, zero to peak along one axis."
-        ),
-    };
+    let caption = phrase!(
+        "Velocity of {the point of the file|the centre of gravity} over the speed in the orders that move it most, zero to peak along one axis.",
+        study.watched() == Place::Point
+    );
     Some(Picture { name: "velocity".to_owned(), caption, figure: plot.figure() })
 }

@@ -158,11 +158,11 @@ pub(super) fn mirrors(study: &MountsStudy) -> Vec<Text> {
     if z {
         told.push("Body and mounts are symmetric about the plane across the crankshaft through the centre of gravity, exactly: force and roll moment move x, y and the rotation about z alone, the moment z and the rotations about x and y.".into());
     }
-    if y {
-        told.push("Body and mounts are symmetric about the plane of x and z through the centre of gravity, exactly: motions in that plane, x, z and the rotation about y, are not coupled with y and the rotations about x and z.".into());
-    }
-    if x {
-        told.push("Body and mounts are symmetric about the plane of y and z through the centre of gravity, exactly: motions in that plane, y, z and the rotation about x, are not coupled with x and the rotations about y and z.".into());
+    for (_, is_across) in [(y, true), (x, false)].into_iter().filter(|(is_mirror, _)| *is_mirror) {
+        told.push(phrase!(
+            "Body and mounts are symmetric about the plane of {1:x|y} and z through the centre of gravity, exactly: motions in that plane, {1:x|y}, z and the rotation about {1:y|x}, are not coupled with {1:y|x} and the rotations about {1:x|y} and z.",
+            is_across
+        ));
     }
     told
 }

@@ -1,6 +1,6 @@
 //! What is on the page of a remedy, on the terminal, and in a report?
 
-use super::super::convention::{differs, said};
+use super::super::convention::differs;
 use super::{alone, ranked, weights, words};
 use crate::page::{Block, Document, Text, phrase};
 use crate::remedy::Remedy;
@@ -9,10 +9,7 @@ const METHOD: [&str; 2] = [
     "A mass at a radius, $U = m_U r_U$, that turns at $n$ times the crank speed and is at the angle $\\gamma$ at θ = 0 adds $2 n^2 U e^{i\\gamma}$ to the direct vector of order $n$ where it turns with the crank, and to the reverse one where it turns against it.",
     "Each weight is an exact sum of the same kind as those of the engine. The sums of the corrected engine, with the weights among their terms, are formed again and decided: that they vanish is proved, not computed.",
 ];
-const UNITS: [&str; 2] = [
-    "m and r are the reciprocating mass per cylinder and the crank radius of the layout, and $c_k$ is the coefficient of order k of the piston motion. Angles grow in the sense in which the crank turns, seen from the free end.",
-    "m and r are the reciprocating mass per cylinder and the crank radius of the layout, and $c_k$ is the coefficient of order k of the piston motion. Angles grow in the sense in which the crank turns, anticlockwise seen from the flywheel.",
-];
+const UNITS: &str = "m and r are the reciprocating mass per cylinder and the crank radius of the layout, and $c_k$ is the coefficient of order k of the piston motion. Angles grow in the sense in which the crank turns, {seen from the free end|anticlockwise seen from the flywheel}.";
 
 /// The short answer: the weights, what they cancel, and what is good to know besides.
 pub fn remedy_answer(remedy: &Remedy) -> Document {
@@ -27,7 +24,12 @@ pub fn remedy_answer(remedy: &Remedy) -> Document {
 /// How the weights are found, and what angles and letters mean.
 fn method(remedy: &Remedy) -> Vec<Text> {
     let convention = remedy.subject.engine().convention();
-    METHOD.map(Text::from).into_iter().chain([said(convention, UNITS).into()]).chain(differs(convention)).collect()
+    METHOD
+        .map(Text::from)
+        .into_iter()
+        .chain([phrase!(UNITS, convention.turns_anticlockwise_from())])
+        .chain(differs(convention))
+        .collect()
 }
 
 /// The page.

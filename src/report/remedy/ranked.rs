@@ -2,13 +2,14 @@
 
 use num_traits::ToPrimitive;
 
+use crate::engine::Engine;
 use crate::loads::{Scale, scale};
 use crate::numbers;
 use crate::page::{Block, Piece, Table, Text, Unit, number, phrase};
 use crate::proof::Sense;
 use crate::remedy::{Cure, Kind, PairRoll, Remedy, Shaft, cures};
 
-const RANKED: &str = "Each cure by itself, those first that remove most of the peak for each balancer shaft, then for each weight. One shaft at best removes the longer of the two vectors of an order; the residual has the length of the \
+const RANKED: &str = "Each cure by itself, beside the weights of the layout, forces before couples; first those that remove most of the peak for each balancer shaft, then for each weight. One shaft at best removes the longer of the two vectors of an order; the residual has the length of the \
     other and turns the other way: of a force that swings along a line one shaft removes half, never more.";
 
 /// The cures of the orders asked for, and where a pair belongs; nothing where no order needs one.
@@ -27,18 +28,19 @@ pub(super) fn blocks(remedy: &Remedy, level: u8) -> Vec<Block> {
     blocks
 }
 
-fn name(cure: &Cure) -> Text {
+fn name(engine: &Engine, cure: &Cure) -> Text {
     let is_force = cure.kind == Kind::Force;
-    match (cure.senses.as_slice(), cure.order == 1, is_force) {
-        ([Sense::Direct], true, true) => "counterweight",
-        ([Sense::Direct], true, false) => "two counterweights",
-        ([Sense::Direct], false, _) => "one shaft with the crank",
-        ([Sense::Reverse], ..) => "one shaft against the crank",
-        (_, true, true) => "counterweight, one shaft against the crank",
-        (_, true, false) => "two counterweights, one shaft against the crank",
-        _ => "two shafts, one each way",
+    let one = |sense: &Sense| match engine.crank_turning(cure.order, *sense) {
+        Some(crank) => {
+            phrase!("{counterweight|two counterweights} on crankshaft {}", is_force, crank.name.clone())
+        }
+        None if engine.has_crank_turning(cure.order, *sense) => phrase!("{counterweight|two counterweights}", is_force),
+        None => phrase!("one shaft {with|against} the crank", *sense),
+    };
+    match (cure.senses.as_slice(), cure.shafts) {
+        ([_, _], 2) => "two shafts, one each way".into(),
+        (senses, _) => Text::joined(senses.iter().map(one), ", "),
     }
-    .into()
 }
 
 fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
@@ -72,7 +74,7 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
     let table = Table::of(all)
         .column("Order", |cure| cure.order)
         .column("Cancels", |cure| if cure.kind == Kind::Force { "force" } else { "couple" })
-        .column("Cure", name)
+        .column("Cure", |cure| name(engine, cure))
         .column("Shafts", |cure| cure.shafts)
         .column("Mass × radius", weight)
         .column("Removes", |cure| -> Text {

@@ -4,12 +4,22 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::super::calculation::percent_at_most;
+use super::super::engine_page::is_usually_cured;
 use super::super::typeset;
 use super::{ranked, weights};
 use crate::numbers::float;
 use crate::page::{Number, Piece, Text, Unit, phrase};
-use crate::proof::Sense;
 use crate::remedy::{Kind, PairHeight, Remedy, Shaft, Weight};
+
+/// For a place such as `{force|couple|force and moment}`.
+fn choice(kind: Kind) -> Text {
+    let at = match kind {
+        Kind::Force => 0,
+        Kind::Couple => 1,
+        Kind::ForceAndMoment => 2,
+    };
+    Piece::Choice(at).into()
+}
 
 /// The orders of a remedy.
 fn orders(remedy: &Remedy) -> String {
@@ -79,21 +89,18 @@ fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
             others += 1;
             continue;
         };
-        let words = match shaft.sense {
-            Sense::Direct => {
-                "The weight at {}× with the crank may sit on crankshaft {}, which turns at this speed, at the same position and angle; no extra shaft is needed. Force and moment do not depend on where its axis is, the roll moment does."
-            }
-            Sense::Reverse => {
-                "The weight at {}× against the crank may sit on crankshaft {}, which turns at this speed, at the same position and angle; no extra shaft is needed. Force and moment do not depend on where its axis is, the roll moment does."
-            }
-        };
-        lines.push(phrase!(words, shaft.order, crank.name.clone()));
+        lines.push(phrase!(
+            "The weight at {}× {with|against} the crank may sit on crankshaft {}, which turns at this speed, at the same position and angle; no extra shaft is needed. Force and moment do not depend on where its axis is, the roll moment does.",
+            shaft.order,
+            shaft.sense,
+            crank.name.clone()
+        ));
     }
     if others > 0 {
-        lines.push(match lines.is_empty() {
-            true => "Counterweights cannot replace these shafts: they act only on the first order of their own crankshaft, in the sense in which it turns.".into(),
-            false => "Counterweights cannot replace the other shafts: they act only on the first order of their own crankshaft, in the sense in which it turns.".into(),
-        });
+        lines.push(phrase!(
+            "Counterweights cannot replace {these|the other} shafts: they act only on the first order of their own crankshaft, in the sense in which it turns.",
+            lines.is_empty()
+        ));
     }
     lines
 }
@@ -106,43 +113,26 @@ fn on_a_crankshaft(remedy: &Remedy) -> Option<(Text, usize)> {
 
 /// What is too little for a weight.
 fn left_out(shaft: &Shaft) -> Text {
-    let words = match shaft.sense {
-        Sense::Direct => {
-            "Nothing is proposed for what turns with the crank at order {}: its residual is below 10⁻⁶ of the load, which is the force of the pistons at order 1, added end to end."
-        }
-        Sense::Reverse => {
-            "Nothing is proposed for what turns against the crank at order {}: its residual is below 10⁻⁶ of the load, which is the force of the pistons at order 1, added end to end."
-        }
-    };
-    phrase!(words, shaft.order)
+    phrase!(
+        "Nothing is proposed for what turns {with|against} the crank at order {}: its residual is below 10⁻⁶ of the load, which is the force of the pistons at order 1, added end to end.",
+        shaft.sense,
+        shaft.order
+    )
 }
 
 fn on_the_crankshaft(remedy: &Remedy, shaft: &Shaft) -> Text {
     let listed = weights::listed(remedy, &shaft.weights);
-    match (shaft.kind, shaft.weights.len() == 1) {
-        (Kind::Force, true) => {
-            phrase!(
-                "A counterweight on the crankshaft cancels the first-order force that turns with the crank: {}.",
-                listed
-            )
-        }
-        (Kind::Force, false) => {
-            phrase!(
-                "Counterweights on the crankshaft cancel the first-order force that turns with the crank: {}.",
-                listed
-            )
-        }
-        (Kind::Couple, _) => {
-            phrase!(
-                "Counterweights on the crankshaft cancel the first-order couple that turns with the crank: {}.",
-                listed
-            )
-        }
-        (Kind::ForceAndMoment, _) => phrase!(
-            "Counterweights on the crankshaft cancel the first-order force that turns with the crank, and its moment: {}.",
+    if let (Kind::Force, [_]) = (shaft.kind, &shaft.weights[..]) {
+        return phrase!(
+            "A counterweight on the crankshaft cancels the first-order force that turns with the crank: {}.",
             listed
-        ),
+        );
     }
+    phrase!(
+        "Counterweights on the crankshaft cancel the first-order {force that turns with the crank|couple that turns with the crank|force that turns with the crank, and its moment}: {}.",
+        choice(shaft.kind),
+        listed
+    )
 }
 
 /// Two shafts of one order that turn in opposite senses.
@@ -156,42 +146,24 @@ fn of_two(remedy: &Remedy, with: &Shaft, against: &Shaft) -> Text {
             weights::in_short(remedy, weight)
         );
     }
-    let words = match with.kind {
-        Kind::Force => {
-            "Two balancer shafts at {}× crank speed cancel the force of order {}: with the crank {}, against it {}."
-        }
-        Kind::Couple => {
-            "Two balancer shafts at {}× crank speed cancel the couple of order {}: with the crank {}, against it {}."
-        }
-        Kind::ForceAndMoment => {
-            "Two balancer shafts at {}× crank speed cancel the force and the moment of order {}: with the crank {}, against it {}."
-        }
-    };
-    phrase!(words, order, twice, weights::listed(remedy, &with.weights), weights::listed(remedy, &against.weights))
+    phrase!(
+        "Two balancer shafts at {}× crank speed cancel the {force|couple|force and the moment} of order {}: with the crank {}, against it {}.",
+        order,
+        choice(with.kind),
+        twice,
+        weights::listed(remedy, &with.weights),
+        weights::listed(remedy, &against.weights)
+    )
 }
 
 fn of_one(remedy: &Remedy, shaft: &Shaft) -> Text {
-    let words = match (shaft.kind, shaft.sense) {
-        (Kind::Force, Sense::Direct) => {
-            "A balancer shaft at {}× crank speed, with the crank, cancels the part of the order-{} force that turns with it: {}."
-        }
-        (Kind::Force, Sense::Reverse) => {
-            "A balancer shaft at {}× crank speed, against the crank, cancels the part of the order-{} force that turns with it: {}."
-        }
-        (Kind::Couple, Sense::Direct) => {
-            "A balancer shaft at {}× crank speed, with the crank, cancels the part of the order-{} couple that turns with it: {}."
-        }
-        (Kind::Couple, Sense::Reverse) => {
-            "A balancer shaft at {}× crank speed, against the crank, cancels the part of the order-{} couple that turns with it: {}."
-        }
-        (Kind::ForceAndMoment, Sense::Direct) => {
-            "A balancer shaft at {}× crank speed, with the crank, cancels the parts of the order-{} force and moment that turn with it: {}."
-        }
-        (Kind::ForceAndMoment, Sense::Reverse) => {
-            "A balancer shaft at {}× crank speed, against the crank, cancels the parts of the order-{} force and moment that turn with it: {}."
-        }
-    };
-    phrase!(words, shaft.order, shaft.order, weights::listed(remedy, &shaft.weights))
+    phrase!(
+        "A balancer shaft at {1}× crank speed, {2:with|against} the crank, cancels the {3:part|part|parts} of the order-{1} {3:force that turns|couple that turns|force and moment that turn} with it: {4}.",
+        shaft.order,
+        shaft.sense,
+        choice(shaft.kind),
+        weights::listed(remedy, &shaft.weights)
+    )
 }
 
 fn proof(remedy: &Remedy) -> Text {
@@ -208,20 +180,12 @@ fn proof(remedy: &Remedy) -> Text {
             left
         );
     }
-    match (remedy.weights().is_empty(), remedy.orders.len() == 1) {
-        (true, true) => {
-            phrase!("Force and moment vanish at order {}: no weight is needed.", orders(remedy))
-        }
-        (true, false) => {
-            phrase!("Force and moment vanish at orders {}: no weight is needed.", orders(remedy))
-        }
-        (false, true) => phrase!(
-            "With these weights force and moment vanish at order {}: {} sums of the corrected engine, each proved zero.",
-            orders(remedy),
-            sums
-        ),
-        (false, false) => phrase!(
-            "With these weights force and moment vanish at the orders {}: {} sums of the corrected engine, each proved zero.",
+    let number = Text::one_or_more(remedy.orders.len());
+    match remedy.weights().is_empty() {
+        true => phrase!("Force and moment vanish at {order|orders} {}: no weight is needed.", number, orders(remedy)),
+        false => phrase!(
+            "With these weights force and moment vanish at {order|the orders} {}: {} sums of the corrected engine, each proved zero.",
+            number,
             orders(remedy),
             sums
         ),
@@ -254,11 +218,24 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
             Text::joined(small.orders.iter().map(|order| (*order).into()), ", ")
         )
     });
+    let engine = remedy.subject.engine();
+    let (usual, optional): (Vec<u32>, Vec<u32>) =
+        remedy.orders.iter().partition(|order| is_usually_cured(engine, **order));
+    let optional: Vec<u32> =
+        optional.into_iter().filter(|order| remedy.shafts.iter().any(|of| of.order == *order)).collect();
+    let optional = (!usual.is_empty() && !optional.is_empty()).then(|| {
+        phrase!(
+            "Usually left uncorrected: {order|orders} {}.",
+            Text::one_or_more(optional.len()),
+            typeset::listed(&optional)
+        )
+    });
     let half_speed = fewest.is_some().then(|| HALF_SPEED.into());
     let lines = weights::coefficients(remedy)
         .into_iter()
         .chain(small)
         .chain(fewest)
+        .chain(optional)
         .chain(half_speed)
         .chain(ranked::rolling_shafts(remedy));
     lines.chain(remedy.heights.iter().map(height)).chain(of_the_crankshaft(remedy)).collect()
@@ -270,26 +247,21 @@ const HALF_SPEED: &str =
 fn height(height: &PairHeight) -> Text {
     let radii = Number::Decimal(height.in_crank_radii.abs());
     let higher = height.in_crank_radii >= 0.0;
-    let Some(metres) = height.metres else {
-        let words = match higher {
-            true => {
-                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii higher than the other, the pair also cancels the masses' roll moment of that order; at half the height it cancels half."
-            }
-            false => {
-                "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii lower than the other, the pair also cancels the masses' roll moment of that order; at half the height it cancels half."
-            }
-        };
-        return phrase!(words, height.order, radii);
-    };
-    let words = match higher {
-        true => {
-            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} higher than the other ({} crank radii), the pair also cancels the masses' roll moment of that order; at half the height it cancels half."
-        }
-        false => {
-            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} lower than the other ({} crank radii), the pair also cancels the masses' roll moment of that order; at half the height it cancels half."
-        }
-    };
-    phrase!(words, height.order, Piece::Quantity(metres.abs() * 1000.0, Unit::MILLIMETRE), radii)
+    match height.metres {
+        Some(metres) => phrase!(
+            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} {higher|lower} than the other ({} crank radii), the pair also cancels the masses' roll moment of that order; at half the height it cancels half.",
+            height.order,
+            Piece::Quantity(metres.abs() * 1000.0, Unit::MILLIMETRE),
+            higher,
+            radii
+        ),
+        None => phrase!(
+            "Lanchester pair of order {}: where the shaft that turns with the crank lies {} crank radii {higher|lower} than the other, the pair also cancels the masses' roll moment of that order; at half the height it cancels half.",
+            height.order,
+            radii,
+            higher
+        ),
+    }
 }
 
 /// Mass, balance factors and bob weights, where the layout gives numbers.

@@ -7,7 +7,6 @@ use super::super::residual;
 use super::front::front_picture;
 use super::pictures::pictures;
 use super::table::{firing_order, left, stars, throws};
-use crate::engine::Cycle;
 use crate::numbers;
 use crate::page::{Block, Document, Fold, Number, Piece, Text, Unit, number, phrase};
 use crate::report::stars;
@@ -80,10 +79,7 @@ fn title(front: &Front) -> Text {
         Some(angle) => phrase!("V{}, {}", problem.cylinders, number::angle(angle)),
         None => phrase!("In-line {}", problem.cylinders),
     };
-    match problem.cycle {
-        Cycle::TwoStroke => phrase!("{}, two-stroke: the crank stars that balance best", engine),
-        Cycle::FourStroke => phrase!("{}, four-stroke: the crank stars that balance best", engine),
-    }
+    phrase!("{}, {two-stroke|four-stroke}: the crank stars that balance best", engine, problem.cycle)
 }
 
 /// How many are best, and the first of them.
@@ -179,11 +175,11 @@ fn banks(front: &Front) -> Vec<Text> {
     let problem = &front.problem;
     let split = problem.pin_split.as_ref().map(|split| {
         let degrees = number::signed_degrees(split);
-        let words = match degrees.is_negative() {
-            false => "Each throw has two pins: that of bank 2 is {} ahead. The throws are those of bank 1.",
-            true => "Each throw has two pins: that of bank 2 is {} behind. The throws are those of bank 1.",
-        };
-        phrase!(words, number::degrees(&degrees.abs()))
+        phrase!(
+            "Each throw has two pins: that of bank 2 is {} {behind|ahead}. The throws are those of bank 1.",
+            number::degrees(&degrees.abs()),
+            degrees.is_negative()
+        )
     });
     let offset = problem
         .bank_offset

@@ -1,7 +1,7 @@
 //! Which theorems on stars does an engine fall under? A sentence each, after its own proofs.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive};
 
 use super::super::typeset;
 use super::tables::every;
@@ -60,7 +60,7 @@ impl Crank {
         banks.dedup();
         let is_full = banks.len() == in_banks && in_banks <= 2 && cylinders.len() == pins.len() * in_banks;
         let spacing = pins.get(1)?.0 - pins[0].0;
-        let is_spaced = pins.windows(2).all(|pair| pair[1].0 - pair[0].0 == spacing);
+        let is_spaced = spacing.is_positive() && pins.windows(2).all(|pair| pair[1].0 - pair[0].0 == spacing);
         let turns: Vec<BigRational> = pins.iter().map(|(_, throw)| (*throw - pins[0].1).turns().clone()).collect();
         let mut directions = turns.clone();
         directions.sort();
@@ -85,7 +85,7 @@ impl Crank {
 fn never(throws: u32, banks: usize, prime: u32) -> Text {
     match banks {
         1 => phrase!(
-            "**No star of {} throws is free of the first-order couple**, in any order of its throws: {} is a power of the prime {} (page of stars, {}).",
+            "**No star of {} throws in evenly spread directions, equally far apart, is free of the first-order couple**: {} is a power of the prime {} (page of stars, {}).",
             throws,
             throws,
             prime,

@@ -48,10 +48,7 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
 /// What a reader sees in a drawing.
 fn caption(sweep: &Sweep, quantity: Planar, order: u32) -> Text {
     let shown = if sweep.parameters.len() == 1 { CURVES } else { MAP };
-    match quantity {
-        Planar::Moment => phrase!("Moment of order {}. {}", order, shown),
-        Planar::Force => phrase!("Force of order {}. {}", order, shown),
-    }
+    phrase!("{Force|Moment} of order {}. {}", quantity, order, shown)
 }
 
 pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Planar) -> Option<&Amplitudes> {

@@ -69,12 +69,7 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
             Some([Block::Paragraph(about), table.into()])
         });
         let tables: Vec<Block> = tables.flatten().collect();
-        let summary = match quantity {
-            Planar::Moment => phrase!("The moment at each of the {} points", sweep.points.len()),
-            Planar::Force => {
-                phrase!("The force at each of the {} points", sweep.points.len())
-            }
-        };
+        let summary = phrase!("The {force|moment} at each of the {} points", quantity, sweep.points.len());
         folds.extend((!tables.is_empty()).then_some(Fold { summary, blocks: tables }));
     }
     let others = others(sweep);

@@ -55,10 +55,12 @@ pub(super) fn answer(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
     }));
     if let (Some(power), Some(speed)) = (torque.power, &engine.dimensions().speed) {
         let kilowatts = quantity(power.abs() / 1e3, Unit::KILOWATT);
-        lines.push(match power < 0.0 {
-            true => phrase!("**Power.** At {} rpm the gas takes {} from the crank.", number::given(speed), kilowatts),
-            false => phrase!("**Power.** At {} rpm the gas delivers {} to the crank.", number::given(speed), kilowatts),
-        });
+        lines.push(phrase!(
+            "**Power.** At {1} rpm the gas {2:takes|delivers} {3} {2:from|to} the crank.",
+            number::given(speed),
+            power < 0.0,
+            kilowatts
+        ));
     }
     lines.extend(torque.evenness.as_ref().map(|evenness| flywheel(engine, evenness)));
     lines.extend(left_out(engine, torque));

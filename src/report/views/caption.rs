@@ -2,7 +2,6 @@
 
 use num_traits::Signed;
 
-use super::super::convention::said;
 use super::super::typeset;
 use super::linkage::{is_shortened, rows};
 use super::rows::banks;
@@ -11,7 +10,8 @@ use crate::page::{Text, phrase};
 
 /// What stands under the view from the free end.
 pub(in crate::report) fn end_view_caption(engine: &Engine) -> Text {
-    let mut words: Vec<Text> = vec![said(engine.convention(), FROM_THE_END).into(), NUMBERS.into()];
+    let end = engine.convention().turns_anticlockwise_from();
+    let mut words: Vec<Text> = vec![phrase!(FROM_THE_END, end), NUMBERS.into()];
     let rows = rows(engine).len();
     if rows > 0 {
         let named = (0..rows).map(|row| phrase!(ROWS[row % ROWS.len()], row + 1));
@@ -41,17 +41,16 @@ fn split(engine: &Engine) -> Option<Text> {
     let first = engine.cylinders().first()?;
     let second = engine.cylinders().iter().find(|other| other.pin == first.pin && other.throw != first.throw)?;
     let ahead = typeset::signed_degrees(&(&second.throw - &first.throw));
-    let words = match ahead.is_negative() {
-        false => "Split pins: as the crank turns, the pin of {} is {} ahead of the pin of {}.",
-        true => "Split pins: as the crank turns, the pin of {} is {} behind the pin of {}.",
-    };
-    Some(phrase!(words, second.name.clone(), typeset::degrees(&ahead.abs()), first.name.clone()))
+    Some(phrase!(
+        "Split pins: as the crank turns, the pin of {} is {} {behind|ahead of} the pin of {}.",
+        second.name.clone(),
+        typeset::degrees(&ahead.abs()),
+        ahead.is_negative(),
+        first.name.clone()
+    ))
 }
 
-const FROM_THE_END: [&str; 2] = [
-    "Seen from the free end at θ = 0, angle 0 upwards, angles anticlockwise, the crank turning with the arrow.",
-    "Seen from the flywheel at θ = 0, angle 0 upwards, angles anticlockwise, the crank turning with the arrow.",
-];
+const FROM_THE_END: &str = "Seen from the {free end|flywheel} at θ = 0, angle 0 upwards, angles anticlockwise, the crank turning with the arrow.";
 const NUMBERS: &str = "Throws, crankpins and rods are coloured, pistons grey, each at its height; the numbers at a pin and beside a cylinder are those of its cylinders.";
 const ROWS: [&str; 3] =
     ["row {} blue with solid rods", "row {} orange with dashed rods", "row {} green with dash-dotted rods"];
@@ -62,7 +61,8 @@ const OFFSET: &str = "The dash-dotted cylinder axes miss the shaft by the offset
 
 /// What stands under the view from the side.
 pub(in crate::report) fn side_view_caption(engine: &Engine) -> Text {
-    let mut words: Vec<Text> = vec![FROM_THE_SIDE.into(), said(engine.convention(), PINS).into()];
+    let end = engine.convention().turns_anticlockwise_from();
+    let mut words: Vec<Text> = vec![FROM_THE_SIDE.into(), phrase!(PINS, end)];
     words.push(match (banks(engine).len(), throws(engine).len()) {
         (0, _) => "Above them the cylinders by their positions, all banks in one row.".into(),
         (1, 1) => "Above it the cylinder.".into(),
@@ -78,7 +78,4 @@ pub(in crate::report) fn side_view_caption(engine: &Engine) -> Text {
 
 const FROM_THE_SIDE: &str =
     "From the side, the free end at the left, angle 0 upwards, positions to scale; below each pin its throw angle.";
-const PINS: [&str; 2] = [
-    "A filled pin points towards the reader (angles between 180° and 360°), a hollow dashed one away, a grey one in the plane of the page.",
-    "A filled pin points towards the reader (angles between 0° and 180°), a hollow dashed one away, a grey one in the plane of the page.",
-];
+const PINS: &str = "A filled pin points towards the reader (angles between {180° and 360°|0° and 180°}), a hollow dashed one away, a grey one in the plane of the page.";

@@ -132,6 +132,11 @@ fn draw_rod(figure: &mut Figure, labels: &mut Labels, linkage: &Linkage, half: f
     figure.circle(*piston, 0.6, Stroke::solid(ink, 0.3), Some(Ink::Shade(0)));
 }
 
+/// A crank is too small for an arrow within its circle from this radius down, in millimetres.
+const SMALL_CRANK: f64 = 3.0;
+/// The least length of a line under the head of an arrow, in millimetres.
+const UNDER_A_HEAD: f64 = 3.6;
+
 /// The circle of the pins, the throws, the pins and the shaft, and which way it turns.
 fn draw_crank(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage], sense: Sense) {
     let mut radii: Vec<f64> = linkages.iter().map(|linkage| linkage.pin.norm()).collect();
@@ -153,14 +158,18 @@ fn draw_crank(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage], se
     figure.circle(Point::default(), 1.8, Stroke::solid(Ink::Black, 0.35), Some(Ink::Light));
     labels.avoid_sign(Point::default(), 2.0);
     draw_offsets(figure, linkages);
-    if let Some(farthest) = radii.last().filter(|radius| **radius > 3.0) {
-        let mut arc = turning(linkages, farthest * 0.62);
+    if let Some(farthest) = radii.last() {
+        // Beside the throws, or round a crank too small for that.
+        let mut arc = turning(linkages, if *farthest > SMALL_CRANK { farthest * 0.62 } else { farthest + SMALL_CRANK });
         if sense == Sense::Reverse {
             arc.reverse();
         }
         labels.avoid_path(&arc);
-        if let [.., before, last] = arc[..] {
-            figure.arrow(before, last, Stroke::solid(Ink::Grey, 0.3));
+        if let Some(last) = arc.last().copied() {
+            // The head needs a line of this length; a step of the arc is too short for one.
+            let before = arc.iter().rposition(|point| (last - point).norm() >= UNDER_A_HEAD).unwrap_or(0);
+            figure.arrow(arc[before], last, Stroke::solid(Ink::Grey, 0.3));
+            arc.truncate(before + 1);
         }
         figure.path(arc, Stroke::solid(Ink::Grey, 0.3));
     }

@@ -50,11 +50,38 @@ fn collect_of_block<'a>(block: &'a Block, found: &mut BTreeSet<&'a str>) {
     }
 }
 
+/// A value that chooses words finds them in its place, and a place with words has a value that chooses.
+fn assert_chosen(words: &str, values: &[Text]) {
+    for (value, count) in places(words) {
+        let choice = match values[value - 1].pieces() {
+            [Piece::Choice(choice)] => Some(*choice),
+            _ => None,
+        };
+        assert!(choice.map_or(count == 1, |choice| choice < count && count > 1), "{words:?} with {values:?}");
+    }
+}
+
+/// The places of a phrase: which value comes there, from 1, and among how many words it chooses (1 where it is said itself).
+pub fn places(words: &str) -> BTreeSet<(usize, usize)> {
+    let parts = outside(words).flat_map(|part| part.split('{').skip(1)).filter_map(|part| part.split_once('}'));
+    let mut following = 1..;
+    let place = |(inside, _): (&str, &str)| {
+        let (name, words) = match inside.contains('|') {
+            true => inside.split_once(':').filter(|(name, _)| name.parse::<usize>().is_ok()).unwrap_or(("", inside)),
+            false => (inside, ""),
+        };
+        let value = name.parse().ok().or_else(|| following.next());
+        (value.expect("a value"), words.split('|').count())
+    };
+    parts.map(place).collect()
+}
+
 /// The phrases in a text, and in their values.
 fn collect<'a>(text: &'a Text, found: &mut BTreeSet<&'a str>) {
     for piece in text.pieces() {
         match piece {
             Piece::Phrase(words, values) => {
+                assert_chosen(words, values);
                 found.insert(words);
                 values.iter().for_each(|value| collect(value, found));
             }
