@@ -200,7 +200,12 @@ pub fn checked(question: &impl Question) -> Result<String, Failure> {
     }
     match (accepted(&json)?, question.json_without_evidence()) {
         (Ok(()), _) => Ok(json),
-        (Err(_), Some(bare)) => write::written_json(bare),
+        (Err(why), Some(bare)) => {
+            write::warn(&format!(
+                "note: the proof is larger than `verify` takes, so the document has no evidence and `verify` refuses it: {why}; ask for fewer orders"
+            ));
+            write::written_json(bare)
+        }
         (Err(why), None) => Err(too_large(&why)),
     }
 }

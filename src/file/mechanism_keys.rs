@@ -259,6 +259,9 @@ impl Keys {
         let (Some(lengths), Some(centres)) = (lengths, table.column(&self.rod_centre, Measure::RodCentre)?) else {
             let right = match lengths {
                 Some(_) => "add rod_centre, the distance of its centre of gravity from the big end",
+                None if self.rod_ratio.is_some() => {
+                    "give rod_length in place of rod_ratio, and rod_centre, the distance of its centre of gravity from the big end"
+                }
                 None => "add rod_length and rod_centre, the distance of its centre of gravity from the big end",
             };
             let list = self.rod_mass.as_ref().and_then(place);

@@ -57,6 +57,8 @@ pub fn parse_number(text: &str) -> Result<BigRational, NumberError> {
     }
     match text.split_once('/') {
         None => decimal(&text),
+        // `7/3e1` might be 70/3 or 7/30.
+        Some((_, denominator)) if denominator.contains(['e', 'E']) => Err(NumberError::NotANumber),
         Some((numerator, denominator)) => {
             let (numerator, denominator) = (decimal(numerator.trim_end())?, decimal(denominator.trim_start())?);
             if denominator.is_zero() {

@@ -1,5 +1,7 @@
 //! What quantity did a person write? A number with a unit that a person would put behind it.
 
+use std::borrow::Cow;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Pow, Signed, Zero};
@@ -180,11 +182,22 @@ const MASSES: Units = &[
 
 /// An angle in turns, not reduced modulo 1; degrees where no unit is written.
 pub(crate) fn angle(text: &str) -> Result<BigRational, String> {
-    let (number, unit) = with_unit(text, ANGLES, "\"45\", \"22.5 deg\", \"1/12 turn\" or \"2/3 pi rad\"")?;
+    let (number, unit) = with_unit(&of_pi(text), ANGLES, "\"45\", \"22.5 deg\", \"1/12 turn\" or \"2/3 pi rad\"")?;
     let turns = in_base_units(&number, unit.unwrap_or((1, 360)));
     match turns.numer().magnitude() <= &(turns.denom().magnitude() * MOST_TURNS) {
         true => Ok(turns),
         false => Err(format!("more than {MOST_TURNS} turns; an angle is meant modulo a turn, such as \"45\"")),
+    }
+}
+
+/// `π/3 rad` as `1/3 pi rad`, and `pi rad` as `1 pi rad`; other texts as they are.
+fn of_pi(text: &str) -> Cow<'_, str> {
+    let trimmed = text.trim();
+    let (sign, unsigned) = trimmed.split_at(usize::from(trimmed.starts_with(['-', '+'])));
+    let behind = unsigned.strip_prefix("pi").or_else(|| unsigned.strip_prefix('π'));
+    match behind.and_then(|behind| behind.strip_suffix("rad")).map(str::trim) {
+        Some(part) if part.is_empty() || part.starts_with('/') => Cow::Owned(format!("{sign}1{part} pi rad")),
+        _ => Cow::Borrowed(text),
     }
 }
 

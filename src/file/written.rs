@@ -195,7 +195,9 @@ fn toml_error(error: toml::de::Error) -> LayoutError {
         (Some(("invalid type", found)), expected) => {
             (format!("{} is in the wrong place", value(found)), format!("expected {}", value(expected)))
         }
-        _ if what == "duplicate key" => (what.to_owned(), "this key is in the file before".to_owned()),
+        _ if what == "duplicate key" => {
+            (what.to_owned(), "this key is in the file before, perhaps as [key] beside [[key]]".to_owned())
+        }
         _ if what.contains("recurs") => ("lists or tables nest too deeply".to_owned(), "no key needs that".to_owned()),
         _ if what == "string values must be quoted" => (
             "this is neither a number nor a text in quotes".to_owned(),

@@ -74,6 +74,12 @@ impl EvidenceDocument {
             let inside = |fault: Fault| Fault { place: format!("evidence[{index}].{}", fault.place), ..fault };
             judged.push(judge(document, &audit).map_err(inside)?);
         }
+        if judged.is_empty() {
+            return Err(Fault::new(
+                "evidence",
+                "there is none, so that nothing is proved: its proof was too large, or was taken away",
+            ));
+        }
         match (&self.outside, &judged[..]) {
             (Outside::Loads(loads), [only]) => check_loads(loads, &self.evidence[0], only)?,
             (Outside::Loads(_), _) => return Err(Fault::new("evidence", "loads are those of one engine")),

@@ -326,7 +326,10 @@ fn the_verdicts_in_a_terminal_cite_the_theorem_after_their_proof_and_only_where_
     });
     let of = |cylinders: u32| stars.iter().find(|(one, _)| *one == cylinders).expect("a star").1.as_str();
     for (engine, cited) in [
-        ("I5-12453", "No star of 5 throws is free of the first-order couple, in any order of its throws"),
+        (
+            "I5-12453",
+            "No star of 5 throws in evenly spread directions, equally far apart, is free of the first-order couple",
+        ),
         ("V8-crossplane", "No order of the 4 pins, and no bank angle, removes the rotating first-order couple"),
         ("I4", "The crankshaft is its own mirror image"),
         ("I6", "The crankshaft is its own mirror image"),

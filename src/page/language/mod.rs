@@ -45,6 +45,9 @@ struct List {
 /// The lists are part of the program, so that a mistake in one is a mistake of ours.
 const OURS: &str = "a list of words of the program";
 
+/// Words with places, formulas or bold words have one of these.
+const MARKUP: [char; 3] = ['{', '$', '*'];
+
 /// In the order of [`Language`]; a list is read where it is used.
 static LISTS: [OnceLock<List>; FILES.len()] = [const { OnceLock::new() }; FILES.len()];
 
@@ -87,7 +90,10 @@ impl Language {
     pub fn knows(self, english: &str) -> bool {
         let one = |sentence: &str| self.whole(sentence).or_else(|| self.sentence(sentence)).is_some();
         let is_listed = || self.list().written.words.contains_key(english);
-        self == Language::En || is_listed() || english.split_inclusive(". ").all(|sentence| one(sentence.trim_end()))
+        // What has places is looked up as it stands.
+        let is_plain = !english.contains(MARKUP);
+        let is_read = || is_plain && english.split_inclusive(". ").all(|sentence| one(sentence.trim_end()));
+        self == Language::En || is_listed() || is_read()
     }
 
     /// The entries of its list: English words and its own.
@@ -111,7 +117,7 @@ impl Language {
     pub fn words(self, english: &str) -> Cow<'_, str> {
         match self.list().written.words.get(english) {
             Some(words) => Cow::Borrowed(words),
-            None if english.contains(['{', '$', '*']) => Cow::Borrowed(english),
+            None if english.contains(MARKUP) => Cow::Borrowed(english),
             None => self.label(english),
         }
     }
@@ -132,7 +138,7 @@ impl Language {
     /// What the list has as it stands.
     fn whole(self, english: &str) -> Option<String> {
         let words = self.list().written.words.get(english).or_else(|| self.list().written.labels.get(english))?;
-        (!words.contains(['{', '$', '*'])).then(|| words.clone())
+        (!words.contains(MARKUP)).then(|| words.clone())
     }
 
     /// Sentence by sentence.
@@ -146,7 +152,10 @@ impl Language {
     fn pieces(self, english: &str) -> Option<String> {
         let pieces: Vec<&str> = english.split(", ").collect();
         let known = |piece: &str| self.whole(piece).or_else(|| self.pattern(piece, |inside| self.signs(inside)));
-        let bare = |piece: &str| (!piece.contains(char::is_alphabetic)).then(|| self.numbers(piece));
+        // A letter by itself is a symbol: `λ = 0.2`.
+        let has_words =
+            |piece: &str| piece.split(|letter: char| !letter.is_alphabetic()).any(|word| word.chars().nth(1).is_some());
+        let bare = |piece: &str| (!has_words(piece)).then(|| self.numbers(piece));
         let one = |piece: &&str| known(piece).or_else(|| bare(piece));
         if pieces.len() < 2 || !english.contains(char::is_alphabetic) {
             return None;

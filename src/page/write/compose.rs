@@ -292,6 +292,7 @@ impl<'a> Composer<'a> {
                 let (value, unit) = self.options.units.of(*value, *unit);
                 let (value, unit) = unit.at_sight(value);
                 let number = figures.set(value, number::sensible);
+                let unit = Unit { name: language.fixed(unit.name), ..unit };
                 let set = self.options.siunitx.then(|| writer.quantity(&number, unit)).flatten();
                 set.unwrap_or_else(|| self.numbers(&format!("{number}{}", number::behind(unit))))
             }

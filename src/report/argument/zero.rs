@@ -35,12 +35,12 @@ pub(super) fn opposed(engine: &Engine, star: JudgedStar<'_>) -> Text {
     let listed = if pairs.len() == 1 { listed(pairs) } else { Text::joined(pairs, ", of ") };
     match star.quantity {
         Quantity::MOMENT => phrase!(
-            "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel{| pair by pair}.",
+            "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel{.| pair by pair.}",
             listed,
             number
         ),
         Quantity::FORCE | Quantity::Axial(_) => phrase!(
-            "By opposed pairs: the vectors of {} are equally long and opposite, and cancel{| pair by pair}.",
+            "By opposed pairs: the vectors of {} are equally long and opposite, and cancel{.| pair by pair.}",
             listed,
             number
         ),

@@ -40,9 +40,12 @@ fn orders(engines: &[Compared], document: &CompareDocument) -> Table {
         table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::NEWTON, |row| {
             newtons(row, |newtons| newtons.force)
         });
-        table.decimal(("{quantity}_zero_to_peak_{unit}", "moment"), Unit::NEWTON_METRE, |row| {
-            newtons(row, |newtons| newtons.moment)
-        });
+        for (moment, unit) in [(Unit::OPEN_SPACING, Unit::NEWTON_SPACING), (Unit::OPEN_METRE, Unit::NEWTON_METRE)] {
+            let of = |row: &Row| newtons(row, |newtons| newtons.moment).filter(|_| row.moment == moment);
+            if rows.iter().any(|row| of(row).is_some()) {
+                table.decimal(("{quantity}_zero_to_peak_{unit}", "moment"), unit, of);
+            }
+        }
     }
     table.done()
 }

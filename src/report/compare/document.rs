@@ -198,7 +198,7 @@ fn amount(balance: &Balance) -> Amount {
 }
 
 fn newtons(engine: &Compared) -> Option<Vec<Newtons>> {
-    let loads = engine.loads.as_ref().ok().filter(|_| engine.has_newtons())?;
+    let loads = engine.loads.as_ref().ok()?;
     let unit = loads.scale.as_ref()?.force();
     let newtons = |swing: &Swing| size(swing.largest(), unit, swing.direct.vanishes() && swing.reverse.vanishes());
     let order = |order: &OrderLoads| Newtons {

@@ -90,12 +90,6 @@ impl Compared {
         let peak = peaks[*worst.first()?][0];
         Some((worst, peak))
     }
-
-    /// Whether force and moment come out in N and N·m.
-    fn has_newtons(&self) -> bool {
-        let scaled = self.loads.as_ref().is_ok_and(|loads| loads.scale.is_some());
-        scaled && loads::Arm::of(&self.engine) == loads::Arm::Metre
-    }
 }
 
 /// The orders that are compared, rising.

@@ -13,7 +13,7 @@ use crate::exact::Turn;
 use crate::family::{self, Angles, Cosine, EvenFiring, Never, OpenSum, OpenVerdict, Part, Product, Remaining, When};
 use crate::numbers::{Form, float};
 use crate::page::number::Bearing;
-use crate::page::{Piece, Text, phrase};
+use crate::page::{Piece, Setting, Text, Unit, phrase};
 
 /// When a verdict vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`, `2√10 (2a + b + 2c)`.
 pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
@@ -38,7 +38,14 @@ pub(super) fn cell(verdict: &OpenVerdict) -> Text {
     match (verdict.bank_angles(), verdict.sums.as_slice()) {
         _ if verdict.always() || verdict.never() => summary(verdict),
         (Some(angles), _) if angles.iter().any(is_fractional) => {
-            phrase!("0 at φ ≈ {}", typeset::listed(angles.iter().map(rounded)))
+            let (near, exact): (Vec<&Turn>, Vec<&Turn>) = angles.iter().partition(|angle| is_fractional(angle));
+            let near = Text::joined(near.into_iter().map(in_decimals), ", ");
+            match exact.is_empty() {
+                true => phrase!("0 at φ ≈ {}", near),
+                false => {
+                    phrase!("0 at φ = {} and φ ≈ {}", typeset::listed(exact.into_iter().map(typeset::angle)), near)
+                }
+            }
         }
         (None, [OpenSum { when: When::Where(angles), .. }]) => {
             conditions(angles, nearly).map_or_else(|| summary(verdict), |shown| phrase!("0 where {}", shown))
@@ -49,6 +56,12 @@ pub(super) fn cell(verdict: &OpenVerdict) -> Text {
 
 fn is_fractional(turn: &Turn) -> bool {
     !typeset::terminates(&turn.degrees())
+}
+
+/// The same to the figures that the reader asks for.
+fn in_decimals(turn: &Turn) -> Text {
+    let one_place = Setting::Usual(|degrees| format!("{degrees:.1}"));
+    Text::from(Piece::Measured(float(&turn.degrees()), Unit::NONE, one_place)).and("°")
 }
 
 /// `25.7°` for (180/7)°.

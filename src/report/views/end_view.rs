@@ -168,10 +168,10 @@ fn draw_crank(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage], se
         if let Some(last) = arc.last().copied() {
             // The head needs a line of this length; a step of the arc is too short for one.
             let before = arc.iter().rposition(|point| (last - point).norm() >= UNDER_A_HEAD).unwrap_or(0);
-            figure.arrow(arc[before], last, Stroke::solid(Ink::Grey, 0.3));
+            figure.arrow(arc[before], last, Stroke::solid(Ink::Black, 0.3));
             arc.truncate(before + 1);
         }
-        figure.path(arc, Stroke::solid(Ink::Grey, 0.3));
+        figure.path(arc, Stroke::solid(Ink::Black, 0.3));
     }
 }
 
@@ -192,8 +192,19 @@ fn turning(linkages: &[Linkage], radius: f64) -> Vec<Point> {
     let around = angles.first().map(|first| first + full);
     let next = angles.iter().skip(1).copied().chain(around);
     let gaps = angles.iter().zip(next).map(|(angle, next)| (next - angle, *angle));
-    // Of equal gaps the one that comes first, whatever floats say.
-    let widest = gaps.reduce(|best, gap| if gap.0 > best.0 + 1e-6 { gap } else { best });
+    // Of equal gaps the one farthest from the cylinders, whose rods would hide the arrow; then the one that comes first, whatever floats say.
+    let apart = |middle: f64, along: f64| {
+        let turn = (middle - along).rem_euclid(full);
+        turn.min(full - turn)
+    };
+    let free = |(gap, start): (f64, f64)| {
+        let middle = start + gap / 2.0;
+        linkages.iter().map(|linkage| apart(middle, linkage.along.arg())).fold(full, f64::min)
+    };
+    let is_better = |gap: (f64, f64), best: (f64, f64)| {
+        gap.0 > best.0 + 1e-6 || gap.0 > best.0 - 1e-6 && free(gap) > free(best) + 1e-6
+    };
+    let widest = gaps.reduce(|best, gap| if is_better(gap, best) { gap } else { best });
     let (gap, start) = widest.unwrap_or((full, 0.0));
     let (middle, arm) = (start + gap / 2.0, (gap * 0.3).min(0.8));
     (0..=8).map(|step| Point::from_polar(radius, middle - arm + arm * 2.0 * f64::from(step) / 8.0)).collect()

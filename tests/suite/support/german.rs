@@ -102,7 +102,8 @@ pub fn pages_of(engine: &Engine) -> Vec<Document> {
     let loads = numbers
         .iter()
         .flat_map(|numbers| [report::loads_page(engine, numbers, None), report::loads_answer(engine, numbers, None)]);
-    [Some(pages::document(engine)), remedy, bearings].into_iter().flatten().chain(loads).collect()
+    let answer = report::engine_answer(engine, &pages::judgement(engine));
+    [Some(pages::document(engine)), Some(answer), remedy, bearings].into_iter().flatten().chain(loads).collect()
 }
 
 /// The pages on each engine of the catalogue, beside its name; made once, however many tests look at them.
