@@ -160,6 +160,7 @@ mod torque;
 mod torque_conventions;
 mod torque_of_mechanisms;
 mod torsion;
+mod true_cures;
 mod true_sentences;
 mod two_angles;
 mod usual_quantities;

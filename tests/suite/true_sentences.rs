@@ -14,19 +14,19 @@ use crate::support::program::{call, scratch};
 use crate::support::written::engine;
 
 /// What the program prints of a layout, on one line.
-fn said(question: &str, layout: &str, more: &[&str]) -> String {
+pub fn said(question: &str, layout: &str, more: &[&str]) -> String {
     printed(&[&[question, written(layout).as_str()], more].concat())
 }
 
 /// The path of a file that holds a layout.
-fn written(layout: &str) -> String {
+pub fn written(layout: &str) -> String {
     let path = scratch("true-sentences").join("layout.toml");
     std::fs::write(&path, layout).expect("a layout");
     path.to_str().expect("UTF-8").to_owned()
 }
 
 /// What it prints when it is asked so, on lines joined to one.
-fn printed(arguments: &[&str]) -> String {
+pub fn printed(arguments: &[&str]) -> String {
     let output = call(arguments);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8_lossy(&output.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
@@ -263,7 +263,7 @@ fn one_cylinder_needs_no_firing_order() {
 }
 
 /// A claim about a layout, answered.
-fn checked(layout: &str, says: &str) -> String {
+pub fn checked(layout: &str, says: &str) -> String {
     let folder = scratch("true-sentences");
     std::fs::write(folder.join("layout.toml"), layout).expect("a layout");
     let claims =

@@ -213,7 +213,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let small = &remedy.small;
     let small = (!small.orders.is_empty()).then(|| {
         phrase!(
-            "Weights are proposed for orders 1 and 2 and for orders of at least {} % of the largest force or moment. Smaller orders, cancelled only on request: {}.",
+            "Weights are proposed for the first two orders of a crankshaft and for orders of at least {} % of the largest force or moment. Smaller orders, cancelled only on request: {}.",
             percent_at_most(small.below),
             Text::joined(small.orders.iter().map(|order| (*order).into()), ", ")
         )

@@ -1,0 +1,96 @@
+//! What is said of cures that was false of engines that can be written: is it true of these now?
+
+use crankstar::page::Format;
+use crankstar::report::engine_answer;
+
+use crate::support::pages;
+use crate::support::program::{call, scratch};
+use crate::support::written::engine;
+use crate::true_sentences::{checked, printed, said, written};
+
+/// The short answer in Markdown, whose cells are on one line.
+fn answer(layout: &str) -> String {
+    let engine = engine(layout);
+    pages::text(&engine_answer(&engine, &pages::judgement(&engine)), Format::GITHUB).replace('\u{202f}', " ")
+}
+
+const VEE: &str = "speed = '3000 rpm'\nvee = { bank_angle = 90, throws = [0] }\n[mechanism]\nstroke = '80 mm'\nrod_length = '130 mm'\n\
+    reciprocating_mass = '1 kg'\nrotating_mass = '2 kg'\n";
+
+/// What balances the V is 200 kg·mm in all: to 100 kg·mm that are there 100 are added, not 200.
+#[test]
+fn a_weight_that_is_there_is_resized_and_one_that_is_not_is_added() {
+    assert!(answer(VEE).contains("| counterweights (200 kg·mm) | **0** |"));
+    for there in ["2.5 kg", "7.5 kg"] {
+        let weight = format!("[[counterweight]]\nthrow = 1\nmass = '{there}'\nradius = '40 mm'\n");
+        let told = answer(&(VEE.to_owned() + &weight));
+        assert!(told.contains("| counterweights (resized to 200 kg·mm) | **0** |"), "{told}");
+    }
+}
+
+#[test]
+fn the_first_order_of_a_faster_crankshaft_is_cured_as_that_of_any_other() {
+    let geared = "speed = '3000 rpm'\n[mechanism]\ncrank_radius = ['40 mm', '10 mm']\nrod_length = ['150 mm', '60 mm']\n\
+        reciprocating_mass = ['0.5 kg', '0.2 kg']\nrotating_mass = [0, '1 kg']\n\
+        [[crankshaft]]\nname = 'main'\nsense = 'with'\noffset = '0 mm'\n\
+        [[crankshaft]]\nname = 'fast'\nsense = 'against'\nspeed = 3\noffset = '200 mm'\n\
+        [[cylinder]]\ncrankshaft = 'main'\nthrow = 0\nbank = 0\nposition = '0 mm'\n\
+        [[cylinder]]\ncrankshaft = 'fast'\nthrow = 0\nbank = 0\nposition = '0 mm'\n";
+    let told = answer(geared);
+    assert!(
+        told.contains("counterweights added on crankshaft fast (11.0 kg·mm)") && !told.contains("usually uncorrected"),
+        "{told}"
+    );
+    let told = said("classify", geared, &["--masses", "rotating"]);
+    assert!(!told.contains("has order 1 and no other"), "{told}");
+    let told = checked(geared, "order 3 needs counterweights alone");
+    assert!(!told.contains("counterweights reach order 1 alone"), "{told}");
+}
+
+#[test]
+fn what_another_crankshaft_carries_counts_as_no_shaft_and_forces_stand_before_couples() {
+    let twin = "speed = '3000 rpm'\n[u]\nthrows = [0, 180]\nsense = 'against'\nphase = 0\ndistance = '120 mm'\nspacing = '100 mm'\n\
+        [mechanism]\ncrank_radius = '40 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.5 kg'\n";
+    let folder = scratch("true-cures");
+    let output = call(&["remedy", &written(twin), "--output", folder.to_str().expect("UTF-8")]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let page = std::fs::read_to_string(folder.join("remedy.md")).expect("a page");
+    assert!(
+        page.contains(
+            "| 1 | couple | two counterweights on crankshaft left, two counterweights on crankshaft right | 0 |"
+        ),
+        "{page}"
+    );
+    // With a length or without, the order of the rows is the same.
+    let pair = "speed = 6000\ninline = { throws = [0, 180] }\n[mechanism]\nstroke = '70 mm'\nrod_length = '120 mm'\nreciprocating_mass = '0.4 kg'\n";
+    for layout in [pair.to_owned(), pair.replace("180] }", "180], spacing = '100 mm' }")] {
+        let output = call(&["remedy", &written(&layout), "--output", folder.to_str().expect("UTF-8")]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let page = std::fs::read_to_string(folder.join("remedy.md")).expect("a page");
+        let row = |begin: &str| page.find(begin).unwrap_or_else(|| panic!("{begin} in {page}"));
+        assert!(row("| 2 | force |") < row("| 1 | couple |"), "{page}");
+    }
+}
+
+/// The cross-plane eight needs counterweights, and leaves less than the flat-plane one.
+#[test]
+fn engines_are_compared_by_what_counterweights_leave() {
+    let told = printed(&["compare", "V8-crossplane", "V8-flatplane"]);
+    assert!(told.contains("No free force or moment below order 4, with counterweights on the crank: V8-crossplane."));
+}
+
+/// Four throws lose the couple where they are not in evenly spread directions, or all in one plane.
+#[test]
+fn no_theorem_on_evenly_spread_stars_is_said_of_others() {
+    let told = said("classify", "[inline]\nthrows = [0, 120, 240]\npositions = ['100 mm', '100 mm', '100 mm']\n", &[]);
+    assert!(!told.contains("is free of the first-order couple"), "{told}");
+}
+
+/// A force without a shaft of its own does not get that of the moment, and what the first step leaves of the moment is shown.
+#[test]
+fn each_step_of_a_cure_stands_where_it_leaves_something() {
+    let vee = "speed = 6000\nvee = { bank_angle = '53.13°', throws = [0], pin_split = '-73.74°', bank_offset = '40 mm' }\n\
+        [mechanism]\nstroke = '72 mm'\nrod_length = '120 mm'\nreciprocating_mass = '0.35 kg'\nrotating_mass = '0.3 kg'\n";
+    let told = answer(vee);
+    assert!(told.contains("| the same | 99.49 N·m |") && told.contains("| and a shaft against the crank"), "{told}");
+}
