@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::answer::{Evidence, Status};
+use super::real::{is_direction_within, is_length_within};
 use super::statement::{Angle, Bearing, Tolerance, Value};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, ALIKE, Form, as_sum, evaluate, float, number, square_as_sum};
@@ -16,12 +17,25 @@ pub(super) fn length(
     decimal: f64,
 ) -> (Status, Vec<Evidence>) {
     let claimed = value.form.to_float();
+    let off = (decimal - claimed).abs();
+    // Of a number that is a fraction it is decided exactly, whatever the tolerance.
+    let is_within =
+        |half: &BigRational| value.form.as_rational().map(|written| is_length_within(parts, &written, half));
     match &value.tolerance {
-        Tolerance::Within(within) => (nearness((decimal - claimed).abs(), float(within)), Vec::new()),
-        Tolerance::Part(part) => (nearness((decimal - claimed).abs(), float(part) * claimed), Vec::new()),
+        Tolerance::Within(within) => {
+            (is_within(within).map_or_else(|| nearness(off, float(within)), Status::from_truth), Vec::new())
+        }
+        Tolerance::Part(part) => {
+            let exactly = value.form.as_rational().and_then(|written| is_within(&(part * written)));
+            (exactly.map_or_else(|| nearness(off, float(part) * claimed), Status::from_truth), Vec::new())
+        }
         Tolerance::Exact { rounding } => {
             let (equal, evidence) = equals(&value.form, parts, exact, decimal);
-            (exact_status(equal, (decimal - claimed).abs(), rounding.as_ref()), evidence.into_iter().collect())
+            let is_rounded = rounding
+                .as_ref()
+                .filter(|half| !half.is_zero())
+                .is_some_and(|half| is_within(half).unwrap_or(off <= float(half)));
+            (exact_status(equal, is_rounded), evidence.into_iter().collect())
         }
     }
 }
@@ -35,16 +49,33 @@ pub(super) fn bearing(angle: &Angle, sum: &PhasorSum, is_line: bool, decimal: f6
     let period = if is_line { 180.0 } else { 360.0 };
     let off = (decimal - claimed).rem_euclid(period);
     let off = off.min(period - off);
+    let is_within = |degrees: &BigRational| is_within(angle, sum, is_line, degrees);
     match &angle.tolerance {
-        Tolerance::Within(within) | Tolerance::Part(within) => (nearness(off, float(within)), Vec::new()),
+        Tolerance::Within(within) | Tolerance::Part(within) => {
+            (is_within(within).map_or_else(|| nearness(off, float(within)), Status::from_truth), Vec::new())
+        }
         Tolerance::Exact { rounding } => {
             let Some(upright) = upright(&angle.bearing, sum, is_line) else { return (Status::NotDecided, Vec::new()) };
             let across = upright.minus(&upright.conjugate());
             let evidence = Evidence::comparison("The part across the claimed direction", across);
             let equal = evidence.vanishes() && evaluate(&upright).re > 0.0;
-            (exact_status(Some(equal), off, rounding.as_ref()), vec![evidence])
+            let is_rounded = rounding
+                .as_ref()
+                .filter(|half| !half.is_zero())
+                .is_some_and(|half| is_within(half).unwrap_or(off <= float(half)));
+            (exact_status(Some(equal), is_rounded), vec![evidence])
         }
     }
+}
+
+/// Whether a sum, or the line that it is twice the angle of, is no farther than so many degrees from an angle in turns; none where these are too
+/// many to be decided so, or the angle is one of a tangent.
+fn is_within(angle: &Angle, sum: &PhasorSum, is_line: bool, degrees: &BigRational) -> Option<bool> {
+    let Bearing::Turns(turns) = &angle.bearing else { return None };
+    let twice = BigRational::from_integer(if is_line { 2 } else { 1 }.into());
+    let half = degrees / BigRational::from_integer(360.into()) * &twice;
+    let is_small = half < BigRational::new(1.into(), 4.into()) && !sum.vanishes();
+    is_small.then(|| is_direction_within(sum, &(turns * &twice), &half))
 }
 
 /// The sum turned back by the claimed direction (twice by that of a line): real and positive iff the claim is right.
@@ -100,12 +131,17 @@ fn equals(
     (Some(evidence.vanishes() && near), Some(evidence))
 }
 
-fn exact_status(equal: Option<bool>, off: f64, rounding: Option<&BigRational>) -> Status {
-    match (equal, rounding) {
-        (Some(true), _) => Status::True,
-        (None, _) => Status::NotDecided,
-        (Some(false), Some(half)) if !half.is_zero() && off <= float(half) => Status::TrueAsRounded,
-        (Some(false), _) => Status::False,
+fn exact_status(equal: Option<bool>, is_rounded: bool) -> Status {
+    match equal {
+        Some(true) => Status::True,
+        None => Status::NotDecided,
+        Some(false) => {
+            if is_rounded {
+                Status::TrueAsRounded
+            } else {
+                Status::False
+            }
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 
 use super::answer::{Answer, Condition, Status};
 use super::finding::Finding;
-use crate::engine::Engine;
+use crate::engine::{Cycle, Engine};
 use crate::exact::Turn;
 
 /// Answers a claim about the firing intervals; a layout without a firing order is asked for one that is even.
@@ -22,7 +22,14 @@ pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
         None if engine.faster_crank().is_some() => {
             return Answer::nothing("when the cylinders of crankshafts of different speeds fire is not decided");
         }
-        None => match (can_fire_evenly(engine), claimed) {
+        None if engine.cycle().is_none()
+            && can_fire_evenly(engine, Cycle::TwoStroke) != can_fire_evenly(engine, Cycle::FourStroke) =>
+        {
+            return Answer::nothing(
+                "the layout gives no cycle, and the throws allow an even firing in one of both, of two or of four strokes, alone",
+            );
+        }
+        None => match (can_fire_evenly(engine, engine.cycle().unwrap_or(Cycle::FourStroke)), claimed) {
             (true, true) => (Status::TrueOnlyIf { conditions: vec![Condition::FiringOrder], met: true }, None),
             (true, false) => {
                 return Answer::nothing("the layout gives no firing order, and its throws allow an even one");
@@ -33,14 +40,15 @@ pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
     Answer { status, finding: Finding::Firing(intervals), evidence: Vec::new() }
 }
 
-/// A four-stroke engine of n cylinders fires evenly in some order iff its top dead centres, modulo a revolution, are those
-/// of the firing angles 2j/n turns.
-fn can_fire_evenly(engine: &Engine) -> bool {
+/// An engine of n cylinders fires evenly in some order iff its top dead centres, modulo a revolution, are those of the firing angles, 2j/n turns
+/// where it has four strokes, j/n where it has two.
+fn can_fire_evenly(engine: &Engine, cycle: Cycle) -> bool {
     let Some(first) = engine.cylinders().first().map(|cylinder| cylinder.top_dead_centre()) else { return false };
     let mut centres: Vec<Turn> =
         engine.cylinders().iter().map(|cylinder| &cylinder.top_dead_centre() - &first).collect();
     let count = centres.len();
-    let mut even: Vec<Turn> = (0..count).map(|j| Turn::new(BigRational::new((2 * j).into(), count.into()))).collect();
+    let mut even: Vec<Turn> =
+        (0..count).map(|j| Turn::new(BigRational::new(j.into(), count.into()) * cycle.turns())).collect();
     centres.sort();
     even.sort();
     centres == even

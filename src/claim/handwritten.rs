@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{Pow, Signed, Zero};
 
+use super::real::is_negative;
 use crate::exact::{PhasorSum, Turn};
 use crate::file::{parse_number, units};
 use crate::numbers::{self, Form};
@@ -209,22 +210,4 @@ fn is_within(sum: &PhasorSum, written: &BigRational, half: &BigRational) -> bool
 pub(super) fn is_within_of(real: &PhasorSum, written: &BigRational, half: &BigRational) -> bool {
     let [low, high] = [written - half, written + half].map(numbers::number);
     !is_negative(&real.minus(&low)) && !is_negative(&high.minus(real))
-}
-
-/// Whether a real sum is below zero: zero is decided exactly, and what is not zero has a sign that enough bits show.
-fn is_negative(real: &PhasorSum) -> bool {
-    if real.vanishes() {
-        return false;
-    }
-    let mut bits = 64;
-    loop {
-        let [(low, high), _] = numbers::enclose(real, bits);
-        if low.is_positive() {
-            return false;
-        }
-        if high.is_negative() {
-            return true;
-        }
-        bits *= 2;
-    }
 }

@@ -29,6 +29,7 @@ mod order;
 mod ordinal;
 mod possible;
 mod provenance;
+mod real;
 mod sentence;
 mod shafts;
 mod shaking;

@@ -59,7 +59,7 @@ Examples:
   crankstar figure V8-crossplane star:1 --output star.svg
   crankstar figure V8-crossplane star:1 --output star.tex
       then \\input{star} in a figure
-  crankstar figure V6-60-shared sweep:force-2 --bank-angle 0..180:10";
+  crankstar figure V2-90 sweep:force-2 --bank-angle 0..180:10";
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {

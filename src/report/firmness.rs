@@ -36,7 +36,8 @@ pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
     header.extend(Disturbance::ALL.map(|disturbance| words(disturbance).0));
     header.push("Verdict");
     let mut table = Table::new(header);
-    for order in orders.iter().flat_map(|order| &order.parts) {
+    // What no mass has at this order is zero whatever is changed.
+    for order in orders.iter().flat_map(|order| &order.parts).filter(|order| order.exists) {
         let force = firmness(engine, &order.force).map(|firmness| (phrase!("force, order {}", order.order), firmness));
         let moment =
             firmness(engine, &order.moment).map(|firmness| (phrase!("moment, order {}", order.order), firmness));
@@ -82,6 +83,9 @@ fn needs_words(engine: &Engine, firmness: &Firmness) -> Text {
 
 /// How firm the zeros of one order are, in a few words: `force firm; moment needs symmetric spacing`.
 pub(super) fn summary(engine: &Engine, order: &OrderBalance) -> Text {
+    if !order.exists {
+        return "–".into();
+    }
     let words = |firmness: Firmness, firm: &'static str, needed: &'static str| match firmness.is_firm() {
         true => Text::from(firm),
         false => phrase!(needed, needs_words(engine, &firmness)),

@@ -175,11 +175,11 @@ const VALUES: &[(&str, usize, &str)] = &[
 /// Names of cylinders, each in a file of three whose last has this name.
 const NAMES: &[(&str, usize, &str)] = &[
     ("'1'", 9, "cylinders 1 and 3 have the same name `1`"),
-    ("''", 13, "one to six letters or digits"),
+    ("''", 13, "one to six letters (A to Z, a to z) or digits"),
     ("'toolong'", 13, "`toolong`"),
-    ("'L 2'", 13, "one to six letters or digits"),
-    ("'é'", 13, "one to six letters or digits"),
-    ("'1-2'", 13, "one to six letters or digits"),
+    ("'L 2'", 13, "one to six letters (A to Z, a to z) or digits"),
+    ("'é'", 13, "one to six letters (A to Z, a to z) or digits"),
+    ("'1-2'", 13, "one to six letters (A to Z, a to z) or digits"),
     ("[1]", 13, "expected a number or a text"),
 ];
 

@@ -51,7 +51,8 @@ impl Writer for Latex {
     }
 
     fn code(&self, text: &str) -> String {
-        format!("\\texttt{{{}}}", text::latex(text))
+        // Two hyphens would be printed as a dash.
+        format!("\\texttt{{{}}}", text::latex(text).replace("--", "-{}-"))
     }
 
     /// In print a file leads nowhere.

@@ -1,12 +1,15 @@
 //! Which counterweights do what is claimed to be possible? Their places, masses and angles in a sentence.
 
 use super::super::{residual, typeset};
-use crate::claim::Witness;
+use crate::claim::{Status, Witness};
 use crate::page::{Text, Unit, phrase};
 use crate::remedy::Weight;
 
-/// The counterweights that were found, with their masses where the layout gives numbers.
-pub(super) fn found(found: &Witness) -> Text {
+/// The counterweights that were found, with their masses where the layout gives numbers; that there are none where the claim is not so.
+pub(super) fn found(found: &Witness, status: &Status) -> Text {
+    if !status.holds() {
+        return "No counterweights at these positions do that.".into();
+    }
     let mass = |index: usize| found.masses.as_ref().and_then(|masses| masses.get(index)).copied();
     let each = found.weights.iter().enumerate().map(|(index, weight)| one(weight, mass(index)));
     let told = match found.weights.is_empty() {

@@ -20,8 +20,12 @@ pub fn claim_status(answer: &Answer) -> Text {
         Status::False => "false".into(),
         Status::NotDecided => "not decided".into(),
         Status::TrueOnlyIf { conditions, met } => {
-            let conditions = Text::joined(conditions.iter().map(condition), " and ");
-            phrase!("true only if {}, {as it is|which it is not} here", conditions, *met)
+            let words = Text::joined(conditions.iter().map(condition), " and ");
+            // Where the layout names no firing order there is none to be one of these.
+            match conditions.contains(&Condition::FiringOrder) {
+                true => phrase!("true only if {}", words),
+                false => phrase!("true only if {}, {as it is|which it is not} here", words, *met),
+            }
         }
     }
 }
@@ -86,7 +90,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         (Finding::Terms(terms), _) => shaking::found(terms),
         (Finding::Largest(found), _) => forces::largest(found),
         (Finding::Agreement(found), _) => forces::agreement(found),
-        (Finding::Witness(found), _) => counterweights::found(found),
+        (Finding::Witness(found), _) => counterweights::found(found, &answer.status),
         (Finding::Nothing(reason), _) => phrase!("{}.", reason.clone()),
     }
 }

@@ -27,16 +27,18 @@ impl Asked<'_> {
         let what = what_is_left(first, statement);
         match self.period {
             Some(period) => phrase!(
-                "Of all orders that exist (1 and the even ones, repeating after {}) these remain: {}; the first is order {}: {}.",
+                "Of all orders that exist (1 and the even ones, repeating after {}) these remain: {}; {the first is|for example} order {}: {}.",
                 period,
                 named,
+                self.surviving.iter().all(|order| *order >= first.order),
                 first.order,
                 what
             ),
             None => phrase!(
-                "Of the {} orders these remain: {}; the first is order {}: {}.",
+                "Of the {} orders these remain: {}; {the first is|for example} order {}: {}.",
                 self.judged,
                 named,
+                self.surviving.iter().all(|order| *order >= first.order),
                 first.order,
                 what
             ),

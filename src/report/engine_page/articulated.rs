@@ -133,7 +133,7 @@ pub(super) fn hidden(engine: &Engine) -> Option<Text> {
         if peak == 0.0 { Text::zero() } else { Text::from(Piece::Quantity(peak, Unit::MULTIPLE)) }
     });
     Some(phrase!(
-        "**Rods are taken as concentric.** With the first of each row as master rod (crank : rod : knuckle radius = {} assumed), order {} would be a force of {}, not {}: give [articulated].",
+        "**Rods are taken as concentric.** With the first rods as masters (crank, rod, knuckles {}, assumed), order {} would be a force of {}, not {}: give [articulated].",
         [r.clone(), &r / &ratio, &knuckle / &ratio].map(|length| typeset::short(&length)).join(" : "),
         order,
         after,

@@ -195,6 +195,12 @@ impl Cure<'_> {
                 phrase!("Order 1: {} leave {}; with {}, nothing.", counterweights, leaves(kept), self.shaft(sense))
             }
             [(Means::Shaft(sense), kept)] => phrase!("Order {}: {} leaves {}.", order, self.shaft(sense), leaves(kept)),
+            [(first @ Means::Shaft(sense), kept), (last, _), ..]
+                if self.engine.crank_turning(order, sense).is_some() =>
+            {
+                let (first, last) = (self.named(first), self.named(last));
+                phrase!("Order {}: {} leave {}; with {}, nothing.", order, first, self.part_left(kept), last)
+            }
             [(Means::Shaft(sense), kept), ..] => {
                 let other = if sense == Sense::Direct { Sense::Reverse } else { Sense::Direct };
                 let [first, second] = [sense, other].map(|sense| self.size(sense).unwrap_or_default());

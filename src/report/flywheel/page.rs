@@ -46,9 +46,10 @@ pub(super) fn page(study: &FlywheelStudy) -> Document {
 /// A value with its closed form before it, where that can be read.
 fn value(value: &WithPi, unit: Unit) -> Text {
     let decimal = match unit {
-        Unit::NONE => Number::Decimal(value.decimal).into(),
+        Unit::NONE => Text::figures(value.decimal),
         unit => quantity(value.decimal, unit),
     };
+    let about = if unit == Unit::NONE { Number::Decimal(value.decimal).into() } else { decimal.clone() };
     let amount = value.form.clone().map(|form| Amount { decimal: form.to_float(), exact: Some(form) });
     match (amount.map(|amount| amount.number()), value.power, unit) {
         (Some(Number::Zero), ..) => Text::zero(),
@@ -64,10 +65,10 @@ fn value(value: &WithPi, unit: Unit) -> Text {
                 (Some(form), 1) => phrase!("π · {} ≈ {}", form, decimal),
                 (Some(form), -1) => phrase!("1/π · {} ≈ {}", form, decimal),
                 (Some(form), _) => phrase!("1/π² · {} ≈ {}", form, decimal),
-                (None, _) => decimal,
+                (None, _) => about,
             }
         }
-        _ => decimal,
+        _ => about,
     }
 }
 
@@ -99,7 +100,7 @@ fn lines(study: &FlywheelStudy) -> Vec<Text> {
     }));
     lines.extend(found.irregularity.as_ref().zip(diagram.inertia.as_ref()).map(|(part, inertia)| {
         let inertia = quantity(float(inertia), Unit::KILOGRAM_SQUARE_METRE);
-        let percent = Number::Decimal(part.decimal * 50.0);
+        let percent = Text::figures(part.decimal * 50.0);
         phrase!(
             "**Speed.** With an inertia of {} the coefficient of fluctuation of speed at {} rpm is {}, that is ± {} % of the mean.",
             inertia,

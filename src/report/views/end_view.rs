@@ -135,7 +135,7 @@ fn draw_rod(figure: &mut Figure, labels: &mut Labels, linkage: &Linkage, half: f
 /// A crank is too small for an arrow within its circle from this radius down, in millimetres.
 const SMALL_CRANK: f64 = 3.0;
 /// The least length of a line under the head of an arrow, in millimetres.
-const UNDER_A_HEAD: f64 = 3.6;
+const UNDER_A_HEAD: f64 = 2.6;
 
 /// The circle of the pins, the throws, the pins and the shaft, and which way it turns.
 fn draw_crank(figure: &mut Figure, labels: &mut Labels, linkages: &[Linkage], sense: Sense) {
