@@ -1,5 +1,6 @@
 //! How is it told that a sum is zero? By a symmetry, or by the regular polygons that are drawn.
 
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use num_rational::BigRational;
@@ -30,7 +31,18 @@ pub(super) fn mirror(engine: &Engine) -> Text {
 /// Vectors that are equally long and opposite, two by two.
 pub(super) fn opposed(engine: &Engine, star: JudgedStar<'_>) -> Text {
     let partners = opposed_partners(star.sum).unwrap_or_default();
-    let pairs = pairs(engine, star.sources, partners.into_iter());
+    // A source with several vectors, as a link has, is known by their directions.
+    let sources: BTreeSet<Source> = star.sources.iter().copied().collect();
+    let pairs = match sources.len() < star.sources.len() {
+        false => pairs(engine, star.sources, partners.into_iter()),
+        true => {
+            let one = |index: usize| {
+                let at = angle(&star.sum.terms()[index].angle);
+                phrase!("{} at {}", star.sources[index].name(engine), at)
+            };
+            partners.into_iter().map(|(first, second)| phrase!("{} and {}", one(first), one(second))).collect()
+        }
+    };
     let number = Text::one_or_more(pairs.len());
     let listed = if pairs.len() == 1 { listed(pairs) } else { Text::joined(pairs, ", of ") };
     match star.quantity {

@@ -56,7 +56,7 @@ pub(super) fn by_order(engines: &[&EngineRow], quantity: Planar, orders: &[u32])
 
 fn name(engine: &EngineRow) -> Text {
     match engine.origin {
-        Origin::Catalogue => Text::link(Text::label(engine.name.clone()), format!("../{}/report.md", engine.name)),
+        Origin::Catalogue => Text::label(engine.name.clone()),
         Origin::Found(_) => phrase!("{}: {}", engine.name.clone(), engine.firing_order.clone()),
     }
 }

@@ -27,7 +27,7 @@ pub(super) fn lines(
     lines.extend(balanced(&judged.orders, &existing));
     lines.extend(others(&existing, weighed, theorem.filter(|theorem| theorem.masses() == judged.masses)));
     // There is room for one of them: balancer shafts and counterweights say more of an engine than rods that it may not have.
-    lines.extend(pistons(judged, parts).or_else(|| articulated::hidden(engine)));
+    lines.extend(pistons(judged, parts).or_else(|| articulated::hidden(engine, weighed)));
     lines
 }
 
@@ -327,7 +327,7 @@ fn notes(
     if is_exact && shows_classes(weighing, as_judged) {
         notes.extend(conventions::rows(engine).into_iter().map(Text::from));
     }
-    notes.extend(articulated::hidden(engine));
+    notes.extend(articulated::hidden(engine, as_judged));
     notes.extend((is_exact && !engine.geared_cranks().is_empty()).then(|| residual::ROLL_LEGEND.into()));
     let lacks = as_judged.and_then(|weighed| weighed.loads.roll_lacks);
     notes.extend(geared::roll_asked_of(engine).or_else(|| lacks.map(|missing| roll_asked(engine, missing))));

@@ -5,6 +5,7 @@ use num_traits::{Signed, Zero};
 
 use super::super::{residual, typeset};
 use super::corrected;
+use super::weighing::Weighed;
 use crate::engine::{Cylinder, Draft, Engine, Form, Link, Mechanism, Rod};
 use crate::exact::Turn;
 use crate::loads::{self, Loads};
@@ -109,14 +110,16 @@ fn in_line(engine: &Engine, judged: &Judgement) -> Vec<String> {
     orders.filter(is_left).filter(lies).map(|order| order.to_string()).collect()
 }
 
-/// What a radial hides whose rods are all taken to be on the crankpin, as a line of the headline.
-pub(super) fn hidden(engine: &Engine) -> Option<Text> {
+/// What a radial hides whose rods are all taken to be on the crankpin, as a line of the headline; with the λ that is assumed beside it where the
+/// file gives no rods.
+pub(super) fn hidden(engine: &Engine, weighed: Option<&Weighed>) -> Option<Text> {
     if engine.form() != Form::Radial || engine.has_links() || engine.has_offset() {
         return None;
     }
     let [r, l, a] = TYPICAL.map(|(n, d)| BigRational::new(n.into(), d.into()));
     let (usual, knuckle) = (&r / &l, &a / &l);
-    let ratio = engine.rods().next().map_or(usual, |rod| rod.ratio.clone());
+    let assumed = weighed.and_then(|weighed| weighed.assumed.clone());
+    let ratio = engine.rods().next().map_or(assumed.unwrap_or(usual), |rod| rod.ratio.clone());
     if !ratio.is_positive() {
         return None;
     }
