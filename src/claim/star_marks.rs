@@ -139,9 +139,11 @@ pub fn mark(star: &Star, filled: &Filled, digits: usize) -> Vec<Marked> {
             let judged = judged(written.map(|(_, _, written)| written), agrees);
             own[column(sense)].push(match (judged, written) {
                 (Judged::Right | Judged::Coarse, _) => {
-                    Some(OwnPhase { turn: right.clone(), rounding: BigRational::zero() })
+                    Some(OwnPhase { turn: right.clone(), rounding: BigRational::zero(), is_right: true })
                 }
-                (_, Some((_, _, Ok(angle)))) => Some(OwnPhase { turn: angle.turn.clone(), rounding: angle.rounding() }),
+                (_, Some((_, _, Ok(angle)))) => {
+                    Some(OwnPhase { turn: angle.turn.clone(), rounding: angle.rounding(), is_right: false })
+                }
                 (_, _) => None,
             });
             let written = written.map(|(_, _, written)| words(written, |angle| &angle.text));
@@ -192,9 +194,11 @@ fn words<T>(written: &Written<T>, text: impl FnOnce(&T) -> &Untrusted) -> Untrus
 struct OwnPhase {
     turn: Turn,
     rounding: BigRational,
+    is_right: bool,
 }
 
-/// Whether a length is that of the sum of the phases that are in the column, or of the phases that they are the roundings of, to enough digits.
+/// Whether a length is that of the sum of the phases that are in the column, or of the phases that they are the roundings of, to enough digits. At
+/// least half of the phases have to be right: a column of zeros makes every sum easy.
 fn follows(
     star: &Star,
     own: Option<&Vec<OwnPhase>>,
@@ -203,6 +207,9 @@ fn follows(
     digits: usize,
 ) -> bool {
     let (Some(own), Some((_, _, Ok(length)))) = (own, written) else { return false };
+    if own.iter().filter(|phase| phase.is_right).count() < own.len().div_ceil(2) {
+        return false;
+    }
     let sum = star.sum_of(own.iter().map(|phase| phase.turn.clone()).collect(), quantity);
     // A vector moves by less than 44/7 of its length times the turns that it is turned by.
     let moved = sum.terms().iter().zip(own).map(|(term, phase)| term.weight.abs() * &phase.rounding);

@@ -20,6 +20,9 @@ pub struct Atlas {
     /// What the page is written in [default: README.md, atlas.tex and atlas.html]
     #[arg(long, value_enum)]
     format: Option<Format>,
+    /// The folder with a report of each engine, NAME/report.md, to which their names lead
+    #[arg(long, value_name = "FOLDER", conflicts_with = "poster")]
+    reports: Option<String>,
     #[command(flatten)]
     page: PageArgs,
 }
@@ -44,6 +47,10 @@ impl Atlas {
         let engines = file::catalogue()?;
         let stars = stars()?;
         let atlas = report::Atlas::new(&engines, &stars).map_err(Failure::new)?;
+        let atlas = match &self.reports {
+            Some(folder) => atlas.leading_to(folder),
+            None => atlas,
+        };
         let mut files = match self.format {
             Some(format) => self.page.files(&atlas.page(), format)?,
             None => {

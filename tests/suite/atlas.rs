@@ -30,7 +30,7 @@ fn written() -> &'static BTreeMap<String, String> {
     FILES.get_or_init(|| {
         let folder = scratch("atlas").join("new");
         let output = Command::new(env!("CARGO_BIN_EXE_crankstar"))
-            .args(["atlas", "--output", folder.to_str().expect("a path")])
+            .args(["atlas", "--reports", "..", "--output", folder.to_str().expect("a path")])
             .output()
             .expect("the program starts");
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

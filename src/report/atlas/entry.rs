@@ -31,6 +31,8 @@ pub(super) struct EngineRow {
     pub origin: Origin,
     /// Name in the catalogue, or number of cylinders.
     pub name: String,
+    /// Where its report is, as a link from the page, if the reader says so.
+    pub report: Option<String>,
     /// Title in the catalogue, or throws.
     pub title: Untrusted,
     /// `even, 180°`.
@@ -100,6 +102,7 @@ impl EngineRow {
         EngineRow {
             origin,
             name,
+            report: None,
             title,
             ties,
             firing: engine_cells::firing(layout.firing()),

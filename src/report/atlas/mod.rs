@@ -31,6 +31,14 @@ impl<'a> Atlas<'a> {
         Ok(Atlas { engines, rows: known.chain(found).collect::<Result<_, _>>()? })
     }
 
+    /// With names of the catalogue that lead to `FOLDER/NAME/report.md`.
+    pub fn leading_to(mut self, folder: &str) -> Self {
+        for row in self.rows.iter_mut().filter(|row| row.origin == entry::Origin::Catalogue) {
+            row.report = Some(format!("{folder}/{}/report.md", row.name));
+        }
+        self
+    }
+
     /// The page, which says that `atlas.csv` is beside it.
     pub fn page(&self) -> Document {
         page::page(self.engines, &self.rows, page::ALONE)

@@ -56,7 +56,10 @@ pub(super) fn by_order(engines: &[&EngineRow], quantity: Planar, orders: &[u32])
 
 fn name(engine: &EngineRow) -> Text {
     match engine.origin {
-        Origin::Catalogue => Text::label(engine.name.clone()),
+        Origin::Catalogue => match &engine.report {
+            Some(report) => Text::link(Text::label(engine.name.clone()), report.clone()),
+            None => Text::label(engine.name.clone()),
+        },
         Origin::Found(_) => phrase!("{}: {}", engine.name.clone(), engine.firing_order.clone()),
     }
 }
