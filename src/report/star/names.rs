@@ -75,10 +75,16 @@ fn broken(words: &[String], width: f64, letters: f64) -> Vec<String> {
     lines
 }
 
-/// A name for above a column of stars.
+/// A name for above a column of stars: of one that is too long what tells it from others, behind a comma, stays whole.
 pub(in crate::report) fn shortened(name: &str, width: f64) -> String {
     // Bold letters are wider.
-    cut(name, width / 1.1, LETTERS)
+    let width = width / 1.1;
+    let Some((engine, part)) = name.split_once(", ") else { return cut(name, width, LETTERS) };
+    let left = width - text_width(&format!(", {part}"), LETTERS);
+    match text_width(name, LETTERS) > width && left >= text_width("m…", LETTERS) {
+        true => format!("{}, {part}", cut(engine, left, LETTERS)),
+        false => cut(name, width, LETTERS),
+    }
 }
 
 /// A text, cut where it is wider than this in millimetres.
