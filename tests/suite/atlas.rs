@@ -11,14 +11,14 @@ use std::sync::OnceLock;
 
 use crankstar::engine::Cycle;
 use crankstar::file;
-use crankstar::page::{Block, Document, Language, Picture};
+use crankstar::page::{Block, Document, Format, Language, Picture};
 use crankstar::report;
 use crankstar::search::{self, Best, Options, Problem};
 
 use crate::studies::catalogue;
 use crate::support::german::{has_words, phrases};
-use crate::support::golden;
 use crate::support::program::{program, scratch};
+use crate::support::{golden, pages};
 
 fn best(cylinders: u32, cycle: Cycle) -> Best {
     search::best_in_line(cylinders, cycle, &Options::default()).expect("there are stars")
@@ -107,6 +107,11 @@ fn the_atlas_has_german_for_every_phrase() {
     let stars = [best(5, Cycle::TwoStroke), best(8, Cycle::FourStroke), best(12, Cycle::TwoStroke)];
     let atlas = report::Atlas::new(&engines, &stars).expect("an atlas");
     let pages: Vec<Document> = atlas.pages().into_iter().chain([atlas.page()]).collect();
+    // Names lead to reports where the reader says that there are some.
+    let has_links =
+        |pages: &[Document]| pages.iter().any(|page| pages::text(page, Format::GITHUB).contains("/report.md"));
+    let led = report::Atlas::new(&engines, &stars).expect("an atlas").leading_to("..").pages();
+    assert!(has_links(&led) && !has_links(&pages));
     let phrases = pages.iter().flat_map(phrases);
     let missing: Vec<&str> = phrases.filter(|words| has_words(words) && !Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "no German for {missing:#?}");

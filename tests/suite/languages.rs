@@ -372,6 +372,14 @@ fn html_names_its_language() {
 }
 
 #[test]
+fn a_fragment_loads_no_package() {
+    let options = Options { language: Language::De, fragment: true, ..Options::default() };
+    let text = page::write(&pages::document(&small_block()), Format::Latex, &options).remove(0).text;
+    assert!(text.lines().all(|line| line.starts_with('%') || !line.contains("\\usepackage")), "{text}");
+    assert!(text.contains("% \\usepackage[ngerman]{babel}"), "{text}");
+}
+
+#[test]
 fn every_entry_translates_what_the_program_says() {
     // Names in the drawings of the tests' own pages find their places by how wide they are in every language.
     let said = literals(&["src", "templates", "tests/suite/studies"]);

@@ -95,3 +95,23 @@ fn each_step_of_a_cure_stands_where_it_leaves_something() {
     let told = said("classify", vee, &[]);
     assert!(told.contains("the same 99.49 N·m"), "{told}");
 }
+
+#[test]
+fn a_claim_on_counterweights_that_is_false_shows_none_that_are_suitable() {
+    let told = checked(
+        "inline = { throws = [0] }\n",
+        "counterweights at 0.5 can balance the direct first-order force and moment",
+    );
+    assert!(told.contains("false. No counterweights at these positions do that."), "{told}");
+}
+
+/// Nothing has order 3 in a four whose axes pass through the shaft, whatever its masses and spacings are.
+#[test]
+fn an_order_that_does_not_exist_is_neither_robust_nor_accidental() {
+    let page = pages::text(
+        &pages::document(&engine("orders = [1, 2, 3]\ninline = { throws = [0, 180, 180, 0] }\n")),
+        Format::GITHUB,
+    );
+    assert!(page.contains("| force, order 1 |") && !page.contains("| force, order 3 |"), "{page}");
+    assert!(!page.contains("| moment, order 3 |"), "{page}");
+}
