@@ -127,7 +127,7 @@ fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
         let most = orders.iter().map(|(_, size)| *size).fold(0.0, f64::max);
         let unit = weighed.unit(Quantity::Axial(quantity)).for_values_up_to(most);
         let is_shown = |order: u32, value: f64| value >= most || weighed.is_told(order, Quantity::Axial(quantity));
-        let (shown, small): (Vec<(u32, f64)>, Vec<(u32, f64)>) =
+        let (shown, small): (Vec<_>, Vec<_>) =
             orders.into_iter().filter(|(_, value)| *value > 0.0).partition(|(order, value)| is_shown(*order, *value));
         for (order, value) in shown {
             rows.push(vec![name.into(), order.into(), size(value, unit), Text::default(), Text::default()]);
