@@ -30,11 +30,6 @@ pub enum Status {
 }
 
 impl Status {
-    /// True or false.
-    pub(super) fn from_truth(holds: bool) -> Self {
-        if holds { Status::True } else { Status::False }
-    }
-
     /// Whether the claim counts as holding.
     pub fn holds(&self) -> bool {
         matches!(self, Status::True | Status::TrueAsRounded | Status::TrueOnlyIf { met: true, .. })

@@ -22,20 +22,14 @@ pub(super) fn length(
     let is_within =
         |half: &BigRational| value.form.as_rational().map(|written| is_length_within(parts, &written, half));
     match &value.tolerance {
-        Tolerance::Within(within) => {
-            (is_within(within).map_or_else(|| nearness(off, float(within)), Status::from_truth), Vec::new())
-        }
+        Tolerance::Within(within) => (nearness(is_within(within), off, float(within)), Vec::new()),
         Tolerance::Part(part) => {
             let exactly = value.form.as_rational().and_then(|written| is_within(&(part * written)));
-            (exactly.map_or_else(|| nearness(off, float(part) * claimed), Status::from_truth), Vec::new())
+            (nearness(exactly, off, float(part) * claimed), Vec::new())
         }
         Tolerance::Exact { rounding } => {
             let (equal, evidence) = equals(&value.form, parts, exact, decimal);
-            let is_rounded = rounding
-                .as_ref()
-                .filter(|half| !half.is_zero())
-                .is_some_and(|half| is_within(half).unwrap_or(off <= float(half)));
-            (exact_status(equal, is_rounded), evidence.into_iter().collect())
+            (exact_status(equal, off, rounding.as_ref(), is_within), evidence.into_iter().collect())
         }
     }
 }
@@ -52,18 +46,14 @@ pub(super) fn bearing(angle: &Angle, sum: &PhasorSum, is_line: bool, decimal: f6
     let is_within = |degrees: &BigRational| is_within(angle, sum, is_line, degrees);
     match &angle.tolerance {
         Tolerance::Within(within) | Tolerance::Part(within) => {
-            (is_within(within).map_or_else(|| nearness(off, float(within)), Status::from_truth), Vec::new())
+            (nearness(is_within(within), off, float(within)), Vec::new())
         }
         Tolerance::Exact { rounding } => {
             let Some(upright) = upright(&angle.bearing, sum, is_line) else { return (Status::NotDecided, Vec::new()) };
             let across = upright.minus(&upright.conjugate());
             let evidence = Evidence::comparison("The part across the claimed direction", across);
             let equal = evidence.vanishes() && evaluate(&upright).re > 0.0;
-            let is_rounded = rounding
-                .as_ref()
-                .filter(|half| !half.is_zero())
-                .is_some_and(|half| is_within(half).unwrap_or(off <= float(half)));
-            (exact_status(Some(equal), is_rounded), vec![evidence])
+            (exact_status(Some(equal), off, rounding.as_ref(), is_within), vec![evidence])
         }
     }
 }
@@ -131,25 +121,30 @@ fn equals(
     (Some(evidence.vanishes() && near), Some(evidence))
 }
 
-fn exact_status(equal: Option<bool>, is_rounded: bool) -> Status {
+/// A value that is not the claimed one may still round to it: `is_within` knows that exactly, where it knows it, else the decimals tell.
+fn exact_status(
+    equal: Option<bool>,
+    off: f64,
+    rounding: Option<&BigRational>,
+    is_within: impl Fn(&BigRational) -> Option<bool>,
+) -> Status {
+    let rounds = |half: &BigRational| !half.is_zero() && is_within(half).unwrap_or(off <= float(half));
     match equal {
         Some(true) => Status::True,
         None => Status::NotDecided,
-        Some(false) => {
-            if is_rounded {
-                Status::TrueAsRounded
-            } else {
-                Status::False
-            }
-        }
+        Some(false) if rounding.is_some_and(rounds) => Status::TrueAsRounded,
+        Some(false) => Status::False,
     }
 }
 
-fn nearness(off: f64, within: f64) -> Status {
-    match off - within {
-        edge if edge.abs() < ALIKE * within && off > 0.0 => Status::NotDecided,
-        edge if edge <= 0.0 => Status::True,
-        _ => Status::False,
+/// Exactly, where that is known; else by how far the decimals are off.
+fn nearness(exactly: Option<bool>, off: f64, within: f64) -> Status {
+    match (exactly, off - within) {
+        (Some(true), _) => Status::True,
+        (Some(false), _) => Status::False,
+        (None, edge) if edge.abs() < ALIKE * within && off > 0.0 => Status::NotDecided,
+        (None, edge) if edge <= 0.0 => Status::True,
+        (None, _) => Status::False,
     }
 }
 

@@ -22,20 +22,24 @@ pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
         None if engine.faster_crank().is_some() => {
             return Answer::nothing("when the cylinders of crankshafts of different speeds fire is not decided");
         }
-        None if engine.cycle().is_none()
-            && can_fire_evenly(engine, Cycle::TwoStroke) != can_fire_evenly(engine, Cycle::FourStroke) =>
-        {
-            return Answer::nothing(
-                "the layout gives no cycle, and the throws allow an even firing in one of both, of two or of four strokes, alone",
-            );
-        }
-        None => match (can_fire_evenly(engine, engine.cycle().unwrap_or(Cycle::FourStroke)), claimed) {
-            (true, true) => (Status::TrueOnlyIf { conditions: vec![Condition::FiringOrder], met: true }, None),
-            (true, false) => {
-                return Answer::nothing("the layout gives no firing order, and its throws allow an even one");
+        None => {
+            let cycles = engine.cycle().map_or(vec![Cycle::TwoStroke, Cycle::FourStroke], |cycle| vec![cycle]);
+            let can: Vec<bool> = cycles.into_iter().map(|cycle| can_fire_evenly(engine, cycle)).collect();
+            match (can.contains(&true), can.contains(&false), claimed) {
+                (true, true, _) => {
+                    return Answer::nothing(
+                        "the layout gives no cycle, and the throws allow an even firing in one of both, of two or of four strokes, alone",
+                    );
+                }
+                (true, false, true) => {
+                    (Status::TrueOnlyIf { conditions: vec![Condition::FiringOrder], met: true }, None)
+                }
+                (true, false, false) => {
+                    return Answer::nothing("the layout gives no firing order, and its throws allow an even one");
+                }
+                (false, _, claimed) => (if claimed { Status::False } else { Status::True }, None),
             }
-            (false, claimed) => (if claimed { Status::False } else { Status::True }, None),
-        },
+        }
     };
     Answer { status, finding: Finding::Firing(intervals), evidence: Vec::new() }
 }

@@ -37,26 +37,22 @@ pub(super) fn is_length_within(parts: [&PhasorSum; 2], written: &BigRational, ha
 fn compare([a, b]: &[PhasorSum; 2], t: &BigRational, at_most: bool) -> bool {
     let four = BigRational::from_integer(4.into());
     let rest = numbers::number(&four * t * t).minus(a).minus(b);
-    let difference = || rest.times(&rest).minus(&a.times(b).scaled(&four));
-    match (at_most, is_negative(&rest)) {
-        (true, true) => false,
-        (true, false) => !is_negative(&difference()),
-        (false, true) => true,
-        (false, false) => !is_negative(&difference().scaled(&-BigRational::from_integer(1.into()))),
+    if is_negative(&rest) {
+        return !at_most;
     }
+    let (square, product) = (rest.times(&rest), a.times(b).scaled(&four));
+    !is_negative(&if at_most { square.minus(&product) } else { product.minus(&square) })
 }
 
 /// Whether the direction of a sum that is not zero is no farther than `half` from an angle, both in turns, `half` below a quarter.
 pub(super) fn is_direction_within(sum: &PhasorSum, written: &BigRational, half: &BigRational) -> bool {
-    // i(z − z̄) is −2 times the part of z across direction 0.
-    let across = |turns: BigRational| {
+    // z + z̄ is twice the part of z along direction 0; with z turned by a quarter, that across it.
+    let along = |turns: BigRational| {
         let turned = sum.turned(&Turn::new(-turns));
-        turned.minus(&turned.conjugate()).turned(&Turn::fraction(1, 4))
+        turned.plus(&turned.conjugate())
     };
-    let turned = sum.turned(&Turn::new(-written.clone()));
-    let ahead = turned.plus(&turned.conjugate());
-    !is_negative(&ahead) && !ahead.vanishes() && !is_negative(&across(written + half)) && {
-        let behind = across(written - half);
-        behind.vanishes() || is_negative(&behind)
-    }
+    let quarter = BigRational::new(1.into(), 4.into());
+    let ahead = along(written.clone());
+    let is_ahead = !is_negative(&ahead) && !ahead.vanishes();
+    is_ahead && !is_negative(&along(written + half - &quarter)) && !is_negative(&along(written - half + quarter))
 }

@@ -56,8 +56,8 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
         Err(refused) => return Answer::nothing(&refused.to_string()),
     };
     // Counterweights on a crankshaft are the shaft that turns as it does.
-    let with = direct && order > 1 && engine.crank_turning(order, Sense::Direct).is_none();
-    let against = reverse && engine.crank_turning(order, Sense::Reverse).is_none();
+    let with = direct && !engine.has_crank_turning(order, Sense::Direct);
+    let against = reverse && !engine.has_crank_turning(order, Sense::Reverse);
     let is_so = match claimed {
         Shafts::Nothing => !direct && !reverse,
         Shafts::None => !with && !against,

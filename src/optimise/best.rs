@@ -90,10 +90,10 @@ impl<'a> Search<'a> {
     pub fn lightest(&mut self, peak: f64) -> Result<Option<f64>, OptimiseError> {
         let least = self.solve(Least::Peak, None, None)?.peak;
         // The least load is known to the accuracy of the solver: a load a little below it is that load.
-        let peak = if peak >= least * (1.0 - ACCURACY) { peak.max(least * (1.0 + SLACK)) } else { peak };
-        if peak < least * (1.0 + SLACK) {
+        if peak < least * (1.0 - ACCURACY) {
             return Ok(None);
         }
+        let peak = peak.max(least * (1.0 + SLACK));
         Ok(Some(self.solve(Least::Mass, None, Some(peak))?.mass))
     }
 

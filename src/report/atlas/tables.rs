@@ -55,12 +55,10 @@ pub(super) fn by_order(engines: &[&EngineRow], quantity: Planar, orders: &[u32])
 }
 
 fn name(engine: &EngineRow) -> Text {
-    match engine.origin {
-        Origin::Catalogue => match &engine.report {
-            Some(report) => Text::link(Text::label(engine.name.clone()), report.clone()),
-            None => Text::label(engine.name.clone()),
-        },
-        Origin::Found(_) => phrase!("{}: {}", engine.name.clone(), engine.firing_order.clone()),
+    match (engine.origin, &engine.report) {
+        (Origin::Catalogue, Some(report)) => Text::link(Text::label(engine.name.clone()), report.clone()),
+        (Origin::Catalogue, None) => Text::label(engine.name.clone()),
+        (Origin::Found(_), _) => phrase!("{}: {}", engine.name.clone(), engine.firing_order.clone()),
     }
 }
 

@@ -98,11 +98,11 @@ fn furthest(engines: &[Compared]) -> Option<Text> {
 /// where nothing is left; none where it is not known.
 fn lowest_left(engine: &Compared) -> Option<(u32, bool)> {
     let [force, moment] = first_left(engine)?;
-    let lowest = |first: &Option<(u32, Shape)>| first.map_or(u32::MAX, |(order, _)| order);
-    let needs_weights = [force, moment].into_iter().flatten().all(|first| first.0 > 1 || first == (1, Shape::Rotating))
-        && lowest(&force).min(lowest(&moment)) == 1;
-    if !needs_weights {
-        return Some((lowest(&force).min(lowest(&moment)), false));
+    let firsts = || [force, moment].into_iter().flatten();
+    let lowest = firsts().map(|(order, _)| order).min().unwrap_or(u32::MAX);
+    let is_cancelled = |first: (u32, Shape)| first.0 > 1 || first == (1, Shape::Rotating);
+    if lowest > 1 || !firsts().all(is_cancelled) {
+        return Some((lowest, false));
     }
     match engine.theorem.as_ref().ok()?.next_left(&[1]) {
         NextLeft::Order(order) => Some((order, true)),

@@ -59,23 +59,23 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
     (!plots.is_empty()).then(|| stacked(plots))
 }
 
-/// For a place such as `{bank angle φ|angle φ|pin split δ}`.
-pub(in crate::report) fn which_angle(family: &Family, unknown: &str) -> Text {
-    let choice = match (unknown == PHI, family.has_open_banks()) {
+/// Which open angle it is, of bank angle φ, angle φ and pin split δ: φ is the bank angle where it turns banks.
+fn kind_of_angle(family: &Family, unknown: &str) -> usize {
+    match (unknown == PHI, family.has_open_banks()) {
         (true, true) => 0,
         (true, false) => 1,
         (false, _) => 2,
-    };
-    Piece::Choice(choice).into()
+    }
 }
 
-/// What the axis of an open angle is called: φ is the bank angle where it turns banks.
+/// For a place such as `{bank angle φ|angle φ|pin split δ}`.
+pub(in crate::report) fn which_angle(family: &Family, unknown: &str) -> Text {
+    Piece::Choice(kind_of_angle(family, unknown)).into()
+}
+
+/// What the axis of an open angle is called.
 pub(in crate::report) fn axis_name(family: &Family, unknown: &str) -> &'static str {
-    match (unknown == PHI, family.has_open_banks()) {
-        (true, true) => "Bank angle φ in °",
-        (true, false) => "Angle φ in °",
-        (false, _) => "Pin split δ in °",
-    }
+    ["Bank angle φ in °", "Angle φ in °", "Pin split δ in °"][kind_of_angle(family, unknown)]
 }
 
 /// What the drawing of [`amplitudes`] shows.
