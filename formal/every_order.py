@@ -1,4 +1,4 @@
-"""The second checker, verify.py: statements on every order at once, as theorems or as recurrences (src/proof/README.md)."""
+"""The second checker, verify.py: statements on every order at once, as theorems or as recurrences (src/kernel/proof/README.md)."""
 from fractions import Fraction
 from math import prod
 
@@ -99,7 +99,7 @@ def check_factor(factor, parity, first):
     due = range(first, first + int(period), 2)
     if len(factor.judged) != len(due):
         # In a vanishing sum of n vectors each has another at R·(angle − angle) whole, R the product of the primes up to n (the lemma
-        # of src/proof/README.md): R (k s + t) = (k p + r)/q, so that k is one number modulo q, or none.
+        # of src/kernel/proof/README.md): R (k s + t) = (k p + r)/q, so that k is one number modulo q, or none.
         R = prod(p for p in range(2, len(rays) + 1) if primes_of(p) == [p])
         for place, (s, t) in enumerate(angles):
             partners = set()

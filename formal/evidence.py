@@ -1,4 +1,4 @@
-"""The second checker, verify.py: loads and comparisons, numbers with verdicts as their evidence (src/proof/README.md)."""
+"""The second checker, verify.py: loads and comparisons, numbers with verdicts as their evidence (src/kernel/proof/README.md)."""
 from enclosures import exact
 from verify import check_classify, demand, each, equal, read, types
 

@@ -1,4 +1,4 @@
-"""The second checker, verify.py: families, engines with open angles and lengths (src/proof/README.md)."""
+"""The second checker, verify.py: families, engines with open angles and lengths (src/kernel/proof/README.md)."""
 from fractions import Fraction
 from math import gcd
 

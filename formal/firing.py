@@ -1,4 +1,4 @@
-"""The second checker, verify.py: the firing stars of an engine (src/proof/README.md)."""
+"""The second checker, verify.py: the firing stars of an engine (src/kernel/proof/README.md)."""
 from fractions import Fraction
 
 from enclosures import check_shown

@@ -1,4 +1,4 @@
-"""The second checker, verify.py: articulated rods, links on a master rod, as src/proof/README.md tells them."""
+"""The second checker, verify.py: articulated rods, links on a master rod, as src/kernel/proof/README.md tells them."""
 from fractions import Fraction
 from math import comb
 

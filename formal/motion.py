@@ -1,4 +1,4 @@
-"""The second checker, verify.py: the numbers of the motion, enclosed. The formulas are those of src/proof/README.md and docs/theory.md."""
+"""The second checker, verify.py: the numbers of the motion, enclosed. The formulas are those of src/kernel/proof/README.md and docs/theory.md."""
 from fractions import Fraction
 from functools import lru_cache
 from math import isqrt

@@ -1,4 +1,4 @@
-"""The second checker, verify.py: remedies, the weights that balance an engine (src/proof/README.md)."""
+"""The second checker, verify.py: remedies, the weights that balance an engine (src/kernel/proof/README.md)."""
 from fractions import Fraction
 from math import isqrt
 

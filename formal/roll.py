@@ -1,4 +1,4 @@
-"""The second checker, verify.py: the roll moment of an engine with several crankshafts, as src/proof/README.md tells it."""
+"""The second checker, verify.py: the roll moment of an engine with several crankshafts, as src/kernel/proof/README.md tells it."""
 from fractions import Fraction
 
 from verify import demand, of_force, of_torque, phase, terms_of

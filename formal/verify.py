@@ -8,7 +8,7 @@ that of DOCUMENT is refused (reference.py).
 
 Every verdict is about a sum  S = Σ weight · e^(2πi·angle)  with rational weights and angles (in turns). The checker rebuilds S
 from the engine that the document names, and then believes nothing but arithmetic with whole numbers: it never searches. The
-format is described in src/proof/README.md. What is not checked is named, document by document, in lines with "not checked".
+format is described in src/kernel/proof/README.md. What is not checked is named, document by document, in lines with "not checked".
 
 This file and reading.py suffice for verdicts on an engine. It loads those beside it (`beside`) where a document calls for them: articulated
 rods, several crankshafts, sums before different numbers, every order at once, and the other kinds of documents.

@@ -18,7 +18,7 @@ def is_open(of):
 
 def check_outcome(outcome, k, sense, left):
     """Whether the whole is zero; None where that is not decided."""
-    # That c_k, t_k and g_k are not zero where they are there is a theorem (src/motion); of the parts of h_k there is none.
+    # That c_k, t_k and g_k are not zero where they are there is a theorem (src/kernel/motion); of the parts of h_k there is none.
     if not left or len(left) == 1 and next(iter(left))[0] != "corrected":
         demand(outcome == ("not-zero" if left else "zero"), f"{len(left)} sums remain, which contradicts {outcome}")
         return not left

@@ -1,13 +1,9 @@
-//! Build script: lists the files that are data, so that adding an engine of the catalogue, or a language, is adding a file.
+//! Build script: lists the words of each language, so that adding a language is adding a file.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 fn main() {
-    let engines = listed("src/file/catalogue");
-    let entries =
-        engines.iter().map(|(name, path)| format!("Entry {{ name: {name:?}, text: include_str!({path:?}) }},\n"));
-    write("catalogue.rs", &format!("const ENTRIES: &[Entry] = &[\n{}];\n", entries.collect::<String>()));
     write("languages.rs", &languages(&listed("templates/words")));
 }
 

@@ -60,8 +60,8 @@
 //! proof  motion  beam  text
 //! ```
 //!
-//! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that. Floats
-//! do not compile in `proof`, `exact`, `beam`, `engine`, `file`, `firing`, `order`, `stars`, `text` and `verdict`.
+//! The upper four storeys are this crate; the rooms below them are the crate `crankstar_kernel`, of which every name stands here too.
+//! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that.
 //!
 //! # Features
 //!
@@ -83,96 +83,26 @@
 #[cfg(feature = "cli")]
 extern crate self as crankstar;
 
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod beam;
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod engine;
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod exact;
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod file;
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod firing;
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod order;
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod proof;
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod stars;
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod text;
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod verdict;
+#[doc(inline)]
+pub use crankstar_kernel::*;
 
-#[allow(clippy::disallowed_types)]
-pub mod accuracy;
-#[allow(clippy::disallowed_types)]
-pub mod claim;
-#[deny(clippy::disallowed_types, clippy::float_arithmetic)]
-pub mod classroom;
 /// The program, which `src/main.rs` and the command of the Python package call; no interface of the library.
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 #[allow(clippy::disallowed_types, missing_docs)]
 pub mod cli;
-#[allow(clippy::disallowed_types)]
-pub mod family;
-#[allow(clippy::disallowed_types)]
-pub mod flywheel;
-#[allow(clippy::disallowed_types)]
-pub mod gas;
-#[allow(clippy::disallowed_types)]
-pub mod journal;
-#[allow(clippy::disallowed_types)]
-pub mod loads;
-#[allow(clippy::disallowed_types)]
-pub mod motion;
-#[allow(clippy::disallowed_types)]
-pub mod mounts;
-#[allow(clippy::disallowed_types)]
-pub mod numbers;
-#[cfg(feature = "optimise")]
-#[allow(clippy::disallowed_types)]
-pub mod optimise;
 #[cfg(feature = "report")]
 #[allow(clippy::disallowed_types)]
 pub mod page;
 #[cfg(feature = "python")]
 #[allow(clippy::disallowed_types)]
 mod python;
-#[allow(clippy::disallowed_types)]
-pub mod remedy;
 #[cfg(feature = "report")]
 #[allow(clippy::disallowed_types)]
 pub mod report;
-#[allow(clippy::disallowed_types)]
-pub mod rotor;
-#[allow(clippy::disallowed_types)]
-pub mod search;
-pub mod shard;
-#[allow(clippy::disallowed_types)]
-pub mod sweep;
-#[allow(clippy::disallowed_types)]
-pub mod table;
-#[allow(clippy::disallowed_types)]
-pub mod torque;
-#[allow(clippy::disallowed_types)]
-pub mod torsion;
 #[cfg(feature = "web")]
 #[allow(clippy::disallowed_types)]
 pub mod web;
 
-pub use engine::{BuildError, Cycle, Cylinder, Draft, Engine, Family, Mechanism, Rod};
-pub use exact::{PhasorSum, Turn};
-pub use file::{Layout, LayoutError, find, parse, parse_layout};
-pub use order::Masses;
-pub use proof::{
-    AnyDocument, Axial, Certificate, Checked, Fault, Planar, Quantity, Refusal, Sense, Unreadable, check_certificate,
-    read_document,
-};
 #[cfg(feature = "report")]
 pub use report::data;
-pub use verdict::classify;
-
-/// The numbers of an engine: positions, masses, ratios.
-pub use num_rational::BigRational;

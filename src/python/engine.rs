@@ -41,7 +41,7 @@ use crate::{loads, verdict};
 ///
 /// `throws` and `banks` in degrees, `positions` along the crankshaft towards the free end in metres or in multiples of the spacing,
 /// `masses` in multiples of one reciprocating mass, `names`: lists with one value for each cylinder. All other keywords are the keys and
-/// tables of a layout file, as src/file/README.md lists them. Numbers are taken exactly as Python shows them: int, float, str with a unit
+/// tables of a layout file, as src/kernel/file/README.md lists them. Numbers are taken exactly as Python shows them: int, float, str with a unit
 /// ("22.5 deg", "3/2"), fractions.Fraction, decimal.Decimal, and numbers and arrays of NumPy.
 ///
 /// Raises LayoutError with the line and column in `layout`, the text that the keywords make.

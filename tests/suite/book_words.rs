@@ -383,7 +383,7 @@ fn rows_of_a_radial_take_their_throws_from_the_order() {
 
 #[test]
 fn the_examples_of_the_documentation_are_layout_files() {
-    let text = include_str!("../../src/file/README.md");
+    let text = include_str!("../../src/kernel/file/README.md");
     let section = text.split("\n## ").find(|section| section.starts_with("As books write it")).expect("the section");
     let examples: Vec<&str> = section.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
     assert_eq!(examples.len(), 5);

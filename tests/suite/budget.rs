@@ -5,6 +5,8 @@
 use std::fs;
 use std::path::Path;
 
+use crate::support::rooms;
+
 /// The rooms with their lines: what they have, and a little.
 const BUDGET: [(&str, usize); 35] = [
     ("accuracy", 1690),
@@ -56,10 +58,8 @@ fn lines(folder: &Path) -> usize {
 
 #[test]
 fn no_room_has_more_lines_than_its_budget() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let rooms = fs::read_dir(&source).expect("src").map(|entry| entry.expect("an entry").path());
-    for room in rooms.filter(|path| path.is_dir()) {
-        let name = room.file_name().expect("a name").to_string_lossy().into_owned();
+    for room in rooms::folders() {
+        let name = rooms::name(&room);
         let budget = BUDGET.iter().find(|(known, _)| *known == name);
         let (_, budget) = budget.unwrap_or_else(|| panic!("`{name}` has no budget"));
         let lines = lines(&room);

@@ -233,7 +233,7 @@ fn no_line_of_a_comparison_is_longer_than_eighty_columns() {
         files.sort();
         files
     };
-    let all = [layouts("src/file/catalogue"), layouts("reports/examples")].concat();
+    let all = [layouts("src/kernel/file/catalogue"), layouts("reports/examples")].concat();
     let mut lines = 0;
     for (index, some) in all.chunks(5).filter(|some| some.len() > 1).enumerate() {
         let mut arguments: Vec<&str> = some.iter().map(|path| path.to_str().expect("UTF-8")).collect();

@@ -180,7 +180,7 @@ fn a_pin_split_above_0_turns_the_pin_of_bank_2_anticlockwise_in_the_drawing() {
 fn the_pictures_of_the_page_of_keys_are_those_of_the_program() {
     let offsets = format!("title = \"Two cranks that turn against each other, one offset\"\n{PICTURED_OFFSET}");
     let split = format!("title = \"pin_split = 76\"\n{PICTURED_SPLIT}");
-    let page = include_str!("../../src/file/README.md");
+    let page = include_str!("../../src/kernel/file/README.md");
     let mut files = std::collections::BTreeMap::new();
     for (name, text) in [("pin-offset", offsets), ("pin-split", split)] {
         let engine = layout(&text);

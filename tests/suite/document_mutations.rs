@@ -19,7 +19,7 @@ use crate::support::second;
 use crate::support::verdicts::{self, judged, theorem};
 use crate::support::whole_documents::{cylinder, document, turning};
 
-/// Free text, as src/proof/README.md lists it.
+/// Free text, as src/kernel/proof/README.md lists it.
 const FREE_TEXT: [&str; 3] = [".title", ".cylinders[].name", ".turning_masses[].name"];
 
 /// A whole turn more, or none less, is the same direction.

@@ -60,7 +60,7 @@ fn listed(engine: &Engine) -> String {
 
 #[test]
 fn a_list_with_one_value_per_cylinder_follows_the_order_that_the_page_of_keys_tells() {
-    let page = include_str!("../../src/file/README.md");
+    let page = include_str!("../../src/kernel/file/README.md");
     for (form, text, order) in LISTED {
         let engine = layout(text);
         let found = listed(&engine);

@@ -199,6 +199,7 @@ mod support {
     pub mod plane_star;
     pub mod program;
     pub mod rfc4180;
+    pub mod rooms;
     pub mod second;
     pub mod side;
     pub mod stiffness;

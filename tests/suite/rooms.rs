@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::support::imports;
+use crate::support::{imports, rooms};
 
 /// The rooms from the ground up: each imports from the storeys below, and from its own nothing but itself.
 const STOREYS: [&[&str]; 16] = [
@@ -26,6 +26,9 @@ const STOREYS: [&[&str]; 16] = [
     &["python"],
 ];
 
+/// So many of them, from the ground up, are the kernel: a crate of its own, of which the compiler keeps pages and commands out.
+const KERNEL: usize = 12;
+
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
@@ -38,9 +41,9 @@ pub fn source_files(folder: &Path) -> Vec<PathBuf> {
     files.into_iter().filter(|path| path.extension().is_some_and(|ending| ending == "rs")).chain(nested).collect()
 }
 
-/// `src/exact/decide.rs` is the module `exact::decide`, `src/exact/mod.rs` is `exact`.
+/// `src/kernel/exact/decide.rs` is the module `exact::decide`, `src/kernel/exact/mod.rs` is `exact`.
 fn module(file: &Path) -> Vec<String> {
-    let below = file.strip_prefix(root().join("src")).expect("a file of src").with_extension("");
+    let below = rooms::path_in_crate(file).with_extension("");
     let names = below.iter().map(|name| name.to_string_lossy().into_owned());
     names.filter(|name| name != "mod").collect()
 }
@@ -55,15 +58,15 @@ fn imports_of(file: &Path) -> BTreeSet<String> {
 #[test]
 fn a_room_imports_only_from_the_storeys_below() {
     let mut imports = 0;
-    for (storey, rooms) in STOREYS.iter().enumerate() {
-        let below: Vec<&str> = STOREYS[..storey].concat();
-        for room in *rooms {
-            for file in source_files(&root().join("src").join(room)) {
-                for imported in imports_of(&file) {
-                    let is_below = imported == *room || below.contains(&imported.as_str());
-                    assert!(is_below, "{} imports {imported}, which is not below {room}", file.display());
-                    imports += usize::from(imported != *room);
-                }
+    for folder in rooms::folders() {
+        let room = rooms::name(&folder);
+        let below =
+            STOREYS.iter().take_while(|rooms| !rooms.contains(&room.as_str())).copied().collect::<Vec<_>>().concat();
+        for file in source_files(&folder) {
+            for imported in imports_of(&file) {
+                let is_below = imported == room || below.contains(&imported.as_str());
+                assert!(is_below, "{} imports {imported}, which is not below {room}", file.display());
+                imports += usize::from(imported != room);
             }
         }
     }
@@ -72,7 +75,7 @@ fn a_room_imports_only_from_the_storeys_below() {
 
 #[test]
 fn the_checker_imports_nothing_of_the_solver() {
-    for file in source_files(&root().join("src/proof")) {
+    for file in source_files(&root().join("src/kernel/proof")) {
         let imported = imports_of(&file);
         assert!(imported.iter().all(|name| name == "proof"), "{} imports {imported:?}", file.display());
     }
@@ -80,9 +83,13 @@ fn the_checker_imports_nothing_of_the_solver() {
 
 #[test]
 fn library_and_map_draw_the_storeys() {
-    for (file, mark) in [("src/lib.rs", "//! "), ("CONTRIBUTING.md", "")] {
+    for (file, mark, storeys) in [
+        ("src/kernel/lib.rs", "//! ", &STOREYS[..KERNEL]),
+        ("src/lib.rs", "//! ", &STOREYS[..]),
+        ("CONTRIBUTING.md", "", &STOREYS[..]),
+    ] {
         let text = fs::read_to_string(root().join(file)).expect("a text");
-        let storeys: Vec<String> = STOREYS.iter().rev().map(|rooms| format!("{mark}{}\n", rooms.join("  "))).collect();
+        let storeys: Vec<String> = storeys.iter().rev().map(|rooms| format!("{mark}{}\n", rooms.join("  "))).collect();
         let drawn = format!("{mark}```text\n{}{mark}```\n", storeys.concat());
         assert!(text.contains(&drawn), "{file} does not draw\n{drawn}");
     }
@@ -90,11 +97,18 @@ fn library_and_map_draw_the_storeys() {
 
 #[test]
 fn there_is_no_other_room() {
-    let folders = fs::read_dir(root().join("src")).expect("src").map(|entry| entry.expect("an entry").path());
-    let folders = folders.filter(|path| path.is_dir()).map(|path| path.file_name().expect("a name").to_owned());
-    let found: BTreeSet<String> = folders.map(|name| name.to_string_lossy().into_owned()).collect();
+    let found: BTreeSet<String> = rooms::folders().iter().map(|folder| rooms::name(folder)).collect();
     let drawn: BTreeSet<String> = STOREYS.concat().into_iter().map(str::to_owned).collect();
     assert_eq!(found, drawn);
+    for folder in rooms::folders() {
+        let is_of_kernel = STOREYS[..KERNEL].concat().contains(&rooms::name(&folder).as_str());
+        assert_eq!(
+            folder.parent().is_some_and(|parent| parent.ends_with("kernel")),
+            is_of_kernel,
+            "{}",
+            folder.display()
+        );
+    }
 }
 
 /// Each spelling, read in the module `exact::decide`, and what it takes from the root.

@@ -47,7 +47,7 @@ fn the_reader_has_the_keys_of_the_schema() {
 
 #[test]
 fn the_page_of_keys_names_every_key() {
-    let page = include_str!("../../src/file/README.md");
+    let page = include_str!("../../src/kernel/file/README.md");
     let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
     for (table, keys) in file::tables() {
         for key in keys {
@@ -71,13 +71,13 @@ fn files(folder: &Path, all: &mut Vec<PathBuf>) {
 fn layouts() -> Vec<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut stored = Vec::new();
-    for folder in ["src/file/catalogue", "reports", "docs/conventions"] {
+    for folder in ["src/kernel/file/catalogue", "reports", "docs/conventions"] {
         files(&root.join(folder), &mut stored);
     }
     let stored = stored.iter().map(|path| fs::read_to_string(path).expect("a text"));
     let mut texts: Vec<String> = stored.filter(|text| is_read(text)).collect();
     assert!(texts.len() > 150, "only {} stored layouts are read", texts.len());
-    let page = include_str!("../../src/file/README.md");
+    let page = include_str!("../../src/kernel/file/README.md");
     let examples = page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next());
     texts.extend(examples.filter(|text| is_read(text)).map(str::to_owned));
     let mut dice = Dice::new(29);

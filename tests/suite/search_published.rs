@@ -64,7 +64,8 @@ fn row(order: &[usize]) -> String {
 #[test]
 fn the_table_of_published_two_stroke_orders_is_what_the_search_finds() {
     let table: String = PUBLISHED.iter().map(|order| row(order)).collect();
-    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/search/README.md")).expect("a text");
+    let readme =
+        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/kernel/search/README.md")).expect("a text");
     assert!(readme.contains(&table), "the rows are\n{table}");
 }
 

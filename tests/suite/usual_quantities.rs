@@ -112,7 +112,7 @@ fn toml_files(folder: &Path) -> Vec<PathBuf> {
 fn no_engine_of_this_repository_is_odd() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut read = 0;
-    for path in ["src/file/catalogue", "reports", "formal/engines", "docs", "examples"]
+    for path in ["src/kernel/file/catalogue", "reports", "formal/engines", "docs", "examples"]
         .iter()
         .flat_map(|folder| toml_files(&root.join(folder)))
     {

@@ -4,6 +4,7 @@ use super::super::block::Picture;
 use super::super::tikz::tikz;
 use super::super::{Unit, number};
 use super::columns::Cells;
+use super::siunitx::siunitx;
 use super::templates;
 use super::writer::{File, Writer};
 use crate::text::{self, Format, Untrusted};
@@ -73,7 +74,7 @@ impl Writer for Latex {
     }
 
     fn quantity(&self, number: &str, unit: Unit) -> Option<String> {
-        unit.siunitx().map(|commands| format!("\\qty{{{}}}{{{commands}}}", number::in_ascii(number)))
+        siunitx(&unit).map(|commands| format!("\\qty{{{}}}{{{commands}}}", number::in_ascii(number)))
     }
 
     fn has_labels(&self) -> bool {

@@ -11,6 +11,7 @@ mod latex;
 mod markdown;
 mod notation;
 mod options;
+mod siunitx;
 mod templates;
 mod terminal;
 mod tex;

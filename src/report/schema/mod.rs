@@ -1,6 +1,6 @@
 //! Of which form is a document? As JSON Schemas, for editors and for programs that read documents.
 //!
-//! `documents.txt` has the formats; the checkers (`src/proof`) and the tables of data have the last word, and tests hold the schemas to both.
+//! `documents.txt` has the formats; the checkers (`src/kernel/proof`) and the tables of data have the last word, and tests hold the schemas to both.
 
 mod grammar;
 

@@ -1,5 +1,5 @@
 //! How does a test come by a document on any masses and any rods? The head is given; the proofs are made here, by a
-//! reading of src/proof/README.md that shares nothing with the program.
+//! reading of src/kernel/proof/README.md that shares nothing with the program.
 
 use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::motion::SliderCrank;

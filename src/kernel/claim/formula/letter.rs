@@ -1,0 +1,129 @@
+//! Which letters are in a formula, and what of a cylinder can a formula be said of?
+
+/// A letter of a formula, as in section 2.3 of the thesis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Letter {
+    /// θ, the crank's angle from the dead centre on the cylinder axis, in radians.
+    Theta,
+    /// β, the angle of the rod with the axis: `sin β = λ sin θ − δ`.
+    Beta,
+    /// λ = r/L.
+    Lambda,
+    /// δ = e/L.
+    Delta,
+    /// r, the crank radius in metres.
+    Radius,
+    /// L, the length of the rod.
+    Rod,
+    /// h = r cos θ + L cos β, the height of the piston pin over the crankshaft.
+    Height,
+    /// ω in radians a second.
+    Omega,
+    /// D, the bore.
+    Bore,
+    /// p, the pressure in the cylinder in pascals, absolute.
+    Pressure,
+    /// p_0, that of the crankcase.
+    Crankcase,
+    /// m_ALT, the reciprocating mass in kilograms.
+    Reciprocating,
+    /// m_ROT, the rotating mass of the rod.
+    Rotating,
+    /// F_g, the gas force towards the crank.
+    Gas,
+    /// F_ALT, the inertia force towards the crank.
+    Alternating,
+    /// F = F_g + F_ALT, the piston effort.
+    Effort,
+    /// F_b, along the rod.
+    AlongTheRod,
+    /// F_L, the thrust on the cylinder.
+    Thrust,
+    /// F_t, across the crank.
+    AcrossTheCrank,
+    /// F_ROT, the centrifugal force of the rod's rotating mass.
+    Centrifugal,
+    /// M, the torque of the cylinder.
+    Torque,
+}
+
+impl Letter {
+    /// Every way to write a letter; of two that begin alike the longer one stands first.
+    pub(super) const NAMES: [(&'static str, Letter); 32] = [
+        ("F_ALT", Letter::Alternating),
+        ("F_ROT", Letter::Centrifugal),
+        ("F_g", Letter::Gas),
+        ("F_b", Letter::AlongTheRod),
+        ("F_L", Letter::Thrust),
+        ("F_t", Letter::AcrossTheCrank),
+        ("F", Letter::Effort),
+        ("m_ALT", Letter::Reciprocating),
+        ("m_ROT", Letter::Rotating),
+        ("m", Letter::Reciprocating),
+        ("p_0", Letter::Crankcase),
+        ("p", Letter::Pressure),
+        ("θ", Letter::Theta),
+        ("theta", Letter::Theta),
+        ("ψ", Letter::Theta),
+        ("psi", Letter::Theta),
+        ("β", Letter::Beta),
+        ("beta", Letter::Beta),
+        ("λ", Letter::Lambda),
+        ("lambda", Letter::Lambda),
+        ("δ", Letter::Delta),
+        ("delta", Letter::Delta),
+        ("ω", Letter::Omega),
+        ("omega", Letter::Omega),
+        ("w", Letter::Omega),
+        ("r", Letter::Radius),
+        ("L", Letter::Rod),
+        ("l", Letter::Rod),
+        ("h", Letter::Height),
+        ("D", Letter::Bore),
+        ("M", Letter::Torque),
+        ("T", Letter::Torque),
+    ];
+}
+
+/// What a formula can be said of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measured {
+    /// `sin β`, the slope of the rod against the axis.
+    RodSine,
+    /// The way of the piston from its outermost place, in metres.
+    Displacement,
+    /// Its speed towards the crank.
+    Velocity,
+    /// Its acceleration towards the crank.
+    Acceleration,
+    /// The gas force on the piston, towards the crank.
+    GasForce,
+    /// The inertia force of the reciprocating mass, towards the crank.
+    InertiaForce,
+    /// The centrifugal force of the rotating mass of the rod.
+    CentrifugalForce,
+    /// Gas and inertia together, towards the crank.
+    PistonEffort,
+    /// The thrust of the piston on the cylinder.
+    SideForce,
+    /// The force along the rod, positive where it is pressed.
+    RodForce,
+    /// The part of the rod's force along the crank, towards the shaft.
+    RadialForce,
+    /// The part across it, in the sense of rotation.
+    CrankEffort,
+    /// What head, cylinder and bearings of the frame feel along the axis, outward.
+    FrameAlong,
+    /// And across it, in the sense of rotation.
+    FrameAcross,
+    /// The torque on the crankshaft.
+    Torque,
+    /// The torque on the frame, against the sense of rotation.
+    ReactionTorque,
+    /// The reciprocating mass.
+    ReciprocatingMass,
+    /// The rotating mass of the rod.
+    RotatingMass,
+    /// The length of the rod.
+    RodLength,
+}

@@ -1,0 +1,66 @@
+//! What is wrong with a pressure, where, and what would be right?
+
+use std::fmt;
+
+use num_rational::BigRational;
+use num_traits::Signed;
+
+use super::setting::Setting;
+
+/// A pressure that cannot be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GasMistake {
+    /// What is wrong.
+    pub message: String,
+    /// What would be right.
+    pub right: String,
+    /// Where.
+    pub at: At,
+}
+
+/// Where a mistake is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum At {
+    /// In the gas as a whole.
+    All,
+    /// In a row of a table, counted from 0.
+    Row(usize),
+    /// In one value.
+    Setting(Setting),
+}
+
+impl GasMistake {
+    pub(super) fn new(message: impl Into<String>, right: impl Into<String>, at: At) -> Self {
+        GasMistake { message: message.into(), right: right.into(), at }
+    }
+}
+
+impl fmt::Display for GasMistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}; {}", self.message, self.right)
+    }
+}
+
+pub(super) fn above_zero(value: &BigRational, setting: Setting) -> Result<(), GasMistake> {
+    match value.is_positive() {
+        true => Ok(()),
+        false => Err(GasMistake::new(
+            format!("{} is {value}", setting.key()),
+            "a value above 0; pressures are absolute",
+            At::Setting(setting),
+        )),
+    }
+}
+
+/// Exponents of a change of state: 1 would be isothermal, and no gas has more than 5/3.
+pub(super) fn is_exponent(value: &BigRational, setting: Setting) -> Result<(), GasMistake> {
+    let ends = [BigRational::from_integer(1.into()), BigRational::from_integer(2.into())];
+    match ends[0] < *value && *value <= ends[1] {
+        true => Ok(()),
+        false => Err(GasMistake::new(
+            format!("{} is {value}", setting.key()),
+            "above 1 and at most 2, such as 1.32",
+            At::Setting(setting),
+        )),
+    }
+}

@@ -1,0 +1,326 @@
+//! Which quantities of a layout are none that engines have? A number without its unit is read in metres or kilograms, whatever was meant:
+//! it is not refused, for an exercise may have any engine, but told.
+
+use std::fmt;
+use std::ops::{Range, RangeInclusive};
+
+use annotate_snippets::Level;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use toml::de::{DeTable, DeValue};
+
+use super::error::LayoutError;
+use super::layout::Layout;
+use super::rewritten::exact_number;
+use super::{quantities, units, written};
+use crate::engine::{Engine, LengthUnit, Mechanism, PressureLaw};
+
+/// Something odd in a layout file, with its place. It changes no result.
+#[derive(Clone, Debug)]
+pub struct LayoutWarning(LayoutError);
+
+impl fmt::Display for LayoutWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.shown(&Level::WARNING))
+    }
+}
+
+/// A kind of quantity: the unit that a number alone has, and those that may be meant.
+struct Kind {
+    read: fn(&str) -> Option<BigRational>,
+    unit: &'static str,
+    meant: &'static [&'static str],
+    asked: &'static str,
+}
+
+const IS_THE_UNIT_RIGHT: &str = "is the unit right?";
+
+const LENGTH: Kind = Kind {
+    read: |text| Some(units::length(text).ok()?.value),
+    unit: " m",
+    meant: &["mm", "cm", "in", "ft", "m"],
+    asked: IS_THE_UNIT_RIGHT,
+};
+/// A length that is one of the spacing where no unit is written.
+const OF_SPACING: Kind = Kind {
+    read: |text| units::length(text).ok().filter(|length| length.has_unit).map(|length| length.value),
+    ..LENGTH
+};
+const MASS: Kind =
+    Kind { read: |text| units::mass(text).ok(), unit: " kg", meant: &["g", "oz", "lb", "kg", "t"], ..LENGTH };
+const SPEED: Kind =
+    Kind { read: |text| units::speed(text).ok(), unit: " rpm", meant: &["rev/s", "rad/s", "rpm"], ..LENGTH };
+
+const PRESSURE: Kind = Kind {
+    read: |text| Some(units::pressure(text, None).ok()? / BigRational::from_integer(100_000.into())),
+    unit: " bar",
+    meant: &[],
+    ..LENGTH
+};
+/// A share of masses that counterweights balance.
+const SHARE: Kind = Kind {
+    read: |text| quantities::plain(text, "0.5").ok(),
+    unit: "",
+    meant: &[],
+    asked: "is it in per cent? 50 % is 0.5",
+};
+
+/// Largest pressures that engines have, in bar.
+pub const USUAL_PEAK_BAR: RangeInclusive<i64> = 5..=400;
+/// Where they have them, in degrees from the firing dead centre.
+pub const USUAL_PEAK_DEGREES: RangeInclusive<i64> = -5..=40;
+
+/// A model engine of 5 mm of stroke and a beam engine of 3.7 m, a piston of a gram and the crosshead engine of 14 cylinders are within these;
+/// in thousandths of the base unit, and of either sign. 0 is always one.
+#[rustfmt::skip]
+const USUAL: &[(&str, Kind, i64, i64)] = &[
+    ("stroke", LENGTH, 2, 6_000),
+    ("crank_radius", LENGTH, 1, 3_000),
+    ("rod_length", LENGTH, 2, 20_000),
+    ("rod_centre", LENGTH, 0, 20_000),
+    ("pin_offset", LENGTH, 0, 2_000),
+    ("knuckle_radius", LENGTH, 1, 3_000),
+    ("link_length", LENGTH, 2, 20_000),
+    ("bore", LENGTH, 2, 4_000),
+    ("web_radius", LENGTH, 0, 5_000),
+    ("counterweight_radius", LENGTH, 0, 5_000),
+    ("radius", LENGTH, 0, 5_000),
+    ("spacing", OF_SPACING, 2, 10_000),
+    ("row_spacing", OF_SPACING, 2, 10_000),
+    ("distance", OF_SPACING, 2, 20_000),
+    ("circumradius", OF_SPACING, 2, 20_000),
+    ("mass", MASS, 0, 100_000_000),
+    ("speed", SPEED, 1_000, 100_000_000),
+    ("peak_pressure", PRESSURE, 1_000 * *USUAL_PEAK_BAR.start(), 1_000 * *USUAL_PEAK_BAR.end()),
+    ("mean_pressure", PRESSURE, 10, 60_000),
+    ("balance_factor", SHARE, 0, 5_000),
+    ("rotating", SHARE, 0, 5_000),
+    ("reciprocating", SHARE, 0, 5_000),
+    ("rotating_and_half_reciprocating", SHARE, 0, 5_000),
+];
+/// What ends so is a mass: `piston_mass`.
+const MASS_ENDS: &str = "_mass";
+/// Tables whose keys are names of other things.
+const OTHERS: [&str; 4] = ["document", "values", "torsion", "flywheel"];
+
+/// Mean piston speeds above this, in metres a second, are none: a racing engine has 27.
+const FASTEST: i64 = 40;
+/// No piston is accelerated more than this, in metres a second squared: that of a racing engine by 100,000.
+const MOST_ACCELERATION: i64 = 300_000;
+/// No piston weighs more than this times the cube of its stroke, in kilograms a cubic metre.
+const HEAVIEST: i64 = 100_000;
+
+/// What is odd about the quantities of a layout file, which was read as `layout`.
+///
+/// ```standalone_crate
+/// # use crankstar_kernel as crankstar;
+/// # use crankstar_kernel as crankstar;
+/// let text = "inline.throws = [0]\nmechanism.crank_radius = 46";
+/// let layout = crankstar::parse_layout("single.toml", text).unwrap();
+/// let warnings = crankstar::file::warnings("single.toml", text, &layout);
+/// assert!(warnings[0].to_string().contains("crank_radius") && warnings[0].to_string().contains("\"46 mm\""));
+/// ```
+pub fn warnings(name: &str, source: &str, layout: &Layout) -> Vec<LayoutWarning> {
+    let Ok(table) = written::table(source) else { return Vec::new() };
+    let mut odd = odd_quantities(table.get_ref(), has_parts(layout));
+    // What follows from an odd quantity is odd as well, and says nothing more.
+    if let (true, Layout::Known(engine, _)) = (odd.is_empty(), layout) {
+        odd.extend(together(engine, table.get_ref()));
+    }
+    odd.into_iter().map(|odd| LayoutWarning(odd.in_file(name, source))).collect()
+}
+
+/// What is odd about the quantities of a file that is refused: the reason may be a unit.
+pub fn warnings_of_refused(name: &str, source: &str) -> Vec<LayoutWarning> {
+    let Ok(table) = written::table(source) else { return Vec::new() };
+    odd_quantities(table.get_ref(), false).into_iter().map(|odd| LayoutWarning(odd.in_file(name, source))).collect()
+}
+
+/// What is odd about the value of a key that is not in a file, in one line.
+pub fn odd_value(key: &str, text: &str) -> Option<String> {
+    let name = key.rsplit('.').find(|part| part.parse::<usize>().is_err())?;
+    let odd = quantity(name, text, 0..0)?;
+    Some(format!("{}: {}", odd.message(), odd.right()))
+}
+
+/// Whether counterweights are written in parts: the radius of a part may be any, that of all together is one of an engine.
+fn has_parts(layout: &Layout) -> bool {
+    let Layout::Known(engine, _) = layout else { return false };
+    let weights = &engine.crankshaft().counterweights;
+    weights.iter().enumerate().any(|(index, one)| {
+        weights[..index].iter().any(|other| (&other.position, other.crank) == (&one.position, one.crank))
+    })
+}
+
+/// Those that are odd by themselves.
+fn odd_quantities(table: &DeTable<'_>, has_parts: bool) -> Vec<LayoutError> {
+    let mut odd = Vec::new();
+    each(table, &mut |key, text, span| {
+        if !(has_parts && key == "radius") {
+            odd.extend(quantity(key, text, span));
+        }
+    });
+    odd
+}
+
+/// Shows every text of a table and those in it, with its key and its place.
+fn each(table: &DeTable<'_>, then: &mut impl FnMut(&str, &str, Range<usize>)) {
+    for (key, value) in table.iter().filter(|(key, _)| !OTHERS.contains(&key.get_ref().as_ref())) {
+        below(key.get_ref(), value.get_ref(), value.span(), then);
+    }
+}
+
+fn below(key: &str, value: &DeValue<'_>, span: Range<usize>, then: &mut impl FnMut(&str, &str, Range<usize>)) {
+    match value {
+        DeValue::String(text) => then(key, text, span),
+        DeValue::Array(list) => list.iter().for_each(|value| below(key, value.get_ref(), value.span(), then)),
+        DeValue::Table(table) => each(table, then),
+        _ => {}
+    }
+}
+
+/// What is odd about a quantity by itself.
+fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
+    if key == "spacing" && (LENGTH.read)(text).is_some_and(|length| length.is_zero()) {
+        let right = "all throws are then in one plane, and no moment is left: how far are they apart?";
+        return Some(LayoutError::new("spacing is 0", right, Some(span)));
+    }
+    let name = if key.ends_with(MASS_ENDS) { "mass" } else { key };
+    let (_, kind, least, most) = USUAL.iter().find(|(known, ..)| *known == name)?;
+    let thousandths = |number: i64| BigRational::new(number.into(), 1000.into());
+    let (least, most) = (thousandths(*least), thousandths(*most));
+    let is_usual = |value: &BigRational| value.is_zero() || (value.abs() >= least && value.abs() <= most);
+    let value = (kind.read)(text).filter(|value| !is_usual(value))?;
+    let meant = kind.meant.iter().map(|unit| format!("{} {unit}", text.trim()));
+    let meant = meant.into_iter().find(|text| (kind.read)(text).is_some_and(|value| is_usual(&value)));
+    let shown = |value: &BigRational| format!("{}{}", exact_number(value).trim_matches('"'), kind.unit);
+    let engines = match least.is_zero() {
+        true => format!("engines have at most {}", shown(&most)),
+        false => format!("engines have {} to {}", shown(&least), shown(&most)),
+    };
+    let right = match meant {
+        Some(meant) => format!("{engines}: {} such as \"{meant}\"", kind.asked),
+        None => format!("{engines}: {}", kind.asked),
+    };
+    Some(LayoutError::new(format!("{key} is read as {}", shown(&value)), right, Some(span)))
+}
+
+/// What is odd about quantities that are usual by themselves.
+fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
+    let whole = |number: i64| BigRational::from_integer(number.into());
+    let dimensions = engine.dimensions();
+    let Some(unit) = &dimensions.crank_radius else { return Vec::new() };
+    if let Some(odd) = longest(engine, table).or_else(|| measured(engine, table)) {
+        return vec![odd];
+    }
+    let radii = || engine.cylinders().iter().map(|cylinder| &cylinder.crank_radius * unit);
+    let mut odd = Vec::new();
+    if let (Some(speed), Some(span)) = (&dimensions.speed, place(table, &["speed"])) {
+        let fastest = radii().map(|radius| radius * speed / whole(15)).max().unwrap_or_default();
+        // ω² = (2π n/60)², π as 355/113.
+        let omega = speed / whole(30) * BigRational::new(355.into(), 113.into());
+        let accelerated = engine.cylinders().iter().zip(radii()).map(|(cylinder, radius)| {
+            let ratio = match &cylinder.mechanism {
+                Some(Mechanism::SliderCrank(rod)) => rod.ratio.clone(),
+                _ => BigRational::zero(),
+            };
+            radius * &omega * &omega * (whole(1) + ratio)
+        });
+        let accelerated = accelerated.max().unwrap_or_default();
+        let right = "are stroke and speed in the units that they are meant in?";
+        if fastest > whole(FASTEST) {
+            let message = format!(
+                "speed makes a mean piston speed of {} m/s, and engines have at most {FASTEST} m/s",
+                fastest.round().to_integer()
+            );
+            odd.push(LayoutError::new(message, right, Some(span)));
+        } else if accelerated > whole(MOST_ACCELERATION) {
+            let message = format!(
+                "speed makes a piston's acceleration {} m/s², and engines have at most {MOST_ACCELERATION} m/s²",
+                accelerated.round().to_integer()
+            );
+            odd.push(LayoutError::new(message, right, Some(span)));
+        }
+    }
+    if let (Some(mass), Some(span)) = (&dimensions.mass, mechanism(table).and_then(|keys| place(keys, &MASSES))) {
+        let heavy = engine.cylinders().iter().zip(radii()).find(|(cylinder, radius)| {
+            let stroke = radius * whole(2);
+            mass * &cylinder.reciprocating_mass > whole(HEAVIEST) * &stroke * &stroke * &stroke
+        });
+        if let Some((cylinder, radius)) = heavy {
+            let message = format!(
+                "a reciprocating mass of {} kg at a stroke of {} mm is heavier than that of any engine",
+                exact_number(&(mass * &cylinder.reciprocating_mass)).trim_matches('"'),
+                exact_number(&(radius * whole(2000))).trim_matches('"')
+            );
+            odd.push(LayoutError::new(message, "is the unit right? such as \"450 g\"", Some(span)));
+        }
+    }
+    odd
+}
+
+/// An engine is no longer than this, in metres.
+const LONGEST: i64 = 50;
+
+/// A position in metres that is beyond any engine.
+fn longest(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
+    let most = BigRational::from_integer(LONGEST.into());
+    if engine.length_unit() != LengthUnit::Metre {
+        return None;
+    }
+    let is_far = |at: &&BigRational| at.abs() > most;
+    let bearing = engine.bearings().iter().find(is_far).map(|at| ("a main bearing", at, place(table, &["bearings"])));
+    let forms = || table.values().filter_map(|value| value.get_ref().as_table());
+    let spacing = || forms().find_map(|form| place(form, &["spacing"]));
+    let cylinder = || engine.cylinders().iter().map(|cylinder| &cylinder.position).find(is_far);
+    let (what, at, span) = bearing.or_else(|| Some(("a cylinder", cylinder()?, spacing())))?;
+    let message = format!("{what} is at {} m", exact_number(at).trim_matches('"'));
+    let right = format!("no engine is longer than {LONGEST} m: is the unit right? such as \"88 mm\"");
+    Some(LayoutError::new(message, right, span))
+}
+
+/// What is odd about a table of pressures: its largest one, or where that is. Steam and pumps, double-acting as a rule, have theirs elsewhere.
+fn measured(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
+    let (gas, cycle) = (engine.gas()?, engine.cycle()?);
+    let gas_keys = table.get("gas")?.get_ref().as_table()?;
+    let span = place(gas_keys, &["table", "pressure"]);
+    let whole = |number: i64| BigRational::from_integer(number.into());
+    let is_usual = |value: &BigRational, usual: &RangeInclusive<i64>| {
+        *value >= whole(*usual.start()) && *value <= whole(*usual.end())
+    };
+    let odd = |law: &PressureLaw| {
+        let PressureLaw::Table(rows) = law else { return None };
+        let (angle, pascals) = rows.rows().iter().max_by(|one, other| one.1.cmp(&other.1))?;
+        let bar = pascals / whole(100_000);
+        if !is_usual(&bar, &USUAL_PEAK_BAR) {
+            let message = format!("the largest pressure of the table is {} bar", bar.round());
+            let (least, most) = (USUAL_PEAK_BAR.start(), USUAL_PEAK_BAR.end());
+            let right = format!("engines have {least} to {most} bar: is the unit right?");
+            return Some(LayoutError::new(message, right, span.clone()));
+        }
+        let turns = cycle.turns();
+        let within = angle / &turns - (angle / &turns + BigRational::new(1.into(), 2.into())).floor();
+        let degrees = within * turns * whole(360);
+        let message = format!("the largest pressure of the table is at {}° of the firing dead centre", degrees.round());
+        let (first, last) = (USUAL_PEAK_DEGREES.start(), USUAL_PEAK_DEGREES.end());
+        let right = format!(
+            "{first}° to {last}° is usual: 0 is the firing dead centre; where the table has it at 360, subtract 360"
+        );
+        (!rows.is_constant() && !is_usual(&degrees, &USUAL_PEAK_DEGREES))
+            .then(|| LayoutError::new(message, right, span.clone()))
+    };
+    let is_of_engine = gas.chambers.iter().all(|chamber| chamber.below.is_none());
+    gas.laws.iter().filter(|_| is_of_engine).find_map(odd)
+}
+
+/// What the reciprocating mass is written as.
+const MASSES: [&str; 2] = ["reciprocating_mass", "piston_mass"];
+
+fn mechanism<'a, 'b>(table: &'a DeTable<'b>) -> Option<&'a DeTable<'b>> {
+    table.get("mechanism")?.get_ref().as_table()
+}
+
+/// Where the value of the first of these keys stands.
+fn place(table: &DeTable<'_>, keys: &[&str]) -> Option<Range<usize>> {
+    keys.iter().find_map(|key| Some(table.get(*key)?.span()))
+}
