@@ -32,6 +32,10 @@ fn the_version_is_one() {
     for lock in ["Cargo.lock", "fuzz/Cargo.lock"] {
         assert!(text(lock).contains(&format!("name = \"crankstar\"\nversion = \"{version}\"\n")), "{lock}");
     }
+    for crate_of_it in ["Cargo.toml", "src/kernel/Cargo.toml"] {
+        assert!(text(crate_of_it).contains(&format!("\nversion = \"{version}\"\n")), "{crate_of_it}");
+    }
+    assert!(text("Cargo.toml").contains(&format!("crankstar-kernel = {{ version = \"={version}\", path")));
     assert!(text("CITATION.cff").contains(&format!("\nversion: {version}\n")));
     let package = text("pyproject.toml");
     assert!(package.contains("dynamic = [\"version\"]") && !package.lines().any(|line| line.starts_with("version")));
