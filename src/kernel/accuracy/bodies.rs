@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::real::Real;
-use crate::engine::{Engine, Mechanism, Rod};
+use crate::engine::{Engine, Rod};
 use crate::exact::Turn;
 use crate::order::{self, TurningMass};
 use crate::proof::Quantity;
@@ -49,10 +49,7 @@ impl<T: Real> Bodies<T> {
         direction: &dyn Fn(&Turn) -> [T; 2],
     ) -> Self {
         let one = BigRational::one();
-        let with_rod = engine.moved().filter_map(|(cylinder, mechanism)| match mechanism {
-            Mechanism::SliderCrank(rod) => Some((cylinder, rod)),
-            Mechanism::Link(_) => None,
-        });
+        let with_rod = engine.moved().filter_map(|(cylinder, mechanism)| Some((cylinder, mechanism.rod()?)));
         let pistons = with_rod.map(|(cylinder, Rod { ratio, offset })| {
             let mass_radius = order::mass_radius(engine, cylinder);
             let axis = || direction(&cylinder.bank);

@@ -5,7 +5,7 @@
 use num_complex::Complex;
 
 use super::formula::{Letter, Measured};
-use crate::engine::{Engine, Mechanism};
+use crate::engine::Engine;
 use crate::journal::{self, ForceHistory, PistonForces};
 use crate::loads::Missing;
 use crate::motion::SliderCrank;
@@ -47,7 +47,7 @@ impl Parts {
     pub fn new(engine: &Engine) -> Result<Self, String> {
         let cylinder = &engine.cylinders()[CYLINDER];
         let dimensions = engine.dimensions();
-        let (Some(Mechanism::SliderCrank(rod)), Some(radius)) = (&cylinder.mechanism, &dimensions.crank_radius) else {
+        let (Some(rod), Some(radius)) = (cylinder.rod(), &dimensions.crank_radius) else {
             return Err(NO_CRANK.to_owned());
         };
         let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone()).map_err(|_| NO_CRANK.to_owned())?;

@@ -104,6 +104,16 @@ impl<A, L> Cylinder<A, L> {
 }
 
 impl Cylinder {
+    /// Whether the link of another cylinder hangs on the rod of this one.
+    pub fn is_master_of(&self, other: &Cylinder) -> bool {
+        let is_on_its_crankpin =
+            (&self.throw, &self.position, &self.crank_radius) == (&other.throw, &other.position, &other.crank_radius);
+        let is_its_rod = |link: &Link| {
+            self.mechanism == Some(Mechanism::SliderCrank(link.master_rod())) && &self.bank + &link.angle == other.bank
+        };
+        is_on_its_crankpin && other.link().is_some_and(is_its_rod)
+    }
+
     /// Crank angle `α − β` at which the piston is at top dead centre.
     pub fn top_dead_centre(&self) -> Turn {
         &self.bank - &self.throw

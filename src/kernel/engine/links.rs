@@ -2,24 +2,16 @@
 
 use super::build_error::{BuildError, not_negative};
 use super::crankshaft::Balancer;
-use super::mechanism::Mechanism;
 use super::model::Engine;
 
 /// Each link hangs on a master rod, and nothing is asked of the engine that links have no numbers for.
 pub(super) fn check(engine: &Engine) -> Result<(), BuildError> {
     for cylinder in engine.cylinders() {
-        let Some(link) = cylinder.link() else {
+        if cylinder.link().is_none() {
             not_negative(&-&cylinder.knuckle_mass, || format!("minus the knuckle mass of cylinder {}", cylinder.name))?;
             continue;
-        };
-        let master = Mechanism::SliderCrank(link.master_rod());
-        let has_master = engine.cylinders().iter().any(|other| {
-            other.mechanism.as_ref() == Some(&master)
-                && (&other.throw, &other.position, &other.crank_radius)
-                    == (&cylinder.throw, &cylinder.position, &cylinder.crank_radius)
-                && &other.bank + &link.angle == cylinder.bank
-        });
-        if !has_master {
+        }
+        if !engine.cylinders().iter().any(|other| other.is_master_of(cylinder)) {
             return Err(BuildError::NoMaster { cylinder: cylinder.name.clone() });
         }
     }

@@ -120,6 +120,14 @@ impl Mechanism {
         }
     }
 
+    /// The rod on the crankpin that moves its piston: its own, or the master's of a link.
+    pub fn rod_on_the_pin(&self) -> Rod {
+        match self {
+            Mechanism::SliderCrank(rod) => rod.clone(),
+            Mechanism::Link(link) => link.master_rod(),
+        }
+    }
+
     /// The link on another rod.
     pub fn link(&self) -> Option<&Link> {
         match self {

@@ -64,10 +64,7 @@ impl Motion {
             return None;
         }
         let [mechanism] = &self.mechanisms[..] else { return None };
-        let (factor, sign) = match mechanism {
-            Mechanism::SliderCrank(rod) => Factor::of_rod(Some(rod), order),
-            Mechanism::Link(_) => return None,
-        };
+        let (factor, sign) = Factor::of_rod(Some(mechanism.rod()?), order);
         if !factor.exists(order) {
             return None;
         }

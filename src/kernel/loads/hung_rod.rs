@@ -6,7 +6,7 @@ use num_complex::Complex;
 use num_traits::Zero;
 
 use super::{Harmonic, Peak, Waveform};
-use crate::engine::{Cylinder, Engine, Mechanism};
+use crate::engine::{Cylinder, Engine};
 use crate::motion::{HungLink, SliderCrank, harmonic};
 use crate::numbers;
 use crate::order::{self, mass_radius};
@@ -32,16 +32,9 @@ impl HungRod {
         let cylinders = engine.cylinders();
         let rod = |(cylinder, own): (usize, &Cylinder)| {
             let link = own.link()?;
-            let master_rod = Mechanism::SliderCrank(link.master_rod());
-            let is_master = |other: &Cylinder| {
-                other.mechanism.as_ref() == Some(&master_rod)
-                    && (&other.throw, &other.position, &other.crank_radius)
-                        == (&own.throw, &own.position, &own.crank_radius)
-                    && &other.bank + &link.angle == own.bank
-            };
             Some(HungRod {
                 cylinder,
-                master: cylinders.iter().position(is_master)?,
+                master: cylinders.iter().position(|other| other.is_master_of(own))?,
                 link: link.hung(),
                 axis: numbers::direction(&own.bank),
                 top: numbers::float(own.top_dead_centre().turns()) * TAU,

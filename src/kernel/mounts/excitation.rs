@@ -143,9 +143,8 @@ fn without_pistons(engine: &Engine) -> Result<Engine, NoExcitation> {
     draft.reference_plane = ReferencePlane::Named(engine.reference_plane().clone());
     (draft.gas, draft.torsion, draft.bearings) = (None, None, Vec::new());
     for cylinder in &mut draft.cylinders {
-        if let Some(link) = cylinder.link() {
-            cylinder.mechanism = Some(Mechanism::SliderCrank(link.master_rod()));
-        }
+        cylinder.mechanism =
+            cylinder.mechanism.as_ref().map(|mechanism| Mechanism::SliderCrank(mechanism.rod_on_the_pin()));
         cylinder.reciprocating_mass = BigRational::default();
         cylinder.knuckle_mass = BigRational::default();
     }

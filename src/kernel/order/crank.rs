@@ -5,10 +5,7 @@ use crate::motion::SliderCrank;
 
 /// The motion of a crank with a rod of its own that an engine has: it turns round. None of a link.
 pub fn crank(mechanism: &Mechanism) -> Option<SliderCrank> {
-    match mechanism {
-        Mechanism::SliderCrank(rod) => Some(crank_of(rod)),
-        Mechanism::Link(_) => None,
-    }
+    mechanism.rod().map(crank_of)
 }
 
 /// The motion of a crank with this rod.

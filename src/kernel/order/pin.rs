@@ -83,10 +83,8 @@ pub fn shaft_contributions(engine: &Engine, crank: usize, order: u32, sense: Sen
 
 /// Whether some piston has an offset and a rod of finite length, or a link, so that its crankpin may feel a constant force.
 pub fn has_constant_pin_loads(engine: &Engine) -> bool {
-    engine.mechanisms().into_iter().any(|mechanism| match mechanism {
-        Mechanism::SliderCrank(rod) => crank_of(rod).has_side_part(0),
-        Mechanism::Link(_) => true,
-    })
+    let mut mechanisms = engine.mechanisms().into_iter();
+    mechanisms.any(|mechanism| mechanism.rod().is_none_or(|rod| crank_of(rod).has_side_part(0)))
 }
 
 fn turning(

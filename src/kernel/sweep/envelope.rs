@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-use crate::engine::{Engine, Mechanism};
+use crate::engine::Engine;
 use crate::loads::Arm;
 
 /// The assumptions, as multiples of the crank radius r where nothing else is said.
@@ -65,8 +65,7 @@ pub fn envelope(engine: &Engine, geometry: &Geometry) -> Option<Envelope> {
     for cylinder in engine.cylinders() {
         let ratio = match &cylinder.mechanism {
             None => geometry.rod_ratio,
-            Some(Mechanism::SliderCrank(rod)) => rod.ratio.to_f64().unwrap_or(0.0),
-            Some(Mechanism::Link(_)) => return None,
+            Some(mechanism) => mechanism.rod()?.ratio.to_f64().unwrap_or(0.0),
         };
         if ratio <= 0.0 {
             return None;

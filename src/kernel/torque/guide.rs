@@ -9,7 +9,7 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use super::order::Stars;
 use super::{Bodies, EngineTorque};
-use crate::engine::{CycleOrder, Engine, Mechanism};
+use crate::engine::{CycleOrder, Engine};
 use crate::loads::Arm;
 
 /// The guide-force moments of an order, zero to peak, in newton-metres.
@@ -32,10 +32,7 @@ pub fn guide_moments(engine: &Engine, torque: &EngineTorque) -> Option<Vec<Guide
     // Links and their master rod stand at one place along the shaft: the couples of their guides together are counted there.
     let length = |cylinder: usize| {
         let cylinder = &engine.cylinders()[cylinder];
-        let ratio = match cylinder.mechanism.as_ref()? {
-            Mechanism::SliderCrank(rod) => &rod.ratio,
-            Mechanism::Link(link) => &link.master,
-        };
+        let ratio = cylinder.mechanism.as_ref()?.rod_on_the_pin().ratio;
         // An endless rod has no distance to its guide.
         let length = engine.dimensions().crank_radius.as_ref().filter(|_| !ratio.is_zero())? * &cylinder.crank_radius;
         (length / ratio).to_f64().filter(|length| length.is_finite())
