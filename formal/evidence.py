@@ -108,13 +108,11 @@ def check_compared(engine, evidence, shapes):
         demand([entry.order for entry in entries] == evidence["orders"], "these are not the orders of the evidence")
     is_zero = {about: shape in ("balanced", "does-not-exist") for about, shape in shapes.items()}
     several = {(whole["quantity"], whole["order"]) for whole in evidence["wholes"]}
-    newtons = engine.newtons or []
-    at_rest = all(is_nothing(entry[quantity]) for entry in newtons for quantity in ("force", "moment"))
     for entry in each("orders", engine.orders):
         for quantity in ("force", "moment"):
             about, largest = (quantity, entry.order), entry[quantity].largest
             demand((largest is None) == (about in several and not is_zero[about]), "several sums have no length, and one has")
             agrees(largest, is_zero[about])
-    for entry in each("newtons", newtons):
+    for entry in each("newtons", engine.newtons or []):
         for quantity in ("force", "moment"):
-            agrees(entry[quantity], is_zero[quantity, entry.order] or at_rest)
+            agrees(entry[quantity], is_zero[quantity, entry.order])

@@ -285,6 +285,11 @@ fn a_comparison_says_neither_more_nor_less_of_zero_than_its_evidence() {
         |value: f64| move |(order, key): (usize, &str)| (format!("/engines/0/newtons/{order}/{key}"), json!(value));
     let one = newtons(0.0)((0, "force"));
     let two = newtons(3.0)((2, "force"));
+    let newtons = genuine["engines"][0]["newtons"].as_array().expect("newtons").len();
+    let at_rest: Vec<(String, Value)> = (0..newtons)
+        .flat_map(|order| ["force", "moment"].map(|key| (format!("/engines/0/newtons/{order}/{key}"), json!(0.0))))
+        .collect();
+    let at_rest: Vec<(&str, Value)> = at_rest.iter().map(|(place, value)| (place.as_str(), value.clone())).collect();
     assert_refused(
         &genuine,
         &[
@@ -294,9 +299,20 @@ fn a_comparison_says_neither_more_nor_less_of_zero_than_its_evidence() {
             ("a length below 0", &[("/engines/0/orders/0/force/largest", json!(-1.0))]),
             ("no newtons", &[(&one.0, one.1.clone())]),
             ("newtons of what is zero", &[(&two.0, two.1.clone())]),
+            ("at rest, which has no newtons", &at_rest),
             ("an interval below 0", &[("/engines/1/firing/intervals_deg/0", json!(-180.0))]),
         ],
     );
+}
+
+#[test]
+fn an_engine_at_rest_has_no_newtons_to_compare() {
+    let still = "speed = 0\ninline = { throws = [0, 90], spacing = '0.1 m' }\n\
+                 mechanism = { crank_radius = 0.05, rod_ratio = 0.25, reciprocating_mass = 1 }";
+    let compare = document("compare-at-rest", still, &["compare", "FILE", "I4", "--orders", "1", "--json"]);
+    assert_eq!(compare["engines"][0]["newtons"], Value::Null);
+    assert!(accepts(&compare));
+    second::accepts(&[compare], &[]);
 }
 
 /// The smallest sizes that are read.

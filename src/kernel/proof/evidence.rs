@@ -117,17 +117,16 @@ fn check_compared(at: &dyn Fn(&str) -> String, engine: &Compared, evidence: &Doc
         let claim = evidence.shapes.iter().find(|claim| (claim.quantity, claim.order) == (quantity, order));
         claim.map(|claim| matches!(claim.shape, Shape::Balanced | Shape::DoesNotExist))
     };
-    let agrees_with = |at: String, quantity: Quantity, order: u32, size: Size, is_at_rest: bool| {
+    let agrees_with = |at: String, quantity: Quantity, order: u32, size: Size| {
         let is_zero = is_zero(quantity, order);
-        let is_zero = is_zero.ok_or_else(|| Fault::new(at.clone(), "the evidence says nothing of it"))?;
-        agrees(&at, size, is_zero || is_at_rest)
+        agrees(&at, size, is_zero.ok_or_else(|| Fault::new(at.clone(), "the evidence says nothing of it"))?)
     };
     for (place, entry) in engine.orders.iter().enumerate() {
         for (quantity, said) in [(Quantity::FORCE, &entry.force), (Quantity::MOMENT, &entry.moment)] {
             let at = at(&format!("orders[{place}].{}.largest", quantity.name()));
             let has_several = evidence.wholes.iter().any(|one| (one.quantity, one.order) == (quantity, entry.order));
             match said.largest {
-                Some(size) if !has_several || size.is_nothing() => agrees_with(at, quantity, entry.order, size, false)?,
+                Some(size) if !has_several || size.is_nothing() => agrees_with(at, quantity, entry.order, size)?,
                 None if has_several && is_zero(quantity, entry.order) == Some(false) => {}
                 Some(_) | None => {
                     return Err(Fault::new(at, "it is null where several sums are not zero, and only there"));
@@ -135,12 +134,10 @@ fn check_compared(at: &dyn Fn(&str) -> String, engine: &Compared, evidence: &Doc
             }
         }
     }
-    let newtons = engine.newtons.as_deref().unwrap_or_default();
-    let is_at_rest = newtons.iter().all(|entry| entry.force.is_nothing() && entry.moment.is_nothing());
-    for (place, entry) in newtons.iter().enumerate() {
+    for (place, entry) in engine.newtons.iter().flatten().enumerate() {
         for (quantity, size) in [(Quantity::FORCE, entry.force), (Quantity::MOMENT, entry.moment)] {
             let at = at(&format!("newtons[{place}].{}", quantity.name()));
-            agrees_with(at, quantity, entry.order, size, is_at_rest)?;
+            agrees_with(at, quantity, entry.order, size)?;
         }
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! What does `compare --json` hold? Each engine with its verdicts, exact and in decimals, remedy, firing and bearings.
 
 use num_rational::BigRational;
+use num_traits::Zero;
 use serde::Serialize;
 
 use super::super::loads_document::size;
@@ -197,9 +198,10 @@ fn amount(balance: &Balance) -> Amount {
     Amount { shape: balance.shape, largest: Some(largest.decimal), exact }
 }
 
+/// None at rest: all of them would be 0, whatever the engine is.
 fn newtons(engine: &Compared) -> Option<Vec<Newtons>> {
     let loads = engine.loads.as_ref().ok()?;
-    let unit = loads.scale.as_ref()?.force();
+    let unit = loads.scale.as_ref().filter(|scale| !scale.speed.is_zero())?.force();
     let newtons = |swing: &Swing| size(swing.largest(), unit, swing.direct.vanishes() && swing.reverse.vanishes());
     let order = |order: &OrderLoads| Newtons {
         order: order.order,
