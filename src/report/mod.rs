@@ -62,9 +62,7 @@ pub use views::{end_view, side_view};
 use crate::page::{figure, number as typeset, plot};
 
 pub use crate::page::File;
-pub use accuracy::{
-    AccuracyCase, AccuracyStudy, Further, FurtherLoad, accuracy_answer, accuracy_page, accuracy_section,
-};
+pub use accuracy::{AccuracyCase, AccuracyStudy, Further, FurtherLoad, accuracy_section};
 pub use angle::{AngleStudy, AnglesAsked, NoAngles};
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use asked::{ask, questions};
@@ -122,7 +120,7 @@ pub use stars::{
     StarAtlas, StarredEngine, StarsStudy, star_atlas_answer, star_atlas_page, stars_answer, stars_layouts, stars_page,
 };
 pub use sweep::{sweep_answer, sweep_csv, sweep_page};
-pub use torque::{TorqueStudy, torque_answer, torque_page};
+pub use torque::TorqueStudy;
 pub use torsion::{
     Barred, DamperStudy, Excess, ForcedTwist, FoundDamper, HeatPlace, LargestTorque, NoTorsion, ResonanceOrder,
     TorsionStudy, TwistAtSpeed, Vibration, VibrationOrder,

@@ -1,8 +1,9 @@
 //! What is on the page of the main bearings, and on the terminal?
 
 use super::super::calculation::{self, percent_at_most};
+use super::super::journal::{complete_bearings_answer, complete_bearings_page, without_gas};
 use super::amounts::orders_of;
-use super::{amounts, links, plots, tables};
+use super::{BearingsStudy, amounts, links, plots, tables};
 use crate::engine::Engine;
 use crate::loads::{BearingLoads, left_out_of_bearings, pin_loads};
 use crate::page::{Block, Document, Text, phrase};
@@ -30,7 +31,7 @@ fn names(loads: &BearingLoads) -> Vec<String> {
 }
 
 /// What stands first: the largest force, and what the tables count in.
-pub(in crate::report) fn answer(continuous: &BearingLoads, determinate: &BearingLoads) -> [Text; 3] {
+pub(in crate::report) fn first_lines(continuous: &BearingLoads, determinate: &BearingLoads) -> [Text; 3] {
     let largest = match (worst(continuous), worst(determinate)) {
         (Some(continuous), Some(determinate)) => {
             phrase!("Largest force: {}; by the determinate approximation {}.", continuous, determinate)
@@ -96,12 +97,31 @@ pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Opti
     })
 }
 
+/// The short answer to a study, and below it the page: of gas and masses where the layout asks for both.
+pub(super) fn answer(study: &BearingsStudy) -> Document {
+    let answer = || bearings_answer(&study.engine, &study.continuous, &study.determinate);
+    match &study.complete {
+        None => answer(),
+        Some(Err(lack)) => without_gas(answer(), lack),
+        Some(Ok(loads)) => complete_bearings_answer(&study.engine, loads),
+    }
+}
+
+pub(super) fn page(study: &BearingsStudy) -> Document {
+    let page = || bearings_page(&study.engine, &study.continuous, &study.determinate);
+    match &study.complete {
+        None => page(),
+        Some(Err(lack)) => without_gas(page(), lack),
+        Some(Ok(loads)) => complete_bearings_page(&study.engine, loads, &study.continuous),
+    }
+}
+
 /// The short answer: the peaks of every bearing, and the largest value of each order.
 pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Document {
     let mut answer_page = Document::new("bearings", engine.title());
     answer_page.push(tables::peaks(engine, continuous, determinate));
     answer_page.push(tables::orders(continuous));
-    answer_page.blocks.extend(answer(continuous, determinate).map(Block::Paragraph));
+    answer_page.blocks.extend(first_lines(continuous, determinate).map(Block::Paragraph));
     answer_page.blocks.extend(links::answer(engine).map(Block::Paragraph));
     answer_page.blocks.extend(left_out(engine, continuous).map(Block::Paragraph));
     answer_page
@@ -111,7 +131,7 @@ pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: 
 pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Document {
     let mut page = Document::new("bearings", phrase!("{}: main bearings", engine.title()));
     let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
-    page.push(Block::Answer(answer(continuous, determinate).into_iter().chain(links::answer(engine)).collect()));
+    page.push(Block::Answer(first_lines(continuous, determinate).into_iter().chain(links::answer(engine)).collect()));
     page.push(tables::peaks(engine, continuous, determinate));
     section(&mut page, "Order by order");
     page.blocks.extend(by_orders(engine, continuous));

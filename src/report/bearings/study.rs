@@ -1,5 +1,7 @@
 //! What is asked for the main bearings? Both ways to share a load, and the gas where the layout asks for it.
 
+use super::super::question::question_of_its_room;
+use super::{data, page};
 use crate::engine::Engine;
 use crate::journal::{CycleLoads, cycle_loads};
 use crate::loads::{BearingLoads, Method, Missing, bearing_loads};
@@ -35,3 +37,5 @@ impl BearingsStudy {
         self.complete.as_ref().and_then(|complete| complete.as_ref().ok())
     }
 }
+
+question_of_its_room!(BearingsStudy, "bearings", |study| Some(study.engine.title()));
