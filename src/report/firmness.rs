@@ -38,10 +38,10 @@ pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
     let mut table = Table::new(header);
     // What no mass has at this order is zero whatever is changed.
     for order in orders.iter().flat_map(|order| &order.parts).filter(|order| order.exists) {
-        let force = firmness(engine, &order.force).map(|firmness| (phrase!("force, order {}", order.order), firmness));
-        let moment =
-            firmness(engine, &order.moment).map(|firmness| (phrase!("moment, order {}", order.order), firmness));
-        table.rows.extend([force, moment].into_iter().flatten().map(|(name, firmness)| row(engine, name, &firmness)));
+        for (name, balance) in [("force, order {}", &order.force), ("moment, order {}", &order.moment)] {
+            let firmness = firmness(engine, balance);
+            table.rows.extend(firmness.map(|firmness| row(engine, phrase!(name, order.order), &firmness)));
+        }
     }
     if table.rows.is_empty() {
         return Vec::new();
@@ -86,16 +86,13 @@ pub(super) fn summary(engine: &Engine, order: &OrderBalance) -> Text {
     if !order.exists {
         return "–".into();
     }
-    let words = |firmness: Firmness, firm: &'static str, needed: &'static str| match firmness.is_firm() {
-        true => Text::from(firm),
-        false => phrase!(needed, needs_words(engine, &firmness)),
+    let both = [(&order.force, "force robust", "force needs {}"), (&order.moment, "moment robust", "moment needs {}")];
+    let words = |(balance, firm, needed): (_, &'static str, _)| {
+        let firmness = firmness(engine, balance)?;
+        Some(if firmness.is_firm() { firm.into() } else { phrase!(needed, needs_words(engine, &firmness)) })
     };
-    let force = firmness(engine, &order.force).map(|firmness| words(firmness, "force robust", "force needs {}"));
-    let moment = firmness(engine, &order.moment).map(|firmness| words(firmness, "moment robust", "moment needs {}"));
-    match [force, moment] {
-        [None, None] => "–".into(),
-        both => Text::joined(both.into_iter().flatten(), "; "),
-    }
+    let told: Vec<Text> = both.into_iter().filter_map(words).collect();
+    if told.is_empty() { "–".into() } else { Text::joined(told, "; ") }
 }
 
 /// What has to stay as it is.
