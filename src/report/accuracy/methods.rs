@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use num_rational::BigRational;
 
+use super::super::calculation;
 use crate::accuracy::{self, Method, Row, Study};
 use crate::engine::Engine;
 use crate::loads;
@@ -13,13 +14,8 @@ use crate::proof::Quantity;
 
 /// What a load is counted in, and how many of it are one multiple.
 pub(in crate::report) fn unit(engine: &Engine, quantity: Quantity) -> (Unit, f64) {
-    let scale = loads::scale(engine);
-    let factor = |of: fn(&loads::Scale) -> f64| scale.as_ref().map_or(1.0, of);
-    let factor = match quantity {
-        Quantity::Planar(_) => factor(loads::Scale::force),
-        Quantity::Axial(_) => factor(loads::Scale::torque),
-    };
-    (loads::unit(engine, scale.as_ref(), quantity), factor)
+    let calculation::Unit { unit, factor } = calculation::Unit::at(engine, loads::scale(engine).as_ref(), quantity);
+    (unit, factor)
 }
 
 /// The methods of a study that are worth their time, by what they guarantee or, where they do not, by their error.

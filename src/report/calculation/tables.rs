@@ -1,22 +1,18 @@
 //! Which tables hold the numbers? What is in the scene, the ellipse and the two vectors of each order, the torque.
 
-use super::amounts::{self, Unit};
+use super::amounts::{self, Unit, axial_cell, share, waveform};
 use super::words;
 use crate::engine::Engine;
-use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque, TorqueOrder};
+use crate::loads::{Arm, Loads, OrderLoads, Outcome, Torque};
 use crate::numbers;
 use crate::order::MassGroup;
 use crate::page::{self, Number, Table, Text, phrase};
-use crate::proof::{Planar, Quantity};
-use crate::report::calculation::amounts::share;
+use crate::proof::{Axial, Planar, Quantity};
 
 /// What is in the scene and what is not, and what each group of masses adds to the peaks.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
     let mut table = Table::new(["Effect", "Included", "Why", "Share of peak force", "Share of peak moment"]);
-    let peaks: [(Peak, Unit); 2] = [
-        (loads.force.peak(), Unit::as_read(engine, loads, Planar::Force)),
-        (loads.moment.peak(), Unit::as_read(engine, loads, Planar::Moment)),
-    ];
+    let peaks = Planar::BOTH.map(|of| (waveform(loads, of).peak(), Unit::as_read(engine, loads, of)));
     let shares = |group: MassGroup| {
         let loads = loads.groups.iter().find(|loads| loads.group == group);
         [0, 1].map(|place: usize| {
@@ -113,23 +109,12 @@ pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
     )
 }
 
-/// The amplitude of each order of the inertia torque.
-pub(super) fn torque(engine: &Engine, loads: &Loads, torque: &Torque) -> Table {
-    let unit = Unit::as_read(engine, loads, Quantity::TORQUE);
-    about_the_crank(&torque.orders, unit, |order| amounts::torque_cell(engine, order, unit))
-}
-
-/// The amplitude of each order of the roll moment.
-pub(super) fn roll(engine: &Engine, loads: &Loads, roll: &Torque) -> Table {
-    let unit = Unit::as_read(engine, loads, Quantity::ROLL);
-    about_the_crank(&roll.orders, unit, |order| amounts::roll_cell(engine, order, unit))
-}
-
-/// Orders of a torque or a roll moment: amplitude, phase, and the multiple that both are of.
-fn about_the_crank(orders: &[TorqueOrder], unit: Unit, amplitude: impl Fn(&TorqueOrder) -> Text) -> Table {
-    Table::of(orders)
+/// Orders of the torque or the roll moment: amplitude, phase, and the multiple that both are of.
+pub(super) fn about_the_axis(engine: &Engine, loads: &Loads, quantity: Axial, all: &Torque) -> Table {
+    let unit = Unit::as_read(engine, loads, Quantity::Axial(quantity));
+    Table::of(&all.orders)
         .column("Order", |order| order.order)
-        .column(phrase!("Amplitude in {}", unit.label()), |order| amplitude(order))
+        .column(phrase!("Amplitude in {}", unit.label()), |order| axial_cell(engine, quantity, order, unit))
         .column("Phase at θ = 0", |order| match order.vector.outcome {
             Outcome::Zero | Outcome::Undecided { .. } => "–".into(),
             Outcome::NotZero | Outcome::Computed => {

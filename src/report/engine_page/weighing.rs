@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::super::calculation::Unit;
+use super::super::calculation::{Unit, about_the_axis};
 use super::super::residual;
 use crate::engine::{Crankshaft, DOES_NOT_EXIST, Effects, Engine, LengthUnit, Mechanism, Rod};
 use crate::loads::{self, Bound, LeftOut, Loads, Swing, TorqueOrder};
@@ -139,11 +139,7 @@ impl<'a> Weighed<'a> {
     }
 
     fn axial(&self, quantity: Axial) -> impl Iterator<Item = &TorqueOrder> {
-        let of = match quantity {
-            Axial::Torque => self.loads.torque.as_ref(),
-            Axial::Roll => self.loads.roll.as_ref(),
-        };
-        of.into_iter().flat_map(|torque| &torque.orders)
+        about_the_axis(&self.loads, quantity).into_iter().flat_map(|torque| &torque.orders)
     }
 
     /// The vectors of an order, with the crank and against it, in multiples of m r ω².
