@@ -52,19 +52,16 @@ pub(super) fn name_and_spans(row: &Row) -> Text {
 
 /// A measured error in two digits; below the roundings of doubles only that it is below them.
 pub(super) fn measured(study: &Study, row: &Row) -> Text {
-    let plain = || power(row.error).into();
     match row.method {
         Method::Fractions => Text::default(),
-        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) if study.is_below_reference(row) => {
-            "below the reference's own error".into()
-        }
-        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) if study.rounding.is_infinite() => {
-            "not known".into()
-        }
-        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) if row.error < study.rounding => {
-            phrase!("below {}", power_of_ten(study.rounding.log10().round() as i64))
-        }
-        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) => plain(),
+        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) => match row.error {
+            _ if study.is_below_reference(row) => "below the reference's own error".into(),
+            _ if study.rounding.is_infinite() => "not known".into(),
+            error if error < study.rounding => {
+                phrase!("below {}", power_of_ten(study.rounding.log10().round() as i64))
+            }
+            error => power(error).into(),
+        },
     }
 }
 
