@@ -269,14 +269,16 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
     let engine = remedy.subject.engine();
     let mut lines = Vec::new();
     if engine.crankshaft().counterweights.iter().any(|weight| weight.throw.is_some()) {
-        let factors = engine.balance_factors();
-        let factors = factors.iter().map(|factor| match factor {
-            Some(factor) => Piece::Shortly(factor.clone(), Unit::NONE).into(),
-            None => "none".into(),
-        });
+        let listed = |factors: &[Option<BigRational>]| {
+            let one = |factor: &Option<BigRational>| match factor {
+                Some(factor) => Piece::Shortly(factor.clone(), Unit::NONE).into(),
+                None => "none".into(),
+            };
+            Text::joined(factors.iter().map(one), ", ")
+        };
         lines.push(phrase!(
             "Balance factors of the throws, of rotating and half the reciprocating masses, of the counterweights in the layout file: {}.",
-            Text::joined(factors, ", ")
+            listed(&engine.balance_factors())
         ));
         let parts = engine.reciprocating_factors();
         let words = match parts.iter().flatten().any(Signed::is_negative) {
@@ -287,11 +289,7 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
                 "By the other convention, with all rotating masses of a throw counted first, these parts of the reciprocating masses of each throw: {}. A negative part means that the counterweights balance not even the rotating masses."
             }
         };
-        let parts = parts.into_iter().map(|part| match part {
-            Some(part) => Piece::Shortly(part, Unit::NONE).into(),
-            None => "none".into(),
-        });
-        lines.push(phrase!(words, Text::joined(parts, ", ")));
+        lines.push(phrase!(words, listed(&parts)));
     }
     let kilograms = |mass: f64| Piece::Quantity(mass, Unit::KILOGRAM);
     if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {
