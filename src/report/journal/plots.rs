@@ -86,42 +86,32 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
     let draw = |group: &Vec<usize>| {
         let index = group[0];
         let name = engine.cylinders()[index].name.as_str();
-        let path = |law: &dyn Fn(f64) -> Complex<f64>| angles.iter().map(|theta| tip(law(*theta))).collect::<Vec<_>>();
-        let picture = |end: &str, label: &str, tips: Vec<(f64, f64)>| {
-            let mut polar = Polar::new(
-                format!("Crankpin of cylinder {name}"),
-                label,
-                vec![Curve::new(style::WHOLE, "", tips.clone())],
-            )
-            .counted_in(Unit::NEWTON);
+        let picture = |end: &str, label: &str, caption: Text, law: &dyn Fn(f64) -> Complex<f64>| {
+            let tips: Tips = angles.iter().map(|theta| tip(law(*theta))).collect();
+            let curve = Curve::new(style::WHOLE, "", tips.clone());
+            let mut polar = Polar::new(format!("Crankpin of cylinder {name}"), label, vec![curve]);
             polar.mark_quarters(&tips, STEPS);
-            (format!("pin-{}-{end}", index + 1), polar.figure())
+            let figure = polar.counted_in(Unit::NEWTON).figure();
+            Picture { name: format!("pin-{}-{end}", index + 1), caption, figure }
         };
-        let seen = path(&|theta| course.pin(index, theta));
-        let turning = path(&|theta| course.pin_on_the_crank(index, theta));
-        let (of_engine, from_engine) = picture("engine", "Force in {}; 0° is the reference direction", seen);
-        let (of_crank, from_crank) = picture("crank", "Force in {}; 0° is outward along the throw", turning);
+        let from_engine = phrase!(
+            "The load of the crankpin of cylinder {} through the cycle, seen from the engine, direction 0 upwards. Rings mark crank angles of the first revolution.",
+            names(engine, &[index])
+        );
+        let from_crank = match group.len() {
+            1 => SEEN_FROM_CRANK.into(),
+            _ => phrase!(
+                "{} It is the same for cylinders {}, each when it fires.",
+                Text::from(SEEN_FROM_CRANK),
+                names(engine, group)
+            ),
+        };
+        let turning = |theta| course.pin_on_the_crank(index, theta);
         [
-            Picture {
-                name: of_engine,
-                caption: phrase!(
-                    "The load of the crankpin of cylinder {} through the cycle, seen from the engine, direction 0 upwards. Rings mark crank angles of the first revolution.",
-                    names(engine, &[index])
-                ),
-                figure: from_engine,
-            },
-            Picture {
-                name: of_crank,
-                caption: match group.len() {
-                    1 => SEEN_FROM_CRANK.into(),
-                    _ => phrase!(
-                        "{} It is the same for cylinders {}, each when it fires.",
-                        Text::from(SEEN_FROM_CRANK),
-                        names(engine, group)
-                    ),
-                },
-                figure: from_crank,
-            },
+            picture("engine", "Force in {}; 0° is the reference direction", from_engine, &|theta| {
+                course.pin(index, theta)
+            }),
+            picture("crank", "Force in {}; 0° is outward along the throw", from_crank, &turning),
         ]
     };
     course.alike().iter().take(MOST_PINS).flat_map(draw).collect()
