@@ -44,9 +44,6 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
         caption: phrase!("Vector stars of the inertia torque. {}", torque_legend(engine, &verdicts)),
         figure: torque_figure(engine, &verdicts),
     };
-    let argued = parts.iter().map(|part| argued(engine, part)).collect();
-    let certificates = verdicts.iter().map(|verdict| certified(verdict)).collect();
-    let speeds = engine.faster_crank().map(|_| Block::Paragraph(TORQUE_SPEEDS.into()));
     let mut blocks = vec![
         Block::Heading(1, "Inertia torque".into()),
         Block::Paragraph(
@@ -54,16 +51,21 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
         ),
         Block::Formula(TORQUE.to_owned(), None),
     ];
-    blocks.extend(speeds);
-    blocks.extend([
-        stars.into(),
-        Block::List(argued),
-        Block::Folded(Fold {
-            summary: "Inertia torque: the certificates".into(),
-            blocks: vec![Block::List(certificates)],
-        }),
-    ]);
+    blocks.extend(engine.faster_crank().map(|_| Block::Paragraph(TORQUE_SPEEDS.into())));
+    blocks.push(stars.into());
+    blocks.extend(proofs(parts.iter(), |part| argued(engine, part), "Inertia torque: the certificates"));
     blocks
+}
+
+/// Why each sum is zero or not, and folded below that the certificates.
+fn proofs<'a>(
+    parts: impl Iterator<Item = &'a TorquePart> + Clone,
+    argued: impl Fn(&TorquePart) -> Text,
+    certificates: &'static str,
+) -> [Block; 2] {
+    let certified = parts.clone().map(|part| certified(&part.verdict)).collect();
+    let folded = Fold { summary: certificates.into(), blocks: vec![Block::List(certified)] };
+    [Block::List(parts.map(argued).collect()), Block::Folded(folded)]
 }
 
 /// Torque and roll moment of crankshafts that are geared together, order by order; nothing where there is one.
@@ -95,7 +97,6 @@ pub(super) fn roll_section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     if parts.is_empty() {
         return Vec::new();
     }
-    let certificates = parts.iter().map(|part| certified(&part.verdict)).collect();
     let mut blocks = vec![
         Block::Heading(1, "Roll moment".into()),
         Block::Paragraph(
@@ -106,13 +107,8 @@ pub(super) fn roll_section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
         Block::Paragraph(ROLL_ARMS.into()),
     ];
     blocks.extend(engine.faster_crank().map(|_| Block::Paragraph(ROLL_SPEEDS.into())));
-    blocks.extend([
-        Block::List(parts.iter().map(|part| roll_argued(engine, part)).collect()),
-        Block::Folded(Fold {
-            summary: "Roll moment: the certificates".into(),
-            blocks: vec![Block::List(certificates)],
-        }),
-    ]);
+    let argued = |part: &TorquePart| roll_argued(engine, part);
+    blocks.extend(proofs(parts.into_iter(), argued, "Roll moment: the certificates"));
     blocks
 }
 
