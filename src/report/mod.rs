@@ -108,9 +108,9 @@ pub use poster::{poster, poster_sheet};
 pub use question::{Question, Unanswered};
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{
-    bearing as star_bearing, class_sources, force as force_left, force_summary, largest as largest_length,
-    modulus as star_length, moment as moment_left, moment_summary, order_name, roll as roll_left, shape_name,
-    torque as torque_left, torque_part as torque_part_left, whole as force_and_moment_left,
+    class_sources, force as force_left, largest as largest_length, modulus as star_length, moment as moment_left,
+    order_name, roll as roll_left, shape_name, torque as torque_left, torque_part as torque_part_left,
+    whole as force_and_moment_left,
 };
 pub use rotor::RotorStudy;
 pub use schema::{schema, schema_names};

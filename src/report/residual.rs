@@ -202,25 +202,13 @@ pub(super) fn is_of_torques(part: &TorquePart) -> bool {
 fn is_of_torque(factor: &Factor) -> bool {
     match factor {
         Factor::Geared(_, own) => is_of_torque(own),
-        Factor::Torque(_) | Factor::OpenTorque => true,
-        Factor::One | Factor::Motion(_) | Factor::Quadrature(_) | Factor::Side(_) | Factor::Open => false,
-        Factor::Linkage(_) | Factor::Corrected(..) | Factor::OnPin(..) => false,
+        own => matches!(own, Factor::Torque(_) | Factor::OpenTorque),
     }
 }
 
 /// The same of one of its sums.
 pub fn torque_part(part: &TorquePart) -> Text {
     if !part.exists { DOES_NOT_EXIST.into() } else { modulus(&part.verdict).into() }
-}
-
-/// The force as plain text.
-pub fn force_summary(order: &OrderBalance) -> String {
-    force(order).plain()
-}
-
-/// The moment as plain text.
-pub fn moment_summary(order: &OrderBalance) -> String {
-    moment(order).plain()
 }
 
 /// What the summaries are counted in.

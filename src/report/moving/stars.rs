@@ -53,8 +53,8 @@ fn of_one_sum(
         order: part.order,
         coefficient: weighed.and_then(|weighed| coefficient(part, weighed)),
         exists: part.exists,
-        force: quantity(Planar::Force, residual::force_summary(part)),
-        moment: quantity(Planar::Moment, residual::moment_summary(part)),
+        force: quantity(Planar::Force, residual::force(part).plain()),
+        moment: quantity(Planar::Moment, residual::moment(part).plain()),
     }
 }
 
