@@ -1,9 +1,8 @@
 //! What is on the page of the main bearings, and on the terminal?
 
 use super::super::calculation::{self, percent_at_most};
-use super::super::journal::{complete_bearings_answer, complete_bearings_page, without_gas};
 use super::amounts::orders_of;
-use super::{BearingsStudy, amounts, links, plots, tables};
+use super::{amounts, links, plots, tables};
 use crate::engine::Engine;
 use crate::loads::{BearingLoads, left_out_of_bearings, pin_loads};
 use crate::page::{Block, Document, Text, phrase};
@@ -95,25 +94,6 @@ pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Opti
         true => phrase!("{} With links on a master rod this bound is computed, not proved.", words),
         false => words,
     })
-}
-
-/// The short answer to a study, and below it the page: of gas and masses where the layout asks for both.
-pub(super) fn answer(study: &BearingsStudy) -> Document {
-    let answer = || bearings_answer(&study.engine, &study.continuous, &study.determinate);
-    match &study.complete {
-        None => answer(),
-        Some(Err(lack)) => without_gas(answer(), lack),
-        Some(Ok(loads)) => complete_bearings_answer(&study.engine, loads),
-    }
-}
-
-pub(super) fn page(study: &BearingsStudy) -> Document {
-    let page = || bearings_page(&study.engine, &study.continuous, &study.determinate);
-    match &study.complete {
-        None => page(),
-        Some(Err(lack)) => without_gas(page(), lack),
-        Some(Ok(loads)) => complete_bearings_page(&study.engine, loads, &study.continuous),
-    }
 }
 
 /// The short answer: the peaks of every bearing, and the largest value of each order.
