@@ -228,18 +228,9 @@ pub(in crate::report) fn opposed(engine: &Engine) -> Option<Text> {
 }
 
 fn is_ideal(law: &PressureLaw) -> bool {
-    match law {
-        PressureLaw::Cycle(_) => true,
-        PressureLaw::Table(_) | PressureLaw::Stage(_) => false,
-    }
+    matches!(law, PressureLaw::Cycle(_))
 }
 
 fn finds_heat(law: &PressureLaw) -> bool {
-    match law {
-        PressureLaw::Cycle(ideal) => match ideal.heat {
-            Heat::Released(_) => false,
-            Heat::PeakPressure(_) | Heat::MeanPressure(_) => true,
-        },
-        PressureLaw::Table(_) | PressureLaw::Stage(_) => false,
-    }
+    matches!(law, PressureLaw::Cycle(ideal) if !matches!(ideal.heat, Heat::Released(_)))
 }
