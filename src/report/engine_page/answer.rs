@@ -255,23 +255,26 @@ pub(super) fn why_several(engine: &Engine) -> Option<Text> {
 
 /// The short answer: what is left of each order, in newtons where the file gives numbers, and exactly.
 pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
-    let mut page = Document::new("verdicts", engine.title());
-    let theorem = theorem_of(engine, judged).ok();
-    let weighed = WeighedParts::new(engine, judged, Weighing::usual());
-    page.push(Block::Answer(lines(engine, judged, theorem.as_ref(), &weighed)));
-    page.blocks.extend(tables(judged, Weighing::usual(), &weighed));
-    page.blocks.extend(notes(engine, judged, weighed.as_judged.as_ref(), Weighing::usual(), true));
-    page
+    answer(engine, judged, Weighing::usual(), |_| None)
 }
 
 /// The short answer of a terminal, with what is reported one by one and what together: one table where masses and speed are given; what is
 /// exact follows it where all is asked for.
 pub fn engine_answer_weighed(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Document {
+    answer(engine, judged, weighing, |weighed| weighed.speed())
+}
+
+fn answer(
+    engine: &Engine,
+    judged: &Judgement,
+    weighing: &Weighing,
+    speed_of_table: impl Fn(&Weighed) -> Option<Text>,
+) -> Document {
     let mut page = Document::new("verdicts", engine.title());
     let theorem = theorem_of(engine, judged).ok();
     let weighed = WeighedParts::new(engine, judged, weighing);
     let as_judged = weighed.as_judged.as_ref();
-    let at_speed = as_judged.and_then(|weighed| Some((weighed, weighed.speed()?)));
+    let at_speed = as_judged.and_then(|weighed| Some((weighed, speed_of_table(weighed)?)));
     let is_exact = at_speed.is_none() || weighing.all;
     match at_speed {
         None => page.push(Block::Answer(lines(engine, judged, theorem.as_ref(), &weighed))),

@@ -123,8 +123,7 @@ impl<'a> Weighed<'a> {
 
     /// The largest force, moment, torque or roll moment of an order, in its multiples of m r ω².
     pub fn size(&self, order: u32, quantity: impl Into<Quantity>) -> f64 {
-        let sizes = self.sizes(quantity.into()).into_iter();
-        sizes.filter(|(of, _)| *of == order).map(|(_, size)| size).next().unwrap_or(0.0)
+        self.sizes(quantity.into()).into_iter().find(|(of, _)| *of == order).map_or(0.0, |(_, size)| size)
     }
 
     /// The orders of the torque or of the roll moment, with their amplitudes.
