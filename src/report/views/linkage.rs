@@ -72,8 +72,7 @@ impl Linkage<'_> {
 /// The rod of a cylinder for its crank radius: its length and the offset of the axis, both against the crank radius.
 fn rod(cylinder: &Cylinder) -> (f64, f64) {
     let Some(rod) = cylinder.rod() else { return (1.0 / USUAL_RATIO, 0.0) };
-    let ratio = rod.ratio.to_f64().unwrap_or(USUAL_RATIO);
-    let length = ratio.recip().clamp(1.0, LONGEST_ROD);
+    let length = drawn(&rod.ratio);
     (length, rod.offset.to_f64().unwrap_or(0.0) * length)
 }
 
@@ -141,14 +140,9 @@ pub(super) fn is_shortened(engine: &Engine) -> bool {
 
 /// The rows of a radial, from the free end; of other engines none.
 pub(super) fn rows(engine: &Engine) -> Vec<&BigRational> {
-    let positions: BTreeSet<&BigRational> = match engine.form() {
-        Form::Radial => engine.cylinders().iter().map(|cylinder| &cylinder.position).collect(),
-        Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::Vr | Form::W | Form::General => {
-            BTreeSet::new()
-        }
-        Form::OpposedPiston | Form::U | Form::H | Form::Delta => BTreeSet::new(),
-    };
-    if positions.len() > 1 { positions.into_iter().rev().collect() } else { Vec::new() }
+    let positions: BTreeSet<&BigRational> = engine.cylinders().iter().map(|cylinder| &cylinder.position).collect();
+    let has_rows = engine.form() == Form::Radial && positions.len() > 1;
+    if has_rows { positions.into_iter().rev().collect() } else { Vec::new() }
 }
 
 /// What distinguishes a linkage in this view.
