@@ -1,13 +1,13 @@
 //! How are the inertia torque, where the file asks for it, and the roll moment of geared crankshafts proved?
 
 use super::super::calculation::Numbers;
-use super::super::star::{torque_figure, torque_legend};
+use super::super::star::{legend_of_one_scale, torque_figure};
 use super::super::{argument, residual};
 use super::geared;
 use super::orders::{certified, value};
 use crate::engine::{Engine, WHY_NOT};
 use crate::page::{Block, Fold, Picture, Table, Text, phrase};
-use crate::verdict::{self, Judgement, TorquePart};
+use crate::verdict::{self, JudgedStar, Judgement, TorquePart};
 
 const ROLL: &str = "R_k = \\sum_j \\left( c_k\\, m_j r_j\\, a_j - s_j\\, t_k\\, m_j r_j^2 \\right) e^{ik(\\beta_j - \\alpha_j)}, \\qquad a_j = \\sum d \\sin(\\alpha_j - \\eta) - s_j\\, e_j";
 const TORQUE: &str = "Q_k = \\sum_j m_j\\, r_j^2\\, e^{ik(\\beta_j - \\alpha_j)}";
@@ -39,9 +39,10 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
         return Vec::new();
     }
     let verdicts: Vec<_> = parts.iter().map(|part| &part.verdict).collect();
+    let judged: Vec<JudgedStar> = verdicts.iter().map(|verdict| JudgedStar::from(*verdict)).collect();
     let stars = Picture {
         name: "torque-stars".to_owned(),
-        caption: phrase!("Vector stars of the inertia torque. {}", torque_legend(engine, &verdicts)),
+        caption: phrase!("Vector stars of the inertia torque. {}", legend_of_one_scale(engine, &judged)),
         figure: torque_figure(engine, &verdicts),
     };
     let mut blocks = vec![
