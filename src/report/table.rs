@@ -368,17 +368,12 @@ fn phase(parts: &Parts) -> String {
         text.push_str(&product);
     }
     let sum = phase_sum(parts);
-    let (value, reduced) = (typeset::degrees(&sum), reduced_phase(parts));
+    let (value, reduced) = (typeset::degrees(&sum), typeset::angle(&Turn::from_degrees(&sum)));
     if text.is_empty() || parts.iter().any(|(_, degrees)| typeset::is_rounded(degrees)) || typeset::is_rounded(&sum) {
         return reduced;
     }
     let working = if text == value { text } else { format!("{text} = {value}") };
     if value == reduced { working } else { format!("{working} ≡ {reduced}") }
-}
-
-/// A phase in `[0°, 360°)`, without its working.
-fn reduced_phase(parts: &Parts) -> String {
-    typeset::angle(&crate::exact::Turn::from_degrees(&phase_sum(parts)))
 }
 
 fn phase_sum(parts: &Parts) -> BigRational {

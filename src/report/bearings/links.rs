@@ -30,7 +30,7 @@ pub(in crate::report) fn blocks(engine: &Engine) -> Vec<Block> {
         Block::Paragraph(LINKS.into()),
         masters(engine, &links, unit).into(),
         knuckles(engine, &links, unit).into(),
-        Block::Pictures(drawings(engine, &links, unit)),
+        Block::Pictures(links.masters.iter().flat_map(|master| drawn(engine, &links, master, unit)).collect()),
     ]
 }
 
@@ -79,10 +79,6 @@ fn knuckles(engine: &Engine, links: &LinkLoads, unit: Unit) -> page::Table {
         })
         .column("at θ", |knuckle| amounts::angle(&knuckle.side))
         .done()
-}
-
-fn drawings(engine: &Engine, links: &LinkLoads, unit: Unit) -> Vec<Picture> {
-    links.masters.iter().flat_map(|master| drawn(engine, links, master, unit)).collect()
 }
 
 /// The path of a load, and its tip where it is largest.

@@ -29,7 +29,8 @@ pub fn open_scenes(family: &Family, orders: &[u32]) -> Vec<Scene> {
 /// The scene in which this angle moves.
 fn one(family: &Family, orders: &[u32], moving: &str) -> Option<Scene> {
     let values = drawn(family);
-    let (angles, lengths): (Values, Values) = values.into_iter().partition(|(name, _)| is_angle(name));
+    let (angles, lengths): (Values, Values) =
+        values.into_iter().partition(|(name, _)| [PHI, DELTA].contains(&name.as_str()));
     let fixed: Values =
         angles.iter().filter(|(name, _)| *name != moving).map(|(name, v)| (name.clone(), v.clone())).collect();
     let along = family.with(&fixed).ok()?;
@@ -62,10 +63,6 @@ fn lengths_drawn(lengths: &Values) -> Option<String> {
 
 /// Unknowns by name with their values: angles in turns.
 type Values = BTreeMap<String, BigRational>;
-
-fn is_angle(name: &str) -> bool {
-    [PHI, DELTA].contains(&name)
-}
 
 /// A value for the drawing of every unknown.
 fn drawn(family: &Family) -> Values {
