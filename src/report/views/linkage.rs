@@ -112,20 +112,13 @@ fn drawn(ratio: &BigRational) -> f64 {
     ratio.to_f64().unwrap_or(USUAL_RATIO).recip().clamp(1.0, LONGEST_ROD)
 }
 
-/// A link at its knuckle pin.
-struct Knuckle {
-    joint: Point,
-    length: f64,
-}
-
 /// Where the knuckle pin of a link stands, the master rod as it lies.
-fn knuckle(link: &Link, along: Point, pin: Point, radius: f64) -> Knuckle {
+fn knuckle_pin(link: &Link, along: Point, pin: Point, radius: f64) -> Point {
     let turned = |angle: &Turn| Point::from_polar(1.0, length(angle.turns()) * std::f64::consts::TAU);
     let (master, rod) = (along * turned(&link.angle).conj(), drawn(&link.master) * radius);
     let aside = (pin * master.conj()).im;
     let towards_its_piston = master * Point::new(leg(rod, aside), -aside) / rod;
-    let joint = pin + towards_its_piston * turned(&link.knuckle_angle()) * (length(&link.knuckle) * rod);
-    Knuckle { joint, length: drawn(&link.ratio) * radius }
+    pin + towards_its_piston * turned(&link.knuckle_angle()) * (length(&link.knuckle) * rod)
 }
 
 /// The other leg of a right triangle.
@@ -175,8 +168,7 @@ pub(super) fn linkages(engine: &Engine, units: Units) -> Linkages<'_> {
         let (joint, length, reach) = match cylinders[0].link() {
             None => (pin, length, length),
             Some(link) => {
-                let Knuckle { joint, length } = knuckle(link, along, pin, radius);
-                (joint, length, reach(cylinders[0]) * radius)
+                (knuckle_pin(link, along, pin, radius), drawn(&link.ratio) * radius, reach(cylinders[0]) * radius)
             }
         };
         // The joint in the frame of the cylinder: along its axis, and across it on the side of ψ = 90°.
