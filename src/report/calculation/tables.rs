@@ -3,7 +3,7 @@
 use super::amounts::{self, Unit, axial_cell, share, waveform};
 use super::words;
 use crate::engine::Engine;
-use crate::loads::{Arm, Loads, OrderLoads, Outcome, Torque};
+use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque};
 use crate::numbers;
 use crate::order::MassGroup;
 use crate::page::{self, Number, Table, Text, phrase};
@@ -11,27 +11,25 @@ use crate::proof::{Axial, Planar, Quantity};
 
 /// What is in the scene and what is not, and what each group of masses adds to the peaks.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
-    let mut table = Table::new(["Effect", "Included", "Why", "Share of peak force", "Share of peak moment"]);
-    let peaks = Planar::BOTH.map(|of| (waveform(loads, of).peak(), Unit::as_read(engine, loads, of)));
-    let shares = |group: MassGroup| {
-        let loads = loads.groups.iter().find(|loads| loads.group == group);
-        [0, 1].map(|place: usize| {
-            let (peak, unit) = &peaks[place];
-            match loads.map(|loads| [&loads.force, &loads.moment][place]) {
-                Some(waveform) if peak.value == 0.0 || waveform.harmonics().is_empty() => Text::zero(),
-                Some(waveform) => {
-                    phrase!("{} {}", Text::measured(share(waveform, peak) * unit.factor, unit.unit), unit.label())
-                }
-                None => "–".into(),
-            }
-        })
+    let [force, moment] = Planar::BOTH.map(|of| (of, waveform(loads, of).peak(), Unit::as_read(engine, loads, of)));
+    let share = |group: Option<MassGroup>, (of, peak, unit): &(Planar, Peak, Unit)| -> Text {
+        let Some(loads) = loads.groups.iter().find(|loads| Some(loads.group) == group) else { return "–".into() };
+        let waveform = match of {
+            Planar::Force => &loads.force,
+            Planar::Moment => &loads.moment,
+        };
+        match peak.value == 0.0 || waveform.harmonics().is_empty() {
+            true => Text::zero(),
+            false => phrase!("{} {}", Text::measured(share(waveform, peak) * unit.factor, unit.unit), unit.label()),
+        }
     };
-    for row in words::effects(engine, loads) {
-        let inside = if row.inside { "yes" } else { "no" };
-        let shares = row.group.map_or_else(|| ["–".into(), "–".into()], shares);
-        table.push([row.name.into(), inside.into(), row.why].into_iter().chain(shares).collect());
-    }
-    table
+    Table::of(words::effects(engine, loads))
+        .column("Effect", |row| row.name)
+        .column("Included", |row| if row.inside { "yes" } else { "no" })
+        .column("Why", |row| row.why.clone())
+        .column("Share of peak force", |row| share(row.group, &force))
+        .column("Share of peak moment", |row| share(row.group, &moment))
+        .done()
 }
 
 /// The two rotating vectors of each order.

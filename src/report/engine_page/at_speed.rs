@@ -1,6 +1,6 @@
 //! What does an engine with masses do at its speed, in one table: how large is each order, what cures it, and what does that leave?
 
-use super::super::calculation::Unit;
+use super::super::calculation::{self, Unit};
 use super::super::residual;
 use super::cures::Cures;
 use super::left::{Name, numbers};
@@ -118,16 +118,11 @@ const ROLL: [&str; 2] = ["Roll moment", "All other roll moments"];
 /// that vanish.
 fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
     let rolls = weighed.loads.rolling() == Some(Axial::Torque);
-    let shown = [
-        (Axial::Roll, ROLL, weighed.loads.roll.is_some()),
-        (
-            Axial::Torque,
-            if rolls { ROLL } else { ["Inertia torque", "All other torques"] },
-            weighed.loads.torque.is_some(),
-        ),
-    ];
+    let of_torque = if rolls { ROLL } else { ["Inertia torque", "All other torques"] };
+    let shown = [(Axial::Roll, ROLL), (Axial::Torque, of_torque)].into_iter();
     let mut rows = Vec::new();
-    for (quantity, [name, others], _) in shown.into_iter().filter(|(.., is_there)| *is_there) {
+    for (quantity, [name, others]) in shown.filter(|(of, _)| calculation::about_the_axis(&weighed.loads, *of).is_some())
+    {
         let orders = weighed.about_the_axis(quantity);
         let most = orders.iter().map(|(_, size)| *size).fold(0.0, f64::max);
         let unit = weighed.unit(Quantity::Axial(quantity)).for_values_up_to(most);

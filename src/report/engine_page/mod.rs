@@ -154,10 +154,10 @@ pub(super) fn proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
 /// Number, revision, author and what else the file says of itself, with the objective.
 fn title_block(engine: &Engine) -> Vec<Block> {
     let block = engine.title_block();
-    let mut table = Table::new([Text::default(), Text::default()]);
-    for (name, written) in &block.rows {
-        table.push(vec![(*name).into(), written.into()]);
-    }
+    let table = Table::of(&block.rows)
+        .column(Text::default(), |(name, _)| *name)
+        .column(Text::default(), |(_, written)| written)
+        .done();
     let table = (!table.rows.is_empty()).then_some(Block::Table(table));
     let objective = block.objective.as_ref().map(|words| Block::Paragraph(phrase!("**Objective.** {}", words)));
     table.into_iter().chain(objective).collect()

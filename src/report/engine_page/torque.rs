@@ -75,20 +75,17 @@ pub(super) fn results(engine: &Engine, judged: &Judgement) -> Vec<Block> {
         return Vec::new();
     }
     let has_roll = judged.orders.iter().any(|order| order.roll.is_some());
-    let mut table = Table::new(["Order", "Torque"].into_iter().chain(has_roll.then_some("Roll")));
-    for order in &judged.orders {
-        if let Some(torque) = &order.torque {
-            let roll = order.roll.as_ref().map(residual::roll);
-            table.push([order.order.into(), residual::torque(torque)].into_iter().chain(roll).collect());
-        }
+    let torques = judged.orders.iter().filter_map(|order| Some((order, order.torque.as_ref()?)));
+    let table = Table::of(torques)
+        .column("Order", |(order, _)| order.order)
+        .column("Torque", |(_, torque)| residual::torque(torque))
+        .column_if(has_roll, "Roll", |(order, _)| order.roll.as_ref().map(residual::roll).unwrap_or_default())
+        .done();
+    if table.rows.is_empty() {
+        return Vec::new();
     }
-    match table.rows.is_empty() {
-        true => Vec::new(),
-        false => [table.into(), Block::Note(residual::ROLL_LEGEND.into())]
-            .into_iter()
-            .chain(geared::roll_asked_of(engine).map(Block::Paragraph))
-            .collect(),
-    }
+    let asked = geared::roll_asked_of(engine).map(Block::Paragraph);
+    [table.into(), Block::Note(residual::ROLL_LEGEND.into())].into_iter().chain(asked).collect()
 }
 
 /// The proofs of the roll moment; none where there is one crankshaft.
