@@ -178,16 +178,24 @@ fn sum_of_moments(engine: &Engine) -> &'static str {
 
 /// One period of orders: zero or not, direct and reverse.
 pub(super) fn period(theorem: &Theorem) -> Table {
-    let mut table = Table::new(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
-    let columns = [&theorem.force, &theorem.moment].map(|every| [&every.direct, &every.reverse]);
-    let cell = |verdict: &Verdict| if verdict.vanishes() { Text::zero() } else { "not 0".into() };
-    for (index, verdict) in theorem.force.direct.iter().enumerate() {
-        let order = verdict.order;
-        let orders = if order == 1 { "1".to_owned() } else { format!("{order}, {}, …", order + theorem.period) };
-        let cells = columns.iter().flatten().map(|verdicts| cell(&verdicts[index]));
-        table.push([Text::label(orders)].into_iter().chain(cells).collect());
+    let orders = |verdict: &Verdict| match verdict.order {
+        1 => Text::label("1"),
+        order => Text::label(format!("{order}, {}, …", order + theorem.period)),
+    };
+    let mut table = Table::of(theorem.force.direct.iter().enumerate()).column("Order", |(_, verdict)| orders(verdict));
+    let columns = [
+        ("Force, direct", &theorem.force.direct),
+        ("Force, reverse", &theorem.force.reverse),
+        ("Moment, direct", &theorem.moment.direct),
+        ("Moment, reverse", &theorem.moment.reverse),
+    ];
+    for (heading, verdicts) in columns {
+        table = table.column(heading, |(index, _)| match verdicts[*index].vanishes() {
+            true => Text::zero(),
+            false => "not 0".into(),
+        });
     }
-    table
+    table.done()
 }
 
 /// Multiples of an angle in degrees whose sum is a phase.
