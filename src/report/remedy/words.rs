@@ -82,21 +82,17 @@ fn resized(remedy: &Remedy) -> Vec<Text> {
 
 /// Which shafts may be counterweights on a crankshaft that turns as they do, where crankshafts turn at different speeds.
 fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
-    let mut lines = Vec::new();
-    let mut others = 0;
-    for shaft in &remedy.shafts {
-        let Some(crank) = remedy.crank_of(shaft) else {
-            others += 1;
-            continue;
-        };
-        lines.push(phrase!(
+    let on_crank = remedy.shafts.iter().filter_map(|shaft| Some((shaft, remedy.crank_of(shaft)?)));
+    let said = on_crank.map(|(shaft, crank)| {
+        phrase!(
             "The weight at {}× {with|against} the crank may sit on crankshaft {}, which turns at this speed, at the same position and angle; no extra shaft is needed. Force and moment do not depend on where its axis is, the roll moment does.",
             shaft.order,
             shaft.sense,
             crank.name.clone()
-        ));
-    }
-    if others > 0 {
+        )
+    });
+    let mut lines: Vec<Text> = said.collect();
+    if lines.len() < remedy.shafts.len() {
         lines.push(phrase!(
             "Counterweights cannot replace {these|the other} shafts: they act only on the first order of their own crankshaft, in the sense in which it turns.",
             lines.is_empty()
