@@ -44,8 +44,8 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
         .column(if in_numbers { "In multiples" } else { "Mass × radius" }, |(_, weight)| size(remedy, weight));
     if let Some(radius) = &remedy.radius {
         let radius = given_with(&(radius * BigRational::from_integer(1000.into())), Unit::MILLIMETRE);
-        let mass = |weight: &Weight| remedy.mass(weight).map(|mass| Piece::Quantity(mass, Unit::KILOGRAM).into());
-        table = table.column(phrase!("Mass at {}", radius), |(_, weight)| mass(weight).unwrap_or_else(Text::default));
+        let mass = |weight: &Weight| Some(Piece::Quantity(remedy.mass(weight)?, Unit::KILOGRAM).into());
+        table = table.column(phrase!("Mass at {}", radius), |(_, weight)| -> Text { mass(weight).unwrap_or_default() });
     }
     is_any.then(|| table.column("Angle at θ = 0", |(_, weight)| direction(remedy, weight)).done())
 }

@@ -127,7 +127,7 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
         labels.avoid_resultant(&draw_resultant(figure, upright(resultant) * scale, OUTLINE));
     }
     if star.rays.len() <= MOST_LABELS {
-        let named = |ray: &'_ Ray| {
+        let named = |ray: &Ray| {
             let counts: Vec<usize> = ray.arrows(scale).into_iter().map(|(_, count)| count).collect();
             ray.labels(engine, &counts, LETTERS)
         };
