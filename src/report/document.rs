@@ -30,8 +30,13 @@ pub fn document(
     let of_order = |order| asked.iter().flat_map(move |&quantity| verdicts(engine, order, quantity));
     let whole = |order| asked.iter().flat_map(move |&quantity| wholes(order, quantity));
     let shapes = |order: &OrderVerdict| {
-        let both = [(Quantity::FORCE, &order.force), (Quantity::MOMENT, &order.moment)];
-        both.map(|(quantity, whole)| shape_claim(quantity, order.order, whole))
+        let claim = |quantity: Quantity, WholeOrder { shape, evidence, .. }: &WholeOrder| ShapeClaim {
+            quantity,
+            order: order.order,
+            shape: *shape,
+            evidence: evidence.clone(),
+        };
+        [claim(Quantity::FORCE, &order.force), claim(Quantity::MOMENT, &order.moment)]
     };
     let (theorems, recurrences) = match every_order {
         None => (Vec::new(), Vec::new()),
@@ -228,10 +233,6 @@ fn wholes(order: &OrderVerdict, quantity: Quantity) -> Vec<WholeClaim> {
         _ if order.parts.len() < 2 => Vec::new(),
         Quantity::Planar(planar) => both.iter().zip(&order.whole(planar).outcomes).map(claim).collect(),
     }
-}
-
-fn shape_claim(quantity: Quantity, order: u32, whole: &WholeOrder) -> ShapeClaim {
-    ShapeClaim { quantity, order, shape: whole.shape, evidence: whole.evidence.clone() }
 }
 
 /// The statements as data, with the verdicts that prove them.

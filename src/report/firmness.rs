@@ -32,18 +32,14 @@ fn words(disturbance: Disturbance) -> (&'static str, &'static str) {
 
 /// One row per zero, with what each disturbance means; nothing where nothing vanishes.
 pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
-    let mut header = vec!["Zero"];
-    header.extend(Disturbance::ALL.map(|disturbance| words(disturbance).0));
-    header.push("Verdict");
-    let mut table = Table::new(header);
+    let mut zeros: Vec<(Text, Firmness)> = Vec::new();
     // What no mass has at this order is zero whatever is changed.
     for order in orders.iter().flat_map(|order| &order.parts).filter(|order| order.exists) {
-        let force = firmness(engine, &order.force).map(|firmness| (phrase!("force, order {}", order.order), firmness));
-        let moment =
-            firmness(engine, &order.moment).map(|firmness| (phrase!("moment, order {}", order.order), firmness));
-        table.rows.extend([force, moment].into_iter().flatten().map(|(name, firmness)| row(engine, name, &firmness)));
+        for (name, balance) in [("force, order {}", &order.force), ("moment, order {}", &order.moment)] {
+            zeros.extend(firmness(engine, balance).map(|firmness| (phrase!(name, order.order), firmness)));
+        }
     }
-    if table.rows.is_empty() {
+    if zeros.is_empty() {
         return Vec::new();
     }
     let meaning = |disturbance| {
@@ -53,7 +49,7 @@ pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
     vec![
         Block::Heading(1, "Robust and accidental zeros".into()),
         Block::Paragraph(INTRODUCTION.into()),
-        table.into(),
+        table(engine, zeros).into(),
         Block::List(Disturbance::ALL.map(meaning).into()),
     ]
 }
@@ -61,19 +57,20 @@ pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
 const INTRODUCTION: &str = "Which zeros survive a change of the engine? Yes and no are decided exactly; – where there is nothing to change. A zero is \
                             robust if only masses that differ from cylinder to cylinder can break it; otherwise the last column says what it needs.";
 
-fn row(engine: &Engine, name: Text, firmness: &Firmness) -> Vec<Text> {
-    let cell = |disturbance| match firmness.outcome(disturbance) {
-        FirmnessOutcome::Survives => "yes",
-        FirmnessOutcome::Breaks => "no",
-        FirmnessOutcome::DoesNotApply => "–",
-    };
-    let mut cells = vec![name];
-    cells.extend(Disturbance::ALL.map(|disturbance| cell(disturbance).into()));
-    cells.push(match firmness.is_firm() {
+fn table(engine: &Engine, zeros: Vec<(Text, Firmness)>) -> Table {
+    let mut table = Table::of(zeros).column("Zero", |(name, _)| name.clone());
+    for disturbance in Disturbance::ALL {
+        table = table.column(words(disturbance).0, |(_, firmness)| match firmness.outcome(disturbance) {
+            FirmnessOutcome::Survives => "yes",
+            FirmnessOutcome::Breaks => "no",
+            FirmnessOutcome::DoesNotApply => "–",
+        });
+    }
+    let verdict = |firmness: &Firmness| match firmness.is_firm() {
         true => "robust".into(),
         false => phrase!("needs {}", needs_words(engine, firmness)),
-    });
-    cells
+    };
+    table.column("Verdict", |(_, firmness)| verdict(firmness)).done()
 }
 
 /// What an accidental zero needs: `symmetric spacing, equal banks`.
@@ -86,16 +83,13 @@ pub(super) fn summary(engine: &Engine, order: &OrderBalance) -> Text {
     if !order.exists {
         return "–".into();
     }
-    let words = |firmness: Firmness, firm: &'static str, needed: &'static str| match firmness.is_firm() {
-        true => Text::from(firm),
-        false => phrase!(needed, needs_words(engine, &firmness)),
+    let both = [(&order.force, "force robust", "force needs {}"), (&order.moment, "moment robust", "moment needs {}")];
+    let words = |(balance, firm, needed): (_, &'static str, _)| {
+        let firmness = firmness(engine, balance)?;
+        Some(if firmness.is_firm() { firm.into() } else { phrase!(needed, needs_words(engine, &firmness)) })
     };
-    let force = firmness(engine, &order.force).map(|firmness| words(firmness, "force robust", "force needs {}"));
-    let moment = firmness(engine, &order.moment).map(|firmness| words(firmness, "moment robust", "moment needs {}"));
-    match [force, moment] {
-        [None, None] => "–".into(),
-        both => Text::joined(both.into_iter().flatten(), "; "),
-    }
+    let told: Vec<Text> = both.into_iter().filter_map(words).collect();
+    if told.is_empty() { "–".into() } else { Text::joined(told, "; ") }
 }
 
 /// What has to stay as it is.

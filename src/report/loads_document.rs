@@ -7,7 +7,7 @@ use super::calculation::{Numbers, share};
 use super::document::document;
 use crate::accuracy::Largest;
 use crate::engine::Engine;
-use crate::loads::{Arm, Bound, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Swing, Vector, Waveform};
+use crate::loads::{Arm, Bound, GroupLoads, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Torque, Vector, Waveform};
 use crate::order::{self, MassGroup};
 use crate::proof::{Document, Format, Planar, Quantity};
 use crate::{numbers, verdict};
@@ -195,17 +195,13 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
     let Numbers { loads, largest, left } = numbers;
     let factor = loads.scale.as_ref().map_or(1.0, |scale| scale.force());
     let torque_factor = loads.scale.as_ref().map_or(1.0, |scale| scale.torque());
-    let rows = [("force", 0), ("moment", 1)].into_iter().flat_map(|(quantity, place)| {
-        loads.orders.iter().map(move |order| {
-            let swing = [&order.force, &order.moment][place];
-            order_entry(quantity, order, engine, swing, factor)
-        })
-    });
-    let coefficient = |order: &crate::loads::OrderLoads| {
+    let of = |quantity| loads.orders.iter().map(move |order| order_entry(quantity, order, engine, factor));
+    let rows = Planar::BOTH.into_iter().flat_map(of);
+    let coefficient = |order: &OrderLoads| {
         let c = order.coefficient.as_ref()?.to_complex();
         Some(CoefficientEntry { order: order.order, re: c.re, im: c.im })
     };
-    let torque_orders = |torque: &Option<crate::loads::Torque>| -> Vec<TorqueEntry> {
+    let torque_orders = |torque: &Option<Torque>| -> Vec<TorqueEntry> {
         let orders = torque.iter().flat_map(|torque| &torque.orders).map(|order| TorqueEntry {
             order: order.order,
             vanishes: order.vector.outcome.vanishes(),
@@ -215,19 +211,16 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
         });
         orders.collect()
     };
-    let effects = |part: fn(&crate::loads::GroupLoads) -> &Waveform, peak: &Peak| {
-        let shares = loads.groups.iter().map(|group| (effect_name(group.group), share(part(group), peak) * factor));
-        shares.collect()
-    };
     let entry = |peak: Peak, effects, factor: f64, is_zero: bool| PeakEntry {
         value: size(peak.value, factor, is_zero),
         crank_angle_deg: peak.angle,
         effects,
     };
-    let (force, moment) = (loads.force.peak(), loads.moment.peak());
-    let is_zero = |quantity| {
-        let mut swings = loads.orders.iter().map(|order| order.swing(quantity));
-        swings.all(|swing| swing.direct.vanishes() && swing.reverse.vanishes())
+    let planar = |quantity: Planar, waveform: &Waveform, part: fn(&GroupLoads) -> &Waveform| {
+        let peak = waveform.peak();
+        let shares = loads.groups.iter().map(|group| (effect_name(group.group), share(part(group), &peak) * factor));
+        let effects = shares.collect();
+        entry(peak, effects, factor, loads.orders.iter().all(|order| order.swing(quantity).vanishes()))
     };
     LoadsDocument {
         format: Format::Loads,
@@ -258,8 +251,8 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
             inertia_torque: bound_entry(&left.torque, torque_factor),
         },
         peaks: Peaks {
-            force: entry(force, effects(|group| &group.force, &force), factor, is_zero(Planar::Force)),
-            moment: entry(moment, effects(|group| &group.moment, &moment), factor, is_zero(Planar::Moment)),
+            force: planar(Planar::Force, &loads.force, |group| &group.force),
+            moment: planar(Planar::Moment, &loads.moment, |group| &group.moment),
             torque: loads.torque.as_ref().map(|torque| {
                 let is_zero = torque.orders.iter().all(|order| order.vector.vanishes());
                 entry(torque.waveform.real_peak(), Vec::new(), torque_factor, is_zero)
@@ -303,7 +296,8 @@ fn evidence(engine: &Engine, loads: &Loads) -> Document {
     document(engine, masses, &judged, &quantities, None)
 }
 
-fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swing: &Swing, factor: f64) -> OrderEntry {
+fn order_entry(quantity: Planar, order: &OrderLoads, engine: &Engine, factor: f64) -> OrderEntry {
+    let swing = order.swing(quantity);
     let vector = |vector: &Vector| VectorEntry {
         amplitude: amplitude(vector, factor / 2.0),
         angle_deg: angle(vector),
@@ -316,7 +310,7 @@ fn order_entry(quantity: &'static str, order: &OrderLoads, engine: &Engine, swin
     let (direct, reverse) = (vector(&swing.direct), vector(&swing.reverse));
     let is_zero = [&direct, &reverse].into_iter().all(|one| one.vanishes == Some(true));
     OrderEntry {
-        quantity,
+        quantity: quantity.name(),
         order: order.order,
         exists: order.exists(engine),
         vanishes: verdict::both_vanish(direct.vanishes, reverse.vanishes),

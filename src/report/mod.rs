@@ -62,9 +62,7 @@ pub use views::{end_view, side_view};
 use crate::page::{figure, number as typeset, plot};
 
 pub use crate::page::File;
-pub use accuracy::{
-    AccuracyCase, AccuracyStudy, Further, FurtherLoad, accuracy_answer, accuracy_page, accuracy_section,
-};
+pub use accuracy::{AccuracyCase, AccuracyStudy, Further, FurtherLoad, accuracy_section};
 pub use angle::{AngleStudy, AnglesAsked, NoAngles};
 pub use argument::{argument as verdict_argument, certificate as verdict_certificate};
 pub use asked::{ask, questions};
@@ -110,9 +108,9 @@ pub use poster::{poster, poster_sheet};
 pub use question::{Question, Unanswered};
 pub use remedy::{remedy_answer, remedy_cures, remedy_document, remedy_engine, remedy_page, remedy_section};
 pub use residual::{
-    bearing as star_bearing, class_sources, force as force_left, force_summary, largest as largest_length,
-    modulus as star_length, moment as moment_left, moment_summary, order_name, roll as roll_left, shape_name,
-    torque as torque_left, torque_part as torque_part_left, whole as force_and_moment_left,
+    class_sources, force as force_left, largest as largest_length, modulus as star_length, moment as moment_left,
+    order_name, roll as roll_left, shape_name, torque as torque_left, torque_part as torque_part_left,
+    whole as force_and_moment_left,
 };
 pub use rotor::RotorStudy;
 pub use schema::{schema, schema_names};
@@ -122,7 +120,7 @@ pub use stars::{
     StarAtlas, StarredEngine, StarsStudy, star_atlas_answer, star_atlas_page, stars_answer, stars_layouts, stars_page,
 };
 pub use sweep::{sweep_answer, sweep_csv, sweep_page};
-pub use torque::{TorqueStudy, torque_answer, torque_page};
+pub use torque::TorqueStudy;
 pub use torsion::{
     Barred, DamperStudy, Excess, ForcedTwist, FoundDamper, HeatPlace, LargestTorque, NoTorsion, ResonanceOrder,
     TorsionStudy, TwistAtSpeed, Vibration, VibrationOrder,

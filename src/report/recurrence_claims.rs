@@ -23,10 +23,7 @@ pub(super) fn claims(engine: &Engine, all: &Recurrences) -> Vec<RecurrenceClaim>
 }
 
 fn first(all: &Recurrences, one: &Recurrence) -> FirstOrderClaim {
-    let place = match one.sense {
-        Sense::Direct => 0,
-        Sense::Reverse => 1,
-    };
+    let place = usize::from(one.sense == Sense::Reverse);
     let verdict = |part: &OrderBalance| {
         let verdict = part.balance(one.quantity).verdicts()[place];
         SumVerdict { vanishes: verdict.vanishes(), certificate: verdict.certificate.clone() }

@@ -36,16 +36,12 @@ fn order_one(whole: &WholeOrder) -> Text {
 fn parity(engine: &Engine, [direct, reverse]: [&[ClassPattern]; 2], orders: &Text) -> Vec<Text> {
     let mut sentences = Vec::new();
     for (of_direct, of_reverse) in direct.iter().zip(reverse) {
-        let subject = match direct.len() {
-            1 => orders.clone(),
-            _ => {
-                let names: Vec<String> = of_direct.sources.iter().map(|source| source.name(engine)).collect();
-                let names: Vec<&str> = names.iter().map(String::as_str).collect();
-                match names.as_slice() {
-                    [only] => phrase!("{}, cylinder {}", orders.clone(), (*only).to_owned()),
-                    several => phrase!("{}, cylinders {}", orders.clone(), typeset::names(several)),
-                }
-            }
+        let names: Vec<String> = of_direct.sources.iter().map(|source| source.name(engine)).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let subject = match names.as_slice() {
+            _ if direct.len() == 1 => orders.clone(),
+            [only] => phrase!("{}, cylinder {}", orders.clone(), (*only).to_owned()),
+            several => phrase!("{}, cylinders {}", orders.clone(), typeset::names(several)),
         };
         let stated =
             |class: &ClassPattern| class.stars.factors().into_iter().map(|of| of.zeros().clone()).collect::<Vec<_>>();
@@ -118,11 +114,7 @@ pub(super) fn why(all: &Recurrences) -> Vec<Text> {
         verdicts,
         Text::code("classify --json --all-orders")
     )];
-    let has_banks = |class: &ClassPattern| match class.stars {
-        Stars::One(_) => false,
-        Stars::Banks { .. } => true,
-    };
-    if classes().any(has_banks) {
+    if classes().any(|class| matches!(class.stars, Stars::Banks { .. })) {
         paragraphs.push(
             "The banks are alike: at every order the sum is the star of one bank times the star of the banks, and each has a period of its own."
                 .into(),

@@ -175,18 +175,15 @@ pub fn torque(torque: &TorqueVerdict) -> Text {
 
 /// The roll moment of an order in a few words: zero, or what the forces leave by their arms and what the torques leave.
 pub fn roll(roll: &TorqueVerdict) -> Text {
-    let parts = || roll.parts.iter().filter(|part| part.exists && !part.verdict.vanishes());
-    let [of_torques, of_arms] = [true, false].map(|torques| {
-        let is_meant = |part: &&TorquePart| torques == is_of_torques(part);
-        parts().filter(is_meant).map(|part| modulus(&part.verdict).into()).collect::<Vec<Text>>()
-    });
-    let joined = |parts: Vec<Text>| Text::joined(parts, " and ");
+    let (of_torques, of_arms): (Vec<&TorquePart>, Vec<&TorquePart>) =
+        roll.parts.iter().filter(|part| part.exists && !part.verdict.vanishes()).partition(|part| is_of_torques(part));
+    let sizes = |parts: &[&TorquePart]| Text::joined(parts.iter().map(|part| modulus(&part.verdict).into()), " and ");
     match (of_arms.is_empty(), of_torques.is_empty()) {
         _ if !roll.exists() => DOES_NOT_EXIST.into(),
         (true, true) => Text::zero(),
-        (false, true) => phrase!("arms {}", joined(of_arms)),
-        (true, false) => phrase!("torque {}", joined(of_torques)),
-        (false, false) => phrase!("arms {}, torque {}", joined(of_arms), joined(of_torques)),
+        (false, true) => phrase!("arms {}", sizes(&of_arms)),
+        (true, false) => phrase!("torque {}", sizes(&of_torques)),
+        (false, false) => phrase!("arms {}, torque {}", sizes(&of_arms), sizes(&of_torques)),
     }
 }
 
@@ -202,25 +199,13 @@ pub(super) fn is_of_torques(part: &TorquePart) -> bool {
 fn is_of_torque(factor: &Factor) -> bool {
     match factor {
         Factor::Geared(_, own) => is_of_torque(own),
-        Factor::Torque(_) | Factor::OpenTorque => true,
-        Factor::One | Factor::Motion(_) | Factor::Quadrature(_) | Factor::Side(_) | Factor::Open => false,
-        Factor::Linkage(_) | Factor::Corrected(..) | Factor::OnPin(..) => false,
+        own => matches!(own, Factor::Torque(_) | Factor::OpenTorque),
     }
 }
 
 /// The same of one of its sums.
 pub fn torque_part(part: &TorquePart) -> Text {
     if !part.exists { DOES_NOT_EXIST.into() } else { modulus(&part.verdict).into() }
-}
-
-/// The force as plain text.
-pub fn force_summary(order: &OrderBalance) -> String {
-    force(order).plain()
-}
-
-/// The moment as plain text.
-pub fn moment_summary(order: &OrderBalance) -> String {
-    moment(order).plain()
 }
 
 /// What the summaries are counted in.

@@ -13,8 +13,8 @@ use crate::verdict::{Balance, Outcome, WholeOrder};
 pub(super) fn sentence(balance: &Balance) -> Text {
     match balance.shape {
         Shape::Balanced => "Balanced: both vectors vanish.".into(),
-        Shape::Rotating => rotating(balance),
-        Shape::CounterRotating => counter_rotating(balance),
+        Shape::Rotating => turning(balance, "+", ROTATING),
+        Shape::CounterRotating => turning(balance, "-", COUNTER_ROTATING),
         Shape::Planar => planar(balance),
         Shape::Elliptical => elliptical(balance),
         Shape::NotDecided => "Whether the vectors are equally long is not decided.".into(),
@@ -36,39 +36,23 @@ fn half_length(balance: &Balance, sign: &str) -> Text {
     Text::formula(format!("\\tfrac12 \\lvert {letter}_{{{k}}}^{{{sign}}} \\rvert"))
 }
 
-fn rotating(balance: &Balance) -> Text {
-    let (length, size) = (half_length(balance, "+"), largest(balance));
+/// One vector is left: in words for order 1, and in those for higher orders.
+fn turning(balance: &Balance, sign: &str, [first, higher]: [&'static str; 2]) -> Text {
+    let (length, size) = (half_length(balance, sign), largest(balance));
     match balance.direct.order {
-        1 => phrase!(
-            "The residual is **rotating**: a vector of constant length {}, here {}, that turns with the crank. Counterweights on the crankshaft remove it.",
-            length,
-            size
-        ),
-        k => phrase!(
-            "The residual is **rotating**: a vector of constant length {}, here {}, that turns the same way as the crank at {} times its speed. A balancer shaft that turns so removes it.",
-            length,
-            size,
-            k
-        ),
+        1 => phrase!(first, length, size),
+        k => phrase!(higher, length, size, k),
     }
 }
 
-fn counter_rotating(balance: &Balance) -> Text {
-    let (length, size) = (half_length(balance, "-"), largest(balance));
-    match balance.direct.order {
-        1 => phrase!(
-            "The residual is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at crank speed. One balancer shaft that turns so removes it.",
-            length,
-            size
-        ),
-        k => phrase!(
-            "The residual is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at {} times its speed. One balancer shaft that turns so removes it.",
-            length,
-            size,
-            k
-        ),
-    }
-}
+const ROTATING: [&str; 2] = [
+    "The residual is **rotating**: a vector of constant length {}, here {}, that turns with the crank. Counterweights on the crankshaft remove it.",
+    "The residual is **rotating**: a vector of constant length {}, here {}, that turns the same way as the crank at {} times its speed. A balancer shaft that turns so removes it.",
+];
+const COUNTER_ROTATING: [&str; 2] = [
+    "The residual is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at crank speed. One balancer shaft that turns so removes it.",
+    "The residual is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at {} times its speed. One balancer shaft that turns so removes it.",
+];
 
 /// `|P_2⁺|² − |P_2⁻|²` beside zero.
 fn difference(balance: &Balance, relation: &str) -> Text {

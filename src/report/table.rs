@@ -15,7 +15,7 @@ use crate::engine::{Cylinder, Engine, LengthUnit, Rotation};
 use crate::exact::{Turn, fraction};
 use crate::loads;
 use crate::numbers;
-use crate::order::{self, Factor, Source, TurningMass};
+use crate::order::{self, Factor, Source};
 use crate::page::{Columns, Number, Piece, Table, Text, Unit, number, phrase};
 use crate::proof::{Planar, Sense};
 use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict, WholeOrder};
@@ -148,24 +148,23 @@ pub(super) fn place(engine: &Engine, value: &BigRational) -> Text {
 
 /// What stands over positions along the crankshaft.
 pub(super) fn position_heading(engine: &Engine) -> Text {
-    match engine.length_unit() {
-        LengthUnit::Metre => phrase!("Position z ({})", Unit::MILLIMETRE),
-        LengthUnit::Spacing => "Position z".into(),
-    }
+    heading(engine, "Position z ({})", "Position z")
 }
 
 /// What stands over the positions of loads.
 pub(super) fn load_heading(engine: &Engine) -> Text {
-    match engine.length_unit() {
-        LengthUnit::Metre => phrase!("Load at ({})", Unit::MILLIMETRE),
-        LengthUnit::Spacing => "Load at".into(),
-    }
+    heading(engine, "Load at ({})", "Load at")
 }
 
 fn arm_heading(engine: &Engine) -> Text {
+    heading(engine, "Arm z ({})", "Arm z")
+}
+
+/// Words with the unit of positions, or without where they are multiples of the spacing.
+fn heading(engine: &Engine, in_unit: &'static str, bare: &'static str) -> Text {
     match engine.length_unit() {
-        LengthUnit::Metre => phrase!("Arm z ({})", Unit::MILLIMETRE),
-        LengthUnit::Spacing => "Arm z".into(),
+        LengthUnit::Metre => phrase!(in_unit, Unit::MILLIMETRE),
+        LengthUnit::Spacing => bare.into(),
     }
 }
 
@@ -179,16 +178,24 @@ fn sum_of_moments(engine: &Engine) -> &'static str {
 
 /// One period of orders: zero or not, direct and reverse.
 pub(super) fn period(theorem: &Theorem) -> Table {
-    let mut table = Table::new(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
-    let columns = [&theorem.force, &theorem.moment].map(|every| [&every.direct, &every.reverse]);
-    let cell = |verdict: &Verdict| if verdict.vanishes() { Text::zero() } else { "not 0".into() };
-    for (index, verdict) in theorem.force.direct.iter().enumerate() {
-        let order = verdict.order;
-        let orders = if order == 1 { "1".to_owned() } else { format!("{order}, {}, …", order + theorem.period) };
-        let cells = columns.iter().flatten().map(|verdicts| cell(&verdicts[index]));
-        table.push([Text::label(orders)].into_iter().chain(cells).collect());
+    let orders = |verdict: &Verdict| match verdict.order {
+        1 => Text::label("1"),
+        order => Text::label(format!("{order}, {}, …", order + theorem.period)),
+    };
+    let mut table = Table::of(theorem.force.direct.iter().enumerate()).column("Order", |(_, verdict)| orders(verdict));
+    let columns = [
+        ("Force, direct", &theorem.force.direct),
+        ("Force, reverse", &theorem.force.reverse),
+        ("Moment, direct", &theorem.moment.direct),
+        ("Moment, reverse", &theorem.moment.reverse),
+    ];
+    for (heading, verdicts) in columns {
+        table = table.column(heading, |(index, _)| match verdicts[*index].vanishes() {
+            true => Text::zero(),
+            false => "not 0".into(),
+        });
     }
-    table
+    table.done()
 }
 
 /// Multiples of an angle in degrees whose sum is a phase.
@@ -209,40 +216,39 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
         direct.sources.iter().copied().zip(direct.sum.terms().iter().map(|term| &term.weight)).collect();
     let has_negative = weights.values().any(|weight| weight.is_negative());
     let with_mass = !(engine.has_unit_masses() && pistons_alone) || has_negative;
-    let mut header: Vec<Text> = vec![if pistons_alone { "Cylinder" } else { "Source" }.into(), "Throw β".into()];
+    let phases = Sense::BOTH.map(|sense| phase_formula(k, sense, has_banks));
+    let [direct, reverse] = phases.map(Text::label);
+    let of = if pistons_alone { "Cylinder" } else { "Source" };
+    let mut header: Vec<Text> = vec![of.into(), "Throw β".into()];
     header.extend(has_banks.then(|| "Bank α".into()));
     header.push(arm_heading(engine));
     header.extend(with_mass.then(|| "Weight m r".into()));
-    header.push(phrase!("Direct phase {}", phase_formula(k, Sense::Direct, has_banks)));
-    header.push(phrase!("Reverse phase {}", phase_formula(k, Sense::Reverse, has_banks)));
+    header.extend([phrase!("Direct phase {}", direct), phrase!("Reverse phase {}", reverse)]);
     let mut table = Table::new(header);
-    let row = |index: usize, cylinder: &Cylinder| {
-        let bank = typeset::signed_degrees(&cylinder.bank);
-        let mut cells: Vec<Text> = vec![cylinder.name.clone().into(), typeset::angle(&cylinder.throw).into()];
-        cells.extend(has_banks.then(|| typeset::degrees(&bank).into()));
-        cells.push(position(engine, &engine.arm(cylinder)));
-        let weight = || weights.get(&Source::Piston(index)).map(|weight| Number::exact(weight).into());
-        cells.extend(with_mass.then(|| weight().unwrap_or_default()));
-        let throw = cylinder.throw.degrees();
-        let phases = Sense::BOTH.map(|sense| phase(&parts(order.order, sense, &throw, &bank)));
+    let mut add = |[name, throw, bank]: [Text; 3], arm: &BigRational, weight: Text, phases: [String; 2]| {
+        let mut cells = vec![name, throw];
+        cells.extend(has_banks.then_some(bank));
+        cells.push(position(engine, arm));
+        cells.extend(with_mass.then_some(weight));
         cells.extend(phases.map(Text::label));
-        cells
-    };
-    // What turns adds to one of the two sums, at the angle of its weight.
-    let turning = |mass: &TurningMass| {
-        let angle = |sense| if mass.sense == sense { typeset::angle(&mass.angle) } else { "–".to_owned() };
-        let mut cells: Vec<Text> = vec![mass.source.label(engine).into(), Text::default()];
-        cells.extend(has_banks.then(Text::default));
-        cells.push(position(engine, &(&mass.position - engine.reference_plane())));
-        cells.extend(with_mass.then(|| Number::exact(&mass.weight()).into()));
-        cells.extend(Sense::BOTH.map(|sense| Text::label(angle(sense))));
-        cells
+        table.push(cells);
     };
     let masses = order::turning_masses(engine);
     for source in sources(order) {
-        match source {
-            Source::Piston(index) => table.push(row(index, &engine.cylinders()[index])),
-            other => masses.iter().filter(|mass| mass.source == other).for_each(|mass| table.push(turning(mass))),
+        if let Source::Piston(index) = source {
+            let cylinder = &engine.cylinders()[index];
+            let bank = typeset::degrees(&typeset::signed_degrees(&cylinder.bank)).into();
+            let names = [cylinder.name.clone().into(), typeset::angle(&cylinder.throw).into(), bank];
+            let weight = weights.get(&source).map(|weight| Number::exact(weight).into()).unwrap_or_default();
+            let phases = Sense::BOTH.map(|sense| working(cylinder, order.order, sense));
+            add(names, &engine.arm(cylinder), weight, phases);
+        }
+        // What turns adds to one of the two sums, at the angle of its weight.
+        for mass in masses.iter().filter(|mass| mass.source == source) {
+            let angle = |sense| if mass.sense == sense { typeset::angle(&mass.angle) } else { "–".to_owned() };
+            let names = [source.label(engine).into(), Text::default(), Text::default()];
+            let arm = &mass.position - engine.reference_plane();
+            add(names, &arm, Number::exact(&mass.weight()).into(), Sense::BOTH.map(angle));
         }
     }
     let blank = table.header.len() - 3;
@@ -370,17 +376,12 @@ fn phase(parts: &Parts) -> String {
         text.push_str(&product);
     }
     let sum = phase_sum(parts);
-    let (value, reduced) = (typeset::degrees(&sum), reduced_phase(parts));
+    let (value, reduced) = (typeset::degrees(&sum), typeset::angle(&Turn::from_degrees(&sum)));
     if text.is_empty() || parts.iter().any(|(_, degrees)| typeset::is_rounded(degrees)) || typeset::is_rounded(&sum) {
         return reduced;
     }
     let working = if text == value { text } else { format!("{text} = {value}") };
     if value == reduced { working } else { format!("{working} ≡ {reduced}") }
-}
-
-/// A phase in `[0°, 360°)`, without its working.
-fn reduced_phase(parts: &Parts) -> String {
-    typeset::angle(&crate::exact::Turn::from_degrees(&phase_sum(parts)))
 }
 
 fn phase_sum(parts: &Parts) -> BigRational {

@@ -6,7 +6,7 @@ use crankstar::file;
 use crankstar::firing::Weights;
 use crankstar::gas::{CylinderGas, Warning};
 use crankstar::page::Format;
-use crankstar::report::{self, AngleStudy, AnglesAsked, FiringStudy, Question};
+use crankstar::report::{self, AngleStudy, AnglesAsked, FiringStudy, Question, TorqueStudy};
 use crankstar::torque::{TorqueOrder, torque};
 
 use crate::angle::steam_engine;
@@ -118,8 +118,7 @@ fn like_cards_cancel_odd_orders_only_where_the_rod_is_endless() {
 #[test]
 fn pages_name_both_sides_in_both_languages() {
     let steam = engine(&steam_engine());
-    let found = torque(&steam).expect("a torque");
-    let page = report::torque_page(&steam, &found);
+    let page = TorqueStudy::new(&steam).expect("a torque").page();
     let text = pages::text(&page, Format::GITHUB);
     assert!(text.contains("diameter of the piston rod") && text.contains("p_2 (A - a)"), "{text}");
     let angle = AngleStudy::new(&steam, &AnglesAsked { at: vec![125.0], ..AnglesAsked::default() }).expect("values");

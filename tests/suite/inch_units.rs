@@ -4,7 +4,7 @@ use crankstar::loads::{Method, bearing_loads};
 use crankstar::page::figure::Mark;
 use crankstar::page::{self, Block, Document, Format, Options, Piece, Text, Unit, Units};
 use crankstar::remedy::{Request, remedy};
-use crankstar::report::{self, Numbers};
+use crankstar::report::{self, Numbers, Question, TorqueStudy};
 
 use crate::support::written::engine as read;
 
@@ -115,8 +115,8 @@ fn each_quantity_in_pounds_and_inches_converts_back_to_that_of_the_si() {
     let engine = read(V8);
     let numbers = Numbers::new(&engine, &[1, 2, 4], None).expect("numbers");
     assert!(assert_agrees(&report::loads_answer(&engine, &numbers, None)) > 1);
-    let torque = crankstar::torque::torque(&engine).expect("a torque");
-    assert!(assert_agrees(&report::torque_page(&engine, &torque)) > 10);
+    let torque = TorqueStudy::new(&engine).expect("a torque");
+    assert!(assert_agrees(&torque.page()) > 10);
     let i3 = read(I3);
     let remedy = remedy(&i3, &Request { orders: vec![1, 2], ..Request::default() }).expect("a remedy");
     assert!(assert_agrees(&report::remedy_page(&remedy)) > 5);

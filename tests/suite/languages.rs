@@ -14,11 +14,11 @@ use crankstar::loads::{Method, bearing_loads};
 use crankstar::page::figure::Mark;
 use crankstar::page::{self, Document, Format, Language, Options};
 use crankstar::report::{
-    self, AccuracyCase, CompareStudy, Compared, FlywheelStudy, Question, RotorStudy, SearchStudy, ValuesStudy,
+    self, AccuracyCase, AccuracyStudy, CompareStudy, Compared, FlywheelStudy, Question, RotorStudy, SearchStudy,
+    TorqueStudy, ValuesStudy,
 };
 use crankstar::search::Problem;
 use crankstar::text::Untrusted;
-use crankstar::torque::torque;
 
 use crate::studies::catalogue;
 use crate::support::german::{
@@ -116,8 +116,8 @@ fn pages_of_the_torque_have_german_for_every_phrase() {
     for text in texts {
         let engine = file::parse("layout.toml", &text).unwrap_or_else(|error| panic!("{text}\n{error}"));
         assert_known(&pages_of(&engine));
-        if let Ok(torque) = torque(&engine) {
-            assert_known(&[report::torque_answer(&engine, &torque), report::torque_page(&engine, &torque)]);
+        if let Ok(study) = TorqueStudy::new(&engine) {
+            assert_known(&[study.answer(), study.page()]);
         }
     }
 }
@@ -311,8 +311,9 @@ fn the_accuracy_of_torque_and_bearings_has_german_for_every_phrase() {
     let single = format!("speed = 3000\nbearings = ['0.05 m', '-0.05 m']\neffects = ['gas']\n{}", crate::gas::SPARK);
     let engine = file::parse("layout.toml", &single.replace("[gas]", "spacing = '1 m'\n[gas]")).expect("it reads");
     for timing in [Timing::Off, Timing::On] {
-        let cases = [AccuracyCase::of(&engine, &[], timing).expect("a torque")];
-        assert_known(&[report::accuracy_page(&engine, &cases), report::accuracy_answer(&engine, &cases)]);
+        let cases = vec![AccuracyCase::of(&engine, &[], timing).expect("a torque")];
+        let study = AccuracyStudy { engine: engine.clone(), cases };
+        assert_known(&[study.page(), study.answer()]);
     }
 }
 

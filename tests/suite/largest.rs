@@ -274,7 +274,7 @@ fn with_an_offset_the_odd_orders_are_judged_and_without_one_they_do_not_exist() 
     let centric = engine(&text(""));
     let judged = pistons(&centric, &[3]);
     assert_eq!(
-        [report::force_summary(&judged[0]), report::moment_summary(&judged[0])],
+        [report::force_left(&judged[0]).plain(), report::moment_left(&judged[0]).plain()],
         ["does not exist", "does not exist"]
     );
     let rows = loads_table(&centric, &[3]);

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crankstar::engine::{CycleOrder, Engine};
 use crankstar::file;
 use crankstar::page::Format;
-use crankstar::report::{self, TorqueStudy, TorsionStudy};
+use crankstar::report::{Question, TorqueStudy, TorsionStudy};
 use crankstar::torque::torque;
 use num_complex::Complex;
 
@@ -203,12 +203,13 @@ fn of_a_table_no_pressure_difference_remains_and_the_torque_says_so_without_a_wa
         assert_eq!((order.inertia, order.inertia_vanishes), (whole.inertia, whole.inertia_vanishes));
     }
     assert!(found.warnings.iter().all(|(class, _)| found.classes[*class].cylinders[0] != 2), "{:?}", found.warnings);
-    let page = report::torque_page(&misfire, &found);
+    let study = TorqueStudy { engine: misfire, torque: found };
+    let page = study.page();
     let text = pages::text(&page, Format::GITHUB);
     assert!(
         text.contains("Cylinder 3 does not fire: no pressure difference") && text.contains("that of the crankcase")
     );
-    crate::languages::assert_known(&[page, report::torque_answer(&misfire, &found)]);
+    crate::languages::assert_known(&[page, study.answer()]);
 }
 
 #[test]
@@ -220,7 +221,7 @@ fn the_pages_name_the_cylinder_in_both_languages() {
     assert!(pages::text(&answer, Format::PLAIN).contains("Cylinder 2 does not fire: it gives no torque"));
     let motored = engine(SPARK).misfiring("1").expect("it fires");
     let study = TorqueStudy::new(&motored).expect("a torque");
-    let page = report::torque_page(&motored, &study.torque);
+    let page = study.page();
     assert!(pages::text(&page, Format::GITHUB).contains("expands with the same exponent"));
     assert!(study.torque.mean.abs() < 5.0, "no work of compression: {}", study.torque.mean);
     crate::languages::assert_known(&[page]);

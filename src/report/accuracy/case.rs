@@ -70,8 +70,3 @@ fn step<T>(done: &dyn Fn(), found: T) -> T {
     done();
     found
 }
-
-/// As many loads as every case has.
-pub(super) fn loads_of(cases: &[AccuracyCase]) -> usize {
-    cases.iter().map(|case| case.studies.len()).min().unwrap_or(0)
-}

@@ -2,8 +2,7 @@
 
 use crate::accuracy::{Method, PeakRow, Row, Study};
 use crate::loads::PeakMethod;
-use crate::proof::Quantity;
-use crate::report::accuracy::methods;
+use crate::report::accuracy::{methods, words};
 use crate::report::data::Filling;
 use crate::report::data::exact_number;
 use crate::report::{AccuracyCase, AccuracyStudy, Further, FurtherLoad};
@@ -66,7 +65,7 @@ fn of_study<'a>(study: &'a AccuracyStudy, case: usize, load: &'a Study) -> impl 
         };
         Found {
             case,
-            load: name(load.quantity),
+            load: words::name(load.quantity),
             method,
             setting: setting.map(f64::from),
             value: row.value * factor,
@@ -107,14 +106,6 @@ fn of_further(case: usize, load: &Further) -> impl Iterator<Item = Found> {
     })
 }
 
-fn name(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::FORCE => "force",
-        Quantity::MOMENT => "moment",
-        Quantity::Axial(_) => "inertia_torque",
-    }
-}
-
 fn peaks(study: &AccuracyStudy) -> Option<Table> {
     let cases = (1..).zip(&study.cases);
     let rows: Vec<(usize, &AccuracyCase, &Study)> =
@@ -124,7 +115,7 @@ fn peaks(study: &AccuracyStudy) -> Option<Table> {
     }
     let mut table = Filling::new("accuracy.peaks", &rows).keyed(2);
     table.whole("case", |(number, ..)| *number);
-    table.words("load", |(.., load)| Some(name(load.quantity).to_owned()));
+    table.words("load", |(.., load)| Some(words::name(load.quantity).to_owned()));
     table.exact("rod_ratio", Unit::NONE, |(_, case, _)| case.ratio.as_ref().map(exact_number));
     table.truth("nothing_found", |(.., load)| Some(load.rows.is_empty()));
     table.exact("at_least", Unit::NONE, |(.., load)| Some(methods::decimals(&load.peak.low, false)));

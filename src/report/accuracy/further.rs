@@ -37,6 +37,39 @@ pub enum FurtherLoad {
 impl FurtherLoad {
     /// All of them.
     pub const ALL: [FurtherLoad; 3] = [FurtherLoad::Bearing, FurtherLoad::Torque, FurtherLoad::BearingWithGas];
+
+    fn words(self) -> Words {
+        match self {
+            FurtherLoad::Bearing => Words {
+                heading: "Largest bearing load of inertia, {}",
+                value: "Peak in {}",
+                how: "The loads are those of inertia, with the side forces of the pistons, on a continuous beam. The error is that of the largest load of any bearing \
+                      against the closed form; what is guaranteed bounds all orders that are omitted, whichever bearing they load.",
+            },
+            FurtherLoad::Torque => Words {
+                heading: "Largest torque, gas and inertia, {}",
+                value: "Largest torque in {}",
+                how: "The error is that of the largest torque, gas and inertia, against the time law, and anywhere the largest error through the cycle, both as parts of that torque; what is guaranteed of it adds up the orders of the gas that are omitted, \
+                      exact stars times harmonics to order 48, above it times the bound by the total variation of the torque's slope. The inertia stays in its closed form. Neither includes the effect of a wrong pressure.",
+            },
+            FurtherLoad::BearingWithGas => Words {
+                heading: "Largest bearing load, gas and masses, {}",
+                value: "Largest load in {}",
+                how: "The loads are those of gas and masses, with the side forces of the pistons, on a continuous beam; the masses stay in their closed form. The error is \
+                      that of the largest load of any bearing against the forces themselves, and anywhere the largest error of any bearing through the cycle, both as parts of that load. Neither includes the effect of a wrong pressure.",
+            },
+        }
+    }
+}
+
+/// What is said of such a load.
+struct Words {
+    /// Above it, with its λ.
+    heading: &'static str,
+    /// Above its largest values, with their unit.
+    value: &'static str,
+    /// What the methods are, and what their errors mean.
+    how: &'static str,
 }
 
 /// Errors below this are those of the search for the peak.
@@ -61,29 +94,12 @@ impl Further {
 
     /// What the methods are, and what their errors mean.
     pub(super) fn how(&self) -> &'static str {
-        match self.load {
-            FurtherLoad::Bearing => {
-                "The loads are those of inertia, with the side forces of the pistons, on a continuous beam. The error is that of the largest load of any bearing \
-                 against the closed form; what is guaranteed bounds all orders that are omitted, whichever bearing they load."
-            }
-            FurtherLoad::Torque => {
-                "The error is that of the largest torque, gas and inertia, against the time law, and anywhere the largest error through the cycle, both as parts of that torque; what is guaranteed of it adds up the orders of the gas that are omitted, \
-                 exact stars times harmonics to order 48, above it times the bound by the total variation of the torque's slope. The inertia stays in its closed form. Neither includes the effect of a wrong pressure."
-            }
-            FurtherLoad::BearingWithGas => {
-                "The loads are those of gas and masses, with the side forces of the pistons, on a continuous beam; the masses stay in their closed form. The error is \
-                 that of the largest load of any bearing against the forces themselves, and anywhere the largest error of any bearing through the cycle, both as parts of that load. Neither includes the effect of a wrong pressure."
-            }
-        }
+        self.load.words().how
     }
 
     /// `Largest torque, gas and inertia, λ 0.3`.
     pub(super) fn heading(&self, label: Text) -> Text {
-        match self.load {
-            FurtherLoad::Bearing => phrase!("Largest bearing load of inertia, {}", label),
-            FurtherLoad::Torque => phrase!("Largest torque, gas and inertia, {}", label),
-            FurtherLoad::BearingWithGas => phrase!("Largest bearing load, gas and masses, {}", label),
-        }
+        phrase!(self.load.words().heading, label)
     }
 
     fn name(&self, method: PeakMethod) -> Text {
@@ -103,15 +119,12 @@ impl Further {
         let has = |of: fn(&PeakRow) -> bool| self.rows.iter().any(of);
         let (far, sure, timed) =
             (has(|row| row.farthest.is_some()), has(|row| row.bound.is_some()), has(|row| row.time.is_some()));
-        let value = match self.load {
-            FurtherLoad::Bearing => phrase!("Peak in {}", self.unit),
-            FurtherLoad::Torque => phrase!("Largest torque in {}", self.unit),
-            FurtherLoad::BearingWithGas => phrase!("Largest load in {}", self.unit),
-        };
         let part = |part: Option<f64>| part.map_or_else(Text::default, |part| methods::power(part).into());
         Table::of(&self.rows)
             .column("Method", |row| self.name(row.method))
-            .column(value, |row| methods::to_digits(row.value * self.factor, self.unit))
+            .column(phrase!(self.load.words().value, self.unit), |row| {
+                methods::to_digits(row.value * self.factor, self.unit)
+            })
             .column("Error", |row| error(row))
             .column_if(far, "Anywhere", |row| part(row.farthest))
             .column_if(sure, "Guaranteed", |row| part(row.bound))
@@ -127,17 +140,12 @@ impl Further {
             PeakMethod::Samples(_) | PeakMethod::Refined => None,
         });
         match self.load {
-            FurtherLoad::Bearing => orders
-                .filter(|(_, row)| row.bound.is_some_and(|bound| bound <= methods::USUAL))
-                .map(|(order, _)| order)
-                .next(),
+            FurtherLoad::Bearing => {
+                let mut guaranteed = orders.filter(|(_, row)| row.bound.is_some_and(|bound| bound <= methods::USUAL));
+                guaranteed.next().map(|(order, _)| order)
+            }
             FurtherLoad::Torque | FurtherLoad::BearingWithGas => {
-                orders.fold(
-                    None,
-                    |first, (order, row)| {
-                        if row.error <= methods::USUAL { first.or(Some(order)) } else { None }
-                    },
-                )
+                orders.fold(None, |first, (order, row)| (row.error <= methods::USUAL).then(|| first.unwrap_or(order)))
             }
         }
     }

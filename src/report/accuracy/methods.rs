@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use num_rational::BigRational;
 
+use super::super::calculation;
 use crate::accuracy::{self, Method, Row, Study};
 use crate::engine::Engine;
 use crate::loads;
@@ -13,13 +14,8 @@ use crate::proof::Quantity;
 
 /// What a load is counted in, and how many of it are one multiple.
 pub(in crate::report) fn unit(engine: &Engine, quantity: Quantity) -> (Unit, f64) {
-    let scale = loads::scale(engine);
-    let factor = |of: fn(&loads::Scale) -> f64| scale.as_ref().map_or(1.0, of);
-    let factor = match quantity {
-        Quantity::Planar(_) => factor(loads::Scale::force),
-        Quantity::Axial(_) => factor(loads::Scale::torque),
-    };
-    (loads::unit(engine, scale.as_ref(), quantity), factor)
+    let calculation::Unit { unit, factor } = calculation::Unit::at(engine, loads::scale(engine).as_ref(), quantity);
+    (unit, factor)
 }
 
 /// The methods of a study that are worth their time, by what they guarantee or, where they do not, by their error.
@@ -56,19 +52,16 @@ pub(super) fn name_and_spans(row: &Row) -> Text {
 
 /// A measured error in two digits; below the roundings of doubles only that it is below them.
 pub(super) fn measured(study: &Study, row: &Row) -> Text {
-    let plain = || power(row.error).into();
     match row.method {
         Method::Fractions => Text::default(),
-        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) if study.is_below_reference(row) => {
-            "below the reference's own error".into()
-        }
-        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) if study.rounding.is_infinite() => {
-            "not known".into()
-        }
-        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) if row.error < study.rounding => {
-            phrase!("below {}", power_of_ten(study.rounding.log10().round() as i64))
-        }
-        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) => plain(),
+        Method::Orders(_) | Method::Doubles(_) | Method::Intervals(_) => match row.error {
+            _ if study.is_below_reference(row) => "below the reference's own error".into(),
+            _ if study.rounding.is_infinite() => "not known".into(),
+            error if error < study.rounding => {
+                phrase!("below {}", power_of_ten(study.rounding.log10().round() as i64))
+            }
+            error => power(error).into(),
+        },
     }
 }
 

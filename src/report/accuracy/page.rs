@@ -1,9 +1,8 @@
 //! What is on the page of what accuracy costs, on the terminal, and in a report?
 
 use super::further::{Further, FurtherLoad};
-use super::{AccuracyCase, plots, tables, words};
+use super::{AccuracyCase, AccuracyStudy, plots, tables, words};
 use crate::accuracy::Study;
-use crate::engine::Engine;
 use crate::page::{Block, Document, Text, phrase};
 
 fn studies(cases: &[AccuracyCase]) -> impl Iterator<Item = (usize, &AccuracyCase, &Study)> {
@@ -22,7 +21,7 @@ fn further(cases: &[AccuracyCase]) -> impl Iterator<Item = (Text, &Further)> {
 }
 
 /// The short answer: a table a load and rod ratio.
-pub fn accuracy_answer(engine: &Engine, cases: &[AccuracyCase]) -> Document {
+pub(super) fn answer(AccuracyStudy { engine, cases }: &AccuracyStudy) -> Document {
     let mut answer = Document::new("accuracy", engine.title());
     for (_, case, study) in studies(cases) {
         answer.push(Block::Paragraph(words::answer(engine, case, study)));
@@ -40,7 +39,7 @@ pub fn accuracy_answer(engine: &Engine, cases: &[AccuracyCase]) -> Document {
 }
 
 /// The page of one engine with errors and times, and a plot a load and rod ratio; made for this machine at this hour.
-pub fn accuracy_page(engine: &Engine, cases: &[AccuracyCase]) -> Document {
+pub(super) fn page(AccuracyStudy { engine, cases }: &AccuracyStudy) -> Document {
     let mut page = Document::new("accuracy", phrase!("{}: what accuracy costs", engine.title()));
     let of_loads = studies(cases).map(|(_, case, study)| words::answer(engine, case, study));
     let of_further = further(cases).map(|(label, further)| further.answer(label));

@@ -40,7 +40,7 @@ pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture
         "{}: each mark is a method, faster to the left and with more digits above. Digits are those of the measured error for the closed form and the orders, of the guaranteed bound for intervals, fractions and the program's own choice.",
         title
     );
-    let name = format!("{}-{number}", words::file_name(study.quantity));
+    let name = format!("{}-{number}", words::name(study.quantity).replace('_', "-"));
     Picture { name, caption, figure: plot.figure() }
 }
 

@@ -2,8 +2,8 @@
 
 use num_rational::BigRational;
 
-use super::super::question::Unanswered;
-use super::AccuracyCase;
+use super::super::question::{Unanswered, question_of_its_room};
+use super::{AccuracyCase, data, page};
 use crate::accuracy::{Timing, with_rod_ratio};
 use crate::engine::Engine;
 use crate::proof::Quantity;
@@ -42,3 +42,5 @@ impl AccuracyStudy {
         Ok(AccuracyStudy { cases: cases.collect::<Result<_, _>>()?, engine: engine.clone() })
     }
 }
+
+question_of_its_room!(AccuracyStudy, "accuracy", |study| Some(study.engine.title()));

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::methods;
-use super::{AccuracyCase, case, words};
+use super::{AccuracyCase, words};
 use crate::accuracy::{Method, Row, Study};
 use crate::engine::Engine;
 use crate::page::{Block, Fold, Table, Text, phrase};
@@ -29,7 +29,8 @@ pub(super) const FRONT: &str =
 /// The errors of the methods for the loads of an engine at some rod ratios: measured ones, and folded what is guaranteed.
 pub(super) fn errors(cases: &[AccuracyCase]) -> Vec<Block> {
     let mut blocks = Vec::new();
-    for place in 0..case::loads_of(cases) {
+    let loads = cases.iter().map(|case| case.studies.len()).min().unwrap_or(0);
+    for place in 0..loads {
         let studies: Vec<&Study> = cases.iter().map(|case| &case.studies[place]).collect();
         let Some(first) = studies.first() else { continue };
         if let Some(nothing) = studies.iter().find_map(|study| words::vanishing(study)) {
@@ -61,18 +62,15 @@ fn by_ratio(
     kept: &dyn Fn(&Row) -> bool,
     cell: &dyn Fn(&Study, &Row) -> Text,
 ) -> Table {
-    let columns = cases.iter().map(AccuracyCase::label);
-    let mut table = Table::new([Text::from("Method")].into_iter().chain(columns));
-    for method in methods_of(studies, kept) {
-        let row = |study: &&Study| study.rows.iter().find(|row| row.method == method).map(|row| cell(study, row));
-        let cells = studies.iter().map(|study| row(study).unwrap_or_else(|| "omitted".into()));
-        table.push([methods::name(method)].into_iter().chain(cells).collect());
+    // All methods that one of the studies has, by kind.
+    let rows = studies.iter().flat_map(|study| &study.rows).filter(|row| kept(row));
+    let all: BTreeSet<Method> = rows.map(|row| row.method).collect();
+    let mut table = Table::of(all).column("Method", |method| methods::name(*method));
+    for (case, study) in cases.iter().zip(studies) {
+        table = table.column(case.label(), |method| {
+            let row = study.rows.iter().find(|row| row.method == *method);
+            row.map_or_else(|| "omitted".into(), |row| cell(study, row))
+        });
     }
-    table
-}
-
-/// All methods that one of the studies has, by kind.
-fn methods_of(studies: &[&Study], kept: &dyn Fn(&Row) -> bool) -> BTreeSet<Method> {
-    let rows = studies.iter().flat_map(|study| &study.rows);
-    rows.filter(|row| kept(row)).map(|row| row.method).collect()
+    table.done()
 }

@@ -29,12 +29,12 @@ pub(super) fn heading(case: &AccuracyCase, study: &Study) -> Text {
     }
 }
 
-/// The name of a load in the names of files.
-pub(super) fn file_name(quantity: Quantity) -> &'static str {
+/// The name of a load in tables.
+pub(super) fn name(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::FORCE => "force",
         Quantity::MOMENT => "moment",
-        Quantity::Axial(_) => "inertia-torque",
+        Quantity::Axial(_) => "inertia_torque",
     }
 }
 

@@ -25,17 +25,16 @@ fn pistons(study: &AngleStudy, columns: &[(&'static str, Unit, Value)]) -> Table
     let rows = || study.pistons().take(MOST_SHOWN);
     let known: Vec<_> = columns.iter().filter(|(.., of)| rows().any(|(_, piston)| of(piston).is_some())).collect();
     let one = study.engine.cylinders().len() == 1;
+    let name = |piston: &PistonAt| Text::label(study.engine.cylinders()[piston.cylinder].name.clone());
     let first = if one { Text::label("θ") } else { "θ, cylinder".into() };
-    let head = known.iter().map(|(words, unit, _)| phrase!(*words, *unit));
-    let mut table = Table::new([first].into_iter().chain(head));
-    for (theta, piston) in rows() {
-        let name = &study.engine.cylinders()[piston.cylinder].name;
-        let of = if one { degrees(theta) } else { phrase!("{}, {}", degrees(theta), Text::label(name.clone())) };
-        let mut row = vec![of];
-        row.extend(known.iter().map(|(_, unit, of)| cell(of(piston), *unit)));
-        table.push(row);
+    let mut table = Table::of(rows()).column(first, |(theta, piston)| match one {
+        true => degrees(*theta),
+        false => phrase!("{}, {}", degrees(*theta), name(piston)),
+    });
+    for (words, unit, of) in known {
+        table = table.column(phrase!(*words, *unit), |(_, piston)| cell(of(piston), *unit));
     }
-    table
+    table.done()
 }
 
 /// Way, velocity, acceleration.
@@ -74,32 +73,24 @@ pub(super) fn forces(study: &AngleStudy) -> Table {
 
 /// The torque of all cylinders.
 pub(super) fn torque(study: &AngleStudy) -> Table {
-    let mut table = Table::new([
-        Text::label("θ"),
-        phrase!("Gas in {}", Unit::NEWTON_METRE),
-        phrase!("Inertia in {}", Unit::NEWTON_METRE),
-        phrase!("Torque in {}", Unit::NEWTON_METRE),
-    ]);
-    for instant in study.instants.iter().take(MOST_SHOWN) {
-        let parts =
-            [instant.torque_of(|piston| piston.gas), instant.torque_of_inertia(), instant.sum(PistonAt::torque)];
-        table
-            .push([degrees(instant.theta)].into_iter().chain(parts.map(|one| cell(one, Unit::NEWTON_METRE))).collect());
-    }
-    table
+    let unit = Unit::NEWTON_METRE;
+    Table::of(study.instants.iter().take(MOST_SHOWN))
+        .column(Text::label("θ"), |instant| degrees(instant.theta))
+        .column(phrase!("Gas in {}", unit), |instant| cell(instant.torque_of(|piston| piston.gas), unit))
+        .column(phrase!("Inertia in {}", unit), |instant| cell(instant.torque_of_inertia(), unit))
+        .column(phrase!("Torque in {}", unit), |instant| cell(instant.sum(PistonAt::torque), unit))
+        .done()
 }
 
 /// One row per angle and main bearing.
 pub(super) fn bearings(study: &AngleStudy) -> Table {
-    let mut table =
-        Table::new([Text::label("θ"), "Main bearing".into(), phrase!("Force in {}", Unit::NEWTON), "towards".into()]);
-    for (theta, number, force) in study.bearings().take(MOST_SHOWN) {
-        table.push(vec![
-            degrees(theta),
-            Text::label(study.bearing_name(number)),
-            Text::measured(force.norm(), Unit::NEWTON),
-            if force.norm() == 0.0 { "–".into() } else { angle(force.arg().to_degrees()) },
-        ]);
-    }
-    table
+    Table::of(study.bearings().take(MOST_SHOWN))
+        .column(Text::label("θ"), |(theta, ..)| degrees(*theta))
+        .column("Main bearing", |(_, number, _)| Text::label(study.bearing_name(*number)))
+        .column(phrase!("Force in {}", Unit::NEWTON), |(.., force)| Text::measured(force.norm(), Unit::NEWTON))
+        .column("towards", |(.., force)| match force.norm() == 0.0 {
+            true => "–".into(),
+            false => angle(force.arg().to_degrees()),
+        })
+        .done()
 }

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use super::columns::{components, crankshafts, peak, position_unit};
 use super::{gas_data, links};
 use crate::exact::PhasorSum;
-use crate::loads::{BearingLoad, BearingLoads, Circle, Peak, PinLoads, Swing, Vector, left_out_of_bearings, pin_loads};
+use crate::loads::{BearingLoad, BearingLoads, Circle, Peak, PinLoads, Swing, left_out_of_bearings, pin_loads};
 use crate::motion::LinkMass;
 use crate::numbers;
 use crate::order::{Factor, OrderSum};
@@ -98,23 +98,19 @@ fn worst(study: &BearingsStudy, units: Units) -> Option<Table> {
 /// The largest length of an order, and its two vectors.
 fn vectors<R>(table: &mut Filling<R>, units: Units, of: impl Fn(&R) -> (u32, &[OrderSum; 2], &Swing)) {
     table.decimal("force_zero_to_peak_{unit}", units.force, |row| Some(of(row).2.largest() * units.newtons));
-    type Pick = fn(&Swing) -> &Vector;
-    let both: [(usize, [&'static str; 4], Pick); 2] = [
-        (0, ["direct_zero_to_peak_{unit}", "direct_exact", "direct_angle_{unit}", "direct_vanishes"], |swing| {
-            &swing.direct
-        }),
-        (1, ["reverse_zero_to_peak_{unit}", "reverse_exact", "reverse_angle_{unit}", "reverse_vanishes"], |swing| {
-            &swing.reverse
-        }),
+    let both: [[&'static str; 4]; 2] = [
+        ["direct_zero_to_peak_{unit}", "direct_exact", "direct_angle_{unit}", "direct_vanishes"],
+        ["reverse_zero_to_peak_{unit}", "reverse_exact", "reverse_angle_{unit}", "reverse_vanishes"],
     ];
-    for (place, [size, exact, angle, zero], vector) in both {
-        table.decimal(size, units.force, |row| Some(vector(of(row).2).value.norm() / 2.0 * units.newtons));
+    let vector = |swing: &Swing, place: usize| [&swing.direct, &swing.reverse][place].clone();
+    for (place, [size, exact, angle, zero]) in both.into_iter().enumerate() {
+        table.decimal(size, units.force, |row| Some(vector(of(row).2, place).value.norm() / 2.0 * units.newtons));
         table.exact(exact, Unit::MASS_RADIUS, |row| lengths(&of(row).1[place], of(row).0));
         table.decimal(angle, Unit::DEGREE, |row| {
-            let value = vector(of(row).2).value;
+            let value = vector(of(row).2, place).value;
             (value.norm_sqr() > 0.0).then(|| numbers::degrees(value))
         });
-        table.truth(zero, |row| vector(of(row).2).outcome.vanishes());
+        table.truth(zero, |row| vector(of(row).2, place).outcome.vanishes());
     }
 }
 

@@ -42,9 +42,7 @@ fn of_bearings(engine: &Engine, loads: &CycleLoads) -> Table {
     table.whole("bearing", |row| row.1 + 1);
     crankshafts(&mut table, engine, |row| row.4.crank);
     table.exact("position_{unit}", position_unit(engine), |row| Some(exact_number(&row.4.position)));
-    peak(&mut table, WITH_GAS, |row| &row.4.peak);
-    gas(&mut table, |row| &row.4.peak);
-    peak(&mut table, WITHOUT_GAS, |row| &row.4.inertia);
+    with_and_without_gas(&mut table, |row| [&row.4.peak, &row.4.inertia]);
     let mean = |bearing: &CycleBearing| bearing.series.mean.total();
     table.decimal("mean_y_{unit}", Unit::NEWTON, |row| Some(mean(row.4).re));
     table.decimal("mean_x_{unit}", Unit::NEWTON, |row| Some(0.0 - mean(row.4).im));
@@ -65,18 +63,18 @@ fn peak<R>(table: &mut Filling<R>, [size, angle, y, x]: [&'static str; 4], of: i
     table.decimal(x, Unit::NEWTON, |row| Some(0.0 - of(row).vector.im));
 }
 
-/// What the gas adds along the largest load.
-fn gas<R>(table: &mut Filling<R>, of: impl Fn(&R) -> &CyclePeak) {
-    table.decimal("gas_along_{unit}", Unit::NEWTON, |row| Some(of(row).gas_along()));
+/// The largest load of gas and masses, what the gas adds along it, and the largest of the masses alone.
+fn with_and_without_gas<R>(table: &mut Filling<R>, of: impl Fn(&R) -> [&CyclePeak; 2]) {
+    peak(table, WITH_GAS, |row| of(row)[0]);
+    table.decimal("gas_along_{unit}", Unit::NEWTON, |row| Some(of(row)[0].gas_along()));
+    peak(table, WITHOUT_GAS, |row| of(row)[1]);
 }
 
 fn of_cylinders(engine: &Engine, loads: &CycleLoads) -> Table {
     let rows: Vec<_> = engine.cylinders().iter().zip(&loads.cylinders).collect();
     let mut table = Filling::new("bearings.gas_cylinders", &rows);
     table.person("cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
-    peak(&mut table, WITH_GAS, |(_, loads)| &loads.peaks.pin);
-    gas(&mut table, |(_, loads)| &loads.peaks.pin);
-    peak(&mut table, WITHOUT_GAS, |(_, loads)| &loads.peaks.pin_of_inertia);
+    with_and_without_gas(&mut table, |(_, loads)| [&loads.peaks.pin, &loads.peaks.pin_of_inertia]);
     type Pick = fn(&CylinderLoads) -> Extreme;
     let extremes: [([&str; 2], Pick); 5] = [
         (["rod_largest_{unit}", "rod_largest_theta_{unit}"], |loads| loads.peaks.rod[0]),
@@ -97,9 +95,7 @@ fn of_knuckles(engine: &Engine, loads: &CycleLoads) -> Option<Table> {
     let mut table = Filling::new("bearings.gas_knuckles", &loads.knuckles);
     table.person("cylinder", |knuckle| person(knuckle.cylinder));
     table.person("master", |knuckle| person(knuckle.master));
-    peak(&mut table, WITH_GAS, |knuckle| &knuckle.peak);
-    gas(&mut table, |knuckle| &knuckle.peak);
-    peak(&mut table, WITHOUT_GAS, |knuckle| &knuckle.inertia);
+    with_and_without_gas(&mut table, |knuckle| [&knuckle.peak, &knuckle.inertia]);
     (!loads.knuckles.is_empty()).then(|| table.done())
 }
 
@@ -112,9 +108,7 @@ fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
         Some(numbers.join(" "))
     });
     table.exact("position_{unit}", position_unit(engine), |pin| Some(exact_number(&pin.position)));
-    peak(&mut table, WITH_GAS, |pin| &pin.peak);
-    gas(&mut table, |pin| &pin.peak);
-    peak(&mut table, WITHOUT_GAS, |pin| &pin.inertia);
+    with_and_without_gas(&mut table, |pin| [&pin.peak, &pin.inertia]);
     table.done()
 }
 

@@ -5,6 +5,7 @@ use super::super::plot::{Curve, PointMark, Polar};
 use super::super::torque::names;
 use super::amounts;
 use super::columns::peak;
+use super::plots::{largest_at, tip};
 use crate::engine::Engine;
 use crate::loads::{self, Circle, KnuckleLoad, LinkLoads, MasterLoad, Waveform, link_loads};
 use crate::page::{self, Block, Picture, Text, phrase};
@@ -29,12 +30,8 @@ pub(in crate::report) fn blocks(engine: &Engine) -> Vec<Block> {
         Block::Paragraph(LINKS.into()),
         masters(engine, &links, unit).into(),
         knuckles(engine, &links, unit).into(),
-        Block::Pictures(drawings(engine, &links, unit)),
+        Block::Pictures(links.masters.iter().flat_map(|master| drawn(engine, &links, master, unit)).collect()),
     ]
-}
-
-fn name(engine: &Engine, index: usize) -> Text {
-    Text::label(engine.cylinders()[index].name.clone())
 }
 
 /// What stands first of the master rods.
@@ -46,10 +43,10 @@ pub(in crate::report) fn answer(engine: &Engine) -> Option<Text> {
     let knuckle = links.knuckles.iter().max_by(|one, other| one.peak.value.total_cmp(&other.peak.value))?;
     Some(phrase!(
         "Articulated rods: master rod {} with its links loads its crankpin with up to {} {}, the knuckle pin of cylinder {} carries up to {} {}, and the wall presses on the master's piston with up to {} {}, without links {} {}.",
-        name(engine, master.cylinder),
+        names(engine, &[master.cylinder]),
         amounts::size(&master.crankpin, unit),
         unit.label(),
-        name(engine, knuckle.cylinder),
+        names(engine, &[knuckle.cylinder]),
         amounts::size(&knuckle.peak, unit),
         unit.label(),
         amounts::size(&master.side, unit),
@@ -61,7 +58,7 @@ pub(in crate::report) fn answer(engine: &Engine) -> Option<Text> {
 
 fn masters(engine: &Engine, links: &LinkLoads, unit: Unit) -> page::Table {
     page::Table::of(&links.masters)
-        .column("Master rod", |master| name(engine, master.cylinder))
+        .column("Master rod", |master| names(engine, &[master.cylinder]))
         .column("Links of cylinders", |master| names(engine, &master.links))
         .column(phrase!("Load of the crankpin in {}", unit.label()), |master| amounts::size(&master.crankpin, unit))
         .column("at θ", |master| amounts::angle(&master.crankpin))
@@ -73,8 +70,8 @@ fn masters(engine: &Engine, links: &LinkLoads, unit: Unit) -> page::Table {
 
 fn knuckles(engine: &Engine, links: &LinkLoads, unit: Unit) -> page::Table {
     page::Table::of(&links.knuckles)
-        .column("Link of cylinder", |knuckle| name(engine, knuckle.cylinder))
-        .column("Master rod", |knuckle| name(engine, knuckle.master))
+        .column("Link of cylinder", |knuckle| names(engine, &[knuckle.cylinder]))
+        .column("Master rod", |knuckle| names(engine, &[knuckle.master]))
         .column(phrase!("Load of the knuckle pin in {}", unit.label()), |knuckle| amounts::size(&knuckle.peak, unit))
         .column("at θ", |knuckle| amounts::angle(&knuckle.peak))
         .column(phrase!("Side force on the master's piston in {}", unit.label()), |knuckle| {
@@ -84,17 +81,13 @@ fn knuckles(engine: &Engine, links: &LinkLoads, unit: Unit) -> page::Table {
         .done()
 }
 
-fn drawings(engine: &Engine, links: &LinkLoads, unit: Unit) -> Vec<Picture> {
-    links.masters.iter().flat_map(|master| drawn(engine, links, master, unit)).collect()
-}
-
 /// The path of a load, and its tip where it is largest.
 fn path(load: &Waveform, unit: Unit) -> (Vec<(f64, f64)>, PointMark) {
-    let tip = |force: num_complex::Complex<f64>| (-force.im * unit.factor, force.re * unit.factor);
-    let mut tips: Vec<(f64, f64)> = load.sample(&Circle::new(STEPS)).into_iter().map(tip).collect();
+    let forces = load.sample(&Circle::new(STEPS)).into_iter();
+    let mut tips: Vec<(f64, f64)> = forces.map(|force| tip(force * unit.factor)).collect();
     tips.extend(tips.first().copied());
     let peak = load.peak();
-    (tips, PointMark::dot(tip(peak.vector), format!("largest, θ ≈ {:.0}°", peak.angle.unwrap_or_default())))
+    (tips, largest_at(tip(peak.vector * unit.factor), peak.angle.unwrap_or_default()))
 }
 
 fn drawn(engine: &Engine, links: &LinkLoads, master: &MasterLoad, unit: Unit) -> [Picture; 2] {
@@ -124,7 +117,7 @@ fn drawn(engine: &Engine, links: &LinkLoads, master: &MasterLoad, unit: Unit) ->
             name: format!("master-{}-crankpin", master.cylinder + 1),
             caption: phrase!(
                 "Crankpin of master rod {}: path of the tip of its load by all rods through a revolution, of the masses, seen from the crank, outward along the throw upwards. Rings mark crank angles, the dot the largest force.",
-                name(engine, master.cylinder)
+                names(engine, &[master.cylinder])
             ),
             figure: pin.figure(),
         },
@@ -132,7 +125,7 @@ fn drawn(engine: &Engine, links: &LinkLoads, master: &MasterLoad, unit: Unit) ->
             name: format!("master-{}-knuckles", master.cylinder + 1),
             caption: phrase!(
                 "Knuckle pins of master rod {}, {} at most: paths of the tips of their loads through a revolution, of the masses, seen from the master rod, away from the crankpin upwards.",
-                name(engine, master.cylinder),
+                names(engine, &[master.cylinder]),
                 MOST_LINKS
             ),
             figure: pins.figure(),

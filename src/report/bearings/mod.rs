@@ -7,14 +7,13 @@ mod gas_data;
 mod links;
 mod page;
 mod plots;
-mod question;
 mod study;
 mod tables;
 
 pub(super) use amounts::orders_of;
 pub(super) use columns::crankshafts;
-pub(super) use page::{ASSUMPTIONS, answer, by_orders, called, left_out, parts_of_a_load, peaks_in_words, worst};
+pub(super) use page::{ASSUMPTIONS, by_orders, called, first_lines, left_out, parts_of_a_load, peaks_in_words, worst};
 pub use page::{bearings_answer, bearings_page};
-pub(super) use plots::{drawings, farthest, style};
+pub(super) use plots::{drawings, farthest, largest_at, over_crank_angle, path, style, tip};
 pub use study::BearingsStudy;
 pub(super) use tables::{before, orders, peaks};

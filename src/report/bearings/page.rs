@@ -30,7 +30,7 @@ fn names(loads: &BearingLoads) -> Vec<String> {
 }
 
 /// What stands first: the largest force, and what the tables count in.
-pub(in crate::report) fn answer(continuous: &BearingLoads, determinate: &BearingLoads) -> [Text; 3] {
+pub(in crate::report) fn first_lines(continuous: &BearingLoads, determinate: &BearingLoads) -> [Text; 3] {
     let largest = match (worst(continuous), worst(determinate)) {
         (Some(continuous), Some(determinate)) => {
             phrase!("Largest force: {}; by the determinate approximation {}.", continuous, determinate)
@@ -101,7 +101,7 @@ pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: 
     let mut answer_page = Document::new("bearings", engine.title());
     answer_page.push(tables::peaks(engine, continuous, determinate));
     answer_page.push(tables::orders(continuous));
-    answer_page.blocks.extend(answer(continuous, determinate).map(Block::Paragraph));
+    answer_page.blocks.extend(first_lines(continuous, determinate).map(Block::Paragraph));
     answer_page.blocks.extend(links::answer(engine).map(Block::Paragraph));
     answer_page.blocks.extend(left_out(engine, continuous).map(Block::Paragraph));
     answer_page
@@ -111,7 +111,7 @@ pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: 
 pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Document {
     let mut page = Document::new("bearings", phrase!("{}: main bearings", engine.title()));
     let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
-    page.push(Block::Answer(answer(continuous, determinate).into_iter().chain(links::answer(engine)).collect()));
+    page.push(Block::Answer(first_lines(continuous, determinate).into_iter().chain(links::answer(engine)).collect()));
     page.push(tables::peaks(engine, continuous, determinate));
     section(&mut page, "Order by order");
     page.blocks.extend(by_orders(engine, continuous));

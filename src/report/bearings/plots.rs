@@ -1,11 +1,14 @@
 //! How does the force on a bearing go through a revolution? Its components over the crank angle, and its polar diagram.
 
+use num_complex::Complex;
+
 use super::super::calculation::Unit;
 use super::super::plot::{Axis, Curve, Plot, PointMark, Polar};
 use super::amounts::unit_of;
 use crate::engine::Convention;
 use crate::loads::{BearingLoad, BearingLoads, Circle};
-use crate::page::{Picture, phrase};
+use crate::page::figure::Figure;
+use crate::page::{self, Picture, phrase};
 
 /// The tips of a force through a revolution, to the right and up.
 type Tips = Vec<(f64, f64)>;
@@ -34,10 +37,8 @@ pub(in crate::report) fn drawings(convention: Convention, loads: &BearingLoads) 
     let unit = unit_of(loads);
     let circle = Circle::new(STEPS);
     let tips = |bearing: &BearingLoad| {
-        // Seen from the free end: y upwards in direction 0, x to the right.
-        let tips =
-            bearing.waveform.sample(&circle).into_iter().map(|force| (-force.im * unit.factor, force.re * unit.factor));
-        let mut tips: Vec<(f64, f64)> = tips.collect();
+        let forces = bearing.waveform.sample(&circle).into_iter();
+        let mut tips: Tips = forces.map(|force| tip(force * unit.factor)).collect();
         tips.extend(tips.first().copied());
         tips
     };
@@ -45,8 +46,7 @@ pub(in crate::report) fn drawings(convention: Convention, loads: &BearingLoads) 
     let largest_of_all = loads.bearings.iter().map(|bearing| bearing.peak.value * unit.factor);
     let largest = largest_of_all.fold(farthest(all.iter().flatten()), f64::max);
     let draw = |(index, (bearing, tips)): (usize, (&BearingLoad, Tips))| {
-        let over_angle = over_crank_angle((index + 1, bearing), &tips, largest, unit);
-        [over_angle, polar(convention, (index + 1, bearing), tips, largest, unit)]
+        drawn(convention, (index + 1, bearing), tips, largest, unit)
     };
     loads.bearings.iter().zip(all).enumerate().map(draw).collect()
 }
@@ -56,49 +56,66 @@ pub(in crate::report) fn farthest<'a>(tips: impl Iterator<Item = &'a (f64, f64)>
     tips.map(|(right, up)| right.hypot(*up)).fold(0.0, f64::max)
 }
 
-fn over_crank_angle(
-    (number, bearing): (usize, &BearingLoad),
-    tips: &[(f64, f64)],
+/// Seen from the free end, or along a throw: upwards in direction 0, to the right across it.
+pub(in crate::report) fn tip(force: Complex<f64>) -> (f64, f64) {
+    (-force.im, force.re)
+}
+
+/// A dot at a largest force, with its crank angle.
+pub(in crate::report) fn largest_at(tip: (f64, f64), degrees: f64) -> PointMark {
+    PointMark::dot(tip, format!("largest, θ ≈ {degrees:.0}°"))
+}
+
+/// The components of the force on a bearing over the crank angle: its tips, each behind its angle in degrees.
+pub(in crate::report) fn over_crank_angle(
+    bearing: &str,
+    last: f64,
+    tips: &[(f64, (f64, f64))],
     largest: f64,
-    unit: Unit,
-) -> Picture {
-    let caption = phrase!(
-        "Bearing {}: components of the force through a revolution, y upwards in direction 0 (solid), x to the right (dashed)",
-        bearing.name.clone()
-    );
-    let x = Axis::angle("Crank angle θ in °", 0.0, 360.0, 90);
-    let y = Axis::linear("Force in {}").counted_in(unit.unit).covering(&[-largest, largest]);
-    let mut plot = Plot::new(format!("Main bearing {}", bearing.name), x, y);
+    unit: page::Unit,
+) -> Figure {
+    let x = Axis::angle("Crank angle θ in °", 0.0, last, 90);
+    let y = Axis::linear("Force in {}").counted_in(unit).covering(&[-largest, largest]);
+    let mut plot = Plot::new(format!("Main bearing {bearing}"), x, y);
     let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
-        let point = |(step, tip): (usize, &(f64, f64))| (step as f64 * 360.0 / STEPS as f64, value(tip));
-        Curve::new(place, name, tips.iter().enumerate().map(point).collect())
+        Curve::new(place, name, tips.iter().map(|(degrees, tip)| (*degrees, value(tip))).collect())
     };
     plot.curves = vec![
         curve(style::ALONG, "y, along direction 0", |tip| tip.1),
         curve(style::ACROSS, "x, to the right", |tip| tip.0),
     ];
-    Picture { name: format!("bearing-{number}"), caption, figure: plot.figure() }
+    plot.figure()
 }
 
+/// The path of the tip of the force on a bearing, to the scale of all.
+pub(in crate::report) fn path(bearing: &str, curves: Vec<Curve>, largest: f64, unit: page::Unit) -> Polar {
+    let label = "Force in {}; 0° is the reference direction";
+    let mut polar = Polar::new(format!("Main bearing {bearing}"), label, curves).counted_in(unit);
+    polar.reach = largest;
+    polar
+}
+
+const COMPONENTS: &str = "Bearing {}: components of the force through a revolution, y upwards in direction 0 (solid), x to the right (dashed)";
 const PATH: &str = "Bearing {}: path of the tip of the force through a revolution, seen from the {free end|flywheel}, direction 0 upwards. Rings mark crank angles, the dot the largest force.";
 
-fn polar(
+fn drawn(
     convention: Convention,
     (number, bearing): (usize, &BearingLoad),
-    tips: Vec<(f64, f64)>,
+    tips: Tips,
     largest: f64,
     unit: Unit,
-) -> Picture {
-    let caption = phrase!(PATH, bearing.name.clone(), convention.turns_anticlockwise_from());
-    let label = "Force in {}; 0° is the reference direction";
-    let mut polar =
-        Polar::new(format!("Main bearing {}", bearing.name), label, vec![Curve::new(style::WHOLE, "", tips.clone())])
-            .counted_in(unit.unit);
-    polar.reach = largest;
+) -> [Picture; 2] {
+    let name = &bearing.name;
+    let degrees = |step: usize| step as f64 * 360.0 / STEPS as f64;
+    let at: Vec<(f64, (f64, f64))> = tips.iter().enumerate().map(|(step, tip)| (degrees(step), *tip)).collect();
+    let components = over_crank_angle(name, 360.0, &at, largest, unit.unit);
+    let mut polar = path(name, vec![Curve::new(style::WHOLE, "", tips.clone())], largest, unit.unit);
     polar.mark_quarters(&tips, STEPS);
-    let tip = bearing.peak.vector * unit.factor;
-    if let Some(angle) = bearing.peak.angle {
-        polar.marks.push(PointMark::dot((-tip.im, tip.re), format!("largest, θ ≈ {angle:.0}°")));
-    }
-    Picture { name: format!("bearing-{number}-polar"), caption, figure: polar.figure() }
+    let peak = &bearing.peak;
+    polar.marks.extend(peak.angle.map(|angle| largest_at(tip(peak.vector * unit.factor), angle)));
+    let caption = phrase!(PATH, name.clone(), convention.turns_anticlockwise_from());
+    [
+        Picture { name: format!("bearing-{number}"), caption: phrase!(COMPONENTS, name.clone()), figure: components },
+        Picture { name: format!("bearing-{number}-polar"), caption, figure: polar.figure() },
+    ]
 }

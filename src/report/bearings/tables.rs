@@ -120,17 +120,16 @@ pub(super) fn numbers(engine: &Engine, loads: &BearingLoads) -> Option<Table> {
         return None;
     }
     let crank = order::crank(mechanism)?;
-    let mut table = Table::new(["Order".into(), Text::formula("c_k".to_owned()), Text::formula("n_k".to_owned())]);
-    for order in loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders) {
-        let cell = |part: Enclosure| match (part.low == part.high, part.low.is_zero()) {
-            (true, true) => Text::zero(),
-            (true, false) => Number::exact(&part.low).into(),
-            (false, _) => Number::Decimal(part.to_float()).into(),
-        };
-        let [c, n] = [crank.coefficient(order.order), crank.side_coefficient(order.order)];
-        table.push(vec![order.order.into(), cell(c.re), cell(n.re)]);
-    }
-    Some(table)
+    let cell = |part: Enclosure| match (part.low == part.high, part.low.is_zero()) {
+        (true, true) => Text::zero(),
+        (true, false) => Number::exact(&part.low).into(),
+        (false, _) => Number::Decimal(part.to_float()).into(),
+    };
+    let table = Table::of(loads.bearings.first().map_or(&[][..], |bearing| &bearing.orders))
+        .column("Order", |order| order.order)
+        .column(Text::formula("c_k".to_owned()), |order| cell(crank.coefficient(order.order).re))
+        .column(Text::formula("n_k".to_owned()), |order| cell(crank.side_coefficient(order.order).re));
+    Some(table.done())
 }
 
 /// The largest load of every crankpin, by cylinder.

@@ -4,7 +4,7 @@ use crate::engine::{DOES_NOT_EXIST, Engine};
 use crate::loads::{self, Loads, Outcome, Peak, Scale, Swing, Torque, TorqueOrder, Vector, Waveform};
 use crate::numbers;
 use crate::page::{self, Piece, Setting, Text, number as typeset, phrase};
-use crate::proof::Quantity;
+use crate::proof::{Axial, Planar, Quantity};
 
 /// Digits of a value in a table.
 const DIGITS: usize = 6;
@@ -60,12 +60,15 @@ impl Unit {
 
     /// The unit of forces, moments or the torque of a layout.
     pub fn of(engine: &Engine, of: &Loads, quantity: impl Into<Quantity>) -> Self {
-        let quantity = quantity.into();
+        Unit::at(engine, of.scale.as_ref(), quantity.into())
+    }
+
+    /// The same where the scale is known, or not.
+    pub fn at(engine: &Engine, scale: Option<&Scale>, quantity: Quantity) -> Self {
         let factor = match quantity {
             Quantity::Planar(_) => Scale::force,
             Quantity::Axial(_) => Scale::torque,
         };
-        let scale = of.scale.as_ref();
         Unit { unit: loads::unit(engine, scale, quantity), factor: scale.map_or(1.0, factor) }
     }
 }
@@ -166,23 +169,30 @@ pub(in crate::report) fn share(waveform: &Waveform, peak: &Peak) -> f64 {
     there.re * along.re + there.im * along.im
 }
 
-/// The amplitude of an order of the torque, or that there is none.
-pub(super) fn torque_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Text {
-    match (engine.pistons_have_order(Quantity::TORQUE, order.order), &order.vector.outcome) {
-        (false, _) => DOES_NOT_EXIST.into(),
-        (true, Outcome::Zero) => Text::zero(),
-        (true, Outcome::NotZero | Outcome::Computed) => amount(order.vector.value.norm(), unit),
-        (true, Outcome::Undecided { below }) => undecided(*below, unit),
+/// The force or the moment through a revolution.
+pub(super) fn waveform(loads: &Loads, quantity: Planar) -> &Waveform {
+    match quantity {
+        Planar::Force => &loads.force,
+        Planar::Moment => &loads.moment,
     }
 }
 
-/// The amplitude of an order of the roll moment, which forces with arms make as well as torques.
-pub(super) fn roll_cell(engine: &Engine, order: &TorqueOrder, unit: Unit) -> Text {
-    let exists = [Quantity::TORQUE, Quantity::FORCE].iter().any(|part| engine.pistons_have_order(*part, order.order));
-    match &order.vector.outcome {
-        Outcome::Zero if !exists => DOES_NOT_EXIST.into(),
-        Outcome::Zero => Text::zero(),
-        Outcome::NotZero | Outcome::Computed => amount(order.vector.value.norm(), unit),
-        Outcome::Undecided { below } => undecided(*below, unit),
+/// The torque or the roll moment; none where it is not known.
+pub(in crate::report) fn about_the_axis(loads: &Loads, quantity: Axial) -> Option<&Torque> {
+    match quantity {
+        Axial::Torque => loads.torque.as_ref(),
+        Axial::Roll => loads.roll.as_ref(),
+    }
+}
+
+/// The amplitude of an order of the torque, or of the roll moment, which forces with arms make as well as torques; or that there is none.
+pub(super) fn axial_cell(engine: &Engine, quantity: Axial, order: &TorqueOrder, unit: Unit) -> Text {
+    let has = |part| engine.pistons_have_order(part, order.order);
+    match (has(Quantity::TORQUE), quantity, &order.vector.outcome) {
+        (false, Axial::Torque, _) => DOES_NOT_EXIST.into(),
+        (false, Axial::Roll, Outcome::Zero) if !has(Quantity::FORCE) => DOES_NOT_EXIST.into(),
+        (.., Outcome::Zero) => Text::zero(),
+        (.., Outcome::NotZero | Outcome::Computed) => amount(order.vector.value.norm(), unit),
+        (.., Outcome::Undecided { below }) => undecided(*below, unit),
     }
 }

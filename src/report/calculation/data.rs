@@ -1,9 +1,7 @@
 //! Which columns hold the loads of an engine? A row an order, a row a crank angle, and the largest values.
 
-use num_complex::Complex;
-
 use crate::engine::Engine;
-use crate::loads::{self, Circle, Scale, Waveform};
+use crate::loads::{self, Circle, Scale};
 use crate::proof::Quantity;
 use crate::report::calculation::Numbers;
 use crate::report::data::Filling;
@@ -102,44 +100,26 @@ fn torque(path: &'static str, entries: &[TorqueEntry], units: Units) -> Table {
 /// Steps of a revolution: a degree each.
 const STEPS: usize = 360;
 
-/// What is at one crank angle.
-struct At {
-    theta: usize,
-    force: Complex<f64>,
-    moment: Complex<f64>,
-    torque: f64,
-    roll: f64,
-}
-
 fn theta(numbers: &Numbers, units: Units) -> Table {
     let loads = &numbers.loads;
     let circle = Circle::new(STEPS);
-    let sampled = |waveform: &Waveform| waveform.sample(&circle);
-    let (force, moment) = (sampled(&loads.force), sampled(&loads.moment));
-    let about_the_axis = |torque: &Option<crate::loads::Torque>| {
-        let samples = torque.as_ref().map(|torque| sampled(&torque.waveform)).unwrap_or_default();
-        samples.into_iter().map(|vector| vector.re).collect::<Vec<f64>>()
-    };
-    let (torque, roll) = (about_the_axis(&loads.torque), about_the_axis(&loads.roll));
-    let at = |theta: usize| At {
-        theta,
-        force: force[theta] * units.newtons,
-        moment: moment[theta] * units.newtons,
-        torque: torque.get(theta).copied().unwrap_or_default() * units.newton_metres,
-        roll: roll.get(theta).copied().unwrap_or_default() * units.newton_metres,
-    };
-    let rows: Vec<At> = (0..STEPS).map(at).collect();
+    let rows: Vec<usize> = (0..STEPS).collect();
     let mut table = Filling::new("loads.theta", &rows);
-    table.decimal("theta_{unit}", Unit::DEGREE, |at| Some(at.theta as f64));
-    table.decimal("force_y_{unit}", units.force, |at| Some(at.force.re));
-    table.decimal("force_x_{unit}", units.force, |at| Some(-at.force.im));
-    table.decimal("moment_y_{unit}", units.moment, |at| Some(at.moment.re));
-    table.decimal("moment_x_{unit}", units.moment, |at| Some(-at.moment.im));
-    if loads.torque.is_some() {
-        table.decimal("torque_{unit}", units.torque, |at| Some(at.torque));
+    table.decimal("theta_{unit}", Unit::DEGREE, |theta| Some(*theta as f64));
+    let vectors = [
+        (["force_y_{unit}", "force_x_{unit}"], units.force, &loads.force),
+        (["moment_y_{unit}", "moment_x_{unit}"], units.moment, &loads.moment),
+    ];
+    for ([along, across], unit, waveform) in vectors {
+        let tips = waveform.sample(&circle);
+        table.decimal(along, unit, |theta| Some(tips[*theta].re * units.newtons));
+        table.decimal(across, unit, |theta| Some(-(tips[*theta].im * units.newtons)));
     }
-    if loads.roll.is_some() {
-        table.decimal("roll_{unit}", units.torque, |at| Some(at.roll));
+    for (name, torque) in [("torque_{unit}", &loads.torque), ("roll_{unit}", &loads.roll)] {
+        if let Some(torque) = torque {
+            let values = torque.waveform.sample(&circle);
+            table.decimal(name, units.torque, |theta| Some(values[*theta].re * units.newton_metres));
+        }
     }
     table.done()
 }

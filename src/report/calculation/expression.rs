@@ -103,8 +103,7 @@ impl Expression {
     /// The value, from the figures as printed.
     fn value(&self) -> f64 {
         match self {
-            Quantity(_, value) => rounded(*value, FIGURE_DIGITS),
-            Degrees(_, value) => rounded(*value, FIGURE_DIGITS),
+            Quantity(_, value) | Degrees(_, value) => rounded(*value, FIGURE_DIGITS),
             Number(number) => *number as f64,
             Dots => 0.0,
             Minus(of) => -of.value(),
@@ -130,27 +129,25 @@ impl Expression {
         self.print(&figure, " \\cdot ")
     }
 
+    /// In brackets where it is a sum or begins with a minus.
+    fn print_as_a_factor(&self, quantity: &impl Fn(&str, f64, &str) -> String, times: &str) -> String {
+        match self.print(quantity, times) {
+            text if matches!(self, Sum(_)) || text.starts_with('-') => format!("\\left({text}\\right)"),
+            text => text,
+        }
+    }
+
     fn print(&self, quantity: &impl Fn(&str, f64, &str) -> String, times: &str) -> String {
         match self {
             Quantity(symbol, value) => quantity(symbol, *value, ""),
             Degrees(symbol, value) => quantity(symbol, *value, "^{\\circ}"),
             Dots => "\\dots".to_owned(),
-            Minus(of) => match of.print(quantity, times) {
-                text if matches!(**of, Sum(_)) || text.starts_with('-') => format!("-\\left({text}\\right)"),
-                text => format!("-{text}"),
-            },
+            Minus(of) => format!("-{}", of.print_as_a_factor(quantity, times)),
             Number(number) => number.to_string(),
             Pi => "\\pi".to_owned(),
             Product(factors) => {
-                let print = |factor: &Expression| {
-                    let text = factor.print(quantity, times);
-                    if matches!(factor, Sum(_)) || text.starts_with('-') {
-                        format!("\\left({text}\\right)")
-                    } else {
-                        text
-                    }
-                };
-                factors.iter().map(print).collect::<Vec<_>>().join(times)
+                let factors = factors.iter().map(|factor| factor.print_as_a_factor(quantity, times));
+                factors.collect::<Vec<_>>().join(times)
             }
             Sum(terms) => {
                 let terms = terms.iter().map(|term| term.print(quantity, times));

@@ -144,20 +144,25 @@ pub(super) fn lines(engine: &Engine, loads: &Loads) -> Vec<Line> {
     lines
 }
 
+/// What is given of a cylinder, or of all.
+pub(super) fn of_measure(engine: &Engine, index: usize, measure: Measure) -> Option<f64> {
+    let of = |given: &&Given| given.quantity == measure && given.cylinder.is_none_or(|of| of == index);
+    engine.dimensions().given.iter().find(of).and_then(|given| given.value.to_f64())
+}
+
+/// The crank radius of a cylinder, given itself or by its stroke.
+pub(super) fn crank_radius(engine: &Engine, index: usize) -> Option<f64> {
+    let half_stroke = || Some(of_measure(engine, index, Measure::Stroke)? / 2.0);
+    of_measure(engine, index, Measure::CrankRadius).or_else(half_stroke)
+}
+
 fn of_cylinder(engine: &Engine, index: usize, by_cylinder: bool) -> Vec<Line> {
-    let value = |measure: Measure| {
-        let of = |given: &&Given| given.quantity == measure && given.cylinder.is_none_or(|of| of == index);
-        engine.dimensions().given.iter().find(of).and_then(|given| given.value.to_f64())
-    };
+    let value = |measure: Measure| of_measure(engine, index, measure);
     let subscript = if by_cylinder { format!("_{{{}}}", engine.cylinders()[index].name) } else { String::new() };
     let named = |symbol: &str| match symbol.split_once('_') {
         Some((letter, below)) if by_cylinder => {
-            format!(
-                "{letter}_{{{}{},{}}}",
-                "",
-                below.trim_matches(['{', '}']).replace("\\mathrm{", ""),
-                engine.cylinders()[index].name
-            )
+            let below = below.trim_matches(['{', '}']).replace("\\mathrm{", "");
+            format!("{letter}_{{{below},{}}}", engine.cylinders()[index].name)
         }
         _ => format!("{symbol}{subscript}"),
     };
@@ -167,8 +172,7 @@ fn of_cylinder(engine: &Engine, index: usize, by_cylinder: bool) -> Vec<Line> {
     if let Some(stroke) = of(Measure::Stroke) {
         lines.push(line("r", fraction(stroke, Expression::Number(2)), "m"));
     }
-    let radius = value(Measure::CrankRadius).or(value(Measure::Stroke).map(|stroke| stroke / 2.0));
-    let radius = radius.map(|radius| quantity(named("r"), radius));
+    let radius = crank_radius(engine, index).map(|radius| quantity(named("r"), radius));
     if let (Some(radius), Some(length)) = (radius.clone(), of(Measure::RodLength)) {
         lines.push(line("\\lambda", fraction(radius, length), ""));
     }

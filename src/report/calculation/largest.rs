@@ -42,14 +42,15 @@ impl Numbers {
 
 /// `Largest force: ≈ 204.1 N at θ ≈ 12°, within 0.01 %; …`, a line a load.
 pub(super) fn largest_lines(engine: &Engine, Numbers { loads, largest, .. }: &Numbers, unit_of: UnitOf) -> Vec<Text> {
-    let unit = |quantity| unit_of(engine, loads, quantity);
-    let mut lines = vec![
-        phrase!("Largest force: {}.", value(&largest.force, unit(Quantity::FORCE))),
-        phrase!("Largest moment: {}.", value(&largest.moment, unit(Quantity::MOMENT))),
+    let all = [
+        ("Largest force: {}.", Some(&largest.force), Quantity::FORCE),
+        ("Largest moment: {}.", Some(&largest.moment), Quantity::MOMENT),
+        ("Largest inertia torque: {}.", largest.torque.as_ref(), Quantity::TORQUE),
     ];
-    let torque = largest.torque.iter();
-    lines.extend(torque.map(|torque| phrase!("Largest inertia torque: {}.", value(torque, unit(Quantity::TORQUE)))));
-    lines
+    let line = |(words, largest, quantity): (&'static str, Option<&Largest>, Quantity)| {
+        Some(phrase!(words, value(largest?, unit_of(engine, loads, quantity))))
+    };
+    all.into_iter().filter_map(line).collect()
 }
 
 fn value(largest: &Largest, unit: Unit) -> Text {
@@ -127,24 +128,21 @@ pub(super) fn chosen_lines(
         }));
         lines.push(if needed.reached { "The accuracy is reached." } else { "The accuracy is not reached." }.into());
     }
-    let bound = |[of_peak, alone]: [&'static str; 2], bound: &Option<Bound>, quantity: Quantity| {
-        let bound = bound.as_ref()?;
+    let bound = |([of_peak, alone], bound, quantity): ([&'static str; 2], Option<Bound>, Quantity)| {
+        let bound = bound?;
         let unit = unit_of(engine, loads, quantity);
         Some(match bound.part() {
             Some(part) => phrase!(of_peak, percent_at_most(part)),
             None => phrase!(alone, amounts::bound(bound.most, unit), unit.label()),
         })
     };
+    let of_torque = ["{} % of the peak inertia torque", "{} {} of inertia torque, which may be all of it"];
     let bounds = [
-        bound(["{} % of the peak force", "{} {} of force, which may be all of it"], &left.force, Quantity::FORCE),
-        bound(["{} % of the peak moment", "{} {} of moment, which may be all of it"], &left.moment, Quantity::MOMENT),
-        bound(
-            ["{} % of the peak inertia torque", "{} {} of inertia torque, which may be all of it"],
-            &left.torque,
-            Quantity::TORQUE,
-        ),
+        (["{} % of the peak force", "{} {} of force, which may be all of it"], left.force, Quantity::FORCE),
+        (["{} % of the peak moment", "{} {} of moment, which may be all of it"], left.moment, Quantity::MOMENT),
+        (of_torque, left.torque, Quantity::TORQUE),
     ];
-    let bounds: Vec<Text> = bounds.into_iter().flatten().collect();
+    let bounds: Vec<Text> = bounds.into_iter().filter_map(bound).collect();
     if !bounds.is_empty() {
         lines.push(phrase!("Orders not listed add at most {}.", Text::joined(bounds, ", ")));
     }

@@ -1,9 +1,8 @@
 //! What follows from the lengths of links on a master rod? The ratios κ = a/l and r/L, line by line.
 
-use num_traits::ToPrimitive;
-
 use super::expression::{Expression, Line, fraction, quantity};
-use crate::engine::{Engine, Given, Measure};
+use super::inputs::{crank_radius, of_measure};
+use crate::engine::{Engine, Measure};
 
 /// The lines of all links; once where the file says the same of all. `by_cylinder`: whether rods have a line for each cylinder.
 pub(super) fn lines(engine: &Engine, by_cylinder: bool) -> Vec<Line> {
@@ -30,15 +29,12 @@ fn of_link(engine: &Engine, index: usize, by_cylinder: bool) -> Vec<Line> {
     let named = |symbol: &str, has_own: bool| {
         if has_own { format!("{symbol}_{{{name}}}") } else { symbol.to_owned() }
     };
-    let value = |measure: Measure| {
-        let of = |given: &&Given| given.quantity == measure && given.cylinder.is_none_or(|of| of == index);
-        engine.dimensions().given.iter().find(of).and_then(|given| given.value.to_f64())
-    };
+    let value = |measure: Measure| of_measure(engine, index, measure);
     let of = |measure: Measure, symbol: &str, has_own: bool| {
         value(measure).map(|value| quantity(named(symbol, has_own), value))
     };
     let line = |symbol: String, expression| Line { symbol, expression, unit: "" };
-    let radius = value(Measure::CrankRadius).or(value(Measure::Stroke).map(|stroke| stroke / 2.0));
+    let radius = crank_radius(engine, index);
     let ratio = match (value(Measure::RodRatio), radius, value(Measure::RodLength)) {
         (Some(ratio), ..) => Some(ratio),
         (None, Some(radius), Some(length)) => Some(radius / length),

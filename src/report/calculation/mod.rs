@@ -19,7 +19,7 @@ mod summary;
 mod tables;
 mod words;
 
-pub(super) use amounts::{Unit, bound, largest, share, vector};
+pub(super) use amounts::{Unit, about_the_axis, bound, largest, share, vector};
 pub(super) use books::books_line;
 pub(super) use inputs::table as inputs_table;
 pub use largest::Numbers;
@@ -31,7 +31,7 @@ pub(super) use summary::loads_answer_weighed;
 
 use super::bearings;
 use crate::engine::{Engine, Measure};
-use crate::loads::{Loads, Missing, Needed, Waveform};
+use crate::loads::{Loads, Missing, Needed};
 use crate::page::{Block, Fold, Text, phrase};
 use crate::proof::Planar;
 use expression::Line;
@@ -54,23 +54,27 @@ fn formula(line: &Line) -> Block {
 pub(super) fn outcome(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Block> {
     let loads = &numbers.loads;
     let mut blocks = vec![heading(1, "Numbers")];
-    blocks.push(Block::List(largest::largest_lines(engine, numbers, amounts::Unit::as_read)));
-    let chosen = largest::chosen_lines(engine, numbers, needed, amounts::Unit::as_read);
-    if !chosen.is_empty() {
-        blocks.push(Block::Paragraph(Text::joined(chosen, " ")));
-    }
+    blocks.push(Block::List(largest::largest_lines(engine, numbers, Unit::as_read)));
+    blocks.extend(chosen(engine, numbers, needed));
     blocks.push(tables::ellipses(engine, loads).into());
     blocks.push(Block::Note(tables::units(engine, loads)));
-    let pictures = plots::figures(engine, loads);
-    blocks.extend(pictures.chunks(2).map(|pair| Block::Pictures(pair.to_vec())));
+    blocks.extend(drawn(engine, loads));
     blocks.extend([heading(2, "Effects included"), tables::effects(engine, loads).into()]);
     blocks.push(Block::Note(SHARES.into()));
-    if let Some(torque) = &loads.torque {
-        blocks.extend([heading(2, "Inertia torque"), tables::torque(engine, loads, torque).into()]);
-    }
-    blocks.extend(roll::roll_section(engine, loads));
+    blocks.extend(roll::turning(engine, loads));
     blocks.extend(main_bearings(engine, loads));
     blocks
+}
+
+/// Which orders were kept, and what the others add at most.
+fn chosen(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Option<Block> {
+    let lines = largest::chosen_lines(engine, numbers, needed, Unit::as_read);
+    (!lines.is_empty()).then(|| Block::Paragraph(Text::joined(lines, " ")))
+}
+
+/// All plots, two beside each other.
+fn drawn(engine: &Engine, loads: &Loads) -> Vec<Block> {
+    plots::figures(engine, loads).chunks(2).map(|pair| Block::Pictures(pair.to_vec())).collect()
 }
 
 const SHARES: &str = "The share is the component of the effect along the peak, at the crank angle of the peak; the shares of a column sum to the peak.";
@@ -78,7 +82,7 @@ const SHARES: &str = "The share is the component of the effect along the peak, a
 fn main_bearings(engine: &Engine, loads: &Loads) -> Vec<Block> {
     let Some([continuous, determinate]) = &loads.bearings else { return Vec::new() };
     let mut blocks = vec![heading(2, "Main bearings")];
-    blocks.extend(bearings::answer(continuous, determinate).map(Block::Paragraph));
+    blocks.extend(bearings::first_lines(continuous, determinate).map(Block::Paragraph));
     blocks.push(bearings::peaks(engine, continuous, determinate).into());
     blocks.push(bearings::orders(continuous).into());
     blocks.extend(bearings::left_out(engine, continuous).map(Block::Paragraph));
@@ -132,20 +136,13 @@ fn lines(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
     }
     blocks.extend([heading(2, "The two vectors of each order, whose lengths add up to the largest value")]);
     blocks.push(tables::vectors(engine, loads).into());
-    let peak = |quantity: Planar, waveform: &Waveform| {
-        let group = results::peak(engine, loads, quantity)?;
-        let listed = amounts::peak(&waveform.peak(), Unit::of(engine, loads, quantity));
-        let lines = group.lines.iter().map(formula);
-        Some(
-            [Block::Paragraph(phrase!("The {force|moment} of the listed orders is {}:", quantity, listed))]
-                .into_iter()
-                .chain(lines)
-                .collect::<Vec<_>>(),
-        )
-    };
-    let force = peak(Planar::Force, &loads.force);
-    let moment = peak(Planar::Moment, &loads.moment);
-    blocks.extend(force.into_iter().chain(moment).flatten());
+    for quantity in Planar::BOTH {
+        if let Some(lines) = results::peak(engine, loads, quantity) {
+            let listed = amounts::peak(&amounts::waveform(loads, quantity).peak(), Unit::of(engine, loads, quantity));
+            blocks.push(Block::Paragraph(phrase!("The {force|moment} of the listed orders is {}:", quantity, listed)));
+            blocks.extend(lines.iter().map(formula));
+        }
+    }
     if let Some(group) = results::torque(engine, loads) {
         blocks.push(Block::Heading(2, group.heading));
         blocks.extend(group.lines.iter().map(formula));

@@ -2,9 +2,9 @@
 
 use super::super::convention::{differs, seen};
 use super::super::engine_page::reference_plane;
-use super::amounts::{self, Unit, amount, digits};
-use super::largest::{Numbers, chosen_lines, largest_lines};
-use super::{SHARES, heading, plots, roll, summary, tables, words};
+use super::amounts::{self, Unit, amount, digits, waveform};
+use super::largest::{Numbers, largest_lines};
+use super::{SHARES, chosen, drawn, heading, roll, summary, tables, words};
 use crate::accuracy::Largest;
 use crate::engine::{Engine, WHY_NOT};
 use crate::loads::{Loads, Needed};
@@ -21,8 +21,7 @@ pub fn loads_page(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -
     };
     let mut page = Document::new("loads", title);
     page.push(Block::Answer(answer(engine, numbers)));
-    let pictures = plots::figures(engine, loads);
-    page.blocks.extend(pictures.chunks(2).map(|pair| Block::Pictures(pair.to_vec())));
+    page.blocks.extend(drawn(engine, loads));
     page.blocks.extend(order_by_order(engine, numbers, needed));
     page.blocks.extend([heading(1, "Effects included"), tables::effects(engine, loads).into()]);
     page.push(Block::Note(SHARES.into()));
@@ -71,11 +70,7 @@ const WELL_KNOWN: f64 = 1e-9;
 /// The peak of the orders that are listed, with its direction; none where nothing is left, or what is left is not decided.
 fn comes_to(engine: &Engine, loads: &Loads, quantity: Planar, largest: &Largest) -> Option<Text> {
     let unit = Unit::as_read(engine, loads, quantity);
-    let waveform = match quantity {
-        Planar::Moment => &loads.moment,
-        Planar::Force => &loads.force,
-    };
-    let peak = waveform.peak();
+    let peak = waveform(loads, quantity).peak();
     let doubt: f64 = loads.orders.iter().map(|order| order.swing(quantity).doubt()).sum();
     if *largest == Largest::Zero || doubt > WELL_KNOWN * peak.value {
         return None;
@@ -106,18 +101,12 @@ fn order_by_order(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -
     if loads.orders.iter().any(|order| !order.exists(engine)) {
         blocks.push(Block::Note(WHY_NOT.into()));
     }
-    let chosen = chosen_lines(engine, numbers, needed, Unit::as_read);
-    if !chosen.is_empty() {
-        blocks.push(Block::Paragraph(Text::joined(chosen, " ")));
-    }
+    blocks.extend(chosen(engine, numbers, needed));
     blocks.extend([heading(2, "The ellipse of each order"), tables::ellipses(engine, loads).into()]);
     blocks.push(Block::Note(tables::units(engine, loads)));
     blocks.push(heading(2, "The two vectors of each order, whose lengths add up to the largest value"));
     blocks.push(tables::vectors(engine, loads).into());
-    if let Some(torque) = &loads.torque {
-        blocks.extend([heading(2, "Inertia torque"), tables::torque(engine, loads, torque).into()]);
-    }
-    blocks.extend(roll::roll_section(engine, loads));
+    blocks.extend(roll::turning(engine, loads));
     blocks
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 
 use super::super::typeset;
-use super::amounts::{Unit, is_left};
+use super::amounts::{Unit, is_left, waveform};
 use crate::engine::Engine;
 use crate::loads::{Circle, Loads, Outcome, Torque, Waveform};
 use crate::page::plot::{Axis, Curve, Plot, Polar, stacked};
@@ -42,18 +42,20 @@ const PATH: &str = "Path of the tip of the {force|moment, arm times force,} in a
 /// All plots of the numbers of an engine; none of what is zero.
 pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture> {
     let mut figures = Vec::new();
-    let path = |quantity: Planar| phrase!(PATH, quantity, engine.convention().turns_anticlockwise_from());
     let drawing = |name, waveform, axis, quantity| {
         let unit = Unit::as_read(engine, loads, quantity);
         Drawing { name, waveform, unit, axis }
     };
-    if loads.orders.iter().any(|order| is_left(&order.force)) {
-        let drawing = drawing("force", &loads.force, "Force in {}", Quantity::FORCE);
-        figures.extend(vectors(&drawing, FORCE, ("Path of the force in a revolution", path(Planar::Force))));
-    }
-    if loads.orders.iter().any(|order| is_left(&order.moment)) {
-        let drawing = drawing("moment", &loads.moment, "Moment in {}", Quantity::MOMENT);
-        figures.extend(vectors(&drawing, MOMENT, ("Path of the moment in a revolution", path(Planar::Moment))));
+    let end = engine.convention().turns_anticlockwise_from();
+    let both = [
+        (Planar::Force, "Force in {}", FORCE, "Path of the force in a revolution"),
+        (Planar::Moment, "Moment in {}", MOMENT, "Path of the moment in a revolution"),
+    ];
+    for (of, axis, headings, path) in both {
+        if loads.orders.iter().any(|order| is_left(order.swing(of))) {
+            let drawing = drawing(of.name(), waveform(loads, of), axis, of.into());
+            figures.extend(vectors(&drawing, headings, (path, phrase!(PATH, of, end))));
+        }
     }
     let is_left = |torque: &&Torque| torque.orders.iter().any(|order| order.vector.outcome == Outcome::NotZero);
     if let Some(torque) = loads.torque.as_ref().filter(is_left) {

@@ -2,7 +2,7 @@
 
 use num_traits::{ToPrimitive, Zero};
 
-use super::amounts::Unit;
+use super::amounts::{Unit, waveform};
 use super::books::second_coefficient;
 use super::expression::{Expression, Line, fraction, half, power, quantity};
 use crate::engine::Engine;
@@ -84,17 +84,26 @@ fn expansion(series: &motion::Series, ratio: Option<f64>) -> Expression {
     Expression::Sum(terms)
 }
 
-/// The symbol of a rotating vector: V of the force, W of the moment.
-fn vector_symbol(order: u32, quantity: Planar, sense: Sense) -> String {
-    let letter = if quantity == Planar::Moment { "W" } else { "V" };
-    format!("\\left|{letter}_{{{order}}}^{{{}}}\\right|", sign(sense))
+/// The letters of force and moment: of their exact stars, their rotating vectors, their sizes.
+type Letters = [&'static str; 2];
+const STARS: Letters = ["P", "C"];
+const VECTORS: Letters = ["V", "W"];
+const SIZES: Letters = ["F", "M"];
+
+fn letter(of: Planar, [force, moment]: Letters) -> &'static str {
+    match of {
+        Planar::Force => force,
+        Planar::Moment => moment,
+    }
 }
 
-fn sign(sense: Sense) -> &'static str {
-    match sense {
+/// `|V_2⁺|`: the length of a star or a rotating vector.
+fn length_of(letters: Letters, order: u32, of: Planar, sense: Sense) -> String {
+    let sign = match sense {
         Sense::Direct => "+",
         Sense::Reverse => "-",
-    }
+    };
+    format!("\\left|{}_{{{order}}}^{{{sign}}}\\right|", letter(of, letters))
 }
 
 /// `|V| = |c| |P|`, where the star of the verdicts is all that adds to it.
@@ -102,10 +111,9 @@ fn length(engine: &Engine, order: &OrderLoads, of: Planar, sense: Sense, vector:
     if vector.outcome == Outcome::Zero {
         return None;
     }
-    let symbol = vector_symbol(order.order, of, sense);
+    let symbol = length_of(VECTORS, order.order, of, sense);
     let star = numbers::evaluate(&order::star(engine, of, order.order, Some(sense))).norm();
-    let letter = if of == Planar::Moment { "C" } else { "P" };
-    let star_symbol = format!("\\left|{letter}_{{{}}}^{{{}}}\\right|", order.order, sign(sense));
+    let star_symbol = length_of(STARS, order.order, of, sense);
     let c = order.coefficient.as_ref().map(|coefficient| coefficient.to_complex().norm());
     // Other masses than the reciprocating ones add to the vector of order 1.
     let is_star = c.is_some_and(|c| (c * star - vector.value.norm()).abs() <= 1e-12 * vector.value.norm());
@@ -146,10 +154,6 @@ fn with_rotating(
     is_so.then(|| Expression::Product(vec![inner, quantity(star_symbol, star)]))
 }
 
-fn force_letter(of: Planar) -> &'static str {
-    if of == Planar::Moment { "M" } else { "F" }
-}
-
 /// Half of K times an expression, or half of it where there are no newtons.
 fn halved(loads: &Loads, inner: Expression) -> Expression {
     let mut factors = vec![half()];
@@ -161,8 +165,8 @@ fn halved(loads: &Loads, inner: Expression) -> Expression {
 /// The largest and, where it differs and is not zero, the smallest length of an order.
 fn extremes(engine: &Engine, loads: &Loads, order: u32, of: Planar, swing: &Swing) -> Vec<Line> {
     let unit = Unit::of(engine, loads, of).unit.tex;
-    let letter = force_letter(of);
-    let vector = |sense, vector: &Vector| quantity(vector_symbol(order, of, sense), vector.value.norm());
+    let letter = letter(of, SIZES);
+    let vector = |sense, vector: &Vector| quantity(length_of(VECTORS, order, of, sense), vector.value.norm());
     let (direct, reverse) = (vector(Sense::Direct, &swing.direct), vector(Sense::Reverse, &swing.reverse));
     let largest = |expression| Line { symbol: format!("\\hat {letter}_{{{order}}}"), expression, unit };
     match (swing.direct.outcome == Outcome::Zero, swing.reverse.outcome == Outcome::Zero) {
@@ -189,28 +193,25 @@ fn extremes(engine: &Engine, loads: &Loads, order: u32, of: Planar, swing: &Swin
 fn textbook(engine: &Engine, loads: &Loads, order: &OrderLoads, of: Planar, swing: &Swing) -> Option<Line> {
     let [lambda, c] = second_coefficient(engine, order)?;
     let star = (swing.direct.value.norm() + swing.reverse.value.norm()) / c;
-    let letter = if of == Planar::Moment { "C" } else { "P" };
+    let [direct, reverse] = Sense::BOTH.map(|sense| length_of(STARS, 2, of, sense));
     let inner = Expression::Product(vec![
         quantity("\\lambda", lambda),
-        quantity(
-            format!("\\left(\\left|{letter}_{{2}}^{{+}}\\right| + \\left|{letter}_{{2}}^{{-}}\\right|\\right)"),
-            star,
-        ),
+        quantity(format!("\\left({direct} + {reverse}\\right)"), star),
     ]);
     Some(Line {
-        symbol: format!("\\hat {}_{{2}}^{{c_2 = \\lambda}}", force_letter(of)),
+        symbol: format!("\\hat {}_{{2}}^{{c_2 = \\lambda}}", letter(of, SIZES)),
         expression: halved(loads, inner),
         unit: Unit::of(engine, loads, of).unit.tex,
     })
 }
 
 /// The peak of the sum over the orders: both components at its angle, and their length.
-pub(super) fn peak(engine: &Engine, loads: &Loads, of: Planar) -> Option<Group> {
-    let waveform = if of == Planar::Moment { &loads.moment } else { &loads.force };
+pub(super) fn peak(engine: &Engine, loads: &Loads, of: Planar) -> Option<Vec<Line>> {
+    let waveform = waveform(loads, of);
     let peak = waveform.peak();
     let angle = peak.angle.filter(|_| waveform.harmonics().len() > 1)?;
     let unit = Unit::of(engine, loads, of);
-    let letter = force_letter(of);
+    let letter = letter(of, SIZES);
     let mut lines = Vec::new();
     let mut squares = Vec::new();
     for (mark, component) in [("\\parallel", 0), ("\\perp", 1)] {
@@ -227,7 +228,7 @@ pub(super) fn peak(engine: &Engine, loads: &Loads, of: Planar) -> Option<Group> 
         let expression = Expression::Root(Box::new(Expression::Sum(squares)));
         lines.push(Line { symbol: format!("\\hat {letter}"), expression, unit: unit.unit.tex });
     }
-    Some(Group { heading: Text::default(), lines })
+    Some(lines)
 }
 
 /// `A_k cos(kθ + ε_k)` of one component: along direction 0, or across it.

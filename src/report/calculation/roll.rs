@@ -2,11 +2,11 @@
 
 use super::super::roll_asked::roll_asked;
 use super::amounts::{self, Unit, UnitOf};
-use super::tables;
+use super::{heading, tables};
 use crate::engine::Engine;
 use crate::loads::{Loads, Outcome};
 use crate::page::{Block, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::{Axial, Quantity};
 
 const OF_ONE: &str = "The roll moment is that on the frame about the middle of the engine: the inertia torque reversed, and the forces whose lines pass beside the middle, with their arms.";
 const OF_SEVERAL: &str = "The roll moment is that on the frame about the origin of the layout, from which the axes of its crankshafts are counted: the torque on each crankshaft reversed, and the forces of its pistons with the arms of their axes. Assumed: each crankshaft has its own flywheel and constant speed.";
@@ -29,13 +29,22 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Vec
     vec![largest, words.into()]
 }
 
-/// The orders of the roll moment, for a page.
-pub(super) fn roll_section(engine: &Engine, loads: &Loads) -> Vec<Block> {
+/// The orders of the inertia torque and of the roll moment, for a page, as far as they are known.
+pub(super) fn turning(engine: &Engine, loads: &Loads) -> Vec<Block> {
+    let torque = loads.torque.iter().flat_map(|torque| {
+        let table = tables::about_the_axis(engine, loads, Axial::Torque, torque);
+        [heading(2, "Inertia torque"), table.into()]
+    });
+    torque.chain(roll_section(engine, loads)).collect()
+}
+
+/// The orders of the roll moment.
+fn roll_section(engine: &Engine, loads: &Loads) -> Vec<Block> {
     let lines = roll_lines(engine, loads, Unit::as_read);
     if lines.is_empty() {
         return Vec::new();
     }
     let said = Block::Paragraph(Text::joined(lines, " "));
-    let table = loads.roll.as_ref().map(|roll| tables::roll(engine, loads, roll).into());
-    [Block::Heading(2, "Roll moment".into()), said].into_iter().chain(table).collect()
+    let table = loads.roll.as_ref().map(|roll| tables::about_the_axis(engine, loads, Axial::Roll, roll).into());
+    [heading(2, "Roll moment"), said].into_iter().chain(table).collect()
 }

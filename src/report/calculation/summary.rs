@@ -3,13 +3,13 @@
 use super::super::engine_page::Weighing;
 use super::super::residual;
 use super::super::table::with_shared_rows;
-use super::amounts::{self, Unit, UnitOf, roll_cell, torque_cell};
+use super::amounts::{self, Unit, UnitOf, about_the_axis, axial_cell};
 use super::largest::{Numbers, chosen_lines, largest_lines, shown_line};
 use super::roll::roll_lines;
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
-use crate::loads::{Loads, Needed, OrderLoads, Swing, Torque};
+use crate::loads::{Loads, Needed};
 use crate::page::{Block, Document, Table, Text, phrase};
-use crate::proof::Quantity;
+use crate::proof::{Axial, Planar, Quantity};
 
 /// The short answer: the largest force, moment and torque of each order, zero to peak, and of all orders. Scripts read its numbers, so that it counts
 /// as the document does: in newtons, however many.
@@ -45,34 +45,26 @@ pub(super) fn at_speed(loads: &Loads) -> Option<Text> {
 pub(super) fn by_order(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Table {
     let [force, moment, torque] =
         [Quantity::FORCE, Quantity::MOMENT, Quantity::TORQUE].map(|quantity| unit_of(engine, loads, quantity));
-    let mut header: Vec<Text> =
-        vec!["Order".into(), phrase!("Force in {}", force.label()), phrase!("Moment in {}", moment.label())];
-    header.extend(loads.torque.as_ref().map(|_| phrase!("Torque in {}", torque.label())));
-    header.extend(loads.roll.as_ref().map(|_| phrase!("Roll in {}", torque.label())));
-    let mut table = Table::new(header);
-    for order in orders(loads) {
-        let judged = loads.orders.iter().find(|loads| loads.order == order);
-        let unjudged = match engine.pistons_have_order(Quantity::FORCE, order) {
-            true => NOT_JUDGED,
-            false => DOES_NOT_EXIST,
-        };
-        let swing = |part: fn(&OrderLoads) -> &Swing, unit: Unit| match judged {
-            Some(order) if order.exists(engine) => amounts::largest(part(order), unit),
-            Some(_) => DOES_NOT_EXIST.into(),
-            None => unjudged.into(),
-        };
-        let mut cells = vec![order.into(), swing(|of| &of.force, force), swing(|of| &of.moment, moment)];
-        cells.extend(loads.torque.as_ref().map(|all| {
-            let of = all.orders.iter().find(|torque| torque.order == order);
-            of.map_or_else(|| NOT_JUDGED.into(), |of| torque_cell(engine, of, torque))
-        }));
-        cells.extend(loads.roll.as_ref().map(|all| {
-            let of = all.orders.iter().find(|roll| roll.order == order);
-            of.map_or_else(|| NOT_JUDGED.into(), |of| roll_cell(engine, of, torque))
-        }));
-        table.push(cells);
-    }
-    table
+    let swing = |order: u32, quantity: Planar, unit: Unit| -> Text {
+        match loads.orders.iter().find(|loads| loads.order == order) {
+            Some(order) if order.exists(engine) => amounts::largest(order.swing(quantity), unit),
+            None if engine.pistons_have_order(Quantity::FORCE, order) => NOT_JUDGED.into(),
+            Some(_) | None => DOES_NOT_EXIST.into(),
+        }
+    };
+    let turning = |order: u32, quantity: Axial| -> Text {
+        let mut all = about_the_axis(loads, quantity).into_iter().flat_map(|torque| &torque.orders);
+        let of = all.find(|torque| torque.order == order);
+        of.map_or_else(|| NOT_JUDGED.into(), |of| axial_cell(engine, quantity, of, torque))
+    };
+    let [has_torque, has_roll] = [loads.torque.is_some(), loads.roll.is_some()];
+    Table::of(orders(loads))
+        .column("Order", |order| *order)
+        .column(phrase!("Force in {}", force.label()), |order| swing(*order, Planar::Force, force))
+        .column(phrase!("Moment in {}", moment.label()), |order| swing(*order, Planar::Moment, moment))
+        .column_if(has_torque, phrase!("Torque in {}", torque.label()), |order| turning(*order, Axial::Torque))
+        .column_if(has_roll, phrase!("Roll in {}", torque.label()), |order| turning(*order, Axial::Roll))
+        .done()
 }
 
 /// All orders that have a row, rising.
@@ -86,20 +78,17 @@ fn orders(loads: &Loads) -> Vec<u32> {
 
 /// Of each row, whether something is left of its order and all of that is below the threshold of its quantity.
 fn are_small(engine: &Engine, loads: &Loads, weighing: &Weighing) -> Vec<bool> {
-    let planar = |part: fn(&OrderLoads) -> &Swing| -> Vec<(u32, f64)> {
-        loads.orders.iter().map(|order| (order.order, part(order).largest())).collect()
+    let sizes = |quantity: Quantity| -> Vec<(u32, f64)> {
+        match quantity {
+            Quantity::Planar(of) => loads.orders.iter().map(|order| (order.order, order.swing(of).largest())).collect(),
+            Quantity::Axial(of) => {
+                let orders = about_the_axis(loads, of).into_iter().flat_map(|torque| &torque.orders);
+                orders.map(|order| (order.order, order.vector.value.norm())).collect()
+            }
+        }
     };
-    let axial = |torque: &Option<Torque>| -> Vec<(u32, f64)> {
-        let orders = torque.iter().flat_map(|torque| &torque.orders);
-        orders.map(|order| (order.order, order.vector.value.norm())).collect()
-    };
-    let all = [
-        (Quantity::FORCE, planar(|of| &of.force)),
-        (Quantity::MOMENT, planar(|of| &of.moment)),
-        (Quantity::TORQUE, axial(&loads.torque)),
-        (Quantity::ROLL, axial(&loads.roll)),
-    ];
-    let limits = all.map(|(quantity, sizes)| {
+    let limits = Quantity::ALL.map(|quantity| {
+        let sizes = sizes(quantity);
         let most = sizes.iter().map(|(_, size)| *size).fold(0.0, f64::max);
         (weighing.limit(engine, quantity, most), sizes)
     });

@@ -1,41 +1,35 @@
 //! Which tables hold the numbers? What is in the scene, the ellipse and the two vectors of each order, the torque.
 
-use super::amounts::{self, Unit};
+use super::amounts::{self, Unit, axial_cell, share, waveform};
 use super::words;
 use crate::engine::Engine;
-use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque, TorqueOrder};
+use crate::loads::{Arm, Loads, OrderLoads, Outcome, Peak, Torque};
 use crate::numbers;
 use crate::order::MassGroup;
 use crate::page::{self, Number, Table, Text, phrase};
-use crate::proof::{Planar, Quantity};
-use crate::report::calculation::amounts::share;
+use crate::proof::{Axial, Planar, Quantity};
 
 /// What is in the scene and what is not, and what each group of masses adds to the peaks.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
-    let mut table = Table::new(["Effect", "Included", "Why", "Share of peak force", "Share of peak moment"]);
-    let peaks: [(Peak, Unit); 2] = [
-        (loads.force.peak(), Unit::as_read(engine, loads, Planar::Force)),
-        (loads.moment.peak(), Unit::as_read(engine, loads, Planar::Moment)),
-    ];
-    let shares = |group: MassGroup| {
-        let loads = loads.groups.iter().find(|loads| loads.group == group);
-        [0, 1].map(|place: usize| {
-            let (peak, unit) = &peaks[place];
-            match loads.map(|loads| [&loads.force, &loads.moment][place]) {
-                Some(waveform) if peak.value == 0.0 || waveform.harmonics().is_empty() => Text::zero(),
-                Some(waveform) => {
-                    phrase!("{} {}", Text::measured(share(waveform, peak) * unit.factor, unit.unit), unit.label())
-                }
-                None => "–".into(),
-            }
-        })
+    let [force, moment] = Planar::BOTH.map(|of| (of, waveform(loads, of).peak(), Unit::as_read(engine, loads, of)));
+    let share = |group: Option<MassGroup>, (of, peak, unit): &(Planar, Peak, Unit)| -> Text {
+        let Some(loads) = loads.groups.iter().find(|loads| Some(loads.group) == group) else { return "–".into() };
+        let waveform = match of {
+            Planar::Force => &loads.force,
+            Planar::Moment => &loads.moment,
+        };
+        match peak.value == 0.0 || waveform.harmonics().is_empty() {
+            true => Text::zero(),
+            false => phrase!("{} {}", Text::measured(share(waveform, peak) * unit.factor, unit.unit), unit.label()),
+        }
     };
-    for row in words::effects(engine, loads) {
-        let inside = if row.inside { "yes" } else { "no" };
-        let shares = row.group.map_or_else(|| ["–".into(), "–".into()], shares);
-        table.push([row.name.into(), inside.into(), row.why].into_iter().chain(shares).collect());
-    }
-    table
+    Table::of(words::effects(engine, loads))
+        .column("Effect", |row| row.name)
+        .column("Included", |row| if row.inside { "yes" } else { "no" })
+        .column("Why", |row| row.why.clone())
+        .column("Share of peak force", |row| share(row.group, &force))
+        .column("Share of peak moment", |row| share(row.group, &moment))
+        .done()
 }
 
 /// The two rotating vectors of each order.
@@ -113,23 +107,12 @@ pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
     )
 }
 
-/// The amplitude of each order of the inertia torque.
-pub(super) fn torque(engine: &Engine, loads: &Loads, torque: &Torque) -> Table {
-    let unit = Unit::as_read(engine, loads, Quantity::TORQUE);
-    about_the_crank(&torque.orders, unit, |order| amounts::torque_cell(engine, order, unit))
-}
-
-/// The amplitude of each order of the roll moment.
-pub(super) fn roll(engine: &Engine, loads: &Loads, roll: &Torque) -> Table {
-    let unit = Unit::as_read(engine, loads, Quantity::ROLL);
-    about_the_crank(&roll.orders, unit, |order| amounts::roll_cell(engine, order, unit))
-}
-
-/// Orders of a torque or a roll moment: amplitude, phase, and the multiple that both are of.
-fn about_the_crank(orders: &[TorqueOrder], unit: Unit, amplitude: impl Fn(&TorqueOrder) -> Text) -> Table {
-    Table::of(orders)
+/// Orders of the torque or the roll moment: amplitude, phase, and the multiple that both are of.
+pub(super) fn about_the_axis(engine: &Engine, loads: &Loads, quantity: Axial, all: &Torque) -> Table {
+    let unit = Unit::as_read(engine, loads, Quantity::Axial(quantity));
+    Table::of(&all.orders)
         .column("Order", |order| order.order)
-        .column(phrase!("Amplitude in {}", unit.label()), |order| amplitude(order))
+        .column(phrase!("Amplitude in {}", unit.label()), |order| axial_cell(engine, quantity, order, unit))
         .column("Phase at θ = 0", |order| match order.vector.outcome {
             Outcome::Zero | Outcome::Undecided { .. } => "–".into(),
             Outcome::NotZero | Outcome::Computed => {

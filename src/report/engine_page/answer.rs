@@ -3,7 +3,7 @@
 use super::super::calculation::{Unit, books_line, percent_at_most};
 use super::super::roll_asked::roll_asked;
 use super::super::{residual, stars, table};
-use super::left::Name;
+use super::left::{Name, numbers};
 use super::weighing::{Rest, Weighed, WeighedParts, Weighing, circumstances, sizes};
 use super::{articulated, at_speed, conventions, cures, geared};
 use crate::engine::{DOES_NOT_EXIST, Engine};
@@ -73,7 +73,7 @@ fn left(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Vec<Text> {
         }
     }
     let mut sentences: Vec<Text> =
-        named.into_iter().map(|(name, sizes)| phrase!(name.sentence(), Text::joined(sizes, ", "))).collect();
+        named.into_iter().map(|(name, sizes)| phrase!(name.sentence, Text::joined(sizes, ", "))).collect();
     sentences.extend(weighed.into_iter().flat_map(about_the_axis));
     sentences.extend(not_decided(orders));
     sentences
@@ -82,8 +82,7 @@ fn left(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Vec<Text> {
 /// Orders of which it is not decided whether they vanish.
 fn not_decided(orders: &[&OrderVerdict]) -> Option<Text> {
     let is_open = |whole: &WholeOrder| whole.shape == Shape::NotDecided && !whole.is_left();
-    let open = orders.iter().filter(|order| is_open(&order.force) || is_open(&order.moment));
-    let open: Vec<String> = open.map(|order| order.order.to_string()).collect();
+    let open = numbers(orders.iter().copied(), |order| is_open(&order.force) || is_open(&order.moment));
     (!open.is_empty()).then(|| phrase!("Not decided: whether {} vanish.", residual::orders_in_words(&open)))
 }
 
@@ -144,10 +143,8 @@ const MOST_OF_ROLL: usize = 2;
 
 /// Which forces and moments vanish, and which orders are not there.
 fn balanced(all: &[OrderVerdict], existing: &[&OrderVerdict]) -> Option<Text> {
-    let of = |is_zero: &dyn Fn(&OrderVerdict) -> bool| -> Vec<String> {
-        existing.iter().filter(|order| is_zero(order)).map(|order| order.order.to_string()).collect()
-    };
-    let [forces, moments] = [of(&|order| order.force.is_balanced()), of(&|order| order.moment.is_balanced())];
+    let [forces, moments] =
+        Planar::BOTH.map(|quantity| numbers(existing.iter().copied(), |order| order.whole(quantity).is_balanced()));
     let words = residual::orders_in_words;
     let vanishing = match (forces.as_slice(), moments.as_slice()) {
         ([], []) => None,
@@ -156,8 +153,7 @@ fn balanced(all: &[OrderVerdict], existing: &[&OrderVerdict]) -> Option<Text> {
         ([], moments) => Some(phrase!("Moment at {}.", words(moments))),
         (forces, moments) => Some(phrase!("Force at {}; moment at {}.", words(forces), words(moments))),
     };
-    let mut missing: Vec<String> =
-        all.iter().filter(|order| !order.exists()).map(|order| order.order.to_string()).collect();
+    let mut missing = numbers(all, |order| !order.exists());
     missing.dedup();
     let missing = match missing.as_slice() {
         [] => None,
@@ -259,23 +255,26 @@ pub(super) fn why_several(engine: &Engine) -> Option<Text> {
 
 /// The short answer: what is left of each order, in newtons where the file gives numbers, and exactly.
 pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
-    let mut page = Document::new("verdicts", engine.title());
-    let theorem = theorem_of(engine, judged).ok();
-    let weighed = WeighedParts::new(engine, judged, Weighing::usual());
-    page.push(Block::Answer(lines(engine, judged, theorem.as_ref(), &weighed)));
-    page.blocks.extend(tables(judged, Weighing::usual(), &weighed));
-    page.blocks.extend(notes(engine, judged, weighed.as_judged.as_ref(), Weighing::usual(), true));
-    page
+    answer(engine, judged, Weighing::usual(), |_| None)
 }
 
 /// The short answer of a terminal, with what is reported one by one and what together: one table where masses and speed are given; what is
 /// exact follows it where all is asked for.
 pub fn engine_answer_weighed(engine: &Engine, judged: &Judgement, weighing: &Weighing) -> Document {
+    answer(engine, judged, weighing, |weighed| weighed.speed())
+}
+
+fn answer(
+    engine: &Engine,
+    judged: &Judgement,
+    weighing: &Weighing,
+    speed_of_table: impl Fn(&Weighed) -> Option<Text>,
+) -> Document {
     let mut page = Document::new("verdicts", engine.title());
     let theorem = theorem_of(engine, judged).ok();
     let weighed = WeighedParts::new(engine, judged, weighing);
     let as_judged = weighed.as_judged.as_ref();
-    let at_speed = as_judged.and_then(|weighed| Some((weighed, weighed.speed()?)));
+    let at_speed = as_judged.and_then(|weighed| Some((weighed, speed_of_table(weighed)?)));
     let is_exact = at_speed.is_none() || weighing.all;
     match at_speed {
         None => page.push(Block::Answer(lines(engine, judged, theorem.as_ref(), &weighed))),

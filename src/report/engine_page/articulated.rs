@@ -5,6 +5,7 @@ use num_traits::{Signed, Zero};
 
 use super::super::{residual, typeset};
 use super::corrected;
+use super::left::numbers;
 use super::weighing::Weighed;
 use crate::engine::{Cylinder, Draft, Engine, Form, Link, Mechanism, Rod};
 use crate::exact::Turn;
@@ -12,7 +13,7 @@ use crate::loads::{self, Loads};
 use crate::order;
 use crate::page::{Block, Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::{Planar, Sense};
-use crate::verdict::Judgement;
+use crate::verdict::{Judgement, OrderVerdict};
 
 /// r : l : a of the master rod that a radial is compared with which names none.
 const TYPICAL: [(i64, i64); 3] = [(1, 1), (19, 5), (9, 10)];
@@ -89,25 +90,20 @@ fn master_of<'a>(engine: &'a Engine, cylinder: &Cylinder, link: &Link) -> Option
 /// The orders above 1 whose vectors are left and proved to lie on the line of the first master's own.
 fn in_line(engine: &Engine, judged: &Judgement) -> Vec<String> {
     let Some(master) = engine.cylinders().iter().find(|cylinder| cylinder.rod().is_some()) else { return Vec::new() };
-    let is_left = |order: &u32| {
-        let of_order = judged.orders.iter().find(|one| one.order == *order);
-        of_order.is_some_and(|one| one.exists() && (one.force.is_left() || one.moment.is_left()))
-    };
-    let lies = |order: &u32| {
-        Sense::BOTH.into_iter().all(|sense| {
-            let line = order::phase(master, *order, Some(sense));
-            Planar::BOTH.into_iter().all(|quantity| {
-                // Every number of such an engine is real.
-                let sums = order::all_masses(engine, quantity, *order, sense);
-                sums.parts().values().all(|sum| {
-                    let turned = sum.turned(&-&line);
-                    turned.minus(&turned.conjugate()).vanishes()
-                })
-            })
+    // Every number of such an engine is real.
+    let is_its_mirror_image = |order: u32, quantity: Planar, sense: Sense| {
+        let line = order::phase(master, order, Some(sense));
+        order::all_masses(engine, quantity, order, sense).parts().values().all(|sum| {
+            let turned = sum.turned(&-&line);
+            turned.minus(&turned.conjugate()).vanishes()
         })
     };
-    let orders = judged.orders.iter().map(|one| one.order).filter(|order| *order > 1);
-    orders.filter(is_left).filter(lies).map(|order| order.to_string()).collect()
+    let lies = |one: &OrderVerdict| {
+        let mut senses = Sense::BOTH.into_iter();
+        senses.all(|sense| Planar::BOTH.into_iter().all(|of| is_its_mirror_image(one.order, of, sense)))
+    };
+    let is_left = |one: &OrderVerdict| one.exists() && (one.force.is_left() || one.moment.is_left());
+    numbers(&judged.orders, |one| one.order > 1 && is_left(one) && lies(one))
 }
 
 /// What a radial hides whose rods are all taken to be on the crankpin, as a line of the headline; with the λ that is assumed beside it where the
@@ -123,12 +119,11 @@ pub(super) fn hidden(engine: &Engine, weighed: Option<&Weighed>) -> Option<Text>
     if !ratio.is_positive() {
         return None;
     }
-    let [concentric, linked] = [None, Some(&knuckle)].map(|knuckle| Some(loads_with(engine, &ratio, knuckle)));
-    let (concentric, linked) = (concentric?.ok()?, linked?.ok()?);
+    let concentric = loads_with(engine, &ratio, None).ok()?;
+    let linked = loads_with(engine, &ratio, Some(&knuckle)).ok()?;
     let peak = |loads: &Loads, order: u32| {
-        let swing =
-            loads.orders.iter().find(|one| one.order == order).map(|one| (one.force.vanishes(), one.force.largest()));
-        swing.map_or(0.0, |(vanishes, largest)| if vanishes { 0.0 } else { largest })
+        let mut left = loads.orders.iter().filter(|one| !one.force.vanishes());
+        left.find(|one| one.order == order).map_or(0.0, |one| one.force.largest())
     };
     let order = COMPARED.into_iter().find(|order| (peak(&linked, *order) - peak(&concentric, *order)).abs() > 1e-9)?;
     let [before, after] = [&concentric, &linked].map(|loads| {

@@ -1,9 +1,9 @@
 //! What does an engine with masses do at its speed, in one table: how large is each order, what cures it, and what does that leave?
 
-use super::super::calculation::Unit;
+use super::super::calculation::{self, Unit};
 use super::super::residual;
 use super::cures::Cures;
-use super::left::Name;
+use super::left::{Name, numbers};
 use super::weighing::Weighed;
 use crate::engine::{DOES_NOT_EXIST, Engine};
 use crate::page::{Piece, Setting, Table, Text, number, phrase};
@@ -70,9 +70,9 @@ fn of_order(
         return Vec::new();
     }
     let unit = weighed.unit_of_tables(quantity);
-    let name: Text = Name::of(order, quantity, whole.shape, Some(weighed)).label().into();
+    let name: Text = Name::of(order, quantity, whole.shape, Some(weighed)).label.into();
     if !is_known {
-        return vec![vec![name, order.order.into(), residual::whole_text(whole), Text::default(), Text::default()]];
+        return vec![uncured(name, order.order.into(), residual::whole_text(whole))];
     }
     let left = |kept: [bool; 2]| {
         let lengths = weighed.lengths(order.order, quantity).into_iter().zip(kept).zip(&whole.outcomes);
@@ -102,6 +102,11 @@ fn of_order(
     left.into_iter().take(enough).enumerate().map(row).collect()
 }
 
+/// A row without a cure.
+fn uncured(name: Text, orders: Text, size: Text) -> Vec<Text> {
+    vec![name, orders, size, Text::default(), Text::default()]
+}
+
 fn size(value: f64, unit: Unit) -> Text {
     unit.sized(value, Setting::Usual(number::decimal))
 }
@@ -113,16 +118,11 @@ const ROLL: [&str; 2] = ["Roll moment", "All other roll moments"];
 /// that vanish.
 fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
     let rolls = weighed.loads.rolling() == Some(Axial::Torque);
-    let shown = [
-        (Axial::Roll, ROLL, weighed.loads.roll.is_some()),
-        (
-            Axial::Torque,
-            if rolls { ROLL } else { ["Inertia torque", "All other torques"] },
-            weighed.loads.torque.is_some(),
-        ),
-    ];
+    let of_torque = if rolls { ROLL } else { ["Inertia torque", "All other torques"] };
+    let shown = [(Axial::Roll, ROLL), (Axial::Torque, of_torque)].into_iter();
     let mut rows = Vec::new();
-    for (quantity, [name, others], _) in shown.into_iter().filter(|(.., is_there)| *is_there) {
+    for (quantity, [name, others]) in shown.filter(|(of, _)| calculation::about_the_axis(&weighed.loads, *of).is_some())
+    {
         let orders = weighed.about_the_axis(quantity);
         let most = orders.iter().map(|(_, size)| *size).fold(0.0, f64::max);
         let unit = weighed.unit(Quantity::Axial(quantity)).for_values_up_to(most);
@@ -130,19 +130,18 @@ fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
         let (shown, small): (Vec<_>, Vec<_>) =
             orders.into_iter().filter(|(_, value)| *value > 0.0).partition(|(order, value)| is_shown(*order, *value));
         for (order, value) in shown {
-            rows.push(vec![name.into(), order.into(), size(value, unit), Text::default(), Text::default()]);
+            rows.push(uncured(name.into(), order.into(), size(value, unit)));
         }
         // Of the roll moment of geared cranks no bound of the orders that were not looked at is known.
         let beyond = (quantity == Axial::Torque).then(|| MORE.to_owned());
         let orders: Vec<String> = small.iter().map(|(order, _)| order.to_string()).chain(beyond).collect();
         if let Some(most) = weighed.rest_in_multiples(Quantity::Axial(quantity)).1 {
             let most = phrase!("≤ {}", unit.sized(most, Setting::Fixed(bound)));
-            rows.push(vec![others.into(), Text::label(orders.join(", ")), most, Text::default(), Text::default()]);
+            rows.push(uncured(others.into(), Text::label(orders.join(", ")), most));
         }
         let zeros: Vec<String> = weighed.zeros_about_the_axis(quantity).map(|order| order.to_string()).collect();
         if !zeros.is_empty() {
-            let orders = Text::label(zeros.join(", "));
-            rows.push(vec![name.into(), orders, Text::zero(), Text::default(), Text::default()]);
+            rows.push(uncured(name.into(), Text::label(zeros.join(", ")), Text::zero()));
         }
     }
     rows
@@ -165,20 +164,16 @@ fn small(orders: &[&OrderVerdict], weighed: &Weighed, theorem: Option<&EveryOrde
             NextLeft::Order(_) | NextLeft::NotKnown => named.push(MORE.to_owned()),
         }
         let most = unit.sized(most?, Setting::Fixed(bound));
-        let named = Text::label(named.join(", "));
-        Some(vec![name.into(), named, phrase!("≤ {}", most), Text::default(), Text::default()])
+        Some(uncured(name.into(), Text::label(named.join(", ")), phrase!("≤ {}", most)))
     };
     [(Planar::Force, "All other forces"), (Planar::Moment, "All other moments")].into_iter().filter_map(of).collect()
 }
 
 /// The orders that are zero, and those that are not there.
 fn zeros(judged: &Judgement, existing: &[&OrderVerdict]) -> Vec<Vec<Text>> {
-    let of = |is_zero: &dyn Fn(&OrderVerdict) -> bool| -> Vec<String> {
-        existing.iter().filter(|order| is_zero(order)).map(|order| order.order.to_string()).collect()
-    };
-    let [forces, moments] = [of(&|order| order.force.is_balanced()), of(&|order| order.moment.is_balanced())];
-    let missing: Vec<String> =
-        judged.orders.iter().filter(|order| !order.exists()).map(|order| order.order.to_string()).collect();
+    let [forces, moments] =
+        Planar::BOTH.map(|quantity| numbers(existing.iter().copied(), |order| order.whole(quantity).is_balanced()));
+    let missing = numbers(&judged.orders, |order| !order.exists());
     let rows = match forces == moments {
         true => vec![("Force and moment", forces, Text::zero())],
         false => vec![("Force", forces, Text::zero()), ("Moment", moments, Text::zero())],
@@ -186,9 +181,7 @@ fn zeros(judged: &Judgement, existing: &[&OrderVerdict]) -> Vec<Vec<Text>> {
     rows.into_iter()
         .chain([("Force and moment", missing, DOES_NOT_EXIST.into())])
         .filter(|(_, orders, _)| !orders.is_empty())
-        .map(|(name, orders, size)| {
-            vec![name.into(), Text::label(orders.join(", ")), size, Text::default(), Text::default()]
-        })
+        .map(|(name, orders, size)| uncured(name.into(), Text::label(orders.join(", ")), size))
         .collect()
 }
 

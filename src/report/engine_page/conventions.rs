@@ -68,17 +68,14 @@ fn assumed(engine: &Engine) -> Text {
         });
     }
     let unequal = engine.mechanisms().len() > 1;
-    match (unequal, engine.has_offset()) {
-        _ if engine.faster_crank().is_some() => {
-            let orders = if engine.has_offset() { EVERY_OWN_ORDER } else { CENTRIC_OWN_ORDERS };
-            Text::from(RIGID).and(if unequal { RODS_DIFFER } else { "" }).and(" ").and(orders)
-        }
-        (false, false) => ASSUMED.into(),
-        (unequal, offset) => {
-            let orders = if offset { EVERY_ORDER } else { CENTRIC_ORDERS };
-            Text::from(RIGID).and(if unequal { RODS_DIFFER } else { "" }).and(" ").and(orders)
-        }
-    }
+    let orders = match (engine.faster_crank().is_some(), engine.has_offset()) {
+        (true, true) => EVERY_OWN_ORDER,
+        (true, false) => CENTRIC_OWN_ORDERS,
+        (false, true) => EVERY_ORDER,
+        (false, false) if unequal => CENTRIC_ORDERS,
+        (false, false) => return ASSUMED.into(),
+    };
+    Text::from(RIGID).and(if unequal { RODS_DIFFER } else { "" }).and(" ").and(orders)
 }
 
 const RIGID: &str = "Assumed: a rigid crankshaft at constant speed, rods in the plane of their cylinder; in a radial all rods on the crankpin itself.";

@@ -11,20 +11,11 @@ pub(super) fn is_as_built(engine: &Engine, judged: &Judgement) -> bool {
     judged.not_as_built.is_none() && judged.masses == order::masses_as_built(engine)
 }
 
-/// What the force or the moment of an order is called.
+/// What the force or the moment of an order is called: in a table, and in a sentence with a place for its size.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Name {
-    Vertical,
-    Horizontal,
-    RotatingForce,
-    CounterRotatingForce,
-    Force,
-    Pitching,
-    Yawing,
-    RotatingCouple,
-    CounterRotatingCouple,
-    Couple,
-    Moment,
+pub(super) struct Name {
+    pub label: &'static str,
+    pub sentence: &'static str,
 }
 
 /// Degrees within which a direction is that of an axis of the engine, as it is printed.
@@ -34,53 +25,31 @@ impl Name {
     pub fn of(order: &OrderVerdict, quantity: Planar, shape: Shape, weighed: Option<&Weighed>) -> Self {
         let direction = || weighed.and_then(|weighed| weighed.path(order.order, quantity)?.1);
         let is_at = |angle: f64| direction().is_some_and(|direction| (direction.abs() - angle).abs() < ALONG);
-        match (quantity, shape) {
-            (Planar::Force, Shape::Rotating) => Name::RotatingForce,
-            (Planar::Force, Shape::CounterRotating) => Name::CounterRotatingForce,
-            (Planar::Force, Shape::Planar) if is_at(0.0) => Name::Vertical,
-            (Planar::Force, Shape::Planar) if is_at(90.0) => Name::Horizontal,
-            (Planar::Force, _) => Name::Force,
-            _ if !order.moment_is_couple() => Name::Moment,
-            (_, Shape::Rotating) => Name::RotatingCouple,
-            (_, Shape::CounterRotating) => Name::CounterRotatingCouple,
-            (_, Shape::Planar) if is_at(0.0) => Name::Pitching,
-            (_, Shape::Planar) if is_at(90.0) => Name::Yawing,
-            _ => Name::Couple,
-        }
+        let [label, sentence] = match (quantity, shape) {
+            (Planar::Force, Shape::Rotating) => ["Rotating force", "Rotating force: {}."],
+            (Planar::Force, Shape::CounterRotating) => ["Counter-rotating force", "Counter-rotating force: {}."],
+            (Planar::Force, Shape::Planar) if is_at(0.0) => ["Vertical force", "Vertical force: {}."],
+            (Planar::Force, Shape::Planar) if is_at(90.0) => ["Horizontal force", "Horizontal force: {}."],
+            (Planar::Force, _) => ["Free force", "Free force: {}."],
+            _ if !order.moment_is_couple() => {
+                ["Moment about the reference plane", "Moment about the reference plane: {}."]
+            }
+            (_, Shape::Rotating) => ["Rotating couple", "Rotating couple: {}."],
+            (_, Shape::CounterRotating) => ["Counter-rotating couple", "Counter-rotating couple: {}."],
+            (_, Shape::Planar) if is_at(0.0) => ["Pitching couple", "Pitching couple: {}."],
+            (_, Shape::Planar) if is_at(90.0) => ["Yawing couple", "Yawing couple: {}."],
+            _ => ["Pitching and yawing couple", "Pitching and yawing couple: {}."],
+        };
+        Name { label, sentence }
     }
+}
 
-    /// In a table.
-    pub fn label(self) -> &'static str {
-        match self {
-            Name::Vertical => "Vertical force",
-            Name::Horizontal => "Horizontal force",
-            Name::RotatingForce => "Rotating force",
-            Name::CounterRotatingForce => "Counter-rotating force",
-            Name::Force => "Free force",
-            Name::Pitching => "Pitching couple",
-            Name::Yawing => "Yawing couple",
-            Name::RotatingCouple => "Rotating couple",
-            Name::CounterRotatingCouple => "Counter-rotating couple",
-            Name::Couple => "Pitching and yawing couple",
-            Name::Moment => "Moment about the reference plane",
-        }
-    }
-
-    pub fn sentence(self) -> &'static str {
-        match self {
-            Name::Vertical => "Vertical force: {}.",
-            Name::Horizontal => "Horizontal force: {}.",
-            Name::RotatingForce => "Rotating force: {}.",
-            Name::CounterRotatingForce => "Counter-rotating force: {}.",
-            Name::Force => "Free force: {}.",
-            Name::Pitching => "Pitching couple: {}.",
-            Name::Yawing => "Yawing couple: {}.",
-            Name::RotatingCouple => "Rotating couple: {}.",
-            Name::CounterRotatingCouple => "Counter-rotating couple: {}.",
-            Name::Couple => "Pitching and yawing couple: {}.",
-            Name::Moment => "Moment about the reference plane: {}.",
-        }
-    }
+/// The numbers of these orders of which something is true.
+pub(super) fn numbers<'a>(
+    orders: impl IntoIterator<Item = &'a OrderVerdict>,
+    is_so: impl Fn(&OrderVerdict) -> bool,
+) -> Vec<String> {
+    orders.into_iter().filter(|order| is_so(order)).map(|order| order.order.to_string()).collect()
 }
 
 /// Whether the direct and the reverse vector of force or moment are left.

@@ -102,19 +102,13 @@ pub fn engine_page(subject: Contents) -> Document {
     page.blocks.extend(articulated::section(engine, judged));
     match &numbers {
         None => {}
-        Some(Err(missing)) => page.blocks.extend([
-            Block::Heading(1, "Numbers".into()),
-            Block::Paragraph(phrase!("No numbers: {}.", missing.to_string())),
-        ]),
+        Some(Err(missing)) => page.blocks.extend(lacking("Numbers", phrase!("No numbers: {}.", missing.to_string()))),
         Some(Ok(numbers)) => page.blocks.extend(calculation::outcome(engine, numbers, needed)),
     }
     match subject.remedy() {
         None => {}
         Some(Ok(remedy)) => page.blocks.extend(remedy_section(&remedy)),
-        Some(Err(refused)) => page.blocks.extend([
-            Block::Heading(1, "Remedies".into()),
-            Block::Paragraph(phrase!("No remedy: {}.", refused.to_string())),
-        ]),
+        Some(Err(refused)) => page.blocks.extend(lacking("Remedies", phrase!("No remedy: {}.", refused.to_string()))),
     }
     page.blocks.extend(torque_section(engine));
     page.blocks.extend(firing_section(engine));
@@ -133,6 +127,11 @@ pub fn engine_page(subject: Contents) -> Document {
     page.push(Block::Heading(1, "Layout file".into()));
     page.push(Block::Verbatim("toml", engine.file().clone()));
     page
+}
+
+/// What stands in the place of a section that the layout asks for in vain.
+fn lacking(heading: &'static str, why: Text) -> [Block; 2] {
+    [Block::Heading(1, heading.into()), Block::Paragraph(why)]
 }
 
 /// The box that a report opens with, by itself.
@@ -155,10 +154,10 @@ pub(super) fn proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
 /// Number, revision, author and what else the file says of itself, with the objective.
 fn title_block(engine: &Engine) -> Vec<Block> {
     let block = engine.title_block();
-    let mut table = Table::new([Text::default(), Text::default()]);
-    for (name, written) in &block.rows {
-        table.push(vec![(*name).into(), written.into()]);
-    }
+    let table = Table::of(&block.rows)
+        .column(Text::default(), |(name, _)| *name)
+        .column(Text::default(), |(_, written)| written)
+        .done();
     let table = (!table.rows.is_empty()).then_some(Block::Table(table));
     let objective = block.objective.as_ref().map(|words| Block::Paragraph(phrase!("**Objective.** {}", words)));
     table.into_iter().chain(objective).collect()

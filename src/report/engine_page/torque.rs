@@ -1,13 +1,13 @@
 //! How are the inertia torque, where the file asks for it, and the roll moment of geared crankshafts proved?
 
 use super::super::calculation::Numbers;
-use super::super::star::{torque_figure, torque_legend};
+use super::super::star::{legend_of_one_scale, torque_figure};
 use super::super::{argument, residual};
 use super::geared;
 use super::orders::{certified, value};
 use crate::engine::{Engine, WHY_NOT};
 use crate::page::{Block, Fold, Picture, Table, Text, phrase};
-use crate::verdict::{self, Judgement, TorquePart};
+use crate::verdict::{self, JudgedStar, Judgement, TorquePart};
 
 const ROLL: &str = "R_k = \\sum_j \\left( c_k\\, m_j r_j\\, a_j - s_j\\, t_k\\, m_j r_j^2 \\right) e^{ik(\\beta_j - \\alpha_j)}, \\qquad a_j = \\sum d \\sin(\\alpha_j - \\eta) - s_j\\, e_j";
 const TORQUE: &str = "Q_k = \\sum_j m_j\\, r_j^2\\, e^{ik(\\beta_j - \\alpha_j)}";
@@ -39,14 +39,12 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
         return Vec::new();
     }
     let verdicts: Vec<_> = parts.iter().map(|part| &part.verdict).collect();
+    let judged: Vec<JudgedStar> = verdicts.iter().map(|verdict| JudgedStar::from(*verdict)).collect();
     let stars = Picture {
         name: "torque-stars".to_owned(),
-        caption: phrase!("Vector stars of the inertia torque. {}", torque_legend(engine, &verdicts)),
+        caption: phrase!("Vector stars of the inertia torque. {}", legend_of_one_scale(engine, &judged)),
         figure: torque_figure(engine, &verdicts),
     };
-    let argued = parts.iter().map(|part| argued(engine, part)).collect();
-    let certificates = verdicts.iter().map(|verdict| certified(verdict)).collect();
-    let speeds = engine.faster_crank().map(|_| Block::Paragraph(TORQUE_SPEEDS.into()));
     let mut blocks = vec![
         Block::Heading(1, "Inertia torque".into()),
         Block::Paragraph(
@@ -54,16 +52,21 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
         ),
         Block::Formula(TORQUE.to_owned(), None),
     ];
-    blocks.extend(speeds);
-    blocks.extend([
-        stars.into(),
-        Block::List(argued),
-        Block::Folded(Fold {
-            summary: "Inertia torque: the certificates".into(),
-            blocks: vec![Block::List(certificates)],
-        }),
-    ]);
+    blocks.extend(engine.faster_crank().map(|_| Block::Paragraph(TORQUE_SPEEDS.into())));
+    blocks.push(stars.into());
+    blocks.extend(proofs(parts.iter(), |part| argued(engine, part), "Inertia torque: the certificates"));
     blocks
+}
+
+/// Why each sum is zero or not, and folded below that the certificates.
+fn proofs<'a>(
+    parts: impl Iterator<Item = &'a TorquePart> + Clone,
+    argued: impl Fn(&TorquePart) -> Text,
+    certificates: &'static str,
+) -> [Block; 2] {
+    let certified = parts.clone().map(|part| certified(&part.verdict)).collect();
+    let folded = Fold { summary: certificates.into(), blocks: vec![Block::List(certified)] };
+    [Block::List(parts.map(argued).collect()), Block::Folded(folded)]
 }
 
 /// Torque and roll moment of crankshafts that are geared together, order by order; nothing where there is one.
@@ -72,20 +75,17 @@ pub(super) fn results(engine: &Engine, judged: &Judgement) -> Vec<Block> {
         return Vec::new();
     }
     let has_roll = judged.orders.iter().any(|order| order.roll.is_some());
-    let mut table = Table::new(["Order", "Torque"].into_iter().chain(has_roll.then_some("Roll")));
-    for order in &judged.orders {
-        if let Some(torque) = &order.torque {
-            let roll = order.roll.as_ref().map(residual::roll);
-            table.push([order.order.into(), residual::torque(torque)].into_iter().chain(roll).collect());
-        }
+    let torques = judged.orders.iter().filter_map(|order| Some((order, order.torque.as_ref()?)));
+    let table = Table::of(torques)
+        .column("Order", |(order, _)| order.order)
+        .column("Torque", |(_, torque)| residual::torque(torque))
+        .column_if(has_roll, "Roll", |(order, _)| order.roll.as_ref().map(residual::roll).unwrap_or_default())
+        .done();
+    if table.rows.is_empty() {
+        return Vec::new();
     }
-    match table.rows.is_empty() {
-        true => Vec::new(),
-        false => [table.into(), Block::Note(residual::ROLL_LEGEND.into())]
-            .into_iter()
-            .chain(geared::roll_asked_of(engine).map(Block::Paragraph))
-            .collect(),
-    }
+    let asked = geared::roll_asked_of(engine).map(Block::Paragraph);
+    [table.into(), Block::Note(residual::ROLL_LEGEND.into())].into_iter().chain(asked).collect()
 }
 
 /// The proofs of the roll moment; none where there is one crankshaft.
@@ -95,7 +95,6 @@ pub(super) fn roll_section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     if parts.is_empty() {
         return Vec::new();
     }
-    let certificates = parts.iter().map(|part| certified(&part.verdict)).collect();
     let mut blocks = vec![
         Block::Heading(1, "Roll moment".into()),
         Block::Paragraph(
@@ -106,13 +105,8 @@ pub(super) fn roll_section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
         Block::Paragraph(ROLL_ARMS.into()),
     ];
     blocks.extend(engine.faster_crank().map(|_| Block::Paragraph(ROLL_SPEEDS.into())));
-    blocks.extend([
-        Block::List(parts.iter().map(|part| roll_argued(engine, part)).collect()),
-        Block::Folded(Fold {
-            summary: "Roll moment: the certificates".into(),
-            blocks: vec![Block::List(certificates)],
-        }),
-    ]);
+    let argued = |part: &TorquePart| roll_argued(engine, part);
+    blocks.extend(proofs(parts.into_iter(), argued, "Roll moment: the certificates"));
     blocks
 }
 

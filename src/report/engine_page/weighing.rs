@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::super::calculation::Unit;
+use super::super::calculation::{Unit, about_the_axis};
 use super::super::residual;
 use crate::engine::{Crankshaft, DOES_NOT_EXIST, Effects, Engine, LengthUnit, Mechanism, Rod};
 use crate::loads::{self, Bound, LeftOut, Loads, Swing, TorqueOrder};
@@ -123,8 +123,7 @@ impl<'a> Weighed<'a> {
 
     /// The largest force, moment, torque or roll moment of an order, in its multiples of m r ω².
     pub fn size(&self, order: u32, quantity: impl Into<Quantity>) -> f64 {
-        let sizes = self.sizes(quantity.into()).into_iter();
-        sizes.filter(|(of, _)| *of == order).map(|(_, size)| size).next().unwrap_or(0.0)
+        self.sizes(quantity.into()).into_iter().find(|(of, _)| *of == order).map_or(0.0, |(_, size)| size)
     }
 
     /// The orders of the torque or of the roll moment, with their amplitudes.
@@ -139,11 +138,7 @@ impl<'a> Weighed<'a> {
     }
 
     fn axial(&self, quantity: Axial) -> impl Iterator<Item = &TorqueOrder> {
-        let of = match quantity {
-            Axial::Torque => self.loads.torque.as_ref(),
-            Axial::Roll => self.loads.roll.as_ref(),
-        };
-        of.into_iter().flat_map(|torque| &torque.orders)
+        about_the_axis(&self.loads, quantity).into_iter().flat_map(|torque| &torque.orders)
     }
 
     /// The vectors of an order, with the crank and against it, in multiples of m r ω².

@@ -1,6 +1,6 @@
 //! What is on the page of the firing stars, and on the terminal?
 
-use super::super::star::{firing_figure, firing_legend};
+use super::super::star::{firing_figure, legend_of_one_scale};
 use super::super::{argument, dead_centres, residual};
 use super::words::names_of;
 use super::{FiringStudy, tables, words};
@@ -145,7 +145,7 @@ fn picture(study: &FiringStudy) -> Picture {
     let drawn: Vec<JudgedStar<'_>> = headed.iter().map(|(_, star)| *star).collect();
     Picture {
         name: "firing-stars".to_owned(),
-        caption: phrase!("Firing stars. {}", firing_legend(&study.engine, &drawn)),
+        caption: phrase!("Firing stars. {}", legend_of_one_scale(&study.engine, &drawn)),
         figure: firing_figure(&study.engine, headed),
     }
 }

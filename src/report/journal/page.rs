@@ -6,7 +6,7 @@ use super::{plots, tables, words};
 use crate::engine::{Convention, Engine};
 use crate::journal::{CycleBearings, CycleLoads};
 use crate::loads::{BearingLoads, Missing};
-use crate::page::{Block, Document, Text, phrase};
+use crate::page::{Block, Document, Picture, Table, Text, phrase};
 
 const RODS: &str = "The gas puts a rod in compression, the inertia of the piston puts it in tension. The pull of the big end on its crankpin, towards the piston, includes the rotating part of the rod: the cap bolts carry it, less the inertia of the cap itself. The side force acts between piston and wall.";
 
@@ -62,21 +62,18 @@ pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &Bear
         section(&mut page, "Through the cycle");
         bearings_drawn(&mut page, engine.convention(), loads, &both[0]);
     }
-    section(&mut page, "Crankpins");
-    page.push(Block::Paragraph(PINS.into()));
-    page.push(tables::pins(engine, loads));
-    page.push(Block::Pictures(plots::pins(engine, loads)));
+    let drawn = |page: &mut Document, heading, words: &'static str, table: Table, pictures: Vec<Picture>| {
+        section(page, heading);
+        page.blocks.extend([Block::Paragraph(words.into()), table.into(), Block::Pictures(pictures)]);
+    };
+    drawn(&mut page, "Crankpins", PINS, tables::pins(engine, loads), plots::pins(engine, loads));
     if !loads.shared_pins.is_empty() {
-        section(&mut page, "Crankpins with several rods");
-        page.push(Block::Paragraph(SHARED.into()));
-        page.push(tables::shared_pins(engine, loads));
-        page.push(Block::Pictures(plots::shared_pins(engine, loads)));
+        let (table, pictures) = (tables::shared_pins(engine, loads), plots::shared_pins(engine, loads));
+        drawn(&mut page, "Crankpins with several rods", SHARED, table, pictures);
     }
     if !loads.knuckles.is_empty() {
-        section(&mut page, "Articulated rods");
-        page.push(Block::Paragraph(KNUCKLES.into()));
-        page.push(tables::knuckles(engine, loads));
-        page.push(Block::Pictures(plots::knuckles(engine, loads)));
+        let (table, pictures) = (tables::knuckles(engine, loads), plots::knuckles(engine, loads));
+        drawn(&mut page, "Articulated rods", KNUCKLES, table, pictures);
     }
     section(&mut page, "Rods and side forces");
     page.push(Block::Paragraph(RODS.into()));

@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use super::super::bearings::{farthest, style};
+use super::super::bearings::{farthest, largest_at, over_crank_angle, path, style, tip};
 use super::super::torque::names;
 use crate::engine::{Convention, Engine};
 use crate::journal::{CycleBearing, CycleBearings, CycleLoads, ForceHistory, SharedPin};
-use crate::page::plot::{Axis, Curve, Plot, PointMark, Polar};
+use crate::page::plot::{Curve, Polar};
 use crate::page::{Picture, Text, Unit, phrase};
 
 /// The tips of a force through the cycle, to the right and up.
@@ -31,11 +31,6 @@ fn angles(course: &ForceHistory) -> Vec<f64> {
     (0..=steps).map(|step| course.period() * step as f64 / steps as f64).collect()
 }
 
-/// Seen from the free end: y upwards in direction 0, x to the right.
-fn tip(force: Complex<f64>) -> (f64, f64) {
-    (-force.im, force.re)
-}
-
 /// Two drawings of each bearing, in the order of the file.
 pub(super) fn bearings(convention: Convention, loads: &CycleLoads, bearings: &CycleBearings) -> Vec<[Picture; 2]> {
     let course = &loads.course;
@@ -50,58 +45,38 @@ pub(super) fn bearings(convention: Convention, loads: &CycleLoads, bearings: &Cy
     let peaks = bearings.bearings.iter().map(|bearing| bearing.peak.value);
     let largest = peaks.fold(farthest(known.iter().flatten().flatten()), f64::max);
     let draw = |(index, (bearing, [all, inertia])): (usize, (&CycleBearing, [Tips; 2]))| {
-        let over_angle = over_crank_angle((index + 1, bearing), &angles, &all, largest);
-        [over_angle, polar(convention, (index + 1, bearing), [all, inertia], largest)]
+        drawn(convention, (index + 1, bearing), &angles, [all, inertia], largest)
     };
     bearings.bearings.iter().zip(known).enumerate().map(draw).collect()
 }
 
-fn over_crank_angle(
-    (number, bearing): (usize, &CycleBearing),
-    angles: &[f64],
-    tips: &[(f64, f64)],
-    largest: f64,
-) -> Picture {
-    let last = angles.last().map_or(360.0, |theta| theta.to_degrees().round());
-    let x = Axis::angle("Crank angle θ in °", 0.0, last, 90);
-    let y = Axis::linear("Force in {}").counted_in(Unit::NEWTON).covering(&[-largest, largest]);
-    let mut plot = Plot::new(format!("Main bearing {}", bearing.name), x, y);
-    let curve = |place: usize, name: &str, value: fn(&(f64, f64)) -> f64| {
-        Curve::new(place, name, angles.iter().zip(tips).map(|(theta, tip)| (theta.to_degrees(), value(tip))).collect())
-    };
-    plot.curves = vec![
-        curve(style::ALONG, "y, along direction 0", |tip| tip.1),
-        curve(style::ACROSS, "x, to the right", |tip| tip.0),
-    ];
-    Picture {
-        name: format!("bearing-{number}-cycle"),
-        caption: phrase!(
-            "Bearing {}: components of the force of gas and masses through the cycle, y upwards in direction 0 (solid), x to the right (dashed).",
-            bearing.name.clone()
-        ),
-        figure: plot.figure(),
-    }
-}
-
+const COMPONENTS: &str = "Bearing {}: components of the force of gas and masses through the cycle, y upwards in direction 0 (solid), x to the right (dashed).";
 const PATH: &str = "Bearing {}: path of the tip of the force through the cycle, seen from the {free end|flywheel}, direction 0 upwards: with gas (solid) and of the masses alone (dash-dotted). The dot is the largest force.";
 
-fn polar(
+fn drawn(
     convention: Convention,
     (number, bearing): (usize, &CycleBearing),
-    [all, inertia]: [Vec<(f64, f64)>; 2],
+    angles: &[f64],
+    [all, inertia]: [Tips; 2],
     largest: f64,
-) -> Picture {
-    let label = "Force in {}; 0° is the reference direction";
+) -> [Picture; 2] {
+    let name = &bearing.name;
+    let last = angles.last().map_or(360.0, |theta| theta.to_degrees().round());
+    let at: Vec<(f64, (f64, f64))> = angles.iter().map(|theta| theta.to_degrees()).zip(all.iter().copied()).collect();
+    let components = over_crank_angle(name, last, &at, largest, Unit::NEWTON);
     let curves =
         vec![Curve::new(style::WHOLE, "with gas", all), Curve::new(style::WITHOUT_GAS, "without gas", inertia)];
-    let mut polar = Polar::new(format!("Main bearing {}", bearing.name), label, curves).counted_in(Unit::NEWTON);
-    polar.reach = largest;
-    polar.marks.push(PointMark::dot(tip(bearing.peak.vector), format!("largest, θ ≈ {:.0}°", bearing.peak.angle)));
-    Picture {
-        name: format!("bearing-{number}-cycle-polar"),
-        caption: phrase!(PATH, bearing.name.clone(), convention.turns_anticlockwise_from()),
-        figure: polar.figure(),
-    }
+    let mut polar = path(name, curves, largest, Unit::NEWTON);
+    polar.marks.push(largest_at(tip(bearing.peak.vector), bearing.peak.angle));
+    let caption = phrase!(PATH, name.clone(), convention.turns_anticlockwise_from());
+    [
+        Picture {
+            name: format!("bearing-{number}-cycle"),
+            caption: phrase!(COMPONENTS, name.clone()),
+            figure: components,
+        },
+        Picture { name: format!("bearing-{number}-cycle-polar"), caption, figure: polar.figure() },
+    ]
 }
 
 /// Two polar diagrams of a crankpin of each kind, seen from the engine and from the crank.
@@ -111,42 +86,32 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
     let draw = |group: &Vec<usize>| {
         let index = group[0];
         let name = engine.cylinders()[index].name.as_str();
-        let path = |law: &dyn Fn(f64) -> Complex<f64>| angles.iter().map(|theta| tip(law(*theta))).collect::<Vec<_>>();
-        let picture = |end: &str, label: &str, tips: Vec<(f64, f64)>| {
-            let mut polar = Polar::new(
-                format!("Crankpin of cylinder {name}"),
-                label,
-                vec![Curve::new(style::WHOLE, "", tips.clone())],
-            )
-            .counted_in(Unit::NEWTON);
+        let picture = |end: &str, label: &str, caption: Text, law: &dyn Fn(f64) -> Complex<f64>| {
+            let tips: Tips = angles.iter().map(|theta| tip(law(*theta))).collect();
+            let curve = Curve::new(style::WHOLE, "", tips.clone());
+            let mut polar = Polar::new(format!("Crankpin of cylinder {name}"), label, vec![curve]);
             polar.mark_quarters(&tips, STEPS);
-            (format!("pin-{}-{end}", index + 1), polar.figure())
+            let figure = polar.counted_in(Unit::NEWTON).figure();
+            Picture { name: format!("pin-{}-{end}", index + 1), caption, figure }
         };
-        let seen = path(&|theta| course.pin(index, theta));
-        let turning = path(&|theta| course.pin_on_the_crank(index, theta));
-        let (of_engine, from_engine) = picture("engine", "Force in {}; 0° is the reference direction", seen);
-        let (of_crank, from_crank) = picture("crank", "Force in {}; 0° is outward along the throw", turning);
+        let from_engine = phrase!(
+            "The load of the crankpin of cylinder {} through the cycle, seen from the engine, direction 0 upwards. Rings mark crank angles of the first revolution.",
+            names(engine, &[index])
+        );
+        let from_crank = match group.len() {
+            1 => SEEN_FROM_CRANK.into(),
+            _ => phrase!(
+                "{} It is the same for cylinders {}, each when it fires.",
+                Text::from(SEEN_FROM_CRANK),
+                names(engine, group)
+            ),
+        };
+        let turning = |theta| course.pin_on_the_crank(index, theta);
         [
-            Picture {
-                name: of_engine,
-                caption: phrase!(
-                    "The load of the crankpin of cylinder {} through the cycle, seen from the engine, direction 0 upwards. Rings mark crank angles of the first revolution.",
-                    names(engine, &[index])
-                ),
-                figure: from_engine,
-            },
-            Picture {
-                name: of_crank,
-                caption: match group.len() {
-                    1 => SEEN_FROM_CRANK.into(),
-                    _ => phrase!(
-                        "{} It is the same for cylinders {}, each when it fires.",
-                        Text::from(SEEN_FROM_CRANK),
-                        names(engine, group)
-                    ),
-                },
-                figure: from_crank,
-            },
+            picture("engine", "Force in {}; 0° is the reference direction", from_engine, &|theta| {
+                course.pin(index, theta)
+            }),
+            picture("crank", "Force in {}; 0° is outward along the throw", from_crank, &turning),
         ]
     };
     course.alike().iter().take(MOST_PINS).flat_map(draw).collect()
@@ -205,7 +170,7 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         let label = "Force in {}; 0° is outward along the throw";
         let mut polar = Polar::new(format!("Crankpin {number}"), label, curves).counted_in(Unit::NEWTON);
         let largest = pin.load_on_the_crank(course, pin.peak.angle.to_radians());
-        polar.marks.push(PointMark::dot(tip(largest), format!("largest, θ ≈ {:.0}°", pin.peak.angle)));
+        polar.marks.push(largest_at(tip(largest), pin.peak.angle));
         Picture {
             name: format!("shared-pin-{number}-crank"),
             caption: phrase!(

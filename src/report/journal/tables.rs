@@ -29,14 +29,10 @@ pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearin
         .done()
 }
 
-fn name(engine: &Engine, index: usize) -> Text {
-    Text::label(engine.cylinders()[index].name.clone())
-}
-
 /// The largest load of every crankpin, with and without gas.
 pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
     Table::of(loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
-        .column("Cylinder", |(index, _)| name(engine, *index))
+        .column("Cylinder", |(index, _)| names(engine, &[*index]))
         .column(phrase!("Load of the crankpin in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin.value))
         .column("at θ", |(_, peaks)| angle(peaks.pin.angle))
         .column(phrase!("Gas component in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin.gas_along()))
@@ -56,7 +52,7 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
         .column(phrase!("One rod alone in {}", Unit::NEWTON), |pin| {
             let of_one = pin.largest_of_a_rod(loads);
             of_one.map_or_else(Text::default, |(index, peak)| {
-                phrase!("{} (cylinder {})", size(peak.value), name(engine, index))
+                phrase!("{} (cylinder {})", size(peak.value), names(engine, &[index]))
             })
         })
         .done()
@@ -65,8 +61,8 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
 /// The largest load of the knuckle pin of every link, with and without gas.
 pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Table {
     Table::of(&loads.knuckles)
-        .column("Link of cylinder", |knuckle| name(engine, knuckle.cylinder))
-        .column("Master rod", |knuckle| name(engine, knuckle.master))
+        .column("Link of cylinder", |knuckle| names(engine, &[knuckle.cylinder]))
+        .column("Master rod", |knuckle| names(engine, &[knuckle.master]))
         .column(phrase!("Load of the knuckle pin in {}", Unit::NEWTON), |knuckle| size(knuckle.peak.value))
         .column("at θ", |knuckle| angle(knuckle.peak.angle))
         .column(phrase!("Gas component in {}", Unit::NEWTON), |knuckle| size(knuckle.peak.gas_along()))
@@ -81,7 +77,7 @@ pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
     let at = |one: Extreme| if one.value > 0.0 { angle(one.angle) } else { "–".into() };
     let pulled = |[_, stretched]: [Extreme; 2]| Extreme { value: -stretched.value, ..stretched };
     Table::of(loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
-        .column("Cylinder", |(index, _)| name(engine, *index))
+        .column("Cylinder", |(index, _)| names(engine, &[*index]))
         .column(phrase!("Rod compression in {}", Unit::NEWTON), |(_, peaks)| force(peaks.rod[0]))
         .column("at θ", |(_, peaks)| at(peaks.rod[0]))
         .column(phrase!("Rod tension in {}", Unit::NEWTON), |(_, peaks)| force(pulled(peaks.rod)))

@@ -3,7 +3,7 @@
 use super::super::bearings::{self, called};
 use super::super::torque::{angle, assumptions as of_the_gas, names, quantity};
 use crate::engine::Engine;
-use crate::journal::{self, CycleBearings, CycleLoads, CyclePeak};
+use crate::journal::{self, CycleBearings, CycleLoads};
 use crate::page::{Text, Unit, phrase};
 
 pub(super) fn newtons(value: f64) -> Text {
@@ -81,10 +81,10 @@ fn others(continuous: &CycleBearings, determinate: &CycleBearings) -> Option<Tex
     ))
 }
 
-/// The cylinder that is first in something.
-fn first(loads: &CycleLoads, size: impl Fn(usize) -> f64) -> Option<usize> {
-    let most = (0..loads.cylinders.len()).map(&size).fold(f64::NEG_INFINITY, f64::max);
-    (0..loads.cylinders.len()).find(|&index| size(index) >= most - 1e-9 * most.abs())
+/// The first of those with the largest of some size.
+fn first<T>(all: impl IntoIterator<Item = T> + Clone, size: impl Fn(&T) -> f64) -> Option<T> {
+    let most = all.clone().into_iter().map(|one| size(&one)).fold(f64::NEG_INFINITY, f64::max);
+    all.into_iter().find(|one| size(one) >= most - 1e-9 * most.abs())
 }
 
 fn pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
@@ -92,19 +92,18 @@ fn pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     if engine.has_links() {
         return None;
     }
-    let index = first(loads, |index| loads.cylinders[index].peaks.pin.value)?;
-    let peak: &CyclePeak = &loads.cylinders[index].peaks.pin;
+    let index = first(0..loads.cylinders.len(), |index| loads.cylinders[*index].peaks.pin.value)?;
+    let peak = &loads.cylinders[index].peaks.pin;
     Some(phrase!(
         "**Crankpins.** The rod of cylinder {} loads its crankpin most, with {} at crank angle {}.",
-        Text::label(engine.cylinders()[index].name.clone()),
+        names(engine, &[index]),
         newtons(peak.value),
         angle(peak.angle)
     ))
 }
 
 fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
-    let most = loads.shared_pins.iter().map(|pin| pin.peak.value).fold(f64::NEG_INFINITY, f64::max);
-    let pin = loads.shared_pins.iter().find(|pin| pin.peak.value >= most - 1e-9 * most.abs())?;
+    let pin = first(&loads.shared_pins, |pin| pin.peak.value)?;
     Some(phrase!(
         "**All rods of a crankpin** together load crankpin {} of cylinders {} most, with {} at crank angle {}.",
         pin.throw + 1,
@@ -115,23 +114,22 @@ fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
 }
 
 fn knuckles(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
-    let most = loads.knuckles.iter().map(|knuckle| knuckle.peak.value).fold(f64::NEG_INFINITY, f64::max);
-    let knuckle = loads.knuckles.iter().find(|knuckle| knuckle.peak.value >= most - 1e-9 * most.abs())?;
-    let name = |index: usize| Text::label(engine.cylinders()[index].name.clone());
+    let knuckle = first(&loads.knuckles, |knuckle| knuckle.peak.value)?;
     Some(phrase!(
         "**Knuckle pins.** That of the link of cylinder {} on master rod {} carries most, {} at crank angle {}.",
-        name(knuckle.cylinder),
-        name(knuckle.master),
+        names(engine, &[knuckle.cylinder]),
+        names(engine, &[knuckle.master]),
         newtons(knuckle.peak.value),
         angle(knuckle.peak.angle)
     ))
 }
 
 fn rods(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
-    let pressed = first(loads, |index| loads.cylinders[index].peaks.rod[0].value)?;
-    let pulled = first(loads, |index| -loads.cylinders[index].peaks.rod[1].value)?;
-    let name = |index: usize| Text::label(engine.cylinders()[index].name.clone());
-    let [most, least] = [loads.cylinders[pressed].peaks.rod[0].value, loads.cylinders[pulled].peaks.rod[1].value];
+    let rod = |index: usize| &loads.cylinders[index].peaks.rod;
+    let pressed = first(0..loads.cylinders.len(), |index| rod(*index)[0].value)?;
+    let pulled = first(0..loads.cylinders.len(), |index| -rod(*index)[1].value)?;
+    let name = |index: usize| names(engine, &[index]);
+    let [most, least] = [rod(pressed)[0].value, rod(pulled)[1].value];
     Some(match least < 0.0 {
         true if pressed == pulled => phrase!(
             "**Rods.** The rod of cylinder {} is in compression up to {} and in tension up to {}.",

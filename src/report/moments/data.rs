@@ -5,7 +5,6 @@ use num_traits::ToPrimitive;
 use crate::report::data::Filling;
 use crate::report::moments::{External, MomentsRow, MomentsStudy};
 use crate::table::{Table, Unit};
-use crate::text::Untrusted;
 use crate::torque::GuideMoments;
 
 /// A table of the moments of engines.
@@ -19,7 +18,7 @@ pub fn table(study: &MomentsStudy, name: &str) -> Option<Table> {
 
 /// A single engine needs no name.
 fn keys(study: &MomentsStudy) -> usize {
-    if study.rows.iter().filter(|row| !row.is_bare).count() == 1 { 1 } else { 2 }
+    if study.built().count() == 1 { 1 } else { 2 }
 }
 
 fn external(study: &MomentsStudy) -> Table {
@@ -68,18 +67,15 @@ fn external(study: &MomentsStudy) -> Table {
 }
 
 fn guides(study: &MomentsStudy) -> Option<Table> {
-    let built = study.rows.iter().filter(|row| !row.is_bare);
-    let of = |row: &'_ MomentsRow| {
-        let (name, all) = (row.name.clone(), row.guides.as_ref().map(|(all, _)| all.clone()).unwrap_or_default());
-        all.into_iter().map(move |moments| (name.clone(), moments))
-    };
-    let rows: Vec<(Untrusted, GuideMoments)> = built.flat_map(of).collect();
+    let all = study.built().filter_map(|row| Some((row, &row.guides.as_ref().ok()?.0)));
+    let rows: Vec<(&MomentsRow, &GuideMoments)> =
+        all.flat_map(|(row, all)| all.iter().map(move |moments| (row, moments))).collect();
     if rows.is_empty() {
         return None;
     }
     let mut table = Filling::new("moments.guides", &rows).keyed(keys(study));
     table.decimal("order", Unit::NONE, |row| row.1.order.exact().to_f64());
-    table.person("engine", |row| Some(row.0.clone()));
+    table.person("engine", |row| Some(row.0.name.clone()));
     let unit = Unit::KILONEWTON_METRE;
     table.decimal("h_{unit}", unit, |row| Some(row.1.rocking.unwrap_or(0.0) / 1e3));
     table.truth("h_vanishes", |row| Some(row.1.rocking.is_none()));

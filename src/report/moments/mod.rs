@@ -128,6 +128,11 @@ impl MomentsStudy {
         }
         Ok(MomentsStudy { rows })
     }
+
+    /// The engines as they are built.
+    fn built(&self) -> impl Iterator<Item = &MomentsRow> {
+        self.rows.iter().filter(|row| !row.is_bare)
+    }
 }
 
 impl MomentsRow {

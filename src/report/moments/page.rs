@@ -1,11 +1,12 @@
 //! What is on the page of external and guide-force moments, and on the terminal?
 
 use super::{Amplitude, External, LAST_COLUMN, LAST_TWISTING, MomentsRow, MomentsStudy, order_of_firing};
-use crate::engine::{CycleOrder, Engine};
+use crate::engine::CycleOrder;
 use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, number, phrase};
 use crate::report::calculation::inputs_table;
 use crate::report::engine_cells;
 use crate::report::torque::LINKED_GUIDES;
+use crate::torque::GuideMoments;
 
 const CONVENTION: &str = "V is along direction 0, upright in an in-line engine, H across it; amplitudes are zero to peak, moments about the reference plane. **0** is proved. Forces and moments are \
     proportional to the square of the speed, $(n/n_1)^2$; the guide-force moments are not, since the gas contributes.";
@@ -29,7 +30,7 @@ pub(super) fn answer(study: &MomentsStudy) -> Document {
 /// The page.
 pub(super) fn page(study: &MomentsStudy) -> Document {
     let mut page = Document::new("moments", "External forces and moments, guide-force moments");
-    page.push(Block::Answer(study.rows.iter().filter(|row| !row.is_bare).map(said).collect()));
+    page.push(Block::Answer(study.built().map(said).collect()));
     page.blocks.extend(tables(study));
     page.push(Block::Heading(1, "Inputs".into()));
     page.blocks.extend(inputs(study));
@@ -38,20 +39,33 @@ pub(super) fn page(study: &MomentsStudy) -> Document {
     page
 }
 
-/// What the layouts give: one table for engines that are given alike, under their names where there are several tables.
-fn inputs(study: &MomentsStudy) -> Vec<Block> {
-    let mut tables: Vec<(&Engine, Vec<Text>)> = Vec::new();
-    for row in study.rows.iter().filter(|row| !row.is_bare) {
-        let given = &row.engine.dimensions().given;
-        match tables.iter_mut().find(|(engine, _)| engine.dimensions().given == *given) {
-            Some((_, names)) => names.push((&row.name).into()),
-            None => tables.push((&row.engine, vec![(&row.name).into()])),
+/// The engines as they are built, those together that have something in common.
+fn alike<'a, K: PartialEq>(
+    study: &'a MomentsStudy,
+    common: impl Fn(&'a MomentsRow) -> Option<K>,
+) -> Vec<(K, Vec<&'a MomentsRow>)> {
+    let mut all: Vec<(K, Vec<&MomentsRow>)> = Vec::new();
+    for row in study.built() {
+        let Some(common) = common(row) else { continue };
+        match all.iter_mut().find(|(of_others, _)| *of_others == common) {
+            Some((_, rows)) => rows.push(row),
+            None => all.push((common, vec![row])),
         }
     }
+    all
+}
+
+fn names(rows: &[&MomentsRow]) -> Text {
+    Text::joined(rows.iter().map(|row| (&row.name).into()), ", ")
+}
+
+/// What the layouts give: one table for engines that are given alike, under their names where there are several tables.
+fn inputs(study: &MomentsStudy) -> Vec<Block> {
+    let tables = alike(study, |row| Some(&row.engine.dimensions().given));
     let are_several = tables.len() > 1;
-    let of_alike = |(engine, names): (&Engine, Vec<Text>)| {
-        let names = are_several.then(|| Block::Paragraph(phrase!("**{}**", Text::joined(names, ", "))));
-        names.into_iter().chain([inputs_table(engine).into()]).collect::<Vec<_>>()
+    let of_alike = |(_, rows): (_, Vec<&MomentsRow>)| {
+        let names = are_several.then(|| Block::Paragraph(phrase!("**{}**", names(&rows))));
+        names.into_iter().chain([inputs_table(&rows[0].engine).into()]).collect::<Vec<_>>()
     };
     tables.into_iter().flat_map(of_alike).collect()
 }
@@ -93,14 +107,9 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
         blocks.push(Block::Paragraph(GUIDES.into()));
         let has_links = study.rows.iter().any(|row| row.engine.has_links());
         blocks.extend(has_links.then(|| Block::Paragraph(LINKED_GUIDES.into())));
-        blocks.push(
-            guides(study, ("H, {}", LAST_COLUMN), |row, order| row.guide(order).map(|moments| moments.rocking)).into(),
-        );
+        blocks.push(guides(study, ("H, {}", LAST_COLUMN), |moments| moments.rocking).into());
         blocks.extend(of_firing(study).map(Block::from));
-        blocks.push(
-            guides(study, ("X, {}", LAST_TWISTING), |row, order| row.guide(order).map(|moments| moments.twisting))
-                .into(),
-        );
+        blocks.push(guides(study, ("X, {}", LAST_TWISTING), |moments| moments.twisting).into());
         if study.rows.iter().any(|row| row.per_kilowatt().is_some()) {
             blocks.push(Block::Paragraph(PER_KILOWATT.into()));
         }
@@ -111,20 +120,9 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
 
 /// Which engines have no guide-force moments, and why: one line a reason, however many it holds for.
 fn without_guides(study: &MomentsStudy) -> impl Iterator<Item = Block> {
-    let mut reasons: Vec<(&str, Vec<Text>)> = Vec::new();
-    for row in study.rows.iter().filter(|row| !row.is_bare) {
-        let Err(why) = &row.guides else { continue };
-        match reasons.iter_mut().find(|(reason, _)| reason == why) {
-            Some((_, names)) => names.push((&row.name).into()),
-            None => reasons.push((why, vec![(&row.name).into()])),
-        }
-    }
-    reasons.into_iter().map(|(why, names)| {
-        Block::Note(phrase!(
-            "Without guide-force moments: {}; {}.",
-            Text::joined(names, ", "),
-            Text::label(why.to_owned())
-        ))
+    let reasons = alike(study, |row| row.guides.as_ref().err());
+    reasons.into_iter().map(|(why, rows)| {
+        Block::Note(phrase!("Without guide-force moments: {}; {}.", names(&rows), Text::label(why.clone())))
     })
 }
 
@@ -151,94 +149,73 @@ fn amount(value: Amplitude, unit: Unit) -> Text {
 /// A row an engine: V and H of each order, those columns that are 0 in all engines omitted but for V.
 fn external(study: &MomentsStudy, unit: Unit, of: fn(&MomentsRow) -> &[External], is_moment: bool) -> Table {
     let sign = if is_moment { "M{}{}, {}" } else { "F{}{}, {}" };
-    let mut columns: Vec<(usize, usize)> = Vec::new();
-    let mut head: Vec<Text> =
-        vec!["Engine".into(), "Cylinders".into(), "Firing".into(), phrase!("Speed, {}", Unit::PER_MINUTE)];
+    let speed = |row: &MomentsRow| row.engine.dimensions().speed.as_ref().map_or_else(Text::default, number::given);
+    let mut table = Table::of(&study.rows)
+        .column("Engine", |row| name(row))
+        .column("Cylinders", |row| engine_cells::cylinders(&row.engine))
+        .column("Firing", |row| firing(row))
+        .column(phrase!("Speed, {}", Unit::PER_MINUTE), |row| speed(row));
     for (place, order) in super::ORDERS.into_iter().enumerate() {
         for (component, letter) in ["V", "H"].into_iter().enumerate() {
-            let is_there =
-                study.rows.iter().any(|row| of(row).get(place).is_some_and(|one| one.components[component].is_some()));
-            if component == 0 || is_there {
-                columns.push((place, component));
-                head.push(phrase!(sign, order, Text::label(letter), unit));
-            }
+            let value = |row: &MomentsRow| of(row).get(place).and_then(|one| one.components[component]);
+            let is_there = component == 0 || study.rows.iter().any(|row| value(row).is_some());
+            let head = phrase!(sign, order, Text::label(letter), unit);
+            table = table.column_if(is_there, head, |row| amount(value(row), unit));
         }
     }
     let per_kilowatt = is_moment && study.rows.iter().any(|row| row.per_kilowatt().is_some());
-    if is_moment {
-        head.push(phrase!("M1 with counterweights, {}", unit));
-    }
-    if per_kilowatt {
-        head.push("M2V over power, N·m/kW".into());
-    }
-    let mut table = Table::new(head);
-    for row in &study.rows {
-        let speed = row.engine.dimensions().speed.as_ref().map_or_else(Text::default, number::given);
-        let mut cells = vec![name(row), engine_cells::cylinders(&row.engine), firing(row), speed];
-        cells.extend(
-            columns
-                .iter()
-                .map(|&(place, component)| amount(of(row).get(place).and_then(|one| one.components[component]), unit)),
-        );
-        if is_moment {
-            cells.push(amount(row.countered, unit));
-        }
-        if per_kilowatt {
+    table
+        .column_if(is_moment, phrase!("M1 with counterweights, {}", unit), |row| amount(row.countered, unit))
+        .column_if(per_kilowatt, "M2V over power, N·m/kW", |row| -> Text {
             let is_zero = row.moments.iter().any(|moment| moment.order == 2 && moment.components[0].is_none());
-            cells.push(match row.per_kilowatt() {
+            match row.per_kilowatt() {
                 Some(_) if is_zero => Text::zero(),
                 Some(value) => Number::Decimal(value).into(),
                 None => "–".into(),
-            });
-        }
-        table.push(cells);
-    }
-    table
+            }
+        })
+        .done()
+}
+
+/// The engines as they are built that have guide-force moments.
+fn with_guides(study: &MomentsStudy) -> impl Iterator<Item = &MomentsRow> {
+    study.built().filter(|row| row.guides.is_ok())
 }
 
 /// H at one, two and three times the firing frequency, where it is largest; none where no engine fires evenly.
 fn of_firing(study: &MomentsStudy) -> Option<Table> {
-    let rows = study.rows.iter().filter(|row| !row.is_bare && row.guides.is_ok());
-    let even: Vec<_> = rows.filter_map(|row| Some((row, order_of_firing(&row.engine)?))).collect();
-    (!even.is_empty()).then(|| {
-        let head = phrase!("H at the firing frequency, {}", Unit::KILONEWTON_METRE);
-        let mut table = Table::new([head, "Order".into(), "1 ×".into(), "2 ×".into(), "3 ×".into()]);
-        for (row, order) in even {
-            let at = |times: u32| match CycleOrder::of_halves(times * order.halves()).and_then(|order| row.guide(order))
-            {
-                None => "–".into(),
-                Some(moments) => amount(moments.rocking, Unit::KILONEWTON_METRE),
-            };
-            table.push([name(row), Text::label(order.to_string())].into_iter().chain([1, 2, 3].map(at)).collect());
-        }
-        table
-    })
+    let unit = Unit::KILONEWTON_METRE;
+    let even: Vec<_> = with_guides(study).filter_map(|row| Some((row, order_of_firing(&row.engine)?))).collect();
+    let is_any = !even.is_empty();
+    let mut table = Table::of(even)
+        .column(phrase!("H at the firing frequency, {}", unit), |(row, _)| name(row))
+        .column("Order", |(_, order)| Text::label(order.to_string()));
+    for (times, head) in [(1, "1 ×"), (2, "2 ×"), (3, "3 ×")] {
+        table = table.column(head, |(row, order)| {
+            let moments = CycleOrder::of_halves(times * order.halves()).and_then(|order| row.guide(order));
+            moments.map_or_else(|| "–".into(), |moments| amount(moments.rocking, unit))
+        });
+    }
+    is_any.then(|| table.done())
 }
 
 /// A row an engine, a column an order that some engine has, up to the last column and this order.
-fn guides(
-    study: &MomentsStudy,
-    (head, last): (&'static str, u32),
-    of: fn(&MomentsRow, CycleOrder) -> Option<Amplitude>,
-) -> Table {
-    let rows = || study.rows.iter().filter(|row| !row.is_bare && row.guides.is_ok());
+fn guides(study: &MomentsStudy, (head, last): (&'static str, u32), of: fn(&GuideMoments) -> Amplitude) -> Table {
+    let rows = || with_guides(study);
     let mut orders: Vec<CycleOrder> =
         rows().flat_map(|row| row.guides.iter().flat_map(|(all, _)| all.iter().map(|one| one.order))).collect();
     orders.sort_unstable();
     orders.dedup();
-    let has_any = |order: CycleOrder| rows().any(|row| of(row, order).flatten().is_some());
+    let has_any = |order: CycleOrder| rows().any(|row| row.guide(order).and_then(of).is_some());
     orders.retain(|order| match order.halves() <= 2 * LAST_COLUMN {
         true => order.is_whole() || has_any(*order),
         false => order.halves() == 2 * last && has_any(*order),
     });
-    let first = phrase!(head, Unit::KILONEWTON_METRE);
-    let mut table = Table::new([first].into_iter().chain(orders.iter().map(|order| Text::label(order.to_string()))));
-    for row in rows() {
-        let cell = |order: &CycleOrder| match of(row, *order) {
-            None => "–".into(),
-            Some(value) => amount(value, Unit::KILONEWTON_METRE),
-        };
-        table.push([name(row)].into_iter().chain(orders.iter().map(cell)).collect());
+    let mut table = Table::of(rows()).column(phrase!(head, Unit::KILONEWTON_METRE), |row| name(row));
+    for order in orders {
+        table = table.column(Text::label(order.to_string()), |row| {
+            row.guide(order).map_or_else(|| "–".into(), |moments| amount(of(moments), Unit::KILONEWTON_METRE))
+        });
     }
-    table
+    table.done()
 }

@@ -126,10 +126,10 @@ pub(super) fn notes(engine: &Engine) -> Vec<String> {
     let short = engine.rods().map(|rod| &rod.ratio).chain(links).any(|given| *given < ratio(LEAST_RATIO));
     let named = |of: (i64, i64)| typeset::number(&ratio(of));
     let (usual, least) = (named(USUAL_RATIO), named(LEAST_RATIO));
-    let unknown = unknown
-        .then(|| format!("Rods that the file does not give are drawn with λ = {usual}; no verdict depends on it."));
-    let short = short
-        .then(|| format!("Rods longer than eight crank radii are drawn with λ = {least}; no verdict depends on it."));
-    let offset = engine.has_offset().then(|| OFFSET.to_owned());
-    unknown.into_iter().chain(short).chain(offset).collect()
+    let notes = [
+        (unknown, format!("Rods that the file does not give are drawn with λ = {usual}; no verdict depends on it.")),
+        (short, format!("Rods longer than eight crank radii are drawn with λ = {least}; no verdict depends on it.")),
+        (engine.has_offset(), OFFSET.to_owned()),
+    ];
+    notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, words)| words).collect()
 }

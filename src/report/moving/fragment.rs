@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use serde::Serialize;
 use tera::{Context, Tera};
 
-use super::scene::{Body, MovingAngle, Scene};
+use super::scene::{Body, Scene};
 use crate::page::{Language, say};
 use crate::text;
 
@@ -25,23 +25,6 @@ static TEMPLATE: LazyLock<Tera> = LazyLock::new(|| {
     tera.add_raw_template("moving", include_str!("../../../templates/html/moving.html")).expect(OURS);
     tera
 });
-
-/// What the template of the fragment places.
-#[derive(Serialize)]
-struct Fragment<'a> {
-    id: String,
-    title: String,
-    seen: &'static str,
-    orders: Vec<u32>,
-    start: usize,
-    quantity: &'static str,
-    has_total: bool,
-    notes: Vec<String>,
-    angle: Option<&'a MovingAngle>,
-    columns: Vec<Column>,
-    json: String,
-    language: &'static str,
-}
 
 /// A cylinder in the row of pistons.
 #[derive(Serialize)]
@@ -63,20 +46,21 @@ fn column(body: &Body) -> Column {
 pub fn moving_fragment(scene: &Scene, id: &str, language: Language) -> String {
     let scene = scene.spoken(language);
     let json = serde_json::to_string(&scene).unwrap_or_default();
-    let fragment = Fragment {
-        id: text::xml(id),
-        title: text::xml(&scene.title),
-        seen: scene.seen,
-        orders: scene.orders.iter().map(|order| order.order).collect(),
-        start: scene.start.0,
-        quantity: scene.start.1,
-        has_total: scene.units.is_some(),
-        notes: scene.notes.iter().map(|note| text::xml(note)).collect(),
-        angle: scene.angle.as_ref(),
-        columns: scene.bodies.iter().map(column).collect(),
-        json: text::json_in_script(&json),
-        language: language.code(),
-    };
-    let context = Context::from_serialize(&fragment).expect(OURS);
+    let orders: Vec<u32> = scene.orders.iter().map(|order| order.order).collect();
+    let notes: Vec<String> = scene.notes.iter().map(|note| text::xml(note)).collect();
+    let columns: Vec<Column> = scene.bodies.iter().map(column).collect();
+    let mut context = Context::new();
+    context.insert("id", &text::xml(id));
+    context.insert("title", &text::xml(&scene.title));
+    context.insert("seen", scene.seen);
+    context.insert("orders", &orders);
+    context.insert("start", &scene.start.0);
+    context.insert("quantity", scene.start.1);
+    context.insert("has_total", &scene.units.is_some());
+    context.insert("notes", &notes);
+    context.insert("angle", &scene.angle);
+    context.insert("columns", &columns);
+    context.insert("json", &text::json_in_script(&json));
+    context.insert("language", language.code());
     TEMPLATE.render("moving", &context).expect(OURS)
 }

@@ -8,7 +8,7 @@ use super::super::engine_page::Weighing;
 use super::super::typeset;
 use super::scene;
 use super::scene::Scene;
-use crate::engine::{DELTA, Engine, Family, PHI};
+use crate::engine::{DELTA, Family, PHI};
 use crate::family;
 use crate::order::Masses;
 use crate::proof::Quantity;
@@ -29,17 +29,15 @@ pub fn open_scenes(family: &Family, orders: &[u32]) -> Vec<Scene> {
 /// The scene in which this angle moves.
 fn one(family: &Family, orders: &[u32], moving: &str) -> Option<Scene> {
     let values = drawn(family);
-    let (angles, lengths): (Values, Values) = values.into_iter().partition(|(name, _)| is_angle(name));
+    let (angles, lengths): (Values, Values) =
+        values.into_iter().partition(|(name, _)| [PHI, DELTA].contains(&name.as_str()));
     let fixed: Values =
         angles.iter().filter(|(name, _)| *name != moving).map(|(name, v)| (name.clone(), v.clone())).collect();
     let along = family.with(&fixed).ok()?;
     let all: Values = angles.into_iter().chain(lengths.clone()).collect();
     let engine = family.with(&all).ok()?.only()?.ok()?;
-    let judged = judge(&engine, orders)?;
-    let open = match family::comparable(&along) {
-        Ok(()) => family::classify(&along, orders).ok(),
-        Err(_) => None,
-    };
+    let judged = Judgement::of(&engine, orders, Masses::Reciprocating, &Quantity::PLANAR).ok()?;
+    let open = family::comparable(&along).ok().and_then(|()| family::classify(&along, orders).ok());
     let open = open.as_ref().map(|open| (&along, open.as_slice()));
     let mut made = scene(&engine, &judged, open, Weighing::usual());
     made.notes.splice(0..0, held(&fixed).into_iter().chain(lengths_drawn(&lengths)));
@@ -66,14 +64,10 @@ fn lengths_drawn(lengths: &Values) -> Option<String> {
 /// Unknowns by name with their values: angles in turns.
 type Values = BTreeMap<String, BigRational>;
 
-fn is_angle(name: &str) -> bool {
-    [PHI, DELTA].contains(&name)
-}
-
 /// A value for the drawing of every unknown.
 fn drawn(family: &Family) -> Values {
     let mut parts = 0;
-    let value = |name: &str| match name {
+    let mut value = |name: &str| match name {
         PHI => BigRational::new(1.into(), 4.into()),
         DELTA => BigRational::default(),
         _ => {
@@ -81,11 +75,5 @@ fn drawn(family: &Family) -> Values {
             BigRational::new(1.into(), parts.into())
         }
     };
-    let names: Vec<&str> = family.unknowns().into_iter().collect();
-    let values: Vec<BigRational> = names.iter().copied().map(value).collect();
-    names.into_iter().map(str::to_owned).zip(values).collect()
-}
-
-fn judge(engine: &Engine, orders: &[u32]) -> Option<Judgement> {
-    Judgement::of(engine, orders, Masses::Reciprocating, &Quantity::PLANAR).ok()
+    family.unknowns().into_iter().map(|name| (name.to_owned(), value(name))).collect()
 }

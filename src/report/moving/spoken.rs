@@ -1,6 +1,6 @@
 //! How does a scene read in another language? All its finished words as the list of the language has them.
 
-use super::scene::{Mark, MovingAngle, MovingOrder, MovingQuantity, MovingSense, Ray, Scene, Words, Zeros};
+use super::scene::{Mark, MovingQuantity, MovingSense, Ray, Scene, Words, Zeros};
 use crate::page::Language;
 
 impl Scene {
@@ -10,9 +10,11 @@ impl Scene {
         if language == Language::En {
             return scene;
         }
-        scene.orders.iter_mut().for_each(|order| order.speak(language));
+        let quantities = scene.orders.iter_mut().flat_map(|order| [&mut order.force, &mut order.moment]);
+        quantities.for_each(|quantity| quantity.speak(language));
         if let Some(angle) = &mut scene.angle {
-            angle.speak(language);
+            angle.name = language.fixed(angle.name);
+            angle.start.speak(language);
         }
         scene.notes.iter_mut().for_each(|note| label(note, language));
         scene.words.speak(language);
@@ -22,13 +24,6 @@ impl Scene {
 
 fn label(text: &mut String, language: Language) {
     *text = language.label(text).into_owned();
-}
-
-impl MovingOrder {
-    fn speak(&mut self, language: Language) {
-        self.force.speak(language);
-        self.moment.speak(language);
-    }
 }
 
 impl MovingQuantity {
@@ -45,13 +40,6 @@ impl MovingSense {
         label(&mut self.words, language);
         self.rays.iter_mut().for_each(|ray: &mut Ray| label(&mut ray.label, language));
         self.zeros.iter_mut().for_each(|zeros: &mut Zeros| label(&mut zeros.words, language));
-    }
-}
-
-impl MovingAngle {
-    fn speak(&mut self, language: Language) {
-        self.name = language.fixed(self.name);
-        self.start.speak(language);
     }
 }
 

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::super::engine_page::Weighed;
-use super::super::star::{self, Star, WholeStars};
+use super::super::star::{self, Star, WholeStars, short_names};
 use super::super::{residual, typeset};
 use super::open_angle::{OpenAngle, decimal};
 use super::scene::{MovingOrder, MovingQuantity, MovingSense, Ray, ZERO};
@@ -53,8 +53,8 @@ fn of_one_sum(
         order: part.order,
         coefficient: weighed.and_then(|weighed| coefficient(part, weighed)),
         exists: part.exists,
-        force: quantity(Planar::Force, residual::force_summary(part)),
-        moment: quantity(Planar::Moment, residual::moment_summary(part)),
+        force: quantity(Planar::Force, residual::force(part).plain()),
+        moment: quantity(Planar::Moment, residual::moment(part).plain()),
     }
 }
 
@@ -88,7 +88,7 @@ fn of_whole(engine: &Engine, order: &OrderVerdict, whole: &WholeStars, weighed: 
 fn of_drawn(engine: &Engine, ray: &star::Ray) -> Ray {
     let [_, degrees] = polar(ray.direction);
     Ray {
-        label: ray.name.clone().unwrap_or_else(|| label(engine, ray.members.iter().map(|(source, _)| *source))),
+        label: ray.name.clone().unwrap_or_else(|| short_names(engine, ray.members.iter().map(|(source, _)| *source))),
         degrees,
         turns: 0.0,
         lengths: ray.members.iter().map(|(_, length)| in_places(2.0 * length)).collect(),
@@ -168,7 +168,7 @@ fn rays(engine: &Engine, verdict: &Verdict, open: Option<&OpenAngle>) -> Vec<Ray
     }
     let labelled = together.len() <= MOST_LABELS;
     let label = |members: &[(Source, BigRational)]| match labelled {
-        true => label(engine, members.iter().map(|(source, _)| *source)),
+        true => short_names(engine, members.iter().map(|(source, _)| *source)),
         false => String::new(),
     };
     let ray = |((angle, turns), members): ((Turn, BigRational), Vec<(Source, BigRational)>)| Ray {
@@ -200,15 +200,3 @@ fn reach(rays: &[Ray], length: f64, open: Option<&OpenAngle>) -> f64 {
 
 /// More rays than this are drawn without labels.
 const MOST_LABELS: usize = 36;
-/// More masses that turn than this have no room beside a vector.
-const MOST_LABELLED: usize = 2;
-
-/// `1, 4–7`, `1, rod 1`, `1–4, +6`.
-fn label(engine: &Engine, sources: impl Iterator<Item = Source>) -> String {
-    let (pistons, others): (Vec<Source>, Vec<Source>) = sources.partition(|source| source.piston().is_some());
-    let labels = |sources: &[Source]| -> Vec<String> { sources.iter().map(|source| source.label(engine)).collect() };
-    let pistons = labels(&pistons);
-    let pistons = typeset::names(&pistons.iter().map(String::as_str).collect::<Vec<_>>());
-    let others = if others.len() > MOST_LABELLED { vec![format!("+{}", others.len())] } else { labels(&others) };
-    typeset::listed((!pistons.is_empty()).then_some(pistons).into_iter().chain(others))
-}

@@ -20,9 +20,8 @@ const PARTS: [u32; 7] = [0, 20, 35, 50, 65, 80, 100];
 pub(super) fn blocks(remedy: &Remedy) -> Vec<Block> {
     let Some(partial) = partial(remedy) else { return Vec::new() };
     let scale = loads::scale(remedy.subject.engine());
-    let picture = picture(remedy).map(Block::from);
-    let words = Block::Paragraph(words(&partial, scale.as_ref()));
-    [words].into_iter().chain(picture).chain([Block::from(table(&partial, scale.as_ref()))]).collect()
+    let scale = scale.as_ref();
+    vec![Block::Paragraph(words(&partial, scale)), picture(&partial, scale).into(), table(&partial, scale).into()]
 }
 
 fn words(partial: &Partial, scale: Option<&Scale>) -> Text {
@@ -73,10 +72,9 @@ fn table(partial: &Partial, scale: Option<&Scale>) -> Table {
 }
 
 /// The largest and the smallest first-order force in a revolution over the balanced part.
-fn picture(remedy: &Remedy) -> Option<Picture> {
-    let curve = partial(remedy)?.curve(STEPS);
-    let scale = loads::scale(remedy.subject.engine());
-    let factor = scale.as_ref().map_or(1.0, Scale::force);
+fn picture(partial: &Partial, scale: Option<&Scale>) -> Picture {
+    let curve = partial.curve(STEPS);
+    let factor = scale.map_or(1.0, Scale::force);
     let points = |axis: fn(&Ellipse) -> f64| -> Vec<(f64, f64)> {
         curve.iter().map(|(part, ellipse)| (float(part), axis(ellipse) * factor)).collect()
     };
@@ -89,7 +87,7 @@ fn picture(remedy: &Remedy) -> Option<Picture> {
     plot.curves.push(Curve::new(0, "largest in a revolution", points(|ellipse| ellipse.peak_decimal)));
     plot.curves.push(Curve::new(1, "smallest in a revolution", points(|ellipse| ellipse.least_decimal)));
     let caption = "The largest and the smallest first-order force in a revolution over the part f of the reciprocating masses that counterweights balance. Where both are equal the force turns without changing its size; where the smallest is 0 it swings along a line.";
-    Some(Picture { name: "partial-balance".into(), caption: caption.into(), figure: plot.figure() })
+    Picture { name: "partial-balance".into(), caption: caption.into(), figure: plot.figure() }
 }
 
 /// The partial balance, where the first order is asked for and counterweights change it but leave a reverse vector, or

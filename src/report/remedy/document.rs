@@ -23,20 +23,25 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
         for quantity in Planar::BOTH {
             for sense in Sense::BOTH {
                 let about = (quantity, order, sense);
+                let claim = |coefficient, terms, certificate| CorrectedClaim {
+                    quantity: quantity.into(),
+                    order,
+                    sense,
+                    coefficient,
+                    terms,
+                    certificate,
+                };
                 let judged = remedy.corrected.iter().filter(|one| (one.quantity, one.order, one.sense) == about);
-                let judged = judged.filter(|one| !one.sum.collected().is_empty());
-                let claims: Vec<CorrectedClaim> = judged
-                    .map(|judged| CorrectedClaim {
-                        quantity: quantity.into(),
-                        order,
-                        sense,
-                        coefficient: coefficient_claim(&judged.factor),
-                        terms: vectors(&judged.sum.collected()),
-                        certificate: judged.certificate.clone(),
-                    })
+                let judged = judged.map(|one| (one, one.sum.collected())).filter(|(_, terms)| !terms.is_empty());
+                let mut claims: Vec<CorrectedClaim> = judged
+                    .map(|(one, terms)| claim(coefficient_claim(&one.factor), vectors(&terms), one.certificate.clone()))
                     .collect();
-                let nothing = claims.is_empty().then(|| no_term(quantity, order, sense));
-                sums.extend(claims.into_iter().chain(nothing));
+                if claims.is_empty() {
+                    // The sum that has no term at this order.
+                    let nothing = Certificate::Polygons { polygons: Vec::new() };
+                    claims.push(claim(Coefficient::One, Vec::new(), nothing));
+                }
+                sums.extend(claims);
             }
         }
     }
@@ -55,19 +60,6 @@ pub fn remedy_document(remedy: &Remedy) -> RemedyDocument {
 /// What the layout lacks for its masses to be compared.
 pub fn remedy_engine(engine: &Engine) -> Result<RemedyDocument, Missing> {
     Ok(engine_of(&ComparableEngine::new(engine)?))
-}
-
-/// The sum of a quantity that has no term at this order.
-fn no_term(quantity: Planar, order: u32, sense: Sense) -> CorrectedClaim {
-    let certificate = Certificate::Polygons { polygons: Vec::new() };
-    CorrectedClaim {
-        quantity: quantity.into(),
-        order,
-        sense,
-        coefficient: Coefficient::One,
-        terms: Vec::new(),
-        certificate,
-    }
 }
 
 fn engine_of(subject: &ComparableEngine) -> RemedyDocument {

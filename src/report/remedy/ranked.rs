@@ -2,12 +2,13 @@
 
 use num_traits::ToPrimitive;
 
+use super::super::calculation::Unit as Counted;
 use crate::engine::Engine;
-use crate::loads::{Scale, scale};
+use crate::loads::scale;
 use crate::numbers;
 use crate::page::{Block, Piece, Table, Text, Unit, number, phrase};
-use crate::proof::Sense;
-use crate::remedy::{Cure, Kind, PairRoll, Remedy, Shaft, cures};
+use crate::proof::{Quantity, Sense};
+use crate::remedy::{Cure, Kind, PairHeight, PairRoll, Remedy, Shaft, cures};
 
 const RANKED: &str = "Each cure by itself, beside the weights of the layout, forces before couples; first those that remove most of the peak for each balancer shaft, then for each weight. One shaft at best removes the longer of the two vectors of an order; the residual has the length of the \
     other and turns the other way: of a force that swings along a line one shaft removes half, never more.";
@@ -45,19 +46,11 @@ fn name(engine: &Engine, cure: &Cure) -> Text {
 
 fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
     let engine = remedy.subject.engine();
-    let newtons = scale(engine).as_ref().map(Scale::force);
+    let scale = scale(engine);
     let amount = |cure: &Cure, value: f64| -> Text {
-        match (cure.kind == Kind::Force, newtons) {
-            (true, Some(newtons)) => Piece::Quantity(value * newtons, Unit::NEWTON).into(),
-            (true, None) => Piece::Quantity(value, Unit::MULTIPLE).into(),
-            (false, Some(newtons)) => {
-                let unit = crate::loads::unit(engine, scale(engine).as_ref(), crate::proof::Quantity::MOMENT);
-                Piece::Quantity(value * newtons, unit).into()
-            }
-            (false, None) => {
-                Piece::Quantity(value, crate::loads::unit(engine, None, crate::proof::Quantity::MOMENT)).into()
-            }
-        }
+        let quantity = if cure.kind == Kind::Force { Quantity::FORCE } else { Quantity::MOMENT };
+        let Counted { unit, factor } = Counted::at(engine, scale.as_ref(), quantity);
+        Piece::Quantity(value * factor, unit).into()
     };
     let weight = |cure: &Cure| -> Text {
         match (cure.kind == Kind::Force, remedy.cure_mass_radius(cure)) {
@@ -71,7 +64,7 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
         let mass = remedy.cure_mass(cure);
         mass.map_or_else(|| "–".into(), |mass| amount(cure, cure.removes() / mass))
     };
-    let table = Table::of(all)
+    Table::of(all)
         .column("Order", |cure| cure.order)
         .column("Cancels", |cure| if cure.kind == Kind::Force { "force" } else { "couple" })
         .column("Cure", |cure| name(engine, cure))
@@ -87,12 +80,10 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
             0.0 => Text::zero(),
             left => amount(cure, left),
         })
-        .column("Removed per shaft", |cure| cure.per_shaft().map_or_else(|| "–".into(), |value| amount(cure, value)));
-    // A mass is told where the layout or the user says at which radius.
-    match &remedy.radius {
-        None => table.done(),
-        Some(_) => table.column("Removed per kilogram", per_kilogram).done(),
-    }
+        .column("Removed per shaft", |cure| cure.per_shaft().map_or_else(|| "–".into(), |value| amount(cure, value)))
+        // A mass is told where the layout or the user says at which radius.
+        .column_if(remedy.radius.is_some(), "Removed per kilogram", per_kilogram)
+        .done()
 }
 
 /// With which force each shaft rolls the engine, times the distance of its axis; of a pair its heights are told. Nothing without a speed, and
@@ -127,7 +118,7 @@ fn pairs(remedy: &Remedy) -> Vec<Text> {
 /// Where they stand best over the speeds that are asked for, the moment of each counted alike.
 pub(super) fn over_speeds(remedy: &Remedy) -> Vec<Text> {
     let speeds: Vec<f64> = remedy.speeds.iter().map(numbers::float).collect();
-    let place = |height: &crate::remedy::PairHeight| {
+    let place = |height: &PairHeight| {
         let roll = PairRoll::new(remedy.subject.engine(), height.order)?;
         let [up, sideways] = roll.best_place(&speeds)?;
         let millimetres = |value: f64| Piece::Quantity(without_rounding(value, up) * 1e3, Unit::MILLIMETRE);
@@ -164,7 +155,7 @@ fn at_its_speed(remedy: &Remedy) -> Vec<Text> {
     let engine = remedy.subject.engine();
     let speed = engine.dimensions().speed.as_ref().and_then(ToPrimitive::to_f64).filter(|speed| *speed > 0.0);
     let Some(speed) = speed.filter(|_| engine.gas().is_some()) else { return Vec::new() };
-    let place = |height: &crate::remedy::PairHeight| {
+    let place = |height: &PairHeight| {
         let roll = PairRoll::new(engine, height.order)?;
         let metres = height.metres?;
         let [up, sideways] = roll.place(speed);

@@ -23,27 +23,11 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
         LengthUnit::Metre => phrase!("Position z in {}", Unit::MILLIMETRE),
         LengthUnit::Spacing => "Position z".into(),
     };
-    let size_of = match in_numbers {
-        true => ["Mass × radius", "In multiples"].as_slice(),
-        false => ["Mass × radius"].as_slice(),
-    };
-    let before = ["Weight".into(), "Turns".into(), position].into_iter();
-    let sizes = size_of.iter().copied().map(Text::from);
-    let radius = remedy.radius.as_ref().map(|radius| {
-        let millimetres = radius * BigRational::from_integer(1000.into());
-        phrase!("Mass at {}", given_with(&millimetres, Unit::MILLIMETRE))
-    });
-    let mut table = Table::new(before.chain(sizes).chain(radius).chain(["Angle at θ = 0".into()]));
-    let mut told: Vec<Weight> = Vec::new();
+    let mut rows: Vec<(Text, Weight)> = Vec::new();
     let mut add = |name: Text, weight: &Weight| {
         // Several parts of a remedy resize a weight together.
-        let Some(weight) = remedy.as_built(weight).filter(|weight| !told.contains(weight)) else { return };
-        told.push(weight.clone());
-        let weight = &weight;
-        let before = [name, turns(weight), position_of(remedy.subject.engine(), weight)].into_iter();
-        let sizes = in_numbers.then(|| in_short(remedy, weight)).into_iter().chain([size(remedy, weight)]);
-        let mass = remedy.mass(weight).map(|mass| Piece::Quantity(mass, Unit::KILOGRAM).into());
-        table.push(before.chain(sizes).chain(mass).chain([direction(remedy, weight)]).collect());
+        let weight = remedy.as_built(weight).filter(|weight| rows.iter().all(|(_, told)| told != weight));
+        rows.extend(weight.map(|weight| (name, weight)));
     };
     remedy.bays.iter().for_each(|weight| add("counterweight by balance factor".into(), weight));
     let on_the_crankshaft = remedy.crankshaft.iter().flat_map(|shaft| &shaft.weights);
@@ -51,7 +35,19 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
     for (index, shaft) in remedy.shafts.iter().enumerate() {
         shaft.weights.iter().for_each(|weight| add(phrase!("shaft {}", index + 1), weight));
     }
-    (!table.rows.is_empty()).then_some(table)
+    let is_any = !rows.is_empty();
+    let mut table = Table::of(rows)
+        .column("Weight", |(name, _)| name.clone())
+        .column("Turns", |(_, weight)| turns(weight))
+        .column(position, |(_, weight)| position_of(remedy.subject.engine(), weight))
+        .column_if(in_numbers, "Mass × radius", |(_, weight)| in_short(remedy, weight))
+        .column(if in_numbers { "In multiples" } else { "Mass × radius" }, |(_, weight)| size(remedy, weight));
+    if let Some(radius) = &remedy.radius {
+        let radius = given_with(&(radius * BigRational::from_integer(1000.into())), Unit::MILLIMETRE);
+        let mass = |weight: &Weight| Some(Piece::Quantity(remedy.mass(weight)?, Unit::KILOGRAM).into());
+        table = table.column(phrase!("Mass at {}", radius), |(_, weight)| -> Text { mass(weight).unwrap_or_default() });
+    }
+    is_any.then(|| table.column("Angle at θ = 0", |(_, weight)| direction(remedy, weight)).done())
 }
 
 fn turns(weight: &Weight) -> Text {
@@ -113,12 +109,12 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
         (Some((factor, sum)), _) => {
             let amount = amount(residual::modulus_of(sum).decimal);
             let (own, order) = factor.own(weight.order);
+            let times = |letter: char| {
+                phrase!("{} {}", amount.clone(), Text::formula(format!("m\\,r\\,\\lvert {letter}_{{{order}}}\\rvert")))
+            };
             match own {
                 Factor::One => phrase!("{} $m\\,r$", amount),
-                Factor::Linkage(_) => {
-                    let unit = Text::formula(format!("m\\,r\\,\\lvert g_{{{}}}\\rvert", order));
-                    phrase!("{} {}", amount, unit)
-                }
+                Factor::Linkage(_) => times('g'),
                 Factor::Quadrature(_) => phrase!("{} $m\\,r\\,\\lvert \\mathrm{Im}\\, c_1 \\rvert$", amount),
                 Factor::Corrected(..) => match weight.decimals(&remedy.subject) {
                     Some([size, _]) => phrase!("{} $m\\,r$", Number::Decimal(size)),
@@ -130,10 +126,7 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
                 | Factor::OnPin(..)
                 | Factor::Open
                 | Factor::OpenTorque
-                | Factor::Geared(..) => {
-                    let unit = Text::formula(format!("m\\,r\\,\\lvert c_{{{}}}\\rvert", order));
-                    phrase!("{} {}", amount, unit)
-                }
+                | Factor::Geared(..) => times('c'),
             }
         }
         (None, Some([size, _])) => phrase!("{} $m\\,r$", amount(size)),

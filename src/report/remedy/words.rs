@@ -82,21 +82,17 @@ fn resized(remedy: &Remedy) -> Vec<Text> {
 
 /// Which shafts may be counterweights on a crankshaft that turns as they do, where crankshafts turn at different speeds.
 fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
-    let mut lines = Vec::new();
-    let mut others = 0;
-    for shaft in &remedy.shafts {
-        let Some(crank) = remedy.crank_of(shaft) else {
-            others += 1;
-            continue;
-        };
-        lines.push(phrase!(
+    let on_crank = remedy.shafts.iter().filter_map(|shaft| Some((shaft, remedy.crank_of(shaft)?)));
+    let said = on_crank.map(|(shaft, crank)| {
+        phrase!(
             "The weight at {}× {with|against} the crank may sit on crankshaft {}, which turns at this speed, at the same position and angle; no extra shaft is needed. Force and moment do not depend on where its axis is, the roll moment does.",
             shaft.order,
             shaft.sense,
             crank.name.clone()
-        ));
-    }
-    if others > 0 {
+        )
+    });
+    let mut lines: Vec<Text> = said.collect();
+    if lines.len() < remedy.shafts.len() {
         lines.push(phrase!(
             "Counterweights cannot replace {these|the other} shafts: they act only on the first order of their own crankshaft, in the sense in which it turns.",
             lines.is_empty()
@@ -269,14 +265,16 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
     let engine = remedy.subject.engine();
     let mut lines = Vec::new();
     if engine.crankshaft().counterweights.iter().any(|weight| weight.throw.is_some()) {
-        let factors = engine.balance_factors();
-        let factors = factors.iter().map(|factor| match factor {
-            Some(factor) => Piece::Shortly(factor.clone(), Unit::NONE).into(),
-            None => "none".into(),
-        });
+        let listed = |factors: &[Option<BigRational>]| {
+            let one = |factor: &Option<BigRational>| match factor {
+                Some(factor) => Piece::Shortly(factor.clone(), Unit::NONE).into(),
+                None => "none".into(),
+            };
+            Text::joined(factors.iter().map(one), ", ")
+        };
         lines.push(phrase!(
             "Balance factors of the throws, of rotating and half the reciprocating masses, of the counterweights in the layout file: {}.",
-            Text::joined(factors, ", ")
+            listed(&engine.balance_factors())
         ));
         let parts = engine.reciprocating_factors();
         let words = match parts.iter().flatten().any(Signed::is_negative) {
@@ -287,11 +285,7 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
                 "By the other convention, with all rotating masses of a throw counted first, these parts of the reciprocating masses of each throw: {}. A negative part means that the counterweights balance not even the rotating masses."
             }
         };
-        let parts = parts.into_iter().map(|part| match part {
-            Some(part) => Piece::Shortly(part, Unit::NONE).into(),
-            None => "none".into(),
-        });
-        lines.push(phrase!(words, Text::joined(parts, ", ")));
+        lines.push(phrase!(words, listed(&parts)));
     }
     let kilograms = |mass: f64| Piece::Quantity(mass, Unit::KILOGRAM);
     if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {

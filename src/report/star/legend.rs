@@ -9,7 +9,7 @@ use crate::engine::Engine;
 use crate::order::Source;
 use crate::page::{Text, phrase};
 use crate::proof::Quantity;
-use crate::verdict::{JudgedStar, OrderBalance, Verdict};
+use crate::verdict::{JudgedStar, OrderBalance};
 
 /// What is below the stars of an order.
 pub(in crate::report) fn star_legend(engine: &Engine, order: &OrderBalance) -> Text {
@@ -22,17 +22,8 @@ pub(in crate::report) fn star_legend(engine: &Engine, order: &OrderBalance) -> T
     legend(&drawn.collect::<Vec<_>>())
 }
 
-/// What is below the stars of the inertia torque.
-pub(in crate::report) fn torque_legend(engine: &Engine, verdicts: &[&Verdict]) -> Text {
-    of_one_scale(engine, &verdicts.iter().map(|verdict| JudgedStar::from(*verdict)).collect::<Vec<_>>())
-}
-
-/// What is below firing stars.
-pub(in crate::report) fn firing_legend(engine: &Engine, stars: &[JudgedStar<'_>]) -> Text {
-    of_one_scale(engine, stars)
-}
-
-fn of_one_scale(engine: &Engine, judged: &[JudgedStar<'_>]) -> Text {
+/// What is below stars that are drawn to one scale: those of the inertia torque, and firing stars.
+pub(in crate::report) fn legend_of_one_scale(engine: &Engine, judged: &[JudgedStar<'_>]) -> Text {
     let stars: Vec<Star> = judged.iter().map(|judged| Star::new(*judged)).collect();
     let Some(first) = judged.first() else { return Text::default() };
     let scale = Scale::of(&stars, first.quantity, engine);

@@ -9,8 +9,8 @@ mod sheet;
 mod small;
 mod whole;
 
-pub(super) use legend::{firing_legend, star_legend, torque_legend};
-pub(super) use names::{shortened, source_names};
+pub(super) use legend::{legend_of_one_scale, star_legend};
+pub(super) use names::{short_names, shortened, source_names};
 pub(super) use panel::Panel;
 pub(super) use sheet::{Sheet, firing_figure, sized_star_figure};
 pub use sheet::{star_figure, torque_figure};

@@ -31,6 +31,14 @@ fn listed(
     typeset::listed((!cylinders.is_empty()).then_some(cylinders).into_iter().chain(turning(&others)))
 }
 
+/// The same in little room: `1, 4–7`, `1, rod 1`, `1–4, +6`.
+pub(in crate::report) fn short_names(engine: &Engine, sources: impl Iterator<Item = Source>) -> String {
+    listed(engine, sources, |others| match others.len() {
+        0..=MOST_LABELLED => others.iter().map(|source| source.label(engine)).collect(),
+        many => vec![format!("+{many}")],
+    })
+}
+
 impl Ray {
     /// Whether its masses that turn are counted, for there are too many to be named.
     pub fn counts_turning(&self) -> bool {
@@ -44,12 +52,8 @@ impl Ray {
 
     /// The same in little room, broken into lines in several ways, the widest first: `1, 5, rod 1`, `1, 5, +6 (8 ×)`.
     pub fn labels(&self, engine: &Engine, counts: &[usize], letters: f64) -> Vec<Vec<String>> {
-        let names = self.name.clone().unwrap_or_else(|| {
-            listed(engine, self.members.iter().map(|(source, _)| *source), |others| match others.len() {
-                0..=MOST_LABELLED => others.iter().map(|source| source.label(engine)).collect(),
-                many => vec![format!("+{many}")],
-            })
-        });
+        let members = self.members.iter().map(|(source, _)| *source);
+        let names = self.name.clone().unwrap_or_else(|| short_names(engine, members));
         let counts: Vec<String> = counts.iter().filter(|count| **count > 1).map(|count| format!("{count} ×")).collect();
         let counted = (!counts.is_empty()).then(|| format!("({})", counts.join(" + ")));
         let words = names.split(' ').filter(|word| !word.is_empty()).map(|word| cut(word, LONGEST_WORD, letters));

@@ -127,7 +127,10 @@ fn draw(figure: &mut Figure, engine: &Engine, star: &Star, scale: f64) {
         labels.avoid_resultant(&draw_resultant(figure, upright(resultant) * scale, OUTLINE));
     }
     if star.rays.len() <= MOST_LABELS {
-        let named = |ray| label_of(engine, ray, scale);
+        let named = |ray: &Ray| {
+            let counts: Vec<usize> = ray.arrows(scale).into_iter().map(|(_, count)| count).collect();
+            ray.labels(engine, &counts, LETTERS)
+        };
         let named: Vec<(&Ray, Vec<Vec<String>>)> = star.rays.iter().map(|ray| (ray, named(ray))).collect();
         // The names of short vectors are on a circle that has room for all.
         let room = named
@@ -152,12 +155,6 @@ fn has_both_halves(star: &Star) -> bool {
 /// Whether a drawing tells two lengths apart.
 fn alike(one: f64, other: f64) -> bool {
     (one - other).abs() <= SAME * one.max(other)
-}
-
-/// The label of a ray, broken into lines in several ways.
-fn label_of(engine: &Engine, ray: &Ray, scale: f64) -> Vec<Vec<String>> {
-    let counts: Vec<usize> = ray.arrows(scale).into_iter().map(|(_, count)| count).collect();
-    ray.labels(engine, &counts, LETTERS)
 }
 
 impl Ray {

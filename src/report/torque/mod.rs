@@ -1,41 +1,36 @@
-//! Which torque does the engine give, as a person reads it? The answer, plots, tables, what is assumed.
+//! Which torque of gas and inertia does an engine give through its cycle? The answer, plots, tables, what is assumed.
 
 mod data;
 mod page;
 mod plots;
 mod settings;
-mod study;
 mod tables;
 mod words;
 
 pub(super) use page::{LINKED_GUIDES, has_assumed, torque_section};
-pub use page::{torque_answer, torque_page};
-pub use study::TorqueStudy;
 pub(super) use words::{angle, assumptions, double_acting, misfire, names, opposed, quantity, warning};
 
-use super::question::Question;
-use crate::page::Document;
-use crate::table::Table;
-use crate::text::Untrusted;
+use super::question::question_of_its_room;
+use crate::engine::Engine;
+use crate::loads::Missing;
+use crate::torque::{EngineTorque, torque};
 
-impl Question for TorqueStudy {
-    fn command(&self) -> &'static str {
-        "torque"
-    }
+/// The torque of an engine.
+pub struct TorqueStudy {
+    /// The engine.
+    pub engine: Engine,
+    /// Its torque.
+    pub torque: EngineTorque,
+}
 
-    fn title(&self) -> Option<&Untrusted> {
-        Some(self.engine.title())
-    }
-
-    fn table(&self, name: &str) -> Option<Table> {
-        data::table(self, name)
-    }
-
-    fn answer(&self) -> Document {
-        torque_answer(&self.engine, &self.torque)
-    }
-
-    fn page(&self) -> Document {
-        torque_page(&self.engine, &self.torque)
+impl TorqueStudy {
+    /// The torque of gas and inertia.
+    ///
+    /// # Errors
+    /// What the layout lacks.
+    pub fn new(engine: &Engine) -> Result<Self, Missing> {
+        Ok(TorqueStudy { engine: engine.clone(), torque: torque(engine)? })
     }
 }
+
+question_of_its_room!(TorqueStudy, "torque", |study| Some(study.engine.title()));

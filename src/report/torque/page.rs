@@ -1,9 +1,9 @@
 //! What is on the page of the torque, and on the terminal?
 
-use super::{plots, settings, tables, words};
+use super::{TorqueStudy, plots, settings, tables, words};
 use crate::engine::Engine;
 use crate::page::{Block, Document, Fold, phrase};
-use crate::torque::{EngineTorque, guide_moments};
+use crate::torque::guide_moments;
 
 const ORDERS: &str = "Order κ of the torque is the harmonic of one cylinder times the firing star $S_\\kappa = \\sum_j e^{-i\\kappa\\varphi_j}$, $\\varphi_j$ the crank angle at which cylinder j fires: where the star is 0, exactly, the order vanishes for every pressure common to all cylinders. At whole orders gas and inertia add as vectors; half orders are of the gas only. Zero to peak.";
 
@@ -22,7 +22,7 @@ const FLYWHEEL: &str = "At a constant load $J = \\Delta W / (\\delta\\,\\omega^2
 const FOUND: &str = "The gas acts with $F_g = (p - p_c)\\,A$ on the piston and turns the crank with $T = -F_g\\,s'$, s the piston's displacement outward, the prime $d/d\\psi$; the mass m adds $-m\\,s'\\,s''\\,\\omega^2$. Mean and orders are integrals over the smooth pieces of the pressure, each by itself; largest, smallest and the work of the flywheel are taken from the torque itself, not from its series. A harmonic is at most $2\\,\\mathrm{Var}(T')/(\\Psi\\kappa^2)$, Ψ the cycle.";
 
 /// The short answer.
-pub fn torque_answer(engine: &Engine, torque: &EngineTorque) -> Document {
+pub(super) fn answer(TorqueStudy { engine, torque }: &TorqueStudy) -> Document {
     let mut answer = Document::new("torque", engine.title());
     answer.blocks.extend(words::answer(engine, torque).into_iter().map(Block::Paragraph));
     answer.push(tables::orders(torque));
@@ -61,7 +61,7 @@ pub(in crate::report) fn torque_section(engine: &Engine) -> Vec<Block> {
 }
 
 /// The page, with its pictures.
-pub fn torque_page(engine: &Engine, torque: &EngineTorque) -> Document {
+pub(super) fn page(TorqueStudy { engine, torque }: &TorqueStudy) -> Document {
     let mut page = Document::new("torque", phrase!("{}: torque", engine.title()));
     let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
     page.push(Block::Answer(words::answer(engine, torque)));

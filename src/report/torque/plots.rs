@@ -46,7 +46,6 @@ pub(super) fn pressure(engine: &Engine, torque: &EngineTorque) -> [Picture; 2] {
         let names: Vec<&str> = class.cylinders.iter().map(|&index| engine.cylinders()[index].name.as_str()).collect();
         if torque.classes.len() == 1 { String::new() } else { names.join(", ") }
     };
-    let drawn = || torque.classes.iter().take(MOST_CURVES).enumerate();
     let half = torque.course.period() / 2.0;
     let last = half.to_degrees().round();
     let steps = (torque.course.period() / TAU * STEPS as f64).round() as usize;
@@ -62,25 +61,21 @@ pub(super) fn pressure(engine: &Engine, torque: &EngineTorque) -> [Picture; 2] {
         Axis::amplitude("Volume in {}").counted_in(Unit::CUBIC_CENTIMETRE),
         Axis::amplitude("Pressure in {}").counted_in(Unit::BAR),
     );
-    for (index, class) in drawn() {
-        let bar = |psi: f64| class.gas.pressure(psi) / 1e5;
-        let at = (0..=steps).map(angle);
-        over_angle.curves.push(Curve::new(
-            index,
-            name(class),
-            at.clone().map(|psi| (psi.to_degrees(), bar(psi))).collect(),
-        ));
-        let volume = |psi: f64| class.gas.geometry().volume(psi) * 1e6;
-        loops.curves.push(Curve::new(index, name(class), at.clone().map(|psi| (volume(psi), bar(psi))).collect()));
-        let below = |psi: f64| class.gas.pressure_below(psi).map(|pressure| pressure / 1e5);
-        let drawn = |volume: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
-            at.clone().filter_map(|psi| Some((volume(psi), below(psi)?))).collect()
-        };
-        if below(0.0).is_some() {
+    for (index, class) in torque.classes.iter().take(MOST_CURVES).enumerate() {
+        let gas = &class.gas;
+        let mut draw =
+            |number: usize, name: String, pascals: &dyn Fn(f64) -> Option<f64>, volume: &dyn Fn(f64) -> f64| {
+                let points = |x: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
+                    (0..=steps).map(angle).filter_map(|psi| Some((x(psi), pascals(psi)? / 1e5))).collect()
+                };
+                over_angle.curves.push(Curve::new(number, name.clone(), points(&f64::to_degrees)));
+                loops.curves.push(Curve::new(number, name, points(volume)));
+            };
+        draw(index, name(class), &|psi| Some(gas.pressure(psi)), &|psi| gas.geometry().volume(psi) * 1e6);
+        if gas.pressure_below(0.0).is_some() {
             let name = if torque.classes.len() == 1 { "below".to_owned() } else { format!("below {}", name(class)) };
             let number = index + torque.classes.len().min(MOST_CURVES);
-            over_angle.curves.push(Curve::new(number, name.clone(), drawn(&f64::to_degrees)));
-            loops.curves.push(Curve::new(number, name, drawn(&|psi| class.gas.volume_below(psi) * 1e6)));
+            draw(number, name, &|psi| gas.pressure_below(psi), &|psi| gas.volume_below(psi) * 1e6);
         }
     }
     [

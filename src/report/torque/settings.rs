@@ -7,23 +7,35 @@ use crate::engine::{Engine, Heat, PressureLaw, Setting};
 use crate::page::{Table, Text, Unit, number};
 use crate::torque::EngineTorque;
 
-/// The settings of a process, in the order in which they are shown.
-const SHOWN: [Setting; 14] = [
-    Setting::CompressionRatio,
-    Setting::Clearance,
-    Setting::IntakePressure,
-    Setting::ExhaustPressure,
-    Setting::DeliveryPressure,
-    Setting::CompressionExponent,
-    Setting::ExpansionExponent,
-    Setting::Heat,
-    Setting::WiebeExponent,
-    Setting::IntakeCloses,
-    Setting::CombustionStarts,
-    Setting::CombustionLasts,
-    Setting::ExhaustOpens,
-    Setting::Blowdown,
+/// How a value of the gas is written.
+type Written = fn(&BigRational) -> Text;
+
+/// The settings of a process, in the order in which they are shown: what each is called, and how it is written.
+const SHOWN: [(Setting, &str, Written); 14] = [
+    (Setting::CompressionRatio, "compression ratio", number::given),
+    (Setting::Clearance, "clearance, part of the swept volume", number::given),
+    (Setting::IntakePressure, "pressure of the intake", bar),
+    (Setting::ExhaustPressure, "pressure of the exhaust", bar),
+    (Setting::DeliveryPressure, "pressure of delivery", bar),
+    (Setting::CompressionExponent, "exponent of the compression", number::given),
+    (Setting::ExpansionExponent, "exponent of the expansion", number::given),
+    (Setting::Heat, "heat of a cycle", joules),
+    (Setting::WiebeExponent, "exponent m of the Wiebe function", number::given),
+    (Setting::IntakeCloses, "the intake closes at", degrees),
+    (Setting::CombustionStarts, "burning starts at", degrees),
+    (Setting::CombustionLasts, "burning lasts", degrees),
+    (Setting::ExhaustOpens, "the exhaust opens at", degrees),
+    (Setting::Blowdown, "the pressure falls for", degrees),
 ];
+
+/// The pressure that the heat is found from, where that is given in its place.
+fn in_place_of_heat(heat: &Heat) -> Option<(&'static str, Written)> {
+    match heat {
+        Heat::Released(_) => None,
+        Heat::PeakPressure(_) => Some(("largest pressure", bar)),
+        Heat::MeanPressure(_) => Some(("mean indicated pressure", bar)),
+    }
+}
 
 /// Every value of the gas, with the cylinders that it holds for.
 pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
@@ -48,10 +60,10 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
             let names = named.then(|| names(engine, group));
             table.push(names.into_iter().chain([name, value, how.into()]).collect());
         };
-        row("bore".into(), in_unit(&chamber.bore, 1000, Unit::MILLIMETRE), false);
+        row("bore".into(), millimetres(&chamber.bore), false);
         row("pressure in the crankcase".into(), bar(&chamber.crankcase), chamber.crankcase_assumed);
         if let Some(below) = &chamber.below {
-            row("diameter of the piston rod".into(), in_unit(&below.rod, 1000, Unit::MILLIMETRE), false);
+            row("diameter of the piston rod".into(), millimetres(&below.rod), false);
             if let PressureLaw::Table(rows) = &gas.laws[below.law] {
                 row("rows of the table of pressures below the piston".into(), rows.rows().len().into(), false);
             }
@@ -64,21 +76,18 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
                 row("rows of the table of pressures".into(), rows.rows().len().into(), false);
             }
             PressureLaw::Cycle(ideal) => {
-                for setting in SHOWN {
+                for (setting, name, written) in SHOWN {
+                    let pressure = in_place_of_heat(&ideal.heat).filter(|_| setting == Setting::Heat);
+                    let (name, written) = pressure.unwrap_or((name, written));
                     if let Some(value) = ideal.value(setting) {
-                        row(
-                            name(setting, &ideal.heat),
-                            shown(setting, &ideal.heat, value),
-                            ideal.assumed.contains(&setting),
-                        );
+                        row(name.into(), written(value), ideal.assumed.contains(&setting));
                     }
                 }
             }
             PressureLaw::Stage(stage) => {
-                let heat = Heat::Released(BigRational::from_integer(0.into()));
-                for setting in SHOWN {
+                for (setting, name, written) in SHOWN {
                     if let Some(value) = stage.value(setting) {
-                        row(name(setting, &heat), shown(setting, &heat, value), stage.assumed.contains(&setting));
+                        row(name.into(), written(value), stage.assumed.contains(&setting));
                     }
                 }
             }
@@ -87,61 +96,19 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
     table
 }
 
-fn in_unit(value: &BigRational, factor: i64, unit: Unit) -> Text {
-    number::given_with(&(value * BigRational::from_integer(factor.into())), unit)
+fn millimetres(metres: &BigRational) -> Text {
+    number::given_with(&(metres * BigRational::from_integer(1000.into())), Unit::MILLIMETRE)
+}
+
+fn joules(value: &BigRational) -> Text {
+    number::given_with(value, Unit::JOULE)
+}
+
+fn degrees(turns: &BigRational) -> Text {
+    Text::label(number::turns(turns))
 }
 
 fn bar(pascals: &BigRational) -> Text {
     let bar = pascals / BigRational::from_integer(100_000.into());
     number::given_with(&bar, Unit::BAR)
-}
-
-fn name(setting: Setting, heat: &Heat) -> Text {
-    match setting {
-        Setting::Bore => "bore",
-        Setting::Crankcase => "pressure in the crankcase",
-        Setting::PistonRod => "diameter of the piston rod",
-        Setting::CompressionRatio => "compression ratio",
-        Setting::IntakePressure => "pressure of the intake",
-        Setting::ExhaustPressure => "pressure of the exhaust",
-        Setting::DeliveryPressure => "pressure of delivery",
-        Setting::Clearance => "clearance, part of the swept volume",
-        Setting::CompressionExponent => "exponent of the compression",
-        Setting::ExpansionExponent => "exponent of the expansion",
-        Setting::Heat => match heat {
-            Heat::Released(_) => "heat of a cycle",
-            Heat::PeakPressure(_) => "largest pressure",
-            Heat::MeanPressure(_) => "mean indicated pressure",
-        },
-        Setting::WiebeExponent => "exponent m of the Wiebe function",
-        Setting::IntakeCloses => "the intake closes at",
-        Setting::CombustionStarts => "burning starts at",
-        Setting::CombustionLasts => "burning lasts",
-        Setting::ExhaustOpens => "the exhaust opens at",
-        Setting::Blowdown => "the pressure falls for",
-    }
-    .into()
-}
-
-fn shown(setting: Setting, heat: &Heat, value: &BigRational) -> Text {
-    match setting {
-        Setting::Bore | Setting::PistonRod => in_unit(value, 1000, Unit::MILLIMETRE),
-        Setting::Crankcase | Setting::IntakePressure | Setting::ExhaustPressure | Setting::DeliveryPressure => {
-            bar(value)
-        }
-        Setting::CompressionRatio
-        | Setting::Clearance
-        | Setting::CompressionExponent
-        | Setting::ExpansionExponent
-        | Setting::WiebeExponent => number::given(value),
-        Setting::Heat => match heat {
-            Heat::Released(_) => in_unit(value, 1, Unit::JOULE),
-            Heat::PeakPressure(_) | Heat::MeanPressure(_) => bar(value),
-        },
-        Setting::IntakeCloses
-        | Setting::CombustionStarts
-        | Setting::CombustionLasts
-        | Setting::ExhaustOpens
-        | Setting::Blowdown => Text::label(number::turns(value)),
-    }
 }

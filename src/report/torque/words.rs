@@ -207,9 +207,11 @@ pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
     }
     list.extend(opposed(engine));
     let laws = engine.gas().map_or(&[][..], |gas| &gas.laws);
-    if laws.iter().any(is_ideal) {
+    if laws.iter().any(|law| matches!(law, PressureLaw::Cycle(_))) {
         list.push("The ideal cycle: polytropic compression; heat by the Wiebe function, a = ln 1000, at a constant exponent and without loss to the walls; half a cosine where the pressure falls to that of the exhaust and, in 20°, to that of the intake.".into());
     }
+    let finds_heat =
+        |law: &PressureLaw| matches!(law, PressureLaw::Cycle(ideal) if !matches!(ideal.heat, Heat::Released(_)));
     if laws.iter().any(finds_heat) {
         list.push("The heat is computed from the given pressure.".into());
     }
@@ -225,21 +227,4 @@ pub(in crate::report) fn double_acting(engine: &Engine) -> Option<Text> {
 /// What two pistons in one cylinder share.
 pub(in crate::report) fn opposed(engine: &Engine) -> Option<Text> {
     engine.has_opposed_pistons().then(|| "Two pistons in one cylinder share its pressure and the volume between them: angles of the gas count from where that is least, unless the file says dead_centre = \"crank\", which is the crank of the first of them; pressure, work and heat are those of the whole cylinder, the torque that of each piston.".into())
-}
-
-fn is_ideal(law: &PressureLaw) -> bool {
-    match law {
-        PressureLaw::Cycle(_) => true,
-        PressureLaw::Table(_) | PressureLaw::Stage(_) => false,
-    }
-}
-
-fn finds_heat(law: &PressureLaw) -> bool {
-    match law {
-        PressureLaw::Cycle(ideal) => match ideal.heat {
-            Heat::Released(_) => false,
-            Heat::PeakPressure(_) | Heat::MeanPressure(_) => true,
-        },
-        PressureLaw::Table(_) | PressureLaw::Stage(_) => false,
-    }
 }

@@ -72,8 +72,7 @@ impl Linkage<'_> {
 /// The rod of a cylinder for its crank radius: its length and the offset of the axis, both against the crank radius.
 fn rod(cylinder: &Cylinder) -> (f64, f64) {
     let Some(rod) = cylinder.rod() else { return (1.0 / USUAL_RATIO, 0.0) };
-    let ratio = rod.ratio.to_f64().unwrap_or(USUAL_RATIO);
-    let length = ratio.recip().clamp(1.0, LONGEST_ROD);
+    let length = drawn(&rod.ratio);
     (length, rod.offset.to_f64().unwrap_or(0.0) * length)
 }
 
@@ -113,20 +112,13 @@ fn drawn(ratio: &BigRational) -> f64 {
     ratio.to_f64().unwrap_or(USUAL_RATIO).recip().clamp(1.0, LONGEST_ROD)
 }
 
-/// A link at its knuckle pin.
-struct Knuckle {
-    joint: Point,
-    length: f64,
-}
-
 /// Where the knuckle pin of a link stands, the master rod as it lies.
-fn knuckle(link: &Link, along: Point, pin: Point, radius: f64) -> Knuckle {
+fn knuckle_pin(link: &Link, along: Point, pin: Point, radius: f64) -> Point {
     let turned = |angle: &Turn| Point::from_polar(1.0, length(angle.turns()) * std::f64::consts::TAU);
     let (master, rod) = (along * turned(&link.angle).conj(), drawn(&link.master) * radius);
     let aside = (pin * master.conj()).im;
     let towards_its_piston = master * Point::new(leg(rod, aside), -aside) / rod;
-    let joint = pin + towards_its_piston * turned(&link.knuckle_angle()) * (length(&link.knuckle) * rod);
-    Knuckle { joint, length: drawn(&link.ratio) * radius }
+    pin + towards_its_piston * turned(&link.knuckle_angle()) * (length(&link.knuckle) * rod)
 }
 
 /// The other leg of a right triangle.
@@ -141,14 +133,9 @@ pub(super) fn is_shortened(engine: &Engine) -> bool {
 
 /// The rows of a radial, from the free end; of other engines none.
 pub(super) fn rows(engine: &Engine) -> Vec<&BigRational> {
-    let positions: BTreeSet<&BigRational> = match engine.form() {
-        Form::Radial => engine.cylinders().iter().map(|cylinder| &cylinder.position).collect(),
-        Form::Inline | Form::Vee | Form::Flat | Form::Boxer | Form::Fan | Form::Vr | Form::W | Form::General => {
-            BTreeSet::new()
-        }
-        Form::OpposedPiston | Form::U | Form::H | Form::Delta => BTreeSet::new(),
-    };
-    if positions.len() > 1 { positions.into_iter().rev().collect() } else { Vec::new() }
+    let positions: BTreeSet<&BigRational> = engine.cylinders().iter().map(|cylinder| &cylinder.position).collect();
+    let has_rows = engine.form() == Form::Radial && positions.len() > 1;
+    if has_rows { positions.into_iter().rev().collect() } else { Vec::new() }
 }
 
 /// What distinguishes a linkage in this view.
@@ -181,8 +168,7 @@ pub(super) fn linkages(engine: &Engine, units: Units) -> Linkages<'_> {
         let (joint, length, reach) = match cylinders[0].link() {
             None => (pin, length, length),
             Some(link) => {
-                let Knuckle { joint, length } = knuckle(link, along, pin, radius);
-                (joint, length, reach(cylinders[0]) * radius)
+                (knuckle_pin(link, along, pin, radius), drawn(&link.ratio) * radius, reach(cylinders[0]) * radius)
             }
         };
         // The joint in the frame of the cylinder: along its axis, and across it on the side of ψ = 90°.

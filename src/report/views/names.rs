@@ -31,11 +31,15 @@ fn write(figure: &mut Figure, labels: &mut Labels, name: &str, from: Point, plac
     let Some((at, anchor)) = labels.write(figure, name, places) else { return };
     let inwards =
         if anchor == Anchor::Middle { Point::new(0.0, (from - at).im.signum() * LINE / 2.0) } else { Point::default() };
-    let end = at + inwards;
-    let way = end - from;
-    if way.norm() > 5.0 {
+    draw_leader(figure, (from, at + inwards), [1.4, 0.5], 5.0);
+}
+
+/// A thin line, that much shorter at both ends; none between points that are no farther apart than this.
+fn draw_leader(figure: &mut Figure, (from, to): (Point, Point), [begin, end]: [f64; 2], least: f64) {
+    let way = to - from;
+    if way.norm() > least {
         let along = way / way.norm();
-        figure.line(from + along * 1.4, end - along * 0.5, Stroke::solid(Ink::Grey, 0.15));
+        figure.line(from + along * begin, to - along * end, Stroke::solid(Ink::Grey, 0.15));
     }
 }
 
@@ -102,18 +106,11 @@ pub(super) fn name_pistons(figure: &mut Figure, labels: &mut Labels, linkages: &
                     high: Point::new(low.re.max(high.re), low.im.max(high.im)),
                 });
             }
-            write_beside(figure, labels, &typeset::names(&names), (from, half), &places);
+            // The line begins at the wall of the cylinder.
+            if let Some((at, _)) = labels.write(figure, &typeset::names(&names), &places) {
+                draw_leader(figure, (from, at), [half, 0.4], half + 3.6);
+            }
         }
-    }
-}
-
-/// As [`write`], with the line beginning at the wall of the cylinder.
-fn write_beside(figure: &mut Figure, labels: &mut Labels, name: &str, (from, half): (Point, f64), places: &[Place]) {
-    let Some((at, _)) = labels.write(figure, name, places) else { return };
-    let way = at - from;
-    if way.norm() > half + 3.6 {
-        let along = way / way.norm();
-        figure.line(from + along * half, at - along * 0.4, Stroke::solid(Ink::Grey, 0.15));
     }
 }
 
