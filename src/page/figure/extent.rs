@@ -99,11 +99,7 @@ impl Mark {
         let (at, text, anchor, bold, letters) = match self {
             Mark::Text { at, text, anchor, bold, .. } => (at, text, anchor, *bold, letters),
             Mark::Title { at, text, anchor, letters } => (at, text, anchor, true, *letters),
-            Mark::Line { .. }
-            | Mark::Circle { .. }
-            | Mark::Polygon { .. }
-            | Mark::Path { .. }
-            | Mark::Rectangles { .. } => return None,
+            _ => return None,
         };
         let width = text_width(text, letters) * if bold { 1.1 } else { 1.0 };
         let left = match anchor {
@@ -182,6 +178,15 @@ impl Mark {
 }
 
 impl Figure {
+    /// The texts to be changed, each with its prose; titles have none.
+    pub(in crate::page) fn texts_mut(&mut self) -> impl Iterator<Item = (&mut String, Option<&mut Option<String>>)> {
+        self.marks.iter_mut().filter_map(|mark| match mark {
+            Mark::Text { text, prose, .. } => Some((text, Some(prose))),
+            Mark::Title { text, .. } => Some((text, None)),
+            _ => None,
+        })
+    }
+
     /// The texts with the boxes that they cover, as far as the widths of letters are known.
     pub fn text_boxes(&self) -> Vec<(&str, Extent)> {
         self.marks.iter().filter_map(|mark| mark.text_box(self.letters)).collect()
@@ -197,20 +202,28 @@ impl Figure {
 
     /// The texts that do not lie on the page.
     pub fn leaving(&self) -> Vec<&str> {
-        let page = Extent { low: Point::new(0.0, 0.0), high: Point::new(self.width, self.height) };
+        let page = self.page();
         self.text_boxes().into_iter().filter(|(_, text)| !page.holds(text)).map(|(text, _)| text).collect()
     }
 
     /// The same marks on a page that holds all their texts, which may have become longer in another language.
     pub fn with_room_for_texts(self) -> Figure {
-        let page = Extent { low: Point::new(0.0, 0.0), high: Point::new(self.width, self.height) };
+        let page = self.page();
         let leaving = self.text_boxes().into_iter().map(|(_, text)| text).filter(|text| !page.holds(text));
         let Some(leaving) = leaving.reduce(|all, text| all.joined(&text)) else { return self };
-        let all = page.joined(&leaving.grown(AIR));
-        let size = all.high - all.low;
-        let mut larger = Figure::new(size.re, size.im).lettered(self.letters);
-        larger.place(self, -all.low);
-        larger
+        self.on_page(page.joined(&leaving.grown(AIR)))
+    }
+
+    fn page(&self) -> Extent {
+        Extent { low: Point::new(0.0, 0.0), high: Point::new(self.width, self.height) }
+    }
+
+    /// The same marks, what this rectangle holds of them as the page.
+    fn on_page(self, page: Extent) -> Figure {
+        let size = page.high - page.low;
+        let mut figure = Figure::new(size.re, size.im).lettered(self.letters);
+        figure.place(self, -page.low);
+        figure
     }
 
     /// What all marks together cover; nothing where there are none.
@@ -238,10 +251,6 @@ impl Figure {
     /// The same marks on a page that they fill, with a margin in millimetres.
     pub fn cropped(self, margin: f64) -> Figure {
         let Some(extent) = self.extent() else { return self };
-        let extent = extent.grown(margin);
-        let size = extent.high - extent.low;
-        let mut page = Figure::new(size.re, size.im).lettered(self.letters);
-        page.place(self, -extent.low);
-        page
+        self.on_page(extent.grown(margin))
     }
 }

@@ -6,7 +6,7 @@ use super::finding::{claim_finding_on, claim_status};
 use super::student;
 use crate::claim::{Answer, Claim, Claims, Finding, Provenance, Published, Quote, Statement, Status, Topic};
 use crate::engine::{Engine, LengthUnit};
-use crate::page::{Block, Document, Fold, Table, Text, phrase};
+use crate::page::{Block, Document, Table, Text, phrase};
 use crate::proof::Quantity;
 use crate::text::Untrusted;
 
@@ -32,7 +32,7 @@ pub fn claims_page(claims: &Claims) -> Document {
     let mut page = Document::new("claims", &claims.title);
     page.push(Block::Answer(counts(claims)));
     page.blocks.extend(exceptions(claims));
-    page.push(Block::Paragraph(HOW.into()));
+    page.push(HOW);
     page.blocks.extend(of_forces(claims));
     page.blocks.extend(of_moments(claims));
     for published in &claims.statements {
@@ -195,7 +195,7 @@ fn certificates<'a>(claims: impl Iterator<Item = &'a Answered<'a>>) -> Option<Bl
             blocks.push(Block::List(proofs));
         }
     }
-    (!blocks.is_empty()).then(|| Block::Folded(Fold { summary: "Certificates".into(), blocks }))
+    (!blocks.is_empty()).then(|| Block::folded("Certificates", blocks))
 }
 
 /// The students' tables with their answers.

@@ -30,17 +30,14 @@ pub fn marks_page(exercise: &Exercise, results: &[StudentResult], scheme: &Schem
     page.push(table(results));
     page.blocks.extend(remarks(results, scheme));
     page.blocks.extend(Distribution::of(results).iter().flat_map(distribution));
-    page.push(Block::Heading(1, "What was right, column by column".into()));
-    page.push(columns(exercise, results));
-    page.push(Block::Heading(1, "Scheme".into()));
-    page.push(Block::Paragraph(
-        "The points of a right phase and of a right sum; the part of them for a sum that is wrong only because a phase is; the part of all points of a sheet that is \
-         right in a convention which it does not declare; the significant digits that a rounded length needs, and the part of the points for an entry that is right to fewer."
-            .into(),
-    ));
+    page.section("What was right, column by column", columns(exercise, results));
+    page.section("Scheme", SCHEME);
     page.push(Block::Verbatim("toml", Untrusted::new(scheme.to_toml())));
     page
 }
+
+const SCHEME: &str = "The points of a right phase and of a right sum; the part of them for a sum that is wrong only because a phase is; the part of all points of a sheet that is \
+    right in a convention which it does not declare; the significant digits that a rounded length needs, and the part of the points for an entry that is right to fewer.";
 
 /// `phase = 1, sum = 2, …`.
 fn shown(scheme: &Scheme) -> Text {
@@ -84,7 +81,7 @@ fn distribution(points: &Distribution) -> Vec<Block> {
     let mut plot = Plot::new("Points", x, Axis::linear("Sheets"));
     plot.curves.push(Curve::new(0, "sheets", outline));
     let caption = "The number of marked sheets by the share of the possible points, in tenths. A value between two tenths counts in the upper one.";
-    let picture = Picture { name: "points".into(), caption: caption.into(), figure: plot.figure() };
+    let picture = Picture::new("points", caption, plot.figure());
     vec![
         Block::Heading(1, "How the points are spread".into()),
         Block::Paragraph(spread(points)),

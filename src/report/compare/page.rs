@@ -4,7 +4,7 @@ use super::super::multiples::{self, Column};
 use super::super::residual;
 use super::rows::Sized;
 use super::{Compared, notes, orders_of, rows};
-use crate::page::{Block, Document, Fold, Picture, Text, phrase};
+use crate::page::{Block, Document, Picture, Text, phrase};
 use crate::proof::{Planar, Shape};
 use crate::text::Format;
 use crate::verdict::{FirstLeft, NextLeft, OrderBalance};
@@ -34,11 +34,10 @@ pub fn compare_page(engines: &[Compared]) -> Document {
         orders_of(engines).into_iter().flat_map(|order| stars(engines, order).map(Block::from)).collect();
     page.push(Block::Heading(1, "Vector stars".into()));
     match engines.len() > MOST_OF_STARS {
-        true => page.push(Block::Folded(Fold { summary: "The stars of each order".into(), blocks: stars })),
+        true => page.push(Block::folded("The stars of each order", stars)),
         false => page.blocks.extend(stars),
     }
-    page.push(Block::Heading(1, "How to read it".into()));
-    page.push(Block::List(notes::notes(engines)));
+    page.section("How to read it", Block::List(notes::notes(engines)));
     page
 }
 

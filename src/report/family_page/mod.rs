@@ -85,7 +85,7 @@ pub(super) fn section(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
     blocks.extend(amplitude_picture(family, orders));
     for order in orders {
         let summary = phrase!("Order {}, all lengths", order.order);
-        blocks.push(Block::Folded(Fold { summary, blocks: proofs(order) }));
+        blocks.push(Block::folded(summary, proofs(order)));
     }
     blocks
 }
@@ -115,7 +115,7 @@ pub(super) fn left_open(family: &Family) -> Text {
 /// The amplitude of each order over the one open angle, with its exact zeros.
 fn amplitude_picture(family: &Family, orders: &[OpenOrder]) -> Option<Block> {
     let (figure, caption) = amplitudes(family, orders).zip(amplitudes_caption(family, orders))?;
-    Some(Picture { name: "amplitudes".to_owned(), caption, figure }.into())
+    Some(Picture::new("amplitudes", caption, figure).into())
 }
 
 /// How large the orders are at most, over all open angles; none where they have no size, or it depends on several lengths.

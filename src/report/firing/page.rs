@@ -6,7 +6,7 @@ use super::words::names_of;
 use super::{FiringStudy, tables, words};
 use crate::engine::Engine;
 use crate::firing::{FiringStar, StarOrder, Weights};
-use crate::page::{Block, Document, Fold, Picture, Text, phrase};
+use crate::page::{Block, Document, Picture, Text, phrase};
 use crate::verdict::JudgedStar;
 
 /// At most this many stars are drawn.
@@ -90,7 +90,7 @@ pub(in crate::report) fn firing_section(engine: &Engine) -> Vec<Block> {
                 tables::orders(&study).into(),
                 Block::Paragraph(MEANING.into()),
                 Block::Formula(STAR.to_owned(), None),
-                Block::Folded(Fold { summary: "Firing stars: the proofs".into(), blocks: proofs }),
+                Block::folded("Firing stars: the proofs", proofs),
                 Block::List(assumed(false)),
             ]
         }
@@ -113,10 +113,7 @@ fn section(study: &FiringStudy) -> Vec<Block> {
     }
     blocks.extend([heading("Proofs"), Block::List(each(study, argued))]);
     let certificates = each(study, certified);
-    blocks.push(Block::Folded(Fold {
-        summary: "Firing stars: the certificates".into(),
-        blocks: vec![Block::List(certificates)],
-    }));
+    blocks.push(Block::folded("Firing stars: the certificates", vec![Block::List(certificates)]));
     blocks.extend([heading("Assumptions"), Block::List(assumed(study.weights.is_mode_shape()))]);
     blocks
 }

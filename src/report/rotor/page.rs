@@ -35,12 +35,10 @@ pub(super) fn page(study: &RotorStudy) -> Document {
     let mut page = Document::new("rotor", phrase!("{}: masses on a shaft", &study.rotor.title));
     page.push(Block::Answer(vec![verdict(study)]));
     page.blocks.extend(found(study));
-    page.push(Block::Heading(1, "The masses".into()));
-    page.push(masses(study));
-    page.push(Block::Heading(1, "How it was found".into()));
-    page.push(Block::Paragraph(FOUND.into()));
+    page.section("The masses", masses(study));
+    page.section("How it was found", FOUND);
     if study.rotor.secondary {
-        page.push(Block::Paragraph(SCHLICK.into()));
+        page.push(SCHLICK);
     }
     page
 }

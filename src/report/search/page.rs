@@ -8,7 +8,7 @@ use super::front::front_picture;
 use super::pictures::pictures;
 use super::table::{firing_order, left, stars, throws};
 use crate::numbers;
-use crate::page::{Block, Document, Fold, Number, Piece, Text, Unit, number, phrase};
+use crate::page::{Block, Document, Number, Piece, Text, Unit, number, phrase};
 use crate::report::stars;
 use crate::search::{self, Front, Limit, Problem};
 use crate::text::Untrusted;
@@ -58,18 +58,17 @@ pub fn search_page(front: &Front) -> Document {
         page.push(Block::Heading(2, phrase!("Star {}", number)));
         page.push(Block::Pictures(pictures(&front.problem, star, number)));
         let layout = Untrusted::new(star.layout_file(&front.problem));
-        page.push(Block::Folded(Fold {
-            summary: phrase!("Star {} as a layout file, which every other command reads", number),
-            blocks: vec![Block::Verbatim("toml", layout)],
-        }));
+        page.push(Block::folded(
+            phrase!("Star {} as a layout file, which every other command reads", number),
+            vec![Block::Verbatim("toml", layout)],
+        ));
     }
     let theorems = told(&front.problem);
     if !theorems.is_empty() {
         page.push(Block::Heading(1, "What theorems say".into()));
         page.blocks.extend(theorems);
     }
-    page.push(Block::Heading(1, "Method".into()));
-    page.push(Block::Paragraph(judged(front)));
+    page.section("Method", Block::Paragraph(judged(front)));
     page
 }
 

@@ -9,7 +9,7 @@ use super::words::axis;
 use crate::engine::CycleOrder;
 use crate::numbers::float;
 use crate::page::figure::Figure;
-use crate::page::{Block, Fold, Picture, Table, Text, phrase};
+use crate::page::{Block, Picture, Table, Text, phrase};
 use crate::sweep::{Amplitude, FiringSweep, FiringZeros, StarLength, Sweep, SweptEngine};
 
 /// More points than this are left to the table in CSV.
@@ -39,7 +39,7 @@ pub(super) fn section(sweep: &Sweep) -> Vec<Block> {
     blocks.extend(picture(sweep, firing).map(Block::from));
     if sweep.points.len() <= MOST_ROWS {
         let summary = phrase!("The firing stars at each of the {} points", sweep.points.len());
-        blocks.push(Block::Folded(Fold { summary, blocks: vec![points(sweep, firing).into()] }));
+        blocks.push(Block::folded(summary, vec![points(sweep, firing).into()]));
     }
     blocks
 }

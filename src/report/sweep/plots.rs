@@ -39,7 +39,7 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
                 1 => curves(sweep, quantity, order, place),
                 _ => map(sweep, quantity, order, place),
             };
-            drawn.push(Picture { name, caption: caption(sweep, quantity, order), figure });
+            drawn.push(Picture::new(name, caption(sweep, quantity, order), figure));
         }
     }
     drawn

@@ -5,7 +5,7 @@ use super::findings::Finding;
 use super::observed;
 use super::plots::amplitudes;
 use crate::engine::DOES_NOT_EXIST;
-use crate::page::{Block, Fold, Number, Table, Text, Unit, number, phrase};
+use crate::page::{Block, Number, Table, Text, Unit, number, phrase};
 use crate::proof::Planar;
 use crate::sweep::{Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
@@ -58,7 +58,7 @@ fn in_unit(sweep: &Sweep, quantity: Planar) -> Text {
 }
 
 /// Every point: a table of each order that is not zero everywhere, then of what else changes.
-pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
+pub(super) fn points(sweep: &Sweep) -> Vec<Block> {
     let mut folds = Vec::new();
     for quantity in Planar::BOTH {
         let tables = sweep.orders.iter().enumerate().filter_map(|(index, &order)| {
@@ -70,16 +70,16 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
         });
         let tables: Vec<Block> = tables.flatten().collect();
         let summary = phrase!("The {force|moment} at each of the {} points", quantity, sweep.points.len());
-        folds.extend((!tables.is_empty()).then_some(Fold { summary, blocks: tables }));
+        folds.extend((!tables.is_empty()).then(|| Block::folded(summary, tables)));
     }
     let others = others(sweep);
     if others.header.len() > sweep.parameters.len() {
         let summary = phrase!("Firing, counterweights and size at each of the {} points", sweep.points.len());
-        folds.push(Fold { summary, blocks: vec![others.into()] });
+        folds.push(Block::folded(summary, vec![others.into()]));
     }
-    folds.extend(observed::table(sweep).map(|table| Fold {
-        summary: phrase!("The values of other questions at each of the {} points", sweep.points.len()),
-        blocks: vec![table.into()],
+    folds.extend(observed::table(sweep).map(|table| {
+        let summary = phrase!("The values of other questions at each of the {} points", sweep.points.len());
+        Block::folded(summary, vec![table.into()])
     }));
     folds
 }

@@ -39,7 +39,7 @@ pub fn open_firing_page(study: &OpenFiringStudy<'_>) -> Document {
     page.blocks.extend([Block::Paragraph(meaning.into()), Block::Formula(formula.to_owned(), None)]);
     page.push(heading("When the cylinders fire"));
     page.push(firings(study));
-    page.push(Block::Paragraph(WHOLE_ORDERS.into()));
+    page.push(WHOLE_ORDERS);
     page.push(heading("Proofs"));
     page.push(Block::List(study.orders.iter().flat_map(|star| argued(study, star)).collect()));
     page.push(heading("Assumptions"));
