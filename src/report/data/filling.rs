@@ -50,6 +50,11 @@ impl<'a, R> Filling<'a, R> {
         self.table
     }
 
+    /// The table; none where it has no rows.
+    pub fn done_if_any(self) -> Option<Table> {
+        (!self.rows.is_empty()).then_some(self.table)
+    }
+
     fn add(&mut self, name: impl Into<Name>, unit: Unit, values: Values) {
         let Name(pattern, holes) = name.into();
         let holes: Vec<&str> = holes.iter().map(String::as_str).collect();

@@ -94,9 +94,6 @@ fn bearings(study: &OptimiseStudy) -> Table {
 
 fn uniform(study: &OptimiseStudy) -> Option<Table> {
     let rows: Vec<&Uniform> = study.front.uniform.iter().collect();
-    if rows.is_empty() {
-        return None;
-    }
     let units = study.units();
     let mut table = Filling::new("optimise.uniform", &rows);
     table.exact("balance_factor", Unit::NONE, |row| Some(exact_number(&row.factor)));
@@ -107,5 +104,5 @@ fn uniform(study: &OptimiseStudy) -> Option<Table> {
     table.decimal("lightest_with_that_load_{unit}", Unit::KILOGRAM, |row| {
         row.lightest.as_ref().and_then(|lightest| lightest.design.mass.to_f64())
     });
-    Some(table.done())
+    table.done_if_any()
 }
