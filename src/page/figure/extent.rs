@@ -1,6 +1,6 @@
 //! How much room do marks take? The box of a text by its letters, and the box of all marks.
 
-use super::{Anchor, Figure, Mark, Point, arrow_head};
+use super::{Figure, Mark, Point, arrow_head};
 use crate::text::SUPERSCRIPTS;
 
 /// Boxes that share less than this, in millimetres, only touch.
@@ -102,12 +102,7 @@ impl Mark {
             _ => return None,
         };
         let width = text_width(text, letters) * if bold { 1.1 } else { 1.0 };
-        let left = match anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => width / 2.0,
-            Anchor::End => width,
-        };
-        let low = Point::new(at.re - left, at.im - TALL * letters / 2.0);
+        let low = Point::new(at.re - anchor.before(width), at.im - TALL * letters / 2.0);
         Some((text, Extent { low, high: low + Point::new(width, TALL * letters) }))
     }
 

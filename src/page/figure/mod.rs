@@ -72,6 +72,17 @@ pub enum Anchor {
     End,
 }
 
+impl Anchor {
+    /// How far to the left of its point a text of this width begins.
+    pub fn before(self, width: f64) -> f64 {
+        match self {
+            Anchor::Start => 0.0,
+            Anchor::Middle => width / 2.0,
+            Anchor::End => width,
+        }
+    }
+}
+
 /// One mark of a drawing; later marks lie upon earlier ones.
 #[derive(Clone, Debug)]
 pub enum Mark {

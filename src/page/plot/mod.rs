@@ -88,12 +88,7 @@ impl Plot {
 
     /// The same in inches and pounds; none where neither axis has a unit that changes.
     fn in_inches(&self) -> Option<Plot> {
-        let (x, y) = (self.x.in_inches(), self.y.in_inches());
-        if x.is_none() && y.is_none() {
-            return None;
-        }
-        let (right, x) = x.unwrap_or_else(|| (1.0, self.x.clone()));
-        let (up, y) = y.unwrap_or_else(|| (1.0, self.y.clone()));
+        let [(right, x), (up, y)] = Axis::all_in_inches([&self.x, &self.y])?;
         let mut plot = Plot { x, y, ..self.clone() };
         let scale = |at: &mut (f64, f64)| *at = (at.0 * right, at.1 * up);
         plot.curves.iter_mut().flat_map(|curve| &mut curve.points).for_each(scale);
