@@ -47,7 +47,7 @@ fn shown(scheme: &Scheme) -> Text {
 fn marked<'a>(results: &'a [StudentResult]) -> impl Iterator<Item = &'a MarkedSheet> {
     results.iter().filter_map(|result| match &result.outcome {
         Outcome::Marked(sheet) => Some(sheet.as_ref()),
-        Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice | Outcome::NotRead(_) => None,
+        _ => None,
     })
 }
 
@@ -95,27 +95,15 @@ fn summary(results: &[StudentResult]) -> Text {
     phrase!(
         "Marked: {}. Not readable: {}. Not handed in: {}. Handed in more than once: {}. Files that are not tables: {}.",
         marked(results).count(),
-        count(|outcome| match outcome {
-            Outcome::Unreadable(_) => true,
-            Outcome::Marked(_) | Outcome::NotHandedIn | Outcome::HandedInTwice | Outcome::NotRead(_) => false,
-        }),
-        count(|outcome| match outcome {
-            Outcome::NotHandedIn => true,
-            Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::HandedInTwice | Outcome::NotRead(_) => false,
-        }),
-        count(|outcome| match outcome {
-            Outcome::HandedInTwice => true,
-            Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::NotRead(_) => false,
-        }),
+        count(|outcome| matches!(outcome, Outcome::Unreadable(_))),
+        count(|outcome| matches!(outcome, Outcome::NotHandedIn)),
+        count(|outcome| matches!(outcome, Outcome::HandedInTwice)),
         results.iter().filter(|result| is_no_table(result)).count()
     )
 }
 
 fn is_no_table(result: &StudentResult) -> bool {
-    match result.outcome {
-        Outcome::NotRead(_) => true,
-        Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice => false,
-    }
+    matches!(result.outcome, Outcome::NotRead(_))
 }
 
 /// A line for each student.
@@ -130,9 +118,7 @@ fn table(results: &[StudentResult]) -> Table {
                 let points = [points(&sheet.points), points(&sheet.possible)];
                 points.into_iter().chain(numbers.map(Text::from)).collect()
             }
-            Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice | Outcome::NotRead(_) => {
-                vec!["–".into(); columns.len() - 1]
-            }
+            _ => vec!["–".into(); columns.len() - 1],
         };
         table.push([name(result)].into_iter().chain(cells).collect());
     }
@@ -157,10 +143,7 @@ fn remarks(results: &[StudentResult], scheme: &Scheme) -> Option<Block> {
         (!remark.is_empty()).then(|| phrase!("{}: {}", name(result), remark))
     };
     let mut remarks: Vec<Text> = results.iter().filter_map(remark).collect();
-    let absent = results.iter().filter(|result| match result.outcome {
-        Outcome::NotHandedIn => true,
-        Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::HandedInTwice | Outcome::NotRead(_) => false,
-    });
+    let absent = results.iter().filter(|result| matches!(result.outcome, Outcome::NotHandedIn));
     let absent = Text::joined(absent.map(name), ", ");
     remarks.extend((!absent.is_empty()).then(|| phrase!("Not handed in: {}.", absent)));
     remarks.extend(not_read(results));

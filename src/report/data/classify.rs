@@ -10,7 +10,7 @@ use crate::exact::{PhasorSum, Term, Turn};
 use crate::loads::Arm;
 use crate::numbers::{self, Direction};
 use crate::order::Masses;
-use crate::proof::{Certificate, Document, Quantity, Sense, VerdictClaim};
+use crate::proof::{Certificate, Document, Quantity, VerdictClaim};
 use crate::table::{Table, Unit};
 use crate::verdict::Judgement;
 
@@ -67,7 +67,7 @@ fn masses_name(masses: Masses) -> &'static str {
 fn sums(engine: &Engine, rows: &[[&VerdictClaim; 2]]) -> Table {
     let mut table = Filling::new("classify.sums", rows).keyed(2);
     table.whole("order", |[force, _]| force.order as usize);
-    table.words("sense", |[force, _]| force.sense.map(|sense| sense_name(sense).to_owned()));
+    table.words("sense", |[force, _]| force.sense.map(|sense| sense.name().to_owned()));
     of(&mut table, |[force, _]| force);
     let moment = match Arm::of(engine) {
         Arm::Metre => Unit::MASS_RADIUS_METRE,
@@ -127,12 +127,5 @@ fn evidence(certificate: &Certificate) -> &'static str {
         Certificate::Polygons { .. } => "polygons",
         Certificate::Residue(_) => "residue",
         Certificate::Splitting { .. } => "splitting",
-    }
-}
-
-fn sense_name(sense: Sense) -> &'static str {
-    match sense {
-        Sense::Direct => "direct",
-        Sense::Reverse => "reverse",
     }
 }
