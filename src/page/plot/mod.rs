@@ -79,6 +79,13 @@ impl Plot {
         Plot { title: title.into(), x, y, curves: Vec::new(), marks: Vec::new(), rules: Vec::new() }
     }
 
+    /// Marks a zero by a ring in the ink of its curve, with one name for the zeros of several curves at one place.
+    pub fn ring_zero(&mut self, at: f64, name: String, ink: Ink, series: &str) {
+        let is_named = self.marks.iter().any(|mark| mark.label == name);
+        let ring = PointMark::ring((at, 0.0), if is_named { String::new() } else { name });
+        self.marks.push(PointMark { ink, ..ring.of(series) });
+    }
+
     /// The drawing, 112 mm wide and about 70 mm high: curves are named where they run, and in a legend above the frame
     /// where there is no room for that.
     pub fn figure(&self) -> Figure {

@@ -26,7 +26,7 @@ use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
 use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::Planar;
 
-pub(super) use unknowns::{greek, unknowns};
+pub(super) use unknowns::{unknowns, written};
 
 const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a vanishing moment vanishes for all lengths. Angles are those \
                       in (0°, 360°), complete, and exact unless marked ≈; ≡ is modulo 360°.";

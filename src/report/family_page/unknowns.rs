@@ -46,8 +46,12 @@ pub(in crate::report) fn unknowns(phi: &BigRational, delta: &BigRational) -> Str
 
 /// An angle with unknowns, given in turns: `45° + φ/2`; the known part in `(−180°, 180°]`.
 pub(super) fn open_angle(angle: &Linear) -> String {
+    written(angle, typeset::degrees(&typeset::signed_degrees(&Turn::new(angle.known().clone()))))
+}
+
+/// The same with its known part as it is written there.
+pub(in crate::report) fn written(angle: &Linear, known: String) -> String {
     let symbols = angle.minus(&Linear::constant(angle.known().clone()));
-    let known = typeset::degrees(&typeset::signed_degrees(&Turn::new(angle.known().clone())));
     match (symbols == Linear::default(), angle.known().is_zero()) {
         (true, _) => known,
         (false, true) => greek(&symbols),

@@ -49,7 +49,7 @@ pub(super) fn unit(sweep: &Sweep, quantity: Planar) -> Text {
 }
 
 /// What forces, or moments, are counted in where they are known in newtons.
-fn newtons(sweep: &Sweep, quantity: Planar) -> Unit {
+pub(super) fn newtons(sweep: &Sweep, quantity: Planar) -> Unit {
     match (quantity, sweep.arm) {
         (Planar::Force, _) => Unit::NEWTON,
         (Planar::Moment, Arm::Metre) => Unit::NEWTON_METRE,

@@ -2,6 +2,7 @@
 
 use num_rational::BigRational;
 
+use super::amounts::newtons;
 use super::zero_data::{firing_zeros, zeros};
 use crate::engine::CycleOrder;
 use crate::exact::fraction;
@@ -109,12 +110,12 @@ fn amplitudes(sweep: &Sweep, table: &mut Table, place: usize, order: u32, quanti
     }
     if sweep.points.iter().any(|point| point.newtons.is_some()) {
         for (index, (_, about)) in PARTS.into_iter().enumerate() {
-            let newtons = |point: &SweptEngine| match part(point, index)? {
+            let value = |point: &SweptEngine| match part(point, index)? {
                 Amplitude { vanishes: true, .. } => Some(0.0),
                 Amplitude { value, .. } => Some(value * point.newtons?),
             };
-            let values = decimals(sweep.points.iter().map(newtons));
-            table.push(column(index, 1, newtons_unit(sweep, quantity), about, values));
+            let values = decimals(sweep.points.iter().map(value));
+            table.push(column(index, 1, newtons(sweep, quantity), about, values));
         }
     }
     let vanishes = |index: usize| truths(sweep.points.iter().map(|point| part(point, index).map(|part| part.vanishes)));
@@ -130,14 +131,6 @@ fn multiple(sweep: &Sweep, quantity: Planar) -> Unit {
         (true, true, Arm::Metre) => Unit::MULTIPLE_METRE,
         (true, false, Arm::Spacing) => Unit::OPEN_SPACING,
         (true, false, Arm::Metre) => Unit::OPEN_METRE,
-    }
-}
-
-fn newtons_unit(sweep: &Sweep, quantity: Planar) -> Unit {
-    match (quantity == Planar::Moment, sweep.arm) {
-        (false, _) => Unit::NEWTON,
-        (true, Arm::Metre) => Unit::NEWTON_METRE,
-        (true, Arm::Spacing) => Unit::NEWTON_SPACING,
     }
 }
 

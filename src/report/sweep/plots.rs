@@ -57,11 +57,7 @@ pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Planar) ->
 
 /// The semi-axes of the ellipse above, its parts along and across the reference direction below.
 fn curves(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Figure {
-    let parameter = &sweep.parameters[0];
-    let is_angle = is_angle(sweep, parameter);
-    let ends = (float(&parameter.range.value(0)), float(&parameter.range.last()));
-    let label = axis(parameter, is_angle);
-    let x = if is_angle { Axis::degrees(label, ends.0, ends.1) } else { Axis::linear(label) };
+    let x = over(sweep, &sweep.parameters[0]);
     let title = format!("Order {order} of the {}", quantity.name());
     let marks = marks(sweep, quantity, order, place);
     let panel = |title: String, parts: [(&str, Amplitude); 2], shown: &[Zeros]| {
@@ -81,6 +77,14 @@ fn curves(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Figure {
         panel(format!("{title}: largest and smallest"), axes, &[Zeros::Largest, Zeros::Direct, Zeros::Reverse]),
         panel(format!("{title}: along and across"), parts, &[Zeros::Largest, Zeros::Along, Zeros::Across]),
     ])
+}
+
+/// The axis of a parameter; over all its range where it is an angle.
+pub(super) fn over(sweep: &Sweep, parameter: &Parameter) -> Axis {
+    let is_angle = is_angle(sweep, parameter);
+    let label = axis(parameter, is_angle);
+    let [from, to] = [parameter.range.value(0), parameter.range.last()].map(|end| float(&end));
+    if is_angle { Axis::degrees(label, from, to) } else { Axis::linear(label) }
 }
 
 /// Whether the parameter is an angle in degrees.

@@ -2,7 +2,7 @@
 
 use super::super::super::family_page::{argument, left_open};
 use super::super::super::residual;
-use super::super::page::{MEANING, MEANING_OF_A_MODE, STAR, STAR_OF_A_MODE, assumed};
+use super::super::page::{assumed, meaning};
 use super::{OpenFiringStudy, picture, words};
 use crate::engine::{Cycle, FiringSpan, OpenFiring};
 use crate::family::{OpenStar, SpanStar};
@@ -25,25 +25,16 @@ pub fn open_firing_answer(study: &OpenFiringStudy<'_>) -> Document {
 
 /// The page.
 pub fn open_firing_page(study: &OpenFiringStudy<'_>) -> Document {
-    let heading = |words: &'static str| Block::Heading(1, words.into());
     let mut page = Document::new("firing", phrase!("{}: firing stars", study.family.title()));
     page.push(Block::Answer(answer(study)));
-    page.push(heading("Orders of the gas torque"));
-    page.push(orders(study));
+    page.section("Orders of the gas torque", orders(study));
     page.push(Block::Note(LEGEND.into()));
     page.blocks.extend(picture::lengths(study).map(Block::from));
-    let (meaning, formula) = match study.weights.is_mode_shape() {
-        true => (MEANING_OF_A_MODE, STAR_OF_A_MODE),
-        false => (MEANING, STAR),
-    };
-    page.blocks.extend([Block::Paragraph(meaning.into()), Block::Formula(formula.to_owned(), None)]);
-    page.push(heading("When the cylinders fire"));
-    page.push(firings(study));
+    page.blocks.extend(meaning(study.weights.is_mode_shape()));
+    page.section("When the cylinders fire", firings(study));
     page.push(WHOLE_ORDERS);
-    page.push(heading("Proofs"));
-    page.push(Block::List(study.orders.iter().flat_map(|star| argued(study, star)).collect()));
-    page.push(heading("Assumptions"));
-    page.push(Block::List(assumed(study.weights.is_mode_shape())));
+    page.section("Proofs", Block::List(study.orders.iter().flat_map(|star| argued(study, star)).collect()));
+    page.section("Assumptions", Block::List(assumed(study.weights.is_mode_shape())));
     page
 }
 
