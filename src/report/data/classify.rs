@@ -44,9 +44,8 @@ fn orders(engine: &Engine, judged: &Judgement) -> Table {
         let parts: Vec<Row> = whole.parts.iter().map(part).collect();
         [Row { masses, of: None, order: whole }].into_iter().chain(parts)
     });
-    let rows: Vec<Row> = rows.collect();
     let [_, moment] = units(engine);
-    let mut table = Filling::new("classify.orders", &rows);
+    let mut table = Filling::new("classify.orders", rows);
     table.whole("order", |row| row.order.order as usize);
     table.words("masses", |row| Some(row.masses.to_owned()));
     table.words("of", |row| row.of.clone());

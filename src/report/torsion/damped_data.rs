@@ -14,8 +14,7 @@ pub(super) fn megapascals(pascals: Option<f64>) -> Option<f64> {
 
 pub(super) fn shafts(study: &TorsionStudy) -> Table {
     let vibration = study.at_speed();
-    let rows: Vec<_> = study.torsion().shafts.iter().enumerate().collect();
-    let mut table = Filling::new("torsion.shafts", &rows);
+    let mut table = Filling::new("torsion.shafts", study.torsion().shafts.iter().enumerate());
     table.whole("shaft", |(index, _)| index + 1);
     table.whole("from_disc", |(_, one)| one.ends[0] + 1);
     table.whole("to_disc", |(_, one)| one.ends[1] + 1);
@@ -34,8 +33,7 @@ pub(super) fn shafts(study: &TorsionStudy) -> Table {
 }
 
 pub(super) fn resonances(study: &TorsionStudy) -> Option<Table> {
-    let rows: Vec<_> = study.resonances().iter().collect();
-    let mut table = Filling::new("torsion.resonances", &rows).keyed(2);
+    let mut table = Filling::new("torsion.resonances", study.resonances().iter()).keyed(2);
     table.whole("mode", |one| one.mode + 1);
     table.exact("order", Unit::NONE, |one| Some(one.order.exact().to_string()));
     table.decimal("speed_{unit}", Unit::PER_MINUTE, |one| Some(one.rpm));
@@ -55,8 +53,8 @@ pub(super) fn resonances(study: &TorsionStudy) -> Option<Table> {
 pub(super) fn response(study: &TorsionStudy) -> Option<Table> {
     let vibration = study.at_speed()?;
     let discs = 0..study.train.discs.len();
-    let rows: Vec<_> = vibration.orders.iter().flat_map(|order| discs.clone().map(move |disc| (order, disc))).collect();
-    let mut table = Filling::new("torsion.response", &rows).keyed(2);
+    let rows = vibration.orders.iter().flat_map(|order| discs.clone().map(move |disc| (order, disc)));
+    let mut table = Filling::new("torsion.response", rows).keyed(2);
     table.exact("order", Unit::NONE, |(one, _)| Some(one.order.exact().to_string()));
     table.whole("disc", |(_, disc)| disc + 1);
     table.decimal("twist_zero_to_peak_{unit}", Unit::DEGREE, |(one, disc)| Some(one.twists[*disc].norm().to_degrees()));
@@ -67,9 +65,8 @@ pub(super) fn response(study: &TorsionStudy) -> Option<Table> {
 pub(super) fn torques(study: &TorsionStudy) -> Option<Table> {
     let vibration = study.at_speed()?;
     let shafts = 0..study.train.shafts;
-    let rows: Vec<_> =
-        vibration.orders.iter().flat_map(|order| shafts.clone().map(move |shaft| (order, shaft))).collect();
-    let mut table = Filling::new("torsion.torques", &rows).keyed(2);
+    let rows = vibration.orders.iter().flat_map(|order| shafts.clone().map(move |shaft| (order, shaft)));
+    let mut table = Filling::new("torsion.torques", rows).keyed(2);
     table.exact("order", Unit::NONE, |(one, _)| Some(one.order.exact().to_string()));
     table.whole("shaft", |(_, shaft)| shaft + 1);
     table.decimal("torque_zero_to_peak_{unit}", Unit::NEWTON_METRE, |(one, shaft)| Some(one.torques[*shaft].norm()));
@@ -80,9 +77,8 @@ pub(super) fn torques(study: &TorsionStudy) -> Option<Table> {
 }
 
 pub(super) fn speeds(study: &TorsionStudy) -> Option<Table> {
-    let rows: Vec<_> =
-        study.over_range().iter().flat_map(|at| (0..at.torques.len()).map(move |shaft| (at, shaft))).collect();
-    let mut table = Filling::new("torsion.speeds", &rows).keyed(2);
+    let rows = study.over_range().iter().flat_map(|at| (0..at.torques.len()).map(move |shaft| (at, shaft)));
+    let mut table = Filling::new("torsion.speeds", rows).keyed(2);
     table.decimal("speed_{unit}", Unit::PER_MINUTE, |(at, _)| Some(at.speed));
     table.whole("shaft", |(_, shaft)| shaft + 1);
     table.decimal("torque_half_range_{unit}", Unit::NEWTON_METRE, |(at, shaft)| Some(at.torques[*shaft]));
@@ -97,8 +93,7 @@ pub(super) fn speeds(study: &TorsionStudy) -> Option<Table> {
 }
 
 pub(super) fn excesses(study: &TorsionStudy) -> Option<Table> {
-    let rows: Vec<_> = study.excesses().iter().enumerate().collect();
-    let mut table = Filling::new("torsion.excesses", &rows);
+    let mut table = Filling::new("torsion.excesses", study.excesses().iter().enumerate());
     table.whole("range", |(index, _)| index + 1);
     table.whole("shaft", |(_, one)| one.shaft + 1);
     table.decimal("from_{unit}", Unit::PER_MINUTE, |(_, one)| Some(one.speeds[0]));
@@ -107,13 +102,12 @@ pub(super) fn excesses(study: &TorsionStudy) -> Option<Table> {
 }
 
 pub(super) fn heat(study: &TorsionStudy) -> Option<Table> {
-    let rows = study.heat_places(study.at_speed()?);
     let place = |place: HeatPlace| match place {
         HeatPlace::Disc(disc) => ("disc", disc),
         HeatPlace::Shaft(shaft) => ("shaft", shaft),
         HeatPlace::Damper(damper) => ("damper", damper),
     };
-    let mut table = Filling::new("torsion.heat", &rows).keyed(2);
+    let mut table = Filling::new("torsion.heat", study.heat_places(study.at_speed()?)).keyed(2);
     table.words("place", |(at, _)| Some(place(*at).0.to_owned()));
     table.whole("number", |(at, _)| place(*at).1 + 1);
     table.decimal("heat_{unit}", Unit::WATT, |(_, power)| Some(*power));
@@ -121,9 +115,8 @@ pub(super) fn heat(study: &TorsionStudy) -> Option<Table> {
 }
 
 pub(super) fn dampers(study: &TorsionStudy) -> Option<Table> {
-    let rows: Vec<_> = study.dampers().iter().enumerate().collect();
     let (stiff, damped) = (Unit::NEWTON_METRE_PER_RADIAN, Unit::NEWTON_METRE_SECOND);
-    let mut table = Filling::new("torsion.dampers", &rows);
+    let mut table = Filling::new("torsion.dampers", study.dampers().iter().enumerate());
     table.whole("damper", |(index, _)| index + 1);
     table.whole("disc", |(index, _)| study.torsion().dampers[*index].disc + 1);
     table.decimal("mass_ratio", Unit::NONE, |(_, one)| Some(one.in_mode.mass_ratio));

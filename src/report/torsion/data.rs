@@ -34,8 +34,7 @@ pub fn table(study: &TorsionStudy, name: &str) -> Option<Table> {
 }
 
 fn modes(study: &TorsionStudy) -> Table {
-    let rows: Vec<_> = study.modes.iter().enumerate().collect();
-    let mut table = Filling::new("torsion.modes", &rows);
+    let mut table = Filling::new("torsion.modes", study.modes.iter().enumerate());
     table.whole("mode", |(index, _)| index + 1);
     table.decimal("frequency_{unit}", Unit::HERTZ, |(_, one)| Some(one.mode.hertz()));
     table.decimal("frequency_{unit}", Unit::PER_MINUTE, |(_, one)| Some(60.0 * one.mode.hertz()));
@@ -51,8 +50,7 @@ fn of_modes<T>(study: &TorsionStudy, of: fn(&CriticalSpeeds) -> &Vec<T>) -> Vec<
 }
 
 fn critical(study: &TorsionStudy) -> Table {
-    let rows = of_modes(study, |speeds| &speeds.orders);
-    let mut table = Filling::new("torsion.critical", &rows).keyed(2);
+    let mut table = Filling::new("torsion.critical", of_modes(study, |speeds| &speeds.orders)).keyed(2);
     table.whole("mode", |(mode, ..)| *mode);
     table.exact("order", Unit::NONE, |(.., order)| Some(order.order.exact().to_string()));
     table.decimal("speed_{unit}", Unit::PER_MINUTE, |(.., order)| Some(order.rpm));
@@ -64,8 +62,7 @@ fn critical(study: &TorsionStudy) -> Table {
 
 fn discs(study: &TorsionStudy) -> Table {
     let torsion = study.torsion();
-    let rows: Vec<_> = torsion.inertias.iter().enumerate().collect();
-    let mut table = Filling::new("torsion.discs", &rows);
+    let mut table = Filling::new("torsion.discs", torsion.inertias.iter().enumerate());
     table.whole("disc", |(index, _)| index + 1);
     table.decimal("inertia_{unit}", Unit::KILOGRAM_SQUARE_METRE, |(_, one)| one.to_f64());
     let unit = Unit::NEWTON_METRE_PER_RADIAN;
@@ -82,8 +79,7 @@ fn deflections(
     of_what: &'static str,
     deflections: fn(&CriticalSpeeds) -> &Vec<f64>,
 ) -> Table {
-    let rows = of_modes(study, deflections);
-    let mut table = Filling::new(path, &rows).keyed(2);
+    let mut table = Filling::new(path, of_modes(study, deflections)).keyed(2);
     table.whole("mode", |(mode, ..)| *mode);
     table.whole(of_what, |(_, number, _)| *number);
     table.decimal("deflection", Unit::NONE, |(.., value)| Some(**value));
@@ -91,8 +87,7 @@ fn deflections(
 }
 
 fn nodes(study: &TorsionStudy) -> Table {
-    let rows = of_modes(study, |speeds| &speeds.mode.nodes);
-    let mut table = Filling::new("torsion.nodes", &rows).keyed(2);
+    let mut table = Filling::new("torsion.nodes", of_modes(study, |speeds| &speeds.mode.nodes)).keyed(2);
     table.whole("mode", |(mode, ..)| *mode);
     table.whole("node", |(_, node, _)| *node);
     let ends = |place: &Node| place.ends(&study.train).map(|disc| disc + 1);
@@ -106,8 +101,7 @@ fn nodes(study: &TorsionStudy) -> Table {
 }
 
 fn forced(study: &TorsionStudy) -> Option<Table> {
-    let rows = study.forced();
-    let mut table = Filling::new("torsion.forced", &rows);
+    let mut table = Filling::new("torsion.forced", study.forced());
     table.exact("order", Unit::NONE, |one| Some(one.order.exact().to_string()));
     table.decimal("frequency_{unit}", Unit::HERTZ, |one| Some(one.hertz));
     table.maybe_whole("near_mode", |one| one.near);

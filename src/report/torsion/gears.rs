@@ -116,9 +116,8 @@ pub(super) fn orders(study: &TorsionStudy, vibration: &Vibration) -> page::Table
 
 /// The gears as data.
 pub(super) fn data(study: &TorsionStudy) -> Option<table::Table> {
-    let rows = study.in_mesh();
     let moment = table::Unit::NEWTON_METRE;
-    let mut table = Filling::new("torsion.gears", &rows);
+    let mut table = Filling::new("torsion.gears", study.in_mesh());
     table.whole("gear", |one| one.gear + 1);
     table.whole("from_disc", |one| study.train.gears[one.gear][0] + 1);
     table.whole("to_disc", |one| study.train.gears[one.gear][1] + 1);
@@ -137,8 +136,8 @@ pub(super) fn data(study: &TorsionStudy) -> Option<table::Table> {
 pub(super) fn data_of_orders(study: &TorsionStudy) -> Option<table::Table> {
     let gears = 0..study.train.gears.len();
     let orders = &study.at_speed().filter(|_| !gears.is_empty())?.orders;
-    let rows: Vec<_> = orders.iter().flat_map(|order| gears.clone().map(move |gear| (order, gear))).collect();
-    let mut table = Filling::new("torsion.meshes", &rows).keyed(2);
+    let rows = orders.iter().flat_map(|order| gears.clone().map(move |gear| (order, gear)));
+    let mut table = Filling::new("torsion.meshes", rows).keyed(2);
     table.exact("order", table::Unit::NONE, |(one, _)| Some(one.order.exact().to_string()));
     table.whole("gear", |(_, gear)| gear + 1);
     for (name, end) in [("torque_zero_to_peak_{unit}", 0), ("to_torque_zero_to_peak_{unit}", 1)] {
@@ -152,8 +151,9 @@ pub(super) fn data_of_orders(study: &TorsionStudy) -> Option<table::Table> {
 /// The torque in the teeth over the range.
 pub(super) fn data_of_speeds(study: &TorsionStudy) -> Option<table::Table> {
     let speeds = study.over_range().iter();
-    let rows: Vec<_> = speeds.flat_map(|at| (0..at.meshes.len()).map(move |gear| (at, gear))).collect();
-    let mut table = Filling::new("torsion.mesh_speeds", &rows).keyed(2);
+    let mut table =
+        Filling::new("torsion.mesh_speeds", speeds.flat_map(|at| (0..at.meshes.len()).map(move |gear| (at, gear))))
+            .keyed(2);
     table.decimal("speed_{unit}", table::Unit::PER_MINUTE, |(at, _)| Some(at.speed));
     table.whole("gear", |(_, gear)| gear + 1);
     for (name, end) in [("torque_half_range_{unit}", 0), ("to_torque_half_range_{unit}", 1)] {
