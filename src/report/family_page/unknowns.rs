@@ -7,7 +7,7 @@ use super::super::typeset;
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{Alternative, Condition};
-use crate::page::Text;
+use crate::page::{Text, phrase};
 
 /// `2φ − δ ≡ 180°`.
 pub(super) fn exactly(unknowns: String, turn: &Turn) -> String {
@@ -69,6 +69,24 @@ pub(super) fn open_length(length: &Linear) -> String {
         Some(known) => typeset::number(known),
         None => length.to_string(),
     }
+}
+
+/// Alternatives in a row; none where there is none.
+pub(super) fn alternatives(told: impl IntoIterator<Item = Text>) -> Option<Text> {
+    let told = Text::joined(told, ", or ");
+    (!told.is_empty()).then_some(told)
+}
+
+/// `0 where φ ≡ 60°`, and where it is not known; none where neither is told.
+pub(super) fn zero_where(zeros: Option<Text>, open: impl IntoIterator<Item = Text>) -> Option<Text> {
+    let zeros = zeros.map(|zeros| phrase!("0 where {}", zeros));
+    let told = Text::joined(zeros.into_iter().chain(open), "; ");
+    (!told.is_empty()).then_some(told)
+}
+
+/// The names of two unknowns.
+pub(super) fn names(both: [&[BigRational; 2]; 2]) -> [String; 2] {
+    both.map(|[phi, delta]| unknowns(phi, delta))
 }
 
 pub(super) fn near(name: &str, degrees: f64) -> Text {

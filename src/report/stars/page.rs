@@ -4,9 +4,10 @@ use super::proofs::THEOREMS;
 use super::study::{Shown, StarsStudy, golden};
 use super::tables::{self, every, first};
 use crate::order::Masses;
+use crate::page::number::Amount;
 use crate::page::{Block, Document, File, Text, phrase};
 use crate::report::search::star_pictures;
-use crate::report::{residual, theorem_words};
+use crate::report::theorem_words;
 use crate::text::Untrusted;
 use crate::verdict::{self, EveryOrderTheorem};
 
@@ -82,11 +83,10 @@ fn example(study: &StarsStudy, theorem: usize) -> Vec<Block> {
         6 => vec![tables::four_stroke().into()],
         7 => {
             let [first, second] = [1, 2].map(golden);
-            let proved = if first.vanishes() { Text::zero() } else { residual::modulus_of(&first).into() };
             let golden = phrase!(
                 "Five cylinders in the golden ratio, decided by the program: order 1 leaves {}, order 2 leaves {}.",
-                proved,
-                residual::modulus_of(&second)
+                Amount::of(&first),
+                Amount::of(&second)
             );
             vec![tables::spaced().into(), Block::Paragraph(golden)]
         }
