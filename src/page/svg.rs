@@ -123,13 +123,16 @@ fn runs(figure: &Figure) -> Vec<Run> {
 impl Run {
     /// One element, or a group of them, each on its line.
     fn written(&self) -> String {
-        let outlines: String = self.shapes.iter().filter_map(Shape::outline).collect();
-        let path = (!outlines.is_empty()).then(|| (format!("<path d=\"{outlines}\""), None));
-        let alone = self.shapes.iter().filter_map(|shape| match shape {
-            Shape::Outline(_) => None,
-            Shape::Element(start, content) => Some((start.clone(), content.clone())),
-        });
-        let elements: Vec<(String, Option<String>)> = path.into_iter().chain(alone).collect();
+        let (mut outlines, mut elements) = (String::new(), Vec::new());
+        for shape in &self.shapes {
+            match shape {
+                Shape::Outline(data) => outlines.push_str(data),
+                Shape::Element(start, content) => elements.push((start.clone(), content.clone())),
+            }
+        }
+        if !outlines.is_empty() {
+            elements.insert(0, (format!("<path d=\"{outlines}\""), None));
+        }
         let whole = |(start, content): &(String, Option<String>), attributes: &str| match content {
             Some(content) => format!("{start}{attributes}>{content}</text>"),
             None => format!("{start}{attributes}/>"),
@@ -140,15 +143,6 @@ impl Run {
                 let lines: Vec<String> = several.iter().map(|element| whole(element, "")).collect();
                 format!("<g {}>\n{}\n</g>", self.attributes, lines.join("\n"))
             }
-        }
-    }
-}
-
-impl Shape {
-    fn outline(&self) -> Option<&str> {
-        match self {
-            Shape::Outline(data) => Some(data),
-            Shape::Element(..) => None,
         }
     }
 }

@@ -30,6 +30,22 @@ pub enum Ink {
     Shade(u8),
 }
 
+impl Ink {
+    /// What it is called in files; all shades together.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Ink::Black => "black",
+            Ink::Grey => "grey",
+            Ink::Light => "light",
+            Ink::Blue => "blue",
+            Ink::Orange => "orange",
+            Ink::Green => "green",
+            Ink::Red => "red",
+            Ink::Shade(_) => "shade",
+        }
+    }
+}
+
 /// How a line is broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dash {

@@ -2,9 +2,10 @@
 
 use num_traits::Signed;
 
-use super::sums::{MOST_IN_LIST, angle, components_tex, vectors};
+use super::sums::{MOST_IN_LIST, components_tex, vectors};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers::{Form, Root};
+use crate::page::number::angle;
 use crate::page::{Number, Text, phrase};
 use crate::verdict::{Component, Size};
 

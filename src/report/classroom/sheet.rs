@@ -53,13 +53,12 @@ const SUMS: &str = "P_k^{\\pm} = \\sum_j m_j\\, e^{i\\varphi_{j}^{\\pm}}, \\qqua
 
 fn to_find(pupil: &Pupil, orders: &[u32]) -> Vec<Block> {
     let engine = &pupil.engine;
-    let listed: Vec<String> = orders.iter().map(u32::to_string).collect();
     let mut blocks = vec![
         Block::Heading(1, "To find".into()),
         Block::Paragraph(phrase!(
             "The vector stars of the pistons at {}. For each order, the phases of the direct and of the reverse vector of every \
              cylinder at θ = 0, and the lengths of their sums: of the force, and of the moment, in which each vector is multiplied by its arm z from the plane above.",
-            residual::orders_in_words(&listed)
+            residual::orders_in_words(orders)
         )),
         Block::Formula(PHASES.to_owned(), Some(1)),
         Block::Formula(SUMS.to_owned(), Some(2)),

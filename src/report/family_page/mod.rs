@@ -125,7 +125,7 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     for quantity in Planar::BOTH {
         let Some(unit) = picture::unit(family, Some(&sizes), quantity) else {
             let of = orders.iter().filter(|order| !sizes::verdicts(order, quantity).iter().all(OpenVerdict::always));
-            let of: Vec<String> = of.map(|order| order.order.to_string()).collect();
+            let of: Vec<u32> = of.map(|order| order.order).collect();
             let words = "a moment of {} that depends on the lengths";
             told.extend((!of.is_empty()).then(|| phrase!(words, super::residual::orders_in_words(&of))));
             continue;
@@ -135,7 +135,6 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
         };
         let (large, small) = sizes.told(quantity, orders);
         told.extend(large.into_iter().map(size));
-        let small: Vec<String> = small.iter().map(u32::to_string).collect();
         told.extend((!small.is_empty()).then(|| {
             phrase!(
                 "{1:force|moment} below 1 % of the largest{1: or of one piston's|} at {2}",
@@ -157,8 +156,8 @@ fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
     let mut lines: Vec<Text> = most(family, orders).into_iter().collect();
     lines.extend(special_angles::sentences(family, orders));
     let always = |verdicts: &[OpenVerdict; 2]| verdicts.iter().all(OpenVerdict::always);
-    let list = |is_meant: &dyn Fn(&OpenOrder) -> bool| -> Vec<String> {
-        orders.iter().filter(|order| is_meant(order)).map(|order| order.order.to_string()).collect()
+    let list = |is_meant: &dyn Fn(&OpenOrder) -> bool| -> Vec<u32> {
+        orders.iter().filter(|order| is_meant(order)).map(|order| order.order).collect()
     };
     let both = list(&|order| always(&order.force) && always(&order.moment));
     let forces = list(&|order| always(&order.force) && !always(&order.moment));

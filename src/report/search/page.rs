@@ -84,8 +84,7 @@ fn title(front: &Front) -> Text {
 /// How many are best, and the first of them.
 fn best(front: &Front) -> Vec<Text> {
     let (all, limits) = (number::grouped(&front.all.to_string()), &front.limits.limits);
-    let orders: Vec<String> = front.problem.orders.iter().map(u32::to_string).collect();
-    let orders = phrase!("Compared: the moments of {}.", residual::orders_in_words(&orders));
+    let orders = phrase!("Compared: the moments of {}.", residual::orders_in_words(&front.problem.orders));
     let counted = front.stars.iter().map(|star| star.stars).sum::<Option<u64>>();
     let how_many = match front.stars.len() {
         0 if !limits.is_empty() => phrase!("**No crank star keeps these limits:** {}.", limits_of(front)),
@@ -144,9 +143,9 @@ fn best(front: &Front) -> Vec<Text> {
             )
         }
     });
-    let minor: Vec<String> = front.problem.minor_orders.iter().map(ToString::to_string).collect();
-    let minor = (!minor.is_empty())
-        .then(|| phrase!("Also compared: these minor orders of torsional vibration: {}.", minor.join(", ")));
+    let minor = number::listed(&front.problem.minor_orders);
+    let minor =
+        (!minor.is_empty()).then(|| phrase!("Also compared: these minor orders of torsional vibration: {}.", minor));
     [how_many].into_iter().chain(first).chain([orders]).chain(minor).collect()
 }
 

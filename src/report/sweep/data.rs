@@ -8,18 +8,24 @@ use crate::engine::CycleOrder;
 use crate::exact::fraction;
 use crate::loads::Arm;
 use crate::numbers::float;
+use crate::page::File;
 use crate::proof::Planar;
 use crate::report::data::cells::{decimals, exact, truths};
 use crate::report::data::{Filling, value_columns};
 use crate::report::value::column_of;
 use crate::sweep::{Amplitude, Amplitudes, Envelope, Evenness, Sweep, SweptEngine};
-use crate::table::{Column, Table, Unit};
+use crate::table::{Column, Table, Unit, csv};
 
 /// The tables of a sweep: the points, the exact zeros where the parameter is an angle, those of the firing stars where they are asked for.
 pub fn tables(sweep: &Sweep) -> Vec<Table> {
     let zeros = sweep.zeros.as_ref().map(|_| zeros(sweep));
     let firing_zeros = sweep.firing.as_ref().filter(|firing| firing.zeros.is_some()).map(|_| firing_zeros(sweep));
     [points(sweep)].into_iter().chain(zeros).chain(firing_zeros).collect()
+}
+
+/// The points as `sweep.csv`.
+pub fn sweep_csv(sweep: &Sweep) -> File {
+    File { name: "sweep.csv".into(), text: csv(&points(sweep)) }
 }
 
 /// The patterns of the amplitudes of an order, as [`Amplitudes::named`] has them: in multiples, in newtons, whether it is zero.

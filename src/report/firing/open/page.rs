@@ -4,7 +4,7 @@ use super::super::super::family_page::{argument, left_open};
 use super::super::super::residual;
 use super::super::page::{assumed, meaning};
 use super::{OpenFiringStudy, picture, words};
-use crate::engine::{Cycle, FiringSpan, OpenFiring};
+use crate::engine::{Cycle, CycleOrder, FiringSpan, OpenFiring};
 use crate::family::{OpenStar, SpanStar};
 use crate::page::{Block, Document, Table, Text, phrase};
 
@@ -41,8 +41,8 @@ pub fn open_firing_page(study: &OpenFiringStudy<'_>) -> Document {
 /// What is open, and which orders vanish where.
 fn answer(study: &OpenFiringStudy<'_>) -> Vec<Text> {
     let mut lines = vec![left_open(study.family)];
-    let named = |is_meant: &dyn Fn(&OpenStar) -> bool| -> Vec<String> {
-        study.orders.iter().filter(|star| is_meant(star)).map(|star| star.order.to_string()).collect()
+    let named = |is_meant: &dyn Fn(&OpenStar) -> bool| -> Vec<CycleOrder> {
+        study.orders.iter().filter(|star| is_meant(star)).map(|star| star.order).collect()
     };
     let no_value = |star: &OpenStar| words::values(study, star).is_some_and(|values| values.is_empty());
     let (always, never) = (named(&OpenStar::always), named(&|star| star.never() || no_value(star)));
