@@ -6,7 +6,7 @@ mod outline;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use self::colour::{class, on_dark, on_light};
+use self::colour::{class, colours};
 use self::outline::{number, outline, rectangle};
 use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, arrow_head};
 use crate::text::xml;
@@ -40,14 +40,13 @@ pub fn svg(figure: &Figure, title: &str) -> String {
 /// The colours of the drawing on a light page and on a dark one.
 fn style(figure: &Figure) -> String {
     let used: BTreeSet<(&str, Ink)> = figure.marks.iter().flat_map(paints).collect();
-    let rules = |colour: fn(Ink) -> String| -> String {
-        let one = |(paint, ink): &(&str, Ink)| format!(".{}{{{paint}:{}}}", class(paint, *ink), colour(*ink));
-        used.iter().map(one).collect::<Vec<_>>().join("")
+    let rules = |page: usize| -> String {
+        let one = |(paint, ink): &(&str, Ink)| format!(".{}{{{paint}:{}}}", class(paint, *ink), colours(*ink)[page]);
+        used.iter().map(one).collect()
     };
+    let (light, dark) = (rules(0), rules(1));
     format!(
-        "<style>.cs-drawing{{max-width:100%;height:auto}}{}@media screen and (prefers-color-scheme:dark){{{}}}</style>\n",
-        rules(on_light),
-        rules(on_dark)
+        "<style>.cs-drawing{{max-width:100%;height:auto}}{light}@media screen and (prefers-color-scheme:dark){{{dark}}}</style>\n"
     )
 }
 

@@ -12,7 +12,7 @@ pub fn class(paint: &str, ink: Ink) -> String {
 
 /// Each ink on a light page and on a dark one. Blue, green and orange rise in lightness by equal steps, so that they differ in grey and for the
 /// colour-blind; on the dark page they are in the same order of lightness, and darker than the vectors upon them.
-fn colours(ink: Ink) -> [String; 2] {
+pub fn colours(ink: Ink) -> [String; 2] {
     let known = match ink {
         Ink::Black => ["#111111", "#f0f0f0"],
         Ink::Grey => ["#8a8a8a", "#8f959c"],
@@ -24,18 +24,6 @@ fn colours(ink: Ink) -> [String; 2] {
         Ink::Shade(percent) => return [grey(255, 0, percent), grey(17, 255, percent)],
     };
     known.map(str::to_owned)
-}
-
-/// The colour on a light page.
-pub fn on_light(ink: Ink) -> String {
-    let [light, _] = colours(ink);
-    light
-}
-
-/// The colour on a dark page.
-pub fn on_dark(ink: Ink) -> String {
-    let [_, dark] = colours(ink);
-    dark
 }
 
 /// A grey this many per cent of the way from the ground.
