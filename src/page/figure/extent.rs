@@ -125,49 +125,29 @@ impl Mark {
         }
     }
 
-    pub(crate) fn moved(&mut self, by: Point) {
+    fn points_mut(&mut self) -> Vec<&mut Point> {
         match self {
-            Mark::Line { from, to, .. } => {
-                *from += by;
-                *to += by;
-            }
-            Mark::Circle { centre, .. } => *centre += by,
-            Mark::Polygon { corners: points, .. } | Mark::Path { points, .. } => {
-                points.iter_mut().for_each(|point| *point += by);
-            }
-            Mark::Rectangles { corners, .. } => corners.iter_mut().for_each(|(low, high)| {
-                *low += by;
-                *high += by;
-            }),
-            Mark::Text { at, .. } | Mark::Title { at, .. } => *at += by,
+            Mark::Line { from, to, .. } => vec![from, to],
+            Mark::Circle { centre: at, .. } | Mark::Text { at, .. } | Mark::Title { at, .. } => vec![at],
+            Mark::Polygon { corners: points, .. } | Mark::Path { points, .. } => points.iter_mut().collect(),
+            Mark::Rectangles { corners, .. } => corners.iter_mut().flat_map(|(low, high)| [low, high]).collect(),
         }
     }
 
+    pub(crate) fn moved(&mut self, by: Point) {
+        self.points_mut().into_iter().for_each(|point| *point += by);
+    }
+
     fn scaled(&mut self, by: f64) {
+        self.points_mut().into_iter().for_each(|point| *point *= by);
         match self {
-            Mark::Line { from, to, stroke, .. } => {
-                *from *= by;
-                *to *= by;
-                stroke.width *= by;
-            }
-            Mark::Circle { centre, radius, stroke, .. } => {
-                *centre *= by;
+            Mark::Circle { radius, stroke, .. } => {
                 *radius *= by;
                 stroke.width *= by;
             }
-            Mark::Polygon { corners: points, stroke, .. } | Mark::Path { points, stroke } => {
-                points.iter_mut().for_each(|point| *point *= by);
-                stroke.width *= by;
-            }
-            Mark::Rectangles { corners, .. } => corners.iter_mut().for_each(|(low, high)| {
-                *low *= by;
-                *high *= by;
-            }),
-            Mark::Text { at, .. } => *at *= by,
-            Mark::Title { at, letters, .. } => {
-                *at *= by;
-                *letters *= by;
-            }
+            Mark::Line { stroke, .. } | Mark::Polygon { stroke, .. } | Mark::Path { stroke, .. } => stroke.width *= by,
+            Mark::Title { letters, .. } => *letters *= by,
+            Mark::Rectangles { .. } | Mark::Text { .. } => {}
         }
     }
 }
