@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::figure::{Figure, Mark};
+use super::figure::Figure;
 use super::text::Text;
 use super::{Language, Units};
 use crate::text::Untrusted;
@@ -32,14 +32,32 @@ impl Document {
         self.blocks.push(block.into());
     }
 
+    /// With one more section: its heading, and what stands first below it.
+    pub fn section(&mut self, heading: impl Into<Text>, block: impl Into<Block>) {
+        self.push(Block::Heading(1, heading.into()));
+        self.push(block);
+    }
+
     /// All its pictures, those on folds too, in order.
     pub fn pictures(&self) -> Vec<&Picture> {
-        pictures(&self.blocks)
+        let pictures = unfolded(&self.blocks).into_iter().filter_map(|block| match block {
+            Block::Pictures(drawn) => Some(drawn),
+            _ => None,
+        });
+        pictures.flatten().collect()
     }
 }
 
-fn pictures(blocks: &[Block]) -> Vec<&Picture> {
-    blocks.iter().flat_map(Block::pictures).collect()
+/// The blocks with those on folds, in order.
+fn unfolded(blocks: &[Block]) -> Vec<&Block> {
+    let mut all = Vec::new();
+    for block in blocks {
+        match block {
+            Block::Folded(fold) => all.extend(unfolded(&fold.blocks)),
+            other => all.push(other),
+        }
+    }
+    all
 }
 
 /// A part of a document.
@@ -71,20 +89,9 @@ pub enum Block {
 }
 
 impl Block {
-    fn pictures(&self) -> Vec<&Picture> {
-        match self {
-            Block::Pictures(drawn) => drawn.iter().collect(),
-            Block::Folded(fold) => pictures(&fold.blocks),
-            Block::Heading(..)
-            | Block::Paragraph(_)
-            | Block::Answer(_)
-            | Block::Table(_)
-            | Block::Formula(..)
-            | Block::List(_)
-            | Block::Note(_)
-            | Block::Live(_)
-            | Block::Verbatim(..) => Vec::new(),
-        }
+    /// Blocks that only some readers want, below what is on the fold.
+    pub fn folded(summary: impl Into<Text>, blocks: Vec<Block>) -> Self {
+        Block::Folded(Fold { summary: summary.into(), blocks })
     }
 }
 
@@ -179,6 +186,11 @@ pub struct Picture {
 }
 
 impl Picture {
+    /// A drawing with the name of its file and the words below it.
+    pub fn new(name: impl Into<String>, caption: impl Into<Text>, figure: Figure) -> Self {
+        Picture { name: name.into(), caption: caption.into(), figure }
+    }
+
     /// The same counted in these units.
     pub(super) fn counted_in(&self, units: Units) -> Picture {
         match (&self.figure.in_inches, units) {
@@ -190,19 +202,20 @@ impl Picture {
 
 /// Whether some of these have formulas on lines of their own.
 pub(super) fn in_si_units(blocks: &[Block]) -> bool {
-    blocks.iter().any(|block| match block {
-        Block::Formula(..) => true,
-        Block::Folded(fold) => in_si_units(&fold.blocks),
-        Block::Heading(..)
-        | Block::Paragraph(_)
-        | Block::Answer(_)
-        | Block::Table(_)
-        | Block::Pictures(_)
-        | Block::List(_)
-        | Block::Note(_)
-        | Block::Live(_)
-        | Block::Verbatim(..) => false,
-    })
+    unfolded(blocks).into_iter().any(|block| matches!(block, Block::Formula(..)))
+}
+
+/// A text by itself is a paragraph.
+impl From<Text> for Block {
+    fn from(text: Text) -> Self {
+        Block::Paragraph(text)
+    }
+}
+
+impl From<&'static str> for Block {
+    fn from(words: &'static str) -> Self {
+        Block::Paragraph(words.into())
+    }
 }
 
 impl From<Table> for Block {
@@ -224,18 +237,10 @@ impl Language {
         if self == Language::En {
             return out;
         }
-        for mark in &mut out.figure.marks {
-            match mark {
-                Mark::Text { text, prose, .. } => {
-                    *text = self.signs(text);
-                    *prose = prose.take().map(|prose| self.prose(&prose));
-                }
-                Mark::Title { text, .. } => *text = self.signs(text),
-                Mark::Line { .. }
-                | Mark::Circle { .. }
-                | Mark::Polygon { .. }
-                | Mark::Path { .. }
-                | Mark::Rectangles { .. } => {}
+        for (text, prose) in out.figure.texts_mut() {
+            *text = self.signs(text);
+            if let Some(prose) = prose.and_then(Option::as_mut) {
+                *prose = self.prose(prose);
             }
         }
         out.figure = out.figure.with_room_for_texts();

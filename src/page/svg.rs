@@ -6,7 +6,7 @@ mod outline;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use self::colour::{class, on_dark, on_light};
+use self::colour::{class, colours};
 use self::outline::{number, outline, rectangle};
 use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, arrow_head};
 use crate::text::xml;
@@ -40,14 +40,13 @@ pub fn svg(figure: &Figure, title: &str) -> String {
 /// The colours of the drawing on a light page and on a dark one.
 fn style(figure: &Figure) -> String {
     let used: BTreeSet<(&str, Ink)> = figure.marks.iter().flat_map(paints).collect();
-    let rules = |colour: fn(Ink) -> String| -> String {
-        let one = |(paint, ink): &(&str, Ink)| format!(".{}{{{paint}:{}}}", class(paint, *ink), colour(*ink));
-        used.iter().map(one).collect::<Vec<_>>().join("")
+    let rules = |page: usize| -> String {
+        let one = |(paint, ink): &(&str, Ink)| format!(".{}{{{paint}:{}}}", class(paint, *ink), colours(*ink)[page]);
+        used.iter().map(one).collect()
     };
+    let (light, dark) = (rules(0), rules(1));
     format!(
-        "<style>.cs-drawing{{max-width:100%;height:auto}}{}@media screen and (prefers-color-scheme:dark){{{}}}</style>\n",
-        rules(on_light),
-        rules(on_dark)
+        "<style>.cs-drawing{{max-width:100%;height:auto}}{light}@media screen and (prefers-color-scheme:dark){{{dark}}}</style>\n"
     )
 }
 
@@ -123,13 +122,16 @@ fn runs(figure: &Figure) -> Vec<Run> {
 impl Run {
     /// One element, or a group of them, each on its line.
     fn written(&self) -> String {
-        let outlines: String = self.shapes.iter().filter_map(Shape::outline).collect();
-        let path = (!outlines.is_empty()).then(|| (format!("<path d=\"{outlines}\""), None));
-        let alone = self.shapes.iter().filter_map(|shape| match shape {
-            Shape::Outline(_) => None,
-            Shape::Element(start, content) => Some((start.clone(), content.clone())),
-        });
-        let elements: Vec<(String, Option<String>)> = path.into_iter().chain(alone).collect();
+        let (mut outlines, mut elements) = (String::new(), Vec::new());
+        for shape in &self.shapes {
+            match shape {
+                Shape::Outline(data) => outlines.push_str(data),
+                Shape::Element(start, content) => elements.push((start.clone(), content.clone())),
+            }
+        }
+        if !outlines.is_empty() {
+            elements.insert(0, (format!("<path d=\"{outlines}\""), None));
+        }
         let whole = |(start, content): &(String, Option<String>), attributes: &str| match content {
             Some(content) => format!("{start}{attributes}>{content}</text>"),
             None => format!("{start}{attributes}/>"),
@@ -140,15 +142,6 @@ impl Run {
                 let lines: Vec<String> = several.iter().map(|element| whole(element, "")).collect();
                 format!("<g {}>\n{}\n</g>", self.attributes, lines.join("\n"))
             }
-        }
-    }
-}
-
-impl Shape {
-    fn outline(&self) -> Option<&str> {
-        match self {
-            Shape::Outline(data) => Some(data),
-            Shape::Element(..) => None,
         }
     }
 }

@@ -95,6 +95,11 @@ impl Text {
         Text::measured(value, unit).and(Piece::Label("\u{202f}".to_owned())).and(unit)
     }
 
+    /// A value of a table; a dash where there is none.
+    pub fn or_dash(value: Option<impl Into<Text>>) -> Self {
+        value.map_or_else(|| "–".into(), Into::into)
+    }
+
     /// A decimal without a sign before it, to four figures or those that the reader asks for.
     pub fn figures(value: f64) -> Self {
         Piece::Measured(value, Unit::NONE, Setting::Usual(super::number::decimal)).into()
@@ -174,10 +179,7 @@ impl From<Piece> for Text {
 
 impl From<&'static str> for Text {
     fn from(words: &'static str) -> Self {
-        match words.is_empty() {
-            true => Text::default(),
-            false => Text::phrase(words, Vec::new()),
-        }
+        if words.is_empty() { Text::default() } else { Text::phrase(words, Vec::new()) }
     }
 }
 

@@ -1,6 +1,5 @@
 //! How is a drawing written as TikZ?
 
-use std::borrow::Cow;
 use std::fmt::Write;
 
 use super::figure::{Anchor, Dash, Figure, Ink, Mark, Point, Stroke, arrow_head, coordinate};
@@ -117,16 +116,9 @@ fn inside(fill: &Option<Ink>) -> String {
     fill.map_or(String::new(), |ink| format!(",fill={}", colour(ink)))
 }
 
-fn colour(ink: Ink) -> Cow<'static, str> {
-    let known = match ink {
-        Ink::Black => "csblack",
-        Ink::Grey => "csgrey",
-        Ink::Light => "cslight",
-        Ink::Blue => "csblue",
-        Ink::Orange => "csorange",
-        Ink::Green => "csgreen",
-        Ink::Red => "csred",
-        Ink::Shade(percent) => return format!("black!{}", percent.min(100)).into(),
-    };
-    known.into()
+fn colour(ink: Ink) -> String {
+    match ink {
+        Ink::Shade(percent) => format!("black!{}", percent.min(100)),
+        named => format!("cs{}", named.name()),
+    }
 }

@@ -17,25 +17,21 @@ pub enum Units {
 }
 
 impl Units {
+    /// What these units have in place of another, and how much of that it is, exactly; none where it stays.
+    pub(super) fn instead_of(self, unit: Unit) -> Option<(Unit, BigRational)> {
+        match self {
+            Units::Si => None,
+            Units::Inch => unit.inch(),
+        }
+    }
+
     /// A value with its unit, in these units.
     pub fn of(self, value: f64, unit: Unit) -> (f64, Unit) {
-        match self {
-            Units::Si => (value, unit),
-            Units::Inch => match unit.inch() {
-                Some((inch, size)) => (value / float(&size), inch),
-                None => (value, unit),
-            },
-        }
+        self.instead_of(unit).map_or((value, unit), |(inch, size)| (value / float(&size), inch))
     }
 
     /// An exact value with its unit, in these units.
     pub fn of_exact(self, value: &BigRational, unit: Unit) -> (BigRational, Unit) {
-        match self {
-            Units::Si => (value.clone(), unit),
-            Units::Inch => match unit.inch() {
-                Some((inch, size)) => (value / size, inch),
-                None => (value.clone(), unit),
-            },
-        }
+        self.instead_of(unit).map_or_else(|| (value.clone(), unit), |(inch, size)| (value / size, inch))
     }
 }

@@ -229,10 +229,10 @@ pub(super) fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<Text> 
 }
 
 /// `order 2`, `orders 2, 6`.
-pub(super) fn orders_in_words(orders: &[String]) -> Text {
+pub(super) fn orders_in_words(orders: &[impl ToString]) -> Text {
     match orders {
-        [only] => phrase!("order {}", only.clone()),
-        several => phrase!("orders {}", several.join(", ")),
+        [only] => phrase!("order {}", only.to_string()),
+        several => phrase!("orders {}", typeset::listed(several.iter().map(ToString::to_string))),
     }
 }
 

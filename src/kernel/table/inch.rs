@@ -11,9 +11,10 @@ impl Unit {
         // An inch is 25.4 mm, a pound 0.45359237 kg, a pound-force 4.4482216152605 N.
         const POUND_FORCE: i64 = 44_482_216_152_605;
         const POUND: i64 = 45_359_237;
+        const FOOT_POUND: (i64, i64) = (13_558_179_483_314_004, 10_000_000_000_000_000);
         let known: [(Unit, Unit, (i64, i64)); 23] = [
             (Unit::NEWTON, Unit::POUND_FORCE, (POUND_FORCE, 10_000_000_000_000)),
-            (Unit::NEWTON_METRE, Unit::POUND_FORCE_FOOT, (13_558_179_483_314_004, 10_000_000_000_000_000)),
+            (Unit::NEWTON_METRE, Unit::POUND_FORCE_FOOT, FOOT_POUND),
             (Unit::NEWTON_SPACING, Unit::POUND_FORCE_SPACING, (POUND_FORCE, 10_000_000_000_000)),
             (Unit::KILOGRAM, Unit::POUND, (POUND, 100_000_000)),
             (Unit::KILOGRAM_METRE, Unit::OUNCE_INCH, (POUND * 254, 16_000_000_000_000)),
@@ -22,16 +23,8 @@ impl Unit {
             (Unit::MULTIPLE_METRE, Unit::MULTIPLE_INCH, (254, 10_000)),
             (Unit::METRE_PER_SECOND, Unit::FOOT_PER_SECOND, (3048, 10_000)),
             (Unit::METRE_PER_SQUARE_SECOND, Unit::FOOT_PER_SQUARE_SECOND, (3048, 10_000)),
-            (
-                Unit::NEWTON_METRE_PER_RADIAN,
-                Unit::POUND_FORCE_FOOT_PER_RADIAN,
-                (13_558_179_483_314_004, 10_000_000_000_000_000),
-            ),
-            (
-                Unit::NEWTON_METRE_SECOND,
-                Unit::POUND_FORCE_FOOT_SECOND,
-                (13_558_179_483_314_004, 10_000_000_000_000_000),
-            ),
+            (Unit::NEWTON_METRE_PER_RADIAN, Unit::POUND_FORCE_FOOT_PER_RADIAN, FOOT_POUND),
+            (Unit::NEWTON_METRE_SECOND, Unit::POUND_FORCE_FOOT_SECOND, FOOT_POUND),
             (Unit::MEGAPASCAL, Unit::PSI, (POUND_FORCE, 6_451_600_000_000_000)),
             (Unit::WATT, Unit::HORSEPOWER, (74_569_987_158_227_022, 100_000_000_000_000)),
             (Unit::MILLIMETRE, Unit::INCH, (254, 10)),
@@ -39,7 +32,7 @@ impl Unit {
             (Unit::NEWTON_PER_METRE, Unit::POUND_FORCE_PER_INCH, (POUND_FORCE, 254_000_000_000)),
             (Unit::NEWTON_SECOND_PER_METRE, Unit::POUND_FORCE_SECOND_PER_INCH, (POUND_FORCE, 254_000_000_000)),
             (Unit::CUBIC_CENTIMETRE, Unit::CUBIC_INCH, (16_387_064, 1_000_000)),
-            (Unit::JOULE, Unit::FOOT_POUND, (13_558_179_483_314_004, 10_000_000_000_000_000)),
+            (Unit::JOULE, Unit::FOOT_POUND, FOOT_POUND),
             (Unit::KILOWATT, Unit::HORSEPOWER, (74_569_987_158_227_022, 100_000_000_000_000_000)),
             (Unit::BAR, Unit::PSI, (POUND_FORCE, 645_160_000_000_000)),
             (Unit::KILOGRAM_SQUARE_METRE, Unit::POUND_SQUARE_FOOT, (POUND * 9_290_304, 10_000_000_000_000_000)),

@@ -1,6 +1,6 @@
 //! How much room do marks take? The box of a text by its letters, and the box of all marks.
 
-use super::{Anchor, Figure, Mark, Point, arrow_head};
+use super::{Figure, Mark, Point, arrow_head};
 use crate::text::SUPERSCRIPTS;
 
 /// Boxes that share less than this, in millimetres, only touch.
@@ -99,19 +99,10 @@ impl Mark {
         let (at, text, anchor, bold, letters) = match self {
             Mark::Text { at, text, anchor, bold, .. } => (at, text, anchor, *bold, letters),
             Mark::Title { at, text, anchor, letters } => (at, text, anchor, true, *letters),
-            Mark::Line { .. }
-            | Mark::Circle { .. }
-            | Mark::Polygon { .. }
-            | Mark::Path { .. }
-            | Mark::Rectangles { .. } => return None,
+            _ => return None,
         };
         let width = text_width(text, letters) * if bold { 1.1 } else { 1.0 };
-        let left = match anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => width / 2.0,
-            Anchor::End => width,
-        };
-        let low = Point::new(at.re - left, at.im - TALL * letters / 2.0);
+        let low = Point::new(at.re - anchor.before(width), at.im - TALL * letters / 2.0);
         Some((text, Extent { low, high: low + Point::new(width, TALL * letters) }))
     }
 
@@ -134,54 +125,43 @@ impl Mark {
         }
     }
 
-    pub(crate) fn moved(&mut self, by: Point) {
+    fn points_mut(&mut self) -> Vec<&mut Point> {
         match self {
-            Mark::Line { from, to, .. } => {
-                *from += by;
-                *to += by;
-            }
-            Mark::Circle { centre, .. } => *centre += by,
-            Mark::Polygon { corners: points, .. } | Mark::Path { points, .. } => {
-                points.iter_mut().for_each(|point| *point += by);
-            }
-            Mark::Rectangles { corners, .. } => corners.iter_mut().for_each(|(low, high)| {
-                *low += by;
-                *high += by;
-            }),
-            Mark::Text { at, .. } | Mark::Title { at, .. } => *at += by,
+            Mark::Line { from, to, .. } => vec![from, to],
+            Mark::Circle { centre: at, .. } | Mark::Text { at, .. } | Mark::Title { at, .. } => vec![at],
+            Mark::Polygon { corners: points, .. } | Mark::Path { points, .. } => points.iter_mut().collect(),
+            Mark::Rectangles { corners, .. } => corners.iter_mut().flat_map(|(low, high)| [low, high]).collect(),
         }
     }
 
+    pub(crate) fn moved(&mut self, by: Point) {
+        self.points_mut().into_iter().for_each(|point| *point += by);
+    }
+
     fn scaled(&mut self, by: f64) {
+        self.points_mut().into_iter().for_each(|point| *point *= by);
         match self {
-            Mark::Line { from, to, stroke, .. } => {
-                *from *= by;
-                *to *= by;
-                stroke.width *= by;
-            }
-            Mark::Circle { centre, radius, stroke, .. } => {
-                *centre *= by;
+            Mark::Circle { radius, stroke, .. } => {
                 *radius *= by;
                 stroke.width *= by;
             }
-            Mark::Polygon { corners: points, stroke, .. } | Mark::Path { points, stroke } => {
-                points.iter_mut().for_each(|point| *point *= by);
-                stroke.width *= by;
-            }
-            Mark::Rectangles { corners, .. } => corners.iter_mut().for_each(|(low, high)| {
-                *low *= by;
-                *high *= by;
-            }),
-            Mark::Text { at, .. } => *at *= by,
-            Mark::Title { at, letters, .. } => {
-                *at *= by;
-                *letters *= by;
-            }
+            Mark::Line { stroke, .. } | Mark::Polygon { stroke, .. } | Mark::Path { stroke, .. } => stroke.width *= by,
+            Mark::Title { letters, .. } => *letters *= by,
+            Mark::Rectangles { .. } | Mark::Text { .. } => {}
         }
     }
 }
 
 impl Figure {
+    /// The texts to be changed, each with its prose; titles have none.
+    pub(in crate::page) fn texts_mut(&mut self) -> impl Iterator<Item = (&mut String, Option<&mut Option<String>>)> {
+        self.marks.iter_mut().filter_map(|mark| match mark {
+            Mark::Text { text, prose, .. } => Some((text, Some(prose))),
+            Mark::Title { text, .. } => Some((text, None)),
+            _ => None,
+        })
+    }
+
     /// The texts with the boxes that they cover, as far as the widths of letters are known.
     pub fn text_boxes(&self) -> Vec<(&str, Extent)> {
         self.marks.iter().filter_map(|mark| mark.text_box(self.letters)).collect()
@@ -197,20 +177,28 @@ impl Figure {
 
     /// The texts that do not lie on the page.
     pub fn leaving(&self) -> Vec<&str> {
-        let page = Extent { low: Point::new(0.0, 0.0), high: Point::new(self.width, self.height) };
+        let page = self.page();
         self.text_boxes().into_iter().filter(|(_, text)| !page.holds(text)).map(|(text, _)| text).collect()
     }
 
     /// The same marks on a page that holds all their texts, which may have become longer in another language.
     pub fn with_room_for_texts(self) -> Figure {
-        let page = Extent { low: Point::new(0.0, 0.0), high: Point::new(self.width, self.height) };
+        let page = self.page();
         let leaving = self.text_boxes().into_iter().map(|(_, text)| text).filter(|text| !page.holds(text));
         let Some(leaving) = leaving.reduce(|all, text| all.joined(&text)) else { return self };
-        let all = page.joined(&leaving.grown(AIR));
-        let size = all.high - all.low;
-        let mut larger = Figure::new(size.re, size.im).lettered(self.letters);
-        larger.place(self, -all.low);
-        larger
+        self.on_page(page.joined(&leaving.grown(AIR)))
+    }
+
+    fn page(&self) -> Extent {
+        Extent { low: Point::new(0.0, 0.0), high: Point::new(self.width, self.height) }
+    }
+
+    /// The same marks, what this rectangle holds of them as the page.
+    fn on_page(self, page: Extent) -> Figure {
+        let size = page.high - page.low;
+        let mut figure = Figure::new(size.re, size.im).lettered(self.letters);
+        figure.place(self, -page.low);
+        figure
     }
 
     /// What all marks together cover; nothing where there are none.
@@ -238,10 +226,6 @@ impl Figure {
     /// The same marks on a page that they fill, with a margin in millimetres.
     pub fn cropped(self, margin: f64) -> Figure {
         let Some(extent) = self.extent() else { return self };
-        let extent = extent.grown(margin);
-        let size = extent.high - extent.low;
-        let mut page = Figure::new(size.re, size.im).lettered(self.letters);
-        page.place(self, -extent.low);
-        page
+        self.on_page(extent.grown(margin))
     }
 }

@@ -30,6 +30,22 @@ pub enum Ink {
     Shade(u8),
 }
 
+impl Ink {
+    /// What it is called in files; all shades together.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Ink::Black => "black",
+            Ink::Grey => "grey",
+            Ink::Light => "light",
+            Ink::Blue => "blue",
+            Ink::Orange => "orange",
+            Ink::Green => "green",
+            Ink::Red => "red",
+            Ink::Shade(_) => "shade",
+        }
+    }
+}
+
 /// How a line is broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dash {
@@ -70,6 +86,17 @@ pub enum Anchor {
     Middle,
     /// The text ends at the point.
     End,
+}
+
+impl Anchor {
+    /// How far to the left of its point a text of this width begins.
+    pub fn before(self, width: f64) -> f64 {
+        match self {
+            Anchor::Start => 0.0,
+            Anchor::Middle => width / 2.0,
+            Anchor::End => width,
+        }
+    }
 }
 
 /// One mark of a drawing; later marks lie upon earlier ones.

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::digits::{approximate, degrees, is_long, signed_degrees};
-use crate::exact::Turn;
+use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction, Form, float};
 
 /// Longer closed forms than this tell a reader nothing; their decimals do.
@@ -57,6 +57,14 @@ impl Amount {
     /// Zero, exactly.
     pub fn zero() -> Self {
         Amount { exact: Some(Form::rational(BigRational::zero())), decimal: 0.0 }
+    }
+
+    /// The length of a sum; exactly zero where that is proved.
+    pub fn of(sum: &PhasorSum) -> Self {
+        match sum.vanishes() {
+            true => Amount::zero(),
+            false => Amount { exact: numbers::modulus(sum), decimal: numbers::length(numbers::evaluate(sum)) },
+        }
     }
 
     /// Half the sum of two amounts.

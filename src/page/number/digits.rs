@@ -155,13 +155,15 @@ pub(crate) fn decimal(value: f64) -> String {
     let text = match value.abs() {
         0.0 => "0".to_owned(),
         size if !(0.01..1e9).contains(&size) => scientific(value, 3),
-        size if size >= 999.95 => format!("{value:.0}"),
-        size if size >= 99.995 => format!("{value:.1}"),
-        size if size >= 9.9995 => format!("{value:.2}"),
-        size if size >= 0.99995 => format!("{value:.3}"),
-        _ => format!("{value:.4}"),
+        _ => to_places(value, &[999.95, 99.995, 9.9995, 0.99995]),
     };
     text.replace('-', "−")
+}
+
+/// With as many places as there are limits above its size.
+fn to_places(value: f64, limits: &[f64]) -> String {
+    let places = limits.iter().filter(|limit| value.abs() < **limit).count();
+    format!("{value:.places$}")
 }
 
 /// A decimal after its sign.
@@ -176,16 +178,10 @@ pub(crate) fn lowered(number: u32) -> String {
 
 /// A decimal to sensible figures: `9862`, `715`, `71.5`, `7.15`, `0.715`, `0.0715`.
 pub fn sensible(value: f64) -> String {
-    let size = value.abs();
-    let text = match size {
-        _ if size != 0.0 && !(1e-3..1e7).contains(&size) => scientific(value, 2),
-        _ if size >= 99.95 => format!("{value:.0}"),
-        _ if size >= 9.995 => format!("{value:.1}"),
-        _ if size >= 0.9995 => format!("{value:.2}"),
-        _ if size >= 0.09995 => format!("{value:.3}"),
-        _ if size >= 0.009995 => format!("{value:.4}"),
-        _ if size != 0.0 => format!("{value:.5}"),
-        _ => format!("{value:.3}"),
+    let text = match value.abs() {
+        0.0 => format!("{value:.3}"),
+        size if !(1e-3..1e7).contains(&size) => scientific(value, 2),
+        _ => to_places(value, &[99.95, 9.995, 0.9995, 0.09995, 0.009995]),
     };
     text.replace('-', "−")
 }
@@ -215,18 +211,18 @@ fn scientific(value: f64, places: usize) -> String {
 
 /// `10⁻⁴`.
 pub(crate) fn power_of_ten(power: i64) -> String {
-    let digits = power.unsigned_abs().to_string();
-    let digits = digits.bytes().filter_map(|digit| SUPERSCRIPTS.get(usize::from(digit.wrapping_sub(b'0'))));
-    let minus = if power < 0 { "⁻" } else { "" };
-    format!("10{minus}{}", digits.collect::<String>())
+    format!("10{}", raised(power))
+}
+
+/// A number as an exponent: `⁻⁴`.
+pub(crate) fn raised(power: i64) -> String {
+    let sign = |sign: char| sign.to_digit(10).map_or('⁻', |digit| SUPERSCRIPTS[digit as usize]);
+    power.to_string().chars().map(sign).collect()
 }
 
 /// A unit behind its number.
 pub(crate) fn behind(unit: Unit) -> String {
-    match unit == Unit::DEGREE {
-        true => unit.name.to_owned(),
-        false => format!("\u{202f}{}", unit.name),
-    }
+    if unit == Unit::DEGREE { unit.name.to_owned() } else { format!("\u{202f}{}", unit.name) }
 }
 
 /// Items in a row: `1, 2, 4`.

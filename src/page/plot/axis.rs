@@ -126,6 +126,13 @@ impl Axis {
         Some((factor, Axis { unit: Some(inch), range, ticks, covers, ..self.clone() }))
     }
 
+    /// These axes over inches and pounds, with how many of their units stand for one; none where no unit changes.
+    pub(super) fn all_in_inches<const N: usize>(axes: [&Axis; N]) -> Option<[(f64, Axis); N]> {
+        let changed = axes.map(|axis| (axis, axis.in_inches()));
+        let changes = changed.iter().any(|(_, inches)| inches.is_some());
+        changes.then(|| changed.map(|(axis, inches)| inches.unwrap_or_else(|| (1.0, axis.clone()))))
+    }
+
     /// The same axis from one value to another.
     pub fn within(self, low: f64, high: f64) -> Self {
         Axis { range: Some((low, high)), ..self }

@@ -138,11 +138,6 @@ impl Labels {
 /// What a text covers, with a little air.
 pub(crate) fn area(text: &str, (at, anchor): &Place) -> Area {
     let width = text_width(text);
-    let left = match anchor {
-        Anchor::Start => 0.0,
-        Anchor::Middle => width / 2.0,
-        Anchor::End => width,
-    };
-    let low = Point::new(at.re - left - 0.4, at.im - LINE / 2.0 + 0.1);
+    let low = Point::new(at.re - anchor.before(width) - 0.4, at.im - LINE / 2.0 + 0.1);
     Area { low, high: low + Point::new(width + 0.8, LINE - 0.2) }
 }

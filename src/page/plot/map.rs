@@ -58,12 +58,7 @@ impl Map {
 
     /// The same in inches and pounds; none where no axis has a unit that changes.
     fn in_inches(&self) -> Option<Map> {
-        let axes = [&self.x, &self.y, &self.value].map(|axis| (axis, axis.in_inches()));
-        if axes.iter().all(|(_, inches)| inches.is_none()) {
-            return None;
-        }
-        let [(right, x), (up, y), (factor, value)] =
-            axes.map(|(axis, inches)| inches.unwrap_or_else(|| (1.0, axis.clone())));
+        let [(right, x), (up, y), (factor, value)] = Axis::all_in_inches([&self.x, &self.y, &self.value])?;
         let mut map = Map { x, y, value, ..self.clone() };
         let scale = |at: &mut (f64, f64)| *at = (at.0 * right, at.1 * up);
         map.rows.iter_mut().flatten().for_each(|value| *value *= factor);

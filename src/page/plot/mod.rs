@@ -79,6 +79,13 @@ impl Plot {
         Plot { title: title.into(), x, y, curves: Vec::new(), marks: Vec::new(), rules: Vec::new() }
     }
 
+    /// Marks a zero by a ring in the ink of its curve, with one name for the zeros of several curves at one place.
+    pub fn ring_zero(&mut self, at: f64, name: String, ink: Ink, series: &str) {
+        let is_named = self.marks.iter().any(|mark| mark.label == name);
+        let ring = PointMark::ring((at, 0.0), if is_named { String::new() } else { name });
+        self.marks.push(PointMark { ink, ..ring.of(series) });
+    }
+
     /// The drawing, 112 mm wide and about 70 mm high: curves are named where they run, and in a legend above the frame
     /// where there is no room for that.
     pub fn figure(&self) -> Figure {
@@ -88,12 +95,7 @@ impl Plot {
 
     /// The same in inches and pounds; none where neither axis has a unit that changes.
     fn in_inches(&self) -> Option<Plot> {
-        let (x, y) = (self.x.in_inches(), self.y.in_inches());
-        if x.is_none() && y.is_none() {
-            return None;
-        }
-        let (right, x) = x.unwrap_or_else(|| (1.0, self.x.clone()));
-        let (up, y) = y.unwrap_or_else(|| (1.0, self.y.clone()));
+        let [(right, x), (up, y)] = Axis::all_in_inches([&self.x, &self.y])?;
         let mut plot = Plot { x, y, ..self.clone() };
         let scale = |at: &mut (f64, f64)| *at = (at.0 * right, at.1 * up);
         plot.curves.iter_mut().flat_map(|curve| &mut curve.points).for_each(scale);

@@ -1,10 +1,8 @@
 //! How are the numbers of an axis written? Grouped in thousands, or with a power of ten.
 
 use super::super::figure;
-use crate::text::SUPERSCRIPTS;
+use super::super::number::{grouped, power_of_ten};
 
-/// A thin space that does not break.
-const THIN: char = '\u{202f}';
 /// A linear axis that reaches a power outside these is written in powers of ten.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 /// A logarithmic axis likewise.
@@ -37,31 +35,16 @@ fn power_of(value: f64) -> i32 {
 fn plain_number(value: f64) -> String {
     let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
     let text = rounded.abs().to_string();
-    let (whole, fraction) = text.split_once('.').unwrap_or((&text, ""));
-    let mut out = if rounded < 0.0 { "−".to_owned() } else { String::new() };
-    for (index, digit) in whole.chars().enumerate() {
-        let left = whole.len() - index;
-        if index > 0 && left.is_multiple_of(3) && whole.len() > 4 {
-            out.push(THIN);
-        }
-        out.push(digit);
-    }
-    if !fraction.is_empty() {
-        out.push('.');
-        out.push_str(fraction);
-    }
-    out
+    let (whole, fraction) = text.split_at(text.find('.').unwrap_or(text.len()));
+    let whole = if whole.len() > 4 { grouped(whole) } else { whole.to_owned() };
+    format!("{}{whole}{fraction}", if rounded < 0.0 { "−" } else { "" })
 }
 
 /// `1.5·10⁶`, `10⁻⁵`, `0`.
 fn in_powers(value: f64, power: i32) -> String {
     let factor = value / ten_to(power);
     let factor = plain_number(format!("{factor:.9}").parse().unwrap_or(factor));
-    let raised = || {
-        let digits = power.unsigned_abs().to_string();
-        let digits = digits.bytes().map(|digit| SUPERSCRIPTS[usize::from(digit - b'0')]);
-        ['1', '0'].into_iter().chain((power < 0).then_some('⁻')).chain(digits).collect::<String>()
-    };
+    let raised = || power_of_ten(power.into());
     match (factor.as_str(), power) {
         ("0", _) => factor,
         (_, 0) => factor,

@@ -2,7 +2,7 @@
 
 use super::{Symbols, Word};
 use crate::page::block::Picture;
-use crate::page::figure::{Figure, Mark};
+use crate::page::figure::Figure;
 use crate::page::markup::{self, marks};
 
 impl Symbols {
@@ -16,22 +16,14 @@ impl Symbols {
     }
 
     fn in_figure(&self, figure: &mut Figure) {
-        for mark in &mut figure.marks {
-            match mark {
-                Mark::Text { text, prose, .. } => {
-                    *prose = match prose {
-                        Some(prose) => Some(self.in_prose(prose)),
-                        None => self.prose_of(text),
-                    };
-                    *text = self.in_plain_words(text);
-                }
-                Mark::Title { text, .. } => *text = self.in_plain_words(text),
-                Mark::Line { .. }
-                | Mark::Circle { .. }
-                | Mark::Polygon { .. }
-                | Mark::Path { .. }
-                | Mark::Rectangles { .. } => {}
+        for (text, prose) in figure.texts_mut() {
+            if let Some(prose) = prose {
+                *prose = match prose {
+                    Some(prose) => Some(self.in_prose(prose)),
+                    None => self.prose_of(text),
+                };
             }
+            *text = self.in_plain_words(text);
         }
     }
 

@@ -196,12 +196,7 @@ impl Cells {
 
     /// How high a table is: the lines of its rows above all, then those of each cell.
     fn height(&self, columns: &[usize], widths: &[usize]) -> usize {
-        let cells = columns.iter().zip(widths);
-        let of_cells: usize = cells
-            .map(|(&column, &width)| {
-                self.letters.iter().map(|row| row[column].all.div_ceil(width.max(1))).sum::<usize>()
-            })
-            .sum();
+        let of_cells: usize = self.letters.iter().flat_map(|row| lines_in(row, columns, widths)).sum();
         self.lines_of(columns, widths) * self.header.len() * 2 + of_cells
     }
 
@@ -220,11 +215,7 @@ impl Cells {
 
     /// The lines of all rows, where the columns are so wide.
     fn lines_of(&self, columns: &[usize], widths: &[usize]) -> usize {
-        let height = |row: &Vec<Letters>| {
-            let lines = columns.iter().zip(widths).map(|(&column, &width)| row[column].all.div_ceil(width.max(1)));
-            lines.max().unwrap_or(0).max(1)
-        };
-        self.letters.iter().map(height).sum()
+        self.letters.iter().map(|row| lines_in(row, columns, widths).max().unwrap_or(0).max(1)).sum()
     }
 
     fn set(&self, columns: &[usize], size: &Size, widths: &[usize]) -> Part<'_> {
@@ -245,6 +236,11 @@ impl Cells {
             is_short: lines <= SHORT,
         }
     }
+}
+
+/// The lines of each cell of a row, where the columns are so wide.
+fn lines_in(row: &[Letters], columns: &[usize], widths: &[usize]) -> impl Iterator<Item = usize> {
+    columns.iter().zip(widths).map(|(&column, &width)| row[column].all.div_ceil(width.max(1)))
 }
 
 /// The room shared out: what is narrow stays whole, the rest is broken at one width, none below its longest word.

@@ -181,10 +181,7 @@ impl<'a> Composer<'a> {
             zeros: table.rows.iter().map(|row| row.iter().map(Text::is_zero).collect()).collect(),
             letters,
         };
-        match self.writer.table(&cells) {
-            Some(set) => set,
-            None => self.fill("table", &cells),
-        }
+        self.writer.table(&cells).unwrap_or_else(|| self.fill("table", &cells))
     }
 
     /// Pushes decimals so that their points are below each other, where the format has a space as wide as a digit.
@@ -247,7 +244,7 @@ impl<'a> Composer<'a> {
         // What is folded inside has its number by now.
         let folded = Folded { summary, body, number: self.folds.len() + 1, label };
         let here = self.fill("folded", &folded);
-        if self.writer.folds_at_end() {
+        if self.writer.is_print() {
             self.folds.push(folded);
         }
         here
@@ -320,9 +317,9 @@ impl<'a> Composer<'a> {
 
     /// An exact number in the units of the reader; as it is set where they are its own.
     fn converted(&self, value: &BigRational, unit: Unit, set: fn(&BigRational) -> String) -> String {
-        match (self.options.units, unit.inch()) {
-            (Units::Inch, Some(_)) => number::in_decimals(&Units::Inch.of_exact(value, unit).0),
-            (Units::Inch, None) | (Units::Si, _) => set(value),
+        match self.options.units.instead_of(unit) {
+            Some((_, size)) => number::in_decimals(&(value / size)),
+            None => set(value),
         }
     }
 

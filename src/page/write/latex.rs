@@ -3,7 +3,6 @@
 use super::super::block::Picture;
 use super::super::tikz::tikz;
 use super::super::{Unit, number};
-use super::columns::Cells;
 use super::siunitx::siunitx;
 use super::templates;
 use super::writer::{File, Writer};
@@ -56,21 +55,12 @@ impl Writer for Latex {
         format!("\\texttt{{{}}}", text::latex(text).replace("--", "-{}-"))
     }
 
-    /// In print a file leads nowhere.
-    fn link(&self, inside: &str, _target: &str) -> String {
-        inside.to_owned()
-    }
-
     fn line(&self, line: &str) -> String {
         self::line(line)
     }
 
     fn picture(&self, picture: &Picture, _caption: &str) -> (String, Option<File>) {
         (tikz(&picture.figure), None)
-    }
-
-    fn table(&self, cells: &Cells) -> Option<String> {
-        Some(cells.printed(self.templates()))
     }
 
     fn quantity(&self, number: &str, unit: Unit) -> Option<String> {
@@ -81,7 +71,7 @@ impl Writer for Latex {
         true
     }
 
-    fn folds_at_end(&self) -> bool {
+    fn is_print(&self) -> bool {
         true
     }
 }

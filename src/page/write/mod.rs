@@ -70,12 +70,8 @@ impl Format {
     pub fn of_name(name: &str) -> Result<Self, String> {
         let known = Format::NAMED.iter().find(|(known, ..)| *known == name);
         known.map(|(_, format, _)| *format).ok_or_else(|| {
-            let names = Format::NAMED.map(|(known, ..)| known);
-            format!(
-                "format `{name}`; {} or {} are written",
-                names[..names.len() - 1].join(", "),
-                names[names.len() - 1]
-            )
+            let [names @ .., last] = Format::NAMED.map(|(known, ..)| known);
+            format!("format `{name}`; {} or {last} are written", names.join(", "))
         })
     }
 

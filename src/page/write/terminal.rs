@@ -118,10 +118,6 @@ impl Writer for Terminal {
         text.to_owned()
     }
 
-    fn link(&self, inside: &str, _target: &str) -> String {
-        inside.to_owned()
-    }
-
     fn line(&self, line: &str) -> String {
         line.to_owned()
     }

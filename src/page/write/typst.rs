@@ -2,7 +2,6 @@
 
 use super::super::block::Picture;
 use super::super::svg::svg;
-use super::columns::Cells;
 use super::templates;
 use super::tex::{self, Node, Space};
 use super::writer::{File, Writer};
@@ -54,11 +53,6 @@ impl Writer for Typst {
         format!("#raw({});", string(text))
     }
 
-    /// In print a file leads nowhere.
-    fn link(&self, inside: &str, _target: &str) -> String {
-        inside.to_owned()
-    }
-
     fn line(&self, line: &str) -> String {
         string(line)
     }
@@ -70,11 +64,7 @@ impl Writer for Typst {
         (set, Some(File { name, text }))
     }
 
-    fn table(&self, cells: &Cells) -> Option<String> {
-        Some(cells.printed(self.templates()))
-    }
-
-    fn folds_at_end(&self) -> bool {
+    fn is_print(&self) -> bool {
         true
     }
 }

@@ -48,15 +48,17 @@ pub(super) trait Writer {
     }
     /// What is typed.
     fn code(&self, text: &str) -> String;
-    /// Words that lead to a file, or to `#` and the name of a heading.
-    fn link(&self, inside: &str, target: &str) -> String;
+    /// Words that lead to a file, or to `#` and the name of a heading; in print and on a terminal a file leads nowhere.
+    fn link(&self, inside: &str, _target: &str) -> String {
+        inside.to_owned()
+    }
     /// A line of a file as it stands: nothing in it is markup.
     fn line(&self, line: &str) -> String;
     /// A picture: what is in the text, and the file beside it if there is one.
     fn picture(&self, picture: &Picture, caption: &str) -> (String, Option<File>);
-    /// A table whole, where templates cannot set it.
-    fn table(&self, _table: &Cells) -> Option<String> {
-        None
+    /// A table whole, where one template cannot set it: in print it has to fit the page.
+    fn table(&self, table: &Cells) -> Option<String> {
+        self.is_print().then(|| table.printed(self.templates()))
     }
     /// What is as wide as a digit, where decimals of a table can be pushed by it.
     fn digit_space(&self) -> Option<&'static str> {
@@ -86,8 +88,8 @@ pub(super) trait Writer {
     fn has_scripts(&self) -> bool {
         false
     }
-    /// Whether what is folded is at the end.
-    fn folds_at_end(&self) -> bool {
+    /// Whether it is for print: tables fit the page, and what is folded is at the end.
+    fn is_print(&self) -> bool {
         false
     }
 }

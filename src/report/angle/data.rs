@@ -1,7 +1,7 @@
 //! Which columns hold the values at crank angles? A row a piston, the torque, a main bearing, at an angle.
 
 use crate::journal::PistonAt;
-use crate::report::angle::{AngleStudy, Instant};
+use crate::report::angle::AngleStudy;
 use crate::report::bearings::crankshafts;
 use crate::report::data::Filling;
 use crate::table::{Table, Unit};
@@ -50,7 +50,7 @@ fn torque(study: &AngleStudy) -> Table {
     let mut table = Filling::new("angle.torque", &study.instants);
     table.decimal("theta_{unit}", Unit::DEGREE, |one| Some(one.theta));
     table.decimal("gas_{unit}", Unit::NEWTON_METRE, |one| one.torque_of(|piston| piston.gas));
-    table.decimal("inertia_{unit}", Unit::NEWTON_METRE, Instant::torque_of_inertia);
+    table.decimal("inertia_{unit}", Unit::NEWTON_METRE, |one| one.torque_of_inertia());
     table.decimal("torque_{unit}", Unit::NEWTON_METRE, |one| one.sum(PistonAt::torque));
     table.done()
 }

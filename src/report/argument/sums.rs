@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::exact::{Term, Turn};
-use crate::page::number::{self, signed_degrees};
+use crate::page::number::{self, angle, signed_degrees};
 use crate::page::{Number, Text, phrase};
 
 /// Sums of more vectors are not written as a formula.
@@ -27,11 +27,6 @@ pub(in crate::report) fn listed(items: Vec<Text>) -> Text {
 pub(super) fn vectors(terms: &[Term]) -> Text {
     let one = |term: &Term| phrase!("{} at {}", Number::exact(&term.weight), angle(&term.angle));
     listed(terms.iter().map(one).collect())
-}
-
-/// An angle in `[0°, 360°)`.
-pub(super) fn angle(turn: &Turn) -> String {
-    number::angle(turn)
 }
 
 /// An exact number in TeX: an integer, a short decimal, or a fraction; none where it is too long to be read.

@@ -8,10 +8,11 @@ use num_traits::{Signed, Zero};
 
 use super::super::star::source_names;
 use super::star::{ExactRay, ExactStar};
-use super::sums::{angle, listed};
+use super::sums::listed;
 use crate::engine::Engine;
 use crate::exact::{MOST_VECTORS, MinimalStar, StarClass, Turn, minimal_stars, taken_apart};
 use crate::order::Source;
+use crate::page::number::angle;
 use crate::page::{Number, Text, phrase};
 use crate::proof::{Polygon, Quantity};
 use crate::verdict::{JudgedStar, corners, mirror_partners, opposed_partners};

@@ -6,7 +6,7 @@ use super::entry::{EngineRow, Origin};
 use super::tables;
 use crate::engine::{Cycle, Engine};
 use crate::file::Entry;
-use crate::page::{Block, Document, Fold, Text, phrase};
+use crate::page::{Block, Document, Text, phrase};
 use crate::proof::Planar;
 
 /// The page in no format yet.
@@ -36,16 +36,13 @@ pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow], beside: Besid
         (Cycle::FourStroke, "The best stars in line, four-stroke", FOUR_STROKE),
     ] {
         let found = of(Origin::Found(cycle));
-        page.push(Block::Heading(1, heading.into()));
-        page.push(Block::Paragraph(words.into()));
+        page.section(heading, words);
         page.push(tables::found(&found));
         by_order(&mut page, &found);
     }
-    page.push(Block::Heading(1, "Longer closed forms".into()));
-    page.push(Block::Paragraph(LONGER.into()));
+    page.section("Longer closed forms", LONGER);
     page.push(Block::List(tables::longer_forms(all)));
-    page.push(Block::Heading(1, "How to read it".into()));
-    page.push(Block::List(NOTES.map(Text::from).into()));
+    page.section("How to read it", Block::List(NOTES.map(Text::from).into()));
     page.push(Block::Paragraph(beside()));
     page
 }
@@ -91,15 +88,15 @@ fn by_order(page: &mut Document, rows: &[&EngineRow]) {
     page.push(tables::by_order(rows, Planar::Force, &CENTRIC));
     page.push(Block::Heading(2, "Moments, order by order".into()));
     page.push(tables::by_order(rows, Planar::Moment, &CENTRIC));
-    page.push(Block::Folded(Fold {
-        summary: "Orders 3, 5 and 7, which only engines with a pin offset have".into(),
-        blocks: vec![
+    page.push(Block::folded(
+        "Orders 3, 5 and 7, which only engines with a pin offset have",
+        vec![
             Block::Paragraph("Forces:".into()),
             tables::by_order(rows, Planar::Force, &OFFSET).into(),
             Block::Paragraph("Moments:".into()),
             tables::by_order(rows, Planar::Moment, &OFFSET).into(),
         ],
-    }));
+    ));
 }
 
 const NOTES: [&str; 6] = [

@@ -196,8 +196,7 @@ const STEPS: usize = 360;
 fn theta(loads: &BearingLoads, units: Units) -> Table {
     let circle = Circle::new(STEPS);
     let all: Vec<Vec<Complex<f64>>> = loads.bearings.iter().map(|bearing| bearing.waveform.sample(&circle)).collect();
-    let rows: Vec<usize> = (0..STEPS).collect();
-    let mut table = Filling::new("bearings.theta", &rows);
+    let mut table = Filling::new("bearings.theta", 0..STEPS);
     table.decimal("theta_{unit}", Unit::DEGREE, |theta| Some(*theta as f64));
     for (index, tips) in all.iter().enumerate() {
         let force = |theta: usize| Some(tips[theta] * units.newtons);

@@ -159,12 +159,12 @@ fn of_orders<R>(table: &mut Filling<R>, of: impl Fn(&R) -> &JournalOrder) {
 
 fn theta(loads: &CycleLoads) -> Option<Table> {
     let [continuous, _] = loads.bearings.as_ref()?;
-    let rows: Vec<usize> = (0..loads.course.period().to_degrees().round() as usize).collect();
-    let mut table = Filling::new("bearings.gas_theta", &rows);
+    let rows = 0..loads.course.period().to_degrees().round() as usize;
+    let mut table = Filling::new("bearings.gas_theta", rows.clone());
     table.decimal("theta_{unit}", Unit::DEGREE, |theta| Some(*theta as f64));
     for (index, bearing) in continuous.bearings.iter().enumerate() {
         let forces: Vec<Complex<f64>> =
-            rows.iter().map(|theta| loads.course.carried(&bearing.carried, (*theta as f64).to_radians())).collect();
+            rows.clone().map(|theta| loads.course.carried(&bearing.carried, (theta as f64).to_radians())).collect();
         components(&mut table, index + 1, Unit::NEWTON, |theta| forces.get(*theta).copied());
     }
     Some(table.done())

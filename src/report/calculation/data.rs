@@ -125,8 +125,7 @@ fn theta(numbers: &Numbers, units: Units) -> Table {
 }
 
 fn largest(document: &LoadsDocument, units: Units) -> Table {
-    let rows = [document];
-    let mut table = Filling::new("loads.largest", &rows).keyed(0);
+    let mut table = Filling::new("loads.largest", [document]).keyed(0);
     type Entry = fn(&LoadsDocument) -> Option<&LargestEntry>;
     type Remaining = fn(&LoadsDocument) -> Option<&BoundEntry>;
     let all: [(&str, Unit, Entry, Remaining); 3] = [

@@ -69,6 +69,16 @@ fn family(form: Form) -> (&'static str, &'static str) {
     }
 }
 
+/// The lowest order of the force and of the moment that is left, with its shape; none of all where it is not known.
+pub(super) fn first_left(theorem: &EveryOrderTheorem, engine: &Engine) -> Option<[Option<(u32, Shape)>; 2]> {
+    let first = |quantity| match theorem.first_left(engine, quantity) {
+        FirstLeft::Nothing => Some(None),
+        FirstLeft::Order(order, shape) => Some(Some((order, shape))),
+        FirstLeft::NotKnown => None,
+    };
+    Some([first(Planar::Force)?, first(Planar::Moment)?])
+}
+
 /// What is left first of the force, or of the moment.
 pub struct FirstOrderLeft {
     /// The order.
@@ -99,12 +109,8 @@ impl KnownEngine<'_> {
 
     /// The same where every order is reported class by class.
     fn first_of_classes(&self, theorem: &EveryOrderTheorem) -> Option<[Option<FirstOrderLeft>; 2]> {
-        let first = |quantity| match theorem.first_left(self.engine, quantity) {
-            FirstLeft::Nothing => Some(None),
-            FirstLeft::Order(order, shape) => Some(Some(FirstOrderLeft { order, shape, size: None })),
-            FirstLeft::NotKnown => None,
-        };
-        Some([first(Planar::Force)?, first(Planar::Moment)?])
+        let first = |(order, shape)| FirstOrderLeft { order, shape, size: None };
+        Some(first_left(theorem, self.engine)?.map(|left| left.map(first)))
     }
 
     /// The same of an engine with articulated rods: at the orders that it asks for, or proved to be zero at every order.

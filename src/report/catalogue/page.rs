@@ -8,19 +8,15 @@ use crate::page::{Block, Document, Table, Text};
 
 /// The list: a row per engine, as narrow as a terminal.
 pub fn catalogue_answer(engines: &[(Entry, Engine)]) -> Document {
-    let mut table = Table::new(["Name", "Engine", "Firing", "Force", "Moment"]);
-    for known in catalogue_families(engines).iter().flat_map(|family| &family.engines) {
-        let [force, moment] = orders(known);
-        table.push(vec![
-            Text::label(known.name),
-            known.engine.title().into(),
-            firing(known.engine.firing()),
-            force,
-            moment,
-        ]);
-    }
+    let known = catalogue_families(engines).into_iter().flat_map(|family| family.engines);
+    let table = Table::of(known.map(|known| (orders(&known), known)))
+        .column("Name", |(_, known)| Text::label(known.name))
+        .column("Engine", |(_, known)| known.engine.title())
+        .column("Firing", |(_, known)| firing(known.engine.firing()))
+        .column("Force", |([force, _], _)| force.clone())
+        .column("Moment", |([_, moment], _)| moment.clone());
     let mut page = Document::new("catalogue", "The catalogue");
-    page.push(table);
+    page.push(table.done());
     page.push(Block::Note(LIST.into()));
     page
 }

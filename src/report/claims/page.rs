@@ -6,7 +6,7 @@ use super::finding::{claim_finding_on, claim_status};
 use super::student;
 use crate::claim::{Answer, Claim, Claims, Finding, Provenance, Published, Quote, Statement, Status, Topic};
 use crate::engine::{Engine, LengthUnit};
-use crate::page::{Block, Document, Fold, Table, Text, phrase};
+use crate::page::{Block, Document, Table, Text, phrase};
 use crate::proof::Quantity;
 use crate::text::Untrusted;
 
@@ -17,12 +17,12 @@ type Answered<'a> = (&'a Claim, Answer);
 pub fn claims_answer(claims: &Claims) -> Document {
     let mut page = Document::new("claims", &claims.title);
     page.push(Block::Answer(counts(claims)));
-    let mut answered: Vec<Answered> = answered(claims.statements.iter().flat_map(|statement| &statement.claims));
+    let mut answered: Vec<Answered> = answered(all(claims));
     answered.sort_by_key(|(_, answer)| rank(&answer.status));
     if !answered.is_empty() {
         page.push(narrow(&answered));
     }
-    page.blocks.extend(tables(claims));
+    page.blocks.extend(tables(claims).map(Block::Table));
     page.blocks.extend(of_moments(claims));
     page
 }
@@ -32,18 +32,21 @@ pub fn claims_page(claims: &Claims) -> Document {
     let mut page = Document::new("claims", &claims.title);
     page.push(Block::Answer(counts(claims)));
     page.blocks.extend(exceptions(claims));
-    page.push(Block::Paragraph(HOW.into()));
+    page.push(HOW);
     page.blocks.extend(of_forces(claims));
     page.blocks.extend(of_moments(claims));
     for published in &claims.statements {
         page.blocks.extend(statement(published));
     }
-    let tables: Vec<Block> = tables(claims).collect();
-    if !tables.is_empty() {
-        page.push(Block::Heading(1, "Vector-star tables".into()));
-        page.blocks.extend(tables);
+    if let Some(tables) = tables(claims) {
+        page.section("Vector-star tables", tables);
     }
     page
+}
+
+/// The claims of all statements.
+fn all(claims: &Claims) -> impl Iterator<Item = &Claim> {
+    claims.statements.iter().flat_map(|statement| &statement.claims)
 }
 
 /// What does not hold stands first, then what is not decided.
@@ -57,16 +60,12 @@ fn rank(status: &Status) -> u8 {
 
 /// The claims that do not hold, and those that are not decided: before the statements, which are in the order of their file.
 fn exceptions(claims: &Claims) -> Vec<Block> {
-    let answered = answered(claims.statements.iter().flat_map(|statement| &statement.claims));
-    let of = |wanted: u8, heading: &'static str| {
+    let answered = answered(all(claims));
+    let of = |(wanted, heading): (u8, &'static str)| {
         let those: Vec<&Answered> = answered.iter().filter(|(_, answer)| rank(&answer.status) == wanted).collect();
         (!those.is_empty()).then(|| [Block::Heading(1, heading.into()), table(those).into()])
     };
-    [(0, "What does not hold"), (1, "What is not decided")]
-        .into_iter()
-        .filter_map(|(rank, heading)| of(rank, heading))
-        .flatten()
-        .collect()
+    [(0, "What does not hold"), (1, "What is not decided")].into_iter().filter_map(of).flatten().collect()
 }
 
 const HOW: &str = "Each answer is decided exactly and proved by the certificates below it, except values in newtons and most heavily loaded bearings, which are compared in decimals. A statement and its conclusion are in the words of the author of the file, who draws the conclusion from the answers above it; a source's own words are in quotation marks.";
@@ -74,8 +73,7 @@ const HOW: &str = "Each answer is decided exactly and proved by the certificates
 /// How claims about forces of gas and masses are answered, where there are some.
 fn of_forces(claims: &Claims) -> Option<Block> {
     let is_of_forces = |statement: &Statement| statement.topic() == Topic::Forces;
-    let mut all = claims.statements.iter().flat_map(|statement| &statement.claims);
-    all.any(|claim| is_of_forces(&claim.statement)).then(|| Block::Paragraph(FORMULAS.into()))
+    all(claims).any(|claim| is_of_forces(&claim.statement)).then(|| FORMULAS.into())
 }
 
 const FORMULAS: &str = "A formula is about the first cylinder of its layout, at its own crank angle θ from the dead centre on the cylinder's axis. The program compares its own result with the formula at every half degree of the cycle: **true** is a formula that differs nowhere by more than 10⁻⁹ of the largest value, after ≈ by no more than the stated part of it. Forces are positive towards the crank, on the frame outward; across, in the sense of rotation.";
@@ -84,8 +82,7 @@ const FORMULAS: &str = "A formula is about the first cylinder of its layout, at 
 fn of_moments(claims: &Claims) -> Option<Block> {
     let in_metres = |engine: &Engine| engine.length_unit() == LengthUnit::Metre;
     let is_moment = |statement: &Statement| matches!(statement, Statement::Order { subject, .. } if subject.quantity == Quantity::MOMENT);
-    let mut all = claims.statements.iter().flat_map(|statement| &statement.claims);
-    let is_told = all.any(|claim| in_metres(&claim.layout) && is_moment(&claim.statement))
+    let is_told = all(claims).any(|claim| in_metres(&claim.layout) && is_moment(&claim.statement))
         || claims.tables.iter().any(|table| in_metres(&table.layout));
     is_told.then(|| Block::Note(METRES.into()))
 }
@@ -99,7 +96,7 @@ fn answered<'a>(claims: impl Iterator<Item = &'a Claim>) -> Vec<Answered<'a>> {
 /// How many claims hold, those of sources, of nobody and of the file apart.
 fn counts(claims: &Claims) -> Vec<Text> {
     let [mut quoted, mut folklore, mut own] = [[0_usize; 2]; 3];
-    for claim in claims.statements.iter().flat_map(|statement| &statement.claims) {
+    for claim in all(claims) {
         let [all, hold] = match claim.provenance {
             Provenance::Quoted(_) => &mut quoted,
             Provenance::Folklore => &mut folklore,
@@ -156,16 +153,12 @@ fn said(provenance: &Provenance, above: Option<&Untrusted>) -> Text {
 }
 
 fn table<'a>(claims: impl IntoIterator<Item = &'a Answered<'a>>) -> Table {
-    let mut table = Table::new(["Engine", "Claim", "Answer", "Finding"]);
-    for (claim, answer) in claims {
-        table.push(vec![
-            (&claim.engine).into(),
-            (&claim.says).into(),
-            phrase!("**{}**", claim_status(answer)),
-            found(claim, answer),
-        ]);
-    }
-    table
+    Table::of(claims)
+        .column("Engine", |(claim, _)| &claim.engine)
+        .column("Claim", |(claim, _)| &claim.says)
+        .column("Answer", |(_, answer)| phrase!("**{}**", claim_status(answer)))
+        .column("Finding", |(claim, answer)| found(claim, answer))
+        .done()
 }
 
 fn found(claim: &Claim, answer: &Answer) -> Text {
@@ -174,15 +167,11 @@ fn found(claim: &Claim, answer: &Answer) -> Text {
 
 /// The same in two columns, which a terminal has room for.
 fn narrow(claims: &[Answered]) -> Table {
-    let mut table = Table::new(["Claim", "Answer"]);
-    for (claim, answer) in claims {
-        let words = if matches!(answer.finding, Finding::Nothing(_)) { "{}: {}" } else { "{}. {}" };
-        table.push(vec![
-            phrase!("{}: {}", &claim.engine, &claim.says),
-            phrase!(words, claim_status(answer), found(claim, answer)),
-        ]);
-    }
-    table
+    let words = |answer: &Answer| if matches!(answer.finding, Finding::Nothing(_)) { "{}: {}" } else { "{}. {}" };
+    Table::of(claims)
+        .column("Claim", |(claim, _)| phrase!("{}: {}", &claim.engine, &claim.says))
+        .column("Answer", |(claim, answer)| phrase!(words(answer), claim_status(answer), found(claim, answer)))
+        .done()
 }
 
 /// The certificates of all claims of a statement, folded.
@@ -195,18 +184,18 @@ fn certificates<'a>(claims: impl Iterator<Item = &'a Answered<'a>>) -> Option<Bl
             blocks.push(Block::List(proofs));
         }
     }
-    (!blocks.is_empty()).then(|| Block::Folded(Fold { summary: "Certificates".into(), blocks }))
+    (!blocks.is_empty()).then(|| Block::folded("Certificates", blocks))
 }
 
 /// The students' tables with their answers.
-fn tables(claims: &Claims) -> impl Iterator<Item = Block> {
+fn tables(claims: &Claims) -> Option<Table> {
     let mut judged: Vec<_> = claims.tables.iter().zip(claims.judged_tables()).collect();
     judged.sort_by_key(|(_, verdict)| verdict.holds());
-    let rows = judged.into_iter().map(|(table, verdict)| {
-        let answer = if verdict.holds() { "**true**" } else { "**false**" };
-        vec![(&table.engine).into(), table.order.into(), answer.into(), student::table_finding(table, &verdict)]
-    });
-    let mut table = Table::new(["Engine", "Vector-star table of order", "Answer", "Finding"]);
-    table.rows = rows.collect();
-    (!table.rows.is_empty()).then_some(Block::Table(table)).into_iter()
+    let table = Table::of(judged)
+        .column("Engine", |(table, _)| &table.engine)
+        .column("Vector-star table of order", |(table, _)| table.order)
+        .column("Answer", |(_, verdict)| if verdict.holds() { "**true**" } else { "**false**" })
+        .column("Finding", |(table, verdict)| student::table_finding(table, verdict))
+        .done();
+    (!table.rows.is_empty()).then_some(table)
 }

@@ -6,6 +6,7 @@ use num_traits::{One, Signed};
 use super::super::typeset::{self, Amount};
 use crate::claim::{Powers, Term, TermVerdict, Wave};
 use crate::numbers::Form;
+use crate::page::number::raised;
 use crate::page::{Text, phrase};
 
 /// Each term with what is said of it.
@@ -54,12 +55,6 @@ fn lambda(power: u32) -> String {
         1 => "λ".to_owned(),
         power => format!("λ{}", raised(power.into())),
     }
-}
-
-fn raised(power: i64) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let sign = |sign: char| sign.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
-    power.to_string().chars().map(sign).collect()
 }
 
 /// What was claimed: numbers and letters, `2 m r ω² λ + …`.

@@ -30,17 +30,14 @@ pub fn marks_page(exercise: &Exercise, results: &[StudentResult], scheme: &Schem
     page.push(table(results));
     page.blocks.extend(remarks(results, scheme));
     page.blocks.extend(Distribution::of(results).iter().flat_map(distribution));
-    page.push(Block::Heading(1, "What was right, column by column".into()));
-    page.push(columns(exercise, results));
-    page.push(Block::Heading(1, "Scheme".into()));
-    page.push(Block::Paragraph(
-        "The points of a right phase and of a right sum; the part of them for a sum that is wrong only because a phase is; the part of all points of a sheet that is \
-         right in a convention which it does not declare; the significant digits that a rounded length needs, and the part of the points for an entry that is right to fewer."
-            .into(),
-    ));
+    page.section("What was right, column by column", columns(exercise, results));
+    page.section("Scheme", SCHEME);
     page.push(Block::Verbatim("toml", Untrusted::new(scheme.to_toml())));
     page
 }
+
+const SCHEME: &str = "The points of a right phase and of a right sum; the part of them for a sum that is wrong only because a phase is; the part of all points of a sheet that is \
+    right in a convention which it does not declare; the significant digits that a rounded length needs, and the part of the points for an entry that is right to fewer.";
 
 /// `phase = 1, sum = 2, …`.
 fn shown(scheme: &Scheme) -> Text {
@@ -50,7 +47,7 @@ fn shown(scheme: &Scheme) -> Text {
 fn marked<'a>(results: &'a [StudentResult]) -> impl Iterator<Item = &'a MarkedSheet> {
     results.iter().filter_map(|result| match &result.outcome {
         Outcome::Marked(sheet) => Some(sheet.as_ref()),
-        Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice | Outcome::NotRead(_) => None,
+        _ => None,
     })
 }
 
@@ -84,7 +81,7 @@ fn distribution(points: &Distribution) -> Vec<Block> {
     let mut plot = Plot::new("Points", x, Axis::linear("Sheets"));
     plot.curves.push(Curve::new(0, "sheets", outline));
     let caption = "The number of marked sheets by the share of the possible points, in tenths. A value between two tenths counts in the upper one.";
-    let picture = Picture { name: "points".into(), caption: caption.into(), figure: plot.figure() };
+    let picture = Picture::new("points", caption, plot.figure());
     vec![
         Block::Heading(1, "How the points are spread".into()),
         Block::Paragraph(spread(points)),
@@ -98,27 +95,15 @@ fn summary(results: &[StudentResult]) -> Text {
     phrase!(
         "Marked: {}. Not readable: {}. Not handed in: {}. Handed in more than once: {}. Files that are not tables: {}.",
         marked(results).count(),
-        count(|outcome| match outcome {
-            Outcome::Unreadable(_) => true,
-            Outcome::Marked(_) | Outcome::NotHandedIn | Outcome::HandedInTwice | Outcome::NotRead(_) => false,
-        }),
-        count(|outcome| match outcome {
-            Outcome::NotHandedIn => true,
-            Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::HandedInTwice | Outcome::NotRead(_) => false,
-        }),
-        count(|outcome| match outcome {
-            Outcome::HandedInTwice => true,
-            Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::NotRead(_) => false,
-        }),
+        count(|outcome| matches!(outcome, Outcome::Unreadable(_))),
+        count(|outcome| matches!(outcome, Outcome::NotHandedIn)),
+        count(|outcome| matches!(outcome, Outcome::HandedInTwice)),
         results.iter().filter(|result| is_no_table(result)).count()
     )
 }
 
 fn is_no_table(result: &StudentResult) -> bool {
-    match result.outcome {
-        Outcome::NotRead(_) => true,
-        Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice => false,
-    }
+    matches!(result.outcome, Outcome::NotRead(_))
 }
 
 /// A line for each student.
@@ -133,9 +118,7 @@ fn table(results: &[StudentResult]) -> Table {
                 let points = [points(&sheet.points), points(&sheet.possible)];
                 points.into_iter().chain(numbers.map(Text::from)).collect()
             }
-            Outcome::Unreadable(_) | Outcome::NotHandedIn | Outcome::HandedInTwice | Outcome::NotRead(_) => {
-                vec!["–".into(); columns.len() - 1]
-            }
+            _ => vec!["–".into(); columns.len() - 1],
         };
         table.push([name(result)].into_iter().chain(cells).collect());
     }
@@ -160,10 +143,7 @@ fn remarks(results: &[StudentResult], scheme: &Scheme) -> Option<Block> {
         (!remark.is_empty()).then(|| phrase!("{}: {}", name(result), remark))
     };
     let mut remarks: Vec<Text> = results.iter().filter_map(remark).collect();
-    let absent = results.iter().filter(|result| match result.outcome {
-        Outcome::NotHandedIn => true,
-        Outcome::Marked(_) | Outcome::Unreadable(_) | Outcome::HandedInTwice | Outcome::NotRead(_) => false,
-    });
+    let absent = results.iter().filter(|result| matches!(result.outcome, Outcome::NotHandedIn));
     let absent = Text::joined(absent.map(name), ", ");
     remarks.extend((!absent.is_empty()).then(|| phrase!("Not handed in: {}.", absent)));
     remarks.extend(not_read(results));

@@ -15,11 +15,10 @@ pub fn exercise_sheet(pupil: &Pupil, orders: &[u32], table: &str, scheme: &Schem
     let mut page = Document::new("sheet", phrase!("Vector-star exercise: {}", &pupil.name));
     page.blocks.extend(given(pupil));
     page.blocks.extend(to_find(pupil, orders));
-    page.push(Block::Heading(1, "How to hand it in".into()));
-    page.push(Block::Paragraph(phrase!(
-        "Write your results into the file {}, and hand that file in.",
-        Text::code(table)
-    )));
+    page.section(
+        "How to hand it in",
+        phrase!("Write your results into the file {}, and hand that file in.", Text::code(table)),
+    );
     let digits = phrase!(
         "A rounded length needs at least {} significant digits, and a rounded angle a digit behind the point: with fewer an entry does not earn all its points.",
         scheme.digits
@@ -32,8 +31,8 @@ pub fn exercise_sheet(pupil: &Pupil, orders: &[u32], table: &str, scheme: &Schem
 /// The engine.
 pub(super) fn given(pupil: &Pupil) -> Vec<Block> {
     let engine = &pupil.engine;
-    let end = Picture { name: "end-view".to_owned(), caption: end_view_caption(engine), figure: end_view(engine) };
-    let side = Picture { name: "side-view".to_owned(), caption: side_view_caption(engine), figure: side_view(engine) };
+    let end = Picture::new("end-view", end_view_caption(engine), end_view(engine));
+    let side = Picture::new("side-view", side_view_caption(engine), side_view(engine));
     let vectors: Text = match engine.has_unit_masses() {
         true => "All pistons weigh the same: each vector has the length 1, counted in m r.".into(),
         false => "The reciprocating mass of a cylinder is the length of its vectors, counted in m r.".into(),
@@ -54,13 +53,12 @@ const SUMS: &str = "P_k^{\\pm} = \\sum_j m_j\\, e^{i\\varphi_{j}^{\\pm}}, \\qqua
 
 fn to_find(pupil: &Pupil, orders: &[u32]) -> Vec<Block> {
     let engine = &pupil.engine;
-    let listed: Vec<String> = orders.iter().map(u32::to_string).collect();
     let mut blocks = vec![
         Block::Heading(1, "To find".into()),
         Block::Paragraph(phrase!(
             "The vector stars of the pistons at {}. For each order, the phases of the direct and of the reverse vector of every \
              cylinder at θ = 0, and the lengths of their sums: of the force, and of the moment, in which each vector is multiplied by its arm z from the plane above.",
-            residual::orders_in_words(&listed)
+            residual::orders_in_words(orders)
         )),
         Block::Formula(PHASES.to_owned(), Some(1)),
         Block::Formula(SUMS.to_owned(), Some(2)),

@@ -17,7 +17,6 @@ pub fn exercise_solutions(pupil: &Pupil, orders: &[u32]) -> Result<Document, Not
     let mut page = Document::new("solutions", phrase!("Vector-star exercise: {}, solutions", &pupil.name));
     page.blocks.extend(given(pupil));
     page.blocks.extend(proofs(&pupil.engine, &judged));
-    page.push(Block::Heading(1, "Layout file".into()));
-    page.push(Block::Verbatim("toml", pupil.engine.file().clone()));
+    page.section("Layout file", Block::Verbatim("toml", pupil.engine.file().clone()));
     Ok(page)
 }

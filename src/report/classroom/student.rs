@@ -18,8 +18,7 @@ pub fn marked_page(pupil: &Pupil, sheet: &MarkedSheet, scheme: &Scheme) -> Docum
     answer.extend(rows_not_read(sheet));
     page.push(Block::Answer(answer));
     for table in &sheet.tables {
-        page.push(Block::Heading(1, phrase!("Order {}", table.order)));
-        page.push(entries(pupil, sheet, table.order, &table.entries, scheme));
+        page.section(phrase!("Order {}", table.order), entries(pupil, sheet, table.order, &table.entries, scheme));
     }
     page.push(Block::Note(FOLLOWS.into()));
     page

@@ -41,8 +41,8 @@ fn orders(engines: &[Compared], document: &CompareDocument) -> Table {
             newtons(row, |newtons| newtons.force)
         });
         for (moment, unit) in [(Unit::OPEN_SPACING, Unit::NEWTON_SPACING), (Unit::OPEN_METRE, Unit::NEWTON_METRE)] {
-            let of = |row: &Row| newtons(row, |newtons| newtons.moment).filter(|_| row.moment == moment);
-            if rows.iter().any(|row| of(row).is_some()) {
+            let of = |row: &&Row| newtons(row, |newtons| newtons.moment).filter(|_| row.moment == moment);
+            if rows.iter().any(|row| of(&row).is_some()) {
                 table.decimal(("{quantity}_zero_to_peak_{unit}", "moment"), unit, of);
             }
         }

@@ -1,13 +1,14 @@
 //! What is on the page of a comparison, and on the terminal? The answer, sizes, exact verdicts, vector stars, how to read it.
 
+use super::super::catalogue::first_left;
 use super::super::multiples::{self, Column};
 use super::super::residual;
 use super::rows::Sized;
 use super::{Compared, notes, orders_of, rows};
-use crate::page::{Block, Document, Fold, Picture, Text, phrase};
-use crate::proof::{Planar, Shape};
+use crate::page::{Block, Document, Picture, Text, phrase};
+use crate::proof::Shape;
 use crate::text::Format;
-use crate::verdict::{FirstLeft, NextLeft, OrderBalance};
+use crate::verdict::{NextLeft, OrderBalance};
 
 /// Engines that are beside each other on a terminal; more begin a new table.
 const MOST_BESIDE: usize = 3;
@@ -34,11 +35,10 @@ pub fn compare_page(engines: &[Compared]) -> Document {
         orders_of(engines).into_iter().flat_map(|order| stars(engines, order).map(Block::from)).collect();
     page.push(Block::Heading(1, "Vector stars".into()));
     match engines.len() > MOST_OF_STARS {
-        true => page.push(Block::Folded(Fold { summary: "The stars of each order".into(), blocks: stars })),
+        true => page.push(Block::folded("The stars of each order", stars)),
         false => page.blocks.extend(stars),
     }
-    page.push(Block::Heading(1, "How to read it".into()));
-    page.push(Block::List(notes::notes(engines)));
+    page.section("How to read it", Block::List(notes::notes(engines)));
     page
 }
 
@@ -97,35 +97,26 @@ fn furthest(engines: &[Compared]) -> Option<Text> {
 /// The lowest order at which anything is left but what counterweights on the crank cancel, and whether it takes these; the highest number
 /// where nothing is left; none where it is not known.
 fn lowest_left(engine: &Compared) -> Option<(u32, bool)> {
-    let [force, moment] = first_left(engine)?;
+    let theorem = engine.theorem.as_ref().ok()?;
+    let [force, moment] = first_left(theorem, &engine.engine)?;
     let firsts = || [force, moment].into_iter().flatten();
     let lowest = firsts().map(|(order, _)| order).min().unwrap_or(u32::MAX);
     let is_cancelled = |first: (u32, Shape)| first.0 > 1 || first == (1, Shape::Rotating);
     if lowest > 1 || !firsts().all(is_cancelled) {
         return Some((lowest, false));
     }
-    match engine.theorem.as_ref().ok()?.next_left(&[1]) {
+    match theorem.next_left(&[1]) {
         NextLeft::Order(order) => Some((order, true)),
         NextLeft::None => Some((u32::MAX, true)),
         NextLeft::NotKnown => None,
     }
 }
 
-/// The lowest order of the force and of the moment that is left, with its shape; none of all where it is not known.
-fn first_left(engine: &Compared) -> Option<[Option<(u32, Shape)>; 2]> {
-    let theorem = engine.theorem.as_ref().ok()?;
-    let first = |quantity| match theorem.first_left(&engine.engine, quantity) {
-        FirstLeft::Nothing => Some(None),
-        FirstLeft::Order(order, shape) => Some(Some((order, shape))),
-        FirstLeft::NotKnown => None,
-    };
-    Some([first(Planar::Force)?, first(Planar::Moment)?])
-}
-
 /// What an engine leaves of all orders.
 fn left(engine: &Compared) -> Text {
     let name = &engine.name;
-    let Some([force, moment]) = first_left(engine) else {
+    let theorem = engine.theorem.as_ref().ok();
+    let Some([force, moment]) = theorem.and_then(|theorem| first_left(theorem, &engine.engine)) else {
         return phrase!("**{}**: no statement on every order; the table shows the orders compared.", name);
     };
     match (force, moment) {

@@ -116,7 +116,9 @@ pub(super) fn sizes(all: &[Sized], shown: &[Sized]) -> Table {
     if all.iter().any(|engine| engine.roll().is_some()) {
         add("Roll moment".into(), &|engine| engine.roll().unwrap_or_else(|| "–".into()));
     }
-    for (name, of) in [("H, rocking", rocking as fn(&GuideMoments) -> Option<f64>), ("X, twisting", twisting)] {
+    let of_guides: [(&str, OfGuides); 2] =
+        [("H, rocking", |moments| moments.rocking), ("X, twisting", |moments| moments.twisting)];
+    for (name, of) in of_guides {
         if all.iter().any(|engine| !engine.compared.guides.is_empty()) {
             add(name.into(), &|engine| guide(engine.compared, of));
         }
@@ -135,16 +137,11 @@ pub(super) fn sizes(all: &[Sized], shown: &[Sized]) -> Table {
     table
 }
 
-fn rocking(moments: &GuideMoments) -> Option<f64> {
-    moments.rocking
-}
-
-fn twisting(moments: &GuideMoments) -> Option<f64> {
-    moments.twisting
-}
+/// One of the guide-force moments of an order.
+type OfGuides = fn(&GuideMoments) -> Option<f64>;
 
 /// The largest order of a guide-force moment.
-fn guide(engine: &Compared, of: fn(&GuideMoments) -> Option<f64>) -> Text {
+fn guide(engine: &Compared, of: OfGuides) -> Text {
     let sizes = engine.guides.iter().map(|moments| (of(moments), moments.order));
     match sizes.max_by(|(one, _), (other, _)| one.unwrap_or(0.0).total_cmp(&other.unwrap_or(0.0))) {
         None => "–".into(),

@@ -2,14 +2,13 @@
 //! certificates tells it, or those of the orders of a long period that may vanish.
 
 use num_bigint::BigInt;
-use num_rational::BigRational;
 use num_traits::One;
 
 use super::evidence::{Grid, evidence, fraction, grid_of, list};
 use super::not_stated::NotStated;
 use super::parts::Parts;
 use super::theorem::{Theorem, name, vector};
-use crate::proof::{Certificate, Document, FactorClaim, FiringDocument, Quantity, RayClaim, Sense, Vector};
+use crate::proof::{Certificate, Document, FactorClaim, FiringDocument, Quantity, RayClaim, Sense};
 
 /// The orders 2, 4, 6 … or 3, 5, 7 … or all from 1 on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -221,8 +220,5 @@ fn primes_up_to(number: usize) -> BigInt {
 
 /// What makes the angles and weights of rays whole.
 fn of_rays(rays: &[RayClaim]) -> Grid {
-    let of = |angle: &BigRational, weight: &BigRational| Vector { angle: angle.clone(), weight: weight.clone() };
-    let vectors: Vec<Vector> =
-        rays.iter().flat_map(|ray| [&ray.per_order, &ray.fixed].map(|angle| of(angle, &ray.weight))).collect();
-    Grid::of(vectors.iter())
+    Grid::of_pairs(rays.iter().flat_map(|ray| [&ray.per_order, &ray.fixed].map(|angle| (angle, &ray.weight))))
 }

@@ -17,9 +17,14 @@ pub(super) struct Grid {
 impl Grid {
     /// That of the vectors of a sum.
     pub fn of<'a>(vectors: impl Iterator<Item = &'a Vector>) -> Self {
-        vectors.fold(Grid::one(), |grid, vector| Grid {
-            conductor: grid.conductor.lcm(vector.angle.denom()),
-            scale: grid.scale.lcm(vector.weight.denom()),
+        Grid::of_pairs(vectors.map(|vector| (&vector.angle, &vector.weight)))
+    }
+
+    /// That of angles with weights.
+    pub fn of_pairs<'a>(pairs: impl Iterator<Item = (&'a BigRational, &'a BigRational)>) -> Self {
+        pairs.fold(Grid::one(), |grid, (angle, weight)| Grid {
+            conductor: grid.conductor.lcm(angle.denom()),
+            scale: grid.scale.lcm(weight.denom()),
         })
     }
 
@@ -113,16 +118,15 @@ pub(super) fn list(entries: Vec<String>) -> String {
 /// That of every order: an angle of order k is a whole combination of throws and banks, a weight one of masses times arms.
 pub(super) fn grid_of(document: &Document) -> Grid {
     let arm = |position: &BigRational| position - &document.reference_plane;
-    let of = |angle: &BigRational, weight: BigRational| Vector { angle: angle.clone(), weight };
     let cylinders = document.cylinders.iter().flat_map(|cylinder| {
         let weight = &cylinder.reciprocating_mass * &cylinder.crank_radius;
         let moment = &weight * arm(&cylinder.position);
-        [of(&cylinder.throw, weight), of(&cylinder.bank, moment)]
+        [(&cylinder.throw, weight), (&cylinder.bank, moment)]
     });
     let turning = document.turning_masses.iter().flat_map(|mass| {
         let moment = &mass.mass_radius * arm(&mass.position);
-        [of(&mass.angle, mass.mass_radius.clone()), of(&mass.angle, moment)]
+        [(&mass.angle, mass.mass_radius.clone()), (&mass.angle, moment)]
     });
-    let vectors: Vec<Vector> = cylinders.chain(turning).collect();
-    Grid::of(vectors.iter())
+    let all: Vec<(&BigRational, BigRational)> = cylinders.chain(turning).collect();
+    Grid::of_pairs(all.iter().map(|(angle, weight)| (*angle, weight)))
 }

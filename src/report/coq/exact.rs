@@ -10,7 +10,7 @@ use num_traits::{One, Zero};
 use super::evidence::{Grid, fraction};
 use super::not_stated::has_pistons;
 use super::theorem::Theorem;
-use crate::proof::{Cylinder, Document, Quantity, RodStatement, Vector};
+use crate::proof::{Cylinder, Document, Quantity, RodStatement};
 
 /// The least turn after which it does; none where order 1 of the force is left or not asked for, or rods or crank radii differ.
 pub(super) fn theorem(document: &Document) -> Option<Theorem> {
@@ -27,13 +27,9 @@ pub(super) fn theorem(document: &Document) -> Option<Theorem> {
     if !is_centric || !is_balanced || !document.cylinders.iter().all(like_first) {
         return None;
     }
-    let of = |angle: &BigRational, mass: &BigRational| Vector { angle: angle.clone(), weight: mass.clone() };
-    let vectors = document
-        .cylinders
-        .iter()
-        .flat_map(|cylinder| [&cylinder.throw, &cylinder.bank].map(|angle| of(angle, &cylinder.reciprocating_mass)));
-    let vectors: Vec<Vector> = vectors.collect();
-    let Grid { conductor, scale } = Grid::of(vectors.iter());
+    let masses = document.cylinders.iter().map(|cylinder| (cylinder, &cylinder.reciprocating_mass));
+    let vectors = masses.flat_map(|(cylinder, mass)| [(&cylinder.throw, mass), (&cylinder.bank, mass)]);
+    let Grid { conductor, scale } = Grid::of_pairs(vectors);
     let conductor = conductor.lcm(&BigInt::from(2));
     // Such turns bring a piston to another one, so that of the half turn there are no more parts than cylinders.
     let turns = (1..=document.cylinders.len()).rev().map(|parts| BigInt::from(2 * parts));

@@ -70,11 +70,6 @@ pub fn decimals(values: impl IntoIterator<Item = Option<f64>>) -> Values {
     Values::Decimal(values.into_iter().map(|value| value.filter(|value| value.is_finite()).map(|v| v + 0.0)).collect())
 }
 
-/// Exact numbers.
-pub fn exact(values: impl IntoIterator<Item = Option<BigRational>>) -> Values {
-    Values::Exact(values.into_iter().map(|value| value.as_ref().map(exact_number)).collect())
-}
-
 /// Whole numbers that there are in every row.
 pub fn whole<N: TryInto<i64>>(values: impl IntoIterator<Item = N>) -> Values {
     Values::Integer(values.into_iter().map(|value| value.try_into().ok()).collect())

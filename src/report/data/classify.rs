@@ -10,7 +10,7 @@ use crate::exact::{PhasorSum, Term, Turn};
 use crate::loads::Arm;
 use crate::numbers::{self, Direction};
 use crate::order::Masses;
-use crate::proof::{Certificate, Document, Quantity, Sense, VerdictClaim};
+use crate::proof::{Certificate, Document, Quantity, VerdictClaim};
 use crate::table::{Table, Unit};
 use crate::verdict::Judgement;
 
@@ -44,9 +44,8 @@ fn orders(engine: &Engine, judged: &Judgement) -> Table {
         let parts: Vec<Row> = whole.parts.iter().map(part).collect();
         [Row { masses, of: None, order: whole }].into_iter().chain(parts)
     });
-    let rows: Vec<Row> = rows.collect();
     let [_, moment] = units(engine);
-    let mut table = Filling::new("classify.orders", &rows);
+    let mut table = Filling::new("classify.orders", rows);
     table.whole("order", |row| row.order.order as usize);
     table.words("masses", |row| Some(row.masses.to_owned()));
     table.words("of", |row| row.of.clone());
@@ -67,7 +66,7 @@ fn masses_name(masses: Masses) -> &'static str {
 fn sums(engine: &Engine, rows: &[[&VerdictClaim; 2]]) -> Table {
     let mut table = Filling::new("classify.sums", rows).keyed(2);
     table.whole("order", |[force, _]| force.order as usize);
-    table.words("sense", |[force, _]| force.sense.map(|sense| sense_name(sense).to_owned()));
+    table.words("sense", |[force, _]| force.sense.map(|sense| sense.name().to_owned()));
     of(&mut table, |[force, _]| force);
     let moment = match Arm::of(engine) {
         Arm::Metre => Unit::MASS_RADIUS_METRE,
@@ -106,10 +105,7 @@ fn star(verdict: &VerdictClaim) -> PhasorSum {
 }
 
 fn modulus(verdict: &VerdictClaim) -> Option<String> {
-    match verdict.vanishes {
-        true => Some("0".to_owned()),
-        false => numbers::modulus(&star(verdict)).map(|form| form.to_string()),
-    }
+    if verdict.vanishes { Some("0".to_owned()) } else { numbers::modulus(&star(verdict)).map(|form| form.to_string()) }
 }
 
 fn angle(verdict: &VerdictClaim) -> Option<String> {
@@ -127,12 +123,5 @@ fn evidence(certificate: &Certificate) -> &'static str {
         Certificate::Polygons { .. } => "polygons",
         Certificate::Residue(_) => "residue",
         Certificate::Splitting { .. } => "splitting",
-    }
-}
-
-fn sense_name(sense: Sense) -> &'static str {
-    match sense {
-        Sense::Direct => "direct",
-        Sense::Reverse => "reverse",
     }
 }

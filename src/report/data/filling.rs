@@ -6,8 +6,8 @@ use crate::table::{Column, Table, Unit, Values};
 use crate::text::Untrusted;
 
 /// A table, and the rows that its columns are read from.
-pub struct Filling<'a, R> {
-    rows: &'a [R],
+pub struct Filling<R> {
+    rows: Vec<R>,
     path: &'static str,
     table: Table,
 }
@@ -33,11 +33,13 @@ impl<G: ToString, H: ToString> From<(&'static str, G, H)> for Name {
     }
 }
 
-impl<'a, R> Filling<'a, R> {
+impl<R> Filling<R> {
     /// A table by its place in `columns.txt`: the question, a point, its name.
-    pub fn new(path: &'static str, rows: &'a [R]) -> Self {
+    pub fn new(path: &'static str, rows: impl IntoIterator<Item = R>) -> Self {
         let name = path.split_once('.').map_or(path, |(_, name)| name);
-        Filling { rows, path, table: Table::new(name, sentences::of_row(path), rows.len()) }
+        let rows: Vec<R> = rows.into_iter().collect();
+        let table = Table::new(name, sentences::of_row(path), rows.len());
+        Filling { rows, path, table }
     }
 
     /// The same whose rows are named by their first `keys` columns; by none where it has one row.
@@ -48,6 +50,11 @@ impl<'a, R> Filling<'a, R> {
     /// The table.
     pub fn done(self) -> Table {
         self.table
+    }
+
+    /// The table; none where it has no rows.
+    pub fn done_if_any(self) -> Option<Table> {
+        (!self.rows.is_empty()).then_some(self.table)
     }
 
     fn add(&mut self, name: impl Into<Name>, unit: Unit, values: Values) {

@@ -3,7 +3,7 @@
 //! A question has one table or several, the main one first. `docs/data.md` lists every column of every table, which a test holds it to.
 //! Amplitudes are zero to peak. Where a number is proved to be 0 it is 0, and the column beside it that ends in `vanishes` is true.
 
-pub(super) mod cells;
+mod cells;
 mod classify;
 mod filling;
 mod sentences;

@@ -4,19 +4,15 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::super::typeset;
-use super::circle_words::rounded;
-use super::unknowns::{NEVER, near, unknowns};
+use super::circle_words::about;
+use super::unknowns::{NEVER, alternatives, near, unknowns, zero_where};
 use crate::family::{BoxZero, Boxes, Place, is_in_range};
 use crate::page::{Text, phrase};
 
 /// `0 where φ ≡ 90° and δ ≡ 60°, or φ ≈ 12.5° and δ ≈ 75.52°`, and where it is not known.
 pub(super) fn condition(found: &Boxes) -> Text {
-    let told: Vec<Text> =
-        zeros(found).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open(found)).collect();
-    if told.is_empty() && !found.zeros.is_empty() {
-        return NEVER.into();
-    }
-    if told.is_empty() { "never 0".into() } else { Text::joined(told, "; ") }
+    let none = if found.zeros.is_empty() { "never 0" } else { NEVER };
+    zero_where(zeros(found), open(found)).unwrap_or_else(|| none.into())
 }
 
 /// The zeros; none where no zero is known.
@@ -41,16 +37,14 @@ fn zeros(found: &Boxes) -> Option<Text> {
         };
         is_in_range(&places)
     };
-    let told: Vec<Text> = found.zeros.iter().filter(is_meant).map(zero).collect();
-    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+    alternatives(found.zeros.iter().filter(is_meant).map(zero))
 }
 
 /// Where it is not known.
 fn open(found: &Boxes) -> impl Iterator<Item = Text> + '_ {
     let [s, t] = names(found);
     found.open.iter().map(move |[across, along]| {
-        let [[a, b], [c, d]] = [across, along]
-            .map(|ends| [(&ends[0], false), (&ends[1], true)].map(|(end, up)| typeset::degrees(&rounded(end, 4, up))));
+        let [[a, b], [c, d]] = [across, along].map(|ends| about(ends.each_ref()));
         phrase!("not solved for {} between {} and {} with {} between {} and {}", s.clone(), a, b, t.clone(), c, d)
     })
 }

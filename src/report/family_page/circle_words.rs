@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::super::typeset;
-use super::unknowns::{NEVER, open_angle, unknowns};
+use super::unknowns::{NEVER, alternatives, open_angle, unknowns, zero_where};
 use crate::engine::Linear;
 use crate::exact::Turn;
 use crate::family::{Circle, Closed, Coprime, Place, is_in_range};
@@ -15,15 +15,13 @@ use crate::page::{Piece, Text, phrase};
 
 /// `0 where φ ≡ 60°, or φ ≈ 75.52°`, and where it is not known; `never 0` where it has no zero.
 pub(super) fn condition(circle: &Circle) -> Text {
-    let zeros = zeros(circle).map(|zeros| phrase!("0 where {}", zeros));
-    let told: Vec<Text> = zeros.into_iter().chain(open(circle)).collect();
-    if told.is_empty() { none_of(Some(circle)) } else { Text::joined(told, "; ") }
+    zero_where(zeros(circle), open(circle)).unwrap_or_else(|| none_of(Some(circle)))
 }
 
 /// Where it is not known.
 pub(super) fn open(circle: &Circle) -> impl Iterator<Item = Text> + '_ {
     circle.open().map(|ends| {
-        let [from, to] = ends.map(|end| typeset::degrees(&rounded(end, 4, end == ends[1])));
+        let [from, to] = about(ends);
         phrase!("not solved for {} between {} and {}", unknown(circle), from, to)
     })
 }
@@ -58,7 +56,7 @@ pub(super) fn zeros(circle: &Circle) -> Option<Text> {
             rational.into_iter().chain(decimals).map(Text::label).collect()
         }
     };
-    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+    alternatives(told)
 }
 
 /// `±75.52°`, the angle of which a cosine is known that is of multiples of φ and δ and a turn; without the sign that no φ and δ in the range make.
@@ -115,7 +113,7 @@ pub(super) fn why(circle: &Circle) -> Text {
         phrase!("Between {} and {} it vanishes once, at no rational turn.", from, to)
     });
     let open = circle.open().map(|ends| {
-        let [from, to] = ends.map(|end| typeset::degrees(&rounded(end, 4, end == ends[1])));
+        let [from, to] = about(ends);
         phrase!("From {} to {} it is left open: the step limit was reached.", from, to)
     });
     Text::joined([sum, arcs].into_iter().chain(only).chain(open), " ")
@@ -146,10 +144,15 @@ fn degrees(turns: &BigRational) -> BigRational {
 }
 
 /// Turns in degrees with this many places, up or down.
-pub(super) fn rounded(turns: &BigRational, places: u32, up: bool) -> BigRational {
+fn rounded(turns: &BigRational, places: u32, up: bool) -> BigRational {
     let units = BigRational::from_integer(BigInt::from(10).pow(places));
     let scaled = degrees(turns) * &units;
     (if up { scaled.ceil() } else { scaled.floor() }) / units
+}
+
+/// Degrees about a range that is open.
+pub(super) fn about(ends: [&BigRational; 2]) -> [String; 2] {
+    [(ends[0], false), (ends[1], true)].map(|(end, up)| typeset::degrees(&rounded(end, 4, up)))
 }
 
 /// Degrees about an irrational zero, with as few places as keep every other zero out.

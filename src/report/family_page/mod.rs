@@ -26,7 +26,7 @@ use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
 use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::Planar;
 
-pub(super) use unknowns::{greek, unknowns};
+pub(super) use unknowns::{unknowns, written};
 
 const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a vanishing moment vanishes for all lengths. Angles are those \
                       in (0°, 360°), complete, and exact unless marked ≈; ≡ is modulo 360°.";
@@ -85,7 +85,7 @@ pub(super) fn section(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
     blocks.extend(amplitude_picture(family, orders));
     for order in orders {
         let summary = phrase!("Order {}, all lengths", order.order);
-        blocks.push(Block::Folded(Fold { summary, blocks: proofs(order) }));
+        blocks.push(Block::folded(summary, proofs(order)));
     }
     blocks
 }
@@ -115,7 +115,7 @@ pub(super) fn left_open(family: &Family) -> Text {
 /// The amplitude of each order over the one open angle, with its exact zeros.
 fn amplitude_picture(family: &Family, orders: &[OpenOrder]) -> Option<Block> {
     let (figure, caption) = amplitudes(family, orders).zip(amplitudes_caption(family, orders))?;
-    Some(Picture { name: "amplitudes".to_owned(), caption, figure }.into())
+    Some(Picture::new("amplitudes", caption, figure).into())
 }
 
 /// How large the orders are at most, over all open angles; none where they have no size, or it depends on several lengths.
@@ -125,7 +125,7 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     for quantity in Planar::BOTH {
         let Some(unit) = picture::unit(family, Some(&sizes), quantity) else {
             let of = orders.iter().filter(|order| !sizes::verdicts(order, quantity).iter().all(OpenVerdict::always));
-            let of: Vec<String> = of.map(|order| order.order.to_string()).collect();
+            let of: Vec<u32> = of.map(|order| order.order).collect();
             let words = "a moment of {} that depends on the lengths";
             told.extend((!of.is_empty()).then(|| phrase!(words, super::residual::orders_in_words(&of))));
             continue;
@@ -135,7 +135,6 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
         };
         let (large, small) = sizes.told(quantity, orders);
         told.extend(large.into_iter().map(size));
-        let small: Vec<String> = small.iter().map(u32::to_string).collect();
         told.extend((!small.is_empty()).then(|| {
             phrase!(
                 "{1:force|moment} below 1 % of the largest{1: or of one piston's|} at {2}",
@@ -157,8 +156,8 @@ fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
     let mut lines: Vec<Text> = most(family, orders).into_iter().collect();
     lines.extend(special_angles::sentences(family, orders));
     let always = |verdicts: &[OpenVerdict; 2]| verdicts.iter().all(OpenVerdict::always);
-    let list = |is_meant: &dyn Fn(&OpenOrder) -> bool| -> Vec<String> {
-        orders.iter().filter(|order| is_meant(order)).map(|order| order.order.to_string()).collect()
+    let list = |is_meant: &dyn Fn(&OpenOrder) -> bool| -> Vec<u32> {
+        orders.iter().filter(|order| is_meant(order)).map(|order| order.order).collect()
     };
     let both = list(&|order| always(&order.force) && always(&order.moment));
     let forces = list(&|order| always(&order.force) && !always(&order.moment));

@@ -207,12 +207,8 @@ fn add(plot: &mut Plot, family: &Family, unknown: &str, (order, scale): (u32, f6
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let curve = Curve::new(plot.curves.len(), format!("order {order}"), points);
     for zero in &full {
-        let label = zero.label();
-        // One label for the zeros of several orders at one place.
-        let known = plot.marks.iter().any(|mark| mark.label == label);
-        let mark = PointMark::ring((zero.degrees(), 0.0), if known { String::new() } else { label });
         let series = if zero.is_exact() { "exact zero" } else { "zero, irrational" };
-        plot.marks.push(PointMark { ink: curve.ink, ..mark.of(series) });
+        plot.ring_zero(zero.degrees(), zero.label(), curve.ink, series);
     }
     if single.len() <= MOST_DOTS {
         for zero in &single {
@@ -247,10 +243,7 @@ impl Place {
     }
 
     fn is_exact(&self) -> bool {
-        match self {
-            Place::Exact(_) => true,
-            Place::Irrational(_) => false,
-        }
+        matches!(self, Place::Exact(_))
     }
 }
 

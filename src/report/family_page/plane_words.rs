@@ -4,7 +4,7 @@ use num_rational::BigRational;
 
 use super::super::typeset;
 use super::circle_words::{self, none_of};
-use super::unknowns::{NEVER, near, together, unknowns};
+use super::unknowns::{NEVER, alternatives, names, near, together, unknowns, zero_where};
 use crate::exact::Turn;
 use crate::family::{Circle, Classes, Corner, Meeting, Place, Triangle, is_in_range};
 use crate::page::number::Bearing;
@@ -12,18 +12,17 @@ use crate::page::{Text, phrase};
 
 /// `0 where δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; `0 on a curve, at one φ for each δ`.
 pub(super) fn condition(classes: &Classes) -> Text {
-    let [u, v] = names(classes);
+    let [u, v] = names([&classes.u, &classes.v]);
     if classes.is_curve() {
         return phrase!("0 on a curve: at one {} for each {}, or all", v, u);
     }
     let open = classes.circle.iter().flat_map(circle_words::open);
-    let told: Vec<Text> = zeros(classes).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open).collect();
-    if told.is_empty() { none_of(classes.circle.as_ref()) } else { Text::joined(told, "; ") }
+    zero_where(zeros(classes), open).unwrap_or_else(|| none_of(classes.circle.as_ref()))
 }
 
 /// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero in the range is known.
 fn zeros(classes: &Classes) -> Option<Text> {
-    let [u, v] = names(classes);
+    let [u, v] = names([&classes.u, &classes.v]);
     let rational = classes.rational().filter(|(at, meeting)| {
         let own = Place::exact(&classes.u, at);
         is_in_range(&match meeting {
@@ -44,20 +43,26 @@ fn zeros(classes: &Classes) -> Option<Text> {
         };
         Text::joined([at, v], " and ")
     });
-    let irrational = classes
-        .irrational()
-        .filter(|(ends, degrees)| {
-            let own = Place { times: classes.u.clone(), ends: ends.map(Clone::clone) };
-            is_in_range(&[own, Place::near(&classes.v, *degrees)])
-        })
-        .map(|(ends, degrees)| Text::joined([near(&u, circle_words::middle(ends)), near(&v, degrees)], " and "));
-    let told: Vec<Text> = rational.chain(irrational).collect();
-    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+    alternatives(rational.chain(irrational(classes.irrational(), [&classes.u, &classes.v])))
+}
+
+/// `φ ≈ 12.5° and δ ≈ 75.52°`: zeros at no rational turn of the first unknown, those in the range.
+pub(super) fn irrational<'a>(
+    zeros: impl Iterator<Item = ([&'a BigRational; 2], f64)>,
+    [u, v]: [&'a [BigRational; 2]; 2],
+) -> impl Iterator<Item = Text> {
+    let is_meant = move |(ends, degrees): &([&BigRational; 2], f64)| {
+        let own = Place { times: u.clone(), ends: ends.map(Clone::clone) };
+        is_in_range(&[own, Place::near(v, *degrees)])
+    };
+    let [u_name, v_name] = names([u, v]);
+    let told = move |(ends, degrees)| [near(&u_name, circle_words::middle(ends)), near(&v_name, degrees)];
+    zeros.filter(is_meant).map(move |zero| Text::joined(told(zero), " and "))
 }
 
 /// Why it vanishes there, and nowhere else.
 pub(super) fn why(classes: &Classes) -> Text {
-    let [u, v] = names(classes);
+    let [u, v] = names([&classes.u, &classes.v]);
     let lead = phrase!(
         "The parts make two classes: {} turns the parts of each, {} turns one class against the other, and they cancel where they are equally \
          long and opposite.",
@@ -128,8 +133,7 @@ fn corners(triangle: &Triangle) -> Option<Text> {
             })
         }
     };
-    let told: Vec<Text> = triangle.corners.iter().filter_map(corner).collect();
-    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+    alternatives(triangle.corners.iter().filter_map(corner))
 }
 
 /// Why it vanishes there, and nowhere else.
@@ -151,9 +155,4 @@ pub(super) fn triangle_why(triangle: &Triangle) -> Text {
             corners
         ),
     }
-}
-
-/// u and v.
-fn names(classes: &Classes) -> [String; 2] {
-    [&classes.u, &classes.v].map(|[phi, delta]: &[BigRational; 2]| unknowns(phi, delta))
 }

@@ -2,15 +2,15 @@
 
 use super::super::typeset;
 use super::circle_words::{self, none_of};
-use super::plane_words::so;
-use super::unknowns::{near, unknowns};
+use super::plane_words::{irrational, so};
+use super::unknowns::{alternatives, names, near, zero_where};
 use crate::exact::Turn;
 use crate::family::{Place, Quadratic, Root, Roots, is_in_range};
 use crate::page::{Text, phrase};
 
 /// `0 where δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`.
 pub(super) fn condition(found: &Quadratic) -> Text {
-    let [u, v] = names(found);
+    let [u, v] = names([&found.u, &found.v]);
     if found.is_mirrored() {
         return phrase!("0 on a curve: at two, one or no {} for each {}", v, u);
     }
@@ -18,13 +18,12 @@ pub(super) fn condition(found: &Quadratic) -> Text {
         return phrase!("0 on a curve: at one {} for nearly each {}", v, u);
     }
     let open = found.circle.iter().flat_map(circle_words::open);
-    let told: Vec<Text> = zeros(found).map(|zeros| phrase!("0 where {}", zeros)).into_iter().chain(open).collect();
-    if told.is_empty() { none_of(found.circle.as_ref()) } else { Text::joined(told, "; ") }
+    zero_where(zeros(found), open).unwrap_or_else(|| none_of(found.circle.as_ref()))
 }
 
 /// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero is known.
 fn zeros(found: &Quadratic) -> Option<Text> {
-    let [u, v] = names(found);
+    let [u, v] = names([&found.u, &found.v]);
     let rational = found.rational().flat_map(|(at, roots)| {
         let own = Place::exact(&found.u, at);
         let is_meant = |root: &&Root| {
@@ -50,20 +49,12 @@ fn zeros(found: &Quadratic) -> Option<Text> {
             Roots::Mirror { at, .. } => at.iter().filter(is_meant).map(with).collect(),
         }
     });
-    let irrational = found
-        .irrational()
-        .filter(|(ends, degrees)| {
-            let own = Place { times: found.u.clone(), ends: ends.map(Clone::clone) };
-            is_in_range(&[own, Place::near(&found.v, *degrees)])
-        })
-        .map(|(ends, degrees)| Text::joined([near(&u, circle_words::middle(ends)), near(&v, degrees)], " and "));
-    let told: Vec<Text> = rational.chain(irrational).collect();
-    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+    alternatives(rational.chain(irrational(found.irrational(), [&found.u, &found.v])))
 }
 
 /// Why it vanishes there, and nowhere else.
 pub(super) fn why(found: &Quadratic) -> Text {
-    let [u, v] = names(found);
+    let [u, v] = names([&found.u, &found.v]);
     let lead = phrase!(
         "The parts make three classes: {} turns the parts of each, {} turns the second class against the first, and the third as much against \
          the second.",
@@ -112,9 +103,4 @@ pub(super) fn why(found: &Quadratic) -> Text {
         v
     );
     Text::joined([lead, arcs, so(circle, zeros(found), &u)], " ")
-}
-
-/// u and v.
-fn names(found: &Quadratic) -> [String; 2] {
-    [&found.u, &found.v].map(|[phi, delta]| unknowns(phi, delta))
 }

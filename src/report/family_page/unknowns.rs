@@ -7,7 +7,7 @@ use super::super::typeset;
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{Alternative, Condition};
-use crate::page::Text;
+use crate::page::{Text, phrase};
 
 /// `2φ − δ ≡ 180°`.
 pub(super) fn exactly(unknowns: String, turn: &Turn) -> String {
@@ -46,8 +46,12 @@ pub(in crate::report) fn unknowns(phi: &BigRational, delta: &BigRational) -> Str
 
 /// An angle with unknowns, given in turns: `45° + φ/2`; the known part in `(−180°, 180°]`.
 pub(super) fn open_angle(angle: &Linear) -> String {
+    written(angle, typeset::degrees(&typeset::signed_degrees(&Turn::new(angle.known().clone()))))
+}
+
+/// The same with its known part as it is written there.
+pub(in crate::report) fn written(angle: &Linear, known: String) -> String {
     let symbols = angle.minus(&Linear::constant(angle.known().clone()));
-    let known = typeset::degrees(&typeset::signed_degrees(&Turn::new(angle.known().clone())));
     match (symbols == Linear::default(), angle.known().is_zero()) {
         (true, _) => known,
         (false, true) => greek(&symbols),
@@ -65,6 +69,24 @@ pub(super) fn open_length(length: &Linear) -> String {
         Some(known) => typeset::number(known),
         None => length.to_string(),
     }
+}
+
+/// Alternatives in a row; none where there is none.
+pub(super) fn alternatives(told: impl IntoIterator<Item = Text>) -> Option<Text> {
+    let told = Text::joined(told, ", or ");
+    (!told.is_empty()).then_some(told)
+}
+
+/// `0 where φ ≡ 60°`, and where it is not known; none where neither is told.
+pub(super) fn zero_where(zeros: Option<Text>, open: impl IntoIterator<Item = Text>) -> Option<Text> {
+    let zeros = zeros.map(|zeros| phrase!("0 where {}", zeros));
+    let told = Text::joined(zeros.into_iter().chain(open), "; ");
+    (!told.is_empty()).then_some(told)
+}
+
+/// The names of two unknowns.
+pub(super) fn names(both: [&[BigRational; 2]; 2]) -> [String; 2] {
+    both.map(|[phi, delta]| unknowns(phi, delta))
 }
 
 pub(super) fn near(name: &str, degrees: f64) -> Text {

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::super::{argument, residual, typeset};
-use super::unknowns::{NEVER, exactly, together_by, unknowns};
+use super::unknowns::{NEVER, alternatives, exactly, together_by, unknowns};
 use super::{boxes_words, circle_words, plane_words, quadratic_words};
 use crate::engine::Linear;
 use crate::exact::Turn;
@@ -66,18 +66,12 @@ fn in_decimals(turn: &Turn) -> Text {
 
 /// `25.7°` for (180/7)°.
 fn rounded(turn: &Turn) -> String {
-    match is_fractional(turn) {
-        true => format!("{:.1}°", float(&turn.degrees())),
-        false => typeset::angle(turn),
-    }
+    if is_fractional(turn) { format!("{:.1}°", float(&turn.degrees())) } else { typeset::angle(turn) }
 }
 
 /// The same for a table: `2φ − δ ≈ 25.7°`.
 fn nearly(unknowns: String, turn: &Turn) -> String {
-    match is_fractional(turn) {
-        true => format!("{unknowns} ≈ {}", rounded(turn)),
-        false => exactly(unknowns, turn),
-    }
+    if is_fractional(turn) { format!("{unknowns} ≈ {}", rounded(turn)) } else { exactly(unknowns, turn) }
 }
 
 /// At which bank angles it can fire evenly.
@@ -141,8 +135,7 @@ pub(super) fn conditions_of(verdict: &OpenVerdict) -> Option<Text> {
 
 /// `2φ − δ ≡ 180°`, alternatives in the range joined by "or"; none where there is none.
 fn conditions(angles: &Angles, shown: fn(String, &Turn) -> String) -> Option<Text> {
-    let told: Vec<Text> = angles.alternatives.iter().filter_map(|one| together_by(one, shown)).collect();
-    (!told.is_empty()).then(|| Text::joined(told, ", or "))
+    alternatives(angles.alternatives.iter().filter_map(|one| together_by(one, shown)))
 }
 
 /// `cos(φ) = 0.25, φ ≈ ±75.52°`.

@@ -7,7 +7,7 @@ use super::{FiringStudy, page};
 use crate::engine::{Cycle, Engine, Firing};
 use crate::file::Entry;
 use crate::firing::{NoStar, Weights};
-use crate::page::{Block, Document, Fold, Table, Text, phrase};
+use crate::page::{Block, Document, Table, Text, phrase};
 
 /// What the page is about.
 const FOUR_STROKE: &str = "Which orders of the gas torque vanish for every pressure law common to all cylinders, on a rigid crankshaft? Half orders depend on the firing order, whole orders only on the crankshaft.";
@@ -82,8 +82,7 @@ pub fn firing_catalogue_page(engines: &[(Entry, Engine)], cycle: Cycle) -> Docum
     let mut page = runs.answer(&studies);
     page.push(Block::Heading(1, "Proofs".into()));
     page.blocks.extend(studies.iter().filter_map(|(entry, study)| proof(*entry, study)));
-    page.push(Block::Heading(1, "Assumptions".into()));
-    page.push(Block::List(page::assumed(false)));
+    page.section("Assumptions", Block::List(page::assumed(false)));
     page
 }
 
@@ -150,5 +149,5 @@ fn proof(entry: Entry, study: &FiringStudy) -> Option<Block> {
         })
         .unzip();
     blocks.extend([Block::List(argued), Block::List(certified)]);
-    Some(Block::Folded(Fold { summary: phrase!("{}: {}", Text::label(entry.name), study.engine.title()), blocks }))
+    Some(Block::folded(phrase!("{}: {}", Text::label(entry.name), study.engine.title()), blocks))
 }

@@ -2,7 +2,6 @@
 
 use num_traits::ToPrimitive;
 
-use crate::firing::{FiringStar, StarOrder};
 use crate::report::data::Filling;
 use crate::report::{FiringStudy, star_length};
 use crate::table::{Table, Unit};
@@ -10,8 +9,7 @@ use crate::table::{Table, Unit};
 /// The firing stars.
 pub fn table(study: &FiringStudy) -> Table {
     let stars = study.orders.iter().flat_map(|order| order.stars.iter().map(move |star| (order, star)));
-    let rows: Vec<(&StarOrder, &FiringStar, _)> = stars.map(|(order, star)| (order, star, star_length(star))).collect();
-    let mut table = Filling::new("firing.orders", &rows);
+    let mut table = Filling::new("firing.orders", stars.map(|(order, star)| (order, star, star_length(star))));
     table.decimal("order", Unit::NONE, |(order, ..)| order.order.exact().to_f64());
     table.words("of", |(_, star, _)| {
         let names: Vec<String> = star.sources.iter().map(|source| source.name(&study.engine)).collect();

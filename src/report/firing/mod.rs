@@ -17,6 +17,7 @@ use crate::firing::{self, FiringPattern, NoPattern, NoStar, StarOrder, Weights};
 
 pub use catalogue::{firing_catalogue_answer, firing_catalogue_page, run_as};
 pub use document::{firing_document, firing_engine};
+pub(super) use open::plot_of_stars;
 pub use open::{OpenFiringStudy, open_firing_answer, open_firing_page};
 pub(super) use page::firing_section;
 pub use page::{firing_answer, firing_page};

@@ -6,19 +6,19 @@ use super::words::names_of;
 use super::{FiringStudy, tables, words};
 use crate::engine::Engine;
 use crate::firing::{FiringStar, StarOrder, Weights};
-use crate::page::{Block, Document, Fold, Picture, Text, phrase};
+use crate::page::{Block, Document, Picture, Text, phrase};
 use crate::verdict::JudgedStar;
 
 /// At most this many stars are drawn.
 const MOST_DRAWN: usize = 12;
 
-pub(super) const STAR: &str = "S_\\kappa = \\sum_j r_j\\, e^{-i\\kappa\\varphi_j}";
-pub(super) const STAR_OF_A_MODE: &str = "S_\\kappa = \\sum_j \\Delta_j\\, r_j\\, e^{-i\\kappa\\varphi_j}";
+const STAR: &str = "S_\\kappa = \\sum_j r_j\\, e^{-i\\kappa\\varphi_j}";
+const STAR_OF_A_MODE: &str = "S_\\kappa = \\sum_j \\Delta_j\\, r_j\\, e^{-i\\kappa\\varphi_j}";
 
-pub(super) const MEANING: &str = "A cylinder that fires at the crank angle $\\varphi_j$ adds $r_j\\, t_\\kappa\\, e^{-i\\kappa\\varphi_j}$ to order $\\kappa$ of the torque, \
+const MEANING: &str = "A cylinder that fires at the crank angle $\\varphi_j$ adds $r_j\\, t_\\kappa\\, e^{-i\\kappa\\varphi_j}$ to order $\\kappa$ of the torque, \
                        where $t_\\kappa$ depends on the pressure in the cylinder. Where all cylinders have the same pressure and bore, order $\\kappa$ of the gas torque \
                        is $t_\\kappa$ times the firing star";
-pub(super) const MEANING_OF_A_MODE: &str = "A cylinder that fires at the crank angle $\\varphi_j$ does work in order $\\kappa$ on a mode of torsional vibration in proportion to \
+const MEANING_OF_A_MODE: &str = "A cylinder that fires at the crank angle $\\varphi_j$ does work in order $\\kappa$ on a mode of torsional vibration in proportion to \
                        the deflection $\\Delta_j$ of its throw. Where all cylinders have the same pressure and bore, that of all is $t_\\kappa$ times the sum of phase vectors";
 const ASSUMED: [&str; 3] = [
     "Every cylinder fires once per cycle at its angle, with the same pressure law and the same bore; a verdict holds for any such law. A particular law may have further zero orders.",
@@ -69,7 +69,16 @@ pub fn firing_answer(study: &FiringStudy) -> Document {
 pub fn firing_page(study: &FiringStudy) -> Document {
     let mut page = Document::new("firing", phrase!("{}: firing stars", study.engine.title()));
     page.push(Block::Answer(answer(study)));
-    page.blocks.extend(section(study));
+    page.push(picture(study));
+    page.section("Orders of the gas torque", tables::orders(study));
+    page.blocks.extend(meaning(study.weights.is_mode_shape()));
+    page.section("When the cylinders fire", tables::firings(study));
+    if let Ok(pattern) = study.pattern() {
+        page.section("Every order", words::why(pattern));
+    }
+    page.section("Proofs", Block::List(each(study, argued)));
+    page.push(Block::folded("Firing stars: the certificates", vec![Block::List(each(study, certified))]));
+    page.section("Assumptions", Block::List(assumed(study.weights.is_mode_shape())));
     page
 }
 
@@ -82,43 +91,26 @@ pub(in crate::report) fn firing_section(engine: &Engine) -> Vec<Block> {
     match FiringStudy::new(engine, &[], Weights::Rigid) {
         Err(why) => vec![heading, Block::Paragraph(phrase!("No firing stars: {}.", why.to_string()))],
         Ok(study) => {
+            let [meaning, formula] = meaning(false);
             let proofs = vec![Block::List(each(&study, argued)), Block::List(each(&study, certified))];
             vec![
                 heading,
                 Block::List(answer(&study)),
-                Block::Pictures(vec![picture(&study)]),
+                picture(&study).into(),
                 tables::orders(&study).into(),
-                Block::Paragraph(MEANING.into()),
-                Block::Formula(STAR.to_owned(), None),
-                Block::Folded(Fold { summary: "Firing stars: the proofs".into(), blocks: proofs }),
+                meaning,
+                formula,
+                Block::folded("Firing stars: the proofs", proofs),
                 Block::List(assumed(false)),
             ]
         }
     }
 }
 
-/// All that is below the answer.
-fn section(study: &FiringStudy) -> Vec<Block> {
-    let heading = |words: &'static str| Block::Heading(1, words.into());
-    let (meaning, formula) = match study.weights.is_mode_shape() {
-        true => (MEANING_OF_A_MODE, STAR_OF_A_MODE),
-        false => (MEANING, STAR),
-    };
-    let mut blocks = vec![Block::Pictures(vec![picture(study)]), heading("Orders of the gas torque")];
-    blocks.push(tables::orders(study).into());
-    blocks.extend([Block::Paragraph(meaning.into()), Block::Formula(formula.to_owned(), None)]);
-    blocks.extend([heading("When the cylinders fire"), tables::firings(study).into()]);
-    if let Ok(pattern) = study.pattern() {
-        blocks.extend([heading("Every order"), Block::Paragraph(words::why(pattern))]);
-    }
-    blocks.extend([heading("Proofs"), Block::List(each(study, argued))]);
-    let certificates = each(study, certified);
-    blocks.push(Block::Folded(Fold {
-        summary: "Firing stars: the certificates".into(),
-        blocks: vec![Block::List(certificates)],
-    }));
-    blocks.extend([heading("Assumptions"), Block::List(assumed(study.weights.is_mode_shape()))]);
-    blocks
+/// What a star is.
+pub(super) fn meaning(of_a_mode: bool) -> [Block; 2] {
+    let (meaning, formula) = if of_a_mode { (MEANING_OF_A_MODE, STAR_OF_A_MODE) } else { (MEANING, STAR) };
+    [meaning.into(), Block::Formula(formula.to_owned(), None)]
 }
 
 /// What the verdicts rest on.

@@ -29,8 +29,7 @@ fn exact(value: &WithPi) -> Option<String> {
 }
 
 fn values(study: &FlywheelStudy) -> Table {
-    let rows = [&study.fluctuation];
-    let mut table = Filling::new("flywheel.values", &rows).keyed(0);
+    let mut table = Filling::new("flywheel.values", [&study.fluctuation]).keyed(0);
     let decimal = |value: &Option<WithPi>| value.as_ref().map(|value| value.decimal);
     let closed = |value: &Option<WithPi>| value.as_ref().and_then(exact);
     table.decimal("mean_torque_{unit}", Unit::NEWTON_METRE, |row| decimal(&row.mean));

@@ -35,10 +35,9 @@ pub(super) fn page(study: &FlywheelStudy) -> Document {
     page.push(Block::Answer(lines(study)));
     page.blocks.extend(picture(study).map(|picture| Block::Pictures(vec![picture])));
     page.blocks.extend(tables(study));
-    page.push(Block::Heading(1, "How it was found".into()));
-    page.push(Block::Paragraph(FOUND.into()));
+    page.section("How it was found", FOUND);
     if matches!(study.diagram.torque, Torque::Harmonics(..)) {
-        page.push(Block::Paragraph(WAVES.into()));
+        page.push(WAVES);
     }
     page
 }

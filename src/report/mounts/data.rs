@@ -49,8 +49,7 @@ fn place(of: Place) -> Option<String> {
 }
 
 fn modes(study: &MountsStudy) -> Table {
-    let rows: Vec<_> = study.modes.iter().enumerate().collect();
-    let mut table = Filling::new("mounts.modes", &rows);
+    let mut table = Filling::new("mounts.modes", study.modes.iter().enumerate());
     table.whole("mode", |(index, _)| index + 1);
     table.decimal("frequency_{unit}", Unit::HERTZ, |(_, mode)| Some(mode.hertz()));
     axes(&mut table, "share_{axis}_{unit}", Unit::PERCENT, |(_, mode), axis| Some(100.0 * mode.shares[axis]));
@@ -62,7 +61,7 @@ fn modes(study: &MountsStudy) -> Table {
 
 fn orders(study: &MountsStudy) -> Table {
     let mut table = Filling::new("mounts.orders", &study.orders);
-    table.exact("order", Unit::NONE, order);
+    table.exact("order", Unit::NONE, |one| order(one));
     table.truth("force_is_zero", |one| Some(one.excitation.still.force));
     table.truth("moment_is_zero", |one| Some(one.excitation.still.moment));
     table.truth("roll_is_zero", |one| Some(one.excitation.still.roll));
@@ -77,13 +76,12 @@ fn orders(study: &MountsStudy) -> Table {
 }
 
 fn places(study: &MountsStudy) -> Table {
-    let rows: Vec<_> =
-        study.places().into_iter().flat_map(|of| study.orders.iter().map(move |order| (of, order))).collect();
+    let rows = study.places().into_iter().flat_map(|of| study.orders.iter().map(move |order| (of, order)));
     let moved = |of: &Place, one: &OrderMotion| -> Option<(Phasors, f64)> {
         let motion = one.motion.as_ref()?;
         Some((study.displacement(*of, motion), motion.omega))
     };
-    let mut table = Filling::new("mounts.places", &rows).keyed(2);
+    let mut table = Filling::new("mounts.places", rows).keyed(2);
     table.words("place", |(of, _)| place(*of));
     table.exact("order", Unit::NONE, |(_, one)| order(one));
     axes(&mut table, "displacement_{axis}_{unit}", Unit::MILLIMETRE, |(of, one), axis| {
@@ -98,8 +96,8 @@ fn places(study: &MountsStudy) -> Table {
 
 fn forces(study: &MountsStudy) -> Table {
     let mounts = 0..study.body.mounts();
-    let rows: Vec<_> = mounts.flat_map(|mount| study.orders.iter().map(move |order| (mount, order))).collect();
-    let mut table = Filling::new("mounts.forces", &rows).keyed(2);
+    let rows = mounts.flat_map(|mount| study.orders.iter().map(move |order| (mount, order)));
+    let mut table = Filling::new("mounts.forces", rows).keyed(2);
     table.whole("mount", |(mount, _)| mount + 1);
     table.exact("order", Unit::NONE, |(_, one)| order(one));
     axes(&mut table, "force_{axis}_{unit}", Unit::NEWTON, |(mount, one), axis| {
@@ -109,8 +107,7 @@ fn forces(study: &MountsStudy) -> Table {
 }
 
 fn rms(study: &MountsStudy) -> Table {
-    let rows = study.places();
-    let mut table = Filling::new("mounts.rms", &rows);
+    let mut table = Filling::new("mounts.rms", study.places());
     table.words("place", |of| place(*of));
     let rms = |of: &Place, derivative: i32, axis: usize| Some(study.rms(*of, derivative)?[axis]);
     let (displacement, velocity) = (Unit::MILLIMETRE, Unit::MILLIMETRE_PER_SECOND);
@@ -130,13 +127,12 @@ fn speeds(study: &MountsStudy) -> Table {
 }
 
 fn critical(study: &MountsStudy) -> Table {
-    let rows: Vec<_> = study
+    let rows = study
         .modes
         .iter()
         .enumerate()
-        .flat_map(|(index, mode)| study.orders.iter().map(move |order| (index + 1, mode, order)))
-        .collect();
-    let mut table = Filling::new("mounts.critical", &rows).keyed(2);
+        .flat_map(|(index, mode)| study.orders.iter().map(move |order| (index + 1, mode, order)));
+    let mut table = Filling::new("mounts.critical", rows).keyed(2);
     table.whole("mode", |(number, ..)| *number);
     table.exact("order", Unit::NONE, |(.., one)| order(one));
     table.decimal("speed_{unit}", Unit::PER_MINUTE, |(_, mode, one)| Some(one.excitation.order.rpm(mode.hertz())));
@@ -145,8 +141,7 @@ fn critical(study: &MountsStudy) -> Table {
 }
 
 fn axis(study: &MountsStudy) -> Option<Table> {
-    let rows = [study.axis.as_ref()?];
-    let mut table = Filling::new("mounts.axis", &rows).keyed(0);
+    let mut table = Filling::new("mounts.axis", [study.axis.as_ref()?]).keyed(0);
     axes(&mut table, "direction_{axis}", Unit::NONE, |of, axis| Some(of.direction[axis]));
     table.decimal("from_crankshaft_{unit}", Unit::DEGREE, |axis| Some(axis.from_crankshaft));
     table.decimal("frequency_{unit}", Unit::HERTZ, |axis| Some(axis.hertz));

@@ -71,7 +71,7 @@ fn map(study: &MountsStudy) -> Option<Picture> {
     let caption = phrase!(
         "Response over speed and order, as in Campbell's diagram: the velocity in each order is drawn above the line of that order, three decades from the line to the largest; a dot marks where the order meets a natural frequency. An order without a curve does not move the engine, proved."
     );
-    Some(Picture { name: "map".to_owned(), caption, figure: plot.figure() })
+    Some(Picture::new("map", caption, plot.figure()))
 }
 
 /// The velocity of the watched place in the strongest orders.
@@ -95,5 +95,5 @@ fn speeds(study: &MountsStudy) -> Option<Picture> {
         "Velocity of {the point of the file|the centre of gravity} over the speed in the orders that move it most, zero to peak along one axis.",
         study.watched() == Place::Point
     );
-    Some(Picture { name: "velocity".to_owned(), caption, figure: plot.figure() })
+    Some(Picture::new("velocity", caption, plot.figure()))
 }

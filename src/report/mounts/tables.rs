@@ -5,7 +5,7 @@ use num_complex::Complex;
 use super::words::{place, rpm};
 use super::{MountsStudy, OrderMotion, Place, largest, peak};
 use crate::mounts::Phasors;
-use crate::page::{Number, Piece, Table, Text, Unit, number, phrase};
+use crate::page::{Columns, Number, Piece, Table, Text, Unit, number, phrase};
 
 /// One row per mode: frequency, kinetic energy shares.
 pub(super) fn modes(study: &MountsStudy) -> Table {
@@ -23,6 +23,15 @@ pub(super) fn modes(study: &MountsStudy) -> Table {
         .enumerate()
         .fold(table, |table, (index, name)| table.column(name, move |(_, mode)| share(mode.shares[index])));
     table.done()
+}
+
+/// The axes, above columns of what is along each.
+const ALONG: [&str; 3] = ["x ({})", "y ({})", "z ({})"];
+
+/// A column for each axis.
+fn axes<R>(table: Columns<R>, headings: [&'static str; 3], unit: Unit, cell: impl Fn(&R, usize) -> Text) -> Columns<R> {
+    let all = headings.into_iter().enumerate();
+    all.fold(table, |table, (axis, heading)| table.column(phrase!(heading, unit), |row| cell(row, axis)))
 }
 
 fn zero_or(vanishes: bool, value: Text) -> Text {
@@ -57,10 +66,7 @@ fn orders_of<'a>(orders: impl Iterator<Item = &'a OrderMotion>) -> Table {
             let still = one.excitation.still;
             zero_or(still.force && still.roll, Text::measured(peak(&one.load[1][2]), Unit::NEWTON_METRE))
         })
-        .column("Engine", |one| match one.excitation.still.is_whole() {
-            true => "still",
-            false => "moves",
-        })
+        .column("Engine", |one| if one.excitation.still.is_whole() { "still" } else { "moves" })
         .done()
 }
 
@@ -71,22 +77,20 @@ fn moved(one: &OrderMotion, of: impl Fn(&crate::mounts::Motion) -> Text) -> Text
     }
 }
 
-/// One row per order that moves it: the centre of gravity and the rotation.
+/// One row per order that moves it.
+fn by_order(study: &MountsStudy) -> Columns<&OrderMotion> {
+    Table::of(study.moving().map(|(_, one)| one)).column("Order κ", |one| one.excitation.order.to_string())
+}
+
+/// The same with the centre of gravity and the rotation.
 pub(super) fn motions(study: &MountsStudy) -> Table {
-    let table =
-        Table::of(study.moving().map(|(_, one)| one)).column("Order κ", |one| one.excitation.order.to_string());
-    let part = |value: Complex<f64>, scale: f64, unit| Text::measured(peak(&value) * scale, unit);
-    let heads = [("x ({})", 0), ("y ({})", 1), ("z ({})", 2)];
-    let table = heads.into_iter().fold(table, |table, (head, axis)| {
-        table.column(phrase!(head, Unit::MILLIMETRE), move |one| {
-            moved(one, |motion| part(motion.centre[axis], 1e3, Unit::MILLIMETRE))
-        })
+    let part = |value: Complex<f64>, unit| Text::measured(peak(&value) * 1e3, unit);
+    let table = axes(by_order(study), ALONG, Unit::MILLIMETRE, |one, axis| {
+        moved(one, |motion| part(motion.centre[axis], Unit::MILLIMETRE))
     });
-    let heads = [("Rotation about x ({})", 0), ("Rotation about y ({})", 1), ("Rotation about z ({})", 2)];
-    let table = heads.into_iter().fold(table, |table, (head, axis)| {
-        table.column(phrase!(head, Unit::MILLIRADIAN), move |one| {
-            moved(one, |motion| part(motion.turned[axis], 1e3, Unit::MILLIRADIAN))
-        })
+    let rotations = ["Rotation about x ({})", "Rotation about y ({})", "Rotation about z ({})"];
+    let table = axes(table, rotations, Unit::MILLIRADIAN, |one, axis| {
+        moved(one, |motion| part(motion.turned[axis], Unit::MILLIRADIAN))
     });
     table
         .column(phrase!("Velocity, {} ({})", place(study.watched()), Unit::MILLIMETRE_PER_SECOND), |one| {
@@ -108,33 +112,27 @@ pub(super) fn forces(study: &MountsStudy) -> Table {
     let table = Table::of(rows)
         .column("Mount", |(mount, _)| mount + 1)
         .column("Order κ", |(_, one)| one.excitation.order.to_string());
-    let heads = [("x ({})", 0), ("y ({})", 1), ("z ({})", 2)];
-    let table = heads.into_iter().fold(table, |table, (head, axis)| {
-        table.column(phrase!(head, Unit::NEWTON), move |(mount, one)| force(*mount, one, axis))
-    });
-    table.done()
+    axes(table, ALONG, Unit::NEWTON, |(mount, one), axis| force(*mount, one, axis)).done()
 }
 
 /// One row per place: all orders together, rms along each axis.
 pub(super) fn rms(study: &MountsStudy) -> Table {
-    let value = |of: Place, derivative: i32, axis: usize, scale: f64, unit: Unit| match study.rms(of, derivative) {
+    let value = |of: Place, derivative: i32, scale: f64, unit: Unit, of_axes: &dyn Fn([f64; 3]) -> f64| match study
+        .rms(of, derivative)
+    {
         None => "resonance".into(),
-        Some(parts) => Text::measured(parts[axis] * scale, unit),
+        Some(parts) => Text::measured(of_axes(parts) * scale, unit),
     };
-    let most = |of: Place, derivative: i32, scale: f64, unit: Unit| match study.rms(of, derivative) {
-        None => "resonance".into(),
-        Some(parts) => Text::measured(parts.into_iter().fold(0.0, f64::max) * scale, unit),
-    };
+    let most = |parts: [f64; 3]| parts.into_iter().fold(0.0, f64::max);
     let table = Table::of(study.places())
         .column("Place", |of| place(*of))
-        .column(phrase!("Displacement, largest ({})", Unit::MILLIMETRE), |of| most(*of, 0, 1e3, Unit::MILLIMETRE));
-    let heads = [("Velocity x ({})", 0), ("Velocity y ({})", 1), ("Velocity z ({})", 2)];
-    let table = heads.into_iter().fold(table, |table, (head, axis)| {
-        let unit = Unit::MILLIMETRE_PER_SECOND;
-        table.column(phrase!(head, unit), move |of| value(*of, 1, axis, 1e3, unit))
-    });
+        .column(phrase!("Displacement, largest ({})", Unit::MILLIMETRE), |of| {
+            value(*of, 0, 1e3, Unit::MILLIMETRE, &most)
+        });
+    let (velocities, unit) = (["Velocity x ({})", "Velocity y ({})", "Velocity z ({})"], Unit::MILLIMETRE_PER_SECOND);
+    let table = axes(table, velocities, unit, |of, axis| value(*of, 1, 1e3, unit, &|parts| parts[axis]));
     let unit = Unit::METRE_PER_SQUARE_SECOND;
-    table.column(phrase!("Acceleration, largest ({})", unit), |of| most(*of, 2, 1.0, unit)).done()
+    table.column(phrase!("Acceleration, largest ({})", unit), |of| value(*of, 2, 1.0, unit, &most)).done()
 }
 
 /// One row per order that moves the engine: where in the range it moves the watched place most, and the mounts.
@@ -162,9 +160,7 @@ pub(super) fn range(study: &MountsStudy) -> Table {
 
 /// The speeds at which an order that moves the engine meets a mode.
 pub(super) fn critical(study: &MountsStudy) -> Table {
-    let table =
-        Table::of(study.moving().map(|(_, one)| one)).column("Order κ", |one| one.excitation.order.to_string());
-    let table = study.modes.iter().enumerate().fold(table, |table, (index, mode)| {
+    let table = study.modes.iter().enumerate().fold(by_order(study), |table, (index, mode)| {
         table.column(phrase!("Mode {} at (rpm)", index + 1), move |one| {
             Number::Decimal(one.excitation.order.rpm(mode.hertz()))
         })

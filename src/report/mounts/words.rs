@@ -55,8 +55,8 @@ pub(super) fn answer(study: &MountsStudy) -> Vec<Text> {
     let roll_alone = moving
         .iter()
         .filter(|one| one.excitation.still.force && one.excitation.still.moment)
-        .map(|one| one.excitation.order.to_string());
-    let roll_alone: Vec<String> = roll_alone.collect();
+        .map(|one| one.excitation.order);
+    let roll_alone: Vec<CycleOrder> = roll_alone.collect();
     if !roll_alone.is_empty() {
         lines.push(phrase!("At {} the roll moment alone moves it.", residual::orders_in_words(&roll_alone)));
     }

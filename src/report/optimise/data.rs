@@ -3,7 +3,7 @@
 use num_traits::ToPrimitive;
 
 use crate::numbers;
-use crate::optimise::{Design, Optimum, PlacedWeight, Residual, Uniform};
+use crate::optimise::{Design, Residual};
 use crate::report::OptimiseStudy;
 use crate::report::data::Filling;
 use crate::report::data::exact_number;
@@ -21,8 +21,7 @@ pub fn table(study: &OptimiseStudy, name: &str) -> Option<Table> {
 }
 
 fn points(study: &OptimiseStudy) -> Table {
-    let rows: Vec<(usize, &Optimum)> = study.front.points.iter().enumerate().collect();
-    let mut table = Filling::new("optimise.points", &rows);
+    let mut table = Filling::new("optimise.points", study.front.points.iter().enumerate());
     table.whole("point", |(index, _)| index + 1);
     of_design(&mut table, study, |(_, point)| &point.design);
     let units = study.units();
@@ -56,12 +55,10 @@ fn of_design<R>(table: &mut Filling<R>, study: &OptimiseStudy, of: impl Fn(&R) -
 
 fn counterweights(study: &OptimiseStudy) -> Table {
     let all = study.front.points.iter().enumerate();
-    let rows: Vec<(usize, usize, &PlacedWeight)> = all
-        .flat_map(|(point, best)| {
-            best.design.weights.iter().enumerate().map(move |(weight, placed)| (point + 1, weight + 1, placed))
-        })
-        .collect();
-    let mut table = Filling::new("optimise.counterweights", &rows).keyed(2);
+    let rows = all.flat_map(|(point, best)| {
+        best.design.weights.iter().enumerate().map(move |(weight, placed)| (point + 1, weight + 1, placed))
+    });
+    let mut table = Filling::new("optimise.counterweights", rows).keyed(2);
     table.whole("point", |(point, ..)| *point);
     table.whole("counterweight", |(_, weight, _)| *weight);
     table.maybe_whole("throw", |(.., placed)| placed.place.throw.map(|t| t + 1));
@@ -80,12 +77,10 @@ fn counterweights(study: &OptimiseStudy) -> Table {
 fn bearings(study: &OptimiseStudy) -> Table {
     let units = study.units();
     let all = study.front.points.iter().enumerate();
-    let rows: Vec<(usize, usize, f64)> = all
-        .flat_map(|(point, best)| {
-            best.design.peaks.iter().enumerate().map(move |(bearing, load)| (point + 1, bearing + 1, *load))
-        })
-        .collect();
-    let mut table = Filling::new("optimise.bearings", &rows).keyed(2);
+    let rows = all.flat_map(|(point, best)| {
+        best.design.peaks.iter().enumerate().map(move |(bearing, load)| (point + 1, bearing + 1, *load))
+    });
+    let mut table = Filling::new("optimise.bearings", rows).keyed(2);
     table.whole("point", |(point, ..)| *point);
     table.whole("bearing", |(_, bearing, _)| *bearing);
     table.decimal("largest_load_{unit}", units.force, |(.., load)| Some(load * units.newtons));
@@ -93,12 +88,8 @@ fn bearings(study: &OptimiseStudy) -> Table {
 }
 
 fn uniform(study: &OptimiseStudy) -> Option<Table> {
-    let rows: Vec<&Uniform> = study.front.uniform.iter().collect();
-    if rows.is_empty() {
-        return None;
-    }
     let units = study.units();
-    let mut table = Filling::new("optimise.uniform", &rows);
+    let mut table = Filling::new("optimise.uniform", study.front.uniform.iter());
     table.exact("balance_factor", Unit::NONE, |row| Some(exact_number(&row.factor)));
     of_design(&mut table, study, |row| &row.design);
     table.decimal("best_of_that_mass_{unit}", units.force, |row| {
@@ -107,5 +98,5 @@ fn uniform(study: &OptimiseStudy) -> Option<Table> {
     table.decimal("lightest_with_that_load_{unit}", Unit::KILOGRAM, |row| {
         row.lightest.as_ref().and_then(|lightest| lightest.design.mass.to_f64())
     });
-    Some(table.done())
+    table.done_if_any()
 }

@@ -86,6 +86,8 @@ fn answer(layout: &Engine, front: &Front, couple: &Couple) -> Vec<Text> {
     lines
 }
 
+const WEIGHTS: &str = "The balance factor that each weight adds to its throw, in percent, and its angle ahead of the direction opposite to the throw:";
+
 const COMPARED: &str = "One balance factor for all throws, as is usual, beside the best crankshaft of the same mass and the lightest with the same load:";
 
 /// The short answer: the front, and what uniform balance factors reach.
@@ -108,23 +110,18 @@ pub fn optimise_page(layout: &Engine, front: &Front, couple: &Couple) -> Documen
     page.push(Block::Answer(answer(layout, front, couple)));
     page.push(plot::picture(layout, front));
     page.blocks.extend(comparison(layout, front));
-    page.push(Block::Heading(1, "From the lightest to the least loaded".into()));
-    page.push(tables::points(layout, front));
-    page.push(Block::Heading(1, "The counterweights".into()));
-    page.push(Block::Paragraph(
-        "The balance factor that each weight adds to its throw, in percent, and its angle ahead of the direction opposite to the throw:".into(),
-    ));
+    page.section("From the lightest to the least loaded", tables::points(layout, front));
+    page.section("The counterweights", WEIGHTS);
     page.push(tables::weights(layout, front));
     let files = optimise_layouts(front).into_iter().map(|file| Text::link(Text::code(file.name.clone()), file.name));
-    page.push(Block::Paragraph(phrase!(
+    page.push(phrase!(
         "Layout files of these crankshafts, for the commands {}, {}, {} and {}: {}.",
         Text::code("classify"),
         Text::code("loads"),
         Text::code("bearings"),
         Text::code("report"),
         Text::joined(files, ", ")
-    )));
-    page.push(Block::Heading(1, "Method".into()));
-    page.push(Block::List(method(layout)));
+    ));
+    page.section("Method", Block::List(method(layout)));
     page
 }

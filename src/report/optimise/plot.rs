@@ -27,5 +27,5 @@ pub(super) fn picture(layout: &Engine, front: &Front) -> Picture {
         PointMark::ring(at(&uniform.design), name).of("one balance factor for all throws")
     };
     plot.marks.extend(front.uniform.iter().map(uniform));
-    Picture { name: "front".to_owned(), caption: CAPTION.into(), figure: plot.figure() }
+    Picture::new("front", CAPTION, plot.figure())
 }

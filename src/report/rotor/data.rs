@@ -19,13 +19,9 @@ pub fn table(study: &RotorStudy, name: &str) -> Option<Table> {
 }
 
 fn masses(study: &RotorStudy) -> Table {
-    let rows: Vec<(usize, &Found)> = study
-        .solutions()
-        .iter()
-        .enumerate()
-        .flat_map(|(place, all)| all.iter().map(move |one| (place + 1, one)))
-        .collect();
-    let mut table = Filling::new("rotor.masses", &rows).keyed(2);
+    let rows =
+        study.solutions().iter().enumerate().flat_map(|(place, all)| all.iter().map(move |one| (place + 1, one)));
+    let mut table = Filling::new("rotor.masses", rows).keyed(2);
     let of = |one: &Found| &study.rotor.masses[one.index];
     table.whole("solution", |row| row.0);
     table.person("mass", |row| Some(of(row.1).name.clone()));
@@ -51,9 +47,8 @@ fn masses(study: &RotorStudy) -> Table {
 }
 
 fn left(study: &RotorStudy) -> Table {
-    let rows: Vec<LeftOver> =
-        study.left().into_iter().chain(study.of_second_order()).chain(study.of_locomotive()).collect();
-    let mut table = Filling::new("rotor.left", &rows);
+    let rows = study.left().into_iter().chain(study.of_second_order()).chain(study.of_locomotive());
+    let mut table = Filling::new("rotor.left", rows);
     table.words("what", |row| Some(row.column.to_owned()));
     table.truth("vanishes", |row| Some(row.vanishes()));
     let of = |is_couple: bool, by: f64| move |row: &LeftOver| (row.is_couple == is_couple).then(|| by * row.length());

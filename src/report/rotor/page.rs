@@ -7,7 +7,6 @@ use super::super::residual;
 use super::super::torque::quantity;
 use super::{LeftOver, RotorStudy};
 use crate::exact::PhasorSum;
-use crate::file::RotorMass;
 use crate::numbers::{self, Direction};
 use crate::page::number::{Amount, Bearing, Number, given_with, turns};
 use crate::page::{Block, Document, Table, Text, Unit, phrase};
@@ -35,12 +34,10 @@ pub(super) fn page(study: &RotorStudy) -> Document {
     let mut page = Document::new("rotor", phrase!("{}: masses on a shaft", &study.rotor.title));
     page.push(Block::Answer(vec![verdict(study)]));
     page.blocks.extend(found(study));
-    page.push(Block::Heading(1, "The masses".into()));
-    page.push(masses(study));
-    page.push(Block::Heading(1, "How it was found".into()));
-    page.push(Block::Paragraph(FOUND.into()));
+    page.section("The masses", masses(study));
+    page.section("How it was found", FOUND);
     if study.rotor.secondary {
-        page.push(Block::Paragraph(SCHLICK.into()));
+        page.push(SCHLICK);
     }
     page
 }
@@ -96,26 +93,19 @@ fn found(study: &RotorStudy) -> Vec<Block> {
     if !left.is_empty() {
         blocks.push(lengths(study, &left).into());
     }
-    for solution in study.solutions() {
-        blocks.push(table(study, solution).into());
-    }
+    blocks.extend(study.solutions().iter().map(|solution| Block::from(table(study, solution))));
     if study.solutions().iter().flatten().any(|one| one.cosine.is_some()) {
         blocks.push(Block::Note(
             "cos is that of the angle from the first mass whose angle is wanted, or whose angle alone is given: exact."
                 .into(),
         ));
     }
-    let of_second_order = study.of_second_order();
-    if !of_second_order.is_empty() {
-        blocks.push(Block::Heading(1, "Second order".into()));
-        blocks.push(lengths(study, &of_second_order).into());
-        blocks.push(Block::Paragraph(SECONDARY.into()));
-    }
-    let of_locomotive = study.of_locomotive();
-    if !of_locomotive.is_empty() {
-        blocks.push(Block::Heading(1, "Locomotive".into()));
-        blocks.push(lengths(study, &of_locomotive).into());
-        blocks.push(Block::Paragraph(LOCOMOTIVE.into()));
+    for (heading, rows, about) in
+        [("Second order", study.of_second_order(), SECONDARY), ("Locomotive", study.of_locomotive(), LOCOMOTIVE)]
+    {
+        if !rows.is_empty() {
+            blocks.extend([Block::Heading(1, heading.into()), lengths(study, &rows).into(), about.into()]);
+        }
     }
     blocks
 }
@@ -145,40 +135,30 @@ fn table(study: &RotorStudy, solution: &[Found]) -> Table {
     let of = |one: &Found| &study.rotor.masses[one.index];
     let has_position = solution.iter().any(|one| one.position.is_some());
     let has_cosine = solution.iter().any(|one| one.cosine.is_some());
-    let mut head: Vec<Text> = vec![
-        "Mass".into(),
-        phrase!("Mass in {}", Unit::KILOGRAM),
-        phrase!("Radius in {}", Unit::MILLIMETRE),
-        phrase!("Mass times radius in {}", Unit::KILOGRAM_METRE),
-        "Angle".into(),
-    ];
-    head.extend(has_cosine.then(|| "cos".into()));
-    head.extend(has_position.then(|| phrase!("Position in {}", Unit::MILLIMETRE)));
-    let mut table = Table::new(head);
     let thousand = BigRational::from_integer(1000.into());
-    for one in solution {
-        let mass = of(one);
-        let weight = match (&mass.mass, &mass.radius) {
-            (Some(weight), _) => Number::exact(weight).into(),
-            (None, Some(radius)) => amount(&one.mass_radius, &radius.recip()),
-            (None, None) => "–".into(),
-        };
-        let radius = match (&mass.radius, &mass.mass) {
-            (Some(radius), _) => Number::exact(&(radius * &thousand)).into(),
-            (None, Some(weight)) if weight.is_positive() => amount(&one.mass_radius, &(&thousand / weight)),
-            (None, _) => "–".into(),
-        };
-        let mut row =
-            vec![(&mass.name).into(), weight, radius, amount(&one.mass_radius, &BigRational::one()), direction(one)];
-        if has_cosine {
-            row.push(one.cosine.as_ref().map_or_else(|| "–".into(), |cosine| Number::exact(cosine).into()));
-        }
-        if has_position {
-            row.push(one.position.as_ref().map_or_else(|| "–".into(), |position| amount(position, &thousand)));
-        }
-        table.push(row);
-    }
-    table
+    let mass = |one: &Found| match (&of(one).mass, &of(one).radius) {
+        (Some(mass), _) => Some(Number::exact(mass).into()),
+        (None, Some(radius)) => Some(amount(&one.mass_radius, &radius.recip())),
+        (None, None) => None,
+    };
+    let radius = |one: &Found| match (&of(one).radius, &of(one).mass) {
+        (Some(radius), _) => Some(Number::exact(&(radius * &thousand)).into()),
+        (None, Some(mass)) if mass.is_positive() => Some(amount(&one.mass_radius, &(&thousand / mass))),
+        (None, _) => None,
+    };
+    Table::of(solution)
+        .column("Mass", |one| &of(one).name)
+        .column(phrase!("Mass in {}", Unit::KILOGRAM), |one| Text::or_dash(mass(one)))
+        .column(phrase!("Radius in {}", Unit::MILLIMETRE), |one| Text::or_dash(radius(one)))
+        .column(phrase!("Mass times radius in {}", Unit::KILOGRAM_METRE), |one| {
+            amount(&one.mass_radius, &BigRational::one())
+        })
+        .column("Angle", |one| direction(one))
+        .column_if(has_cosine, "cos", |one| Text::or_dash(one.cosine.as_ref().map(Number::exact)))
+        .column_if(has_position, phrase!("Position in {}", Unit::MILLIMETRE), |one| {
+            Text::or_dash(one.position.as_ref().map(|position| amount(position, &thousand)))
+        })
+        .done()
 }
 
 /// Lengths of stars by name: with their exact values, and at the speed of the file.
@@ -209,24 +189,15 @@ fn lengths(study: &RotorStudy, rows: &[LeftOver]) -> Table {
 /// The masses as the file has them; what is wanted is a question mark.
 fn masses(study: &RotorStudy) -> Table {
     let reciprocating = study.rotor.masses.iter().any(|mass| mass.reciprocating > BigRational::zero());
-    let mut head: Vec<Text> = vec!["Mass".into(), "turning".into()];
-    head.extend(reciprocating.then(|| "reciprocating".into()));
-    head.extend(["Radius".into(), "Angle".into(), "Position".into()]);
-    let mut table = Table::new(head);
     let thousand = BigRational::from_integer(1000.into());
     let or_wanted = |value: Option<Text>| value.unwrap_or_else(|| Text::label("?"));
     let length = |value: &BigRational| given_with(&(value * &thousand), Unit::MILLIMETRE);
-    let row = |mass: &RotorMass| {
-        let mut row =
-            vec![(&mass.name).into(), or_wanted(mass.mass.as_ref().map(|mass| given_with(mass, Unit::KILOGRAM)))];
-        row.extend(reciprocating.then(|| given_with(&mass.reciprocating, Unit::KILOGRAM)));
-        row.push(or_wanted(mass.radius.as_ref().map(length)));
-        row.push(or_wanted(mass.angle.as_ref().map(|angle| Text::label(turns(angle.turns())))));
-        row.push(or_wanted(mass.position.as_ref().map(length)));
-        row
-    };
-    for mass in &study.rotor.masses {
-        table.push(row(mass));
-    }
-    table
+    Table::of(&study.rotor.masses)
+        .column("Mass", |mass| &mass.name)
+        .column("turning", |mass| or_wanted(mass.mass.as_ref().map(|mass| given_with(mass, Unit::KILOGRAM))))
+        .column_if(reciprocating, "reciprocating", |mass| given_with(&mass.reciprocating, Unit::KILOGRAM))
+        .column("Radius", |mass| or_wanted(mass.radius.as_ref().map(length)))
+        .column("Angle", |mass| or_wanted(mass.angle.as_ref().map(|angle| Text::label(turns(angle.turns())))))
+        .column("Position", |mass| or_wanted(mass.position.as_ref().map(length)))
+        .done()
 }

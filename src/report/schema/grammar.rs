@@ -44,9 +44,10 @@ impl<'a> Reader<'a> {
         let mut words = Vec::new();
         let mut others = Vec::new();
         loop {
-            match self.takes("'") {
-                true => words.push(json!(self.until('\''))),
-                false => others.push(self.one()),
+            if self.takes("'") {
+                words.push(json!(self.until('\'')))
+            } else {
+                others.push(self.one())
             }
             if !self.takes("|") {
                 break;

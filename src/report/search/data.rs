@@ -16,9 +16,8 @@ pub fn tables(front: &Front, torsion: Option<&Torsion>) -> Vec<Table> {
 }
 
 fn stars(front: &Front, document: &FrontDocument) -> Table {
-    let rows: Vec<(usize, &StarDocument, &FoundStar)> =
-        (1..).zip(&document.stars).zip(&front.stars).map(|((number, known), star)| (number, known, star)).collect();
-    let mut table = Filling::new("search.stars", &rows);
+    let rows = (1..).zip(&document.stars).zip(&front.stars).map(|((number, known), star)| (number, known, star));
+    let mut table = Filling::new("search.stars", rows);
     table.whole("star", |(number, ..)| *number);
     table.words("firing_order", |(_, known, _)| known.firing_order.clone());
     table.exact("throws_turns", Unit::NONE, |(_, known, _)| Some(known.throws.join(" ")));
@@ -93,8 +92,7 @@ fn lengths<R>(
 }
 
 fn question(document: &FrontDocument) -> Table {
-    let rows = [document];
-    let mut table = Filling::new("search.question", &rows);
+    let mut table = Filling::new("search.question", [document]);
     table.words("engine", |asked| Some(asked.engine.clone()));
     table.words("cycle", |asked| Some(asked.cycle.to_owned()));
     table.words("orders", |asked| Some(asked.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(" ")));
@@ -126,8 +124,7 @@ fn firing_orders(torsion: &Torsion) -> Table {
             })
         })
     });
-    let rows: Vec<Minor> = rows.collect();
-    let mut table = Filling::new("search.firing_orders", &rows);
+    let mut table = Filling::new("search.firing_orders", rows);
     table.whole("star", |row| row.star);
     table.words("firing_order", |row| Some(row.ranked.name()));
     table.exact("order", Unit::NONE, |row| Some(row.order.exact().to_string()));

@@ -44,7 +44,7 @@ pub(super) fn front_picture(front: &Front) -> Option<Picture> {
         "The front: a dot for each star of the table with its number, and in brackets how many equal stars there are. {}",
         if only_these { STAIRS } else { OTHERS }
     );
-    Some(Picture { name: "front".into(), caption, figure: plot.figure() })
+    Some(Picture::new("front", caption, plot.figure()))
 }
 
 /// Places of the moments of two different orders, each of which some star leaves.

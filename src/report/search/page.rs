@@ -8,7 +8,7 @@ use super::front::front_picture;
 use super::pictures::pictures;
 use super::table::{firing_order, left, stars, throws};
 use crate::numbers;
-use crate::page::{Block, Document, Fold, Number, Piece, Text, Unit, number, phrase};
+use crate::page::{Block, Document, Number, Piece, Text, Unit, number, phrase};
 use crate::report::stars;
 use crate::search::{self, Front, Limit, Problem};
 use crate::text::Untrusted;
@@ -58,18 +58,17 @@ pub fn search_page(front: &Front) -> Document {
         page.push(Block::Heading(2, phrase!("Star {}", number)));
         page.push(Block::Pictures(pictures(&front.problem, star, number)));
         let layout = Untrusted::new(star.layout_file(&front.problem));
-        page.push(Block::Folded(Fold {
-            summary: phrase!("Star {} as a layout file, which every other command reads", number),
-            blocks: vec![Block::Verbatim("toml", layout)],
-        }));
+        page.push(Block::folded(
+            phrase!("Star {} as a layout file, which every other command reads", number),
+            vec![Block::Verbatim("toml", layout)],
+        ));
     }
     let theorems = told(&front.problem);
     if !theorems.is_empty() {
         page.push(Block::Heading(1, "What theorems say".into()));
         page.blocks.extend(theorems);
     }
-    page.push(Block::Heading(1, "Method".into()));
-    page.push(Block::Paragraph(judged(front)));
+    page.section("Method", Block::Paragraph(judged(front)));
     page
 }
 
@@ -85,8 +84,7 @@ fn title(front: &Front) -> Text {
 /// How many are best, and the first of them.
 fn best(front: &Front) -> Vec<Text> {
     let (all, limits) = (number::grouped(&front.all.to_string()), &front.limits.limits);
-    let orders: Vec<String> = front.problem.orders.iter().map(u32::to_string).collect();
-    let orders = phrase!("Compared: the moments of {}.", residual::orders_in_words(&orders));
+    let orders = phrase!("Compared: the moments of {}.", residual::orders_in_words(&front.problem.orders));
     let counted = front.stars.iter().map(|star| star.stars).sum::<Option<u64>>();
     let how_many = match front.stars.len() {
         0 if !limits.is_empty() => phrase!("**No crank star keeps these limits:** {}.", limits_of(front)),
@@ -145,9 +143,9 @@ fn best(front: &Front) -> Vec<Text> {
             )
         }
     });
-    let minor: Vec<String> = front.problem.minor_orders.iter().map(ToString::to_string).collect();
-    let minor = (!minor.is_empty())
-        .then(|| phrase!("Also compared: these minor orders of torsional vibration: {}.", minor.join(", ")));
+    let minor = number::listed(&front.problem.minor_orders);
+    let minor =
+        (!minor.is_empty()).then(|| phrase!("Also compared: these minor orders of torsional vibration: {}.", minor));
     [how_many].into_iter().chain(first).chain([orders]).chain(minor).collect()
 }
 

@@ -2,7 +2,6 @@
 
 use crate::page::{Table, Text, Unit, number, phrase};
 use crate::proof::Sense;
-use crate::report::residual;
 use crate::report::typeset::Amount;
 use crate::search::{FoundStar, Front, Moment, Sizes};
 
@@ -21,10 +20,7 @@ pub(super) fn stars(front: &Front) -> Table {
         }
     }
     for (place, (order, _)) in first.iter().flat_map(|star| star.minor.iter().enumerate()) {
-        table = table.column(phrase!("Order {}", order.to_string()), |(_, star)| match &star.minor[place].1 {
-            sum if sum.vanishes() => Text::zero(),
-            sum => residual::modulus_of(sum).into(),
-        });
+        table = table.column(phrase!("Order {}", order.to_string()), |(_, star)| Amount::of(&star.minor[place].1));
     }
     table
         .column_if(front.problem.neighbours, "Neighbours", |(_, star)| {

@@ -1,5 +1,6 @@
 //! How is it told which firing orders of a star twist the shaft least? A table a star, the best order first.
 
+use crate::page::number::Amount;
 use crate::page::{Block, Number, Table, Text, phrase};
 use crate::report::{residual, typeset};
 use crate::search::{Front, MOST_TORSION_STARS, RankedOrder, StarTorsion, Torsion};
@@ -92,10 +93,7 @@ fn table(star: &StarTorsion, torsion: &Torsion) -> Table {
     let header = [Text::from("Firing order")].into_iter().chain(orders);
     let mut table = Table::new(header.chain(with_equal.then(|| "Equal orders".into())));
     for ranked in star.best.iter().take(MOST_LISTED) {
-        let sums = ranked.sums.iter().map(|sum| match sum.vanishes() {
-            true => Text::zero(),
-            false => residual::modulus_of(sum).into(),
-        });
+        let sums = ranked.sums.iter().map(|sum| Amount::of(sum).into());
         let cells = [Text::label(ranked.name())].into_iter().chain(sums);
         table.push(cells.chain(with_equal.then(|| ranked.equal.into())).collect());
     }

@@ -6,7 +6,7 @@ use super::drawn;
 use crate::engine::Engine;
 use crate::exact::{MOST_VECTORS, MinimalStar, StarClass, minimal_stars, taken_apart};
 use crate::order::Masses;
-use crate::page::{Block, Document, Fold, Picture, Table, Text, phrase};
+use crate::page::{Block, Document, Picture, Table, Text, phrase};
 use crate::proof::{Certificate, Quantity};
 use crate::report::argument::listed_polygons;
 use crate::report::engine_page::symbol;
@@ -170,18 +170,18 @@ impl StarAtlas {
             1 => phrase!("Class {}: {} vectors; one star up to rotation.", formula, vectors),
             several => phrase!("Class {}: {} vectors; {} stars up to rotation.", formula, vectors, several),
         };
-        let picture = Picture { name, caption, figure: drawn::stars(&labelled) };
+        let picture = Picture::new(name, caption, drawn::stars(&labelled));
         let mut blocks = vec![Block::Pictures(vec![picture])];
-        blocks.push(Block::Folded(Fold {
-            summary: phrase!("Vectors and polygons of {}", Text::formula(class.to_string())),
-            blocks: vec![self.polygons(places).into()],
-        }));
+        blocks.push(Block::folded(
+            phrase!("Vectors and polygons of {}", Text::formula(class.to_string())),
+            vec![self.polygons(places).into()],
+        ));
         let engines = self.engines_of(places);
         if !engines.is_empty() {
-            blocks.push(Block::Folded(Fold {
-                summary: phrase!("Engines in which {} occurs", Text::formula(class.to_string())),
-                blocks: vec![occurrences(&engines).into()],
-            }));
+            blocks.push(Block::folded(
+                phrase!("Engines in which {} occurs", Text::formula(class.to_string())),
+                vec![occurrences(&engines).into()],
+            ));
         }
         blocks
     }
@@ -229,13 +229,11 @@ pub fn star_atlas_answer(atlas: &StarAtlas) -> Document {
 pub fn star_atlas_page(atlas: &StarAtlas) -> Document {
     let mut page = Document { has_contents: true, ..Document::new("README", TITLE) };
     page.push(Block::Answer(atlas.answer_box()));
-    page.push(Block::Heading(1, "The classes".into()));
-    page.push(Block::Paragraph(READING.into()));
+    page.section("The classes", READING);
     page.push(atlas.table());
     page.push(Block::Note(OCCURS.into()));
-    page.push(Block::Heading(1, "Why there are no others".into()));
-    page.push(Block::Paragraph(MADE.into()));
-    page.push(Block::Paragraph(WHY.into()));
+    page.section("Why there are no others", MADE);
+    page.push(WHY);
     page.push(Block::Note(SOURCE.into()));
     let mut vectors = 0;
     for (class, places) in atlas.classes() {

@@ -4,9 +4,10 @@ use super::proofs::THEOREMS;
 use super::study::{Shown, StarsStudy, golden};
 use super::tables::{self, every, first};
 use crate::order::Masses;
-use crate::page::{Block, Document, File, Fold, Text, phrase};
+use crate::page::number::Amount;
+use crate::page::{Block, Document, File, Text, phrase};
 use crate::report::search::star_pictures;
-use crate::report::{residual, theorem_words};
+use crate::report::theorem_words;
 use crate::text::Untrusted;
 use crate::verdict::{self, EveryOrderTheorem};
 
@@ -53,18 +54,16 @@ pub fn stars_answer(study: &StarsStudy) -> Document {
 pub fn stars_page(study: &StarsStudy) -> Document {
     let mut page = Document { has_contents: true, ..Document::new("README", TITLE) };
     page.push(Block::Answer(answer_box()));
-    page.push(Block::Heading(1, "Which moments can vanish, by number of cylinders".into()));
-    page.push(Block::Paragraph(READING.into()));
+    page.section("Which moments can vanish, by number of cylinders", READING);
     page.push(tables::fates(&study.counts));
     page.push(Block::Heading(1, "Theorems and proofs".into()));
     for (index, [heading, theorem, proof]) in THEOREMS.into_iter().enumerate() {
         page.push(Block::Heading(2, heading.into()));
         page.push(Block::Paragraph(theorem.into()));
-        page.push(Block::Paragraph(phrase!("**Proof.** {} ∎", Text::from(proof))));
+        page.push(phrase!("**Proof.** {} ∎", Text::from(proof)));
         page.blocks.extend(example(study, index));
     }
-    page.push(Block::Heading(1, "The best stars".into()));
-    page.push(tables::best(&study.best, true));
+    page.section("The best stars", tables::best(&study.best, true));
     page.push(Block::Note(A_STAR.into()));
     page.push(Block::Note(phrase!(
         "Lengths are exact, in $m r \\omega^2 c_k a$, $a$ the spacing; where ≈ stands alone, the exact length is too long to be written. Up to 12 cylinders the program examines all stars when it writes this page; 14 and 15 follow from the theorems. Of 13, 16, 17 and 18 the moments are those of a star that was found once, by {} or, of 18, among the covers by sums of two and three places. That no star has less is computed by the tests in another way, in whole numbers with a bound of what rounding does; for 17 in a longer run of the tests.",
@@ -74,8 +73,7 @@ pub fn stars_page(study: &StarsStudy) -> Document {
     for shown in &study.engines {
         page.blocks.extend(engine(shown));
     }
-    page.push(Block::Heading(1, "Sources".into()));
-    page.push(Block::List(SOURCES.map(Text::from).into()));
+    page.section("Sources", Block::List(SOURCES.map(Text::from).into()));
     page
 }
 
@@ -85,11 +83,10 @@ fn example(study: &StarsStudy, theorem: usize) -> Vec<Block> {
         6 => vec![tables::four_stroke().into()],
         7 => {
             let [first, second] = [1, 2].map(golden);
-            let proved = if first.vanishes() { Text::zero() } else { residual::modulus_of(&first).into() };
             let golden = phrase!(
                 "Five cylinders in the golden ratio, decided by the program: order 1 leaves {}, order 2 leaves {}.",
-                proved,
-                residual::modulus_of(&second)
+                Amount::of(&first),
+                Amount::of(&second)
             );
             vec![tables::spaced().into(), Block::Paragraph(golden)]
         }
@@ -122,10 +119,10 @@ fn engine(shown: &Shown) -> Vec<Block> {
         Text::code(format!("crankstar classify {file} --all-orders --json")),
         Text::link(Text::label(file.clone()), file.clone())
     )));
-    blocks.push(Block::Folded(Fold {
-        summary: "The layout file".into(),
-        blocks: vec![Block::Verbatim("toml", Untrusted::new(star.layout_file(problem)))],
-    }));
+    blocks.push(Block::folded(
+        "The layout file",
+        vec![Block::Verbatim("toml", Untrusted::new(star.layout_file(problem)))],
+    ));
     blocks
 }
 

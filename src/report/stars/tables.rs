@@ -3,10 +3,8 @@
 use num_rational::BigRational;
 
 use super::study::{BestStar, CYLINDERS, of_six};
-use crate::exact::PhasorSum;
-use crate::page::number::grouped;
+use crate::page::number::{Amount, grouped};
 use crate::page::{Number, Table, Text, phrase};
-use crate::report::residual;
 use crate::stars::{self, Count, Fate, Pins, PrimePower};
 
 /// Whether stars of this many throws lose these orders.
@@ -60,11 +58,11 @@ pub(super) fn first(orders: impl Fn(u32) -> Vec<u32>) -> Text {
 pub(super) fn best(best: &[BestStar], has_files: bool) -> Table {
     Table::of(best)
         .column("Cylinders", |best| best.cylinders)
-        .column("Least moment of order 1", |best| length(&best.moments[0]))
+        .column("Least moment of order 1", |best| Amount::of(&best.moments[0]))
         .column("Stars that have it", |best| {
             best.stars.as_ref().map_or_else(|| "not known".into(), |stars| Text::from(grouped(stars)))
         })
-        .column("Least of order 2 beside it", |best| length(&best.moments[1]))
+        .column("Least of order 2 beside it", |best| Amount::of(&best.moments[1]))
         .column("A star", |best| best.star.throws().iter().map(u32::to_string).collect::<Vec<_>>().join(" "))
         .column_if(has_files, "Layout file", |best| Text::link(Text::label(best_name(best)), best_name(best)))
         .done()
@@ -72,10 +70,6 @@ pub(super) fn best(best: &[BestStar], has_files: bool) -> Table {
 
 pub(super) fn best_name(best: &BestStar) -> String {
     format!("best-{}.toml", best.cylinders)
-}
-
-fn length(sum: &PhasorSum) -> Text {
-    if sum.vanishes() { Text::zero() } else { residual::modulus_of(sum).into() }
 }
 
 /// Four-stroke engines with an even number of cylinders: stars without a moment of any order, odd ones too.
@@ -95,7 +89,7 @@ pub(super) fn vees(best: &[BestStar]) -> Table {
     Table::of(best.iter().filter(|best| best.cylinders <= 8))
         .column("V on shared pins", |best| format!("V{}", 2 * best.cylinders))
         .column("Pins", |best| best.cylinders)
-        .column("Least couple of order 1 that turns with the crank", |best| length(&best.moments[0]))
+        .column("Least couple of order 1 that turns with the crank", |best| Amount::of(&best.moments[0]))
         .done()
 }
 

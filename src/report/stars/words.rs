@@ -24,7 +24,7 @@ pub(in crate::report) fn told(theorems: &Theorems) -> Vec<Text> {
 /// Why no star loses these moments.
 pub(in crate::report) fn never(obstruction: &Obstruction) -> Text {
     let Obstruction { throws, prime, power, orders } = obstruction;
-    let listed = residual::orders_in_words(&orders.iter().map(u32::to_string).collect::<Vec<_>>());
+    let listed = residual::orders_in_words(orders);
     match power == throws {
         true => phrase!(
             "**Impossible.** With {} throws no moment of {} can vanish. The number of throws is a power of the prime {}: were the moment 0, throws 1/{} of a turn apart would coincide. No rational spacing changes that.",

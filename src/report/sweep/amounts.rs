@@ -2,7 +2,6 @@
 
 use num_rational::BigRational;
 
-use super::words;
 use crate::loads::Arm;
 use crate::numbers::float;
 use crate::page::plot::Axis;
@@ -49,7 +48,7 @@ pub(super) fn unit(sweep: &Sweep, quantity: Planar) -> Text {
 }
 
 /// What forces, or moments, are counted in where they are known in newtons.
-fn newtons(sweep: &Sweep, quantity: Planar) -> Unit {
+pub(super) fn newtons(sweep: &Sweep, quantity: Planar) -> Unit {
     match (quantity, sweep.arm) {
         (Planar::Force, _) => Unit::NEWTON,
         (Planar::Moment, Arm::Metre) => Unit::NEWTON_METRE,
@@ -130,5 +129,14 @@ pub(super) fn place_cells(point: &SweptEngine) -> impl Iterator<Item = Text> {
 
 /// The headings above the values of the parameters: `bank angle in °`.
 pub(super) fn place_headings(sweep: &Sweep) -> impl Iterator<Item = Text> {
-    sweep.axes().map(|(parameter, is_angle)| words::axis(parameter, is_angle).into())
+    sweep.axes().map(|(parameter, is_angle)| axis_name(parameter, is_angle).into())
+}
+
+/// `bank angle in °`.
+pub(super) fn axis_name(parameter: &Parameter, is_angle: bool) -> String {
+    match parameter.range.unit() {
+        "" | "°" | "deg" if is_angle => format!("{} in °", parameter.label),
+        "" => parameter.label.clone(),
+        unit => format!("{} in {unit}", parameter.label),
+    }
 }

@@ -2,17 +2,17 @@
 
 use num_rational::BigRational;
 
+use super::amounts::newtons;
 use super::zero_data::{firing_zeros, zeros};
-use crate::engine::CycleOrder;
 use crate::exact::fraction;
 use crate::loads::Arm;
 use crate::numbers::float;
+use crate::page::File;
 use crate::proof::Planar;
-use crate::report::data::cells::{decimals, exact, truths};
-use crate::report::data::{Filling, value_columns};
+use crate::report::data::{Filling, exact_number, value_columns};
 use crate::report::value::column_of;
-use crate::sweep::{Amplitude, Amplitudes, Envelope, Evenness, Sweep, SweptEngine};
-use crate::table::{Column, Table, Unit};
+use crate::sweep::{Amplitude, Amplitudes, Envelope, Evenness, Parameter, Sweep, SweptEngine};
+use crate::table::{Table, Unit, csv};
 
 /// The tables of a sweep: the points, the exact zeros where the parameter is an angle, those of the firing stars where they are asked for.
 pub fn tables(sweep: &Sweep) -> Vec<Table> {
@@ -21,69 +21,59 @@ pub fn tables(sweep: &Sweep) -> Vec<Table> {
     [points(sweep)].into_iter().chain(zeros).chain(firing_zeros).collect()
 }
 
-/// The patterns of the amplitudes of an order, as [`Amplitudes::named`] has them: in multiples, in newtons, whether it is zero.
-const PARTS: [([&str; 3], &str); 6] = [
-    (
-        ["{quantity}_{order}_largest", "{quantity}_{order}_largest_{unit}", "{quantity}_{order}_largest_vanishes"],
-        "largest length in a revolution, zero to peak",
-    ),
-    (
-        ["{quantity}_{order}_smallest", "{quantity}_{order}_smallest_{unit}", "{quantity}_{order}_smallest_vanishes"],
-        "smallest length in a revolution; 0 where the path is a line",
-    ),
-    (
-        ["{quantity}_{order}_along", "{quantity}_{order}_along_{unit}", "{quantity}_{order}_along_vanishes"],
-        "amplitude along the reference direction y, zero to peak",
-    ),
-    (
-        ["{quantity}_{order}_across", "{quantity}_{order}_across_{unit}", "{quantity}_{order}_across_vanishes"],
-        "amplitude across it, along x, zero to peak",
-    ),
-    (
-        ["{quantity}_{order}_direct", "{quantity}_{order}_direct_{unit}", "{quantity}_{order}_direct_vanishes"],
-        "length ½|P⁺| of the vector that turns with the crank, zero to peak",
-    ),
-    (
-        ["{quantity}_{order}_reverse", "{quantity}_{order}_reverse_{unit}", "{quantity}_{order}_reverse_vanishes"],
-        "length ½|P⁻| of the vector that turns against it, zero to peak",
-    ),
-];
+/// The points as `sweep.csv`.
+pub fn sweep_csv(sweep: &Sweep) -> File {
+    File { name: "sweep.csv".into(), text: csv(&points(sweep)) }
+}
 
-/// What is said of a column that tells whether another is zero.
-const VANISHES: &str = "whether it is proved to be 0";
-/// What is said of a column that holds another as it is exactly.
-const EXACT: &str = "the same, exact";
+/// The points, each with its number from 0.
+type Points<'a> = Filling<(usize, &'a SweptEngine)>;
 
 /// The points: first the columns that `sweep.csv` always had, then which amplitudes vanish and what is exact.
 pub fn points(sweep: &Sweep) -> Table {
-    let mut table = Filling::new("sweep.points", &sweep.points).done();
-    let mut last = Vec::new();
-    for (index, parameter) in sweep.parameters.iter().enumerate() {
-        let value = |point: &SweptEngine| point.values.get(index).cloned();
-        // Two places of one list have one name.
-        let is_alone = sweep.parameters.iter().filter(|other| other.column() == parameter.column()).count() == 1;
-        let name = if is_alone { parameter.column() } else { parameter.key.to_string().replace('.', "_") };
-        let about = "the value of the parameter, in the unit of the range";
-        let values = decimals(sweep.points.iter().map(|point| value(point).as_ref().map(float)));
-        table.push(Column::named("{parameter}", &[&name], Unit::NONE, about, values));
-        let values = exact(sweep.points.iter().map(value));
-        last.push(Column::named("{parameter}_exact", &[&name], Unit::NONE, EXACT, values));
+    let mut table = Filling::new("sweep.points", sweep.points.iter().enumerate());
+    let parameters: Vec<String> = sweep.parameters.iter().map(|parameter| column(sweep, parameter)).collect();
+    for (index, name) in parameters.iter().enumerate() {
+        table.decimal(("{parameter}", name), Unit::NONE, |(_, point)| point.values.get(index).map(float));
     }
-    for (place, order) in sweep.orders.iter().enumerate() {
-        for quantity in Planar::BOTH {
-            last.extend(amplitudes(sweep, &mut table, place, *order, quantity));
-        }
+    let orders = || sweep.orders.iter().enumerate().flat_map(|one| Planar::BOTH.map(|quantity| (one, quantity)));
+    orders().for_each(|((place, order), quantity)| amplitudes(sweep, &mut table, (place, *order), quantity));
+    for ([pattern, _], interval) in INTERVALS {
+        table.decimal(pattern, Unit::DEGREE, |(_, point)| degrees(point, interval).as_ref().map(float));
     }
-    last.extend(intervals(sweep, &mut table));
-    last.extend(counterweights(sweep, &mut table));
-    for (pattern, about, side) in SIDES {
-        let values = decimals(sweep.points.iter().map(|point| point.envelope.as_ref().and_then(side)));
-        table.push(Column::new(pattern, Unit::CRANK_RADIUS, about, values));
+    counterweights(&mut table);
+    for (pattern, side) in SIDES {
+        table.decimal(pattern, Unit::CRANK_RADIUS, |(_, point)| point.envelope.as_ref().and_then(side));
     }
-    for (place, order) in sweep.firing.iter().flat_map(|firing| firing.orders.iter().enumerate()) {
-        last.push(star(sweep, &mut table, place, *order));
+    let stars = || sweep.firing.iter().flat_map(|firing| firing.orders.iter().enumerate());
+    for (place, order) in stars() {
+        let name = ("firing_star_{order}_{unit}", order.exact());
+        table.decimal(name, Unit::CRANK_RADIUS, |(index, _)| star(sweep, *index, place).map(size));
     }
-    last.into_iter().for_each(|column| table.push(column));
+    for (index, name) in parameters.iter().enumerate() {
+        table.exact(("{parameter}_exact", name), Unit::NONE, |(_, point)| point.values.get(index).map(exact_number));
+    }
+    orders().for_each(|((place, order), quantity)| vanishing(&mut table, (place, *order), quantity));
+    for ([_, pattern], interval) in INTERVALS {
+        table.exact(pattern, Unit::DEGREE, |(_, point)| degrees(point, interval).as_ref().map(exact_number));
+    }
+    table.truth("counterweight_vanishes", |(_, point)| point.counterweight.map(|part| part.vanishes));
+    for (place, order) in stars() {
+        let name = ("firing_star_{order}_vanishes", order.exact());
+        table.truth(name, |(index, _)| star(sweep, *index, place).map(|star| star.vanishes));
+    }
+    with_observed(sweep, table.done())
+}
+
+/// What the column of a parameter is called.
+fn column(sweep: &Sweep, parameter: &Parameter) -> String {
+    // Two places of one list have one name.
+    let is_alone = sweep.parameters.iter().filter(|other| other.column() == parameter.column()).count() == 1;
+    if is_alone { parameter.column() } else { parameter.key.to_string().replace('.', "_") }
+}
+
+/// The values of other questions behind all else.
+fn with_observed(sweep: &Sweep, mut table: Table) -> Table {
     if let Some(observed) = &sweep.observed {
         for (place, (name, like)) in observed.names.iter().zip(&observed.first).enumerate() {
             let all: Vec<_> = observed.points.iter().map(|values| &values[place]).collect();
@@ -93,32 +83,46 @@ pub fn points(sweep: &Sweep) -> Table {
     table
 }
 
-/// The amplitudes of an order, in newtons too where they are known; gives the columns that tell which are zero.
-fn amplitudes(sweep: &Sweep, table: &mut Table, place: usize, order: u32, quantity: Planar) -> Vec<Column> {
-    let (name, order) = (quantity.name(), order.to_string());
-    let column = |part: usize, pattern: usize, unit: Unit, about, values| {
-        Column::named(PARTS[part].0[pattern], &[name, &order], unit, about, values)
-    };
-    let part = |point: &SweptEngine, part: usize| {
-        let order = point.orders.get(place)?;
-        Some(Amplitudes::NAMED[part].1(order.amplitudes(quantity)))
-    };
-    for (index, (_, about)) in PARTS.into_iter().enumerate() {
-        let values = decimals(sweep.points.iter().map(|point| part(point, index).map(size)));
-        table.push(column(index, 0, multiple(sweep, quantity), about, values));
+/// The amplitudes of an order, in the order of [`Amplitudes::NAMED`]: in multiples, in newtons, whether each is zero.
+const PARTS: [[&str; 3]; 6] = [
+    ["{quantity}_{order}_largest", "{quantity}_{order}_largest_{unit}", "{quantity}_{order}_largest_vanishes"],
+    ["{quantity}_{order}_smallest", "{quantity}_{order}_smallest_{unit}", "{quantity}_{order}_smallest_vanishes"],
+    ["{quantity}_{order}_along", "{quantity}_{order}_along_{unit}", "{quantity}_{order}_along_vanishes"],
+    ["{quantity}_{order}_across", "{quantity}_{order}_across_{unit}", "{quantity}_{order}_across_vanishes"],
+    ["{quantity}_{order}_direct", "{quantity}_{order}_direct_{unit}", "{quantity}_{order}_direct_vanishes"],
+    ["{quantity}_{order}_reverse", "{quantity}_{order}_reverse_{unit}", "{quantity}_{order}_reverse_vanishes"],
+];
+
+/// One of the amplitudes of the order at this place.
+fn part(point: &SweptEngine, place: usize, quantity: Planar, index: usize) -> Option<Amplitude> {
+    Some(Amplitudes::NAMED[index].1(point.orders.get(place)?.amplitudes(quantity)))
+}
+
+/// The amplitudes of an order, in newtons too where they are known.
+fn amplitudes(sweep: &Sweep, table: &mut Points, (place, order): (usize, u32), quantity: Planar) {
+    let part = |point: &SweptEngine, index: usize| part(point, place, quantity, index);
+    for (index, [pattern, ..]) in PARTS.into_iter().enumerate() {
+        let name = (pattern, quantity.name(), order);
+        table.decimal(name, multiple(sweep, quantity), |(_, point)| part(point, index).map(size));
     }
-    if sweep.points.iter().any(|point| point.newtons.is_some()) {
-        for (index, (_, about)) in PARTS.into_iter().enumerate() {
-            let newtons = |point: &SweptEngine| match part(point, index)? {
-                Amplitude { vanishes: true, .. } => Some(0.0),
-                Amplitude { value, .. } => Some(value * point.newtons?),
-            };
-            let values = decimals(sweep.points.iter().map(newtons));
-            table.push(column(index, 1, newtons_unit(sweep, quantity), about, values));
-        }
+    if sweep.points.iter().all(|point| point.newtons.is_none()) {
+        return;
     }
-    let vanishes = |index: usize| truths(sweep.points.iter().map(|point| part(point, index).map(|part| part.vanishes)));
-    (0..PARTS.len()).map(|index| column(index, 2, Unit::NONE, VANISHES, vanishes(index))).collect()
+    for (index, [_, pattern, _]) in PARTS.into_iter().enumerate() {
+        let name = (pattern, quantity.name(), order);
+        table.decimal(name, newtons(sweep, quantity), |(_, point)| match part(point, index)? {
+            Amplitude { vanishes: true, .. } => Some(0.0),
+            Amplitude { value, .. } => Some(value * point.newtons?),
+        });
+    }
+}
+
+/// Which of them are zero.
+fn vanishing(table: &mut Points, (place, order): (usize, u32), quantity: Planar) {
+    for (index, [.., pattern]) in PARTS.into_iter().enumerate() {
+        let name = (pattern, quantity.name(), order);
+        table.truth(name, |(_, point)| part(point, place, quantity, index).map(|part| part.vanishes));
+    }
 }
 
 /// What the multiples of a sweep are multiples of.
@@ -133,84 +137,39 @@ fn multiple(sweep: &Sweep, quantity: Planar) -> Unit {
     }
 }
 
-fn newtons_unit(sweep: &Sweep, quantity: Planar) -> Unit {
-    match (quantity == Planar::Moment, sweep.arm) {
-        (false, _) => Unit::NEWTON,
-        (true, Arm::Metre) => Unit::NEWTON_METRE,
-        (true, Arm::Spacing) => Unit::NEWTON_SPACING,
-    }
-}
-
 type Interval = fn(&Evenness) -> BigRational;
 
-/// The firing intervals; gives what they are exactly.
-fn intervals(sweep: &Sweep, table: &mut Table) -> Vec<Column> {
-    const ALL: [([&str; 2], &str, Interval); 3] = [
-        (
-            ["longest_firing_interval_{unit}", "longest_firing_interval_{unit}_exact"],
-            "longest interval between firings, of the file's firing order, else of the most even one",
-            |evenness| evenness.longest.clone(),
-        ),
-        (
-            ["shortest_firing_interval_{unit}", "shortest_firing_interval_{unit}_exact"],
-            "shortest interval between firings; 0 where two cylinders fire together",
-            |evenness| evenness.shortest.clone(),
-        ),
-        (
-            ["firing_unevenness_{unit}", "firing_unevenness_{unit}_exact"],
-            "the longest interval less the shortest",
-            Evenness::unevenness,
-        ),
-    ];
-    let full = BigRational::from_integer(360.into());
-    let columns = ALL.into_iter().map(|([pattern, pattern_exact], about, interval)| {
-        let degrees =
-            |point: &SweptEngine| point.evenness.as_ref().map(|evenness| fraction::times(&interval(evenness), &full));
-        let all: Vec<Option<BigRational>> = sweep.points.iter().map(degrees).collect();
-        let values = decimals(all.iter().map(|degrees| degrees.as_ref().map(float)));
-        table.push(Column::new(pattern, Unit::DEGREE, about, values));
-        Column::new(pattern_exact, Unit::DEGREE, EXACT, exact(all))
-    });
-    columns.collect()
-}
-
-/// The counterweights; gives whether none is needed.
-fn counterweights(sweep: &Sweep, table: &mut Table) -> Vec<Column> {
-    let values = decimals(sweep.points.iter().map(|point| point.counterweight.map(size)));
-    let about = "mass times radius of the larger of two counterweights in the outermost throws that cancel the part of order 1 that turns with the crank";
-    table.push(Column::new("counterweight_{unit}", Unit::MASS_RADIUS, about, values));
-    let kilograms = |point: &SweptEngine| match point.counterweight? {
-        Amplitude { vanishes: true, .. } => Some(0.0).filter(|_| point.kilograms.is_some()),
-        Amplitude { value, .. } => Some(value * point.kilograms?),
-    };
-    let values = decimals(sweep.points.iter().map(kilograms));
-    let about = "its mass where it is at the crank radius";
-    table.push(Column::new("counterweight_{unit}_at_crank_radius", Unit::KILOGRAM, about, values));
-    let values = truths(sweep.points.iter().map(|point| point.counterweight.map(|part| part.vanishes)));
-    vec![Column::new("counterweight_vanishes", Unit::NONE, VANISHES, values)]
-}
-
-type Side = fn(&Envelope) -> Option<f64>;
-
-/// The sides of what the engine fits into.
-const SIDES: [(&str, &str, Side); 3] = [
-    ("length_{unit}", "length of what the engine fits into, by the simple geometry of the page", |envelope| {
-        envelope.length
+/// The firing intervals, in decimals and exactly.
+const INTERVALS: [([&str; 2], Interval); 3] = [
+    (["longest_firing_interval_{unit}", "longest_firing_interval_{unit}_exact"], |evenness| evenness.longest.clone()),
+    (["shortest_firing_interval_{unit}", "shortest_firing_interval_{unit}_exact"], |evenness| {
+        evenness.shortest.clone()
     }),
-    ("breadth_{unit}", "its breadth", |envelope| Some(envelope.breadth)),
-    ("height_{unit}", "its height", |envelope| Some(envelope.height)),
+    (["firing_unevenness_{unit}", "firing_unevenness_{unit}_exact"], Evenness::unevenness),
 ];
 
-/// The length of a firing star; gives where it is zero.
-fn star(sweep: &Sweep, table: &mut Table, place: usize, order: CycleOrder) -> Column {
-    let points =
-        || sweep.firing.iter().flat_map(|firing| &firing.points).map(|stars| stars.get(place).copied().flatten());
-    let order = order.exact().to_string();
-    let about = "length of the firing star of this order of the gas torque; empty where the cylinders cannot fire as the file says";
-    let values = decimals(points().map(|star| star.map(size)));
-    table.push(Column::named("firing_star_{order}_{unit}", &[&order], Unit::CRANK_RADIUS, about, values));
-    let values = truths(points().map(|star| star.map(|star| star.vanishes)));
-    Column::named("firing_star_{order}_vanishes", &[&order], Unit::NONE, VANISHES, values)
+fn degrees(point: &SweptEngine, interval: Interval) -> Option<BigRational> {
+    point.evenness.as_ref().map(|evenness| fraction::times(&interval(evenness), &BigRational::from_integer(360.into())))
+}
+
+fn counterweights(table: &mut Points) {
+    table.decimal("counterweight_{unit}", Unit::MASS_RADIUS, |(_, point)| point.counterweight.map(size));
+    table.decimal("counterweight_{unit}_at_crank_radius", Unit::KILOGRAM, |(_, point)| match point.counterweight? {
+        Amplitude { vanishes: true, .. } => Some(0.0).filter(|_| point.kilograms.is_some()),
+        Amplitude { value, .. } => Some(value * point.kilograms?),
+    });
+}
+
+/// The sides of what the engine fits into.
+const SIDES: [(&str, fn(&Envelope) -> Option<f64>); 3] = [
+    ("length_{unit}", |envelope| envelope.length),
+    ("breadth_{unit}", |envelope| Some(envelope.breadth)),
+    ("height_{unit}", |envelope| Some(envelope.height)),
+];
+
+/// The length of the firing star of an order at a point; none where the cylinders cannot fire as the file says.
+fn star(sweep: &Sweep, point: usize, place: usize) -> Option<Amplitude> {
+    sweep.firing.as_ref()?.points.get(point)?.get(place).copied().flatten()
 }
 
 /// An amplitude, 0 where it is proved.

@@ -51,33 +51,42 @@ fn finding(sweep: &Sweep, quantity: Planar, order: u32, index: usize) -> Option<
     if points.iter().copied().chain(between).all(|(part, _)| part.vanishes) {
         return None;
     }
-    let by_value = |a: &&(Amplitude, &SweptEngine), b: &&(Amplitude, &SweptEngine)| a.0.value.total_cmp(&b.0.value);
-    let greatest = points.iter().max_by(by_value)?.0;
-    let least = points.iter().find(|(part, _)| part.vanishes).or_else(|| points.iter().min_by(by_value))?.0;
-    let reached = |by: Amplitude| {
-        let alike = |part: &Amplitude| {
-            part.vanishes == by.vanishes && (part.value - by.value).abs() <= ALIKE * greatest.value.abs()
-        };
-        Extreme { amplitude: by, at: points.iter().filter(|(part, _)| alike(part)).map(|(_, point)| *point).collect() }
-    };
+    let [greatest, least] = Extreme::of(&points)?;
     let is_this = |set: &&ZeroSet| set.quantity == quantity && set.order == order && set.of == Zeros::Largest;
     Some(Finding {
         quantity,
         order,
-        greatest: reached(greatest),
-        least: reached(least),
+        greatest,
+        least,
         zeros: points.iter().filter(|(part, _)| part.vanishes).map(|(_, point)| *point).collect(),
         set: sweep.zeros.iter().flatten().find(is_this),
     })
 }
 
-impl Extreme<'_> {
+impl<'a> Extreme<'a> {
+    /// The greatest and the least of some amplitudes; none where there are none.
+    pub fn of(points: &[(Amplitude, &'a SweptEngine)]) -> Option<[Self; 2]> {
+        let by_value = |a: &&(Amplitude, &SweptEngine), b: &&(Amplitude, &SweptEngine)| a.0.value.total_cmp(&b.0.value);
+        let greatest = points.iter().max_by(by_value)?.0;
+        let least = points.iter().find(|(part, _)| part.vanishes).or_else(|| points.iter().min_by(by_value))?.0;
+        let reached = |amplitude: Amplitude| {
+            let alike = |part: &Amplitude| {
+                let apart = (part.value - amplitude.value).abs();
+                part.vanishes == amplitude.vanishes && apart <= ALIKE * greatest.value.abs()
+            };
+            Extreme { amplitude, at: points.iter().filter(|(part, _)| alike(part)).map(|(_, point)| *point).collect() }
+        };
+        Some([greatest, least].map(reached))
+    }
+
     /// Where it is reached.
     pub fn places(&self, sweep: &Sweep) -> Text {
-        match self.is_everywhere(sweep) {
-            true => "every value".into(),
-            false => listed(self.at.iter().map(|point| place(sweep, point)).collect()),
-        }
+        if self.is_everywhere(sweep) { "every value".into() } else { self.listed(sweep) }
+    }
+
+    /// The points at which it is reached.
+    pub fn listed(&self, sweep: &Sweep) -> Text {
+        listed(self.at.iter().map(|point| place(sweep, point)).collect())
     }
 
     /// Whether it is reached at every value.

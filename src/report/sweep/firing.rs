@@ -1,15 +1,17 @@
 //! How are the firing stars of a sweep shown? What is zero and what is longest, where each vanishes, every point.
 
+use super::super::firing::plot_of_stars;
+use super::super::plot::Curve;
 use super::super::plot::stack::stacked;
-use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::super::typeset;
-use super::amounts::{self, number_of, place, place_cells, place_headings};
-use super::findings::listed;
-use super::words::axis;
+use super::amounts::{self, number_of, place_cells, place_headings};
+use super::findings::{Extreme, listed};
+use super::plots::over;
+use super::tables::places_of_zeros;
 use crate::engine::CycleOrder;
 use crate::numbers::float;
 use crate::page::figure::Figure;
-use crate::page::{Block, Fold, Picture, Table, Text, phrase};
+use crate::page::{Block, Picture, Table, Text, phrase};
 use crate::sweep::{Amplitude, FiringSweep, FiringZeros, StarLength, Sweep, SweptEngine};
 
 /// More points than this are left to the table in CSV.
@@ -18,8 +20,6 @@ const MOST_ROWS: usize = 200;
 const MOST_CURVES: usize = 3;
 /// More exact zeros of an order than this are not marked.
 const MOST_MARKS: usize = 60;
-/// Decimals that differ by less than this part are shown alike.
-const ALIKE: f64 = 1e-9;
 
 const MEANING: &str = "The firing star of order $\\kappa$, $\\sum_j r_j e^{-i\\kappa\\varphi_j}$, is proportional to the gas torque of that order where all cylinders share one pressure law: where it is 0 the order vanishes for every such law. Its length is in crank radii. Half orders are given where the cylinders can fire as the layout says.";
 
@@ -39,7 +39,7 @@ pub(super) fn section(sweep: &Sweep) -> Vec<Block> {
     blocks.extend(picture(sweep, firing).map(Block::from));
     if sweep.points.len() <= MOST_ROWS {
         let summary = phrase!("The firing stars at each of the {} points", sweep.points.len());
-        blocks.push(Block::Folded(Fold { summary, blocks: vec![points(sweep, firing).into()] }));
+        blocks.push(Block::folded(summary, vec![points(sweep, firing).into()]));
     }
     blocks
 }
@@ -50,9 +50,7 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
     let lengths: Vec<(Amplitude, &SweptEngine)> =
         known.filter_map(|(stars, point)| Some((stars[place_of]?, point))).collect();
     let set = firing.zeros.as_ref().map(|zeros| &zeros[place_of]);
-    let by_value = |a: &&(Amplitude, &SweptEngine), b: &&(Amplitude, &SweptEngine)| a.0.value.total_cmp(&b.0.value);
-    let ends = lengths.iter().max_by(by_value).zip(lengths.iter().min_by(by_value));
-    let Some(((greatest, _), (least, _))) = ends else {
+    let Some([greatest, least]) = Extreme::of(&lengths) else {
         return match set {
             Some(FiringZeros { everywhere: true, .. }) => everywhere(firing.orders[place_of]),
             _ => phrase!(
@@ -61,31 +59,25 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
             ),
         };
     };
-    let at = |by: Amplitude| {
-        let alike = |part: &Amplitude| {
-            part.vanishes == by.vanishes && (part.value - by.value).abs() <= ALIKE * greatest.value.abs()
-        };
-        listed(lengths.iter().filter(|(part, _)| alike(part)).map(|(_, point)| place(sweep, point)).collect())
-    };
     let exact = |set: &FiringZeros| listed(amounts::zeros(&sweep.parameters[0], &set.at, &set.irrational));
     match set {
         Some(FiringZeros { everywhere: true, .. }) => everywhere(firing.orders[place_of]),
-        None if greatest.vanishes => everywhere(firing.orders[place_of]),
+        None if greatest.amplitude.vanishes => everywhere(firing.orders[place_of]),
         Some(set) if set.complete && !(set.at.is_empty() && set.irrational.is_empty()) => phrase!(
             "**Gas torque of order {}:** exactly {} at {} and nowhere else in the range; the firing star is at most {}, at {}.",
             order,
             Text::zero(),
             exact(set),
-            number_of(*greatest),
-            at(*greatest)
+            number_of(greatest.amplitude),
+            greatest.listed(sweep)
         ),
         _ => phrase!(
             "**Gas torque of order {}:** the firing star is from {} at {} up to {} at {}.",
             order,
-            number_of(*least),
-            at(*least),
-            number_of(*greatest),
-            at(*greatest)
+            number_of(least.amplitude),
+            least.listed(sweep),
+            number_of(greatest.amplitude),
+            greatest.listed(sweep)
         ),
     }
 }
@@ -104,15 +96,9 @@ fn zeros(sweep: &Sweep, firing: &FiringSweep) -> Option<Table> {
     let mut table = Table::new(["Order κ", "The firing star vanishes at"]);
     for zeros in firing.zeros.as_ref()? {
         let places = amounts::zeros(parameter, &zeros.at, &zeros.irrational);
-        let is_empty = places.is_empty();
-        let at = || Text::joined(places, ", ");
-        let cell = match (zeros.fires, zeros.everywhere, zeros.complete, is_empty) {
-            (false, ..) => "cannot be fired".into(),
-            (_, true, ..) => "everywhere".into(),
-            (_, _, true, true) => "never".into(),
-            (_, _, true, false) => at(),
-            (_, _, false, true) => "not solved".into(),
-            (_, _, false, false) => phrase!("{} at least", at()),
+        let cell = match zeros.fires {
+            true => places_of_zeros(places, zeros.everywhere, zeros.complete),
+            false => "cannot be fired".into(),
         };
         table.push(vec![zeros.order.to_string().into(), cell]);
     }
@@ -124,7 +110,7 @@ fn points(sweep: &Sweep, firing: &FiringSweep) -> Table {
     let orders = firing.orders.iter().map(|order| phrase!("Order {}", order.to_string()));
     let mut table = Table::new(place_headings(sweep).chain(orders));
     for (point, stars) in sweep.points.iter().zip(&firing.points) {
-        let cells = stars.iter().map(|star| star.map_or_else(|| "–".into(), number_of));
+        let cells = stars.iter().map(|star| Text::or_dash(star.map(number_of)));
         table.push(place_cells(point).chain(cells).collect());
     }
     table
@@ -147,28 +133,15 @@ fn picture(sweep: &Sweep, firing: &FiringSweep) -> Option<Picture> {
 }
 
 fn plot(sweep: &Sweep, firing: &FiringSweep, orders: &[usize]) -> Figure {
-    let parameter = &sweep.parameters[0];
-    let is_angle = sweep.angles.first() == Some(&true);
-    let ends = (float(&parameter.range.value(0)), float(&parameter.range.last()));
-    let label = axis(parameter, is_angle);
-    let in_degrees = is_angle && ["", "°", "deg"].contains(&parameter.range.unit());
-    let x = if in_degrees { Axis::degrees(label, ends.0, ends.1) } else { Axis::linear(label) };
     let names: Vec<String> = orders.iter().map(|&place| firing.orders[place].to_string()).collect();
-    let title = match names.as_slice() {
-        [only] => format!("Firing star, order {only}"),
-        several => format!("Firing stars, orders {}", several.join(", ")),
-    };
-    let mut plot = Plot::new(title, x, Axis::amplitude("Length in r"));
+    let mut plot = plot_of_stars(&names, over(sweep, &sweep.parameters[0]));
     let height = |star: StarLength| star.map_or(f64::NAN, |star| star.value);
     for (number, (&place, name)) in orders.iter().zip(names).enumerate() {
         let points = firing.curve.iter().map(|(at, stars)| (float(at), height(stars[place]))).collect();
         let curve = Curve::new(number, format!("order {name}"), points);
         let zeros = firing.zeros.iter().flat_map(|zeros| &zeros[place].at);
         for zero in zeros.take(MOST_MARKS) {
-            let label = typeset::degrees(zero);
-            let is_known = plot.marks.iter().any(|mark| mark.label == label);
-            let mark = PointMark::ring((float(zero), 0.0), if is_known { String::new() } else { label });
-            plot.marks.push(PointMark { ink: curve.ink, ..mark.of("exact zero") });
+            plot.ring_zero(float(zero), typeset::degrees(zero), curve.ink, "exact zero");
         }
         plot.curves.push(curve);
     }

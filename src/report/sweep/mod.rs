@@ -2,7 +2,6 @@
 
 mod amounts;
 mod assumptions;
-mod csv;
 pub(super) mod data;
 mod findings;
 mod firing;
@@ -12,8 +11,7 @@ mod plots;
 mod question;
 mod sentences;
 mod tables;
-mod words;
 mod zero_data;
 
-pub use csv::sweep_csv;
+pub use data::sweep_csv;
 pub use page::{sweep_answer, sweep_page};

@@ -49,33 +49,30 @@ pub fn sweep_page(sweep: &Sweep) -> Document {
     let sweep = &counted(sweep);
     let (found, gone) = findings(sweep);
     let mut page = Document::new("sweep", title(sweep));
-    let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
     page.push(Block::Answer(sentences(sweep, &found, &gone)));
     page.push(Block::Paragraph(swept(sweep)));
     page.blocks.extend(others(sweep, &found));
     let pictures = plots::drawings(sweep);
     if !pictures.is_empty() {
-        section(&mut page, "Plots");
-        page.push(Block::Pictures(pictures));
+        page.section("Plots", Block::Pictures(pictures));
     }
     if let Some(zeros) = zeros(sweep) {
-        section(&mut page, "Where each vector vanishes");
+        page.push(Block::Heading(1, "Where each vector vanishes".into()));
         page.blocks.extend(zeros);
     }
     page.blocks.extend(firing::section(sweep));
-    section(&mut page, "Every point");
+    page.push(Block::Heading(1, "Every point".into()));
     match sweep.points.len() <= MOST_ROWS {
-        true => page.blocks.extend(tables::points(sweep).into_iter().map(Block::Folded)),
-        false => page.push(Block::Paragraph(phrase!(
+        true => page.blocks.extend(tables::points(sweep)),
+        false => page.push(phrase!(
             "The {} points are in {}, which {} prints.",
             sweep.points.len(),
             Text::code("sweep.csv"),
             Text::code("crankstar sweep … --format csv")
-        ))),
+        )),
     }
-    section(&mut page, "How to read it");
-    page.push(Block::List(conventions(sweep)));
-    page.push(Block::Paragraph("Length, breadth and height are those of a simple geometry:".into()));
+    page.section("How to read it", Block::List(conventions(sweep)));
+    page.push("Length, breadth and height are those of a simple geometry:");
     page.push(Block::List(assumptions(&sweep.geometry).into()));
     page
 }

@@ -2,12 +2,12 @@
 
 use num_rational::BigRational;
 
+use super::super::data::exact_number as exact;
 use super::super::figure::{Figure, Ink};
 use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
 use super::super::typeset;
-use super::amounts;
-use super::words::{axis, exact};
+use super::amounts::{self, axis_name};
 use crate::numbers::float;
 use crate::page::{Picture, Text, phrase};
 use crate::proof::Planar;
@@ -39,7 +39,7 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
                 1 => curves(sweep, quantity, order, place),
                 _ => map(sweep, quantity, order, place),
             };
-            drawn.push(Picture { name, caption: caption(sweep, quantity, order), figure });
+            drawn.push(Picture::new(name, caption(sweep, quantity, order), figure));
         }
     }
     drawn
@@ -57,11 +57,7 @@ pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Planar) ->
 
 /// The semi-axes of the ellipse above, its parts along and across the reference direction below.
 fn curves(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Figure {
-    let parameter = &sweep.parameters[0];
-    let is_angle = is_angle(sweep, parameter);
-    let ends = (float(&parameter.range.value(0)), float(&parameter.range.last()));
-    let label = axis(parameter, is_angle);
-    let x = if is_angle { Axis::degrees(label, ends.0, ends.1) } else { Axis::linear(label) };
+    let x = over(sweep, &sweep.parameters[0]);
     let title = format!("Order {order} of the {}", quantity.name());
     let marks = marks(sweep, quantity, order, place);
     let panel = |title: String, parts: [(&str, Amplitude); 2], shown: &[Zeros]| {
@@ -81,6 +77,14 @@ fn curves(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Figure {
         panel(format!("{title}: largest and smallest"), axes, &[Zeros::Largest, Zeros::Direct, Zeros::Reverse]),
         panel(format!("{title}: along and across"), parts, &[Zeros::Largest, Zeros::Along, Zeros::Across]),
     ])
+}
+
+/// The axis of a parameter; over all its range where it is an angle.
+pub(super) fn over(sweep: &Sweep, parameter: &Parameter) -> Axis {
+    let is_angle = is_angle(sweep, parameter);
+    let label = axis_name(parameter, is_angle);
+    let [from, to] = [parameter.range.value(0), parameter.range.last()].map(|end| float(&end));
+    if is_angle { Axis::degrees(label, from, to) } else { Axis::linear(label) }
 }
 
 /// Whether the parameter is an angle in degrees.
@@ -185,7 +189,7 @@ fn map(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Figure {
         let half =
             if parameter.range.count() > 1 { (last - first) / (parameter.range.count() - 1) as f64 / 2.0 } else { 0.5 };
         let is_angle = is_angle(sweep, parameter);
-        let label = axis(parameter, is_angle);
+        let label = axis_name(parameter, is_angle);
         let (low, high) = (first - half, last + half);
         if is_angle { Axis::degrees(label, low, high) } else { Axis::linear(label).within(low, high) }
     };

@@ -8,14 +8,9 @@ use crate::proof::Planar;
 use crate::sweep::{Sweep, SweptEngine, ZeroSet};
 
 impl Finding<'_> {
-    /// `Moment of order 2`.
-    fn name(&self) -> Text {
-        name(self.quantity, self.order)
-    }
-
     /// In a sentence.
     pub fn sentence(&self, sweep: &Sweep) -> Text {
-        let name = self.name();
+        let name = name(self.quantity, self.order);
         let most = with_unit(sweep, self.quantity, self.greatest.amplitude);
         // The same unit is behind the greatest.
         let least = match in_newtons(sweep) {
@@ -69,8 +64,8 @@ fn name(quantity: Planar, order: u32) -> Text {
 
 /// What vanishes at every value, in one sentence.
 pub(super) fn gone_sentence(gone: &[(Planar, u32)]) -> Option<Text> {
-    let list = |of: Planar| -> Vec<String> {
-        gone.iter().filter(|(quantity, _)| *quantity == of).map(|(_, order)| order.to_string()).collect()
+    let list = |of: Planar| -> Vec<u32> {
+        gone.iter().filter(|(quantity, _)| *quantity == of).map(|(_, order)| *order).collect()
     };
     let (forces, moments) = (list(Planar::Force), list(Planar::Moment));
     let named = residual::orders_in_words;

@@ -5,9 +5,9 @@ use super::findings::Finding;
 use super::observed;
 use super::plots::amplitudes;
 use crate::engine::DOES_NOT_EXIST;
-use crate::page::{Block, Fold, Number, Table, Text, Unit, number, phrase};
+use crate::page::{Block, Number, Table, Text, Unit, number, phrase};
 use crate::proof::Planar;
-use crate::sweep::{Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
+use crate::sweep::{Envelope, Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// A row for each order and quantity that does not vanish everywhere: where each vector does.
 pub(super) fn zeros(parameter: &Parameter, sets: &[ZeroSet]) -> Table {
@@ -26,10 +26,14 @@ fn zero_cell(parameter: &Parameter, set: &ZeroSet) -> Text {
     if !set.exists {
         return DOES_NOT_EXIST.into();
     }
-    let zeros = amounts::zeros(parameter, &set.at, &set.irrational);
-    let is_empty = zeros.is_empty();
-    let at = || Text::joined(zeros, ", ");
-    match (set.everywhere, set.complete, is_empty) {
+    places_of_zeros(amounts::zeros(parameter, &set.at, &set.irrational), set.everywhere, set.complete)
+}
+
+/// Where something vanishes, in a cell.
+pub(super) fn places_of_zeros(places: Vec<Text>, everywhere: bool, complete: bool) -> Text {
+    let is_empty = places.is_empty();
+    let at = || Text::joined(places, ", ");
+    match (everywhere, complete, is_empty) {
         (true, ..) => "everywhere".into(),
         (_, true, true) => "never".into(),
         (_, true, false) => at(),
@@ -58,7 +62,7 @@ fn in_unit(sweep: &Sweep, quantity: Planar) -> Text {
 }
 
 /// Every point: a table of each order that is not zero everywhere, then of what else changes.
-pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
+pub(super) fn points(sweep: &Sweep) -> Vec<Block> {
     let mut folds = Vec::new();
     for quantity in Planar::BOTH {
         let tables = sweep.orders.iter().enumerate().filter_map(|(index, &order)| {
@@ -70,16 +74,16 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Fold> {
         });
         let tables: Vec<Block> = tables.flatten().collect();
         let summary = phrase!("The {force|moment} at each of the {} points", quantity, sweep.points.len());
-        folds.extend((!tables.is_empty()).then_some(Fold { summary, blocks: tables }));
+        folds.extend((!tables.is_empty()).then(|| Block::folded(summary, tables)));
     }
     let others = others(sweep);
     if others.header.len() > sweep.parameters.len() {
         let summary = phrase!("Firing, counterweights and size at each of the {} points", sweep.points.len());
-        folds.push(Fold { summary, blocks: vec![others.into()] });
+        folds.push(Block::folded(summary, vec![others.into()]));
     }
-    folds.extend(observed::table(sweep).map(|table| Fold {
-        summary: phrase!("The values of other questions at each of the {} points", sweep.points.len()),
-        blocks: vec![table.into()],
+    folds.extend(observed::table(sweep).map(|table| {
+        let summary = phrase!("The values of other questions at each of the {} points", sweep.points.len());
+        Block::folded(summary, vec![table.into()])
     }));
     folds
 }
@@ -90,76 +94,53 @@ fn of_order(sweep: &Sweep, quantity: Planar, index: usize) -> Table {
     let cell = |part| size(sweep, quantity, part);
     for point in &sweep.points {
         let parts = amplitudes(point, index, quantity).map(|a| [a.largest, a.smallest, a.along, a.across].map(cell));
-        table.push(place_cells(point).chain(parts.unwrap_or_else(|| [(); 4].map(|()| DASH.into()))).collect());
+        table.push(place_cells(point).chain(parts.unwrap_or_else(|| [(); 4].map(|()| "–".into()))).collect());
     }
     table
 }
 
-/// What stands where a point has no value.
-const DASH: &str = "–";
-
-/// A column of the other values: its heading, and its cell at a point that has one.
-type Column = (Text, Box<dyn Fn(&SweptEngine) -> Option<Text>>);
-
 /// Firing, counterweights and size: the columns in which some point has a value.
 fn others(sweep: &Sweep) -> Table {
-    let mut columns = columns(sweep);
-    columns.retain(|(_, cell)| sweep.points.iter().any(|point| cell(point).is_some()));
+    let mut columns: Vec<(Text, Vec<Option<Text>>)> = Vec::new();
+    let mut add = |heading: Text, cell: &dyn Fn(&SweptEngine) -> Option<Text>| {
+        columns.push((heading, sweep.points.iter().map(cell).collect()));
+    };
+    add("Firing intervals".into(), &|point| {
+        let evenness = point.evenness.as_ref()?;
+        Some(phrase!("{} to {}", number::turns(&evenness.shortest), number::turns(&evenness.longest)))
+    });
+    add("longest less shortest".into(), &|point| Some(number::turns(&point.evenness.as_ref()?.unevenness()).into()));
+    match sweep.points.iter().all(|point| point.kilograms.is_some()) {
+        true => add(phrase!("Counterweight in {} at the crank radius", Unit::KILOGRAM), &|point| {
+            let (part, kilograms) = point.counterweight.zip(point.kilograms)?;
+            Some(if part.vanishes { Text::zero() } else { Text::measured(part.value * kilograms, Unit::KILOGRAM) })
+        }),
+        false => add("Counterweight in $m r$".into(), &|point| point.counterweight.map(number_of)),
+    }
+    let metres = |point: &SweptEngine| point.envelope?.metres;
+    let in_millimetres = sweep.points.iter().all(|point| metres(point).is_some());
+    for (in_units, in_radii, side) in SIDES {
+        let heading = if in_millimetres { phrase!(in_units, Unit::MILLIMETRE) } else { in_radii.into() };
+        add(heading, &|point| {
+            let size = side(&point.envelope?)?;
+            Some(match in_millimetres {
+                true => Text::measured(size * metres(point)? * 1000.0, Unit::MILLIMETRE),
+                false => Number::Decimal(size).into(),
+            })
+        });
+    }
+    columns.retain(|(_, cells)| cells.iter().any(Option::is_some));
     let mut table = Table::new(place_headings(sweep).chain(columns.iter().map(|(heading, _)| heading.clone())));
-    for point in &sweep.points {
-        let cells = columns.iter().map(|(_, cell)| cell(point).unwrap_or_else(|| DASH.into()));
+    for (index, point) in sweep.points.iter().enumerate() {
+        let cells = columns.iter().map(|(_, cells)| Text::or_dash(cells[index].clone()));
         table.push(place_cells(point).chain(cells).collect());
     }
     table
 }
 
-fn columns(sweep: &Sweep) -> Vec<Column> {
-    let decimal = |value: f64| Text::from(Number::Decimal(value));
-    let has = |known: fn(&SweptEngine) -> bool| sweep.points.iter().all(known);
-    let firing: [Column; 2] = [
-        (
-            "Firing intervals".into(),
-            Box::new(|point| {
-                let evenness = point.evenness.as_ref()?;
-                Some(phrase!("{} to {}", number::turns(&evenness.shortest), number::turns(&evenness.longest)))
-            }),
-        ),
-        (
-            "longest less shortest".into(),
-            Box::new(|point| Some(number::turns(&point.evenness.as_ref()?.unevenness()).into())),
-        ),
-    ];
-    let counterweight: Column = match has(|point| point.kilograms.is_some()) {
-        true => (
-            phrase!("Counterweight in {} at the crank radius", Unit::KILOGRAM),
-            Box::new(move |point| {
-                let (part, kilograms) = point.counterweight.zip(point.kilograms)?;
-                Some(if part.vanishes { Text::zero() } else { Text::measured(part.value * kilograms, Unit::KILOGRAM) })
-            }),
-        ),
-        false => ("Counterweight in $m r$".into(), Box::new(|point| point.counterweight.map(number_of))),
-    };
-    let in_millimetres = has(|point| point.envelope.is_some_and(|envelope| envelope.metres.is_some()));
-    let names: [Text; 3] = match in_millimetres {
-        true => [
-            phrase!("Length in {}", Unit::MILLIMETRE),
-            phrase!("Breadth in {}", Unit::MILLIMETRE),
-            phrase!("Height in {}", Unit::MILLIMETRE),
-        ],
-        false => ["Length in $r$".into(), "Breadth in $r$".into(), "Height in $r$".into()],
-    };
-    let sides: [fn(&crate::sweep::Envelope) -> Option<f64>; 3] =
-        [|envelope| envelope.length, |envelope| Some(envelope.breadth), |envelope| Some(envelope.height)];
-    let side = |(name, side): (Text, fn(&crate::sweep::Envelope) -> Option<f64>)| -> Column {
-        let cell = move |point: &SweptEngine| {
-            let envelope = point.envelope?;
-            let size = side(&envelope)?;
-            Some(match in_millimetres {
-                true => Text::measured(size * envelope.metres? * 1000.0, Unit::MILLIMETRE),
-                false => decimal(size),
-            })
-        };
-        (name, Box::new(cell))
-    };
-    firing.into_iter().chain([counterweight]).chain(names.into_iter().zip(sides).map(side)).collect()
-}
+/// The sides of what an engine fits into.
+const SIDES: [(&str, &str, fn(&Envelope) -> Option<f64>); 3] = [
+    ("Length in {}", "Length in $r$", |envelope| envelope.length),
+    ("Breadth in {}", "Breadth in $r$", |envelope| Some(envelope.breadth)),
+    ("Height in {}", "Height in $r$", |envelope| Some(envelope.height)),
+];

@@ -40,8 +40,7 @@ pub(super) fn zeros(sweep: &Sweep) -> Table {
             at,
         })
     });
-    let rows: Vec<Zero> = rows.collect();
-    let mut table = Filling::new("sweep.zeros", &rows);
+    let mut table = Filling::new("sweep.zeros", rows);
     table.words("quantity", |row| Some(row.quantity.to_owned()));
     table.whole("order", |row| (row.halves / 2) as usize);
     table.words("of", |row| Some(row.of.to_owned()));
@@ -63,8 +62,7 @@ pub(super) fn firing_zeros(sweep: &Sweep) -> Table {
             at,
         })
     });
-    let rows: Vec<Zero> = rows.collect();
-    let mut table = Filling::new("sweep.firing_zeros", &rows);
+    let mut table = Filling::new("sweep.firing_zeros", rows);
     table.exact("order", Unit::NONE, |row| Some(exact_number(&BigRational::new(row.halves.into(), 2.into()))));
     table.truth("fires", |row| Some(row.exists));
     with_values(sweep, table)

@@ -142,8 +142,7 @@ fn shafts(engine: &Engine, torque: &EngineTorque) -> Option<Table> {
 }
 
 fn theta(torque: &EngineTorque) -> Table {
-    let rows: Vec<u32> = (0..torque.course.period().to_degrees().round() as u32).collect();
-    let mut table = Filling::new("torque.theta", &rows);
+    let mut table = Filling::new("torque.theta", 0..torque.course.period().to_degrees().round() as u32);
     let radians = |degree: &u32| f64::from(*degree).to_radians();
     table.decimal("theta_{unit}", Unit::DEGREE, |degree| Some(f64::from(*degree)));
     table.decimal("torque_{unit}", Unit::NEWTON_METRE, |degree| Some(torque.course.total(radians(degree))));

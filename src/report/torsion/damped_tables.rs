@@ -1,16 +1,16 @@
 //! Which tables tell of a train with damping? Its shafts, discs, heat, resonances, dampers.
 
 use super::amounts::{rpm, shaft};
+use super::damped_data::megapascals;
 use super::study::TorsionStudy;
 use super::tables::{MOST_MODES, MOST_ROWS};
 use super::{Barred, HeatPlace, ResonanceOrder, Vibration};
 use crate::page::{Columns, Number, Table, Text, Unit, phrase};
-use crate::torsion::{CriticalSpeeds, Node};
+use crate::torsion::Node;
 
-const MEGA: f64 = 1e-6;
-
-fn none() -> Text {
-    "–".into()
+/// A stress that is known in pascals.
+fn stress(pascals: Option<f64>) -> Text {
+    Text::or_dash(megapascals(pascals).map(|stress| Text::measured(stress, Unit::MEGAPASCAL)))
 }
 
 /// One row per shaft: torque and stress at the speed, the largest in the range, what is permitted there.
@@ -21,28 +21,22 @@ pub(super) fn shafts(study: &TorsionStudy, vibration: &Vibration) -> Table {
     };
     let rows: Vec<_> = (0..study.train.shafts).map(|index| (index, vibration.torque(index), most(index))).collect();
     let has_stress = study.torsion().shafts.iter().any(|shaft| shaft.section.is_some());
-    let stress = |index: usize, torque: f64| match study.stress(index, torque) {
-        Some(stress) => Text::measured(MEGA * stress, Unit::MEGAPASCAL),
-        None => none(),
-    };
     let (has_range, has_limit) =
         (!study.over_range().is_empty(), (0..study.train.shafts).any(|index| study.limit(index).is_some()));
-    let permitted = |index: usize, speed: f64| match study.permissible(index, speed) {
-        Some(stress) => Text::measured(MEGA * stress, Unit::MEGAPASCAL),
-        None => none(),
-    };
     let torque = |torque: f64| Text::measured(torque, Unit::NEWTON_METRE);
     Table::of(rows)
         .column("Shaft", |(index, ..)| shaft(study, *index))
         .column(phrase!("Torque ({})", Unit::NEWTON_METRE), |(_, own, _)| torque(*own))
-        .column_if(has_stress, phrase!("Stress ({})", Unit::MEGAPASCAL), |(index, own, _)| stress(*index, *own))
+        .column_if(has_stress, phrase!("Stress ({})", Unit::MEGAPASCAL), |(index, own, _)| {
+            stress(study.stress(*index, *own))
+        })
         .column_if(has_range, phrase!("Largest torque ({})", Unit::NEWTON_METRE), |(.., most)| torque(most.0))
         .column_if(has_range, "At (rpm)", |(.., most)| Number::Decimal(most.1))
         .column_if(has_range && has_stress, phrase!("Its stress ({})", Unit::MEGAPASCAL), |(index, _, most)| {
-            stress(*index, most.0)
+            stress(study.stress(*index, most.0))
         })
         .column_if(has_limit, phrase!("Permitted there ({})", Unit::MEGAPASCAL), |(index, _, most)| {
-            permitted(*index, most.1)
+            stress(study.permissible(*index, most.1))
         })
         .done()
 }
@@ -88,11 +82,8 @@ pub(super) fn resonances(study: &TorsionStudy) -> Table {
         return table.done();
     }
     // Why another range is no cure is told in words.
-    let barred = |one: &&ResonanceOrder| match study.cure(one) {
-        Some(Barred { speeds: [from, to], .. }) => phrase!("{} to {}", rpm(*from), rpm(*to)),
-        None => none(),
-    };
-    table.column("Barred", barred).done()
+    let range = |Barred { speeds: [from, to], .. }: &Barred| phrase!("{} to {}", rpm(*from), rpm(*to));
+    table.column("Barred", |one| Text::or_dash(study.cure(one).map(range))).done()
 }
 
 /// The strongest of them in short, for a terminal.
@@ -104,9 +95,9 @@ pub(super) fn strongest(study: &TorsionStudy) -> Table {
 
 fn with_peak(table: Columns<&ResonanceOrder>) -> Columns<&ResonanceOrder> {
     table
-        .column("Peak at (rpm)", |one| one.peak.map_or_else(none, |peak| Number::Decimal(peak.0).into()))
+        .column("Peak at (rpm)", |one| Text::or_dash(one.peak.map(|peak| Number::Decimal(peak.0))))
         .column(phrase!("Peak ({})", Unit::NEWTON_METRE), |one| {
-            one.peak.map_or_else(none, |peak| Text::measured(peak.1, Unit::NEWTON_METRE))
+            Text::or_dash(one.peak.map(|peak| Text::measured(peak.1, Unit::NEWTON_METRE)))
         })
 }
 
@@ -125,19 +116,18 @@ fn first_columns<'a>(
 
 /// One row per node of the first modes: between which discs, and at which part of the way.
 pub(super) fn nodes(study: &TorsionStudy) -> Table {
-    let of_mode = |(mode, speeds): (usize, &CriticalSpeeds)| {
-        let nodes: Vec<Node> = speeds.mode.nodes.clone();
-        nodes.into_iter().map(move |node| (mode + 1, node))
-    };
-    let rows: Vec<(usize, Node)> = study.modes.iter().take(MOST_MODES).enumerate().flat_map(of_mode).collect();
+    let modes = (1..).zip(study.modes.iter().take(MOST_MODES));
+    let rows = modes.flat_map(|(mode, speeds)| speeds.mode.nodes.iter().map(move |node| (mode, node)));
     let at = |node: &Node| node.ends(&study.train).map(|disc| disc + 1);
     Table::of(rows)
-        .column("Mode", |(mode, _)| *mode)
+        .column("Mode", |(mode, _): &(usize, &Node)| *mode)
         .column("Node from disc", |(_, node)| at(node)[0])
         .column("To disc", |(_, node)| at(node)[1])
-        .column("Fraction of the shaft's length", |(_, node)| match node {
-            Node::Shaft(_, part) => Number::Decimal(*part).into(),
-            Node::Disc(_) => none(),
+        .column("Fraction of the shaft's length", |(_, node)| {
+            Text::or_dash(match node {
+                Node::Shaft(_, part) => Some(Number::Decimal(*part)),
+                Node::Disc(_) => None,
+            })
         })
         .done()
 }
@@ -166,7 +156,7 @@ pub(super) fn dampers(study: &TorsionStudy) -> Table {
             Text::measured(setting.damping, Unit::NEWTON_METRE_SECOND)
         })
         .column(phrase!("Largest torque ({})", Unit::NEWTON_METRE), |(.., peak)| {
-            peak.map_or_else(none, |peak| Text::measured(peak, Unit::NEWTON_METRE))
+            Text::or_dash(peak.map(|peak| Text::measured(peak, Unit::NEWTON_METRE)))
         })
         .done()
 }

@@ -14,8 +14,8 @@ pub fn table(study: &TorsionStudy, name: &str) -> Option<Table> {
         "modes" => modes(study),
         "critical" => critical(study),
         "discs" => discs(study),
-        "shapes" => shapes(study),
-        "cylinders" => cylinders(study),
+        "shapes" => deflections(study, "torsion.shapes", "disc", |speeds| &speeds.mode.shape),
+        "cylinders" => deflections(study, "torsion.cylinders", "cylinder", |speeds| &speeds.deflections),
         "forced" => forced(study)?,
         "nodes" => nodes(study),
         "shafts" => damped::shafts(study),
@@ -34,8 +34,7 @@ pub fn table(study: &TorsionStudy, name: &str) -> Option<Table> {
 }
 
 fn modes(study: &TorsionStudy) -> Table {
-    let rows: Vec<_> = study.modes.iter().enumerate().collect();
-    let mut table = Filling::new("torsion.modes", &rows);
+    let mut table = Filling::new("torsion.modes", study.modes.iter().enumerate());
     table.whole("mode", |(index, _)| index + 1);
     table.decimal("frequency_{unit}", Unit::HERTZ, |(_, one)| Some(one.mode.hertz()));
     table.decimal("frequency_{unit}", Unit::PER_MINUTE, |(_, one)| Some(60.0 * one.mode.hertz()));
@@ -44,26 +43,26 @@ fn modes(study: &TorsionStudy) -> Table {
     table.done()
 }
 
+/// What there is of each mode, by the numbers of the mode and its own.
+fn of_modes<T>(study: &TorsionStudy, of: fn(&CriticalSpeeds) -> &Vec<T>) -> Vec<(usize, usize, &T)> {
+    let all = (1..).zip(&study.modes);
+    all.flat_map(|(mode, speeds)| (1..).zip(of(speeds)).map(move |(number, one)| (mode, number, one))).collect()
+}
+
 fn critical(study: &TorsionStudy) -> Table {
-    let rows: Vec<_> = study
-        .modes
-        .iter()
-        .enumerate()
-        .flat_map(|(index, speeds)| speeds.orders.iter().map(move |order| (index + 1, speeds, order)))
-        .collect();
-    let mut table = Filling::new("torsion.critical", &rows).keyed(2);
+    let mut table = Filling::new("torsion.critical", of_modes(study, |speeds| &speeds.orders)).keyed(2);
     table.whole("mode", |(mode, ..)| *mode);
     table.exact("order", Unit::NONE, |(.., order)| Some(order.order.exact().to_string()));
     table.decimal("speed_{unit}", Unit::PER_MINUTE, |(.., order)| Some(order.rpm));
     table.decimal("star", Unit::NONE, |(.., order)| Some(order.star.norm()));
-    table.decimal("part_{unit}", Unit::PERCENT, |(_, speeds, order)| Some(100.0 * order.star.norm() / speeds.longest));
+    let longest = |mode: usize| study.modes[mode - 1].longest;
+    table.decimal("part_{unit}", Unit::PERCENT, |(mode, _, order)| Some(100.0 * order.star.norm() / longest(*mode)));
     table.done()
 }
 
 fn discs(study: &TorsionStudy) -> Table {
     let torsion = study.torsion();
-    let rows: Vec<_> = torsion.inertias.iter().enumerate().collect();
-    let mut table = Filling::new("torsion.discs", &rows);
+    let mut table = Filling::new("torsion.discs", torsion.inertias.iter().enumerate());
     table.whole("disc", |(index, _)| index + 1);
     table.decimal("inertia_{unit}", Unit::KILOGRAM_SQUARE_METRE, |(_, one)| one.to_f64());
     let unit = Unit::NEWTON_METRE_PER_RADIAN;
@@ -73,45 +72,22 @@ fn discs(study: &TorsionStudy) -> Table {
     table.done()
 }
 
-fn shapes(study: &TorsionStudy) -> Table {
-    let rows: Vec<_> = study
-        .modes
-        .iter()
-        .enumerate()
-        .flat_map(|(mode, speeds)| {
-            speeds.mode.shape.iter().enumerate().map(move |(disc, value)| (mode + 1, disc + 1, value))
-        })
-        .collect();
-    let mut table = Filling::new("torsion.shapes", &rows).keyed(2);
+/// How far each disc, or the pin of each cylinder, is turned in each mode.
+fn deflections(
+    study: &TorsionStudy,
+    path: &'static str,
+    of_what: &'static str,
+    deflections: fn(&CriticalSpeeds) -> &Vec<f64>,
+) -> Table {
+    let mut table = Filling::new(path, of_modes(study, deflections)).keyed(2);
     table.whole("mode", |(mode, ..)| *mode);
-    table.whole("disc", |(_, disc, _)| *disc);
-    table.decimal("deflection", Unit::NONE, |(.., value)| Some(**value));
-    table.done()
-}
-
-fn cylinders(study: &TorsionStudy) -> Table {
-    let rows: Vec<_> = study
-        .modes
-        .iter()
-        .enumerate()
-        .flat_map(|(mode, speeds)| {
-            speeds.deflections.iter().enumerate().map(move |(cylinder, value)| (mode + 1, cylinder + 1, value))
-        })
-        .collect();
-    let mut table = Filling::new("torsion.cylinders", &rows).keyed(2);
-    table.whole("mode", |(mode, ..)| *mode);
-    table.whole("cylinder", |(_, cylinder, _)| *cylinder);
+    table.whole(of_what, |(_, number, _)| *number);
     table.decimal("deflection", Unit::NONE, |(.., value)| Some(**value));
     table.done()
 }
 
 fn nodes(study: &TorsionStudy) -> Table {
-    let of_mode = |(mode, speeds): (usize, &CriticalSpeeds)| {
-        let places: Vec<Node> = speeds.mode.nodes.clone();
-        places.into_iter().enumerate().map(move |(node, place)| (mode + 1, node + 1, place))
-    };
-    let rows: Vec<_> = study.modes.iter().enumerate().flat_map(of_mode).collect();
-    let mut table = Filling::new("torsion.nodes", &rows).keyed(2);
+    let mut table = Filling::new("torsion.nodes", of_modes(study, |speeds| &speeds.mode.nodes)).keyed(2);
     table.whole("mode", |(mode, ..)| *mode);
     table.whole("node", |(_, node, _)| *node);
     let ends = |place: &Node| place.ends(&study.train).map(|disc| disc + 1);
@@ -125,11 +101,7 @@ fn nodes(study: &TorsionStudy) -> Table {
 }
 
 fn forced(study: &TorsionStudy) -> Option<Table> {
-    let rows = study.forced();
-    if rows.is_empty() {
-        return None;
-    }
-    let mut table = Filling::new("torsion.forced", &rows);
+    let mut table = Filling::new("torsion.forced", study.forced());
     table.exact("order", Unit::NONE, |one| Some(one.order.exact().to_string()));
     table.decimal("frequency_{unit}", Unit::HERTZ, |one| Some(one.hertz));
     table.maybe_whole("near_mode", |one| one.near);
@@ -137,5 +109,5 @@ fn forced(study: &TorsionStudy) -> Option<Table> {
     table.decimal("free_end_zero_to_peak_{unit}", Unit::DEGREE, |one| far(one, one.free_end));
     table.decimal("shaft_torque_zero_to_peak_{unit}", Unit::NEWTON_METRE, |one| far(one, one.shaft));
     table.whole("behind_disc", |one| study.behind(one));
-    Some(table.done())
+    table.done_if_any()
 }

@@ -12,13 +12,16 @@ use crate::table;
 pub(super) const FOUND: &str = "Gear teeth are rigid: a gear carries what the discs behind it need, $T = \\frac{1}{\\nu_1} \\sum \\nu_i \\left((i\\Omega c_i - \\Omega^2 J_i)\\,\\Theta_i - M_i + \\ldots\\right)$, the sum over the discs that turn with its second disc, the dots for what their shafts take; the second disc feels $1/\\nu$ of it, $\\nu$ the ratio. \
     This is the vibration alone: where it is larger than the mean torque that the gear carries, the teeth separate.";
 
-/// A gear with its torques, at its first disc and at its second, in newton-metres.
+/// Torques of a gear at its first disc and at its second, in newton-metres, and the speed.
+type Torques = ([f64; 2], f64);
+
+/// A gear with its torques.
 struct InMesh {
     gear: usize,
     /// At the speed of the study.
-    own: Option<[f64; 2]>,
-    /// The largest in the range, with the speed.
-    largest: Option<([f64; 2], f64)>,
+    own: Option<Torques>,
+    /// The largest in the range.
+    largest: Option<Torques>,
 }
 
 impl TorsionStudy {
@@ -33,7 +36,7 @@ impl TorsionStudy {
             let largest = at.max_by(|one, other| one.0.total_cmp(&other.0));
             InMesh {
                 gear,
-                own: self.at_speed().map(|vibration| self.at_both(gear, vibration.mesh(gear))),
+                own: self.at_speed().map(|vibration| (self.at_both(gear, vibration.mesh(gear)), vibration.speed)),
                 largest: largest.map(|(torque, speed)| (self.at_both(gear, torque), speed)),
             }
         };
@@ -50,14 +53,14 @@ impl TorsionStudy {
 /// The largest at the speed and in the range.
 pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
     let gears = study.in_mesh();
-    let size = |torques: &[f64; 2]| torques[0].max(torques[1]);
-    let own = gears.iter().filter_map(|one| Some((one.gear, one.own?)));
-    let own = own.max_by(|one, other| size(&one.1).total_cmp(&size(&other.1)));
-    let largest = gears.iter().filter_map(|one| Some((one.gear, one.largest?)));
-    let largest = largest.max_by(|one, other| size(&one.1.0).total_cmp(&size(&other.1.0)));
+    let size = |([first, second], _): Torques| first.max(second);
+    let most = |of: fn(&InMesh) -> Option<Torques>| {
+        let all = gears.iter().filter_map(|one| Some((one.gear, of(one)?)));
+        all.max_by(|one, other| size(one.1).total_cmp(&size(other.1)))
+    };
     let disc = |gear: usize, end: usize| study.train.gears[gear][end] + 1;
     let mut lines = Vec::new();
-    if let (Some((gear, [first, second])), Some(speed)) = (own, study.speed) {
+    if let Some((gear, ([first, second], speed))) = most(|one| one.own) {
         lines.push(phrase!(
             "At {} the largest vibration torque in the teeth of gears is {} at disc {}, which is {} at disc {}.",
             rpm(speed),
@@ -67,7 +70,7 @@ pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
             disc(gear, 1)
         ));
     }
-    if let Some((gear, ([first, second], speed))) = largest {
+    if let Some((gear, ([first, second], speed))) = most(|one| one.largest) {
         lines.push(phrase!(
             "In the range of speeds the largest vibration torque in the teeth of gears is {} at disc {}, which is {} at disc {}, at {}.",
             torque(first),
@@ -85,19 +88,18 @@ pub(super) fn gears(study: &TorsionStudy) -> page::Table {
     let rows = study.in_mesh();
     let has = |of: fn(&InMesh) -> bool| rows.iter().any(of);
     let (has_own, has_range) = (has(|one| one.own.is_some()), has(|one| one.largest.is_some()));
-    let shown =
-        |value: Option<f64>| value.map_or_else(|| "–".into(), |value| Text::measured(value, Unit::NEWTON_METRE));
-    let own = |end: usize| move |one: &InMesh| shown(one.own.map(|torques| torques[end]));
-    let largest = |end: usize| move |one: &InMesh| shown(one.largest.map(|(torques, _)| torques[end]));
+    let shown = |torques: Option<Torques>, end: usize| {
+        Text::or_dash(torques.map(|(torques, _)| Text::measured(torques[end], Unit::NEWTON_METRE)))
+    };
+    let own = |end: usize| move |one: &InMesh| shown(one.own, end);
+    let largest = |end: usize| move |one: &InMesh| shown(one.largest, end);
     page::Table::of(rows)
         .column("Gear", |one| study.gear(one.gear))
         .column_if(has_own, phrase!("At its first disc ({})", Unit::NEWTON_METRE), own(0))
         .column_if(has_own, phrase!("At its second disc ({})", Unit::NEWTON_METRE), own(1))
         .column_if(has_range, phrase!("Largest at the first ({})", Unit::NEWTON_METRE), largest(0))
         .column_if(has_range, phrase!("Largest at the second ({})", Unit::NEWTON_METRE), largest(1))
-        .column_if(has_range, "At (rpm)", |one| -> Text {
-            one.largest.map_or_else(|| "–".into(), |(_, speed)| Number::Decimal(speed).into())
-        })
+        .column_if(has_range, "At (rpm)", |one| Text::or_dash(one.largest.map(|(_, speed)| Number::Decimal(speed))))
         .done()
 }
 
@@ -114,32 +116,28 @@ pub(super) fn orders(study: &TorsionStudy, vibration: &Vibration) -> page::Table
 
 /// The gears as data.
 pub(super) fn data(study: &TorsionStudy) -> Option<table::Table> {
-    let rows = study.in_mesh();
-    if rows.is_empty() {
-        return None;
-    }
     let moment = table::Unit::NEWTON_METRE;
-    let mut table = Filling::new("torsion.gears", &rows);
+    let mut table = Filling::new("torsion.gears", study.in_mesh());
     table.whole("gear", |one| one.gear + 1);
     table.whole("from_disc", |one| study.train.gears[one.gear][0] + 1);
     table.whole("to_disc", |one| study.train.gears[one.gear][1] + 1);
     table.exact("ratio", table::Unit::NONE, |one| Some(study.torsion().gears[one.gear].ratio.to_string()));
     for (name, end) in [("torque_half_range_{unit}", 0), ("to_torque_half_range_{unit}", 1)] {
-        table.decimal(name, moment, move |one| Some(one.own?[end]));
+        table.decimal(name, moment, move |one| Some(one.own?.0[end]));
     }
     for (name, end) in [("largest_half_range_{unit}", 0), ("to_largest_half_range_{unit}", 1)] {
         table.decimal(name, moment, move |one| Some(one.largest?.0[end]));
     }
     table.decimal("largest_speed_{unit}", table::Unit::PER_MINUTE, |one| Some(one.largest?.1));
-    Some(table.done())
+    table.done_if_any()
 }
 
 /// The torque in the teeth by orders at the speed.
 pub(super) fn data_of_orders(study: &TorsionStudy) -> Option<table::Table> {
     let gears = 0..study.train.gears.len();
     let orders = &study.at_speed().filter(|_| !gears.is_empty())?.orders;
-    let rows: Vec<_> = orders.iter().flat_map(|order| gears.clone().map(move |gear| (order, gear))).collect();
-    let mut table = Filling::new("torsion.meshes", &rows).keyed(2);
+    let rows = orders.iter().flat_map(|order| gears.clone().map(move |gear| (order, gear)));
+    let mut table = Filling::new("torsion.meshes", rows).keyed(2);
     table.exact("order", table::Unit::NONE, |(one, _)| Some(one.order.exact().to_string()));
     table.whole("gear", |(_, gear)| gear + 1);
     for (name, end) in [("torque_zero_to_peak_{unit}", 0), ("to_torque_zero_to_peak_{unit}", 1)] {
@@ -153,11 +151,9 @@ pub(super) fn data_of_orders(study: &TorsionStudy) -> Option<table::Table> {
 /// The torque in the teeth over the range.
 pub(super) fn data_of_speeds(study: &TorsionStudy) -> Option<table::Table> {
     let speeds = study.over_range().iter();
-    let rows: Vec<_> = speeds.flat_map(|at| (0..at.meshes.len()).map(move |gear| (at, gear))).collect();
-    if rows.is_empty() {
-        return None;
-    }
-    let mut table = Filling::new("torsion.mesh_speeds", &rows).keyed(2);
+    let mut table =
+        Filling::new("torsion.mesh_speeds", speeds.flat_map(|at| (0..at.meshes.len()).map(move |gear| (at, gear))))
+            .keyed(2);
     table.decimal("speed_{unit}", table::Unit::PER_MINUTE, |(at, _)| Some(at.speed));
     table.whole("gear", |(_, gear)| gear + 1);
     for (name, end) in [("torque_half_range_{unit}", 0), ("to_torque_half_range_{unit}", 1)] {
@@ -165,5 +161,5 @@ pub(super) fn data_of_speeds(study: &TorsionStudy) -> Option<table::Table> {
             Some(study.at_both(*gear, at.meshes[*gear])[end])
         });
     }
-    Some(table.done())
+    table.done_if_any()
 }

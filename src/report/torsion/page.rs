@@ -3,7 +3,7 @@
 use super::study::TorsionStudy;
 use super::{amounts, damped_tables as damped, gears, plots, tables, words};
 use crate::engine::Engine;
-use crate::page::{Block, Document, Fold, Number, Picture, Table, Text, phrase};
+use crate::page::{Block, Document, Number, Picture, Table, Text, phrase};
 
 /// The short answer: what shakes, then the first modes and the strongest orders.
 pub(super) fn answer(study: &TorsionStudy) -> Document {
@@ -56,10 +56,7 @@ pub(in crate::report) fn torsion_section(engine: &Engine) -> Vec<Block> {
             ];
             blocks.extend(forced_twist(&study));
             blocks.extend(words::found(&study).into_iter().map(Block::Paragraph));
-            blocks.push(Block::Folded(Fold {
-                summary: "Torsional vibration: the shaft, and what is assumed".into(),
-                blocks: shaft,
-            }));
+            blocks.push(Block::folded("Torsional vibration: the shaft, and what is assumed", shaft));
             blocks
         }
     }
@@ -74,32 +71,32 @@ fn forced_twist(study: &TorsionStudy) -> Vec<Block> {
         blocks.push(Block::Paragraph(words::forced(study, speed)));
         blocks.push(tables::forced(study, &orders).into());
     }
-    let mut section = |words: Text, table: Option<Table>| {
-        if let Some(table) = table.filter(|table| !table.rows.is_empty()) {
-            blocks.extend([Block::Paragraph(words), table.into()]);
+    let mut section = |words: Text, table: Table| {
+        if !table.rows.is_empty() {
+            blocks.extend([words.into(), table.into()]);
         }
     };
     if let Some(vibration) = study.at_speed() {
         let speed = || amounts::rpm(vibration.speed);
         section(
             phrase!("Shafts at {}, all orders together, and the largest in the range:", speed()),
-            Some(damped::shafts(study, vibration)),
+            damped::shafts(study, vibration),
         );
         if !study.train.gears.is_empty() {
             section(
                 phrase!("Teeth of gears at {}, all orders together, and the largest in the range:", speed()),
-                Some(gears::gears(study)),
+                gears::gears(study),
             );
             section(
                 phrase!("Teeth of gears at {}, order by order, at the first disc of each, zero to peak:", speed()),
-                Some(gears::orders(study, vibration)),
+                gears::orders(study, vibration),
             );
         }
-        section(phrase!("Discs at {}, all orders together:", speed()), Some(damped::twists(study, vibration)));
-        section(phrase!("Heat at {}:", speed()), Some(damped::heat(study, vibration)));
+        section(phrase!("Discs at {}, all orders together:", speed()), damped::twists(study, vibration));
+        section(phrase!("Heat at {}:", speed()), damped::heat(study, vibration));
     }
-    section("Resonances in the range, each order by itself:".into(), Some(damped::resonances(study)));
-    section("Dampers:".into(), Some(damped::dampers(study)));
+    section("Resonances in the range, each order by itself:".into(), damped::resonances(study));
+    section("Dampers:".into(), damped::dampers(study));
     blocks
 }
 
@@ -110,27 +107,22 @@ fn pictures(study: &TorsionStudy) -> Vec<Picture> {
 /// The page, with modes and a Campbell diagram.
 pub(super) fn page(study: &TorsionStudy) -> Document {
     let mut page = Document::new("torsion", phrase!("{}: torsional vibration", study.engine.title()));
-    let section = |page: &mut Document, words: &'static str| page.push(Block::Heading(1, words.into()));
     page.push(Block::Answer(words::answer(study)));
     page.push(Block::Pictures(pictures(study)));
-    section(&mut page, "Natural frequencies");
-    page.push(tables::modes(study, usize::MAX));
+    page.section("Natural frequencies", tables::modes(study, usize::MAX));
     if study.torsion().is_damped() || !study.is_row() {
-        page.push(Block::Paragraph("Nodes of the first modes:".into()));
+        page.push("Nodes of the first modes:");
         page.push(damped::nodes(study));
     }
-    section(&mut page, "Critical speeds");
-    page.push(Block::Paragraph(
-        "Critical speeds of each order in the first modes, and its star as a part of the longest possible in the mode:"
-            .into(),
-    ));
+    page.section(
+        "Critical speeds",
+        "Critical speeds of each order in the first modes, and its star as a part of the longest possible in the mode:",
+    );
     page.push(tables::critical(study));
     page.blocks.extend(forced_twist(study));
-    section(&mut page, "The shaft");
-    page.push(tables::discs(study));
-    section(&mut page, "Method");
+    page.section("The shaft", tables::discs(study));
+    page.push(Block::Heading(1, "Method".into()));
     page.blocks.extend(words::found(study).into_iter().map(Block::Paragraph));
-    section(&mut page, "Assumptions");
-    page.push(Block::List(words::assumed(study)));
+    page.section("Assumptions", Block::List(words::assumed(study)));
     page
 }

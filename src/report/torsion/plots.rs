@@ -28,7 +28,7 @@ pub(super) fn modes(study: &TorsionStudy) -> Picture {
         false => "The first modes of the train: how far each disc is turned, in the order of their numbers, those of branches too.",
     }
     .into();
-    Picture { name: "modes".to_owned(), caption, figure: plot.figure() }
+    Picture::new("modes", caption, plot.figure())
 }
 
 /// Frequencies over the speed: the modes level, the orders rising, a dot where they meet.
@@ -62,7 +62,7 @@ pub(super) fn campbell(study: &TorsionStudy) -> Option<Picture> {
     let caption = phrase!(
         "Campbell diagram: the modes are level lines, the orders with the longest stars in the first mode rise with the speed. A dot is a critical speed."
     );
-    Some(Picture { name: "campbell".to_owned(), caption, figure: plot.figure() })
+    Some(Picture::new("campbell", caption, plot.figure()))
 }
 
 /// Curves of the largest torques are drawn, this many.

@@ -74,20 +74,15 @@ impl TorsionStudy {
     pub fn new(engine: &Engine, orders: &[CycleOrder]) -> Result<Self, NoTorsion> {
         let torsion = engine.torsion().ok_or(NoTorsion::NoShaft)?;
         let cycle = firing::firing_of(engine).map_err(NoTorsion::NoStar)?.cycle;
-        let orders: Vec<CycleOrder> = match orders {
+        let orders: BTreeSet<CycleOrder> = match orders {
             [] => {
                 let all = (1..=USUAL_HALVES).filter_map(CycleOrder::of_halves);
                 let given = torsion.harmonics.iter().map(|harmonic| harmonic.order);
-                let orders: BTreeSet<CycleOrder> = all.filter(|order| order.exists_in(cycle)).chain(given).collect();
-                orders.into_iter().collect()
+                all.filter(|order| order.exists_in(cycle)).chain(given).collect()
             }
-            asked => {
-                let mut orders = asked.to_vec();
-                orders.sort_unstable();
-                orders.dedup();
-                orders
-            }
+            asked => asked.iter().copied().collect(),
         };
+        let orders: Vec<CycleOrder> = orders.into_iter().collect();
         let modes = critical_speeds(engine, torsion, &orders).map_err(NoTorsion::NoStar)?;
         let speed = engine.dimensions().speed.as_ref().and_then(BigRational::to_f64);
         let train = Train::new(torsion);

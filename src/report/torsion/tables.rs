@@ -4,7 +4,7 @@ use super::super::typeset;
 use super::ForcedTwist;
 use super::amounts::{part, shaft};
 use super::study::TorsionStudy;
-use crate::engine::CycleOrder;
+use crate::engine::{CycleOrder, ElasticShaft};
 use crate::page::{Number, Table, Text, Unit, number, phrase};
 
 /// At most this many modes are beside each other.
@@ -25,21 +25,20 @@ pub(super) fn modes(study: &TorsionStudy, most: usize) -> Table {
 /// One row per disc: inertia, stiffness to the next, crankpins, deflection in the first modes.
 pub(super) fn discs(study: &TorsionStudy) -> Table {
     let torsion = study.torsion();
-    let pins = |disc: usize| -> Text {
-        let on_disc = torsion.pins.iter().enumerate().filter(|(_, at)| **at == disc);
-        let pins: Vec<String> = on_disc.map(|(pin, _)| (pin + 1).to_string()).collect();
-        if pins.is_empty() { "–".into() } else { pins.join(", ").into() }
+    let pins = |disc: usize| {
+        let on_disc = (1_usize..).zip(&torsion.pins).filter(|(_, at)| **at == disc);
+        let pins = typeset::listed(on_disc.map(|(pin, _)| pin));
+        Text::or_dash(Some(pins).filter(|pins| !pins.is_empty()))
     };
-    let stiffness = |disc: usize| match study.shaft_behind(disc) {
-        Some(shaft) => number::given_in(&shaft.stiffness, Unit::NEWTON_METRE_PER_RADIAN),
-        None => "–".into(),
-    };
+    let stiffness = |shaft: &ElasticShaft| number::given_in(&shaft.stiffness, Unit::NEWTON_METRE_PER_RADIAN);
     let table = Table::of(torsion.inertias.iter().enumerate())
         .column("Disc", |(disc, _)| disc + 1)
         .column(phrase!("Inertia ({})", Unit::KILOGRAM_SQUARE_METRE), |(_, inertia)| {
             number::given_in(inertia, Unit::KILOGRAM_SQUARE_METRE)
         })
-        .column(phrase!("Stiffness to the next ({})", Unit::NEWTON_METRE_PER_RADIAN), |(disc, _)| stiffness(*disc))
+        .column(phrase!("Stiffness to the next ({})", Unit::NEWTON_METRE_PER_RADIAN), |(disc, _)| {
+            Text::or_dash(study.shaft_behind(*disc).map(stiffness))
+        })
         .column("Crankpins", |(disc, _)| pins(*disc));
     let shown = study.modes.iter().take(MOST_MODES).enumerate();
     let with_modes = shown.fold(table, |table, (index, speeds)| {

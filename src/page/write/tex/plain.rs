@@ -60,25 +60,20 @@ fn bracketed(text: &str) -> String {
 }
 
 fn raised(text: &str) -> String {
-    let sign = |letter: char| match letter {
+    scripted(text, '^', |letter| match letter {
         '+' => Some('⁺'),
         '−' => Some('⁻'),
         '°' => Some('°'),
         digit => digit.to_digit(10).map(|digit| SUPERSCRIPTS[digit as usize]),
-    };
-    match text.chars().map(sign).collect::<Option<String>>() {
-        Some(signs) => signs,
-        None => format!("^{}", bracketed(text)),
-    }
+    })
 }
 
 fn lowered(text: &str) -> String {
-    let sign = |letter: char| {
-        let digit = letter.to_digit(10)?;
-        char::from_u32(u32::from('₀') + digit)
-    };
-    match text.chars().map(sign).collect::<Option<String>>() {
-        Some(signs) => signs,
-        None => format!("_{}", bracketed(text)),
-    }
+    scripted(text, '_', |digit| char::from_u32(u32::from('₀') + digit.to_digit(10)?))
+}
+
+/// In small signs; behind a mark where there is none for one of its letters.
+fn scripted(text: &str, mark: char, sign: fn(char) -> Option<char>) -> String {
+    let signs: Option<String> = text.chars().map(sign).collect();
+    signs.unwrap_or_else(|| format!("{mark}{}", bracketed(text)))
 }

@@ -14,6 +14,7 @@ use crate::family::{self, NoOpenStar, OpenStar};
 use crate::firing::{self, Weights};
 
 pub use page::{open_firing_answer, open_firing_page};
+pub(in crate::report) use picture::plot_of_stars;
 
 /// Firing stars with open angles that are decided.
 #[derive(Clone, Debug)]

@@ -2,9 +2,9 @@
 
 use super::super::super::family_page::{argument, left_open};
 use super::super::super::residual;
-use super::super::page::{MEANING, MEANING_OF_A_MODE, STAR, STAR_OF_A_MODE, assumed};
+use super::super::page::{assumed, meaning};
 use super::{OpenFiringStudy, picture, words};
-use crate::engine::{Cycle, FiringSpan, OpenFiring};
+use crate::engine::{Cycle, CycleOrder, FiringSpan, OpenFiring};
 use crate::family::{OpenStar, SpanStar};
 use crate::page::{Block, Document, Table, Text, phrase};
 
@@ -25,33 +25,24 @@ pub fn open_firing_answer(study: &OpenFiringStudy<'_>) -> Document {
 
 /// The page.
 pub fn open_firing_page(study: &OpenFiringStudy<'_>) -> Document {
-    let heading = |words: &'static str| Block::Heading(1, words.into());
     let mut page = Document::new("firing", phrase!("{}: firing stars", study.family.title()));
     page.push(Block::Answer(answer(study)));
-    page.push(heading("Orders of the gas torque"));
-    page.push(orders(study));
+    page.section("Orders of the gas torque", orders(study));
     page.push(Block::Note(LEGEND.into()));
     page.blocks.extend(picture::lengths(study).map(Block::from));
-    let (meaning, formula) = match study.weights.is_mode_shape() {
-        true => (MEANING_OF_A_MODE, STAR_OF_A_MODE),
-        false => (MEANING, STAR),
-    };
-    page.blocks.extend([Block::Paragraph(meaning.into()), Block::Formula(formula.to_owned(), None)]);
-    page.push(heading("When the cylinders fire"));
-    page.push(firings(study));
-    page.push(Block::Paragraph(WHOLE_ORDERS.into()));
-    page.push(heading("Proofs"));
-    page.push(Block::List(study.orders.iter().flat_map(|star| argued(study, star)).collect()));
-    page.push(heading("Assumptions"));
-    page.push(Block::List(assumed(study.weights.is_mode_shape())));
+    page.blocks.extend(meaning(study.weights.is_mode_shape()));
+    page.section("When the cylinders fire", firings(study));
+    page.push(WHOLE_ORDERS);
+    page.section("Proofs", Block::List(study.orders.iter().flat_map(|star| argued(study, star)).collect()));
+    page.section("Assumptions", Block::List(assumed(study.weights.is_mode_shape())));
     page
 }
 
 /// What is open, and which orders vanish where.
 fn answer(study: &OpenFiringStudy<'_>) -> Vec<Text> {
     let mut lines = vec![left_open(study.family)];
-    let named = |is_meant: &dyn Fn(&OpenStar) -> bool| -> Vec<String> {
-        study.orders.iter().filter(|star| is_meant(star)).map(|star| star.order.to_string()).collect()
+    let named = |is_meant: &dyn Fn(&OpenStar) -> bool| -> Vec<CycleOrder> {
+        study.orders.iter().filter(|star| is_meant(star)).map(|star| star.order).collect()
     };
     let no_value = |star: &OpenStar| words::values(study, star).is_some_and(|values| values.is_empty());
     let (always, never) = (named(&OpenStar::always), named(&|star| star.never() || no_value(star)));
@@ -133,8 +124,5 @@ fn argued(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Vec<Text> {
 }
 
 fn is_of_an_order(study: &OpenFiringStudy<'_>) -> bool {
-    match study.family.open_firing() {
-        Some(OpenFiring::Order(_)) => true,
-        Some(OpenFiring::Angles(_)) | None => false,
-    }
+    matches!(study.family.open_firing(), Some(OpenFiring::Order(_)))
 }

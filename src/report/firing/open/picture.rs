@@ -12,7 +12,7 @@ use crate::engine::{FiringSpan, PHI};
 use crate::family::{OpenStar, SpanStar};
 use crate::numbers;
 use crate::page::figure::Figure;
-use crate::page::plot::{Axis, Curve, Plot, PointMark, stacked};
+use crate::page::plot::{Axis, Curve, Plot, stacked};
 use crate::page::{Picture, phrase};
 
 /// Steps of a turn of the open angle.
@@ -37,25 +37,26 @@ pub(super) fn lengths(study: &OpenFiringStudy<'_>) -> Option<Picture> {
 
 fn plot(study: &OpenFiringStudy<'_>, unknown: &str, stars: &[&OpenStar]) -> Figure {
     let names: Vec<String> = stars.iter().map(|star| star.order.to_string()).collect();
-    let title = match names.as_slice() {
-        [only] => format!("Firing star, order {only}"),
-        several => format!("Firing stars, orders {}", several.join(", ")),
-    };
-    let mut plot =
-        Plot::new(title, Axis::angle(axis_name(study.family, unknown), 0.0, 360.0, 30), Axis::amplitude("Length in r"));
+    let mut plot = plot_of_stars(&names, Axis::angle(axis_name(study.family, unknown), 0.0, 360.0, 30));
     for (number, (star, name)) in stars.iter().zip(names).enumerate() {
         let zeros: Vec<BigRational> = words::values(study, star).into_iter().flatten().collect();
         let spans = star.spans.as_deref().unwrap_or_default();
         let curve = Curve::new(number, format!("order {name}"), points(unknown, spans, &zeros));
         for zero in &zeros {
-            let label = typeset::turns(zero);
-            let is_known = plot.marks.iter().any(|mark| mark.label == label);
-            let mark = PointMark::ring((degrees(zero), 0.0), if is_known { String::new() } else { label });
-            plot.marks.push(PointMark { ink: curve.ink, ..mark.of("exact zero") });
+            plot.ring_zero(degrees(zero), typeset::turns(zero), curve.ink, "exact zero");
         }
         plot.curves.push(curve);
     }
     plot.figure()
+}
+
+/// A plot for the lengths of the stars of these orders.
+pub(in crate::report) fn plot_of_stars(orders: &[String], x: Axis) -> Plot {
+    let title = match orders {
+        [only] => format!("Firing star, order {only}"),
+        several => format!("Firing stars, orders {}", several.join(", ")),
+    };
+    Plot::new(title, x, Axis::amplitude("Length in r"))
 }
 
 /// Points of a curve, those of its zeros among them; a point without a height parts two spans.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::super::super::family_page::{condition_of, greek, unknowns};
+use super::super::super::family_page::{condition_of, unknowns, written};
 use super::super::super::residual;
 use super::super::super::typeset::{self, Amount};
 use super::OpenFiringStudy;
@@ -27,35 +27,35 @@ pub(super) fn summary(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Text {
         _ if star.never() => "never 0".into(),
         (_, Some(values)) => at(study, &values),
         ([only], None) => of_span(study, only),
-        (several, None) => {
-            let each = several.iter().map(|star| match label(study, &star.span) {
-                Some(span) => phrase!("{} for {}", of_span(study, star), span),
-                None => of_span(study, star),
-            });
-            Text::joined(each, "; ")
-        }
+        (several, None) => by_span(study, several.iter().map(|star| (star, of_span(study, star)))),
     }
 }
 
 /// The values in (0°, 360°) of the one open angle at which a star vanishes; none where it does for a whole range, or is not solved.
 pub(super) fn values(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Option<BTreeSet<BigRational>> {
-    let (none, turn) = (BigRational::zero(), BigRational::one());
-    let mut values = star.values(study.unknown()?, [&none, &turn])?;
-    values.retain(|value| *value != none && *value != turn);
-    Some(values)
+    let [none, turn] = ends();
+    star.values(study.unknown()?, [&none, &turn]).map(inside)
+}
+
+/// From where to where the open angle runs.
+fn ends() -> [BigRational; 2] {
+    [BigRational::zero(), BigRational::one()]
+}
+
+/// The values without the ends.
+fn inside(mut values: BTreeSet<BigRational>) -> BTreeSet<BigRational> {
+    values.retain(|value| !ends().contains(value));
+    values
 }
 
 /// When a star vanishes in one span.
 pub(super) fn of_span(study: &OpenFiringStudy<'_>, star: &SpanStar) -> Text {
-    let (none, turn) = (BigRational::zero(), BigRational::one());
+    let [none, turn] = ends();
     let values = study.unknown().and_then(|unknown| star.values(unknown, [&none, &turn]));
     match (&star.sum.when, values) {
         (When::Always, _) => Text::zero(),
         (When::Never(_), _) => "never 0".into(),
-        (_, Some(mut values)) => {
-            values.retain(|value| *value != none && *value != turn);
-            at(study, &values)
-        }
+        (_, Some(values)) => at(study, &inside(values)),
         (_, None) => condition_of(&star.sum).unwrap_or_else(Text::zero),
     }
 }
@@ -72,22 +72,24 @@ fn at(study: &OpenFiringStudy<'_>, values: &BTreeSet<BigRational>) -> Text {
 /// How long a star is, where that is reported in short: 0, a number, `6 |cos(3φ/4)|`.
 pub(super) fn length(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Text {
     let spans = star.spans.as_deref().unwrap_or_default();
-    let none = || Text::from("–");
     if star.always() {
         return Text::zero();
     }
     let lengths: Option<Vec<Text>> = spans.iter().map(length_of_span).collect();
     match (spans, lengths.as_deref()) {
-        ([], _) | (_, None) => none(),
+        ([], _) | (_, None) => "–".into(),
         (_, Some([only])) => only.clone(),
-        (spans, Some(several)) => {
-            let each = spans.iter().zip(several).map(|(star, length)| match label(study, &star.span) {
-                Some(span) => phrase!("{} for {}", length.clone(), span),
-                None => length.clone(),
-            });
-            Text::joined(each, "; ")
-        }
+        (spans, Some(several)) => by_span(study, spans.iter().zip(several.iter().cloned())),
     }
+}
+
+/// What is said of the star in each span.
+fn by_span<'s>(study: &OpenFiringStudy<'_>, said: impl Iterator<Item = (&'s SpanStar, Text)>) -> Text {
+    let each = said.map(|(star, words)| match label(study, &star.span) {
+        Some(span) => phrase!("{} for {}", words, span),
+        None => words,
+    });
+    Text::joined(each, "; ")
 }
 
 /// Of two equal parts, which cancel where `x ≡ t`: `|S_1| |e^{ix} − e^{it}| = 2 |S_1| |sin((x − t)/2)|`.
@@ -144,20 +146,13 @@ pub(super) fn label(study: &OpenFiringStudy<'_>, span: &FiringSpan) -> Option<St
 
 /// A crank angle with unknowns, given in turns, whole revolutions too: `360° + φ`.
 pub(super) fn crank_angle(angle: &Linear) -> String {
-    let known = Linear::constant(angle.known().clone());
-    let symbols = angle.minus(&known);
-    let degrees = typeset::turns(angle.known());
-    match (symbols == Linear::default(), angle.known().is_zero()) {
-        (true, _) => degrees,
-        (false, true) => greek(&symbols),
-        (false, false) => format!("{degrees} + {}", greek(&symbols)).replace("+ −", "− "),
-    }
+    written(angle, typeset::turns(angle.known()))
 }
 
 /// Where the cylinders can fire in the order of the layout; none where it gives none, or where that is not solved.
 pub(super) fn can_fire(study: &OpenFiringStudy<'_>) -> Option<Text> {
     let order = study.order()?;
-    let (none, turn) = (BigRational::zero(), BigRational::one());
+    let [none, turn] = ends();
     let spans = match study.family.firing_spans([&none, &turn], false) {
         Ok(spans) => spans,
         Err(NoSpans::TwoAngles) => {
