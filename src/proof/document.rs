@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
-use super::audit::Reason;
+use super::audit::{Reason, demand};
 use super::engine::{Cylinder, Masses, RodStatement, TurningMassClaim, has_offset, rods};
 use super::format::Format;
 use super::fraction;
@@ -62,6 +62,15 @@ impl Document {
             RodStatement::Link(_) => true,
             RodStatement::Unknown | RodStatement::Known(_) => false,
         })
+    }
+
+    /// Checks that what turns does so with the crank, and every crankshaft equally fast: as statements on every order need it.
+    pub(super) fn check_turning(&self) -> Result<(), &'static str> {
+        if self.turning_masses.iter().any(|mass| mass.order > 1) {
+            return Err("a statement on every order needs masses that turn with the crank, or none");
+        }
+        let is_alike = self.cylinders.iter().all(|cylinder| cylinder.speed == 1);
+        demand(is_alike, "a statement on every order needs crankshafts that turn equally fast")
     }
 
     pub(super) fn has_equal_centric_rods(&self) -> bool {

@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::audit::{Audit, Fault, Reason};
+use super::audit::{Audit, Fault, Reason, refuse_if};
 use super::checked::Checked;
 use super::document::Document;
 use super::engine::{
@@ -44,9 +44,7 @@ pub(super) fn judge(document: &Document, audit: &Audit) -> Result<Vec<Judged>, F
 }
 
 fn check_head(document: &Document) -> Result<(), Fault> {
-    if document.format != Format::Classify {
-        return Err(Fault::new("format", "verdicts are in `crankstar classify 2`"));
-    }
+    refuse_if(document.format != Format::Classify, Fault::new("format", "verdicts are in `crankstar classify 2`"))?;
     check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
     check_turning_masses(document)?;
     check_axes(document)?;
@@ -193,10 +191,7 @@ fn check_wholes(document: &Document, judged: &mut [Judged], motion: &Motion<'_>)
             one.wholes.push(vanishes);
         }
     }
-    match claims.next() {
-        None => Ok(()),
-        Some(_) => Err(Fault::new("wholes", "there are more than orders with several sums have")),
-    }
+    refuse_if(claims.next().is_some(), Fault::new("wholes", "there are more than orders with several sums have"))
 }
 
 /// Each order of force and moment has a shape, in the order of the verdicts.
@@ -211,10 +206,7 @@ fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> 
         }
         check_shape(claim, one, motion).map_err(|reason| Fault { place, reason })?;
     }
-    match claims.next() {
-        None => Ok(()),
-        Some(_) => Err(Fault::new("shapes", "there are more than the verdicts have")),
-    }
+    refuse_if(claims.next().is_some(), Fault::new("shapes", "there are more than the verdicts have"))
 }
 
 /// Where they were asked for there is one per quantity and sense, in the order of the verdicts; else none. They are given class by
@@ -262,8 +254,5 @@ fn check_each<T>(
         }
         check(claim).map_err(|reason| Fault { place, reason })?;
     }
-    match claims.next() {
-        None => Ok(()),
-        Some(_) => Err(Fault::new(format!("{name}s"), "there are more than were asked for")),
-    }
+    refuse_if(claims.next().is_some(), Fault::new(format!("{name}s"), "there are more than were asked for"))
 }

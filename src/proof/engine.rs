@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde::{Deserialize, Serialize};
 
-use super::audit::{Fault, Reason};
+use super::audit::{Fault, Reason, refuse_if};
 use super::collected::turn;
 use super::fraction;
 use super::link::LinkClaim;
@@ -248,15 +248,11 @@ pub(super) fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<()
 
 /// Checks that the orders asked for are rising and exist, and the quantities are in the order force, moment, torque, roll.
 pub(super) fn check_asked(orders: &[u32], quantities: &[Quantity]) -> Result<(), Fault> {
-    if orders.is_empty() {
-        return Err(Fault::new("orders", "the list is empty, there is nothing to check"));
-    }
+    refuse_if(orders.is_empty(), Fault::new("orders", "the list is empty, there is nothing to check"))?;
     if orders[0] == 0 || orders.windows(2).any(|pair| pair[0] >= pair[1]) {
         return Err(Fault::new("orders", "orders rise from 1 on, each once"));
     }
-    if quantities.is_empty() {
-        return Err(Fault::new("quantities", "the list is empty, there is nothing to check"));
-    }
+    refuse_if(quantities.is_empty(), Fault::new("quantities", "the list is empty, there is nothing to check"))?;
     match quantities.windows(2).all(|pair| pair[0] < pair[1]) {
         true => Ok(()),
         false => Err(Fault::new("quantities", "they are in the order force, moment, torque, roll, each once")),

@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::audit::{Audit, Fault, Reason};
+use super::audit::{Audit, Fault, Reason, refuse_if};
 use super::check::certify;
 use super::checked::Checked;
 use super::coefficient::{Coefficient, Factor};
@@ -70,28 +70,20 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
             }
         }
     }
-    if found.next().is_some() {
-        return Err(Fault::new("sums", "there are more than the orders have"));
-    }
+    refuse_if(found.next().is_some(), Fault::new("sums", "there are more than the orders have"))?;
     check_left_out(document, &left, &audit)?;
     Ok(Checked::remedy(document, rods_known, audit.counts()))
 }
 
 /// Whether the rods are known.
 fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
-    if document.format != Format::Remedy {
-        return Err(Fault::new("format", "remedies are in `crankstar remedy 2`"));
-    }
-    if document.masses != Masses::All {
-        return Err(Fault::new("masses", "a remedy is about all masses of the engine"));
-    }
+    refuse_if(document.format != Format::Remedy, Fault::new("format", "remedies are in `crankstar remedy 2`"))?;
+    refuse_if(document.masses != Masses::All, Fault::new("masses", "a remedy is about all masses of the engine"))?;
     check_asked(&document.orders, &document.quantities)?;
     if document.quantities != [Quantity::FORCE, Quantity::MOMENT] {
         return Err(Fault::new("quantities", "a remedy is about force and moment, both"));
     }
-    if document.cylinders.is_empty() {
-        return Err(Fault::new("cylinders", "an engine has one at least"));
-    }
+    refuse_if(document.cylinders.is_empty(), Fault::new("cylinders", "an engine has one at least"))?;
     if let Some(index) = document.turning_masses.iter().position(|mass| mass.order == 0) {
         return Err(Fault::new(format!("turning_masses[{index}]"), "a mass that turns has an order from 1 on"));
     }
@@ -122,9 +114,7 @@ fn check_weight(document: &RemedyDocument, weight: &WeightClaim, audit: &Audit) 
     }
     for part in &weight.parts {
         let sum = collected(&part.terms, audit)?;
-        if vectors(sum.clone()) != part.terms {
-            return Err("its terms are not collected, at rising angles".into());
-        }
+        refuse_if(vectors(sum.clone()) != part.terms, "its terms are not collected, at rising angles")?;
         check_decimals(&sum, false, part.modulus, Some(part.angle_deg), audit)?;
     }
     Ok(())
