@@ -272,8 +272,8 @@ impl Keys {
             let part = &centres.values[index] / &lengths.values[index];
             if part > BigRational::one() {
                 let text = &centres.places[index];
-                let right = "it lies between the eyes: from 0 to the rod length".to_owned();
-                return Err(misread("distance of the centre of gravity", &text.get_ref().0, right, text));
+                let right = "it lies between the eyes: from 0 to the rod length";
+                return Err(misread(text, "distance of the centre of gravity", right));
             }
             masses[index] += rod * &part;
             rotating.push(rod * (BigRational::one() - part));

@@ -12,9 +12,9 @@ use num_traits::{Signed, Zero};
 use serde::Deserialize;
 
 use super::error::LayoutError;
-use super::forms::{Expanded, half, offsets_of, pins, unit_length};
+use super::forms::{Expanded, offsets_of, pins, unit_length};
 use super::numbering;
-use super::quantities::{List, angle, misread, optional_angle, optional_length};
+use super::quantities::{List, angle, half, integer, misread, optional_angle, optional_length};
 use super::shared_keys::{SharedKeys, Splay, Throws};
 use super::written::{Column, Text, Written, place};
 use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
@@ -89,7 +89,7 @@ impl W {
         let mut unit = LengthUnit::Spacing;
         let wide = bank_angle(&self.bank_angle)?.scaled(&half());
         let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?.scaled(&half());
-        let minus = -BigRational::from_integer(1.into());
+        let minus = integer(-1);
         let first = Middle { angle: wide.scaled(&minus), split: Linear::default(), offset: offset.clone() };
         let second = Middle { angle: wide, split: optional_angle(&self.pin_split)?, offset: offset.scaled(&minus) };
         let narrow = Narrow {
@@ -210,8 +210,7 @@ fn bank_angle(text: &Text) -> Result<Linear, LayoutError> {
     let angle = angle(text)?;
     match angle.as_known() {
         Some(known) if known.is_negative() || known.is_zero() || *known >= half() => {
-            let right = "the angle between the banks, above 0 and below 180 degrees".to_owned();
-            Err(misread("bank angle", &text.get_ref().0, right, text))
+            Err(misread(text, "bank angle", "the angle between the banks, above 0 and below 180 degrees"))
         }
         _ => Ok(angle),
     }

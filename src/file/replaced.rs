@@ -45,7 +45,8 @@ fn misplaced(key: &str) -> LayoutError {
     LayoutError::new(format!("no place for `{key}` was found in the file"), right, None)
 }
 
-fn stands(all: &DeTable, key: &str) -> bool {
+/// Whether a key stands in a file.
+pub(super) fn stands(all: &DeTable, key: &str) -> bool {
     let (table, name) = parts(key);
     match table {
         None => all.contains_key(name),

@@ -212,6 +212,11 @@ pub(crate) fn length(text: &str) -> Result<Length, String> {
     Ok(Length { value: sized(in_base_units(&number, unit.unwrap_or((1, 1))))?, has_unit: unit.is_some() })
 }
 
+/// The same in metres, whether it has a unit or not.
+pub(crate) fn metres(text: &str) -> Result<BigRational, String> {
+    length(text).map(|length| length.value)
+}
+
 /// A mass; kilograms where no unit is written.
 pub(crate) fn mass(text: &str) -> Result<BigRational, String> {
     in_units(text, MASSES, "\"0.65\", \"650 g\", \"1.4 lb\" or \"23 oz\"")
