@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
 use super::audit::{Reason, demand};
-use super::engine::{Cylinder, Masses, RodStatement, TurningMassClaim, has_offset, rods};
+use super::engine::{Cylinder, Masses, TurningMassClaim, has_offset, rods};
 use super::format::Format;
 use super::fraction;
 use super::quantity::Quantity;
@@ -58,10 +58,7 @@ impl Document {
     }
 
     pub(super) fn has_links(&self) -> bool {
-        self.cylinders.iter().any(|cylinder| match cylinder.rod {
-            RodStatement::Link(_) => true,
-            RodStatement::Unknown | RodStatement::Known(_) => false,
-        })
+        self.cylinders.iter().any(|cylinder| cylinder.rod.link().is_some())
     }
 
     /// Checks that what turns does so with the crank, and every crankshaft equally fast: as statements on every order need it.

@@ -6,8 +6,8 @@ use super::audit::{Audit, Fault, Reason, refuse_if};
 use super::checked::Checked;
 use super::document::Document;
 use super::engine::{
-    Masses, RodStatement, check_asked, check_knuckle, check_masses, check_masters, check_names, check_radii,
-    check_shafts, check_speed,
+    Masses, check_asked, check_knuckle, check_masses, check_masters, check_names, check_radii, check_shafts,
+    check_speed,
 };
 use super::format::Format;
 use super::judged::{Judged, JudgedGroup};
@@ -15,6 +15,7 @@ use super::motion::Motion;
 use super::quantity::{Quantity, Sense};
 use super::recurrence::RecurrenceClaim;
 use super::recurrence_check::check_recurrence;
+use super::rod::RodClaim;
 use super::shape::check_shape;
 use super::source::knuckle_name;
 use super::theorem_check::check_theorem;
@@ -49,11 +50,7 @@ fn check_head(document: &Document) -> Result<(), Fault> {
     check_turning_masses(document)?;
     check_axes(document)?;
     check_asked(&document.orders, &document.quantities)?;
-    let is_judged = |quantity: &Quantity| match quantity {
-        Quantity::Planar(_) => true,
-        Quantity::Axial(_) => false,
-    };
-    if document.has_links() && !document.quantities.iter().all(is_judged) {
+    if document.has_links() && document.quantities.iter().any(|quantity| quantity.planar().is_none()) {
         return Err(Fault::new("quantities", "torque and roll moment of links on a master rod are not decided"));
     }
     for cylinder in &document.cylinders {
@@ -75,10 +72,8 @@ fn check_head(document: &Document) -> Result<(), Fault> {
 fn check_axes(document: &Document) -> Result<(), Fault> {
     let why = "it is in documents with the roll moment alone, which nothing else could check";
     if document.quantities.contains(&Quantity::ROLL) {
-        let endless = document.cylinders.iter().position(|cylinder| match &cylinder.rod {
-            RodStatement::Known(rod) => rod.ratio.is_zero() && !rod.offset.is_zero(),
-            RodStatement::Unknown | RodStatement::Link(_) => false,
-        });
+        let is_endless = |rod: &RodClaim| rod.ratio.is_zero() && !rod.offset.is_zero();
+        let endless = document.cylinders.iter().position(|cylinder| cylinder.rod.on_the_pin().is_some_and(is_endless));
         return match endless {
             None => Ok(()),
             Some(index) => {

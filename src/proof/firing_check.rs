@@ -104,10 +104,7 @@ fn classes(cylinders: &[FiringCylinder]) -> Vec<Vec<&FiringCylinder>> {
 
 /// Whether pistons of one crank radius move alike: infinitely long rods do whatever their offsets are.
 fn move_alike(one: &RodStatement, other: &RodStatement) -> bool {
-    let is_infinite = |rod: &RodStatement| match rod {
-        RodStatement::Unknown | RodStatement::Link(_) => false,
-        RodStatement::Known(rod) => rod.ratio.is_zero(),
-    };
+    let is_infinite = |rod: &RodStatement| rod.on_the_pin().is_some_and(|rod| rod.ratio.is_zero());
     one == other || (is_infinite(one) && is_infinite(other))
 }
 
