@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::error::LayoutError;
-use super::quantities::misread;
+use super::quantities::{choice, misread};
 use super::written::{Column, Text, Values, place};
 use crate::engine::{Cylinder, Linear};
 
@@ -16,20 +16,18 @@ pub(super) enum Along {
     Pins,
 }
 
+const WORDS: [(&str, Along); 4] =
+    [("per bank", Along::Banks), ("by-bank", Along::Banks), ("alternating", Along::Pins), ("by-pin", Along::Pins)];
+
 /// What the key `numbering` says of the order; a list names the cylinders bank after bank.
 pub(super) fn along(numbering: Option<&Column>) -> Result<Along, LayoutError> {
     let Some(numbering) = numbering else { return Ok(Along::Banks) };
     match numbering.get_ref() {
         Values::Each(_) => Ok(Along::Banks),
-        Values::One(text) => match text.0.as_str() {
-            "per bank" | "by-bank" => Ok(Along::Banks),
-            "alternating" | "by-pin" => Ok(Along::Pins),
-            _ => {
-                let right = "\"per bank\" or \"alternating\" (also \"by-bank\" or \"by-pin\"), or a list";
-                let text = Text::new(numbering.span(), text.clone());
-                Err(misread(&text, "numbering", right))
-            }
-        },
+        Values::One(text) => {
+            let right = "\"per bank\" or \"alternating\" (also \"by-bank\" or \"by-pin\"), or a list";
+            choice(&Text::new(numbering.span(), text.clone()), "numbering", right, &WORDS)
+        }
     }
 }
 
