@@ -93,7 +93,7 @@ pub fn beside(layout: &Path, path: &str) -> Result<String, String> {
     }
     let path = layout.parent().unwrap_or(Path::new("")).join(path);
     // Tables come from instruments and spreadsheets, in encodings of their own.
-    read_bytes(&path).map(|bytes| decoded(&bytes).0).map_err(|failure| failure.message().to_owned())
+    read_bytes(&path).map(|bytes| decoded(&bytes)).map_err(|failure| failure.message().to_owned())
 }
 
 /// The engine of the catalogue that an argument names.

@@ -17,7 +17,7 @@ mod xml;
 
 pub use coq::coq_comment;
 pub use csv::field;
-pub use decoded::{Encoding, decoded};
+pub use decoded::decoded;
 pub use json::json;
 pub use latex::{SUPERSCRIPTS, latex};
 pub use letters::TEX_LETTERS;
