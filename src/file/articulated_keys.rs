@@ -7,7 +7,7 @@ use serde_spanned::Spanned;
 
 use super::error::{LayoutError, built};
 use super::knuckle_keys;
-use super::quantities::{cylinder, for_each, texts};
+use super::quantities::{cylinder, for_each, texts, twice};
 use super::written::{Column, Table, Text, Values, place};
 use crate::engine::{Cylinder, Draft, Engine, Given, Link, Measure, Mechanism};
 use crate::exact::Turn;
@@ -217,10 +217,7 @@ impl Rows<'_> {
     /// A length, or a ratio, or none.
     fn one_of(&self, [length, ratio]: [Key<'_>; 2], row: usize) -> Result<Option<Measured>, LayoutError> {
         match (length.column, ratio.column) {
-            (Some(_), Some(list)) => {
-                let message = format!("both {} and {} are given", length.name, ratio.name);
-                Err(LayoutError::new(message, "one of them is enough", place(list)))
-            }
+            (Some(_), Some(list)) => Err(twice(length.name, ratio.name, list)),
             (Some(list), None) => {
                 let text = self.value(list, row)?;
                 Ok(Some(Measured::Length(length.measure.read(&text)?, text)))

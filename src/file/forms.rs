@@ -12,7 +12,8 @@ use super::error::LayoutError;
 use super::geared_keys::Geared;
 use super::numbering::{self, Along};
 use super::quantities::{
-    List, angle, angles, half, integer, length, lengths, misread, misread_as, optional_angle, optional_length, whole,
+    List, angle, angles, half, integer, length, lengths, misread, misread_as, not_too_many, optional_angle,
+    optional_length, whole,
 };
 use super::shared_keys::{SharedKeys, Throws};
 use super::written::{Column, Text, Values, Written, place};
@@ -310,10 +311,7 @@ fn fan(
     unit: LengthUnit,
     throws: Throws,
 ) -> Result<Expanded, LayoutError> {
-    if banks.len() * pins.pins.len() > MOST_CYLINDERS {
-        let message = format!("{} cylinders", banks.len() * pins.pins.len());
-        return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
-    }
+    not_too_many(banks.len() * pins.pins.len(), "cylinders")?;
     let numbers = || 0..pins.pins.len();
     let pairs: Vec<(&Bank, usize)> = match numbering::along(numbering)? {
         Along::Banks => banks.iter().flat_map(|bank| numbers().map(move |pin| (bank, pin))).collect(),

@@ -10,10 +10,10 @@ use serde::Deserialize;
 use super::error::LayoutError;
 use super::forms::{Expanded, pins};
 use super::geared_keys::{Axis, Distance, Geared, sense};
-use super::quantities::{List, angles, choice, integer, misread, optional_angle};
+use super::quantities::{List, angles, choice, integer, misread, not_too_many, optional_angle};
 use super::shared_keys::Throws;
 use super::written::{Text, place};
-use crate::engine::{Convention, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS, Shared};
+use crate::engine::{Convention, Cylinder, Form, LengthUnit, Linear, Shared};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
@@ -229,10 +229,7 @@ fn of_throws(
     let mut length_unit = LengthUnit::Spacing;
     let pins = pins(throws, place, spacing, positions, super::forms::unit_length(), &mut length_unit)?;
     let count = pins.pins.len();
-    if banks.len() * count > MOST_CYLINDERS {
-        let message = format!("{} pistons", banks.len() * count);
-        return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
-    }
+    not_too_many(banks.len() * count, "pistons")?;
     let cylinders = banks.iter().flat_map(|bank| {
         pins.pins.iter().enumerate().map(move |(pin, (throw, position))| {
             let on = bank.listed * count + pin;

@@ -7,7 +7,7 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::measured::{Column, Reading};
-use super::quantities::{misread, not_negative, value};
+use super::quantities::{misread, not_negative, twice, value};
 use super::rewritten::exact_number;
 use super::units;
 use super::written::{self, Text, place};
@@ -286,10 +286,6 @@ impl Keys {
 pub(super) fn offset_without_rod(offset: &written::Column) -> LayoutError {
     let right = "add a rod_length or rod_ratio below [mechanism]";
     LayoutError::new("an offset without a rod", right, place(offset))
-}
-
-fn twice(first: &str, second: &str, list: &written::Column) -> LayoutError {
-    LayoutError::new(format!("both {first} and {second} are given"), "one of them is enough", place(list))
 }
 
 /// Speed in revolutions a minute.

@@ -14,10 +14,10 @@ use serde::Deserialize;
 use super::error::LayoutError;
 use super::forms::{Expanded, offsets_of, pins, unit_length};
 use super::numbering;
-use super::quantities::{List, angle, half, integer, misread, optional_angle, optional_length};
+use super::quantities::{List, angle, half, integer, misread, not_too_many, optional_angle, optional_length};
 use super::shared_keys::{SharedKeys, Splay, Throws};
 use super::written::{Column, Text, Written, place};
-use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
+use crate::engine::{Cylinder, Form, LengthUnit, Linear};
 
 /// `[vr]`: bank 1 at −φ/2, bank 2 at +φ/2, a throw for each cylinder, the first of bank 1.
 #[derive(Deserialize)]
@@ -127,10 +127,7 @@ impl Narrow<'_> {
         let splay = splay(self, &narrow, above)?;
         let (throws, place) = above.throws(self.throws, middles.len(), table)?;
         let pins = pins(throws, place, self.spacing, self.positions, unit_length(), &mut unit)?;
-        if middles.len() * pins.pins.len() > MOST_CYLINDERS {
-            let message = format!("{} cylinders", middles.len() * pins.pins.len());
-            return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
-        }
+        not_too_many(middles.len() * pins.pins.len(), "cylinders")?;
         let place = |middle: &Middle, pin: usize| {
             let (throw, position) = &pins.pins[pin];
             let outwards = BigRational::new(if pin.is_multiple_of(2) { -1 } else { 1 }.into(), 2.into());

@@ -196,6 +196,19 @@ pub(super) fn not_negative(value: BigRational, what: &str, text: &Text) -> Resul
     if value.is_negative() { Err(misread(text, what, format!("a {what} is 0 or more"))) } else { Ok(value) }
 }
 
+/// What is said of two keys of which one is enough.
+pub(super) fn twice(first: &str, second: &str, list: &Column) -> LayoutError {
+    LayoutError::new(format!("both {first} and {second} are given"), "one of them is enough", place(list))
+}
+
+/// What is said of more cylinders, or pistons, than are read.
+pub(super) fn not_too_many(count: usize, what: &str) -> Result<(), LayoutError> {
+    match count <= MOST_CYLINDERS {
+        true => Ok(()),
+        false => Err(LayoutError::new(format!("{count} {what}"), format!("up to {MOST_CYLINDERS} are read"), None)),
+    }
+}
+
 /// What is said of a length with a unit, where the cylinders are one spacing apart and nobody says how far that is.
 pub(super) fn among_spacings(place: Option<std::ops::Range<usize>>) -> LayoutError {
     let right = "give the engine its spacing or positions, or count in spacings here too";

@@ -144,12 +144,16 @@ struct Enclosure {
     below_one: u64,
 }
 
+/// What is left in these senses.
+fn left_in<'a>(judged: &'a Judged, senses: &[usize]) -> Vec<(&'a JudgedGroup, usize)> {
+    senses.iter().flat_map(|&sense| judged.left(sense).into_iter().map(move |group| (group, sense))).collect()
+}
+
 impl Enclosure {
     /// Bits are counted from about the size of the largest coefficient on: those of high orders are small.
     fn of_bits(judged: &Judged, senses: &[usize], bits: u32, motion: &Motion<'_>) -> Result<Self, Reason> {
         check_bits(bits)?;
-        let left: Vec<(&JudgedGroup, usize)> =
-            senses.iter().flat_map(|&sense| judged.left(sense).into_iter().map(move |group| (group, sense))).collect();
+        let left = left_in(judged, senses);
         let smallness: Vec<u64> = left
             .iter()
             .map(|(group, _)| smallness(&group.coefficient, judged.order, motion.audit()))
@@ -162,8 +166,8 @@ impl Enclosure {
 
     /// The terms of these senses end to end, each times about the size of the largest coefficient.
     fn largest(&self, judged: &Judged, senses: &[usize]) -> BigRational {
-        let left = senses.iter().flat_map(|&sense| judged.left(sense).into_iter().map(move |group| (group, sense)));
-        let weights: BigRational = left.flat_map(|(group, sense)| group.sums[sense].0.values()).map(Signed::abs).sum();
+        let weights = left_in(judged, senses).into_iter().flat_map(|(group, sense)| group.sums[sense].0.values());
+        let weights: BigRational = weights.map(Signed::abs).sum();
         weights / BigRational::from_integer(BigInt::one() << self.below_one)
     }
 
