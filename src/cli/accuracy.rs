@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use crankstar::accuracy::Timing;
-use crankstar::file::{self, Layout};
+use crankstar::file;
 use crankstar::report::AccuracyStudy;
 
 use super::answer::Answer;
@@ -39,9 +39,7 @@ impl Accuracy {
     /// Measures all methods and prints what they find, or writes the page.
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("accuracy", self.json, || {
-            let Layout::Known(engine, _) = layouts::read(&self.layout)? else {
-                return Err(Failure::new("peaks need an engine without unknowns; give them values below [values]"));
-            };
+            let engine = layouts::known(&self.layout, "peaks need")?;
             let bar = progress::bar("loads by all methods");
             let step = |steps| {
                 bar.set_length(steps);

@@ -1,10 +1,10 @@
 //! `bearings`: what do the main bearings feel?
 
-use crankstar::file::Layout;
 use crankstar::report::BearingsStudy;
 
 use super::answer::Answer;
 use super::failure::Failure;
+use super::layouts::without_unknowns;
 use super::orders::EngineAndOrders;
 
 /// Arguments of `bearings`.
@@ -24,11 +24,7 @@ impl Bearings {
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("bearings", self.json, || {
             let (layout, orders) = self.about.read_for_bearings()?;
-            let Layout::Known(engine, _) = layout else {
-                return Err(Failure::new(
-                    "bearing loads need an engine without unknowns; give them values below [values]",
-                ));
-            };
+            let engine = without_unknowns(layout, "bearing loads need")?;
             BearingsStudy::new(&engine, &orders).map_err(Failure::new)
         })
     }

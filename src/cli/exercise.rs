@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 
 use crankstar::classroom::{self, Pupil, Scheme, Student, Vary};
-use crankstar::file::Layout;
 use crankstar::page::File;
 use crankstar::report;
 use crankstar::text::Untrusted;
@@ -82,10 +81,7 @@ impl Exercise {
     pub fn run(&self) -> Result<(), Failure> {
         let vary = self.vary()?;
         let orders = self.orders()?;
-        let layout = layouts::read(&self.layout)?;
-        let Layout::Known(engine, _) = &layout else {
-            return Err(Failure::new("an exercise needs an engine without unknowns; give them values below [values]"));
-        };
+        let engine = &layouts::known(&self.layout, "an exercise needs")?;
         classroom::can_be_set(engine).map_err(|why| Failure::new(format!("no vector-star table: {why}")))?;
         let students = self.students()?;
         if self.pages.folder().is_none() && self.students.is_some() {

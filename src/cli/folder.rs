@@ -27,24 +27,25 @@ pub fn write(folder: &Path, files: &[File]) -> Result<(), Failure> {
 
 /// Writes one file whole; `example` is a name that `--output` could have.
 pub fn write_file(path: &Path, content: &[u8], example: &str) -> Result<(), Failure> {
-    let name = path.file_name().filter(|_| !path.is_dir());
-    let Some(name) = name.and_then(|name| name.to_str()) else {
-        let path = shown(path);
-        return Err(Failure::new(format!("`{path}` is not a name of a file; --output names one, such as {example}")));
-    };
-    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let (parent, name) = parts(path, example)?;
     write_contents(parent, &[(name, content)])
 }
 
-/// Writes one file that grows under another name, and has its own when it is whole; `example` is a name that `--output` could have.
-pub fn grow_file(path: &Path, example: &str, fill: impl FnOnce(Handle) -> Result<(), Failure>) -> Result<(), Failure> {
-    let fail = |error: io::Error| Failure::new(format!("cannot write `{}`: {error}", shown(path)));
+/// The folder and the name of a file.
+fn parts<'a>(path: &'a Path, example: &str) -> Result<(&'a Path, &'a str), Failure> {
     let name = path.file_name().filter(|_| !path.is_dir()).and_then(|name| name.to_str());
     let Some(name) = name else {
         let path = shown(path);
         return Err(Failure::new(format!("`{path}` is not a name of a file; --output names one, such as {example}")));
     };
-    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+    Ok((parent.unwrap_or(Path::new(".")), name))
+}
+
+/// Writes one file that grows under another name, and has its own when it is whole; `example` is a name that `--output` could have.
+pub fn grow_file(path: &Path, example: &str, fill: impl FnOnce(Handle) -> Result<(), Failure>) -> Result<(), Failure> {
+    let fail = |error: io::Error| Failure::new(format!("cannot write `{}`: {error}", shown(path)));
+    let (parent, name) = parts(path, example)?;
     fs::create_dir_all(parent).map_err(fail)?;
     clear_abandoned(parent, name);
     let (staging, lock) = staging(parent, name).map_err(fail)?;

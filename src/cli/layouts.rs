@@ -42,7 +42,12 @@ pub fn parsed(layout: &Path, name: &str, text: &str) -> Result<Layout, Failure> 
 
 /// The same of an engine without unknowns, which this `needs`: `the torque needs`.
 pub fn known(layout: &Path, needs: &str) -> Result<Engine, Failure> {
-    match read(layout)? {
+    without_unknowns(read(layout)?, needs)
+}
+
+/// The engine of a layout that leaves nothing open.
+pub fn without_unknowns(layout: Layout, needs: &str) -> Result<Engine, Failure> {
+    match layout {
         Layout::Known(engine, _) => Ok(*engine),
         Layout::Open(_) => {
             Err(Failure::new(format!("{needs} an engine without unknowns; give them values below [values]")))
@@ -88,7 +93,7 @@ pub fn beside(layout: &Path, path: &str) -> Result<String, String> {
     }
     let path = layout.parent().unwrap_or(Path::new("")).join(path);
     // Tables come from instruments and spreadsheets, in encodings of their own.
-    read_bytes(&path).map(|bytes| decoded(&bytes).0).map_err(|failure| failure.message().to_owned())
+    read_bytes(&path).map(|bytes| decoded(&bytes)).map_err(|failure| failure.message().to_owned())
 }
 
 /// The engine of the catalogue that an argument names.

@@ -3,12 +3,12 @@
 use std::ffi::{OsStr, OsString};
 
 use crankstar::engine::Engine;
-use crankstar::file::Layout;
 use crankstar::loads::{self, Needed};
 use crankstar::report::LoadsStudy;
 
 use super::answer::Answer;
 use super::failure::Failure;
+use super::layouts::without_unknowns;
 use super::orders::EngineAndOrders;
 use super::weigh::Threshold;
 
@@ -75,9 +75,7 @@ impl Loads {
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("loads", self.json, || {
             let (layout, orders) = self.about.read()?;
-            let Layout::Known(engine, _) = layout else {
-                return Err(Failure::new("loads need an engine without unknowns; give them values below [values]"));
-            };
+            let engine = without_unknowns(layout, "loads need")?;
             let needed = self.auto.needed(&engine)?;
             let is_asked = self.about.are_asked() || needed.is_some();
             let study = LoadsStudy::new(&engine, &orders, needed).map_err(Failure::new)?;

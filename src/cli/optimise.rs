@@ -36,7 +36,6 @@ mod run {
     use std::collections::BTreeMap;
     use std::sync::Mutex;
 
-    use crankstar::file::Layout;
     use crankstar::optimise::Request;
     use crankstar::page::File;
     use crankstar::report::OptimiseStudy;
@@ -49,11 +48,7 @@ mod run {
         pub fn run(&self) -> Result<(), Failure> {
             self.answer.give("optimise", self.json, || {
                 let (layout, orders) = self.about.read_for_bearings()?;
-                let Layout::Known(engine, _) = layout else {
-                    return Err(Failure::new(
-                        "bearing loads need an engine without unknowns; give them values below [values]",
-                    ));
-                };
+                let engine = layouts::without_unknowns(layout, "bearing loads need")?;
                 let couple = self.couple.parse().map_err(Failure::new)?;
                 progress::doing("finding the best counterweights");
                 // What the layout names beside itself is beside the layouts that are written, too.

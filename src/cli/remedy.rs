@@ -1,10 +1,11 @@
 //! `remedy`: which counterweights and balancer shafts cancel what is left?
 
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use crankstar::engine::{Engine, LengthUnit};
 use crankstar::exact::Turn;
-use crankstar::file::{Layout, parse_angle, parse_length, parse_number, parse_radius};
+use crankstar::file::{parse_angle, parse_length, parse_number, parse_radius};
 use crankstar::remedy::{self, Request};
 use crankstar::report;
 use num_rational::BigRational;
@@ -69,9 +70,7 @@ impl Remedy {
         let mut written = String::new();
         self.answer.give("remedy", self.json, || {
             let (layout, orders) = self.about.read()?;
-            let Layout::Known(engine, _) = layout else {
-                return Err(Failure::new("a remedy needs an engine without unknowns; give them values below [values]"));
-            };
+            let engine = layouts::without_unknowns(layout, "a remedy needs")?;
             let remedy = remedy::remedy(&engine, &self.request(&engine, orders)?).map_err(Failure::new)?;
             if !self.planes.is_empty() && !self.reciprocating.is_empty() {
                 write::warn(ON_THE_THROWS);
@@ -138,18 +137,13 @@ impl Remedy {
             }
         };
         let factors = self.factors(engine)?;
-        let skews = self.skew.iter().map(|text| {
-            parse_angle(text)
-                .map(Turn::new)
-                .map_err(|right| Failure::new(format!("--skew: cannot read `{text}`: {right}")))
-        });
-        let radius = self.radius.as_deref().map(|text| {
-            parse_radius(text).map_err(|right| Failure::new(format!("--radius: cannot read `{text}`: {right}")))
-        });
-        let radius = radius.transpose()?;
+        let skew = |text| parse_angle(text).map(Turn::new).map_err(|right| misread("--skew", text, right));
+        let skews = self.skew.iter().map(String::as_str).map(skew);
+        let radius = |text| parse_radius(text).map_err(|right| misread("--radius", text, right));
+        let radius = self.radius.as_deref().map(radius).transpose()?;
         let speeds = self.speeds.iter().map(|text| match parse_number(text) {
             Ok(speed) if speed.is_positive() => Ok(speed),
-            _ => Err(Failure::new(format!("--speeds: cannot read `{text}`: a speed above 0 in rpm, such as 3000"))),
+            _ => Err(misread("--speeds", text, "a speed above 0 in rpm, such as 3000")),
         });
         let (orders, small) = report::worth_curing(engine, orders, &self.above.read(self.about.are_asked()));
         Ok(Request {
@@ -164,21 +158,24 @@ impl Remedy {
     }
 }
 
+fn misread(flag: &str, text: &str, right: impl Display) -> Failure {
+    Failure::new(format!("{flag}: cannot read `{text}`: {right}"))
+}
+
 fn factor(flag: &str, text: &str) -> Result<BigRational, Failure> {
-    let refused = |right: String| Failure::new(format!("{flag}: cannot read `{text}`: {right}"));
     match parse_number(text) {
-        Ok(value) if value.is_negative() => Err(refused("a balance factor is 0 or more".to_owned())),
+        Ok(value) if value.is_negative() => Err(misread(flag, text, "a balance factor is 0 or more")),
         Ok(value) => Ok(value),
-        Err(error) => Err(refused(error.to_string())),
+        Err(error) => Err(misread(flag, text, error)),
     }
 }
 
 /// A position in the unit of the engine.
 fn plane(engine: &Engine, text: &str) -> Result<BigRational, Failure> {
-    let refused = |right: &str| Failure::new(format!("--planes: cannot read `{text}`: {right}"));
-    let (value, unit) = parse_length(text).map_err(|right| refused(&right))?;
+    let (value, unit) = parse_length(text).map_err(|right| misread("--planes", text, right))?;
     if unit == LengthUnit::Metre && !engine.positions_given() {
-        return Err(refused("the cylinders are one spacing apart, and positions count in spacings"));
+        let right = "the cylinders are one spacing apart, and positions count in spacings";
+        return Err(misread("--planes", text, right));
     }
     Ok(value)
 }

@@ -93,7 +93,7 @@ impl Source {
         }
         match &self.folder {
             Some(folder) => std::fs::read(folder.join(path))
-                .map(|bytes| decoded(&bytes).0)
+                .map(|bytes| decoded(&bytes))
                 .map_err(|error| format!("cannot read `{}`: {error}", folder.join(path).display())),
             None => Err("nothing is beside a layout that is not a file; read it with Engine.read(path)".to_owned()),
         }

@@ -12,7 +12,7 @@ const LAYOUT: &str = "cycle = 'four-stroke'\nfiring_order = '1-3-4-2'\n[mechanis
     [inline]\nthrows = [0, 180, 180, 0]\n[gas]\nbore = '86 mm'\ntable = 'a.csv'\n";
 
 fn read(layout: &str, bytes: &[u8]) -> Result<Engine, String> {
-    let text = decoded(bytes).0;
+    let text = decoded(bytes);
     parse_beside("layout.toml", layout, FileResolver::new(&|_| Ok(text.clone()))).map_err(|error| error.to_string())
 }
 

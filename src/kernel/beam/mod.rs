@@ -64,7 +64,6 @@ impl Beam {
     ///
     /// ```standalone_crate
     /// # use crankstar_kernel as crankstar;
-    /// # use crankstar_kernel as crankstar;
     /// use crankstar::beam::Beam;
     /// use num_rational::BigRational;
     ///

@@ -4,14 +4,15 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::answer::{Answer, Evidence, Status};
-use super::compare::{half_of_lengths, is_whole};
+use super::compare::{half_of_lengths, half_width};
+use super::condition::of;
 use super::finding::{Absolute, Finding};
-use super::statement::{Subject, Tolerance, Value};
+use super::statement::{Subject, Value};
 use crate::engine::{Engine, LengthUnit};
 use crate::motion::{self, SliderCrank};
 use crate::numbers;
 use crate::order::unit_mass;
-use crate::proof::{Quantity, Sense};
+use crate::proof::Quantity;
 use crate::verdict::OrderBalance;
 
 /// What an engine weighs and measures.
@@ -61,8 +62,7 @@ pub(super) fn answer(
     let balance = if subject.quantity == Quantity::MOMENT { &order.moment } else { &order.force };
     let vanishes = match subject.sense {
         None => balance.is_balanced(),
-        Some(Sense::Direct) => balance.direct.vanishes(),
-        Some(Sense::Reverse) => balance.reverse.vanishes(),
+        Some(sense) => of(balance, sense).vanishes(),
     };
     let claims_nothing = value.form.as_rational().is_some_and(|claimed| claimed.is_zero());
     let Some(numbers) = numbers.cloned().or_else(|| Numbers::of(engine, subject.order)) else {
@@ -71,8 +71,7 @@ pub(super) fn answer(
     let empty = crate::exact::PhasorSum::new(Vec::new());
     let sums = match subject.sense {
         None => [&balance.direct.sum, &balance.reverse.sum],
-        Some(Sense::Direct) => [&balance.direct.sum, &empty],
-        Some(Sense::Reverse) => [&balance.reverse.sum, &empty],
+        Some(sense) => [&of(balance, sense).sum, &empty],
     };
     let star = half_of_lengths(sums).1;
     let arm = match (subject.quantity, engine.length_unit(), &numbers.spacing) {
@@ -94,15 +93,8 @@ pub(super) fn answer(
     let claimed = value.form.to_float();
     let takes_first = (claimed - first_term).abs() <= (claimed - whole).abs();
     let off = (claimed - if takes_first { first_term } else { whole }).abs();
-    let within = match &value.tolerance {
-        Tolerance::Within(within) => numbers::float(within),
-        Tolerance::Part(part) => numbers::float(part) * claimed,
-        Tolerance::Exact { rounding: Some(half) } => numbers::float(half),
-        // A whole number of newtons is a rounded one.
-        Tolerance::Exact { rounding: None } if is_whole(value) => 0.5,
-        Tolerance::Exact { rounding: None } => {
-            return Answer::nothing("newtons are known in decimals: give decimals, or give a tolerance");
-        }
+    let Some(within) = half_width(value) else {
+        return Answer::nothing("newtons are known in decimals: give decimals, or give a tolerance");
     };
     // Whether nothing is left is decided by the exact sums; only sizes are compared in decimals.
     let status = match (claims_nothing, vanishes) {

@@ -30,6 +30,11 @@ pub enum Status {
 }
 
 impl Status {
+    /// That of what is decided.
+    pub(super) fn of(is_so: bool) -> Self {
+        if is_so { Status::True } else { Status::False }
+    }
+
     /// Whether the claim counts as holding.
     pub fn holds(&self) -> bool {
         matches!(self, Status::True | Status::TrueAsRounded | Status::TrueOnlyIf { met: true, .. })

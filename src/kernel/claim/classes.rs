@@ -103,9 +103,5 @@ fn vanish(whole: &WholeOrder, sense: Option<Sense>) -> Option<bool> {
 }
 
 fn status(holds: Option<bool>) -> Status {
-    match holds {
-        Some(true) => Status::True,
-        Some(false) => Status::False,
-        None => Status::NotDecided,
-    }
+    holds.map_or(Status::NotDecided, Status::of)
 }

@@ -34,7 +34,8 @@ pub(super) fn plane_of_vanishing(engine: &Engine, order: &OrderBalance, senses: 
     senses.iter().map(vectors).all(fits).then(|| engine.reference_plane() + &arm)
 }
 
-fn of(balance: &crate::verdict::Balance, sense: Sense) -> &crate::verdict::Verdict {
+/// One of the two vectors.
+pub(super) fn of(balance: &crate::verdict::Balance, sense: Sense) -> &crate::verdict::Verdict {
     match sense {
         Sense::Direct => &balance.direct,
         Sense::Reverse => &balance.reverse,

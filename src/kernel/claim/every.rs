@@ -42,16 +42,13 @@ pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) 
         Some(_) => Status::False,
         None => {
             let with_moment = quantities.contains(&Planar::Moment);
-            let mut conditions = Vec::new();
-            for order in vanishing.iter().filter(|_| with_moment) {
-                conditions.extend(of_vanishing(engine, order, &senses(None)));
-            }
+            let of_moment = vanishing.iter().filter(|_| with_moment);
             let mut once = Vec::new();
-            conditions.into_iter().for_each(|condition| {
+            for condition in of_moment.flat_map(|order| of_vanishing(engine, order, &senses(None))) {
                 if !once.contains(&condition) {
-                    once.push(condition)
+                    once.push(condition);
                 }
-            });
+            }
             if once.is_empty() { Status::True } else { Status::TrueOnlyIf { conditions: once, met: true } }
         }
     };

@@ -102,15 +102,13 @@ struct ClaimTable {
 
 impl StatementTable {
     fn keys(&self) -> Keys<'_> {
-        let (kind, source) = (self.kind.as_ref(), self.source.as_ref());
-        Keys { kind, source, place: self.place.as_ref(), words: self.words.as_ref() }
+        Keys::of([&self.kind, &self.source, &self.place, &self.words])
     }
 }
 
 impl ClaimTable {
     fn keys(&self) -> Keys<'_> {
-        let (kind, source) = (self.kind.as_ref(), self.source.as_ref());
-        Keys { kind, source, place: self.place.as_ref(), words: self.words.as_ref() }
+        Keys::of([&self.kind, &self.source, &self.place, &self.words])
     }
 }
 
@@ -178,13 +176,12 @@ fn claim(table: &ClaimTable, around: Keys, find: Find) -> Result<Claim, LayoutEr
 }
 
 fn numbers(table: &NumbersTable) -> Result<Numbers, LayoutError> {
-    let length = |text: &str| units::length(text).map(|length| length.value);
     Ok(Numbers {
         reciprocating_mass: positive(&table.reciprocating_mass, "mass", units::mass)?,
-        crank_radius: positive(&table.crank_radius, "crank radius", length)?,
-        rod_length: positive(&table.rod_length, "rod length", length)?,
+        crank_radius: positive(&table.crank_radius, "crank radius", units::metres)?,
+        rod_length: positive(&table.rod_length, "rod length", units::metres)?,
         speed: positive(&table.speed, "speed", revolutions)?,
-        spacing: table.spacing.as_ref().map(|text| positive(text, "spacing", length)).transpose()?,
+        spacing: table.spacing.as_ref().map(|text| positive(text, "spacing", units::metres)).transpose()?,
     })
 }
 

@@ -15,10 +15,7 @@ pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
                 "firing angles count where crankpins are in line with their cylinders, and offsets move the dead centres of this engine apart",
             );
         }
-        Some(firing) => {
-            let status = if firing.is_even() == claimed { Status::True } else { Status::False };
-            (status, Some(firing.intervals()))
-        }
+        Some(firing) => (Status::of(firing.is_even() == claimed), Some(firing.intervals())),
         None if engine.faster_crank().is_some() => {
             return Answer::nothing("when the cylinders of crankshafts of different speeds fire is not decided");
         }
@@ -37,7 +34,7 @@ pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
                 (true, false, false) => {
                     return Answer::nothing("the layout gives no firing order, and its throws allow an even one");
                 }
-                (false, _, claimed) => (if claimed { Status::False } else { Status::True }, None),
+                (false, _, claimed) => (Status::of(!claimed), None),
             }
         }
     };

@@ -62,12 +62,10 @@ pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
 
 fn load(rest: &str) -> Result<Value, ClaimError> {
     let right = "such as \"largest side force with gas = 3520 N ± 1 %\"";
-    let (about, written) = match (rest.strip_prefix('='), rest.strip_prefix('≈')) {
-        (Some(written), _) => (false, written),
-        (_, Some(written)) => (true, written),
-        (None, None) => return Err(ClaimError::new(format!("`{rest}` is not understood"), right)),
+    let Some(written) = rest.strip_prefix(['=', '≈']) else {
+        return Err(ClaimError::new(format!("`{rest}` is not understood"), right));
     };
-    let value = value(written.trim(), about, Quantity::FORCE)?;
+    let value = value(written.trim(), rest.starts_with('≈'), Quantity::FORCE)?;
     match value.unit {
         Some(Unit::Newton) => Ok(value),
         Some(Unit::NewtonMetre) | None => Err(ClaimError::new("a load with gas is in N", right)),
@@ -127,11 +125,7 @@ pub(super) fn formula(engine: &Engine, says: &OfCylinder) -> Answer {
     let agreement = Agreement { equal: agreement.part() <= numbers::ALIKE, ..agreement };
     let within = says.within.as_ref().map_or(numbers::ALIKE, numbers::float);
     let holds = agreement.equal || agreement.part() <= within;
-    Answer {
-        status: if holds { Status::True } else { Status::False },
-        finding: Finding::Agreement(agreement),
-        evidence: Vec::new(),
-    }
+    Answer { status: Status::of(holds), finding: Finding::Agreement(agreement), evidence: Vec::new() }
 }
 
 /// Answers a claim about a largest load of gas and masses together.

@@ -93,7 +93,7 @@ pub(super) fn answer(engine: &Engine, orders: &[CycleOrder], says: GasTorque, we
 fn answered<'a>(holds: bool, found: &[StarOrder], evidence: impl Iterator<Item = &'a StarOrder>) -> Answer {
     let stars = evidence.flat_map(|order| order.stars.iter().map(move |star| (order.order, star)));
     Answer {
-        status: if holds { Status::True } else { Status::False },
+        status: Status::of(holds),
         finding: Finding::FiringStars(found.to_vec()),
         evidence: stars.map(|(order, star)| Evidence::FiringStar(order, star.clone())).collect(),
     }

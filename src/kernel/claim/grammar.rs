@@ -39,13 +39,8 @@ pub(super) fn strict(words: &str) -> Result<Statement, ClaimError> {
         lower if lower.starts_with("crankshaft mass ") => return mass(lower),
         lower if lower.starts_with("largest main-bearing load ") => {
             let (sign, written) = next(&words["largest main-bearing load ".len()..]);
-            return match sign {
-                "=" | "≈" => Ok(Statement::BearingLoad(value(written, sign == "≈", Quantity::FORCE)?)),
-                _ => Err(ClaimError::new(
-                    format!("`{words}` is not understood"),
-                    "largest main-bearing load = 18733 N ± 1 %",
-                )),
-            };
+            let about = is_about(sign, words, "largest main-bearing load = 18733 N ± 1 %")?;
+            return Ok(Statement::BearingLoad(value(written, about, Quantity::FORCE)?));
         }
         lower if lower.starts_with("worst main bearing") => return worst_bearings(lower),
         lower if lower.starts_with("every ") || lower.starts_with("orders ") => return many(lower),
@@ -79,9 +74,16 @@ fn many(text: &str) -> Result<Statement, ClaimError> {
 /// `crankshaft mass = 4.08375 kg`.
 fn mass(text: &str) -> Result<Statement, ClaimError> {
     let (sign, written) = next(text.trim_start_matches("crankshaft mass "));
+    let about = is_about(sign, text, "crankshaft mass = 4.08375 kg")?;
+    Ok(Statement::CrankshaftMass(kilograms(written, about)?))
+}
+
+/// Whether a sign is that of about, not that of equality.
+fn is_about(sign: &str, words: &str, right: &str) -> Result<bool, ClaimError> {
     match sign {
-        "=" | "≈" => Ok(Statement::CrankshaftMass(kilograms(written, sign == "≈")?)),
-        _ => Err(ClaimError::new(format!("`{text}` is not understood"), "crankshaft mass = 4.08375 kg")),
+        "=" => Ok(false),
+        "≈" => Ok(true),
+        _ => Err(ClaimError::new(format!("`{words}` is not understood"), right)),
     }
 }
 

@@ -3,12 +3,11 @@
 use num_traits::{Signed, Zero};
 
 use super::answer::{Answer, Status};
-use super::compare::is_whole;
+use super::compare::half_width;
 use super::finding::Finding;
 use super::statement::{Tolerance, Value};
 use crate::engine::Engine;
 use crate::loads::{self, BearingLoads, Method};
-use crate::numbers;
 use crate::order::{self, Masses};
 use crate::proof::Quantity;
 use crate::verdict::{self, Balance, OrderBalance};
@@ -84,7 +83,7 @@ pub(super) fn worst_bearings(engine: &Engine, claimed: &[usize]) -> Answer {
         let peaks = |of: Vec<usize>| of.into_iter().map(|index| loads.bearings[index].peak.value);
         let least = peaks(named).fold(f64::INFINITY, f64::min);
         let most = peaks(others).fold(0.0, f64::max);
-        Ok(if least > most * (1.0 + ALIKE) { Status::True } else { Status::False })
+        Ok(Status::of(least > most * (1.0 + ALIKE)))
     })
 }
 
@@ -104,17 +103,9 @@ pub(super) fn bearing_load(engine: &Engine, value: &Value) -> Answer {
 /// Whether a largest load is the claimed one, within the tolerance or the digits given.
 pub(super) fn decimal(value: &Value, peak: f64) -> Result<Status, String> {
     let claimed = value.form.to_float();
-    let within = match &value.tolerance {
-        Tolerance::Within(within) => numbers::float(within),
-        Tolerance::Part(part) => numbers::float(part) * claimed,
-        Tolerance::Exact { rounding: Some(half) } => numbers::float(half),
-        // Whole newtons are rounded ones.
-        Tolerance::Exact { rounding: None } if value.unit.is_some() && is_whole(value) => 0.5,
-        Tolerance::Exact { rounding: None } => {
-            return Err("the largest load is known in decimals: give decimals, or give a tolerance".to_owned());
-        }
-    };
-    Ok(if (claimed - peak).abs() <= within { Status::True } else { Status::False })
+    let lack = "the largest load is known in decimals: give decimals, or give a tolerance";
+    let within = half_width(value).ok_or(lack)?;
+    Ok(Status::of((claimed - peak).abs() <= within))
 }
 
 /// Solves the main bearings at the orders of the layout file, and judges.

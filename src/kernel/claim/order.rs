@@ -3,14 +3,14 @@
 use super::absolute::{self, Numbers};
 use super::answer::{Answer, Condition, Evidence, Status};
 use super::compare::{self, half_of_lengths};
-use super::condition::{of_vanishing, plane_of_vanishing, senses};
+use super::condition::{self, of_vanishing, plane_of_vanishing, senses};
 use super::finding::Finding;
 use super::masses;
 use super::statement::{Angle, Predicate, Subject, Value};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::numbers;
-use crate::proof::{Quantity, Sense, Shape};
+use crate::proof::{Quantity, Shape};
 use crate::verdict::{self, Balance, OrderBalance, Verdict};
 
 /// The vectors that a claim is about: both, or one and nothing.
@@ -23,8 +23,7 @@ struct Vectors<'a> {
 impl<'a> Vectors<'a> {
     fn new(order: &'a OrderBalance, subject: Subject) -> Self {
         let of = |balance: &'a Balance| match subject.sense {
-            Some(Sense::Direct) => Vectors { verdicts: vec![&balance.direct], shape: None, comparison: None },
-            Some(Sense::Reverse) => Vectors { verdicts: vec![&balance.reverse], shape: None, comparison: None },
+            Some(sense) => Vectors { verdicts: vec![condition::of(balance, sense)], shape: None, comparison: None },
             None => Vectors {
                 verdicts: balance.verdicts().to_vec(),
                 shape: Some(balance.shape),
@@ -69,20 +68,7 @@ pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, n
         Predicate::Equals(value, _) if value.unit.is_some() => {
             return absolute::answer(engine, subject, &order, value, numbers, evidence);
         }
-        Predicate::Equals(value, angle) => {
-            let (status, more) = largest(&vectors, subject, value);
-            evidence.extend(more);
-            match angle {
-                Some(angle) if status.holds() => {
-                    let is_line = matches!(vectors.shape, Some(Shape::Planar | Shape::Elliptical));
-                    match (status, direction(&vectors, angle, is_line, &mut evidence)) {
-                        (Status::True, other) | (other, Status::True) => other,
-                        (_, other) => other,
-                    }
-                }
-                _ => status,
-            }
-        }
+        Predicate::Equals(value, angle) => sized(&vectors, subject, (value, angle.as_ref()), &mut evidence),
     };
     let finding = Finding::Order(Box::new(order.clone()));
     Answer { status, finding, evidence }
@@ -96,34 +82,20 @@ fn of_torque(engine: &Engine, subject: Subject, predicate: &Predicate) -> Answer
     let mut evidence = if torque.exists { vectors.evidence() } else { Vec::new() };
     let status = match predicate {
         _ if !torque.exists => missing(predicate),
-        Predicate::Vanishes(claimed) => truth(vectors.vanish() == *claimed),
+        Predicate::Vanishes(claimed) => Status::of(vectors.vanish() == *claimed),
         Predicate::Is(_) => Status::False,
         Predicate::Plane(angle) => direction(&vectors, angle, true, &mut evidence),
         Predicate::Equals(value, _) if value.unit.is_some() => {
             return Answer::nothing("the inertia torque is compared in multiples of m r² ω², without a unit");
         }
-        Predicate::Equals(value, angle) => {
-            let (status, more) = largest(&vectors, subject, value);
-            evidence.extend(more);
-            match angle {
-                Some(angle) if status.holds() => match (status, direction(&vectors, angle, false, &mut evidence)) {
-                    (Status::True, other) | (other, Status::True) => other,
-                    (_, other) => other,
-                },
-                _ => status,
-            }
-        }
+        Predicate::Equals(value, angle) => sized(&vectors, subject, (value, angle.as_ref()), &mut evidence),
     };
     Answer { status, finding: Finding::Torque(Box::new(torque.clone())), evidence }
 }
 
-fn truth(is_so: bool) -> Status {
-    if is_so { Status::True } else { Status::False }
-}
-
 /// An order that does not exist is 0, and balanced, whatever its sums are.
 fn missing(predicate: &Predicate) -> Status {
-    truth(match predicate {
+    Status::of(match predicate {
         Predicate::Vanishes(claimed) => *claimed,
         Predicate::Is(shape) => *shape == Shape::Balanced,
         Predicate::Plane(_) | Predicate::Equals(_, Some(_)) => false,
@@ -148,6 +120,23 @@ fn vanishing(engine: &Engine, subject: Subject, order: &OrderBalance, vanishes: 
         (true, true) => Status::True,
         (false, true) => Status::False,
         (met, false) => Status::TrueOnlyIf { conditions, met },
+    }
+}
+
+/// The largest value, and where it holds the direction, if one is claimed.
+fn sized(
+    vectors: &Vectors,
+    subject: Subject,
+    (value, angle): (&Value, Option<&Angle>),
+    evidence: &mut Vec<Evidence>,
+) -> Status {
+    let (status, more) = largest(vectors, subject, value);
+    evidence.extend(more);
+    let Some(angle) = angle.filter(|_| status.holds()) else { return status };
+    let is_line = matches!(vectors.shape, Some(Shape::Planar | Shape::Elliptical));
+    match (status, direction(vectors, angle, is_line, evidence)) {
+        (Status::True, other) | (other, Status::True) => other,
+        (_, other) => other,
     }
 }
 

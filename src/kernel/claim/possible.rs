@@ -30,7 +30,7 @@ pub(super) fn parse(text: &str) -> Result<Statement, ClaimError> {
     let no_claim = || ClaimError::new(format!("`{text}` is not a claim about what counterweights can do"), right);
     let rest = text.strip_prefix(BEGINNING).ok_or_else(no_claim)?;
     let (planes, rest) = rest.split_once(" can balance the direct first-order ").ok_or_else(no_claim)?;
-    let plane = |text: &str| units::length(&text.trim().replace('−', "-")).map(|length| length.value);
+    let plane = |text: &str| units::metres(&text.trim().replace('−', "-"));
     let planes: Result<Vec<BigRational>, String> = planes.split(" and ").map(plane).collect();
     let planes = planes.map_err(|right| ClaimError::new("cannot read the positions of the counterweights", right))?;
     match planes.as_slice() {

@@ -46,6 +46,12 @@ pub(super) struct Keys<'a> {
 }
 
 impl<'a> Keys<'a> {
+    /// Kind, source, place and words.
+    pub fn of(keys: [&'a Option<Text>; 4]) -> Self {
+        let [kind, source, place, words] = keys.map(Option::as_ref);
+        Keys { kind, source, place, words }
+    }
+
     /// These keys, and where one is missing that of what stands around; a row that is nobody's takes only the source.
     pub fn within(self, around: Keys<'a>) -> Self {
         let source = self.source.or(around.source);

@@ -69,8 +69,7 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
         Shafts::Two => with && against,
         Shafts::Lanchester => with && against && remedy.shafts.iter().all(|shaft| shaft.lanchester),
     };
-    let status = if is_so { Status::True } else { Status::False };
-    Answer { status, finding: Finding::Remedy(Box::new(remedy)), evidence: evidence(verdict) }
+    Answer { status: Status::of(is_so), finding: Finding::Remedy(Box::new(remedy)), evidence: evidence(verdict) }
 }
 
 /// Whether the direct and the reverse vector of force or moment are left; none where that is not decided.

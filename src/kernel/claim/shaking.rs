@@ -6,9 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Pow, Zero};
+use num_traits::{Pow, Zero};
 
 use super::answer::{Answer, Status};
 use super::error::ClaimError;
@@ -18,14 +17,15 @@ use super::handwritten::is_within_of;
 use super::statement::{ShakingForce, Statement};
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Turn};
+use crate::motion;
 use crate::numbers::{self, Form};
 use crate::order;
 use crate::proof::{Quantity, Sense};
 
 /// So many powers of λ of a coefficient are compared.
-const POWERS: u32 = 8;
+const POWERS: usize = 8;
 /// So many make its decimals.
-const ALL_POWERS: u32 = 60;
+const ALL_POWERS: usize = 60;
 /// Terms up to this order, and up to the highest that is claimed, may not be omitted.
 const TOLD: u32 = 2;
 
@@ -167,34 +167,9 @@ fn is_number(form: &Form, real: &PhasorSum) -> bool {
     }
 }
 
-/// The first powers of λ in `c_k` with their numbers: of
-/// `k² Σ binomial(½, n) (−1)ⁿ λ^(2n−1) 2^(1−2n) (−1)^j binomial(2n, n − j)` with `k = 2j`, from n = j.
-fn coefficient(order: u32, count: u32) -> Vec<(u32, BigRational)> {
-    if order == 1 {
-        return vec![(0, BigRational::one())];
-    }
-    if order == 0 || order % 2 == 1 {
-        return Vec::new();
-    }
-    let j = order / 2;
-    let whole = |number: u32| BigRational::from_integer(number.into());
-    // binomial(½, n) (−1)ⁿ, from n = 0.
-    let mut half = BigRational::one();
-    let mut found = Vec::new();
-    for n in 1..j + count {
-        half *= (whole(n - 1) - BigRational::new(1.into(), 2.into())) / whole(n);
-        if n >= j {
-            let sign = if j.is_multiple_of(2) { BigRational::one() } else { -BigRational::one() };
-            let two = BigRational::new(1.into(), BigInt::from(2).pow(2 * n - 1));
-            let number = whole(order * order) * &half * two * sign * BigRational::from_integer(binomial(2 * n, n - j));
-            found.push((2 * n - 1, number));
-        }
-    }
-    found
-}
-
-fn binomial(n: u32, k: u32) -> BigInt {
-    (0..k).fold(BigInt::one(), |product, step| product * (n - step) / (step + 1))
+/// The first powers of λ in `c_k` with their numbers.
+fn coefficient(order: u32, count: usize) -> Vec<(u32, BigRational)> {
+    motion::series(order, count).terms().to_vec()
 }
 
 /// Half a unit of the last decimal place of a decimal that ends.

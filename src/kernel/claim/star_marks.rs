@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::handwritten::{Agrees, WrittenAngle, WrittenLength};
-use crate::engine::Engine;
+use crate::engine::{Cylinder, Engine};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers::{self, Form};
 use crate::order;
@@ -28,12 +28,16 @@ pub const SUMS: [Planar; 2] = Planar::BOTH;
 impl Star {
     /// The star of the pistons of an engine without links.
     pub fn of(engine: &Engine, order: u32) -> Self {
+        Star::about(engine.cylinders(), engine.reference_plane(), order)
+    }
+
+    /// The same of these cylinders, about this plane.
+    pub fn about(cylinders: &[Cylinder], plane: &BigRational, order: u32) -> Self {
         let phase = |cylinder| Sense::BOTH.map(|sense| order::phase(cylinder, order, Some(sense)));
-        let cylinders = engine.cylinders();
         Star {
             phases: cylinders.iter().map(phase).collect(),
-            weights: cylinders.iter().map(|cylinder| cylinder.weight()).collect(),
-            arms: cylinders.iter().map(|cylinder| engine.arm(cylinder)).collect(),
+            weights: cylinders.iter().map(Cylinder::weight).collect(),
+            arms: cylinders.iter().map(|cylinder| &cylinder.position - plane).collect(),
         }
     }
 

@@ -64,8 +64,8 @@ impl HandedIn {
         };
         match kind {
             None => Err(NO_TABLE.to_owned()),
-            Some(Kind::Toml) => in_toml(decoded(&content).0).map(|table| vec![table]),
-            Some(Kind::Csv) => lines::in_rows(csv::rows(&decoded(&content).0)),
+            Some(Kind::Toml) => in_toml(decoded(&content)).map(|table| vec![table]),
+            Some(Kind::Csv) => lines::in_rows(csv::rows(&decoded(&content))),
             Some(Kind::Workbook) => lines::in_rows(csv::filled(table::workbook_rows(&content)?.into_iter())),
         }
     }

@@ -134,14 +134,8 @@ pub(super) fn mark_sheet(
             let tables = read(&undeclared[0]);
             let reduced = points(&tables) * &scheme.undeclared;
             if reduced >= of_declared {
-                return Ok(MarkedSheet {
-                    declared: convention,
-                    undeclared,
-                    tables,
-                    points: reduced,
-                    possible,
-                    not_read,
-                });
+                let (declared, points) = (convention, reduced);
+                return Ok(MarkedSheet { declared, undeclared, tables, points, possible, not_read });
             }
         }
     }

@@ -58,7 +58,6 @@ struct Keys {
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// use crankstar::classroom::{Scheme, parse_scheme};
 /// let scheme = parse_scheme("scheme.toml", "sum = 4\nundeclared = 0").unwrap();
 /// assert_eq!(scheme.to_toml(), "phase = 1\nsum = 4\nconsequential = 1\nundeclared = 0\ndigits = 2\ncoarse = 0.5\n");

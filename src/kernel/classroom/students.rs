@@ -29,7 +29,6 @@ const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// use crankstar::classroom::students;
 /// let list = students("Ada Lovelace\n\n../../etc/passwd\r\nJosé Müller\nada  lovelace\n").unwrap();
 /// let files: Vec<&str> = list.iter().map(|student| student.file.as_str()).collect();

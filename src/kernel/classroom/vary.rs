@@ -78,7 +78,7 @@ pub fn varied(engine: &Engine, orders: &[u32], vary: Vary, mut draw: Draw) -> St
 
 /// Whether there are sums that vanish, and sums that do not.
 fn zeros(plain: &Plain, orders: &[u32]) -> BTreeSet<bool> {
-    let stars = orders.iter().map(|order| plain.star(*order));
+    let stars = orders.iter().map(|order| Star::about(&plain.cylinders, &plain.plane, *order));
     let sums =
         stars.flat_map(|star| SUMS.map(|quantity| Sense::BOTH.map(|sense| star.sum(quantity, sense).vanishes())));
     sums.flatten().collect()
@@ -99,15 +99,6 @@ impl Plain {
             plane: engine.reference_plane().clone(),
             plane_given: engine.reference_plane_given(),
             unit: engine.length_unit(),
-        }
-    }
-
-    fn star(&self, order: u32) -> Star {
-        let phase = |cylinder| Sense::BOTH.map(|sense| crate::order::phase(cylinder, order, Some(sense)));
-        Star {
-            phases: self.cylinders.iter().map(phase).collect(),
-            weights: self.cylinders.iter().map(Cylinder::weight).collect(),
-            arms: self.cylinders.iter().map(|cylinder| &cylinder.position - &self.plane).collect(),
         }
     }
 

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 
 use super::gas::GasMistake;
 use super::mounting::NoMounting;
@@ -146,15 +146,13 @@ impl fmt::Display for BuildError {
 impl std::error::Error for BuildError {}
 
 pub(super) fn not_negative(value: &BigRational, what: impl Fn() -> String) -> Result<(), BuildError> {
-    match value.is_negative() {
-        false => Ok(()),
-        true => Err(BuildError::OutOfRange { what: what(), value: value.clone() }),
-    }
+    in_range(!value.is_negative(), value, what)
 }
 
 pub(super) fn positive(value: &BigRational, what: impl Fn() -> String) -> Result<(), BuildError> {
-    match value.is_negative() || value.is_zero() {
-        false => Ok(()),
-        true => Err(BuildError::OutOfRange { what: what(), value: value.clone() }),
-    }
+    in_range(value.is_positive(), value, what)
+}
+
+fn in_range(fits: bool, value: &BigRational, what: impl Fn() -> String) -> Result<(), BuildError> {
+    if fits { Ok(()) } else { Err(BuildError::OutOfRange { what: what(), value: value.clone() }) }
 }

@@ -13,7 +13,6 @@ use crate::exact::Turn;
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// use crankstar::engine::CycleOrder;
 /// let order: CycleOrder = "3/2".parse().unwrap();
 /// assert_eq!(order.to_string(), "1½");

@@ -25,7 +25,6 @@ use crate::text::Untrusted;
 ///
 /// ```
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// use crankstar::{BigRational, Cylinder, Draft, Turn};
 /// let mut draft = Draft::new("V-twin of 90 degrees");
 /// for bank in [-1, 1] {

@@ -25,7 +25,6 @@ pub struct Throw {
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// let v8 = crankstar::file::find("V8-crossplane").unwrap().engine().unwrap();
 /// let throws = crankstar::engine::throws(&v8);
 /// assert_eq!(throws.len(), 4);

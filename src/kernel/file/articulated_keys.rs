@@ -7,6 +7,7 @@ use serde_spanned::Spanned;
 
 use super::error::{LayoutError, built};
 use super::knuckle_keys;
+use super::quantities::{cylinder, for_each, texts, twice};
 use super::written::{Column, Table, Text, Values, place};
 use crate::engine::{Cylinder, Draft, Engine, Given, Link, Measure, Mechanism};
 use crate::exact::Turn;
@@ -88,13 +89,9 @@ impl Keys {
         let masses = self.knuckle_mass.iter().map(|column| (Measure::KnuckleMass, column));
         let mut given = Vec::new();
         for (quantity, column) in columns.chain(masses) {
-            let texts: Vec<(Option<usize>, Text)> = match column.get_ref() {
-                Values::One(text) => vec![(None, Text::new(column.span(), text.clone()))],
-                Values::Each(texts) => {
-                    links.iter().zip(texts).map(|((index, _), text)| (Some(*index), text.clone())).collect()
-                }
-            };
-            for (cylinder, text) in texts {
+            let of_all = matches!(column.get_ref(), Values::One(_));
+            for ((index, _), text) in links.iter().zip(texts(column)) {
+                let cylinder = (!of_all).then_some(*index);
                 let written = Untrusted::new(text.get_ref().0.as_str());
                 given.push(Given { quantity, cylinder, value: quantity.read(&text)?, written });
             }
@@ -104,14 +101,10 @@ impl Keys {
 
     /// The masters by their index, at most one on each crankpin.
     fn masters(&self, engine: &Engine) -> Result<Vec<usize>, LayoutError> {
-        let texts = match self.master.get_ref() {
-            Values::One(text) => vec![Text::new(self.master.span(), text.clone())],
-            Values::Each(texts) => texts.clone(),
-        };
         let mut masters: Vec<usize> = Vec::new();
-        for text in &texts {
+        for text in &texts(&self.master) {
             let name = &text.get_ref().0;
-            let Some(index) = engine.cylinders().iter().position(|cylinder| cylinder.name == *name) else {
+            let Some(index) = cylinder(text, engine.cylinders()) else {
                 let shown: String = name.chars().take(40).collect();
                 let [first, last] = [0, engine.cylinders().len() - 1].map(|index| &engine.cylinders()[index].name);
                 let right = format!(
@@ -224,10 +217,7 @@ impl Rows<'_> {
     /// A length, or a ratio, or none.
     fn one_of(&self, [length, ratio]: [Key<'_>; 2], row: usize) -> Result<Option<Measured>, LayoutError> {
         match (length.column, ratio.column) {
-            (Some(_), Some(list)) => {
-                let message = format!("both {} and {} are given", length.name, ratio.name);
-                Err(LayoutError::new(message, "one of them is enough", place(list)))
-            }
+            (Some(_), Some(list)) => Err(twice(length.name, ratio.name, list)),
             (Some(list), None) => {
                 let text = self.value(list, row)?;
                 Ok(Some(Measured::Length(length.measure.read(&text)?, text)))
@@ -269,15 +259,8 @@ impl Rows<'_> {
 
     /// The value of a link: that of all, or its own.
     fn value(&self, list: &Column, row: usize) -> Result<Text, LayoutError> {
-        match list.get_ref() {
-            Values::One(text) => Ok(Text::new(list.span(), text.clone())),
-            Values::Each(texts) if texts.len() == self.count => Ok(texts[row].clone()),
-            Values::Each(texts) => {
-                let message = format!("{} values for {} links", texts.len(), self.count);
-                let right = "one value for all, or a list with one per link, in the order of their cylinders";
-                Err(LayoutError::new(message, right, place(list)))
-            }
-        }
+        let right = "one value for all, or a list with one per link, in the order of their cylinders";
+        Ok(for_each(list, self.count, "links", right)?.swap_remove(row))
     }
 }
 

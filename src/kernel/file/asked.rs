@@ -8,7 +8,7 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::number::parse_number;
-use super::quantities;
+use super::quantities::{self, choice, misread};
 use super::written::{Text, place};
 use crate::engine::{Cycle, DELTA, Effects, Family, LengthUnit, ORDERS, PHI};
 
@@ -22,9 +22,9 @@ pub(super) fn effects(list: &[Text]) -> Result<Effects, LayoutError> {
             "gas" => effects.gas = true,
             "firing" => effects.firing = true,
             "torsion" => effects.torsion = true,
-            other => {
+            _ => {
                 let right = "\"torque\", \"remedy\", \"gas\", \"firing\" or \"torsion\"";
-                return Err(quantities::misread("effect", other, right.to_owned(), text));
+                return Err(misread(text, "effect", right));
             }
         }
     }
@@ -42,7 +42,7 @@ pub(super) fn values(
         } else {
             let length = quantities::length(text, unit)?;
             let known = length.as_known().cloned();
-            known.ok_or_else(|| quantities::misread("value", &text.get_ref().0, "a known length".to_owned(), text))?
+            known.ok_or_else(|| misread(text, "value", "a known length"))?
         };
         Ok((name.clone(), value))
     };
@@ -63,23 +63,21 @@ pub(super) fn check_values(table: &Option<BTreeMap<String, Text>>, family: &Fami
     }
 }
 
+/// The cycles as a file has them.
+pub(super) const CYCLES: [(&str, Cycle); 2] = [("four-stroke", Cycle::FourStroke), ("two-stroke", Cycle::TwoStroke)];
+
 /// Two-stroke or four-stroke.
 pub(super) fn cycle(text: &Text) -> Result<Cycle, LayoutError> {
-    match text.get_ref().0.as_str() {
-        "four-stroke" => Ok(Cycle::FourStroke),
-        "two-stroke" => Ok(Cycle::TwoStroke),
-        other => Err(quantities::misread("cycle", other, "\"four-stroke\" or \"two-stroke\"".to_owned(), text)),
-    }
+    choice(text, "cycle", "\"four-stroke\" or \"two-stroke\"", &CYCLES)
 }
 
 /// The part of the largest order from which on an order is listed separately, of its percentage.
 pub(super) fn threshold(text: &Text) -> Result<BigRational, LayoutError> {
-    let misread = |right: String| quantities::misread("above", &text.get_ref().0, right, text);
-    let percent = parse_number(&text.get_ref().0).map_err(|error| misread(error.to_string()))?;
+    let percent = parse_number(&text.get_ref().0).map_err(|error| misread(text, "above", error.to_string()))?;
     let hundred = BigRational::from_integer(100.into());
     match !percent.is_negative() && percent <= hundred {
         true => Ok(percent / hundred),
-        false => Err(misread("a percentage from 0 to 100, such as 1".to_owned())),
+        false => Err(misread(text, "above", "a percentage from 0 to 100, such as 1")),
     }
 }
 
@@ -88,10 +86,9 @@ pub(super) fn orders(list: &Spanned<Vec<Text>>) -> Result<Vec<u32>, LayoutError>
     let right = || format!("whole numbers from 1 to {}, such as [1, 2, 4, 6]", ORDERS.end());
     let mut orders = Vec::new();
     for text in list.get_ref() {
-        let written = &text.get_ref().0;
-        match written.parse() {
+        match text.get_ref().0.parse() {
             Ok(order) if ORDERS.contains(&order) => orders.push(order),
-            _ => return Err(quantities::misread("order", written, right(), text)),
+            _ => return Err(misread(text, "order", right())),
         }
     }
     if orders.is_empty() {

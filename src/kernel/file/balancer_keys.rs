@@ -7,11 +7,10 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::number::parse_number;
-use super::quantities::{self, mass, mass_radius, metres, misread, positive_metres};
+use super::quantities::{self, SENSES, choice, cylinder, mass, mass_radius, metres, misread, positive_metres};
 use super::written::{Table, Text, place};
 use crate::engine::{Balancer, Engine, HIGHEST_ORDER, ShaftAxis};
 use crate::exact::Turn;
-use crate::proof::Sense;
 
 /// `[[balancer]]`.
 #[derive(Deserialize)]
@@ -69,30 +68,20 @@ pub(super) fn read(
             offset: convention.in_the_sense_of_rotation(zero(offset)?),
         }),
     };
+    let named = |text: &Text| {
+        let right = "the name of the cylinder whose piston motion the shaft answers";
+        cylinder(text, engine.cylinders()).ok_or_else(|| misread(text, "cylinder", right))
+    };
     let shaft = Balancer {
         order: speed_ratio(&keys.order)?,
-        sense: match keys.sense.get_ref().0.as_str() {
-            "with" => Sense::Direct,
-            "against" => Sense::Reverse,
-            other => {
-                return Err(misread("sense", other, "\"with\" or \"against\" the crank".to_owned(), &keys.sense));
-            }
-        },
+        sense: choice(&keys.sense, "sense", "\"with\" or \"against\" the crank", &SENSES)?,
         mass_radius,
-        coefficient_of: keys.coefficient_of.as_ref().map(|text| cylinder(engine, text)).transpose()?,
+        coefficient_of: keys.coefficient_of.as_ref().map(named).transpose()?,
         angle: Turn::new(convention.in_the_sense_of_rotation(quantities::known_angle(&keys.angle)?)),
         position: along(position)?,
         axis,
     };
     Ok((shaft, in_multiples))
-}
-
-/// A cylinder by its name.
-fn cylinder(engine: &Engine, text: &Text) -> Result<usize, LayoutError> {
-    let name = &text.get_ref().0;
-    engine.cylinders().iter().position(|cylinder| cylinder.name == *name).ok_or_else(|| {
-        misread("cylinder", name, "the name of the cylinder whose piston motion the shaft answers".to_owned(), text)
-    })
 }
 
 /// A whole multiple of the crank speed.
@@ -115,5 +104,5 @@ fn speed_ratio(text: &Text) -> Result<u32, LayoutError> {
         Ok(value) if value.is_negative() => "a whole number above 0; sense = \"against\" turns the other way".to_owned(),
         _ => format!("a whole number from 1 to {HIGHEST_ORDER}: how many times the shaft turns in a revolution"),
     };
-    Err(misread("order of a balancer shaft", written, right, text))
+    Err(misread(text, "order of a balancer shaft", right))
 }

@@ -39,9 +39,8 @@ pub(super) fn read(list: &List, unit: &mut LengthUnit, positions_given: bool) ->
 fn position(text: &Text, unit: &mut LengthUnit, positions_given: bool) -> Result<BigRational, LayoutError> {
     let mut own = LengthUnit::Spacing;
     let length = quantities::length(text, &mut own)?;
-    let written = &text.get_ref().0;
     let Some(known) = length.as_known() else {
-        return Err(misread("position", written, "a bearing is at a known length".to_owned(), text));
+        return Err(misread(text, "position", "a bearing is at a known length"));
     };
     if own == LengthUnit::Metre {
         if !positions_given {

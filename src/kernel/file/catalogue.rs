@@ -46,7 +46,6 @@ pub fn is_of_catalogue(name: &str, text: &str) -> bool {
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// assert_eq!(crankstar::file::find("v8-CROSSPLANE").unwrap().name, "V8-crossplane");
 /// ```
 pub fn find(name: &str) -> Option<Entry> {

@@ -5,7 +5,7 @@ use num_traits::One;
 
 use super::error::LayoutError;
 use super::geared_keys::Geared;
-use super::quantities::misread;
+use super::quantities::choice;
 use super::written::Text;
 use crate::engine::{Convention, Cylinder, Linear, Rotation, SeenFrom};
 
@@ -13,24 +13,14 @@ use crate::engine::{Convention, Cylinder, Linear, Rotation, SeenFrom};
 pub(super) fn read(rotation: Option<&Text>, seen_from: Option<&Text>) -> Result<Convention, LayoutError> {
     let mut convention = Convention::default();
     if let Some(text) = rotation {
-        convention.rotation = match text.get_ref().0.as_str() {
-            "anticlockwise" => Rotation::Anticlockwise,
-            "clockwise" => Rotation::Clockwise,
-            other => {
-                let right = "\"clockwise\" or \"anticlockwise\", as the engine is drawn".to_owned();
-                return Err(misread("rotation", other, right, text));
-            }
-        };
+        let words = [("anticlockwise", Rotation::Anticlockwise), ("clockwise", Rotation::Clockwise)];
+        let right = "\"clockwise\" or \"anticlockwise\", as the engine is drawn";
+        convention.rotation = choice(text, "rotation", right, &words)?;
     }
     if let Some(text) = seen_from {
-        convention.seen_from = match text.get_ref().0.as_str() {
-            "free end" => SeenFrom::FreeEnd,
-            "flywheel" => SeenFrom::Flywheel,
-            other => {
-                let right = "\"free end\" or \"flywheel\": the end of the crankshaft towards the reader".to_owned();
-                return Err(misread("end", other, right, text));
-            }
-        };
+        let words = [("free end", SeenFrom::FreeEnd), ("flywheel", SeenFrom::Flywheel)];
+        let right = "\"free end\" or \"flywheel\": the end of the crankshaft towards the reader";
+        convention.seen_from = choice(text, "end", right, &words)?;
     }
     Ok(convention)
 }

@@ -117,7 +117,7 @@ impl Tables<'_> {
         if let Some(text) = &keys.length {
             let length = self.along(text, engine, unit)?;
             if !length.is_positive() {
-                return Err(misread("length", &text.get_ref().0, "a length above 0".to_owned(), text));
+                return Err(misread(text, "length", "a length above 0"));
             }
             crankshaft.length = Some(length);
         }
@@ -203,7 +203,7 @@ impl Tables<'_> {
         let mut own = LengthUnit::Spacing;
         let length = quantities::length(text, &mut own)?.with(self.values);
         let Some(known) = length.as_known() else {
-            return Err(misread("length", &text.get_ref().0, "a length whose symbols have values".to_owned(), text));
+            return Err(misread(text, "length", "a length whose symbols have values"));
         };
         if own == LengthUnit::Metre && !engine.positions_given() {
             return Err(quantities::among_spacings(place(text)));

@@ -116,9 +116,8 @@ fn number_pins(cylinders: &mut [Cylinder<Linear, Linear>]) {
 
 /// Two pistons face each other in one cylinder; the one that the other names stands for it.
 fn face(cylinders: &mut [Cylinder<Linear, Linear>], index: usize, text: &Text) -> Result<(), LayoutError> {
-    let written = &text.get_ref().0;
-    let Some(first) = cylinders.iter().position(|other| other.name == *written).filter(|first| *first != index) else {
-        return Err(misread("opposed piston", written, "the name of another cylinder".to_owned(), text));
+    let Some(first) = quantities::cylinder(text, cylinders).filter(|first| *first != index) else {
+        return Err(misread(text, "opposed piston", "the name of another cylinder"));
     };
     let [one, other] = [first, index].map(|piston| &cylinders[piston]);
     let half = Linear::constant(BigRational::new(1.into(), 2.into()));

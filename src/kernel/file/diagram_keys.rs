@@ -7,7 +7,7 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::number::parse_number;
-use super::quantities::{List, known_angle, mass, misread, positive_metres, value, whole};
+use super::quantities::{List, integer, known_angle, mass, misread, positive, positive_metres, value, whole};
 use super::rewritten::exact_number;
 use super::units::{self, Area};
 use super::written::{Table, Text, place, read};
@@ -142,9 +142,9 @@ struct Scales {
 impl File {
     fn diagram(self, name: &str) -> Result<Diagram, LayoutError> {
         let scales = Scales {
-            torque: optional(self.torque_scale.as_ref(), |text| above_0(text, "torque scale", units::torque_scale))?,
-            angle: optional(self.angle_scale.as_ref(), |text| above_0(text, "angle scale", units::angle_scale))?,
-            area: optional(self.area_scale.as_ref(), |text| above_0(text, "area scale", units::area_scale))?,
+            torque: optional(self.torque_scale.as_ref(), |text| positive(text, "torque scale", units::torque_scale))?,
+            angle: optional(self.angle_scale.as_ref(), |text| positive(text, "angle scale", units::angle_scale))?,
+            area: optional(self.area_scale.as_ref(), |text| positive(text, "area scale", units::area_scale))?,
         };
         let (torque, over_pi) = self.torque(&scales)?;
         let load = match (&self.load_points, &self.load_harmonics) {
@@ -171,7 +171,7 @@ impl File {
         let angles = self.angles.iter().flat_map(|list| list.get_ref()).map(known_angle);
         Ok(Diagram {
             cylinders: self.cylinders(&torque)?,
-            speed: optional(self.speed.as_ref(), |text| above_0(text, "speed", units::speed))?,
+            speed: optional(self.speed.as_ref(), |text| positive(text, "speed", units::speed))?,
             irregularity: optional(self.irregularity.as_ref(), irregularity)?,
             radius_of_gyration: optional(self.radius_of_gyration.as_ref(), positive_metres)?,
             inertia: self.inertia()?,
@@ -213,7 +213,7 @@ impl File {
     }
 
     fn inertia(&self) -> Result<Option<BigRational>, LayoutError> {
-        let inertia = optional(self.inertia.as_ref(), |text| above_0(text, "moment of inertia", units::inertia))?;
+        let inertia = optional(self.inertia.as_ref(), |text| positive(text, "moment of inertia", units::inertia))?;
         match (&inertia, &self.mass, &self.radius_of_gyration) {
             (Some(_), Some(text), _) => {
                 Err(LayoutError::new("two inertias", "inertia, or mass with radius_of_gyration", place(text)))
@@ -221,7 +221,7 @@ impl File {
             (None, Some(text), Some(radius)) => {
                 let (mass, radius) = (mass(text)?, positive_metres(radius)?);
                 match mass.is_zero() {
-                    true => Err(misread("mass", &text.get_ref().0, "above 0".to_owned(), text)),
+                    true => Err(misread(text, "mass", "above 0")),
                     false => Ok(Some(mass * &radius * radius)),
                 }
             }
@@ -261,15 +261,10 @@ fn optional<T>(text: Option<&Text>, read: impl Fn(&Text) -> Result<T, LayoutErro
     text.map(read).transpose()
 }
 
-fn above_0(text: &Text, what: &str, unit: fn(&str) -> Result<BigRational, String>) -> Result<BigRational, LayoutError> {
-    let value = value(text, what, unit)?;
-    if value.is_positive() { Ok(value) } else { Err(misread(what, &text.get_ref().0, "above 0".to_owned(), text)) }
-}
-
 /// Largest speed less smallest, over the mean: ±1 % of the mean is 0.02.
 fn irregularity(text: &Text) -> Result<BigRational, LayoutError> {
     let written = &text.get_ref().0;
-    let refuse = |right: String| misread("coefficient of fluctuation", written, right, text);
+    let refuse = |right: String| misread(text, "coefficient of fluctuation", right);
     let (rest, mut by) = match written.trim().strip_prefix('±') {
         Some(rest) => (rest, BigRational::from_integer(2.into())),
         None => (written.trim(), BigRational::one()),
@@ -333,7 +328,7 @@ fn cycle(lines: Vec<Line>, span: std::ops::Range<usize>) -> Result<Torque, Layou
 /// Work in N m times turns, or in joules over 2 where `in_joules`: times 2π or 2 that is the energy.
 fn area(text: &Text, scales: &Scales) -> Result<(BigRational, bool), LayoutError> {
     let written = &text.get_ref().0;
-    let refuse = |right: String| misread("area", written, right, text);
+    let refuse = |right: String| misread(text, "area", right);
     let half = |joules: BigRational| joules / BigRational::from_integer(2.into());
     match (units::area(written).map_err(refuse)?, scales) {
         (Area::Joules(joules), _) => Ok((half(joules), true)),
@@ -367,12 +362,11 @@ fn areas(list: &List, scales: &Scales) -> Result<(Torque, bool), LayoutError> {
 
 /// What is left of areas, in joules or, where torque and angle have scales, in square millimetres of the drawing.
 fn remaining(sum: &BigRational, in_joules: bool, scales: &Scales) -> String {
-    let whole = |number: i32| BigRational::from_integer(number.into());
     match scales {
         Scales { torque: Some(torque), angle: Some(angle), .. } if !in_joules => {
-            format!("{} mm²", rounded(&(sum / (torque * angle) * whole(1_000_000))))
+            format!("{} mm²", rounded(&(sum / (torque * angle) * integer(1_000_000))))
         }
-        _ => format!("{} J", rounded(&(sum * whole(2)))),
+        _ => format!("{} J", rounded(&(sum * integer(2)))),
     }
 }
 
@@ -408,7 +402,7 @@ fn triangles(all: &Spanned<Vec<Spanned<Table<TriangleKeys>>>>, scales: &Scales) 
         let Some(width) = &keys.width else {
             return Err(LayoutError::new("a triangle without a width", "width = 180, in degrees", place(one)));
         };
-        let wide = above_0(width, "width", units::angle)?;
+        let wide = positive(width, "width", units::angle)?;
         let (peak, in_joules) = match (&keys.peak, &keys.area) {
             (Some(peak), None) => (value(peak, "torque", units::torque)?, false),
             (None, Some(text)) => {
@@ -436,12 +430,11 @@ fn harmonics(all: &Harmonics) -> Result<Vec<Harmonic>, LayoutError> {
         let Some(order) = &keys.order else {
             return Err(LayoutError::new("a harmonic without an order", "order = 2", place(one)));
         };
-        let written = &order.get_ref().0;
         let part = |text: &Option<Text>| {
             optional(text.as_ref(), |text| value(text, "torque", units::torque)).map(Option::unwrap_or_default)
         };
         Ok(Harmonic {
-            order: written.parse().map_err(|_| misread("order", written, "such as 2, or 1/2".to_owned(), order))?,
+            order: order.get_ref().0.parse().map_err(|_| misread(order, "order", "such as 2, or 1/2"))?,
             cos: part(&keys.cos)?,
             sin: part(&keys.sin)?,
         })

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use num_rational::BigRational;
 use serde::Deserialize;
+use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use serde_spanned::Spanned;
 
@@ -29,12 +30,9 @@ impl<'de> Deserialize<'de> for FiringOrder {
                     text.split(['-', ',', ' ', '–']).filter(|name| !name.is_empty()).map(str::to_owned).collect(),
                 ))
             }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<FiringOrder, A::Error> {
-                let mut names = Vec::new();
-                while let Some(Written(name)) = list.next_element()? {
-                    names.push(name);
-                }
-                Ok(FiringOrder(names))
+            fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<FiringOrder, A::Error> {
+                let names: Vec<Written> = Vec::deserialize(SeqAccessDeserializer::new(list))?;
+                Ok(FiringOrder(names.into_iter().map(|Written(name)| name).collect()))
             }
         }
         deserializer.deserialize_any(Names)

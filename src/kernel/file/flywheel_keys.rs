@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::error::LayoutError;
 use super::number::parse_number;
-use super::quantities::misread;
+use super::quantities::{misread, value};
 use super::units;
 use super::written::Text;
 use crate::engine::Flywheel;
@@ -28,21 +28,17 @@ impl Keys {
     }
 }
 
+const WHAT: &str = "moment of inertia";
+
 fn inertia(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let refuse = |right: String| misread("moment of inertia", written, right, text);
-    let value = units::inertia(written).map_err(refuse)?;
-    if value.is_positive() { Ok(value) } else { Err(refuse("above 0; of all that turns with the crank".to_owned())) }
+    let value = value(text, WHAT, units::inertia)?;
+    let right = "above 0; of all that turns with the crank";
+    if value.is_positive() { Ok(value) } else { Err(misread(text, WHAT, right)) }
 }
 
 fn irregularity(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let refuse = |right: String| misread("irregularity", written, right, text);
-    let value = parse_number(written).map_err(|error| refuse(error.to_string()))?;
+    let value = parse_number(&text.get_ref().0).map_err(|error| misread(text, "irregularity", error.to_string()))?;
     let fits = units::has_a_size(&value) && value.is_positive() && value < BigRational::one();
-    if fits {
-        Ok(value)
-    } else {
-        Err(refuse("largest speed less smallest, over the mean: such as \"1/50\"".to_owned()))
-    }
+    let right = "largest speed less smallest, over the mean: such as \"1/50\"";
+    if fits { Ok(value) } else { Err(misread(text, "irregularity", right)) }
 }

@@ -11,7 +11,10 @@ use serde::Deserialize;
 use super::error::LayoutError;
 use super::geared_keys::Geared;
 use super::numbering::{self, Along};
-use super::quantities::{List, angle, angles, length, lengths, misread, optional_angle, optional_length, whole};
+use super::quantities::{
+    List, angle, angles, half, integer, length, lengths, misread, misread_as, not_too_many, optional_angle,
+    optional_length, whole,
+};
 use super::shared_keys::{SharedKeys, Throws};
 use super::written::{Column, Text, Values, Written, place};
 use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
@@ -132,10 +135,9 @@ impl Vee {
     pub fn expand(&self, table: Range<usize>, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
         let mut unit = LengthUnit::Spacing;
         let angle = angle(&self.bank_angle)?;
-        if angle.as_known().is_some_and(|angle| angle.abs() >= one()) {
-            let right =
-                "the angle between the banks, below 360 degrees; below 0 where bank 1 is the other bank".to_owned();
-            return Err(misread("bank angle", &self.bank_angle.get_ref().0, right, &self.bank_angle));
+        if angle.as_known().is_some_and(|angle| angle.abs() >= integer(1)) {
+            let right = "the angle between the banks, below 360 degrees; below 0 where bank 1 is the other bank";
+            return Err(misread(&self.bank_angle, "bank angle", right));
         }
         let split = optional_angle(&self.pin_split)?;
         let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?;
@@ -220,7 +222,7 @@ impl Radial {
         let rows = self.rows.as_ref().map_or(Ok(1), |rows| whole(rows, "number of rows"))?;
         if count * rows > MOST_CYLINDERS as i64 {
             let right = format!("up to {MOST_CYLINDERS} cylinders are read");
-            return Err(misread("number of cylinders", &(count * rows).to_string(), right, &self.cylinders));
+            return Err(misread_as(&(count * rows).to_string(), &self.cylinders, "number of cylinders", right));
         }
         let missing = |key: &str| {
             let message = format!("the key `{key}` is missing");
@@ -236,7 +238,7 @@ impl Radial {
         let follows = rows > 1 && self.row_throw.is_none();
         let throws = if follows { Throws::Follow { splits_given: true, splays: Vec::new() } } else { Throws::Listed };
         // The cylinders of a row follow each other in the sense of rotation, however the engine is drawn.
-        let turn = above.convention.in_the_sense_of_rotation(one());
+        let turn = above.convention.in_the_sense_of_rotation(integer(1));
         let spacing = optional_length(&self.row_spacing, unit_length(), &mut unit)?;
         let cylinders = (0..rows).flat_map(|row| {
             let (rotation, throw) = (rotation.scaled(&integer(row)), throw.scaled(&integer(row)));
@@ -309,10 +311,7 @@ fn fan(
     unit: LengthUnit,
     throws: Throws,
 ) -> Result<Expanded, LayoutError> {
-    if banks.len() * pins.pins.len() > MOST_CYLINDERS {
-        let message = format!("{} cylinders", banks.len() * pins.pins.len());
-        return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
-    }
+    not_too_many(banks.len() * pins.pins.len(), "cylinders")?;
     let numbers = || 0..pins.pins.len();
     let pairs: Vec<(&Bank, usize)> = match numbering::along(numbering)? {
         Along::Banks => banks.iter().flat_map(|bank| numbers().map(move |pin| (bank, pin))).collect(),
@@ -366,17 +365,5 @@ pub(super) fn pins(
 }
 
 pub(super) fn unit_length() -> Linear {
-    Linear::constant(one())
-}
-
-fn one() -> BigRational {
-    integer(1)
-}
-
-fn integer(number: i64) -> BigRational {
-    BigRational::from_integer(number.into())
-}
-
-pub(super) fn half() -> BigRational {
-    BigRational::new(1.into(), 2.into())
+    Linear::constant(integer(1))
 }

@@ -9,10 +9,10 @@ use super::file_resolver::FileResolver;
 use super::gas_layers::{Keys, Layers};
 use super::gas_process::{self, Settings};
 use super::gas_table::{self, Reading};
-use super::quantities::misread;
+use super::quantities::{choice, misread, positive_metres};
 use super::units;
 use super::written::{Table, Text, place};
-use crate::engine::{At, Below, Chamber, Cycle, Cylinder, DeadCentre, Gas, GasMistake, Linear, Mechanism, PressureLaw};
+use crate::engine::{At, Below, Chamber, Cycle, Cylinder, DeadCentre, Gas, GasMistake, Linear, PressureLaw};
 
 /// What is taken for ambient pressure where none is given, in pascals.
 const ATMOSPHERE: i64 = 101_325;
@@ -51,17 +51,12 @@ pub(super) fn read(
             Some(of_table) => of_table,
             None => known[slot].insert(layers.chambers((cycle, &names), beside, &mut laws)?),
         };
-        let is_offset = cylinder.mechanism.as_ref().is_some_and(is_offset);
+        let is_offset = cylinder.mechanism.as_ref().is_some_and(|mechanism| !mechanism.is_centric());
         if layers.pick(|keys| &keys.dead_centre).is_none() && (has_links || is_offset) {
             let right = "dead_centre = \"crank\", where the crank points along the axis, or \"piston\", where the piston is farthest out";
-            let message = match has_links {
-                true => {
-                    "with articulated rods the crank and a piston have dead centres of their own, and angles count from one of them"
-                }
-                false => {
-                    "with an offset the crank and the piston have dead centres of their own, and angles count from one of them"
-                }
-            };
+            let what = if has_links { "articulated rods the crank and a" } else { "an offset the crank and the" };
+            let message =
+                format!("with {what} piston have dead centres of their own, and angles count from one of them");
             return Err(LayoutError::new(message, right, layers.span));
         }
         // A table of pressures may have a column of each cylinder.
@@ -89,10 +84,6 @@ pub(super) fn read(
     Ok(Gas { laws, chambers })
 }
 
-fn is_offset(mechanism: &Mechanism) -> bool {
-    !mechanism.is_centric()
-}
-
 /// For each cylinder, which of the tables `[[gas.cylinder]]` it is named in.
 fn owners(unlike: &[Spanned<Table<Keys>>], names_of: &[String]) -> Result<Vec<Option<usize>>, LayoutError> {
     let mut owners = vec![None; names_of.len()];
@@ -112,7 +103,7 @@ fn owners(unlike: &[Spanned<Table<Keys>>], names_of: &[String]) -> Result<Vec<Op
         for name in names.get_ref() {
             let Some(cylinder) = names_of.iter().position(|known| *known == name.get_ref().0) else {
                 let names: Vec<&str> = names_of.iter().take(24).map(String::as_str).collect();
-                return Err(misread("cylinder", &name.get_ref().0, format!("one of {}", names.join(", ")), name));
+                return Err(misread(name, "cylinder", format!("one of {}", names.join(", "))));
             };
             if owners[cylinder].replace(index).is_some() {
                 let message = format!("two tables of cylinder {}", names_of[cylinder]);
@@ -140,7 +131,7 @@ impl Layers<'_> {
         let assumed = BigRational::from_integer(ATMOSPHERE.into());
         let ambient = ambient.unwrap_or_else(|| assumed.clone());
         let chamber = Chamber {
-            bore: super::quantities::positive_metres(bore)?,
+            bore: positive_metres(bore)?,
             crankcase_assumed: crankcase.is_none(),
             crankcase: crankcase.unwrap_or(assumed),
             law: 0,
@@ -191,9 +182,9 @@ impl Layers<'_> {
                 (None, None) => Ok(Vec::new()),
             };
         };
-        let metres = super::quantities::positive_metres(rod)?;
+        let metres = positive_metres(rod)?;
         if metres >= *bore {
-            return Err(misread("piston rod", &rod.get_ref().0, "a diameter below that of the bore".to_owned(), rod));
+            return Err(misread(rod, "piston rod", "a diameter below that of the bore"));
         }
         let reading = self.reading(ambient)?;
         let tables = match (&keys.below_table, &keys.below_pressure) {
@@ -267,17 +258,14 @@ impl Layers<'_> {
     }
 
     fn reading(&self, ambient: &BigRational) -> Result<Reading, LayoutError> {
-        let unit = self.pick(|keys| &keys.unit).map(|text| {
-            let written = &text.get_ref().0;
-            units::pressure_unit(written).map_err(|right| misread("unit", written, right, text))
-        });
-        let added = match self.pick(|keys| &keys.reading) {
-            None => BigRational::zero(),
-            Some(text) => match text.get_ref().0.as_str() {
-                "absolute" => BigRational::zero(),
-                "gauge" => ambient.clone(),
-                other => return Err(misread("reading", other, "\"absolute\" or \"gauge\"".to_owned(), text)),
-            },
+        let unit = self
+            .pick(|keys| &keys.unit)
+            .map(|text| units::pressure_unit(&text.get_ref().0).map_err(|right| misread(text, "unit", right)));
+        let words = [("absolute", false), ("gauge", true)];
+        let is_gauge = |text| choice(text, "reading", "\"absolute\" or \"gauge\"", &words);
+        let added = match self.pick(|keys| &keys.reading).map_or(Ok(false), is_gauge)? {
+            true => ambient.clone(),
+            false => BigRational::zero(),
         };
         Ok(Reading { unit: unit.transpose()?, added })
     }
@@ -301,9 +289,6 @@ fn is_double_acting(keys: &Keys) -> bool {
 }
 
 fn dead_centre(text: &Text) -> Result<DeadCentre, LayoutError> {
-    match text.get_ref().0.as_str() {
-        "crank" => Ok(DeadCentre::Crank),
-        "piston" => Ok(DeadCentre::Piston),
-        other => Err(misread("dead centre", other, "\"crank\" or \"piston\"".to_owned(), text)),
-    }
+    let words = [("crank", DeadCentre::Crank), ("piston", DeadCentre::Piston)];
+    choice(text, "dead centre", "\"crank\" or \"piston\"", &words)
 }

@@ -9,7 +9,7 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::gas_table::Rows;
-use super::quantities::misread;
+use super::quantities::{misread, value};
 use super::units;
 use super::written::{Table, Text};
 
@@ -76,12 +76,7 @@ impl<'a> Layers<'a> {
 
 /// An absolute pressure with its unit.
 pub(super) fn absolute(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let value = units::pressure(written, None).map_err(|right| misread("pressure", written, right, text))?;
-    match value.is_positive() {
-        true => Ok(value),
-        false => {
-            Err(misread("pressure", written, "above 0: an absolute pressure; gauge? add 1.013 bar".to_owned(), text))
-        }
-    }
+    let value = value(text, "pressure", |text| units::pressure(text, None))?;
+    let right = "above 0: an absolute pressure; gauge? add 1.013 bar";
+    if value.is_positive() { Ok(value) } else { Err(misread(text, "pressure", right)) }
 }

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::error::LayoutError;
 use super::gas_layers::{Keys, Layers, absolute};
 use super::number::parse_number;
-use super::quantities::misread;
+use super::quantities::{known_angle, misread, value};
 use super::units;
 use super::written::{Text, place};
 use crate::engine::{CompressorStage, Cycle, Heat, IdealCycle, Ignition, PressureLaw, Setting};
@@ -48,72 +48,50 @@ const OF_COMBUSTION: [&str; 11] = [
     "blowdown",
 ];
 
+/// How the value behind a key is read.
+type Reader = fn(&Text) -> Result<BigRational, LayoutError>;
+
 /// The values of a process.
 pub(super) struct Settings<'a>(pub &'a Layers<'a>);
 
-/// What is assumed where a cycle does not say it: pressures in hundredths of a bar, exponents in hundredths, angles in degrees.
-struct Usual {
-    intake_pressure: Option<i64>,
-    exhaust_pressure: Option<i64>,
-    compression_exponent: i64,
-    expansion_exponent: i64,
-    wiebe_exponent: i64,
-    intake_closes: i64,
-    combustion_starts: i64,
-    combustion_lasts: i64,
-    exhaust_opens: i64,
-    blowdown: i64,
+/// What is assumed of a two-stroke.
+enum TwoStroke {
+    /// The same as of a four-stroke.
+    Alike,
+    Otherwise(i64),
+    /// Nothing is usual: how it is charged decides its pressures.
+    Nothing,
 }
 
-impl Usual {
-    fn of(ignition: Ignition, cycle: Cycle) -> Self {
-        let four_stroke = match ignition {
-            Ignition::Spark => Usual {
-                intake_pressure: Some(90),
-                exhaust_pressure: Some(110),
-                compression_exponent: 132,
-                expansion_exponent: 128,
-                wiebe_exponent: 2,
-                intake_closes: -180,
-                combustion_starts: -20,
-                combustion_lasts: 60,
-                exhaust_opens: 130,
-                blowdown: 50,
-            },
-            Ignition::Compression => Usual {
-                intake_pressure: Some(200),
-                exhaust_pressure: Some(180),
-                compression_exponent: 136,
-                expansion_exponent: 128,
-                wiebe_exponent: 1,
-                intake_closes: -180,
-                combustion_starts: -6,
-                combustion_lasts: 70,
-                exhaust_opens: 130,
-                blowdown: 50,
-            },
-        };
-        match cycle {
-            Cycle::FourStroke => four_stroke,
-            // How a two-stroke is charged decides its pressure: nothing is usual.
-            Cycle::TwoStroke => Usual {
-                intake_pressure: None,
-                exhaust_pressure: None,
-                intake_closes: -110,
-                exhaust_opens: 110,
-                blowdown: 40,
-                ..four_stroke
-            },
-        }
-    }
-}
+/// What is assumed where a cycle does not say it: in which parts of a pascal, of one, of a turn; of a spark and of a diesel; of two strokes.
+const USUAL: [(Setting, i64, [i64; 2], TwoStroke); 10] = [
+    (Setting::IntakePressure, 1, [90_000, 200_000], TwoStroke::Nothing),
+    (Setting::ExhaustPressure, 1, [110_000, 180_000], TwoStroke::Nothing),
+    (Setting::CompressionExponent, 100, [132, 136], TwoStroke::Alike),
+    (Setting::ExpansionExponent, 100, [128, 128], TwoStroke::Alike),
+    (Setting::WiebeExponent, 1, [2, 1], TwoStroke::Alike),
+    (Setting::IntakeCloses, 360, [-180, -180], TwoStroke::Otherwise(-110)),
+    (Setting::CombustionStarts, 360, [-20, -6], TwoStroke::Alike),
+    (Setting::CombustionLasts, 360, [60, 70], TwoStroke::Alike),
+    (Setting::ExhaustOpens, 360, [130, 130], TwoStroke::Otherwise(110)),
+    (Setting::Blowdown, 360, [50, 50], TwoStroke::Otherwise(40)),
+];
 
-fn hundredths(value: i64, of: i64) -> BigRational {
-    BigRational::new((value * of).into(), 100.into())
-}
+/// The exponents of a compressor, in hundredths.
+const OF_A_COMPRESSOR: i64 = 130;
 
-fn turns(degrees: i64) -> BigRational {
-    BigRational::new(degrees.into(), 360.into())
+fn usual(setting: Setting, ignition: Ignition, cycle: Cycle) -> Option<BigRational> {
+    let (_, parts, [spark, diesel], of_two) = USUAL.iter().find(|(known, ..)| *known == setting)?;
+    let of_four = match ignition {
+        Ignition::Spark => spark,
+        Ignition::Compression => diesel,
+    };
+    let value = match (cycle, of_two) {
+        (Cycle::FourStroke, _) | (Cycle::TwoStroke, TwoStroke::Alike) => of_four,
+        (Cycle::TwoStroke, TwoStroke::Otherwise(value)) => value,
+        (Cycle::TwoStroke, TwoStroke::Nothing) => return None,
+    };
+    Some(BigRational::new((*value).into(), (*parts).into()))
 }
 
 /// Reads the law of a process.
@@ -122,88 +100,45 @@ pub(super) fn read(process: &Text, settings: &Settings<'_>, cycle: Cycle) -> Res
         "spark-ignition" => settings.cycle(Ignition::Spark, cycle),
         "diesel" => settings.cycle(Ignition::Compression, cycle),
         "compressor" => settings.stage(process),
-        other => Err(misread("process", other, "\"spark-ignition\", \"diesel\" or \"compressor\"".to_owned(), process)),
+        _ => Err(misread(process, "process", "\"spark-ignition\", \"diesel\" or \"compressor\"")),
     }
 }
 
 impl Settings<'_> {
     fn cycle(&self, ignition: Ignition, cycle: Cycle) -> Result<PressureLaw, LayoutError> {
         self.without(&["delivery_pressure", "clearance"], "a combustion engine")?;
-        let usual = Usual::of(ignition, cycle);
-        let mut assumed = Vec::new();
-        let mut or = |given: Option<BigRational>, setting: Setting, usual: BigRational| {
-            given.unwrap_or_else(|| {
-                assumed.push(setting);
-                usual
-            })
-        };
-        let Some(ratio) = self.0.pick(|keys| &keys.compression_ratio) else {
+        let Some(ratio) = self.text(Setting::CompressionRatio) else {
             return Err(self.lacks("a cycle without a compression ratio", "add compression_ratio = 10"));
         };
-        let bar = 100_000;
-        let intake = match (self.0.pressure(|keys| &keys.intake_pressure)?, usual.intake_pressure) {
-            (Some(given), _) => given,
-            (None, Some(usual)) => or(None, Setting::IntakePressure, hundredths(usual, bar)),
-            (None, None) => {
-                let right = "add intake_pressure, absolute: that of the scavenging air";
-                return Err(self.lacks("a two-stroke without its intake pressure", right));
-            }
+        let mut assumed = Vec::new();
+        // What is said, or else what is usual, where anything is.
+        let mut or_usual = |setting: Setting, read: Reader| {
+            let said = self.read(setting, read)?;
+            Ok::<_, LayoutError>(said.or_else(|| usual(setting, ignition, cycle).inspect(|_| assumed.push(setting))))
         };
-        let exhaust = match (self.0.pressure(|keys| &keys.exhaust_pressure)?, usual.exhaust_pressure) {
-            (Some(given), Some(_)) => given,
-            (None, Some(usual)) => or(None, Setting::ExhaustPressure, hundredths(usual, bar)),
-            (None, None) => intake.clone(),
-            (Some(_), None) => {
-                let right = "after its blowdown a two-stroke has the intake_pressure; leave this out";
-                return Err(self.at(|keys| &keys.exhaust_pressure, "an exhaust pressure in a two-stroke", right));
-            }
+        let Some(intake_pressure) = or_usual(Setting::IntakePressure, absolute)? else {
+            let right = "add intake_pressure, absolute: that of the scavenging air";
+            return Err(self.lacks("a two-stroke without its intake pressure", right));
         };
-        let exponents = [
-            or(
-                self.number(|keys| &keys.compression_exponent)?,
-                Setting::CompressionExponent,
-                hundredths(usual.compression_exponent, 1),
-            ),
-            or(
-                self.number(|keys| &keys.expansion_exponent)?,
-                Setting::ExpansionExponent,
-                hundredths(usual.expansion_exponent, 1),
-            ),
-        ];
-        let [compression_exponent, expansion_exponent] = exponents;
+        if let (Some(text), Cycle::TwoStroke) = (self.text(Setting::ExhaustPressure), cycle) {
+            let right = "after its blowdown a two-stroke has the intake_pressure; leave this out";
+            return Err(LayoutError::new("an exhaust pressure in a two-stroke", right, place(text)));
+        }
+        let exhaust_pressure = or_usual(Setting::ExhaustPressure, absolute)?;
+        let mut number = |setting, read| or_usual(setting, read).map(Option::unwrap_or_default);
         Ok(PressureLaw::Cycle(Box::new(IdealCycle {
             ignition,
+            exhaust_pressure: exhaust_pressure.unwrap_or_else(|| intake_pressure.clone()),
+            intake_pressure,
+            compression_exponent: number(Setting::CompressionExponent, pure)?,
+            expansion_exponent: number(Setting::ExpansionExponent, pure)?,
             compression_ratio: pure(ratio)?,
-            intake_pressure: intake,
-            exhaust_pressure: exhaust,
-            compression_exponent,
-            expansion_exponent,
-            wiebe_exponent: or(
-                self.number(|keys| &keys.wiebe_exponent)?,
-                Setting::WiebeExponent,
-                hundredths(usual.wiebe_exponent, 100),
-            ),
-            intake_closes: or(
-                self.angle(|keys| &keys.intake_closes)?,
-                Setting::IntakeCloses,
-                turns(usual.intake_closes),
-            ),
-            combustion_starts: or(
-                self.angle(|keys| &keys.combustion_starts)?,
-                Setting::CombustionStarts,
-                turns(usual.combustion_starts),
-            ),
-            combustion_lasts: or(
-                self.angle(|keys| &keys.combustion_lasts)?,
-                Setting::CombustionLasts,
-                turns(usual.combustion_lasts),
-            ),
-            exhaust_opens: or(
-                self.angle(|keys| &keys.exhaust_opens)?,
-                Setting::ExhaustOpens,
-                turns(usual.exhaust_opens),
-            ),
-            blowdown: or(self.angle(|keys| &keys.blowdown)?, Setting::Blowdown, turns(usual.blowdown)),
+            wiebe_exponent: number(Setting::WiebeExponent, pure)?,
+            intake_closes: number(Setting::IntakeCloses, known_angle)?,
+            combustion_starts: number(Setting::CombustionStarts, known_angle)?,
+            combustion_lasts: number(Setting::CombustionLasts, known_angle)?,
+            exhaust_opens: number(Setting::ExhaustOpens, known_angle)?,
+            blowdown: number(Setting::Blowdown, known_angle)?,
             heat: self.heat()?,
             assumed,
         })))
@@ -217,10 +152,7 @@ impl Settings<'_> {
             return Err(self.lacks("a cycle that does not say what it burns", right));
         };
         match (&keys.heat, &keys.peak_pressure, &keys.mean_pressure) {
-            (Some(text), None, None) => {
-                let written = &text.get_ref().0;
-                units::energy(written).map(Heat::Released).map_err(|right| misread("heat", written, right, text))
-            }
+            (Some(text), None, None) => value(text, "heat", units::energy).map(Heat::Released),
             (None, Some(text), None) => absolute(text).map(Heat::PeakPressure),
             (None, None, Some(text)) => absolute(text).map(Heat::MeanPressure),
             (_, Some(text), _) | (_, None, Some(text)) => {
@@ -233,32 +165,27 @@ impl Settings<'_> {
 
     fn stage(&self, process: &Text) -> Result<PressureLaw, LayoutError> {
         self.without(&OF_COMBUSTION, "a compressor")?;
-        let needed = |value: Option<BigRational>, name: &str| {
-            value.ok_or_else(|| {
-                let message = format!("a compressor without {name}");
-                LayoutError::new(
-                    message,
-                    "it needs intake_pressure, delivery_pressure and clearance = 0.05",
-                    place(process),
-                )
+        let needed = |setting: Setting, read: Reader| {
+            self.read(setting, read)?.ok_or_else(|| {
+                let message = format!("a compressor without {}", setting.key());
+                let right = "it needs intake_pressure, delivery_pressure and clearance = 0.05";
+                LayoutError::new(message, right, place(process))
             })
         };
         let mut assumed = Vec::new();
-        let mut exponent = |given: Option<BigRational>, setting: Setting| {
-            given.unwrap_or_else(|| {
+        let mut exponent = |setting: Setting| {
+            let usual = || {
                 assumed.push(setting);
-                hundredths(130, 1)
-            })
+                BigRational::new(OF_A_COMPRESSOR.into(), 100.into())
+            };
+            Ok::<_, LayoutError>(self.read(setting, pure)?.unwrap_or_else(usual))
         };
         Ok(PressureLaw::Stage(Box::new(CompressorStage {
-            intake_pressure: needed(self.0.pressure(|keys| &keys.intake_pressure)?, "intake_pressure")?,
-            delivery_pressure: needed(self.0.pressure(|keys| &keys.delivery_pressure)?, "delivery_pressure")?,
-            clearance: needed(self.number(|keys| &keys.clearance)?, "clearance")?,
-            compression_exponent: exponent(
-                self.number(|keys| &keys.compression_exponent)?,
-                Setting::CompressionExponent,
-            ),
-            expansion_exponent: exponent(self.number(|keys| &keys.expansion_exponent)?, Setting::ExpansionExponent),
+            intake_pressure: needed(Setting::IntakePressure, absolute)?,
+            delivery_pressure: needed(Setting::DeliveryPressure, absolute)?,
+            clearance: needed(Setting::Clearance, pure)?,
+            compression_exponent: exponent(Setting::CompressionExponent)?,
+            expansion_exponent: exponent(Setting::ExpansionExponent)?,
             assumed,
         })))
     }
@@ -279,24 +206,18 @@ impl Settings<'_> {
         LayoutError::new(message, right, self.0.span.clone())
     }
 
-    fn at(&self, key: Key, message: &str, right: &str) -> LayoutError {
-        LayoutError::new(message, right, self.0.pick(key).and_then(place))
+    /// What is written of a setting.
+    fn text(&self, setting: Setting) -> Option<&Text> {
+        let (_, key) = KEYS.iter().find(|(name, _)| *name == setting.key())?;
+        self.0.pick(*key)
     }
 
-    fn number(&self, key: Key) -> Result<Option<BigRational>, LayoutError> {
-        self.0.pick(key).map(pure).transpose()
-    }
-
-    fn angle(&self, key: Key) -> Result<Option<BigRational>, LayoutError> {
-        self.0.pick(key).map(super::quantities::known_angle).transpose()
+    fn read(&self, setting: Setting, read: Reader) -> Result<Option<BigRational>, LayoutError> {
+        self.text(setting).map(read).transpose()
     }
 }
 
 fn pure(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let value = parse_number(written).map_err(|error| misread("number", written, error.to_string(), text))?;
-    match units::has_a_size(&value) {
-        true => Ok(value),
-        false => Err(misread("number", written, "out of range".to_owned(), text)),
-    }
+    let value = parse_number(&text.get_ref().0).map_err(|error| misread(text, "number", error.to_string()))?;
+    if units::has_a_size(&value) { Ok(value) } else { Err(misread(text, "number", "out of range")) }
 }

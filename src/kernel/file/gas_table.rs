@@ -38,9 +38,8 @@ pub(super) fn inline(list: &Rows, reading: &Reading, cycle: Cycle) -> Result<Pre
             let message = format!("a row of {} values", row.get_ref().len());
             return Err(LayoutError::new(message, "two: the angle and the pressure", place(row)));
         };
-        let cell = |what, text: &Text, read: Result<BigRational, String>| {
-            read.map_err(|right| misread(what, &text.get_ref().0, right, text))
-        };
+        let cell =
+            |what, text: &Text, read: Result<BigRational, String>| read.map_err(|right| misread(text, what, right));
         let turns = cell("angle", angle, units::angle(&angle.get_ref().0))?;
         rows.push((turns, cell("pressure", pressure, reading.pressure(&pressure.get_ref().0))?));
     }

@@ -10,10 +10,10 @@ use serde::Deserialize;
 use super::error::LayoutError;
 use super::forms::{Expanded, pins};
 use super::geared_keys::{Axis, Distance, Geared, sense};
-use super::quantities::{List, angles, misread, optional_angle};
+use super::quantities::{List, angles, choice, integer, misread, not_too_many, optional_angle};
 use super::shared_keys::Throws;
 use super::written::{Text, place};
-use crate::engine::{Convention, Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS, Shared};
+use crate::engine::{Convention, Cylinder, Form, LengthUnit, Linear, Shared};
 use crate::exact::Turn;
 use crate::proof::Sense;
 
@@ -86,15 +86,11 @@ impl Bank {
 impl OpposedPiston {
     pub fn expand(&self, convention: Convention) -> Result<Expanded, LayoutError> {
         let lead = as_drawn(&optional_angle(&Some(self.lead.clone()))?, convention);
-        let of_upper = match self.leading.as_ref().map(|text| (text, text.get_ref().0.as_str())) {
-            None | Some((_, "upper")) => lead,
-            // The lower throws stand as they are written.
-            Some((_, "lower")) => lead.scaled(&number(-1)),
-            Some((text, other)) => {
-                let right = "\"upper\" or \"lower\": the crankshaft whose pistons open the exhaust".to_owned();
-                return Err(misread("leading crankshaft", other, right, text));
-            }
-        };
+        // The lower throws stand as they are written.
+        let words = [("upper", 1), ("lower", -1)];
+        let right = "\"upper\" or \"lower\": the crankshaft whose pistons open the exhaust";
+        let sign = |text| choice(text, "leading crankshaft", right, &words);
+        let of_upper = lead.scaled(&integer(self.leading.as_ref().map_or(Ok(1), sign)?));
         let upper = self.sense.as_ref().map_or(Ok(Sense::Direct), sense)?;
         let banks = [
             Bank { suffix: "a", within: Some((0, false)), ..Bank::new(0, 0, Linear::default()) },
@@ -129,14 +125,8 @@ impl Pair {
 
 impl SquareFour {
     pub fn expand(&self) -> Result<Expanded, LayoutError> {
-        let phase = match self.in_phase.get_ref().0.as_str() {
-            "diagonals" => degrees(180),
-            "sides" => Linear::default(),
-            other => {
-                let right = "\"diagonals\" or \"sides\": which pistons move alike".to_owned();
-                return Err(misread("choice", other, right, &self.in_phase));
-            }
-        };
+        let right = "\"diagonals\" or \"sides\": which pistons move alike";
+        let phase = degrees(choice(&self.in_phase, "choice", right, &[("diagonals", 180), ("sides", 0)])?);
         let banks = [Bank::new(0, 0, Linear::default()), Bank::new(1, 0, phase)];
         let cranks = side_by_side(sense(&self.sense)?, &self.distance);
         let place = place(&self.in_phase).unwrap_or_default();
@@ -157,8 +147,7 @@ impl Delta {
                 for text in list.get_ref() {
                     let written = text.get_ref().0.as_str();
                     let Some(corner) = CORNERS.iter().position(|(name, _)| *name == written) else {
-                        let right = "\"A\", the corner below, \"B\" or \"C\"".to_owned();
-                        return Err(misread("corner", written, right, text));
+                        return Err(misread(text, "corner", "\"A\", the corner below, \"B\" or \"C\""));
                     };
                     senses[corner] = Sense::Reverse;
                 }
@@ -188,15 +177,9 @@ impl Delta {
             };
             bank(0, exhaust, ahead, EXHAUST[corner]);
             bank(1, inlet, ahead - lead, INLET[corner]);
-            cranks.push(Geared {
-                speed: 1,
-                name: name.to_owned(),
-                sense: senses[corner],
-                axis: Axis::Towards(
-                    Distance::of(number(1), &self.circumradius),
-                    convention.as_written(&Turn::fraction(stands_at, 360)),
-                ),
-            });
+            let (distance, towards) = (Distance::of(integer(1), &self.circumradius), Turn::fraction(stands_at, 360));
+            let axis = Axis::Towards(distance, convention.as_written(&towards));
+            cranks.push(Geared::new(name, senses[corner], axis));
         }
         // Corner after corner, and at each the exhaust pistons before those of the inlet.
         banks.sort_by_key(|bank| (bank.listed, INLET.contains(&bank.suffix)));
@@ -215,23 +198,13 @@ fn above_each_other(names: [&str; 2], of_second: Sense, distance: Option<&Text>)
         Some(distance) => Axis::Across(Distance::of(half, distance), Distance::none()),
         None => Axis::Above(half),
     };
-    let crank = |name: &str, sense, sign: i64| Geared {
-        speed: 1,
-        name: name.to_owned(),
-        sense,
-        axis: axis(BigRational::new(sign.into(), 2.into())),
-    };
+    let crank = |name: &str, sense, sign: i64| Geared::new(name, sense, axis(BigRational::new(sign.into(), 2.into())));
     vec![crank(names[0], Sense::Direct, of_first), crank(names[1], of_second, -of_first)]
 }
 
 fn side_by_side(of_right: Sense, distance: &Text) -> Vec<Geared> {
     let offset = |sign: i64| Distance::of(BigRational::new(sign.into(), 2.into()), distance);
-    let crank = |name: &str, sense, sign| Geared {
-        speed: 1,
-        name: name.to_owned(),
-        sense,
-        axis: Axis::Across(Distance::none(), offset(sign)),
-    };
+    let crank = |name: &str, sense, sign| Geared::new(name, sense, Axis::Across(Distance::none(), offset(sign)));
     vec![crank("left", Sense::Direct, 1), crank("right", of_right, -1)]
 }
 
@@ -256,10 +229,7 @@ fn of_throws(
     let mut length_unit = LengthUnit::Spacing;
     let pins = pins(throws, place, spacing, positions, super::forms::unit_length(), &mut length_unit)?;
     let count = pins.pins.len();
-    if banks.len() * count > MOST_CYLINDERS {
-        let message = format!("{} pistons", banks.len() * count);
-        return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
-    }
+    not_too_many(banks.len() * count, "pistons")?;
     let cylinders = banks.iter().flat_map(|bank| {
         pins.pins.iter().enumerate().map(move |(pin, (throw, position))| {
             let on = bank.listed * count + pin;
@@ -280,13 +250,9 @@ fn of_throws(
 
 /// An angle that counts with the crank, as one of the drawing.
 fn as_drawn(angle: &Linear, convention: Convention) -> Linear {
-    angle.scaled(&convention.in_the_sense_of_rotation(number(1)))
+    angle.scaled(&convention.in_the_sense_of_rotation(integer(1)))
 }
 
 fn degrees(angle: i64) -> Linear {
     Linear::constant(BigRational::new(angle.into(), 360.into()))
-}
-
-fn number(number: i64) -> BigRational {
-    BigRational::from_integer(number.into())
 }

@@ -8,7 +8,7 @@ use serde_spanned::Spanned;
 
 use super::crankshaft_keys;
 use super::error::LayoutError;
-use super::quantities::{self, misread};
+use super::quantities::{self, SENSES, choice, integer, misread};
 use super::units;
 use super::written::{Table, Text, place};
 use crate::engine::{AxisLeftOut, Convention, Dimensions, GearedCrank, HIGHEST_ORDER, Linear, ORDERS};
@@ -64,6 +64,13 @@ pub(super) struct Geared {
     pub axis: Axis,
 }
 
+impl Geared {
+    /// One that turns as fast as the others.
+    pub fn new(name: &str, sense: Sense, axis: Axis) -> Self {
+        Geared { name: name.to_owned(), sense, speed: 1, axis }
+    }
+}
+
 /// Where an axis stands: lengths with a unit, or in crank radii.
 pub(super) enum Axis {
     /// So high along the reference direction, and so far to its left.
@@ -101,7 +108,7 @@ pub(super) enum Distance {
 
 impl Distance {
     pub fn none() -> Self {
-        Distance::Radii(number(0))
+        Distance::Radii(integer(0))
     }
 
     pub fn of(times: BigRational, written: &Text) -> Self {
@@ -115,7 +122,7 @@ impl Distance {
             Distance::Times(times, text) => (times, text),
         };
         let written = &text.get_ref().0;
-        let length = units::length(written).map_err(|right| misread("length", written, right, text))?;
+        let length = units::length(written).map_err(|right| misread(text, "length", right))?;
         match (length.has_unit, crank_radius) {
             (false, _) => Ok(times * length.value),
             (true, Some(radius)) => Ok(times * length.value / radius),
@@ -158,48 +165,47 @@ pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRa
             (None, None) if keys.height.is_none() && keys.offset.is_none() => Axis::LeftOut,
             (None, None) => {
                 let across = |text: &Option<Text>| match text {
-                    Some(text) => Distance::of(number(1), text),
+                    Some(text) => Distance::of(integer(1), text),
                     None => Distance::none(),
                 };
                 Axis::Across(across(&keys.height), across(&keys.offset))
             }
             (Some(distance), Some(angle)) if keys.height.is_none() && keys.offset.is_none() => {
                 let angle = Turn::new(quantities::known_angle(angle)?);
-                Axis::Towards(Distance::of(number(1), distance), angle)
+                Axis::Towards(Distance::of(integer(1), distance), angle)
             }
             _ => {
                 let right = "height and offset, or distance and angle: one of the two pairs";
                 return Err(LayoutError::new("the axis of a crankshaft is not given in one way", right, place(table)));
             }
         };
-        let phase = keys.phase.as_ref().map_or(Ok(number(0)), quantities::known_angle)?;
+        let phase = keys.phase.as_ref().map_or(Ok(integer(0)), quantities::known_angle)?;
         let speed = keys.speed.as_ref().map_or(Ok(1), speed)?;
         Ok((Geared { name: keys.name.get_ref().0.clone(), sense: sense(&keys.sense)?, speed, axis }, phase))
     };
     for table in tables {
         let name = &table.get_ref().0.name;
         if names.contains(&name.get_ref().0.as_str()) {
-            let right = "a name of its own for each".to_owned();
-            return Err(misread("name of a second crankshaft", &name.get_ref().0, right, name));
+            return Err(misread(name, "name of a second crankshaft", "a name of its own for each"));
         }
         names.push(&name.get_ref().0);
     }
     if let Some(first) =
         tables.first().map(|table| &table.get_ref().0.sense).filter(|sense| sense.get_ref().0 == "against")
     {
-        let right = "\"with\": the first crankshaft is the one that angles are counted with".to_owned();
-        return Err(misread("sense of the first crankshaft", "against", right, first));
+        let right = "\"with\": the first crankshaft is the one that angles are counted with";
+        return Err(misread(first, "sense of the first crankshaft", right));
     }
     let of_first = tables.first().and_then(|table| table.get_ref().0.speed.as_ref());
     if let Some(text) = of_first.filter(|text| !is_once(text)) {
-        let right = "1: the first crankshaft is the one that orders are counted with; take the slowest as the first, and give the others its multiples".to_owned();
-        return Err(misread("speed of the first crankshaft", &text.get_ref().0, right, text));
+        let right = "1: the first crankshaft is the one that orders are counted with; take the slowest as the first, and give the others its multiples";
+        return Err(misread(text, "speed of the first crankshaft", right));
     }
     for name in tables.iter().map(|table| &table.get_ref().0.name) {
         let written = &name.get_ref().0;
         if !(1..=12).contains(&written.len()) || !written.bytes().all(|byte| byte.is_ascii_alphanumeric()) {
-            let right = "one to twelve letters or digits, such as \"left\"".to_owned();
-            return Err(misread("name of a crankshaft", written, right, name));
+            let right = "one to twelve letters or digits, such as \"left\"";
+            return Err(misread(name, "name of a crankshaft", right));
         }
     }
     tables.iter().map(one).collect()
@@ -207,13 +213,12 @@ pub(super) fn read(tables: &[Spanned<Table<Keys>>]) -> Result<Vec<(Geared, BigRa
 
 /// How many times a crankshaft turns while the reference turns once.
 fn speed(text: &Text) -> Result<u32, LayoutError> {
-    let written = &text.get_ref().0;
-    let whole = written.parse::<u32>().ok().filter(|speed| ORDERS.contains(speed));
+    let whole = text.get_ref().0.parse::<u32>().ok().filter(|speed| ORDERS.contains(speed));
     whole.ok_or_else(|| {
         let right = format!(
             "a whole number from 1 to {HIGHEST_ORDER}, of the first crankshaft 1: take the slowest crankshaft as the first, and give the others its multiples"
         );
-        misread("speed of a crankshaft", written, right, text)
+        misread(text, "speed of a crankshaft", right)
     })
 }
 
@@ -229,14 +234,7 @@ pub(super) fn faster(tables: &[Spanned<Table<Keys>>]) -> Option<&Text> {
 
 /// With or against the reference.
 pub(super) fn sense(text: &Text) -> Result<Sense, LayoutError> {
-    match text.get_ref().0.as_str() {
-        "with" => Ok(Sense::Direct),
-        "against" => Ok(Sense::Reverse),
-        other => {
-            let right = "\"with\" the first crankshaft, or \"against\" it".to_owned();
-            Err(misread("sense of a crankshaft", other, right, text))
-        }
-    }
+    choice(text, "sense of a crankshaft", "\"with\" the first crankshaft, or \"against\" it", &SENSES)
 }
 
 /// The crankshaft that a cylinder names; of several every cylinder names one.
@@ -259,7 +257,7 @@ pub(super) fn named(
         (Some(text), false) => {
             let written = &text.get_ref().0;
             let found = cranks.iter().position(|(crank, _)| crank.name == *written);
-            found.ok_or_else(|| misread("crankshaft", written, format!("one of {}", names()), text))
+            found.ok_or_else(|| misread(text, "crankshaft", format!("one of {}", names())))
         }
     }
 }
@@ -268,7 +266,7 @@ pub(super) fn named(
 pub(super) fn equivalent(throw: &Linear, bank: &Linear, sense: Sense) -> Linear {
     match sense {
         Sense::Direct => throw.clone(),
-        Sense::Reverse => bank.scaled(&number(2)).minus(throw),
+        Sense::Reverse => bank.scaled(&integer(2)).minus(throw),
     }
 }
 
@@ -277,25 +275,17 @@ pub(super) fn equivalent(throw: &Linear, bank: &Linear, sense: Sense) -> Linear 
 pub(super) fn placed(geared: &[Geared], dimensions: &Dimensions) -> Result<Vec<GearedCrank>, LayoutError> {
     let radius = dimensions.crank_radius.as_ref();
     let crank = |crank: &Geared| {
-        Ok(match &crank.axis {
-            Axis::Across(height, offset) => {
-                GearedCrank::at(&crank.name, crank.sense, height.read(radius)?, offset.read(radius)?)
-                    .turning(crank.speed)
-            }
-            Axis::Towards(distance, angle) => {
-                let distance = distance.read(radius)?;
-                GearedCrank::towards(&crank.name, crank.sense, distance, angle.clone()).turning(crank.speed)
-            }
+        let (name, sense) = (&crank.name, crank.sense);
+        let placed = match &crank.axis {
+            Axis::Across(height, offset) => GearedCrank::at(name, sense, height.read(radius)?, offset.read(radius)?),
+            Axis::Towards(distance, angle) => GearedCrank::towards(name, sense, distance.read(radius)?, angle.clone()),
             Axis::Above(times) => {
                 let term = Term { angle: Turn::zero(), weight: times.clone() };
-                GearedCrank::without(&crank.name, crank.sense, AxisLeftOut::Distance(term)).turning(crank.speed)
+                GearedCrank::without(name, sense, AxisLeftOut::Distance(term))
             }
-            Axis::LeftOut => GearedCrank::without(&crank.name, crank.sense, AxisLeftOut::Place).turning(crank.speed),
-        })
+            Axis::LeftOut => GearedCrank::without(name, sense, AxisLeftOut::Place),
+        };
+        Ok(placed.turning(crank.speed))
     };
     geared.iter().map(crank).collect()
-}
-
-fn number(number: i64) -> BigRational {
-    BigRational::from_integer(number.into())
 }

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::error::LayoutError;
-use super::quantities::known_angle;
+use super::quantities::{known_angle, twice};
 use super::written::{Column, Text, place};
 use crate::exact::Turn;
 
@@ -26,10 +26,7 @@ impl Keys<'_> {
     ) -> Result<Turn, LayoutError> {
         let (text, correction) = match (self.angle, self.correction) {
             (None, None) => return Ok(Turn::zero()),
-            (Some(_), Some(list)) => {
-                let message = "both knuckle_angle and knuckle_correction are given";
-                return Err(LayoutError::new(message, "one of them is enough", place(list)));
-            }
+            (Some(_), Some(list)) => return Err(twice("knuckle_angle", "knuckle_correction", list)),
             (Some(list), None) => {
                 let text = value(list)?;
                 let angle = known_angle(&text)?;

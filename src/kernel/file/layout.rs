@@ -96,7 +96,6 @@ pub enum Layout {
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// let i4 = crankstar::file::parse("i4.toml", "inline.throws = [0, 180, 180, 0]").unwrap();
 /// assert_eq!(i4.cylinders().len(), 4);
 /// assert_eq!(i4.arm(&i4.cylinders()[0]).to_string(), "3/2");

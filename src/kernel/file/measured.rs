@@ -4,9 +4,9 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::error::LayoutError;
-use super::quantities::misread;
+use super::quantities::{for_each, misread};
 use super::units;
-use super::written::{self, Text, Values, place};
+use super::written::{self, Text, Values};
 use crate::engine::{Given, Measure};
 use crate::text::Untrusted;
 
@@ -33,30 +33,16 @@ impl Reading {
     /// A key, if it is there.
     pub fn column(&mut self, list: &Option<written::Column>, quantity: Measure) -> Result<Option<Column>, LayoutError> {
         let Some(list) = list else { return Ok(None) };
-        let texts: Vec<Text> = match list.get_ref() {
-            Values::One(text) => vec![Text::new(list.span(), text.clone())],
-            Values::Each(texts) if texts.len() != self.count => {
-                let message = format!("{} values for {} cylinders", texts.len(), self.count);
-                return Err(LayoutError::new(
-                    message,
-                    "one value for all, or a list with one per cylinder",
-                    place(list),
-                ));
-            }
-            Values::Each(texts) => texts.clone(),
-        };
-        let values = texts.iter().map(|text| quantity.read(text)).collect::<Result<Vec<_>, _>>()?;
+        let right = "one value for all, or a list with one per cylinder";
+        let places = for_each(list, self.count, "cylinders", right)?;
+        let values = places.iter().map(|text| quantity.read(text)).collect::<Result<Vec<_>, _>>()?;
         let of_all = matches!(list.get_ref(), Values::One(_));
-        for (index, (value, text)) in values.iter().zip(&texts).enumerate() {
+        for (index, (value, text)) in values.iter().zip(&places).enumerate().take(if of_all { 1 } else { self.count }) {
             let written = text.get_ref().0.clone();
             let cylinder = (!of_all).then_some(index);
             self.given.push(Given { quantity, cylinder, value: value.clone(), written: Untrusted::new(written) });
         }
-        let spread = |index: usize| if of_all { 0 } else { index };
-        Ok(Some(Column {
-            values: (0..self.count).map(|index| values[spread(index)].clone()).collect(),
-            places: (0..self.count).map(|index| texts[spread(index)].clone()).collect(),
-        }))
+        Ok(Some(Column { values, places }))
     }
 }
 
@@ -64,26 +50,25 @@ impl Measure {
     /// Reads a value in the unit of this quantity.
     pub(super) fn read(self, text: &Text) -> Result<BigRational, LayoutError> {
         let written = &text.get_ref().0;
-        let metres = |text: &str| units::length(text).map(|length| length.value);
         let pure = |text: &str| super::parse_number(text).map_err(|error| error.to_string());
         use Measure::*;
         let (name, value, smallest) = match self {
             Speed => ("speed", units::speed(written), "a speed is 0 or more"),
-            Stroke => ("stroke", metres(written), "a length above 0"),
-            CrankRadius => ("crank radius", metres(written), "a length above 0"),
-            RodLength => ("rod length", metres(written), "a length above 0"),
+            Stroke => ("stroke", units::metres(written), "a length above 0"),
+            CrankRadius => ("crank radius", units::metres(written), "a length above 0"),
+            RodLength => ("rod length", units::metres(written), "a length above 0"),
             RodRatio => ("rod ratio", pure(written), "r/l, from 0 up to 1"),
-            PinOffset => ("pin offset", metres(written), ""),
+            PinOffset => ("pin offset", units::metres(written), ""),
             OffsetRatio => ("offset ratio", pure(written), ""),
-            KnuckleRadius => ("knuckle radius", metres(written), "a length above 0"),
+            KnuckleRadius => ("knuckle radius", units::metres(written), "a length above 0"),
             KnuckleRatio => ("knuckle ratio", pure(written), "a number above 0"),
-            LinkLength => ("link length", metres(written), "a length above 0"),
+            LinkLength => ("link length", units::metres(written), "a length above 0"),
             LinkRatio => ("link ratio", pure(written), "a number above 0"),
             ReciprocatingMass | PistonMass | PinMass | PistonRodMass | CrossheadMass | RodMass | RotatingMass
             | KnuckleMass => ("mass", units::mass(written), "a mass is 0 or more"),
-            RodCentre => ("distance of the centre of gravity", metres(written), "a length of 0 or more"),
+            RodCentre => ("distance of the centre of gravity", units::metres(written), "a length of 0 or more"),
         };
-        let value = value.map_err(|right| misread(name, written, right, text))?;
+        let value = value.map_err(|right| misread(text, name, right))?;
         let fits = match self {
             Stroke | CrankRadius | RodLength | KnuckleRadius | KnuckleRatio | LinkLength | LinkRatio => {
                 value.is_positive()
@@ -92,6 +77,6 @@ impl Measure {
             Speed | RodRatio | ReciprocatingMass | PistonMass | PinMass | PistonRodMass | CrossheadMass | RodMass
             | RodCentre | RotatingMass | KnuckleMass => !value.is_negative(),
         };
-        if fits { Ok(value) } else { Err(misread(name, written, smallest.to_owned(), text)) }
+        if fits { Ok(value) } else { Err(misread(text, name, smallest)) }
     }
 }

@@ -7,7 +7,7 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::measured::{Column, Reading};
-use super::quantities::{misread, not_negative, value};
+use super::quantities::{misread, not_negative, twice, value};
 use super::rewritten::exact_number;
 use super::units;
 use super::written::{self, Text, place};
@@ -272,8 +272,8 @@ impl Keys {
             let part = &centres.values[index] / &lengths.values[index];
             if part > BigRational::one() {
                 let text = &centres.places[index];
-                let right = "it lies between the eyes: from 0 to the rod length".to_owned();
-                return Err(misread("distance of the centre of gravity", &text.get_ref().0, right, text));
+                let right = "it lies between the eyes: from 0 to the rod length";
+                return Err(misread(text, "distance of the centre of gravity", right));
             }
             masses[index] += rod * &part;
             rotating.push(rod * (BigRational::one() - part));
@@ -286,10 +286,6 @@ impl Keys {
 pub(super) fn offset_without_rod(offset: &written::Column) -> LayoutError {
     let right = "add a rod_length or rod_ratio below [mechanism]";
     LayoutError::new("an offset without a rod", right, place(offset))
-}
-
-fn twice(first: &str, second: &str, list: &written::Column) -> LayoutError {
-    LayoutError::new(format!("both {first} and {second} are given"), "one of them is enough", place(list))
 }
 
 /// Speed in revolutions a minute.

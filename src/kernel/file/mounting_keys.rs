@@ -8,7 +8,7 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
-use super::quantities::{List, known_angle, mass, metres, plain, value};
+use super::quantities::{List, known_angle, mass, metres, plain, texts, value};
 use super::units;
 use super::written::{Column, Table, Text, Values, place};
 use crate::engine::{Block, Convention, Mount, Mounting, NoMounting};
@@ -183,11 +183,10 @@ fn along(
     what: &'static str,
     unit: fn(&str) -> Result<BigRational, String>,
 ) -> Result<Three, LayoutError> {
-    match column.get_ref() {
-        Values::One(written) => {
-            let one = value(&Text::new(column.span(), written.clone()), what, unit)?;
-            Ok([one.clone(), one.clone(), one])
-        }
-        Values::Each(list) => three(&List::new(column.span(), list.clone()), what, |text| value(text, what, unit)),
-    }
+    let texts = texts(column);
+    let along = match column.get_ref() {
+        Values::One(_) => texts.into_iter().cycle().take(3).collect(),
+        Values::Each(_) => texts,
+    };
+    three(&List::new(column.span(), along), what, |text| value(text, what, unit))
 }

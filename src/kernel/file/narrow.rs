@@ -12,12 +12,12 @@ use num_traits::{Signed, Zero};
 use serde::Deserialize;
 
 use super::error::LayoutError;
-use super::forms::{Expanded, half, offsets_of, pins, unit_length};
+use super::forms::{Expanded, offsets_of, pins, unit_length};
 use super::numbering;
-use super::quantities::{List, angle, misread, optional_angle, optional_length};
+use super::quantities::{List, angle, half, integer, misread, not_too_many, optional_angle, optional_length};
 use super::shared_keys::{SharedKeys, Splay, Throws};
 use super::written::{Column, Text, Written, place};
-use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
+use crate::engine::{Cylinder, Form, LengthUnit, Linear};
 
 /// `[vr]`: bank 1 at −φ/2, bank 2 at +φ/2, a throw for each cylinder, the first of bank 1.
 #[derive(Deserialize)]
@@ -89,7 +89,7 @@ impl W {
         let mut unit = LengthUnit::Spacing;
         let wide = bank_angle(&self.bank_angle)?.scaled(&half());
         let offset = optional_length(&self.bank_offset, Linear::default(), &mut unit)?.scaled(&half());
-        let minus = -BigRational::from_integer(1.into());
+        let minus = integer(-1);
         let first = Middle { angle: wide.scaled(&minus), split: Linear::default(), offset: offset.clone() };
         let second = Middle { angle: wide, split: optional_angle(&self.pin_split)?, offset: offset.scaled(&minus) };
         let narrow = Narrow {
@@ -127,10 +127,7 @@ impl Narrow<'_> {
         let splay = splay(self, &narrow, above)?;
         let (throws, place) = above.throws(self.throws, middles.len(), table)?;
         let pins = pins(throws, place, self.spacing, self.positions, unit_length(), &mut unit)?;
-        if middles.len() * pins.pins.len() > MOST_CYLINDERS {
-            let message = format!("{} cylinders", middles.len() * pins.pins.len());
-            return Err(LayoutError::new(message, format!("up to {MOST_CYLINDERS} are read"), None));
-        }
+        not_too_many(middles.len() * pins.pins.len(), "cylinders")?;
         let place = |middle: &Middle, pin: usize| {
             let (throw, position) = &pins.pins[pin];
             let outwards = BigRational::new(if pin.is_multiple_of(2) { -1 } else { 1 }.into(), 2.into());
@@ -210,8 +207,7 @@ fn bank_angle(text: &Text) -> Result<Linear, LayoutError> {
     let angle = angle(text)?;
     match angle.as_known() {
         Some(known) if known.is_negative() || known.is_zero() || *known >= half() => {
-            let right = "the angle between the banks, above 0 and below 180 degrees".to_owned();
-            Err(misread("bank angle", &text.get_ref().0, right, text))
+            Err(misread(text, "bank angle", "the angle between the banks, above 0 and below 180 degrees"))
         }
         _ => Ok(angle),
     }

@@ -42,7 +42,6 @@ impl fmt::Display for NumberError {
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// use crankstar::file::parse_number;
 /// assert_eq!(parse_number("22.5").unwrap().to_string(), "45/2");
 /// assert_eq!(parse_number("-2/6").unwrap().to_string(), "-1/3");

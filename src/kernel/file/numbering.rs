@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::error::LayoutError;
-use super::quantities::misread;
+use super::quantities::{choice, misread};
 use super::written::{Column, Text, Values, place};
 use crate::engine::{Cylinder, Linear};
 
@@ -16,20 +16,18 @@ pub(super) enum Along {
     Pins,
 }
 
+const WORDS: [(&str, Along); 4] =
+    [("per bank", Along::Banks), ("by-bank", Along::Banks), ("alternating", Along::Pins), ("by-pin", Along::Pins)];
+
 /// What the key `numbering` says of the order; a list names the cylinders bank after bank.
 pub(super) fn along(numbering: Option<&Column>) -> Result<Along, LayoutError> {
     let Some(numbering) = numbering else { return Ok(Along::Banks) };
     match numbering.get_ref() {
         Values::Each(_) => Ok(Along::Banks),
-        Values::One(text) => match text.0.as_str() {
-            "per bank" | "by-bank" => Ok(Along::Banks),
-            "alternating" | "by-pin" => Ok(Along::Pins),
-            other => {
-                let right = "\"per bank\" or \"alternating\" (also \"by-bank\" or \"by-pin\"), or a list";
-                let text = Text::new(numbering.span(), text.clone());
-                Err(misread("numbering", other, right.to_owned(), &text))
-            }
-        },
+        Values::One(text) => {
+            let right = "\"per bank\" or \"alternating\" (also \"by-bank\" or \"by-pin\"), or a list";
+            choice(&Text::new(numbering.span(), text.clone()), "numbering", right, &WORDS)
+        }
     }
 }
 
@@ -48,10 +46,10 @@ pub(super) fn along_narrow(
             // The banks of a narrow V take turns along its throws.
             "per bank" => all.sort_by_key(|&(vee, throw)| (vee, throw % 2, throw)),
             "alternating" => all.sort_by_key(|&(vee, throw)| (throw, vee)),
-            other => {
+            _ => {
                 let right = "\"along the shaft\", \"per bank\" or \"alternating\", or a list";
                 let text = Text::new(numbering.span(), text.clone());
-                return Err(misread("numbering", other, right.to_owned(), &text));
+                return Err(misread(&text, "numbering", right));
             }
         }
     }
@@ -102,11 +100,8 @@ fn number<A, L>(cylinder: &Cylinder<A, L>) -> Option<u32> {
 pub(super) fn cylinder_name(text: &Text) -> Result<String, LayoutError> {
     let name = &text.get_ref().0;
     let fits = (1..=6).contains(&name.len()) && name.bytes().all(|byte| byte.is_ascii_alphanumeric());
-    if fits {
-        Ok(name.clone())
-    } else {
-        Err(misread("name", name, "one to six letters (A to Z, a to z) or digits, such as \"L2\"".to_owned(), text))
-    }
+    let right = "one to six letters (A to Z, a to z) or digits, such as \"L2\"";
+    if fits { Ok(name.clone()) } else { Err(misread(text, "name", right)) }
 }
 
 /// The same cylinders numbered 1, 2, 3, … along their banks, or along their pins; none where they are so already, or where a

@@ -9,7 +9,8 @@ use super::linear;
 use super::number::parse_number;
 use super::units;
 use super::written::{Column, Text, Values, place};
-use crate::engine::{DELTA, LengthUnit, Linear, MOST_CYLINDERS, PHI, Throw};
+use crate::engine::{Cylinder, DELTA, LengthUnit, Linear, MOST_CYLINDERS, PHI, Throw};
+use crate::proof::Sense;
 
 /// Reads an angle as a layout file does, in turns that are not reduced.
 ///
@@ -46,7 +47,7 @@ pub(super) type List = Spanned<Vec<Text>>;
 pub(super) fn angle(text: &Text) -> Result<Linear, LayoutError> {
     let written = text.get_ref().0.replace('φ', PHI).replace('δ', DELTA);
     linear::read(&written, units::angle, |name| name == PHI || name == DELTA)
-        .map_err(|right| misread("angle", &written, right, text))
+        .map_err(|right| misread_as(&written, text, "angle", right))
 }
 
 /// An angle without unknowns, in turns.
@@ -60,8 +61,31 @@ pub(super) fn value(
     what: &str,
     unit: impl Fn(&str) -> Result<BigRational, String>,
 ) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    unit(written).map_err(|right| misread(what, written, right, text))
+    unit(&text.get_ref().0).map_err(|right| misread(text, what, right))
+}
+
+/// The same above 0.
+pub(super) fn positive(
+    text: &Text,
+    what: &str,
+    unit: impl Fn(&str) -> Result<BigRational, String>,
+) -> Result<BigRational, LayoutError> {
+    let value = value(text, what, unit)?;
+    if value.is_positive() { Ok(value) } else { Err(misread(text, what, "above 0")) }
+}
+
+/// What one of these words stands for.
+pub(super) fn choice<T: Copy>(text: &Text, what: &str, right: &str, words: &[(&str, T)]) -> Result<T, LayoutError> {
+    let found = words.iter().find(|(word, _)| *word == text.get_ref().0);
+    found.map(|(_, meant)| *meant).ok_or_else(|| misread(text, what, right))
+}
+
+/// Which way a shaft turns, as a file has it.
+pub(super) const SENSES: [(&str, Sense); 2] = [("with", Sense::Direct), ("against", Sense::Reverse)];
+
+/// The cylinder that a text names, by its index.
+pub(super) fn cylinder<A, L>(text: &Text, cylinders: &[Cylinder<A, L>]) -> Option<usize> {
+    cylinders.iter().position(|cylinder| cylinder.name == text.get_ref().0)
 }
 
 /// A number without a unit, such as this one.
@@ -72,15 +96,14 @@ pub(super) fn plain(text: &str, such: &str) -> Result<BigRational, String> {
 
 /// A length; a unit behind it makes the layout metric; symbols of one lower-case letter may be in it.
 pub(super) fn length(text: &Text, unit: &mut LengthUnit) -> Result<Linear, LayoutError> {
-    let written = &text.get_ref().0;
     let has_unit = std::cell::Cell::new(false);
     let known = |text: &str| {
         let length = units::length(text)?;
         has_unit.set(has_unit.get() || length.has_unit);
         Ok(length.value)
     };
-    let length =
-        linear::read(written, known, is_length_symbol).map_err(|right| misread("length", written, right, text))?;
+    let length = linear::read(&text.get_ref().0, known, is_length_symbol);
+    let length = length.map_err(|right| misread(text, "length", right))?;
     if has_unit.get() {
         *unit = LengthUnit::Metre;
     }
@@ -93,7 +116,12 @@ fn is_length_symbol(name: &str) -> bool {
 }
 
 /// A value that cannot be taken as written.
-pub(super) fn misread(what: &str, written: &str, right: String, text: &Text) -> LayoutError {
+pub(super) fn misread(text: &Text, what: &str, right: impl Into<String>) -> LayoutError {
+    misread_as(&text.get_ref().0, text, what, right)
+}
+
+/// The same of what was made of it.
+pub(super) fn misread_as(written: &str, text: &Text, what: &str, right: impl Into<String>) -> LayoutError {
     let shown: String = written.chars().take(40).collect();
     let dots = if shown.len() < written.len() { "…" } else { "" };
     LayoutError::new(format!("cannot read the {what} `{shown}{dots}`"), right, place(text))
@@ -120,10 +148,9 @@ pub(super) fn optional_length(
 }
 
 pub(super) fn whole(text: &Text, what: &str) -> Result<i64, LayoutError> {
-    let written = &text.get_ref().0;
-    match written.parse() {
+    match text.get_ref().0.parse() {
         Ok(count) if (1..=MOST_CYLINDERS as i64).contains(&count) => Ok(count),
-        _ => Err(misread(what, written, format!("a whole number from 1 to {MOST_CYLINDERS}"), text)),
+        _ => Err(misread(text, what, format!("a whole number from 1 to {MOST_CYLINDERS}"))),
     }
 }
 
@@ -134,8 +161,7 @@ pub(super) fn mass(text: &Text) -> Result<BigRational, LayoutError> {
 
 /// A mass times a radius in kilogram-metres, 0 or more, and whether it is written in multiples of m r, which is `unit`.
 pub(super) fn mass_radius(text: &Text, unit: &BigRational) -> Result<(BigRational, bool), LayoutError> {
-    let written = &text.get_ref().0;
-    let read = units::mass_radius(written).map_err(|right| misread("mass-radius", written, right, text))?;
+    let read = units::mass_radius(&text.get_ref().0).map_err(|right| misread(text, "mass-radius", right))?;
     let (value, in_multiples) = match read {
         units::MassRadius::KilogramMetres(value) => (value, false),
         units::MassRadius::Multiples(value) => (value * unit, true),
@@ -145,38 +171,42 @@ pub(super) fn mass_radius(text: &Text, unit: &BigRational) -> Result<(BigRationa
 
 /// A length in metres of either sign.
 pub(super) fn metres(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    units::length(written).map(|length| length.value).map_err(|right| misread("length", written, right, text))
+    value(text, "length", units::metres)
 }
 
 /// A length in metres above 0.
 pub(super) fn positive_metres(text: &Text) -> Result<BigRational, LayoutError> {
     let radius = metres(text)?;
-    if radius.is_positive() {
-        Ok(radius)
-    } else {
-        Err(misread("radius", &text.get_ref().0, "a length above 0".to_owned(), text))
-    }
+    if radius.is_positive() { Ok(radius) } else { Err(misread(text, "radius", "a length above 0")) }
 }
 
 /// A balance factor, 0 or more.
 pub(super) fn factor(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    if let Some(percent) = written.trim().strip_suffix('%').map(str::trim_end) {
+    if let Some(percent) = text.get_ref().0.trim().strip_suffix('%').map(str::trim_end) {
         let right = format!(
             "which part of which masses is meant? balance_factor = BF makes BF × (rotating + ½ reciprocating); for {percent} % of the reciprocating masses beside all that rotate write counterweights = {{ rotating = 1, reciprocating = \"{percent}/100\" }}"
         );
-        return Err(misread("balance factor", written, right, text));
+        return Err(misread(text, "balance factor", right));
     }
     not_negative(value(text, "balance factor", |text| plain(text, "0.5"))?, "balance factor", text)
 }
 
 /// A value that is 0 or more.
 pub(super) fn not_negative(value: BigRational, what: &str, text: &Text) -> Result<BigRational, LayoutError> {
-    if value.is_negative() {
-        return Err(misread(what, &text.get_ref().0, format!("a {what} is 0 or more"), text));
+    if value.is_negative() { Err(misread(text, what, format!("a {what} is 0 or more"))) } else { Ok(value) }
+}
+
+/// What is said of two keys of which one is enough.
+pub(super) fn twice(first: &str, second: &str, list: &Column) -> LayoutError {
+    LayoutError::new(format!("both {first} and {second} are given"), "one of them is enough", place(list))
+}
+
+/// What is said of more cylinders, or pistons, than are read.
+pub(super) fn not_too_many(count: usize, what: &str) -> Result<(), LayoutError> {
+    match count <= MOST_CYLINDERS {
+        true => Ok(()),
+        false => Err(LayoutError::new(format!("{count} {what}"), format!("up to {MOST_CYLINDERS} are read"), None)),
     }
-    Ok(value)
 }
 
 /// What is said of a length with a unit, where the cylinders are one spacing apart and nobody says how far that is.
@@ -185,18 +215,39 @@ pub(super) fn among_spacings(place: Option<std::ops::Range<usize>>) -> LayoutErr
     LayoutError::new("a length in an engine whose cylinders are one spacing apart", right, place)
 }
 
+pub(super) fn integer(number: i64) -> BigRational {
+    BigRational::from_integer(number.into())
+}
+
+pub(super) fn half() -> BigRational {
+    BigRational::new(1.into(), 2.into())
+}
+
+/// The values of a column as they are written: one alone may stand for all.
+pub(super) fn texts(list: &Column) -> Vec<Text> {
+    match list.get_ref() {
+        Values::One(text) => vec![Text::new(list.span(), text.clone())],
+        Values::Each(texts) => texts.clone(),
+    }
+}
+
+/// One for each of so many, the throws or whatever else there are.
+pub(super) fn for_each(list: &Column, count: usize, what: &str, right: &str) -> Result<Vec<Text>, LayoutError> {
+    match (list.get_ref(), texts(list)) {
+        (Values::One(_), only) => Ok(only.into_iter().cycle().take(count).collect()),
+        (Values::Each(_), all) if all.len() == count => Ok(all),
+        (Values::Each(_), all) => {
+            Err(LayoutError::new(format!("{} values for {count} {what}", all.len()), right, place(list)))
+        }
+    }
+}
+
 /// One value per throw.
 pub(super) fn each(
     list: &Column,
     throws: &[Throw],
-    mut read: impl FnMut(&Text) -> Result<BigRational, LayoutError>,
+    read: impl FnMut(&Text) -> Result<BigRational, LayoutError>,
 ) -> Result<Vec<BigRational>, LayoutError> {
-    match list.get_ref() {
-        Values::One(text) => Ok(vec![read(&Text::new(list.span(), text.clone()))?; throws.len()]),
-        Values::Each(texts) if texts.len() == throws.len() => texts.iter().map(read).collect(),
-        Values::Each(texts) => {
-            let message = format!("{} values for {} throws", texts.len(), throws.len());
-            Err(LayoutError::new(message, "one value for all, or a list with one per throw", place(list)))
-        }
-    }
+    let right = "one value for all, or a list with one per throw";
+    for_each(list, throws.len(), "throws", right)?.iter().map(read).collect()
 }

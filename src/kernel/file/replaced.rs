@@ -16,7 +16,6 @@ type Change = (std::ops::Range<usize>, String);
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// use crankstar::file::with_value;
 /// let text = "[vee]  # of 60°\nbank_angle = 60 # here\nthrows = [0]\n";
 /// assert_eq!(with_value("v", text, "vee.bank_angle", "90", &[]).unwrap(), text.replace("= 60", "= 90"));
@@ -47,7 +46,8 @@ fn misplaced(key: &str) -> LayoutError {
     LayoutError::new(format!("no place for `{key}` was found in the file"), right, None)
 }
 
-fn stands(all: &DeTable, key: &str) -> bool {
+/// Whether a key stands in a file.
+pub(super) fn stands(all: &DeTable, key: &str) -> bool {
     let (table, name) = parts(key);
     match table {
         None => all.contains_key(name),

@@ -34,12 +34,12 @@ pub fn balancer_table(engine: &Engine, shaft: &Balancer, unit: Option<&BigRation
 
 /// A counterweight in multiples of m r, which is `unit` in kilogram-metres.
 pub fn counterweight_in_multiples(weight: &Counterweight, convention: Convention, unit: &BigRational) -> String {
-    format!(
-        "[[counterweight]]\nangle = {}\nmass_radius = \"{} m r\"\nposition = {}\n",
-        exact_number(&convention.as_written(&weight.angle).degrees()),
-        weight.mass_radius() / unit,
-        exact_number(&weight.position),
-    )
+    counterweight(weight, convention, &format!("mass_radius = \"{} m r\"", weight.mass_radius() / unit))
+}
+
+fn counterweight(weight: &Counterweight, convention: Convention, size: &str) -> String {
+    let angle = exact_number(&convention.as_written(&weight.angle).degrees());
+    format!("[[counterweight]]\nangle = {angle}\n{size}\nposition = {}\n", exact_number(&weight.position))
 }
 
 /// Lines of a file that say something to its reader.
@@ -49,13 +49,8 @@ pub fn comment(text: &str) -> String {
 
 /// A counterweight as a table of a layout file that draws its engine so, by its own angle.
 pub fn counterweight_table(weight: &Counterweight, convention: Convention) -> String {
-    format!(
-        "[[counterweight]]\nangle = {}\nmass = {}\nradius = {}\nposition = {}\n",
-        exact_number(&convention.as_written(&weight.angle).degrees()),
-        exact_number(&weight.mass),
-        exact_number(&weight.radius),
-        exact_number(&weight.position),
-    )
+    let [mass, radius] = [&weight.mass, &weight.radius].map(exact_number);
+    counterweight(weight, convention, &format!("mass = {mass}\nradius = {radius}"))
 }
 
 /// The table of a counterweight whose angle counts from its throw, where it has one; `table` writes any.

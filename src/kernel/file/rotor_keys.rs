@@ -7,7 +7,7 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::number::parse_number;
-use super::quantities::{known_angle, mass, metres, misread, positive_metres};
+use super::quantities::{known_angle, mass, metres, misread, positive_metres, value};
 use super::units;
 use super::written::{Table, Text, place, read};
 use crate::exact::Turn;
@@ -93,25 +93,20 @@ fn rotor(name: &str, file: File) -> Result<Rotor, LayoutError> {
     if masses.is_empty() {
         return Err(LayoutError::new("no masses on the shaft", right, place(tables)));
     }
-    let share = match &file.share {
-        Some(text) => share(text)?,
-        None => match tables.get_ref().iter().find_map(|table| table.get_ref().0.reciprocating_mass.as_ref()) {
-            None => BigRational::zero(),
-            Some(text) => {
-                let right = "above the first table, which part of them is balanced: share = \"2/3\"; 0 for none";
-                return Err(LayoutError::new("reciprocating masses without a share", right, place(text)));
-            }
-        },
-    };
     let reciprocating = tables.get_ref().iter().find_map(|table| table.get_ref().0.reciprocating_mass.as_ref());
+    let share = match (&file.share, reciprocating) {
+        (Some(text), _) => share(text)?,
+        (None, None) => BigRational::zero(),
+        (None, Some(text)) => {
+            let right = "above the first table, which part of them is balanced: share = \"2/3\"; 0 for none";
+            return Err(LayoutError::new("reciprocating masses without a share", right, place(text)));
+        }
+    };
     if let (Some(true), Some(text)) = (file.secondary, reciprocating) {
         let right = "with secondary = true every mass reciprocates: write it as mass, without a share";
         return Err(LayoutError::new("a reciprocating mass beside masses that reciprocate", right, place(text)));
     }
-    let speed = file
-        .speed
-        .as_ref()
-        .map(|text| units::speed(&text.get_ref().0).map_err(|right| misread("speed", &text.get_ref().0, right, text)));
+    let speed = file.speed.as_ref().map(|text| value(text, "speed", units::speed));
     Ok(Rotor {
         title: file.title.map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
         speed: speed.transpose()?,
@@ -122,15 +117,10 @@ fn rotor(name: &str, file: File) -> Result<Rotor, LayoutError> {
 }
 
 fn share(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let refuse = |right: String| misread("share", written, right, text);
-    let value = parse_number(written).map_err(|error| refuse(error.to_string()))?;
+    let value = parse_number(&text.get_ref().0).map_err(|error| misread(text, "share", error.to_string()))?;
     let fits = value >= BigRational::zero() && value <= BigRational::one();
-    if fits {
-        Ok(value)
-    } else {
-        Err(refuse("the part of the reciprocating masses that is balanced, from 0 to 1".to_owned()))
-    }
+    let right = "the part of the reciprocating masses that is balanced, from 0 to 1";
+    if fits { Ok(value) } else { Err(misread(text, "share", right)) }
 }
 
 fn one(index: usize, keys: &Keys) -> Result<RotorMass, LayoutError> {

@@ -6,9 +6,11 @@ use std::fmt;
 use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::asked::CYCLES;
 use super::error::LayoutError;
 use super::file_resolver::FileResolver;
 use super::layout::{Layout, read_layout};
+use super::replaced::stands;
 use super::schema::FORMS;
 use super::written;
 use crate::engine::Cycle;
@@ -63,7 +65,6 @@ impl<'a> Template<'a> {
     ///
     /// ```standalone_crate
     /// # use crankstar_kernel as crankstar;
-    /// # use crankstar_kernel as crankstar;
     /// use crankstar::file::{Layout, Key, Template};
     /// let vee = Template::new("v.toml", "[vee]\nbank_angle = 60\nthrows = [0]").unwrap();
     /// let key = Key::parse("vee.bank_angle").unwrap();
@@ -90,23 +91,13 @@ impl<'a> Template<'a> {
 
     /// Two-stroke or four-stroke, where the file says so.
     pub fn cycle(&self) -> Option<Cycle> {
-        match self.table.get_ref().get("cycle")?.get_ref().as_str()? {
-            "four-stroke" => Some(Cycle::FourStroke),
-            "two-stroke" => Some(Cycle::TwoStroke),
-            _ => None,
-        }
+        let written = self.table.get_ref().get("cycle")?.get_ref().as_str()?;
+        CYCLES.iter().find_map(|(word, cycle)| (*word == written).then_some(*cycle))
     }
 
     /// Whether the file holds a key, of the form `speed` or `vee.throws`.
     pub fn has(&self, key: &str) -> bool {
-        let (table, name) = key.split_once('.').map_or((None, key), |(table, name)| (Some(table), name));
-        let all = self.table.get_ref();
-        match table {
-            None => all.contains_key(name),
-            Some(table) => {
-                all.get(table).and_then(|value| value.get_ref().as_table()).is_some_and(|keys| keys.contains_key(name))
-            }
-        }
+        stands(self.table.get_ref(), key)
     }
 
     /// What the file holds at a key of the form `vee.bank_angle`, as written, where that is a number or a text.

@@ -2,12 +2,12 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
-use super::quantities::{self, List, known_angle, metres, misread, value, whole};
+use super::quantities::{self, List, choice, known_angle, metres, misread, positive, value, whole};
 use super::units;
 use super::written::{Table, Text, place};
 use crate::engine::{
@@ -171,7 +171,7 @@ impl Keys {
         for table in tables {
             let keys = &table.get_ref().0;
             let written = &keys.order.get_ref().0;
-            let refuse = |right: &str| misread("order", written, right.to_owned(), &keys.order);
+            let refuse = |right: &str| misread(&keys.order, "order", right);
             let order: CycleOrder = written.parse().map_err(|error| refuse(&format!("{error}")))?;
             if cycle.is_some_and(|cycle| !order.exists_in(cycle)) {
                 return Err(refuse("a two-stroke engine has whole orders alone"));
@@ -248,7 +248,7 @@ impl ShaftKeys {
             LayoutError::new("a length without the shear modulus", right, place(length))
         })?;
         let modulus = positive(modulus, "shear modulus", units::stress)?;
-        let metres = positive(length, "length", |text| units::length(text).map(|length| length.value))?;
+        let metres = positive(length, "length", units::metres)?;
         let fourth = |length: &BigRational| length * length * length * length;
         let over = BigRational::from_integer(BigInt::from(32)) * metres;
         let hollow = fourth(&section.outer) - fourth(&section.inner);
@@ -259,7 +259,7 @@ impl ShaftKeys {
         let inner = self.inner_diameter.as_ref().map(metres).transpose()?;
         match (&self.outer_diameter, &self.inner_diameter) {
             (Some(outer), _) => {
-                let outer = positive(outer, "diameter", |text| units::length(text).map(|length| length.value))?;
+                let outer = positive(outer, "diameter", units::metres)?;
                 Ok(Some(Section { outer, inner: inner.unwrap_or_default() }))
             }
             (None, Some(inner)) => {
@@ -302,11 +302,8 @@ impl ShaftKeys {
                 "add rated_speed = \"127 rpm\" below [torsion]: the permissible stress depends on the speed over that";
             return Err(LayoutError::new("a permissible stress without the rated speed", right, place(strength)));
         }
-        let is_alloy = match steel.get_ref().0.as_str() {
-            "carbon" => false,
-            "alloy" => true,
-            other => return Err(misread("steel", other, "\"carbon\" or \"alloy\"".to_owned(), steel)),
-        };
+        let words = [("carbon", false), ("alloy", true)];
+        let is_alloy = choice(steel, "steel", "\"carbon\" or \"alloy\"", &words)?;
         Ok(Some(Steel {
             tensile_strength: positive(strength, "tensile strength", units::stress)?,
             is_alloy,
@@ -383,14 +380,6 @@ fn disc(text: &Text) -> Result<usize, LayoutError> {
 }
 
 type Unit = fn(&str) -> Result<BigRational, String>;
-
-fn positive(text: &Text, what: &'static str, unit: Unit) -> Result<BigRational, LayoutError> {
-    let value = value(text, what, unit)?;
-    match value.is_positive() {
-        true => Ok(value),
-        false => Err(misread(what, &text.get_ref().0, "above 0".to_owned(), text)),
-    }
-}
 
 fn each(list: &List, what: &'static str, unit: Unit) -> Result<Vec<BigRational>, LayoutError> {
     list.get_ref().iter().map(|text| value(text, what, unit)).collect()

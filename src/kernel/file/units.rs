@@ -42,142 +42,99 @@ fn sized(value: BigRational) -> Result<BigRational, String> {
     }
 }
 
-/// The units of a kind of quantity, by name, with their size in the base unit as a fraction.
-type Units = &'static [(&'static str, (i64, i64))];
+/// The units of a kind of quantity, by all that one is called, with their size in the base unit as a fraction.
+type Units = &'static [(&'static [&'static str], (i64, i64))];
 
-const ANGLES: Units = &[
-    ("turns", (1, 1)),
-    ("turn", (1, 1)),
-    ("pi rad", (1, 2)),
-    ("π rad", (1, 2)),
-    ("degrees", (1, 360)),
-    ("deg", (1, 360)),
-    ("°", (1, 360)),
-];
-const LENGTHS: Units = &[("mm", (1, 1000)), ("cm", (1, 100)), ("in", (127, 5000)), ("ft", (381, 1250)), ("m", (1, 1))];
+/// Each name, in their order, with the size.
+fn named(units: Units) -> impl Iterator<Item = (&'static str, (i64, i64))> {
+    units.iter().flat_map(|(names, size)| names.iter().map(move |name| (*name, *size)))
+}
+
+const ANGLES: Units =
+    &[(&["turns", "turn"], (1, 1)), (&["pi rad", "π rad"], (1, 2)), (&["degrees", "deg", "°"], (1, 360))];
+const LENGTHS: Units =
+    &[(&["mm"], (1, 1000)), (&["cm"], (1, 100)), (&["in"], (127, 5000)), (&["ft"], (381, 1250)), (&["m"], (1, 1))];
 const AREAS: Units = &[
-    ("mm²", (1, 1_000_000)),
-    ("mm^2", (1, 1_000_000)),
-    ("mm2", (1, 1_000_000)),
-    ("cm²", (1, 10_000)),
-    ("cm^2", (1, 10_000)),
-    ("cm2", (1, 10_000)),
-    ("in²", (16_129, 25_000_000)),
-    ("in^2", (16_129, 25_000_000)),
-    ("in2", (16_129, 25_000_000)),
+    (&["mm²", "mm^2", "mm2"], (1, 1_000_000)),
+    (&["cm²", "cm^2", "cm2"], (1, 10_000)),
+    (&["in²", "in^2", "in2"], (16_129, 25_000_000)),
 ];
-const SPEEDS: Units = &[
-    ("rpm", (1, 1)),
-    ("RPM", (1, 1)),
-    ("1/min", (1, 1)),
-    ("U/min", (1, 1)),
-    ("rev/min", (1, 1)),
-    ("min^-1", (1, 1)),
-    ("min-1", (1, 1)),
-    ("min⁻¹", (1, 1)),
-    ("rev/s", (60, 1)),
-    ("Hz", (60, 1)),
-];
+const SPEEDS: Units =
+    &[(&["rpm", "RPM", "1/min", "U/min", "rev/min", "min^-1", "min-1", "min⁻¹"], (1, 1)), (&["rev/s", "Hz"], (60, 1))];
 const MASS_RADII: Units = &[
-    ("kg mm", (1, 1000)),
-    ("kg m", (1, 1)),
-    ("kg·m", (1, 1)),
-    ("g mm", (1, 1_000_000)),
-    ("g cm", (1, 100_000)),
-    ("g m", (1, 1000)),
-    ("oz in", (45_359_237 * 127, 1_600_000_000 * 5000)),
-    ("oz·in", (45_359_237 * 127, 1_600_000_000 * 5000)),
-    ("lb in", (45_359_237 * 127, 100_000_000 * 5000)),
-    ("lb·in", (45_359_237 * 127, 100_000_000 * 5000)),
-    ("lb ft", (45_359_237 * 381, 100_000_000 * 1250)),
-    ("lb·ft", (45_359_237 * 381, 100_000_000 * 1250)),
+    (&["kg mm"], (1, 1000)),
+    (&["kg m", "kg·m"], (1, 1)),
+    (&["g mm"], (1, 1_000_000)),
+    (&["g cm"], (1, 100_000)),
+    (&["g m"], (1, 1000)),
+    (&["oz in", "oz·in"], (45_359_237 * 127, 1_600_000_000 * 5000)),
+    (&["lb in", "lb·in"], (45_359_237 * 127, 100_000_000 * 5000)),
+    (&["lb ft", "lb·ft"], (45_359_237 * 381, 100_000_000 * 1250)),
 ];
 const PRESSURES: Units = &[
-    ("mbar", (100, 1)),
-    ("bar", (100_000, 1)),
-    ("MPa", (1_000_000, 1)),
-    ("kPa", (1000, 1)),
-    ("Pa", (1, 1)),
+    (&["mbar"], (100, 1)),
+    (&["bar"], (100_000, 1)),
+    (&["MPa"], (1_000_000, 1)),
+    (&["kPa"], (1000, 1)),
+    (&["Pa"], (1, 1)),
     // A pound-force of 4.4482216152605 N on a square inch.
-    ("psi", (44_482_216_152_605, 6_451_600_000)),
+    (&["psi"], (44_482_216_152_605, 6_451_600_000)),
 ];
 /// A pound-force on a foot: 4.4482216152605 N times 0.3048 m.
 const FOOT_POUND: (i64, i64) = (8_896_443_230_521 * 381, 2_000_000_000_000 * 1250);
 const ENERGIES: Units =
-    &[("MJ", (1_000_000, 1)), ("kJ", (1000, 1)), ("J", (1, 1)), ("ft lbf", FOOT_POUND), ("ft·lbf", FOOT_POUND)];
+    &[(&["MJ"], (1_000_000, 1)), (&["kJ"], (1000, 1)), (&["J"], (1, 1)), (&["ft lbf", "ft·lbf"], FOOT_POUND)];
 const INERTIAS: Units = &[
-    ("kg m²", (1, 1)),
-    ("kg·m²", (1, 1)),
-    ("kg m^2", (1, 1)),
-    ("kg m2", (1, 1)),
-    ("kg cm²", (1, 10_000)),
-    ("kg cm2", (1, 10_000)),
-    ("g m²", (1, 1000)),
-    ("g m2", (1, 1000)),
-    ("lb ft²", (45_359_237 * 145_161, 100_000_000 * 1_562_500)),
-    ("lb ft^2", (45_359_237 * 145_161, 100_000_000 * 1_562_500)),
-    ("lb in²", (45_359_237 * 16_129, 100_000_000 * 25_000_000)),
-    ("lb in^2", (45_359_237 * 16_129, 100_000_000 * 25_000_000)),
+    (&["kg m²", "kg·m²", "kg m^2", "kg m2"], (1, 1)),
+    (&["kg cm²", "kg cm2"], (1, 10_000)),
+    (&["g m²", "g m2"], (1, 1000)),
+    (&["lb ft²", "lb ft^2"], (45_359_237 * 145_161, 100_000_000 * 1_562_500)),
+    (&["lb in²", "lb in^2"], (45_359_237 * 16_129, 100_000_000 * 25_000_000)),
 ];
 const TORSIONAL_STIFFNESSES: Units = &[
-    ("MN m/rad", (1_000_000, 1)),
-    ("MNm/rad", (1_000_000, 1)),
-    ("kN m/rad", (1000, 1)),
-    ("kNm/rad", (1000, 1)),
-    ("N m/rad", (1, 1)),
-    ("N·m/rad", (1, 1)),
-    ("Nm/rad", (1, 1)),
-    ("ft lbf/rad", FOOT_POUND),
-    ("lbf ft/rad", FOOT_POUND),
+    (&["MN m/rad", "MNm/rad"], (1_000_000, 1)),
+    (&["kN m/rad", "kNm/rad"], (1000, 1)),
+    (&["N m/rad", "N·m/rad", "Nm/rad"], (1, 1)),
+    (&["ft lbf/rad", "lbf ft/rad"], FOOT_POUND),
 ];
 /// A pound-force on an inch: 4.4482216152605 N over 0.0254 m.
 const POUND_PER_INCH: (i64, i64) = (44_482_216_152_605, 254_000_000_000);
 const STIFFNESSES: Units = &[
-    ("MN/m", (1_000_000, 1)),
-    ("kN/mm", (1_000_000, 1)),
-    ("kN/m", (1000, 1)),
-    ("N/mm", (1000, 1)),
-    ("N/m", (1, 1)),
-    ("lbf/in", POUND_PER_INCH),
+    (&["MN/m", "kN/mm"], (1_000_000, 1)),
+    (&["kN/m", "N/mm"], (1000, 1)),
+    (&["N/m"], (1, 1)),
+    (&["lbf/in"], POUND_PER_INCH),
 ];
 const DAMPINGS: Units =
-    &[("kN s/m", (1000, 1)), ("N s/mm", (1000, 1)), ("N s/m", (1, 1)), ("N·s/m", (1, 1)), ("lbf s/in", POUND_PER_INCH)];
+    &[(&["kN s/m", "N s/mm"], (1000, 1)), (&["N s/m", "N·s/m"], (1, 1)), (&["lbf s/in"], POUND_PER_INCH)];
 const TORSIONAL_DAMPINGS: Units = &[
-    ("MN m s/rad", (1_000_000, 1)),
-    ("kN m s/rad", (1000, 1)),
-    ("N m s/rad", (1, 1)),
-    ("MN m s", (1_000_000, 1)),
-    ("kN m s", (1000, 1)),
-    ("N m s", (1, 1)),
-    ("Nms/rad", (1, 1)),
-    ("ft lbf s/rad", FOOT_POUND),
-    ("lbf ft s/rad", FOOT_POUND),
+    (&["MN m s/rad"], (1_000_000, 1)),
+    (&["kN m s/rad"], (1000, 1)),
+    (&["N m s/rad"], (1, 1)),
+    (&["MN m s"], (1_000_000, 1)),
+    (&["kN m s"], (1000, 1)),
+    (&["N m s", "Nms/rad"], (1, 1)),
+    (&["ft lbf s/rad", "lbf ft s/rad"], FOOT_POUND),
 ];
 const TORQUES: Units = &[
-    ("MN m", (1_000_000, 1)),
-    ("kN m", (1000, 1)),
-    ("kNm", (1000, 1)),
-    ("N m", (1, 1)),
-    ("N·m", (1, 1)),
-    ("Nm", (1, 1)),
-    ("ft lbf", FOOT_POUND),
-    ("lbf ft", FOOT_POUND),
+    (&["MN m"], (1_000_000, 1)),
+    (&["kN m", "kNm"], (1000, 1)),
+    (&["N m", "N·m", "Nm"], (1, 1)),
+    (&["ft lbf", "lbf ft"], FOOT_POUND),
 ];
 const STRESSES: Units = &[
-    ("GPa", (1_000_000_000, 1)),
-    ("MPa", (1_000_000, 1)),
-    ("N/mm²", (1_000_000, 1)),
-    ("N/mm2", (1_000_000, 1)),
-    ("kPa", (1000, 1)),
-    ("Pa", (1, 1)),
-    ("psi", (44_482_216_152_605, 6_451_600_000)),
+    (&["GPa"], (1_000_000_000, 1)),
+    (&["MPa", "N/mm²", "N/mm2"], (1_000_000, 1)),
+    (&["kPa"], (1000, 1)),
+    (&["Pa"], (1, 1)),
+    (&["psi"], (44_482_216_152_605, 6_451_600_000)),
 ];
 const MASSES: Units = &[
-    ("kg", (1, 1)),
-    ("g", (1, 1000)),
-    ("lb", (45_359_237, 100_000_000)),
-    ("oz", (45_359_237, 1_600_000_000)),
-    ("t", (1000, 1)),
+    (&["kg"], (1, 1)),
+    (&["g"], (1, 1000)),
+    (&["lb"], (45_359_237, 100_000_000)),
+    (&["oz"], (45_359_237, 1_600_000_000)),
+    (&["t"], (1000, 1)),
 ];
 
 /// An angle in turns, not reduced modulo 1; degrees where no unit is written.
@@ -210,6 +167,11 @@ pub fn turns_per_unit(unit: &str) -> Option<BigRational> {
 pub(crate) fn length(text: &str) -> Result<Length, String> {
     let (number, unit) = with_unit(text, LENGTHS, "\"0.12\", \"120 mm\", \"12 cm\", \"4.4 in\" or \"0.4 ft\"")?;
     Ok(Length { value: sized(in_base_units(&number, unit.unwrap_or((1, 1))))?, has_unit: unit.is_some() })
+}
+
+/// The same in metres, whether it has a unit or not.
+pub(crate) fn metres(text: &str) -> Result<BigRational, String> {
+    length(text).map(|length| length.value)
 }
 
 /// A mass; kilograms where no unit is written.
@@ -249,7 +211,7 @@ pub(crate) fn pressure_unit(name: &str) -> Result<PressureUnit, String> {
 
 /// A unit of pressure by its name, with that name.
 pub(crate) fn pressure_unit_named(name: &str) -> Option<(&'static str, PressureUnit)> {
-    PRESSURES.iter().copied().find(|(known, _)| *known == name)
+    named(PRESSURES).find(|(known, _)| *known == name)
 }
 
 /// A pressure in pascals; its unit is behind it, or holds for a whole table.
@@ -373,7 +335,7 @@ pub(crate) fn pi() -> BigRational {
 }
 
 fn names(units: Units) -> String {
-    units.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
+    named(units).map(|(name, _)| name).collect::<Vec<_>>().join(", ")
 }
 
 /// π, less than 10^-34 too small: a speed in radians a second is a whole multiple of a millionth of a revolution a minute, the nearest one.
@@ -401,7 +363,7 @@ fn in_base_units(number: &BigRational, (numerator, denominator): (i64, i64)) -> 
 
 fn with_unit(text: &str, units: Units, examples: &str) -> Result<(BigRational, Option<(i64, i64)>), String> {
     let text = text.trim();
-    let unit = units.iter().find(|(name, _)| text.ends_with(name));
+    let unit = named(units).find(|(name, _)| text.ends_with(name));
     let number = unit.map_or(text, |(name, _)| text[..text.len() - name.len()].trim_end());
     let value = parse_number(number).map_err(|error| match unknown_unit(text) {
         Some(word) => {
@@ -409,7 +371,7 @@ fn with_unit(text: &str, units: Units, examples: &str) -> Result<(BigRational, O
         }
         None => format!("{error}; for instance {examples}"),
     })?;
-    Ok((value, unit.map(|(_, size)| *size)))
+    Ok((value, unit.map(|(_, size)| size)))
 }
 
 /// What is behind a number.

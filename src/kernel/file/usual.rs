@@ -11,6 +11,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::LayoutError;
 use super::layout::Layout;
+use super::quantities::integer;
 use super::rewritten::exact_number;
 use super::{quantities, units, written};
 use crate::engine::{Engine, LengthUnit, Mechanism, PressureLaw};
@@ -52,7 +53,7 @@ const SPEED: Kind =
     Kind { read: |text| units::speed(text).ok(), unit: " rpm", meant: &["rev/s", "rad/s", "rpm"], ..LENGTH };
 
 const PRESSURE: Kind = Kind {
-    read: |text| Some(units::pressure(text, None).ok()? / BigRational::from_integer(100_000.into())),
+    read: |text| Some(units::pressure(text, None).ok()? / integer(100_000)),
     unit: " bar",
     meant: &[],
     ..LENGTH
@@ -113,7 +114,6 @@ const HEAVIEST: i64 = 100_000;
 /// What is odd about the quantities of a layout file, which was read as `layout`.
 ///
 /// ```standalone_crate
-/// # use crankstar_kernel as crankstar;
 /// # use crankstar_kernel as crankstar;
 /// let text = "inline.throws = [0]\nmechanism.crank_radius = 46";
 /// let layout = crankstar::parse_layout("single.toml", text).unwrap();
@@ -207,7 +207,6 @@ fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
 
 /// What is odd about quantities that are usual by themselves.
 fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
-    let whole = |number: i64| BigRational::from_integer(number.into());
     let dimensions = engine.dimensions();
     let Some(unit) = &dimensions.crank_radius else { return Vec::new() };
     if let Some(odd) = longest(engine, table).or_else(|| measured(engine, table)) {
@@ -216,25 +215,25 @@ fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
     let radii = || engine.cylinders().iter().map(|cylinder| &cylinder.crank_radius * unit);
     let mut odd = Vec::new();
     if let (Some(speed), Some(span)) = (&dimensions.speed, place(table, &["speed"])) {
-        let fastest = radii().map(|radius| radius * speed / whole(15)).max().unwrap_or_default();
+        let fastest = radii().map(|radius| radius * speed / integer(15)).max().unwrap_or_default();
         // ω² = (2π n/60)², π as 355/113.
-        let omega = speed / whole(30) * BigRational::new(355.into(), 113.into());
+        let omega = speed / integer(30) * BigRational::new(355.into(), 113.into());
         let accelerated = engine.cylinders().iter().zip(radii()).map(|(cylinder, radius)| {
             let ratio = match &cylinder.mechanism {
                 Some(Mechanism::SliderCrank(rod)) => rod.ratio.clone(),
                 _ => BigRational::zero(),
             };
-            radius * &omega * &omega * (whole(1) + ratio)
+            radius * &omega * &omega * (integer(1) + ratio)
         });
         let accelerated = accelerated.max().unwrap_or_default();
         let right = "are stroke and speed in the units that they are meant in?";
-        if fastest > whole(FASTEST) {
+        if fastest > integer(FASTEST) {
             let message = format!(
                 "speed makes a mean piston speed of {} m/s, and engines have at most {FASTEST} m/s",
                 fastest.round().to_integer()
             );
             odd.push(LayoutError::new(message, right, Some(span)));
-        } else if accelerated > whole(MOST_ACCELERATION) {
+        } else if accelerated > integer(MOST_ACCELERATION) {
             let message = format!(
                 "speed makes a piston's acceleration {} m/s², and engines have at most {MOST_ACCELERATION} m/s²",
                 accelerated.round().to_integer()
@@ -244,14 +243,14 @@ fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
     }
     if let (Some(mass), Some(span)) = (&dimensions.mass, mechanism(table).and_then(|keys| place(keys, &MASSES))) {
         let heavy = engine.cylinders().iter().zip(radii()).find(|(cylinder, radius)| {
-            let stroke = radius * whole(2);
-            mass * &cylinder.reciprocating_mass > whole(HEAVIEST) * &stroke * &stroke * &stroke
+            let stroke = radius * integer(2);
+            mass * &cylinder.reciprocating_mass > integer(HEAVIEST) * &stroke * &stroke * &stroke
         });
         if let Some((cylinder, radius)) = heavy {
             let message = format!(
                 "a reciprocating mass of {} kg at a stroke of {} mm is heavier than that of any engine",
                 exact_number(&(mass * &cylinder.reciprocating_mass)).trim_matches('"'),
-                exact_number(&(radius * whole(2000))).trim_matches('"')
+                exact_number(&(radius * integer(2000))).trim_matches('"')
             );
             odd.push(LayoutError::new(message, "is the unit right? such as \"450 g\"", Some(span)));
         }
@@ -264,7 +263,7 @@ const LONGEST: i64 = 50;
 
 /// A position in metres that is beyond any engine.
 fn longest(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
-    let most = BigRational::from_integer(LONGEST.into());
+    let most = integer(LONGEST);
     if engine.length_unit() != LengthUnit::Metre {
         return None;
     }
@@ -284,14 +283,13 @@ fn measured(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
     let (gas, cycle) = (engine.gas()?, engine.cycle()?);
     let gas_keys = table.get("gas")?.get_ref().as_table()?;
     let span = place(gas_keys, &["table", "pressure"]);
-    let whole = |number: i64| BigRational::from_integer(number.into());
     let is_usual = |value: &BigRational, usual: &RangeInclusive<i64>| {
-        *value >= whole(*usual.start()) && *value <= whole(*usual.end())
+        *value >= integer(*usual.start()) && *value <= integer(*usual.end())
     };
     let odd = |law: &PressureLaw| {
         let PressureLaw::Table(rows) = law else { return None };
         let (angle, pascals) = rows.rows().iter().max_by(|one, other| one.1.cmp(&other.1))?;
-        let bar = pascals / whole(100_000);
+        let bar = pascals / integer(100_000);
         if !is_usual(&bar, &USUAL_PEAK_BAR) {
             let message = format!("the largest pressure of the table is {} bar", bar.round());
             let (least, most) = (USUAL_PEAK_BAR.start(), USUAL_PEAK_BAR.end());
@@ -300,7 +298,7 @@ fn measured(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
         }
         let turns = cycle.turns();
         let within = angle / &turns - (angle / &turns + BigRational::new(1.into(), 2.into())).floor();
-        let degrees = within * turns * whole(360);
+        let degrees = within * turns * integer(360);
         let message = format!("the largest pressure of the table is at {}° of the firing dead centre", degrees.round());
         let (first, last) = (USUAL_PEAK_DEGREES.start(), USUAL_PEAK_DEGREES.end());
         let right = format!(

@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{DeserializeOwned, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -66,12 +66,8 @@ impl<'de> Deserialize<'de> for Values {
             fn visit_str<E: Error>(self, text: &str) -> Result<Values, E> {
                 Ok(Values::One(Written(text.to_owned())))
             }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Values, A::Error> {
-                let mut texts = Vec::new();
-                while let Some(text) = list.next_element()? {
-                    texts.push(text);
-                }
-                Ok(Values::Each(texts))
+            fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Values, A::Error> {
+                Vec::deserialize(SeqAccessDeserializer::new(list)).map(Values::Each)
             }
         }
         deserializer.deserialize_any(OneOrEach)

@@ -1,6 +1,6 @@
 //! Does a value agree with what the evidence beside it says?
 
-use super::audit::Fault;
+use super::audit::{Fault, demand};
 use super::decimals::Size;
 use super::document::Document;
 
@@ -10,8 +10,5 @@ pub(super) fn check_title(place: &str, title: &str, document: &Document) -> Resu
 
 /// A size is 0 exactly where the evidence proves that it is.
 pub(super) fn agrees(place: &str, size: Size, is_zero: bool) -> Result<(), Fault> {
-    match size.is_nothing() == is_zero {
-        true => Ok(()),
-        false => Err(Fault::new(place, "it is not what the evidence says")),
-    }
+    demand(size.is_nothing() == is_zero, Fault::new(place, "it is not what the evidence says"))
 }

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::audit::Fault;
+use super::audit::{Fault, refuse_if};
 use super::checked::Checked;
 use super::document::Document;
 use super::document_check::check_document;
@@ -38,9 +38,7 @@ pub enum AnyDocument {
 /// # Errors
 /// Where it is too large, is no JSON, names no known format, or says something in another way than its format has it.
 pub fn read_document(bytes: &[u8]) -> Result<AnyDocument, Unreadable> {
-    if bytes.len() > LARGEST_DOCUMENT {
-        return Err(Unreadable::TooLarge(bytes.len()));
-    }
+    refuse_if(bytes.len() > LARGEST_DOCUMENT, Unreadable::TooLarge(bytes.len()))?;
     let Tree(tree) = serde_json::from_slice(bytes).map_err(|error| Unreadable::NotJson(error.to_string()))?;
     if let Some(digits) = too_many_digits(&tree) {
         return Err(Unreadable::TooManyDigits(digits));

@@ -106,6 +106,26 @@ pub enum Reason {
     TooManySteps,
 }
 
+/// Holds, or is refused for this reason.
+pub(super) fn demand<E>(holds: bool, why: E) -> Result<(), E> {
+    if holds { Ok(()) } else { Err(why) }
+}
+
+/// Is refused for this reason where that is so.
+pub(super) fn refuse_if<E>(is_so: bool, why: E) -> Result<(), E> {
+    demand(!is_so, why)
+}
+
+impl Reason {
+    /// Tells where it belongs.
+    pub(super) fn within(self, place: impl fmt::Display) -> Self {
+        match self {
+            Reason::Wrong(words) => Reason::Wrong(format!("{place}: {words}")),
+            Reason::TooManySteps => Reason::TooManySteps,
+        }
+    }
+}
+
 impl From<String> for Reason {
     fn from(words: String) -> Self {
         Reason::Wrong(words)

@@ -95,7 +95,11 @@ pub(super) struct Complex {
 
 impl Complex {
     pub fn zero() -> Self {
-        Complex { re: Ball::exact(BigInt::zero()), im: Ball::exact(BigInt::zero()) }
+        Complex::real(Ball::exact(BigInt::zero()))
+    }
+
+    pub fn real(re: Ball) -> Self {
+        Complex { re, im: Ball::exact(BigInt::zero()) }
     }
 
     pub fn plus(&self, other: &Complex) -> Complex {
@@ -121,6 +125,39 @@ impl Complex {
             2 => Complex { re: re.negated(), im: im.negated() },
             _ => Complex { re: im.negated(), im: re.clone() },
         }
+    }
+
+    pub fn scaled(&self, by: &BigRational) -> Complex {
+        Complex { re: self.re.scaled(by), im: self.im.scaled(by) }
+    }
+
+    /// No less than the length.
+    pub fn longest(&self) -> BigInt {
+        let [[_, re], [_, im]] = [self.re.sizes(), self.im.sizes()];
+        (&re * &re + &im * &im).sqrt() + 1
+    }
+
+    /// Whether a line keeps 0 away from all that is within `bend` of a plane: from here on, so far along each of these.
+    pub fn keeps_away(&self, along: &[(&Complex, &BigRational)], bend: &BigInt) -> bool {
+        let across = along.iter().map(|(vector, _)| vector.turned_back(1));
+        across.chain([self.clone()]).any(|direction| self.is_beyond(&direction, along, bend))
+    }
+
+    /// The same of a line across this direction.
+    fn is_beyond(&self, direction: &Complex, along: &[(&Complex, &BigRational)], bend: &BigInt) -> bool {
+        let (x, y) = (&direction.re.middle, &direction.im.middle);
+        let ahead = |vector: &Complex| {
+            let doubt = x.abs() * &vector.re.doubt + y.abs() * &vector.im.doubt;
+            (&vector.re.middle * x + &vector.im.middle * y, doubt)
+        };
+        let (at, doubt) = ahead(self);
+        let sides = along.iter().map(|(vector, reach)| {
+            let (along, doubt) = ahead(vector);
+            BigRational::from_integer(along.abs() + doubt) * *reach
+        });
+        let sides: BigRational = sides.sum();
+        let length: BigInt = (x * x + y * y).sqrt() + 1;
+        BigRational::from_integer(at.abs() - doubt - length * bend) > sides
     }
 
     /// `|z|²`, in the same units.

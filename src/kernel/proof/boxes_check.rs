@@ -10,7 +10,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::audit::{Audit, Reason, steps_of};
+use super::audit::{Audit, Reason, demand, refuse_if, steps_of};
 use super::ball::{Ball, Complex};
 use super::boxes::{BoxZeroClaim, BoxesClaim};
 use super::check::certify;
@@ -27,15 +27,11 @@ const FINEST: u32 = 40;
 
 /// Checks the boxes against the parts.
 pub(super) fn check_boxes(claim: &BoxesClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
-    if left.len() < 3 {
-        return Err(format!("{} parts do not vanish, which contradicts `when`", left.len()).into());
-    }
+    refuse_if(left.len() < 3, format!("{} parts do not vanish, which contradicts `when`", left.len()))?;
     let torus = Torus::of(claim, left, audit)?;
     for (place, zero) in claim.zeros.iter().enumerate() {
-        torus.check_zero(zero).map_err(|reason| match reason {
-            Reason::Wrong(words) => Reason::Wrong(format!("the zero about ({}, {}): {words}", zero.s, zero.t)),
-            Reason::TooManySteps => Reason::TooManySteps,
-        })?;
+        let about = || format!("the zero about ({}, {})", zero.s, zero.t);
+        torus.check_zero(zero).map_err(|reason| reason.within(about()))?;
         for other in &claim.zeros[..place] {
             audit.spend(4)?;
             let widths = &zero.reach + &other.reach;
@@ -92,9 +88,7 @@ impl<'a> Torus<'a> {
             let [m, n] = times.map(|times| BigRational::from_integer(times.into()));
             let angle = &s * m + &t * n;
             self.audit.spend(circle.steps() + steps_of(&angle) + 6)?;
-            let (cos, sin) = circle.cos_sin(&angle);
-            let part = |middle| Ball { middle, doubt: 2.into() };
-            let turned = vector.times(&Complex { re: part(cos), im: part(sin) }, BITS);
+            let turned = vector.times(&circle.direction(&angle), BITS);
             // A quarter turn on.
             let along = turned.turned_back(3);
             for (by, times) in jet.by.iter_mut().zip(times) {
@@ -110,7 +104,7 @@ impl<'a> Torus<'a> {
         let each = self.vectors.iter().map(|(times, vector)| {
             let [m, n] = times.map(|times| BigRational::from_integer(times.abs().into()));
             let far = &reach[0] * m + &reach[1] * n;
-            let length = BigRational::from_integer(largest(vector));
+            let length = BigRational::from_integer(vector.longest());
             length * &far * weight(*times, &far)
         });
         each.sum()
@@ -130,10 +124,7 @@ impl<'a> Torus<'a> {
                 _ => return Err("a box is `s`, `t`, `0`, `1` or `?`".into()),
             }
         }
-        match waiting.is_empty() {
-            true => Ok(()),
-            false => Err("`tree` ends before all boxes are listed".into()),
-        }
+        Ok(demand(waiting.is_empty(), "`tree` ends before all boxes are listed")?)
     }
 
     fn demand_free(&self, place: &Place) -> Result<(), Reason> {
@@ -144,22 +135,7 @@ impl<'a> Torus<'a> {
         let bend = self.beyond(&reach, |_, far| far.clone()) / BigRational::from_integer(2.into());
         let bend = bend.ceil().to_integer();
         let [a, b] = &jet.by;
-        let keeps_away = [&jet.at, &a.turned_back(1), &b.turned_back(1)].into_iter().any(|direction| {
-            let (x, y) = (&direction.re.middle, &direction.im.middle);
-            let ahead = |vector: &Complex| {
-                let doubt = x.abs() * &vector.re.doubt + y.abs() * &vector.im.doubt;
-                (&vector.re.middle * x + &vector.im.middle * y, doubt)
-            };
-            let (at, doubt) = ahead(&jet.at);
-            let sides = jet.by.iter().zip(&reach).map(|(by, reach)| {
-                let (along, doubt) = ahead(by);
-                BigRational::from_integer(along.abs() + doubt) * reach
-            });
-            let sides: BigRational = sides.sum();
-            let length: BigInt = (x * x + y * y).sqrt() + 1;
-            BigRational::from_integer(at.abs() - doubt - length * &bend) > sides
-        });
-        match keeps_away {
+        match jet.at.keeps_away(&[(a, &reach[0]), (b, &reach[1])], &bend) {
             true => Ok(()),
             false => Err(format!("no line keeps 0 away from the box about ({}, {})", middle[0], middle[1]).into()),
         }
@@ -182,9 +158,7 @@ impl<'a> Torus<'a> {
         let middle = [zero.s.clone(), zero.t.clone()];
         for turns in middle.iter().chain([&zero.reach]) {
             self.audit.spend(steps_of(turns))?;
-            if turns.is_negative() || *turns >= BigRational::one() {
-                return Err("its turns are not from 0 to 1".into());
-            }
+            refuse_if(turns.is_negative() || *turns >= BigRational::one(), "its turns are not from 0 to 1")?;
         }
         if !zero.reach.is_positive() || zero.reach > BigRational::new(1.into(), 4.into()) {
             return Err("its box reaches nowhere, or around the torus".into());
@@ -212,10 +186,7 @@ impl<'a> Torus<'a> {
             let length = BigRational::from_integer((x * x + y * y).sqrt() + 1);
             BigRational::from_integer(off) + length * &stray * &most < &determinant * &least
         });
-        match is_alone {
-            true => Ok(()),
-            false => Err("Krawczyk's test does not show that its box holds one".into()),
-        }
+        Ok(demand(is_alone, "Krawczyk's test does not show that its box holds one")?)
     }
 
     /// The sum at a point.
@@ -235,9 +206,7 @@ impl Place {
     /// The second half, and the first, which is taken first.
     fn halves(mut self, axis: usize) -> Result<[Place; 2], Reason> {
         self.level[axis] += 1;
-        if self.level[axis] > FINEST {
-            return Err("a box is narrower than any that is listed".into());
-        }
+        refuse_if(self.level[axis] > FINEST, "a box is narrower than any that is listed")?;
         let mut second = self.clone();
         second.low[axis] += BigRational::new(BigInt::one(), BigInt::one() << self.level[axis]);
         Ok([second, self])
@@ -252,17 +221,13 @@ impl Place {
 
 /// By which whole multiples of a unit the parts are turned along an axis, the least 0.
 fn multiples(left: &[Part<'_>], axis: usize, unit: &BigRational, audit: &Audit) -> Result<Vec<i64>, Reason> {
-    if !unit.is_positive() {
-        return Err("s and t take φ and δ a positive number of times".into());
-    }
+    refuse_if(!unit.is_positive(), "s and t take φ and δ a positive number of times")?;
     let mut all: Vec<BigInt> = Vec::new();
     for part in left {
         let apart = &part.turned_against(&left[0])[axis];
         audit.spend(steps_of(apart) + steps_of(unit))?;
         let times = apart / unit;
-        if !times.is_integer() {
-            return Err("a part is not turned by a whole multiple of s and t".into());
-        }
+        refuse_if(!times.is_integer(), "a part is not turned by a whole multiple of s and t")?;
         all.push(times.to_integer());
     }
     let least = all.iter().min().cloned().unwrap_or_default();
@@ -278,12 +243,6 @@ fn multiples(left: &[Part<'_>], axis: usize, unit: &BigRational, audit: &Audit) 
 fn whole(vector: &Complex, times: i64) -> Complex {
     let part = |ball: &Ball| Ball { middle: &ball.middle * times, doubt: &ball.doubt * times.abs() };
     Complex { re: part(&vector.re), im: part(&vector.im) }
-}
-
-/// No less than the length.
-fn largest(vector: &Complex) -> BigInt {
-    let [[_, re], [_, im]] = [vector.re.sizes(), vector.im.sizes()];
-    (&re * &re + &im * &im).sqrt() + 1
 }
 
 /// How far two numbers of turns are from each other, modulo a turn.

@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::audit::{Audit, squared_words, steps_of};
+use super::audit::{Audit, refuse_if, squared_words, steps_of};
 use super::certificate::{Certificate, Polygon, Residue};
 use super::collected::{Collected, collect, collected};
 use super::refusal::{LARGEST_CONDUCTOR, MOST_CORNERS, Refusal};
@@ -29,9 +29,7 @@ pub(super) fn certify(
     certificate: &Certificate,
     audit: &Audit,
 ) -> Result<(), Refusal> {
-    if certificate.claims_zero() != vanishes {
-        return Err(Refusal::WrongKind);
-    }
+    refuse_if(certificate.claims_zero() != vanishes, Refusal::WrongKind)?;
     match certificate {
         Certificate::Polygons { polygons } => check_polygons(sum, polygons, audit),
         Certificate::Residue(residue) => check_residue(sum, residue, audit),
@@ -46,15 +44,9 @@ fn check_polygons(sum: &Collected, polygons: &[Polygon], audit: &Audit) -> Resul
     let mut corners = 0_u64;
     for polygon in polygons {
         corners = corners.saturating_add(polygon.sides);
-        if corners > MOST_CORNERS {
-            return Err(Refusal::TooManyCorners);
-        }
-        if polygon.sides < 2 {
-            return Err(Refusal::NoPolygon(polygon.sides));
-        }
-        if polygon.weight.is_zero() {
-            return Err(Refusal::EmptyPolygon);
-        }
+        refuse_if(corners > MOST_CORNERS, Refusal::TooManyCorners)?;
+        refuse_if(polygon.sides < 2, Refusal::NoPolygon(polygon.sides))?;
+        refuse_if(polygon.weight.is_zero(), Refusal::EmptyPolygon)?;
         let size = steps_of(&polygon.rotation).max(steps_of(&polygon.weight));
         audit.spend(polygon.sides.saturating_mul(size))?;
     }
@@ -107,8 +99,6 @@ fn check_residue(sum: &Collected, claim: &Residue, audit: &Audit) -> Result<(), 
         let term = multiplied(modulo(&whole.to_integer()), image, modulus);
         found = added(found, term, modulus);
     }
-    if found != modulo(&claim.residue) {
-        return Err(Refusal::WrongResidue(found));
-    }
+    refuse_if(found != modulo(&claim.residue), Refusal::WrongResidue(found))?;
     if found == 0 { Err(Refusal::ZeroResidue) } else { Ok(()) }
 }

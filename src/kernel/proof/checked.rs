@@ -14,7 +14,7 @@ use super::remedy::{RemedyDocument, TurningClaim};
 use super::whole_sum::{WholeClaim, WholeOutcome};
 
 /// What a check that found nothing wrong was about.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Checked {
     /// Whose masses; of several documents all, each once.
     pub masses: Vec<Masses>,
@@ -79,21 +79,6 @@ impl Checked {
         }
     }
 
-    /// Of sums alone, and nothing said yet of what they are about.
-    fn of_sums(counts: Counts) -> Self {
-        Checked {
-            masses: Vec::new(),
-            orders: Vec::new(),
-            quantities: Vec::new(),
-            counts,
-            wholes: 0,
-            open_wholes: 0,
-            shapes: 0,
-            theorems: 0,
-            not_covered: Vec::new(),
-        }
-    }
-
     pub(super) fn family(document: &OpenDocument, all_solved: bool, counts: Counts) -> Self {
         let open = (!all_solved).then_some(NOT_SOLVED);
         Checked {
@@ -101,7 +86,8 @@ impl Checked {
             orders: exact(&document.orders),
             quantities: document.quantities.clone(),
             not_covered: [COEFFICIENTS, SAME_RODS].into_iter().chain(open).collect(),
-            ..Checked::of_sums(counts)
+            counts,
+            ..Checked::default()
         }
     }
 
@@ -115,7 +101,8 @@ impl Checked {
             orders: exact(&document.orders),
             quantities: document.quantities.clone(),
             not_covered: [WEIGHTS].into_iter().chain(left_out).chain(other).chain(unknown).collect(),
-            ..Checked::of_sums(counts)
+            counts,
+            ..Checked::default()
         }
     }
 
@@ -127,7 +114,8 @@ impl Checked {
             orders: document.orders.clone(),
             theorems: usize::from(document.pattern.is_some()),
             not_covered: [ONE_LAW].into_iter().chain(rigid).chain(unknown).collect(),
-            ..Checked::of_sums(counts)
+            counts,
+            ..Checked::default()
         }
     }
 

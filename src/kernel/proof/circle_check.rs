@@ -10,19 +10,16 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::audit::{Audit, Reason, steps_of};
-use super::ball::{Ball, Complex};
+use super::audit::{Audit, Reason, demand, refuse_if, steps_of};
+use super::ball::Complex;
 use super::certificate::Certificate;
 use super::check::certify;
 use super::circle::{ArcClaim, CircleClaim};
-use super::collected::common_multiple;
-use super::decimals::enclose;
+use super::decimals::{enclose, scale};
 use super::divided_check::{check_divided, of_coefficients};
+use super::enclosure::check_bits;
 use super::part::Part;
 use super::unknown::Unknown;
-
-const FEWEST_BITS: u32 = 32;
-const MOST_BITS: u32 = 512;
 
 /// Checks the arcs against the parts.
 pub(super) fn check_circle(claim: &CircleClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
@@ -45,36 +42,23 @@ pub(super) fn check_whole(
 }
 
 fn check_unknown(claim: &CircleClaim, u: [&BigRational; 2]) -> Result<(), Reason> {
-    match [&claim.phi, &claim.delta] == u {
-        true => Ok(()),
-        false => Err("the circle is not that of u".into()),
-    }
+    Ok(demand([&claim.phi, &claim.delta] == u, "the circle is not that of u")?)
 }
 
 /// Checks the arcs against a polynomial, whatever it is divided by.
 fn check_arcs(claim: &CircleClaim, unknown: &Unknown<'_>, audit: &Audit) -> Result<(), Reason> {
-    if !(FEWEST_BITS..=MOST_BITS).contains(&claim.bits) {
-        return Err(format!("an enclosure has {FEWEST_BITS} to {MOST_BITS} bits").into());
-    }
+    check_bits(claim.bits)?;
     check_mirrored(claim, unknown, audit)?;
     let ground = Evaluator::new(unknown, claim.bits, audit)?;
     let mut from = &claim.from;
     for arc in &claim.arcs {
         audit.spend(1 + steps_of(from) + steps_of(arc.to()))?;
-        if from >= arc.to() {
-            return Err("an arc does not end behind its beginning".into());
-        }
+        refuse_if(from >= arc.to(), "an arc does not end behind its beginning")?;
         let ends = [from, arc.to()];
-        ground.check_arc(arc, ends).map_err(|reason| match reason {
-            Reason::Wrong(words) => Reason::Wrong(format!("the arc from {from} to {}: {words}", arc.to())),
-            Reason::TooManySteps => Reason::TooManySteps,
-        })?;
+        ground.check_arc(arc, ends).map_err(|reason| reason.within(format!("the arc from {from} to {}", arc.to())))?;
         from = arc.to();
     }
-    match *from == &claim.from + BigRational::one() {
-        true => Ok(()),
-        false => Err("the arcs do not make one turn".into()),
-    }
+    Ok(demand(*from == &claim.from + BigRational::one(), "the arcs do not make one turn")?)
 }
 
 /// Checks the arcs against a polynomial itself: a crossing of them is a simple zero of it.
@@ -139,11 +123,7 @@ type Curve = Vec<(i64, Complex)>;
 
 impl<'a> Evaluator<'a> {
     fn new(unknown: &'a Unknown<'a>, bits: u32, audit: &'a Audit) -> Result<Self, Reason> {
-        let mut scale = BigInt::one();
-        for weight in unknown.sums.iter().flat_map(|sum| sum.values()) {
-            audit.spend(steps_of(weight) + steps_of(&BigRational::from_integer(scale.clone())))?;
-            scale = common_multiple(&scale, weight.denom());
-        }
+        let scale = scale(unknown.sums.iter().copied(), audit)?;
         let circle = audit.circle(bits);
         let sums = unknown.sums.iter().map(|sum| Ok(enclose(sum, &scale, &circle, audit)?));
         let sums = sums.collect::<Result<Vec<_>, Reason>>()?;
@@ -154,7 +134,7 @@ impl<'a> Evaluator<'a> {
     fn derivative(&self, i: u32) -> Curve {
         let factor = |exponent: i64| BigRational::from_integer(BigInt::from(exponent).pow(i));
         let each = self.unknown.exponents.iter().zip(&self.sums);
-        each.map(|(&exponent, sum)| (2 * exponent, scaled(sum, &factor(exponent)))).collect()
+        each.map(|(&exponent, sum)| (2 * exponent, sum.scaled(&factor(exponent)))).collect()
     }
 
     /// The sum turned back by half of its degree.
@@ -165,7 +145,7 @@ impl<'a> Evaluator<'a> {
 
     /// The derivative of that, up to a factor.
     fn slope(&self) -> Curve {
-        let turning = |(twice, sum): (i64, Complex)| (twice, scaled(&sum, &BigRational::from_integer(twice.into())));
+        let turning = |(twice, sum): (i64, Complex)| (twice, sum.scaled(&BigRational::from_integer(twice.into())));
         self.centred().into_iter().map(turning).collect()
     }
 
@@ -175,16 +155,11 @@ impl<'a> Evaluator<'a> {
             ArcClaim::Free { .. } => self.demand_free(&self.derivative(0), ends),
             ArcClaim::Monotone { .. } => {
                 self.demand_free(&self.slope(), ends)?;
-                match self.same_side(ends)? {
-                    true => Ok(()),
-                    false => Err("the ends are on both sides of 0".into()),
-                }
+                Ok(demand(self.same_side(ends)?, "the ends are on both sides of 0")?)
             }
             ArcClaim::Crossing { .. } => {
                 self.demand_free(&self.slope(), ends)?;
-                if self.same_side(ends)? {
-                    return Err("the ends are on one side of 0".into());
-                }
+                refuse_if(self.same_side(ends)?, "the ends are on one side of 0")?;
                 match self.moduli.iter().any(|modulus| holds_multiple(ends, modulus)) {
                     true => Err("a rational turn in it may be the zero".into()),
                     false => Ok(()),
@@ -202,9 +177,7 @@ impl<'a> Evaluator<'a> {
         ends: [&BigRational; 2],
     ) -> Result<(), Reason> {
         self.audit.spend(steps_of(at))?;
-        if at < ends[0] || ends[1] < at {
-            return Err("its zero is not on it".into());
-        }
+        refuse_if(at < ends[0] || ends[1] < at, "its zero is not on it")?;
         // So many parts vanish fewer times at one turn.
         if certificates.is_empty() || certificates.len() >= self.sums.len() {
             return Err(format!("{} certificates for a zero of {} parts", certificates.len(), self.sums.len()).into());
@@ -221,9 +194,7 @@ impl<'a> Evaluator<'a> {
         let turned = curve.iter().map(|(twice, vector)| {
             let angle = &half * BigRational::from_integer((*twice).into());
             self.audit.spend(circle.steps() + steps_of(&angle) + 4)?;
-            let (cos, sin) = circle.cos_sin(&angle);
-            let part = |middle| Ball { middle, doubt: 2.into() };
-            Ok((*twice, vector.times(&Complex { re: part(cos), im: part(sin) }, self.bits)))
+            Ok((*twice, vector.times(&circle.direction(&angle), self.bits)))
         });
         turned.collect()
     }
@@ -245,54 +216,19 @@ impl<'a> Evaluator<'a> {
     fn demand_free(&self, curve: &Curve, [low, high]: [&BigRational; 2]) -> Result<(), Reason> {
         let two = BigRational::from_integer(2.into());
         let (middle, half) = ((low + high) / &two, (high - low) / two);
-        let mut tangent = Tangent { at: Complex::zero(), along: Complex::zero() };
+        let (mut at, mut along) = (Complex::zero(), Complex::zero());
         for (twice, vector) in self.vectors(curve, &middle)? {
-            tangent.at = tangent.at.plus(&vector);
-            tangent.along = tangent.along.plus(&scaled(&vector, &BigRational::from_integer(twice.into())));
+            at = at.plus(&vector);
+            along = along.plus(&vector.scaled(&BigRational::from_integer(twice.into())));
         }
         // A quarter turn on, and away from the scale of turns: the derivative is πi Σ 2m_j C_j e^{…}, and π < 355/113.
-        tangent.along = tangent.along.turned_back(3);
+        let along = along.turned_back(3);
         let reach = &half * BigRational::new(355.into(), 113.into());
         // ½ (2π)² m² = ½ π² (2m)², and ½ π² < 5.
-        let bend: BigInt = curve.iter().map(|(twice, vector)| largest(vector) * (BigInt::from(*twice) * *twice)).sum();
+        let bend: BigInt = curve.iter().map(|(twice, vector)| vector.longest() * (BigInt::from(*twice) * *twice)).sum();
         let bend = (&half * &half * BigRational::from_integer(bend * 5)).ceil().to_integer();
-        let directions = [&tangent.at, &tangent.along.turned_back(1), &tangent.along.turned_back(3)];
-        match directions.into_iter().any(|direction| tangent.keeps_away(direction, &reach, &bend)) {
-            true => Ok(()),
-            false => Err("no line keeps it away from 0".into()),
-        }
+        Ok(demand(at.keeps_away(&[(&along, &reach)], &bend), "no line keeps it away from 0")?)
     }
-}
-
-/// A point of a curve, and where it goes from there.
-struct Tangent {
-    at: Complex,
-    along: Complex,
-}
-
-impl Tangent {
-    /// Whether all that is within `bend` of the tangent, up to `reach` either way, is ahead in a direction.
-    fn keeps_away(&self, direction: &Complex, reach: &BigRational, bend: &BigInt) -> bool {
-        let (x, y) = (&direction.re.middle, &direction.im.middle);
-        let ahead = |vector: &Complex| {
-            let doubt = x.abs() * &vector.re.doubt + y.abs() * &vector.im.doubt;
-            (&vector.re.middle * x + &vector.im.middle * y, doubt)
-        };
-        let (at, doubt) = ahead(&self.at);
-        let (along, unsure) = ahead(&self.along);
-        let length: BigInt = (x * x + y * y).sqrt() + 1;
-        (at - doubt - length * bend) * reach.denom() > (along.abs() + unsure) * reach.numer()
-    }
-}
-
-fn scaled(vector: &Complex, by: &BigRational) -> Complex {
-    Complex { re: vector.re.scaled(by), im: vector.im.scaled(by) }
-}
-
-/// No less than the length.
-fn largest(vector: &Complex) -> BigInt {
-    let [[_, re], [_, im]] = [vector.re.sizes(), vector.im.sizes()];
-    (&re * &re + &im * &im).sqrt() + 1
 }
 
 /// Whether a multiple of `1/modulus` is between two turns, or one of them.

@@ -7,32 +7,23 @@
 use std::collections::BTreeMap;
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive};
 
 use super::audit::{Audit, Reason, steps_of};
 use super::check::certify;
 use super::circle::CircleClaim;
 use super::circle_check::check_undivided;
 use super::collected::{Collected, collect};
-use super::laurent::of_powers;
+use super::laurent::{left_of, of_powers};
 use super::part::Part;
 use super::plane::{ClassesClaim, MeetingClaim};
-use super::unknown::{HIGHEST_EXPONENT, product, turned};
+use super::unknown::{HIGHEST_EXPONENT, NOT_WHOLE, check_positive, product, turned, whole_times};
 
 /// Checks that the parts make these classes, and where both are equally long.
 pub(super) fn check_classes(claim: &ClassesClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
     let classes = Classes::of(claim, left, audit)?;
     let squares = classes.squares(audit)?;
-    if squares.len() != claim.squares.len() {
-        return Err(format!("{} certificates for {} coefficients", claim.squares.len(), squares.len()).into());
-    }
-    let mut coefficients: Vec<(i64, Collected)> = Vec::new();
-    for ((m, square), certificate) in squares.into_iter().zip(&claim.squares) {
-        certify(&square, certificate.claims_zero(), certificate, audit)?;
-        if !certificate.claims_zero() {
-            coefficients.push((m, square));
-        }
-    }
+    let coefficients = left_of(squares.into_iter(), &claim.squares, audit)?;
     let is_constant = coefficients.iter().all(|(m, _)| *m == 0);
     match &claim.circle {
         None if is_constant && claim.meetings.is_empty() => Ok(()),
@@ -51,10 +42,8 @@ struct Classes<'a>([Vec<(i64, &'a Collected)>; 2]);
 
 impl<'a> Classes<'a> {
     fn of(claim: &ClassesClaim, left: &'a [Part<'a>], audit: &Audit) -> Result<Self, Reason> {
-        let (phi, delta) = (&claim.phi, &claim.delta);
-        if !(phi.is_positive() || phi.is_zero() && delta.is_positive()) {
-            return Err("u takes φ a positive number of times, or not at all and δ so".into());
-        }
+        let u = [&claim.phi, &claim.delta];
+        check_positive(u)?;
         let is_place = |place: &usize| *place < left.len();
         if !claim.second.iter().all(is_place) || !claim.second.is_sorted_by(|a, b| a < b) {
             return Err("the second class is not a rising list of places of parts that do not vanish".into());
@@ -65,7 +54,7 @@ impl<'a> Classes<'a> {
             return Err("a class is empty".into());
         };
         let apart = left[other].turned_against(&left[start]);
-        if &apart[0] * delta == &apart[1] * phi {
+        if &apart[0] * u[1] == &apart[1] * u[0] {
             return Err("the classes are not turned against each other by an angle on its own".into());
         }
         let of_class = |places: &[usize], start: usize| {
@@ -73,15 +62,12 @@ impl<'a> Classes<'a> {
             for &place in places {
                 let apart = left[place].turned_against(&left[start]);
                 audit.spend(steps_of(&apart[0]) + steps_of(&apart[1]))?;
-                let times = if phi.is_zero() { &apart[1] / delta } else { &apart[0] / phi };
-                if apart != [phi * &times, delta * &times] || !times.is_integer() {
-                    return Err(Reason::from("a part is not turned against its class by a whole multiple of u"));
-                }
-                let times = times.to_integer().to_i64().filter(|times| (0..=HIGHEST_EXPONENT / 2).contains(times));
+                let times = whole_times(&apart, u).ok_or(NOT_WHOLE)?;
+                let times = times.to_i64().filter(|times| (0..=HIGHEST_EXPONENT / 2).contains(times));
                 let times = times.ok_or("u enters too many times, or parts do not rise")?;
                 class.push((times, left[place].sum()));
             }
-            Ok(class)
+            Ok::<_, Reason>(class)
         };
         Ok(Classes([of_class(&first, start)?, of_class(&second, other)?]))
     }

@@ -128,19 +128,23 @@ fn along(weight: BigRational) -> Vec<Vector> {
 }
 
 impl Factor {
+    /// Before the vector as it is.
+    fn plain(coefficient: Coefficient, is_zero: bool) -> Self {
+        Factor { coefficient, is_zero, parts: along(BigRational::one()) }
+    }
+
     /// In the force. Centric rods have `c_1 = 1` and no other odd order; with the offset's sign the coefficients of odd
     /// orders above 1 change theirs.
     ///
     /// A link has its master's in part, and one of its own; in order 1 it is as a centric rod.
     pub fn of_force(rod: &RodStatement, order: u32, do_rods_differ: bool) -> Vec<Self> {
         let is_odd = order % 2 == 1;
-        let plain = |coefficient, is_zero| Factor { coefficient, is_zero, parts: along(BigRational::one()) };
         match rod {
-            RodStatement::Unknown if order == 1 => vec![plain(Coefficient::One, false)],
-            RodStatement::Unknown => vec![plain(Coefficient::Common, is_odd)],
+            RodStatement::Unknown if order == 1 => vec![Factor::plain(Coefficient::One, false)],
+            RodStatement::Unknown => vec![Factor::plain(Coefficient::Common, is_odd)],
             RodStatement::Known(rod) => Factor::of_rod_in_parts(rod, order, do_rods_differ),
             RodStatement::Link(link) if link.is_corrected() => Factor::of_corrected(link, order),
-            RodStatement::Link(_) if order == 1 => vec![plain(Coefficient::One, false)],
+            RodStatement::Link(_) if order == 1 => vec![Factor::plain(Coefficient::One, false)],
             RodStatement::Link(link) => {
                 let master = Factor { parts: link.with_the_master(order), ..Factor::of_rod(&link.master_rod(), order) };
                 if is_odd {
@@ -193,10 +197,9 @@ impl Factor {
     /// In the force, of a rod on the crankpin.
     pub fn of_rod(rod: &RodClaim, order: u32) -> Self {
         let is_odd = order % 2 == 1;
-        let plain = |coefficient, is_zero| Factor { coefficient, is_zero, parts: along(BigRational::one()) };
         match (order, rod.offset.is_zero()) {
-            (1, true) => plain(Coefficient::One, false),
-            (1, false) => plain(Coefficient::Rod(rod.clone()), false),
+            (1, true) => Factor::plain(Coefficient::One, false),
+            (1, false) => Factor::plain(Coefficient::Rod(rod.clone()), false),
             _ => {
                 let one = BigRational::one();
                 Factor {
@@ -210,7 +213,7 @@ impl Factor {
 
     /// In the force of a mass that turns: that of the rod that it names, or 1. It names no link.
     pub fn of_shaft(rod: Option<&RodStatement>, order: u32, do_rods_differ: bool) -> Vec<Self> {
-        let plain = |coefficient, is_zero| vec![Factor { coefficient, is_zero, parts: along(BigRational::one()) }];
+        let plain = |coefficient, is_zero| vec![Factor::plain(coefficient, is_zero)];
         match rod {
             None => plain(Coefficient::One, false),
             Some(RodStatement::Unknown) if order == 1 => plain(Coefficient::One, false),
@@ -226,6 +229,6 @@ impl Factor {
             RodStatement::Unknown | RodStatement::Link(_) => (Coefficient::CommonTorque, false),
             RodStatement::Known(rod) => (Coefficient::Torque(rod.clone()), rod.ratio.is_zero() && order != 2),
         };
-        Factor { coefficient, is_zero, parts: along(BigRational::one()) }
+        Factor::plain(coefficient, is_zero)
     }
 }

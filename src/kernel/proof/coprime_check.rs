@@ -9,7 +9,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
-use super::audit::{Audit, Reason, squared_words, steps_of};
+use super::audit::{Audit, Reason, refuse_if, squared_words, steps_of};
 use super::circle::CoprimeClaim;
 use super::collected::Collected;
 use super::part::Part;
@@ -27,13 +27,9 @@ pub(super) fn check_coprime(claim: &CoprimeClaim, left: &[Part<'_>], audit: &Aud
 
 /// Checks that a polynomial vanishes nowhere on the circle.
 pub(super) fn check_identity(claim: &CoprimeClaim, unknown: &Unknown<'_>, audit: &Audit) -> Result<(), Reason> {
-    if claim.prime > LARGEST_PRIME {
-        return Err(format!("the prime is at most {LARGEST_PRIME}").into());
-    }
+    refuse_if(claim.prime > LARGEST_PRIME, format!("the prime is at most {LARGEST_PRIME}"))?;
     audit.spend(LARGEST_PRIME.isqrt() / 64)?;
-    if !is_prime(claim.prime) {
-        return Err(format!("{} is not prime", claim.prime).into());
-    }
+    refuse_if(!is_prime(claim.prime), format!("{} is not prime", claim.prime))?;
     if !(1..=LARGEST_CONDUCTOR).contains(&claim.conductor) {
         return Err(format!("the conductor is between 1 and {LARGEST_CONDUCTOR}").into());
     }
@@ -46,9 +42,7 @@ pub(super) fn check_identity(claim: &CoprimeClaim, unknown: &Unknown<'_>, audit:
     let straight = image(unknown, claim, 1, audit)?;
     let mut mirrored = image(unknown, claim, -1, audit)?;
     mirrored.reverse();
-    if straight.last().is_none_or(|leading| *leading == 0) {
-        return Err("the leading coefficient is 0 modulo the prime".into());
-    }
+    refuse_if(straight.last().is_none_or(|leading| *leading == 0), "the leading coefficient is 0 modulo the prime")?;
     let length = straight.len();
     if claim.u.len().max(claim.v.len()) > length || claim.u.iter().chain(&claim.v).any(|c| *c >= claim.prime) {
         return Err("the factors have more coefficients than the sum, or some that are not below the prime".into());

@@ -8,12 +8,11 @@ use std::iter::repeat_n;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
-use super::audit::{Audit, Reason, steps_of};
+use super::audit::{Audit, Reason, refuse_if, steps_of};
 use super::check::certify;
 use super::circle::DividedClaim;
 use super::collected::{Collected, collect, collected, vectors};
 use super::coprime_check::check_identity;
-use super::refusal::Refusal;
 use super::unknown::Unknown;
 use super::vector::Vector;
 
@@ -29,9 +28,7 @@ pub(super) fn check_divided(
 ) -> Result<Coefficients, Reason> {
     let without = read(&claim.without, audit)?;
     let powers = claim.powers.iter().map(|power| monic(power, audit)).collect::<Result<Vec<_>, Reason>>()?;
-    if powers.last().is_none_or(|last| last.len() < 2) {
-        return Err("the last factor has a degree".into());
-    }
+    refuse_if(powers.last().is_none_or(|last| last.len() < 2), "the last factor has a degree")?;
     let in_all = (1_usize..).zip(&powers).map(|(times, power)| times.saturating_mul(power.len() - 1));
     let degree = in_all.fold(without.len(), usize::saturating_add);
     if Some(degree) != unknown.degree().to_usize().map(|degree| degree + 1) {
@@ -62,10 +59,8 @@ fn check_equal(claim: &DividedClaim, whole: Coefficients, unknown: &Unknown<'_>,
         }
     }
     for ((exponent, terms), certificate) in terms.into_iter().enumerate().zip(&claim.equalities) {
-        certify(&collect(terms, audit)?, true, certificate, audit).map_err(|refusal| match refusal {
-            Refusal::TooManySteps => Reason::TooManySteps,
-            refusal => Reason::Wrong(format!("coefficient {exponent} of the product: {refusal}")),
-        })?;
+        certify(&collect(terms, audit)?, true, certificate, audit)
+            .map_err(|refusal| Reason::from(refusal).within(format!("coefficient {exponent} of the product")))?;
     }
     Ok(())
 }

@@ -3,8 +3,8 @@
 use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
-use super::audit::Reason;
-use super::engine::{Cylinder, Masses, RodStatement, TurningMassClaim, has_offset, rods};
+use super::audit::{Reason, demand};
+use super::engine::{Cylinder, Masses, TurningMassClaim, has_offset, rods};
 use super::format::Format;
 use super::fraction;
 use super::quantity::Quantity;
@@ -58,10 +58,16 @@ impl Document {
     }
 
     pub(super) fn has_links(&self) -> bool {
-        self.cylinders.iter().any(|cylinder| match cylinder.rod {
-            RodStatement::Link(_) => true,
-            RodStatement::Unknown | RodStatement::Known(_) => false,
-        })
+        self.cylinders.iter().any(|cylinder| cylinder.rod.link().is_some())
+    }
+
+    /// Checks that what turns does so with the crank, and every crankshaft equally fast: as statements on every order need it.
+    pub(super) fn check_turning(&self) -> Result<(), &'static str> {
+        if self.turning_masses.iter().any(|mass| mass.order > 1) {
+            return Err("a statement on every order needs masses that turn with the crank, or none");
+        }
+        let is_alike = self.cylinders.iter().all(|cylinder| cylinder.speed == 1);
+        demand(is_alike, "a statement on every order needs crankshafts that turn equally fast")
     }
 
     pub(super) fn has_equal_centric_rods(&self) -> bool {

@@ -2,12 +2,12 @@
 
 use num_traits::Zero;
 
-use super::audit::{Audit, Fault, Reason};
+use super::audit::{Audit, Fault, Reason, refuse_if};
 use super::checked::Checked;
 use super::document::Document;
 use super::engine::{
-    Masses, RodStatement, check_asked, check_knuckle, check_masses, check_masters, check_names, check_radii,
-    check_shafts, check_speed,
+    Masses, check_asked, check_knuckle, check_masses, check_masters, check_names, check_radii, check_shafts,
+    check_speed,
 };
 use super::format::Format;
 use super::judged::{Judged, JudgedGroup};
@@ -15,6 +15,7 @@ use super::motion::Motion;
 use super::quantity::{Quantity, Sense};
 use super::recurrence::RecurrenceClaim;
 use super::recurrence_check::check_recurrence;
+use super::rod::RodClaim;
 use super::shape::check_shape;
 use super::source::knuckle_name;
 use super::theorem_check::check_theorem;
@@ -44,18 +45,12 @@ pub(super) fn judge(document: &Document, audit: &Audit) -> Result<Vec<Judged>, F
 }
 
 fn check_head(document: &Document) -> Result<(), Fault> {
-    if document.format != Format::Classify {
-        return Err(Fault::new("format", "verdicts are in `crankstar classify 2`"));
-    }
+    refuse_if(document.format != Format::Classify, Fault::new("format", "verdicts are in `crankstar classify 2`"))?;
     check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
     check_turning_masses(document)?;
     check_axes(document)?;
     check_asked(&document.orders, &document.quantities)?;
-    let is_judged = |quantity: &Quantity| match quantity {
-        Quantity::Planar(_) => true,
-        Quantity::Axial(_) => false,
-    };
-    if document.has_links() && !document.quantities.iter().all(is_judged) {
+    if document.has_links() && document.quantities.iter().any(|quantity| quantity.planar().is_none()) {
         return Err(Fault::new("quantities", "torque and roll moment of links on a master rod are not decided"));
     }
     for cylinder in &document.cylinders {
@@ -77,10 +72,8 @@ fn check_head(document: &Document) -> Result<(), Fault> {
 fn check_axes(document: &Document) -> Result<(), Fault> {
     let why = "it is in documents with the roll moment alone, which nothing else could check";
     if document.quantities.contains(&Quantity::ROLL) {
-        let endless = document.cylinders.iter().position(|cylinder| match &cylinder.rod {
-            RodStatement::Known(rod) => rod.ratio.is_zero() && !rod.offset.is_zero(),
-            RodStatement::Unknown | RodStatement::Link(_) => false,
-        });
+        let is_endless = |rod: &RodClaim| rod.ratio.is_zero() && !rod.offset.is_zero();
+        let endless = document.cylinders.iter().position(|cylinder| cylinder.rod.on_the_pin().is_some_and(is_endless));
         return match endless {
             None => Ok(()),
             Some(index) => {
@@ -193,10 +186,7 @@ fn check_wholes(document: &Document, judged: &mut [Judged], motion: &Motion<'_>)
             one.wholes.push(vanishes);
         }
     }
-    match claims.next() {
-        None => Ok(()),
-        Some(_) => Err(Fault::new("wholes", "there are more than orders with several sums have")),
-    }
+    refuse_if(claims.next().is_some(), Fault::new("wholes", "there are more than orders with several sums have"))
 }
 
 /// Each order of force and moment has a shape, in the order of the verdicts.
@@ -211,10 +201,7 @@ fn check_shapes(document: &Document, judged: &[Judged], motion: &Motion<'_>) -> 
         }
         check_shape(claim, one, motion).map_err(|reason| Fault { place, reason })?;
     }
-    match claims.next() {
-        None => Ok(()),
-        Some(_) => Err(Fault::new("shapes", "there are more than the verdicts have")),
-    }
+    refuse_if(claims.next().is_some(), Fault::new("shapes", "there are more than the verdicts have"))
 }
 
 /// Where they were asked for there is one per quantity and sense, in the order of the verdicts; else none. They are given class by
@@ -262,8 +249,5 @@ fn check_each<T>(
         }
         check(claim).map_err(|reason| Fault { place, reason })?;
     }
-    match claims.next() {
-        None => Ok(()),
-        Some(_) => Err(Fault::new(format!("{name}s"), "there are more than were asked for")),
-    }
+    refuse_if(claims.next().is_some(), Fault::new(format!("{name}s"), "there are more than were asked for"))
 }

@@ -1,8 +1,21 @@
 //! Between which bounds do cosine and sine of a turn lie? Whole numbers over a power of two, without floats.
 
+use std::ops::RangeInclusive;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
+
+use super::ball::{Ball, Complex};
+
+/// The bits that a document may ask for: fewer are not worth it, more are not computed.
+const ASKED: RangeInclusive<u32> = 32..=512;
+
+/// Checks the bits that a document asks for.
+pub(super) fn check_bits(bits: u32) -> Result<(), String> {
+    let (fewest, most) = (ASKED.start(), ASKED.end());
+    if ASKED.contains(&bits) { Ok(()) } else { Err(format!("an enclosure has {fewest} to {most} bits")) }
+}
 
 /// Bits that are computed beyond those that are answered for.
 const GUARD: u32 = 32;
@@ -31,6 +44,13 @@ impl Circle {
     pub fn steps(&self) -> u64 {
         let words = u64::from(self.bits / 64 + 1);
         u64::from(self.bits / 6) * (words * words / 8 + 4) / 32 + 1
+    }
+
+    /// e^{2πi·turns}, in units of `2^−bits`.
+    pub fn direction(&self, turns: &BigRational) -> Complex {
+        let (cos, sin) = self.cos_sin(turns);
+        let part = |middle| Ball { middle, doubt: 2.into() };
+        Complex { re: part(cos), im: part(sin) }
     }
 
     /// `(cos, sin)` times `2^bits`, each off by less than 2.

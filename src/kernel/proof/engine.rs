@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde::{Deserialize, Serialize};
 
-use super::audit::{Fault, Reason};
+use super::audit::{Fault, Reason, demand, refuse_if};
 use super::collected::turn;
 use super::fraction;
 use super::link::LinkClaim;
@@ -83,11 +83,9 @@ pub(super) fn is_once(speed: &u32) -> bool {
 
 /// Checks that a crankshaft turns a whole number of times, and that nothing is on a faster one that is not judged there.
 pub(super) fn check_speed(rod: &RodStatement, speed: u32) -> Result<(), Reason> {
-    match (rod, speed) {
-        (_, 0) => Err("a crankshaft turns once at least while the reference one turns once".into()),
-        (_, 1) | (RodStatement::Unknown | RodStatement::Known(_), _) => Ok(()),
-        (RodStatement::Link(_), _) => Err("a link on a crankshaft that turns faster than the reference one".into()),
-    }
+    refuse_if(speed == 0, "a crankshaft turns once at least while the reference one turns once")?;
+    let is_held = speed == 1 || rod.link().is_none();
+    Ok(demand(is_held, "a link on a crankshaft that turns faster than the reference one")?)
 }
 
 /// One of several crankshafts.
@@ -110,6 +108,24 @@ pub enum RodStatement {
     Known(RodClaim),
     /// This link on the rod of another cylinder.
     Link(LinkClaim),
+}
+
+impl RodStatement {
+    /// The link, where it is one.
+    pub(super) fn link(&self) -> Option<&LinkClaim> {
+        match self {
+            RodStatement::Link(link) => Some(link),
+            RodStatement::Unknown | RodStatement::Known(_) => None,
+        }
+    }
+
+    /// The rod, where one on the crankpin is named.
+    pub(super) fn on_the_pin(&self) -> Option<&RodClaim> {
+        match self {
+            RodStatement::Known(rod) => Some(rod),
+            RodStatement::Unknown | RodStatement::Link(_) => None,
+        }
+    }
 }
 
 /// Whose masses the verdicts are about.
@@ -197,12 +213,12 @@ pub(super) fn rods<'a>(
 
 /// Checks that no mass is below 0.
 pub(super) fn check_masses<'a>(mut masses: impl Iterator<Item = &'a BigRational>) -> Result<(), Reason> {
-    if masses.any(Signed::is_negative) { Err("a mass is less than nothing".into()) } else { Ok(()) }
+    Ok(refuse_if(masses.any(Signed::is_negative), "a mass is less than nothing")?)
 }
 
 /// Checks that crank radii are above 0.
 pub(super) fn check_radii<'a>(mut radii: impl Iterator<Item = &'a BigRational>) -> Result<(), Reason> {
-    if radii.all(Signed::is_positive) { Ok(()) } else { Err("a crank radius is not above 0".into()) }
+    Ok(demand(radii.all(Signed::is_positive), "a crank radius is not above 0")?)
 }
 
 /// What a master rod and its links have in common: their crankpin (its throw in turns of one revolution, and what else a document says of
@@ -248,15 +264,11 @@ pub(super) fn check_names<'a>(names: impl Iterator<Item = &'a str>) -> Result<()
 
 /// Checks that the orders asked for are rising and exist, and the quantities are in the order force, moment, torque, roll.
 pub(super) fn check_asked(orders: &[u32], quantities: &[Quantity]) -> Result<(), Fault> {
-    if orders.is_empty() {
-        return Err(Fault::new("orders", "the list is empty, there is nothing to check"));
-    }
+    refuse_if(orders.is_empty(), Fault::new("orders", "the list is empty, there is nothing to check"))?;
     if orders[0] == 0 || orders.windows(2).any(|pair| pair[0] >= pair[1]) {
         return Err(Fault::new("orders", "orders rise from 1 on, each once"));
     }
-    if quantities.is_empty() {
-        return Err(Fault::new("quantities", "the list is empty, there is nothing to check"));
-    }
+    refuse_if(quantities.is_empty(), Fault::new("quantities", "the list is empty, there is nothing to check"))?;
     match quantities.windows(2).all(|pair| pair[0] < pair[1]) {
         true => Ok(()),
         false => Err(Fault::new("quantities", "they are in the order force, moment, torque, roll, each once")),
@@ -265,20 +277,13 @@ pub(super) fn check_asked(orders: &[u32], quantities: &[Quantity]) -> Result<(),
 
 /// Checks that no shaft takes the coefficient of a link, which has several.
 pub(super) fn check_shafts<'a>(mut rods: impl Iterator<Item = &'a RodStatement>) -> Result<(), Reason> {
-    let is_link = |rod: &RodStatement| match rod {
-        RodStatement::Link(_) => true,
-        RodStatement::Unknown | RodStatement::Known(_) => false,
-    };
-    if rods.any(is_link) { Err("a shaft takes the coefficient of a link, which has several".into()) } else { Ok(()) }
+    let has_link = rods.any(|rod| rod.link().is_some());
+    Ok(refuse_if(has_link, "a shaft takes the coefficient of a link, which has several")?)
 }
 
 /// Checks that a mass at a knuckle pin hangs on a link.
 pub(super) fn check_knuckle(rod: &RodStatement, weight: &BigRational) -> Result<(), Reason> {
-    match rod {
-        RodStatement::Link(_) => Ok(()),
-        RodStatement::Unknown | RodStatement::Known(_) if weight.is_zero() => Ok(()),
-        RodStatement::Unknown | RodStatement::Known(_) => Err("a knuckle weight without a link".into()),
-    }
+    Ok(demand(rod.link().is_some() || weight.is_zero(), "a knuckle weight without a link")?)
 }
 
 /// Whether some cylinder axis misses the crankshaft.

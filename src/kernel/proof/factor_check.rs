@@ -11,10 +11,11 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::audit::{Audit, Reason, steps_of};
+use super::audit::{Audit, Reason, refuse_if, steps_of};
 use super::check::certify;
 use super::collected::collect;
-use super::recurrence::{FactorClaim, Parity, Rays, Zeros, collect_rays, within};
+use super::recurrence::{FactorClaim, Parity, Rays, Zeros, collect_rays};
+use super::theorem::first_beyond;
 use super::whole::{is_prime, prime_divisors};
 
 /// Longer periods are not gone through.
@@ -59,8 +60,8 @@ pub(super) fn check_factor(factor: &FactorClaim, parity: Parity, audit: &Audit) 
         let at_order =
             rays.iter().map(|([per_order, fixed], weight)| (*per_order * &order + *fixed, (*weight).clone()));
         let sum = collect(at_order, audit)?;
-        let certified = certify(&sum, verdict.vanishes, &verdict.certificate, audit).map_err(Reason::from);
-        within(&format!("order {}", verdict.order), certified)?;
+        certify(&sum, verdict.vanishes, &verdict.certificate, audit)
+            .map_err(|refusal| Reason::from(refusal).within(format!("order {}", verdict.order)))?;
     }
     check_zeros(factor, parity, period)
 }
@@ -68,9 +69,7 @@ pub(super) fn check_factor(factor: &FactorClaim, parity: Parity, audit: &Audit) 
 /// From order k to order `k + period` all rays turn by the same angle.
 fn period_of(factor: &FactorClaim) -> Result<u64, Reason> {
     let period = &factor.period;
-    if !period.is_positive() || period.is_odd() {
-        return Err(format!("the period {period} is not a positive even number").into());
-    }
+    refuse_if(!period.is_positive() || period.is_odd(), format!("the period {period} is not a positive even number"))?;
     let times = BigRational::from_integer(period.clone());
     if let [first, others @ ..] = factor.terms.as_slice() {
         let is_moved =
@@ -95,19 +94,9 @@ fn check_orders(factor: &FactorClaim, parity: Parity, period: u64, audit: &Audit
             .map(|(order, _)| order)
             .collect(),
     };
-    let mut found = factor.judged.iter();
-    for order in right {
-        match found.next() {
-            None => return Err(format!("order {order} is missing").into()),
-            Some(verdict) if u64::from(verdict.order) != order => {
-                return Err(format!("order {} is in the place of order {order}", verdict.order).into());
-            }
-            Some(_) => (),
-        }
-    }
-    match found.next() {
+    match first_beyond(&factor.judged, right)? {
         None => Ok(()),
-        Some(verdict) => Err(format!("order {} does not belong here", verdict.order).into()),
+        Some(order) => Err(format!("order {order} does not belong here").into()),
     }
 }
 

@@ -6,7 +6,7 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::audit::{Audit, Fault, steps_of};
+use super::audit::{Audit, Fault, demand, refuse_if, steps_of};
 use super::check::certify;
 use super::checked::Checked;
 use super::collected::collect;
@@ -50,9 +50,7 @@ impl CycleClaim {
 
 /// Each cylinder fires within the cycle, and at a top dead centre of its own; the first of them at 0.
 fn check_head(document: &FiringDocument) -> Result<(), Fault> {
-    if document.format != Format::Firing {
-        return Err(Fault::new("format", "firing stars are in `crankstar firing 1`"));
-    }
+    refuse_if(document.format != Format::Firing, Fault::new("format", "firing stars are in `crankstar firing 1`"))?;
     check_names(document.cylinders.iter().map(|cylinder| cylinder.name.as_str()))?;
     let held = document.cylinders.iter().map(|one| (&one.throw, &one.bank, &one.rod, [&one.crank_radius]));
     rods(document.cylinders.iter().map(|cylinder| &cylinder.rod))
@@ -89,10 +87,7 @@ fn check_orders(document: &FiringDocument) -> Result<(), Fault> {
             format!("{order} is not an order of the cycle: they are multiples of {lowest}"),
         ));
     }
-    match document.orders.windows(2).all(|pair| pair[0] < pair[1]) {
-        true => Ok(()),
-        false => Err(Fault::new("orders", "orders rise, each once")),
-    }
+    demand(document.orders.windows(2).all(|pair| pair[0] < pair[1]), Fault::new("orders", "orders rise, each once"))
 }
 
 /// The cylinders by their rods, in the order of the first of each.
@@ -109,10 +104,7 @@ fn classes(cylinders: &[FiringCylinder]) -> Vec<Vec<&FiringCylinder>> {
 
 /// Whether pistons of one crank radius move alike: infinitely long rods do whatever their offsets are.
 fn move_alike(one: &RodStatement, other: &RodStatement) -> bool {
-    let is_infinite = |rod: &RodStatement| match rod {
-        RodStatement::Unknown | RodStatement::Link(_) => false,
-        RodStatement::Known(rod) => rod.ratio.is_zero(),
-    };
+    let is_infinite = |rod: &RodStatement| rod.on_the_pin().is_some_and(|rod| rod.ratio.is_zero());
     one == other || (is_infinite(one) && is_infinite(other))
 }
 
@@ -178,9 +170,7 @@ fn check_pattern(
             let Some((index, verdict)) = found.next() else {
                 return Err(Fault::new(place(pattern.verdicts.len()), "this verdict is missing"));
             };
-            if verdict.order != order {
-                return Err(Fault::new(place(index), "another verdict stands here"));
-            }
+            refuse_if(verdict.order != order, Fault::new(place(index), "another verdict stands here"))?;
             let terms = vectors(class, &order).into_iter().map(|(_, vector)| (vector.angle, vector.weight));
             let holds =
                 collect(terms, audit).and_then(|sum| certify(&sum, verdict.vanishes, &verdict.certificate, audit));

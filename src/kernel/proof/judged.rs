@@ -12,6 +12,15 @@ pub(super) struct JudgedGroup {
     pub sums: Vec<(Collected, bool)>,
 }
 
+impl JudgedGroup {
+    /// With a sum in one sense; of the other nothing is said.
+    pub fn of_sense(coefficient: Coefficient, is_zero: bool, sense: usize, sum: (Collected, bool)) -> Self {
+        let mut sums = vec![(Collected::new(), true); Sense::BOTH.len()];
+        sums[sense] = sum;
+        JudgedGroup { coefficient, is_zero, sums }
+    }
+}
+
 /// An order of a quantity.
 pub(super) struct Judged {
     pub quantity: Quantity,

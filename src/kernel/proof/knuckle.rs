@@ -18,7 +18,7 @@ use num_traits::{One, Signed};
 use serde::{Deserialize, Serialize};
 
 use super::audit::Audit;
-use super::ball::Ball;
+use super::ball::{Ball, Complex};
 use super::enclosure::Circle;
 use super::fraction;
 use super::refusal::Refusal;
@@ -89,11 +89,8 @@ impl KnuckleClaim {
 
     /// r/L times the bound of |Im K| in the strip to C, in units of `2^−BITS`.
     fn reach(&self, cosh: &BigRational, circle: &Circle) -> Option<Ball> {
-        let turned = |angle: &BigRational| {
-            let (cos, sin) = circle.cos_sin(angle);
-            [cos, sin].map(|middle| Ball { middle, doubt: 2.into() })
-        };
-        let ([cos, sin], [ahead, _]) = (turned(&self.correction), turned(&self.apart));
+        let Complex { re: cos, im: sin } = circle.direction(&self.correction);
+        let ahead = circle.direction(&self.apart).re;
         let unit = Ball::exact(BigInt::one() << BITS);
         let along = cos.scaled(&self.knuckle);
         let twice = along.times(&ahead, BITS).scaled(&BigRational::from_integer(2.into()));
@@ -152,27 +149,25 @@ impl KnuckleClaim {
         let words = u64::from(fine / 64 + 1);
         audit.spend((half + 1).saturating_mul(circle.steps()))?;
         audit.spend(count.saturating_mul(2 * words * words + 8))?;
-        let turned = |angle: &BigRational| {
-            let (cos, sin) = circle.cos_sin(angle);
-            [cos, sin].map(|middle| Ball { middle, doubt: 2.into() })
-        };
-        let table: Vec<[Ball; 2]> = (0..=half).map(|j| turned(&BigRational::new(j.into(), count.into()))).collect();
-        let ([cos_correction, sin_correction], [ahead, aside]) = (turned(&self.correction), turned(&self.apart));
-        let along = cos_correction.scaled(&self.knuckle);
-        let across = sin_correction.scaled(&(&self.knuckle / &self.master));
+        let place = |j: u64| circle.direction(&BigRational::new(j.into(), count.into()));
+        let table: Vec<Complex> = (0..=half).map(place).collect();
+        let Complex { re: ahead, im: aside } = circle.direction(&self.apart);
+        let corrected = circle.direction(&self.correction);
+        let along = corrected.re.scaled(&self.knuckle);
+        let across = corrected.im.scaled(&(&self.knuckle / &self.master));
         let unit = Ball::exact(BigInt::one() << fine);
         let below = |square: &Ball| unit.minus(&square.times(square, fine)).root(fine).ok_or(Refusal::TooManySteps);
         let mut sum = Ball::exact(0.into());
         for j in 0..count {
-            let [cos, sin] = multiple(&table, 1, j, count)?;
+            let Complex { re: cos, im: sin } = multiple(&table, 1, j, count)?;
             let of_master = sin.times(&ahead, fine).plus(&cos.times(&aside, fine));
             let rod = below(&of_master.scaled(&self.master))?;
             let pin = sin.minus(&along.times(&of_master, fine)).plus(&across.times(&rod, fine));
             let root = below(&pin.scaled(&self.ratio))?;
-            let [cos, sin] = multiple(&table, u64::from(order), j, count)?;
+            let wave = multiple(&table, u64::from(order), j, count)?;
             let wave = match self.part {
-                Part::Real => cos,
-                Part::Imaginary => sin.negated(),
+                Part::Real => wave.re,
+                Part::Imaginary => wave.im.negated(),
             };
             sum = sum.plus(&root.times(&wave, fine));
         }

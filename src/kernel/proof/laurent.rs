@@ -6,6 +6,8 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::audit::{Audit, Reason};
+use super::certificate::Certificate;
+use super::check::certify;
 use super::collected::{Collected, collect};
 use super::unknown::{Unknown, product, turned};
 
@@ -33,6 +35,25 @@ pub(super) fn combined(pairs: [(&Laurent, &Laurent); 2], audit: &Audit) -> Resul
         }
     }
     terms.into_iter().map(|(power, terms)| Ok((power, collect(terms, audit)?))).collect()
+}
+
+/// The coefficients that are not zero, by their certificates.
+pub(super) fn left_of(
+    coefficients: impl ExactSizeIterator<Item = (i64, Collected)>,
+    certificates: &[Certificate],
+    audit: &Audit,
+) -> Result<Vec<(i64, Collected)>, Reason> {
+    if coefficients.len() != certificates.len() {
+        return Err(format!("{} certificates for {} coefficients", certificates.len(), coefficients.len()).into());
+    }
+    let mut left = Vec::new();
+    for ((power, sum), certificate) in coefficients.zip(certificates) {
+        certify(&sum, certificate.claims_zero(), certificate, audit)?;
+        if !certificate.claims_zero() {
+            left.push((power, sum));
+        }
+    }
+    Ok(left)
 }
 
 /// A class at a turn of u.

@@ -102,9 +102,7 @@ fn longest_of(
         return Ok(BigRational::zero());
     }
     let group = |(coefficient, sum): &(Coefficient, &Collected)| {
-        let mut of_senses = vec![(Collected::new(), true); Sense::BOTH.len()];
-        of_senses[place] = ((*sum).clone(), false);
-        JudgedGroup { coefficient: coefficient.clone(), is_zero: false, sums: of_senses }
+        JudgedGroup::of_sense(coefficient.clone(), false, place, ((*sum).clone(), false))
     };
     let groups = sums.iter().map(group).collect();
     longest(&Judged { quantity: Quantity::FORCE, order, groups, wholes: Vec::new() }, place, motion)

@@ -181,8 +181,7 @@ impl LinkageClaim {
 
     /// X, in units of `2^−bits`.
     fn reach(&self, circle: &Circle, bits: u32) -> Ball {
-        let (cos, _) = circle.cos_sin(&self.apart);
-        let cos = Ball { middle: cos, doubt: 2.into() };
+        let cos = circle.direction(&self.apart).re;
         let twice = &self.knuckle * BigRational::from_integer(2.into());
         let squares = BigRational::one() + &self.knuckle * &self.knuckle;
         let ratio = &self.ratio * &self.ratio;

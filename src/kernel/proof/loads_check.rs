@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::agreement::{agrees, check_title};
-use super::audit::Fault;
+use super::audit::{Fault, refuse_if};
 use super::decimals::{Decimal, Size};
 use super::document::Document;
 use super::engine::Masses;
@@ -110,9 +110,7 @@ fn check_peaks(
 ) -> Result<(), Fault> {
     let (peaks, largest) = (&loads.peaks, &loads.largest);
     let effects: BTreeSet<Effect> = loads.effects.iter().copied().collect();
-    if effects.len() < loads.effects.len() {
-        return Err(Fault::new("effects", "an effect is here twice"));
-    }
+    refuse_if(effects.len() < loads.effects.len(), Fault::new("effects", "an effect is here twice"))?;
     let is_alone = loads.effects.len() == 1;
     if !effects.contains(&Effect::Reciprocating) || is_alone != (evidence.masses == Masses::Reciprocating) {
         return Err(Fault::new("effects", "these are not those of the masses that the evidence is about"));

@@ -46,16 +46,9 @@ impl<'a> Motion<'a> {
             Coefficient::Common | Coefficient::CommonTorque => return Ok(None),
             Coefficient::Torque(rod) => torque(rod, order, bits, self.audit)?,
             Coefficient::Rod(rod) => force(rod, order, bits, self.audit)?,
-            Coefficient::Quadrature(rod) => {
-                let first = force(rod, 1, bits, self.audit)?;
-                Complex { re: first.im, im: Ball::exact(0.into()) }
-            }
-            Coefficient::Linkage(linkage) => {
-                Complex { re: linkage.number(order, bits, self.audit)?, im: Ball::exact(BigInt::from(0)) }
-            }
-            Coefficient::Corrected(linkage) => {
-                Complex { re: linkage.number(order, bits, self.audit)?, im: Ball::exact(BigInt::from(0)) }
-            }
+            Coefficient::Quadrature(rod) => Complex::real(force(rod, 1, bits, self.audit)?.im),
+            Coefficient::Linkage(linkage) => Complex::real(linkage.number(order, bits, self.audit)?),
+            Coefficient::Corrected(linkage) => Complex::real(linkage.number(order, bits, self.audit)?),
         };
         self.known.borrow_mut().insert(key, found.clone());
         Ok(Some(found))
@@ -99,7 +92,7 @@ pub(super) fn smallness(coefficient: &Coefficient, order: u32, audit: &Audit) ->
 }
 
 fn one(bits: u32) -> Complex {
-    Complex { re: Ball::exact(BigInt::one() << bits), im: Ball::exact(BigInt::from(0)) }
+    Complex::real(Ball::exact(BigInt::one() << bits))
 }
 
 /// c_k.
@@ -125,7 +118,7 @@ fn force(rod: &RodClaim, order: u32, bits: u32, audit: &Audit) -> Result<Complex
             _ => Ball::exact(0.into()),
         }
     };
-    let rod = Complex { re: harmonic, im: Ball::exact(0.into()) }.turned_back(order);
+    let rod = Complex::real(harmonic).turned_back(order);
     Ok(if order == 1 { rod.plus(&one(bits)) } else { rod })
 }
 

@@ -9,7 +9,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::audit::{Audit, Fault, Reason, steps_of};
+use super::audit::{Audit, Fault, Reason, refuse_if, steps_of};
 use super::checked::Checked;
 use super::collected::turn;
 use super::engine::{Masses, check_asked, check_names};
@@ -41,9 +41,7 @@ pub fn check_open_document(document: &OpenDocument) -> Result<Checked, Fault> {
         }
         check_verdict(document, verdict, &audit).map_err(|reason| Fault { place, reason })?;
     }
-    if found.next().is_some() {
-        return Err(Fault::new("open_verdicts", "there are more than were asked for"));
-    }
+    refuse_if(found.next().is_some(), Fault::new("open_verdicts", "there are more than were asked for"))?;
     if audit.counts().certificates() == 0 {
         return Err(Fault::new("open_verdicts", "nothing is proved: no cylinder has a weight"));
     }
@@ -72,9 +70,7 @@ fn is_solved(when: &WhenClaim) -> bool {
 }
 
 fn check_head(document: &OpenDocument) -> Result<(), Fault> {
-    if document.format != Format::Family {
-        return Err(Fault::new("format", "families are in `crankstar family 2`"));
-    }
+    refuse_if(document.format != Format::Family, Fault::new("format", "families are in `crankstar family 2`"))?;
     if document.masses != Masses::Reciprocating {
         return Err(Fault::new("masses", "this format knows verdicts on the reciprocating masses only"));
     }
@@ -103,9 +99,7 @@ fn check_head(document: &OpenDocument) -> Result<(), Fault> {
 
 /// The known part is there, be it 0; of the symbols only those that occur.
 fn check_linear(linear: &LinearClaim) -> Result<(), &'static str> {
-    if !linear.contains_key("1") {
-        return Err("the known part, under \"1\", is missing");
-    }
+    refuse_if(!linear.contains_key("1"), "the known part, under \"1\", is missing")?;
     match linear.iter().any(|(name, exact)| name != "1" && exact.0.is_zero()) {
         true => Err("a symbol is taken 0 times"),
         false => Ok(()),
@@ -119,9 +113,7 @@ fn check_verdict(document: &OpenDocument, verdict: &OpenVerdictClaim, audit: &Au
     }
     for (sum, (symbol, parts)) in verdict.sums.iter().zip(&expected) {
         let name = symbol.as_deref().unwrap_or("known lengths");
-        if sum.symbol != *symbol {
-            return Err(format!("the sum of {name} is missing, or not in its place").into());
-        }
+        refuse_if(sum.symbol != *symbol, format!("the sum of {name} is missing, or not in its place"))?;
         if sum.parts.len() != parts.len() {
             return Err(format!("{} parts in the sum of {name}, it has {}", sum.parts.len(), parts.len()).into());
         }

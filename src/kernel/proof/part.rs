@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::alternative::AlternativeClaim;
-use super::audit::{Audit, Reason};
+use super::audit::{Audit, Reason, refuse_if};
 use super::check::certify;
 use super::collected::{Collected, collect, collected};
 use super::open::PartClaim;
@@ -41,9 +41,7 @@ pub(super) fn check_alternative(
     claim: &AlternativeClaim,
     audit: &Audit,
 ) -> Result<(), Reason> {
-    if claim.conditions.len() != others.len() {
-        return Err("there is one condition a part after the first".into());
-    }
+    refuse_if(claim.conditions.len() != others.len(), "there is one condition a part after the first")?;
     let mut terms: Vec<(BigRational, BigRational)> = first.sum.iter().map(|(t, w)| (t.clone(), w.clone())).collect();
     for (part, condition) in others.iter().zip(&claim.conditions) {
         let [phi, delta] = [&part.claim.phi - &first.claim.phi, &part.claim.delta - &first.claim.delta];

@@ -7,21 +7,21 @@
 //! are left, A not being 0, and where `4|A|² < |B|²` none, be A zero or not.
 
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive};
 
-use super::audit::{Audit, Reason, steps_of};
+use super::audit::{Audit, Reason, refuse_if, steps_of};
 use super::certificate::Certificate;
 use super::check::certify;
 use super::circle::CircleClaim;
 use super::circle_check::check_whole;
 use super::classes_check::check_circle;
 use super::collected::{Collected, collect, difference_of_squares};
-use super::laurent::{Laurent, combined, doubled, of_powers, twice, value};
+use super::laurent::{Laurent, combined, doubled, left_of, of_powers, twice, value};
 use super::part::Part;
-use super::plane::TriangleShape;
 use super::quadratic::{QuadraticClaim, RootClaim, RootsClaim};
-use super::triangle_check::check_sign;
+use super::triangle_check::check_count;
 use super::twist_check::check_signs;
+use super::unknown::{NOT_WHOLE, check_positive, whole_times};
 
 /// u may enter this many times in one class.
 const HIGHEST_TIMES: i64 = 512;
@@ -32,9 +32,7 @@ pub(super) fn check_quadratic(claim: &QuadraticClaim, left: &[Part<'_>], audit: 
     let [difference, twist, polynomial] = polynomials(&classes, audit)?;
     let coefficients = left_of(half(polynomial), &claim.coefficients, audit)?;
     let is_constant = coefficients.iter().all(|(power, _)| *power == 0);
-    if is_constant && claim.twist.is_some() {
-        return Err("the polynomial is constant, so that no twist belongs here".into());
-    }
+    refuse_if(is_constant && claim.twist.is_some(), "the polynomial is constant, so that no twist belongs here")?;
     if coefficients.is_empty() {
         // The certificates say of each coefficient of D whether it is zero; D + E x = 0 says the rest.
         left_of(half(difference), &claim.lengths, audit)?;
@@ -74,39 +72,30 @@ pub(super) fn check_quadratic(claim: &QuadraticClaim, left: &[Part<'_>], audit: 
 
 /// A, B and C.
 fn classes(claim: &QuadraticClaim, left: &[Part<'_>], audit: &Audit) -> Result<[Laurent; 3], Reason> {
-    let (phi, delta) = (&claim.phi, &claim.delta);
-    if !(phi.is_positive() || phi.is_zero() && delta.is_positive()) {
-        return Err("u takes φ a positive number of times, or not at all and δ so".into());
-    }
+    let u = [&claim.phi, &claim.delta];
+    check_positive(u)?;
     for class in [&claim.second, &claim.third] {
         if !class.iter().all(|place| *place < left.len()) || !class.is_sorted_by(|a, b| a < b) {
             return Err("a class is not a rising list of places of parts that do not vanish".into());
         }
     }
-    if claim.second.iter().any(|place| claim.third.contains(place)) {
-        return Err("a part is in two classes".into());
-    }
+    refuse_if(claim.second.iter().any(|place| claim.third.contains(place)), "a part is in two classes")?;
     let is_first = |place: &usize| !claim.second.contains(place) && !claim.third.contains(place);
     let first: Vec<usize> = (0..left.len()).filter(is_first).collect();
     let (Some(&start), Some(&other), Some(_)) = (first.first(), claim.second.first(), claim.third.first()) else {
         return Err("a class is empty".into());
     };
     let v = left[other].turned_against(&left[start]);
-    if &v[0] * delta == &v[1] * phi {
-        return Err("the classes are not turned against each other by an angle on its own".into());
-    }
+    refuse_if(&v[0] * u[1] == &v[1] * u[0], "the classes are not turned against each other by an angle on its own")?;
     let of_class = |places: &[usize], turns: i64| -> Result<Laurent, Reason> {
         let mut class = Laurent::new();
         let turns = BigRational::from_integer(turns.into());
         for &place in places {
             let apart = left[place].turned_against(&left[start]);
             audit.spend(steps_of(&apart[0]) + steps_of(&apart[1]))?;
-            let [by_phi, by_delta] = [&apart[0] - &v[0] * &turns, &apart[1] - &v[1] * &turns];
-            let times = if phi.is_zero() { &by_delta / delta } else { &by_phi / phi };
-            if [by_phi, by_delta] != [phi * &times, delta * &times] || !times.is_integer() {
-                return Err("a part is not turned against its class by a whole multiple of u".into());
-            }
-            let times = times.to_integer().to_i64().filter(|times| times.abs() <= HIGHEST_TIMES);
+            let against = [0, 1].map(|axis: usize| &apart[axis] - &v[axis] * &turns);
+            let times = whole_times(&against, u).ok_or(NOT_WHOLE)?;
+            let times = times.to_i64().filter(|times| times.abs() <= HIGHEST_TIMES);
             let times = times.ok_or_else(|| format!("u enters more than {HIGHEST_TIMES} times"))?;
             if class.insert(times, left[place].sum().clone()).is_some() {
                 return Err("two parts of a class are turned alike".into());
@@ -121,25 +110,6 @@ fn classes(claim: &QuadraticClaim, left: &[Part<'_>], audit: &Audit) -> Result<[
 fn half(polynomial: Laurent) -> impl ExactSizeIterator<Item = (i64, Collected)> {
     let half: Vec<(i64, Collected)> = polynomial.into_iter().filter(|(power, _)| *power >= 0).collect();
     half.into_iter()
-}
-
-/// The coefficients that are not zero.
-fn left_of(
-    coefficients: impl ExactSizeIterator<Item = (i64, Collected)>,
-    certificates: &[Certificate],
-    audit: &Audit,
-) -> Result<Vec<(i64, Collected)>, Reason> {
-    if coefficients.len() != certificates.len() {
-        return Err(format!("{} certificates for {} coefficients", certificates.len(), coefficients.len()).into());
-    }
-    let mut left = Vec::new();
-    for ((power, sum), certificate) in coefficients.zip(certificates) {
-        certify(&sum, certificate.claims_zero(), certificate, audit)?;
-        if !certificate.claims_zero() {
-            left.push((power, sum));
-        }
-    }
-    Ok(left)
 }
 
 /// D, E and `D² − |E|²`.
@@ -162,8 +132,8 @@ fn check_roots(
         return Err(format!("{} entries in `roots` for {} rational turns", claim.roots.len(), rational.len()).into());
     }
     for (turn, roots) in rational.into_iter().zip(&claim.roots) {
-        let [a, b, c] =
-            [value(&classes[0], turn, audit)?, value(&classes[1], turn, audit)?, value(&classes[2], turn, audit)?];
+        let [a, b, c] = classes.each_ref().map(|class| value(class, turn, audit));
+        let [a, b, c] = [a?, b?, c?];
         match roots {
             RootsClaim::All { certificates } => check_each([&a, &b, &c], [true; 3], certificates, audit)?,
             RootsClaim::None { certificates } => check_each([&a, &b, &c], [true, false, true], certificates, audit)?,
@@ -175,12 +145,7 @@ fn check_roots(
                 certify(&difference_of_squares(&a, &c, audit)?, true, lengths, audit)?;
                 certify(&a, false, first, audit)?;
                 let number = difference_of_squares(&twice(&a), &b, audit)?;
-                let most = match shape {
-                    TriangleShape::Never { bits } => check_sign(&number, false, *bits, audit).map(|()| 0)?,
-                    TriangleShape::Flat { certificate } => certify(&number, true, certificate, audit).map(|()| 1)?,
-                    TriangleShape::Two { bits } => check_sign(&number, true, *bits, audit).map(|()| 2)?,
-                };
-                check_turns([&a, &b, &c], at, most, audit)?;
+                check_turns([&a, &b, &c], at, check_count(&number, shape, audit)?, audit)?;
             }
         }
     }
@@ -201,9 +166,7 @@ fn check_each(
 
 /// At each turn of x the sum vanishes, and there are no more than there can be.
 fn check_turns(sums: [&Collected; 3], at: &[RootClaim], most: usize, audit: &Audit) -> Result<(), Reason> {
-    if at.len() > most {
-        return Err(format!("{} turns are named, and there are {most}", at.len()).into());
-    }
+    refuse_if(at.len() > most, format!("{} turns are named, and there are {most}", at.len()))?;
     for root in at {
         audit.spend(steps_of(&root.turn))?;
         let turned = |(times, sum): (i64, &Collected)| {

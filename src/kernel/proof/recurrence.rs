@@ -11,7 +11,6 @@ use num_rational::BigRational;
 use num_traits::Zero;
 use serde::{Deserialize, Serialize};
 
-use super::audit::Reason;
 use super::certificate::Certificate;
 use super::collected::turn;
 use super::fraction;
@@ -147,12 +146,4 @@ pub(super) fn collect_rays(rays: impl IntoIterator<Item = ([BigRational; 2], Big
     }
     all.retain(|_, weight| !weight.is_zero());
     all
-}
-
-/// Tells where a reason belongs.
-pub(super) fn within<T>(place: &str, checked: Result<T, Reason>) -> Result<T, Reason> {
-    checked.map_err(|reason| match reason {
-        Reason::Wrong(words) => Reason::Wrong(format!("{place}: {words}")),
-        Reason::TooManySteps => Reason::TooManySteps,
-    })
 }

@@ -1,14 +1,14 @@
 //! Do the classes of a statement on every order come from the engine, and do their factors tell where they vanish?
 
-use super::audit::Reason;
+use super::audit::{Reason, refuse_if};
 use super::check::certify;
-use super::collected::{Collected, collect};
+use super::collected::collect;
 use super::document::Document;
 use super::factor_check::{check_factor, expand};
 use super::judged::{Judged, JudgedGroup};
 use super::motion::Motion;
 use super::quantity::Sense;
-use super::recurrence::{ClassClaim, Parity, RecurrenceClaim, collect_rays, within};
+use super::recurrence::{ClassClaim, Parity, RecurrenceClaim, collect_rays};
 use super::source::{Group, Source};
 use super::whole_sum::{WholeClaim, check_whole};
 
@@ -18,16 +18,9 @@ pub(super) fn check_recurrence(
     claim: &RecurrenceClaim,
     motion: &Motion<'_>,
 ) -> Result<(), Reason> {
-    if document.has_links() {
-        return Err("a statement class by class needs rods on the crankpins, no links".into());
-    }
-    if document.turning_masses.iter().any(|mass| mass.order > 1) {
-        return Err("a statement on every order needs masses that turn with the crank, or none".into());
-    }
-    if document.cylinders.iter().any(|cylinder| cylinder.speed != 1) {
-        return Err("a statement on every order needs crankshafts that turn equally fast".into());
-    }
-    within("order 1", check_first(document, claim, motion))?;
+    refuse_if(document.has_links(), "a statement class by class needs rods on the crankpins, no links")?;
+    document.check_turning()?;
+    check_first(document, claim, motion).map_err(|reason| reason.within("order 1"))?;
     for (parity, classes) in [(Parity::Even, &claim.even), (Parity::Odd, &claim.odd)] {
         let groups = document.groups(claim.quantity, parity.first_order());
         let groups: Vec<&Group> = groups.iter().filter(|group| !group.is_zero && !group.sources.is_empty()).collect();
@@ -36,8 +29,8 @@ pub(super) fn check_recurrence(
             return Err(format!("{} orders: {found} classes here, the engine has {right}", parity.name()).into());
         }
         for (index, (group, class)) in groups.into_iter().zip(classes).enumerate() {
-            let place = format!("{} orders, class {index}", parity.name());
-            within(&place, check_class(document, claim, group, class, parity, motion))?;
+            check_class(document, claim, group, class, parity, motion)
+                .map_err(|reason| reason.within(format!("{} orders, class {index}", parity.name())))?;
         }
     }
     Ok(())
@@ -55,10 +48,8 @@ fn check_first(document: &Document, claim: &RecurrenceClaim, motion: &Motion<'_>
         let terms = document.terms(&group, quantity, 1, Some(claim.sense));
         let sum = collect(terms.into_iter().map(|(_, term)| (term.angle, term.weight)), audit)?;
         certify(&sum, verdict.vanishes, &verdict.certificate, audit)?;
-        // Nothing is said here of the other sense.
-        let mut sums = vec![(Collected::new(), true); Sense::BOTH.len()];
-        sums[place] = (sum, verdict.vanishes);
-        judged.groups.push(JudgedGroup { coefficient: group.coefficient, is_zero: group.is_zero, sums });
+        let sum = (sum, verdict.vanishes);
+        judged.groups.push(JudgedGroup::of_sense(group.coefficient, group.is_zero, place, sum));
     }
     match (claim.first.outcome, judged.groups.len()) {
         (None, 1) => Ok(()),
@@ -95,14 +86,12 @@ fn check_class(
         };
         rays.push(([per_order, cylinder.bank.clone()], term.weight));
     }
-    if class.factors.is_empty() {
-        return Err("a class has one factor at least".into());
-    }
+    refuse_if(class.factors.is_empty(), "a class has one factor at least")?;
     if expand(&class.factors, audit)? != collect_rays(rays) {
         return Err("the factors multiplied out are not the terms of the class".into());
     }
     for (index, factor) in class.factors.iter().enumerate() {
-        within(&format!("factor {index}"), check_factor(factor, parity, audit))?;
+        check_factor(factor, parity, audit).map_err(|reason| reason.within(format!("factor {index}")))?;
     }
     Ok(())
 }

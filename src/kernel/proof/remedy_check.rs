@@ -6,21 +6,21 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::audit::{Audit, Fault, Reason};
+use super::audit::{Audit, Fault, Reason, refuse_if};
 use super::check::certify;
 use super::checked::Checked;
 use super::coefficient::{Coefficient, Factor};
 use super::collected::{Collected, collect, collected, vectors};
 use super::decimals::check_decimals;
 use super::engine::{
-    Masses, RodStatement, check_asked, check_knuckle, check_masses, check_masters, check_shafts, check_speed,
-    own_order, power, rods,
+    Masses, check_asked, check_knuckle, check_masses, check_masters, check_shafts, check_speed, own_order, power, rods,
 };
 use super::format::Format;
 use super::left_out::{LeftOut, check_left_out};
 use super::quantity::{Quantity, Sense};
 use super::remedy::{CorrectedClaim, LeftOutClaim, RemedyDocument, WeightClaim};
 use super::source::{differ, turned};
+use super::vector::Vector;
 use super::verdict::phase;
 
 /// Checks that the sums of the corrected engine are those of its cylinders, masses and weights, that each order has all
@@ -70,28 +70,20 @@ pub fn check_remedy_document(document: &RemedyDocument) -> Result<Checked, Fault
             }
         }
     }
-    if found.next().is_some() {
-        return Err(Fault::new("sums", "there are more than the orders have"));
-    }
+    refuse_if(found.next().is_some(), Fault::new("sums", "there are more than the orders have"))?;
     check_left_out(document, &left, &audit)?;
     Ok(Checked::remedy(document, rods_known, audit.counts()))
 }
 
 /// Whether the rods are known.
 fn check_head(document: &RemedyDocument) -> Result<bool, Fault> {
-    if document.format != Format::Remedy {
-        return Err(Fault::new("format", "remedies are in `crankstar remedy 2`"));
-    }
-    if document.masses != Masses::All {
-        return Err(Fault::new("masses", "a remedy is about all masses of the engine"));
-    }
+    refuse_if(document.format != Format::Remedy, Fault::new("format", "remedies are in `crankstar remedy 2`"))?;
+    refuse_if(document.masses != Masses::All, Fault::new("masses", "a remedy is about all masses of the engine"))?;
     check_asked(&document.orders, &document.quantities)?;
     if document.quantities != [Quantity::FORCE, Quantity::MOMENT] {
         return Err(Fault::new("quantities", "a remedy is about force and moment, both"));
     }
-    if document.cylinders.is_empty() {
-        return Err(Fault::new("cylinders", "an engine has one at least"));
-    }
+    refuse_if(document.cylinders.is_empty(), Fault::new("cylinders", "an engine has one at least"))?;
     if let Some(index) = document.turning_masses.iter().position(|mass| mass.order == 0) {
         return Err(Fault::new(format!("turning_masses[{index}]"), "a mass that turns has an order from 1 on"));
     }
@@ -122,9 +114,7 @@ fn check_weight(document: &RemedyDocument, weight: &WeightClaim, audit: &Audit) 
     }
     for part in &weight.parts {
         let sum = collected(&part.terms, audit)?;
-        if vectors(sum.clone()) != part.terms {
-            return Err("its terms are not collected, at rising angles".into());
-        }
+        refuse_if(vectors(sum.clone()) != part.terms, "its terms are not collected, at rising angles")?;
         check_decimals(&sum, false, part.modulus, Some(part.angle_deg), audit)?;
     }
     Ok(())
@@ -160,23 +150,24 @@ impl RemedyDocument {
             Quantity::MOMENT => position - &self.reference_plane,
             Quantity::FORCE | Quantity::Axial(_) => BigRational::one(),
         };
+        let terms = |angle: &BigRational, weight: &BigRational, parts: &[Vector]| -> Vec<(BigRational, BigRational)> {
+            let vectors = parts.iter().map(|part| turned(angle, weight, part, Some(sense)));
+            vectors.map(|vector| (vector.angle, vector.weight)).collect()
+        };
         audit.spend((self.cylinders.len() + self.turning_masses.len() + self.weights.len()) as u64)?;
         let do_rods_differ = differ(self.cylinders.iter().map(|cylinder| &cylinder.rod));
         for cylinder in &self.cylinders {
             let Some(own) = own_order(cylinder.speed, order) else { continue };
             let weight = &cylinder.weight * arm(&cylinder.position) * power(cylinder.speed, 2);
             let angle = phase(&cylinder.throw, &cylinder.bank, own, Some(sense));
-            if let RodStatement::Link(link) = &cylinder.rod {
+            if let Some(link) = cylinder.rod.link() {
                 audit.spend(link.steps(order))?;
             }
-            let factors =
-                Factor::of_force(&cylinder.rod, own, do_rods_differ).into_iter().filter(|factor| !factor.is_zero);
-            for Factor { coefficient, parts, .. } in factors {
-                let vectors = parts.iter().map(|part| turned(&angle, &weight, part, Some(sense)));
-                let terms = vectors.map(|vector| (vector.angle, vector.weight));
-                sums.entry(coefficient.geared(cylinder.speed)).or_default().extend(terms);
+            let factors = Factor::of_force(&cylinder.rod, own, do_rods_differ);
+            for Factor { coefficient, parts, .. } in factors.into_iter().filter(|factor| !factor.is_zero) {
+                sums.entry(coefficient.geared(cylinder.speed)).or_default().extend(terms(&angle, &weight, &parts));
             }
-            let RodStatement::Link(link) = &cylinder.rod else { continue };
+            let Some(link) = cylinder.rod.link() else { continue };
             let Factor { coefficient, is_zero, .. } = Factor::of_rod(&link.master_rod(), order);
             if !is_zero && !cylinder.knuckle_weight.is_zero() {
                 let weight = &cylinder.knuckle_weight * &link.knuckle * arm(&cylinder.position);
@@ -191,9 +182,7 @@ impl RemedyDocument {
             let factors = Factor::of_shaft(mass.coefficient_of.as_ref(), order, do_rods_differ);
             let weight = &double * &mass.mass_radius * arm(&mass.position);
             for Factor { coefficient, parts, .. } in factors.into_iter().filter(|factor| !factor.is_zero) {
-                let vectors = parts.iter().map(|part| turned(&mass.angle, &weight, part, Some(sense)));
-                let terms = vectors.map(|vector| (vector.angle, vector.weight));
-                sums.entry(coefficient).or_default().extend(terms);
+                sums.entry(coefficient).or_default().extend(terms(&mass.angle, &weight, &parts));
             }
         }
         let own: BTreeSet<Coefficient> = sums.keys().cloned().chain([Coefficient::One]).collect();

@@ -14,7 +14,7 @@ use num_traits::{One, Signed, ToPrimitive};
 use serde::{Deserialize, Serialize};
 
 use super::audit::Audit;
-use super::ball::Ball;
+use super::ball::{Ball, Complex};
 use super::fraction;
 use super::refusal::Refusal;
 
@@ -109,15 +109,14 @@ impl Strip {
         let (count, circle) = (2 * half, audit.circle(bits));
         let words = u64::from(bits / 64 + 1);
         audit.spend((half + 1).saturating_mul(circle.steps() + words * words / 2 + 4))?;
-        let place = |j: u64| circle.cos_sin(&BigRational::new(j.into(), count.into()));
-        let ball = |middle: &BigInt| Ball { middle: middle.clone(), doubt: 2.into() };
-        let table: Vec<[Ball; 2]> = (0..=half).map(place).map(|(cos, sin)| [ball(&cos), ball(&sin)]).collect();
+        let place = |j: u64| circle.direction(&BigRational::new(j.into(), count.into()));
+        let table: Vec<Complex> = (0..=half).map(place).collect();
         let mut sums = [Ball::exact(0.into()), Ball::exact(0.into())];
         let share = |points: u64| BigRational::new(points.into(), count.into());
         let (once, twice) = (share(1), share(2));
-        for (j, [cos, sin]) in (0..=half).zip(&table) {
-            let parts = value(cos, sin).ok_or(Refusal::TooManySteps)?;
-            let [cos, sin] = multiple(&table, u64::from(order), j, count)?;
+        for (j, point) in (0..=half).zip(&table) {
+            let parts = value(&point.re, &point.im).ok_or(Refusal::TooManySteps)?;
+            let Complex { re: cos, im: sin } = multiple(&table, u64::from(order), j, count)?;
             let share = if j == 0 || j == half { &once } else { &twice };
             for ((sum, part), wave) in sums.iter_mut().zip(&parts).zip([cos, sin]) {
                 *sum = sum.plus(&part.times(&wave, bits).scaled(share));
@@ -129,14 +128,11 @@ impl Strip {
 }
 
 /// Cosine and sine of k times the j-th angle of this many, from those of the first half.
-pub(super) fn multiple(table: &[[Ball; 2]], k: u64, j: u64, count: u64) -> Result<[Ball; 2], Refusal> {
+pub(super) fn multiple(table: &[Complex], k: u64, j: u64, count: u64) -> Result<Complex, Refusal> {
     let at = u128::from(k) * u128::from(j) % u128::from(count);
     let at = at.to_usize().ok_or(Refusal::TooManySteps)?;
-    let Some(place) = table.get(at) else {
-        let mirrored = count.to_usize().and_then(|count| table.get(count - at)).ok_or(Refusal::TooManySteps)?;
-        return Ok([mirrored[0].clone(), mirrored[1].negated()]);
-    };
-    Ok(place.clone())
+    let mirrored = || Some(table.get(count.to_usize()? - at)?.conjugate());
+    table.get(at).cloned().or_else(mirrored).ok_or(Refusal::TooManySteps)
 }
 
 /// q with `(q + 1/q)/2 = cosh`, or a little less, in units of `2^−Q_BITS`.

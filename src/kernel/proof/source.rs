@@ -71,10 +71,7 @@ impl Document {
             }
         }
         // The roll moment of an engine with links is not judged.
-        let shakes = match quantity {
-            Quantity::Planar(_) => self.masses.reciprocate(),
-            Quantity::Axial(_) => false,
-        };
+        let shakes = quantity.planar().is_some() && self.masses.reciprocate();
         for (cylinder, link) in self.knuckles().filter(|_| shakes) {
             let factor = Factor::of_rod(&link.master_rod(), order);
             groups.add(factor.coefficient, factor.is_zero, Source::Knuckle(cylinder, link));
@@ -156,20 +153,14 @@ impl Document {
 
     /// The cylinders with a mass at the knuckle pin of their link.
     pub(super) fn knuckles(&self) -> impl Iterator<Item = (&Cylinder, &LinkClaim)> {
-        self.cylinders.iter().filter(|cylinder| !cylinder.knuckle_weight.is_zero()).filter_map(|cylinder| {
-            match &cylinder.rod {
-                RodStatement::Link(link) => Some((cylinder, link)),
-                RodStatement::Unknown | RodStatement::Known(_) => None,
-            }
-        })
+        let heavy = self.cylinders.iter().filter(|cylinder| !cylinder.knuckle_weight.is_zero());
+        heavy.filter_map(|cylinder| Some((cylinder, cylinder.rod.link()?)))
     }
 
     /// The steps that the terms of all links cost in an order.
     pub(super) fn steps_of_links(&self, order: u32) -> u64 {
-        self.cylinders.iter().fold(0, |steps, cylinder| match &cylinder.rod {
-            RodStatement::Link(link) => link.steps(order).saturating_add(steps),
-            RodStatement::Unknown | RodStatement::Known(_) => steps,
-        })
+        let links = self.cylinders.iter().filter_map(|cylinder| cylinder.rod.link());
+        links.fold(0, |steps, link| link.steps(order).saturating_add(steps))
     }
 }
 

@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::audit::{Audit, squared_words, steps_of};
+use super::audit::{Audit, refuse_if, squared_words, steps_of};
 use super::certificate::Step;
 use super::collected::{Collected, collect, common_multiple};
 use super::refusal::Refusal;
@@ -35,9 +35,7 @@ fn keep_class(
     step: usize,
     audit: &Audit,
 ) -> Result<Collected, Refusal> {
-    if !modulus.is_positive() {
-        return Err(Refusal::ModulusNotPositive(step));
-    }
+    refuse_if(!modulus.is_positive(), Refusal::ModulusNotPositive(step))?;
     let conductor = common_denominator(sum, audit)?;
     let terms = sum.len() as u64;
     let member = steps_of(angle).max(squared_words(modulus));
@@ -61,9 +59,7 @@ fn compare(sum: &Collected, prime: u64, classes: (u64, u64), step: usize, audit:
     let conductor = common_denominator(sum, audit)?;
     let (quotient, remainder) = conductor.div_rem(&p);
     let rest = if remainder.is_zero() { quotient } else { conductor };
-    if (&rest % &p).is_zero() {
-        return Err(Refusal::PrimeSquared(step, prime));
-    }
+    refuse_if((&rest % &p).is_zero(), Refusal::PrimeSquared(step, prime))?;
     audit.spend((sum.len() as u64).saturating_mul(2).saturating_mul(squared_words(&rest)))?;
     let inverse = (&rest % &p).modpow(&(&p - 2_u32).max(BigInt::one()), &p);
     let whole = BigRational::from_integer(&p * &rest);

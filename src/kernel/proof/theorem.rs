@@ -46,6 +46,24 @@ pub struct TheoremClaim {
     pub verdicts: Vec<OrderClaim>,
 }
 
+/// Checks that verdicts are on these orders, one after the other; returns the first order that is beyond them.
+pub(super) fn first_beyond(
+    verdicts: &[OrderClaim],
+    orders: impl IntoIterator<Item = u64>,
+) -> Result<Option<u32>, String> {
+    let mut found = verdicts.iter().map(|verdict| verdict.order);
+    for order in orders {
+        match found.next() {
+            None => return Err(format!("order {order} is missing")),
+            Some(other) if u64::from(other) != order => {
+                return Err(format!("order {other} is in the place of order {order}"));
+            }
+            Some(_) => (),
+        }
+    }
+    Ok(found.next())
+}
+
 /// The verdict on one order; its terms are those of the engine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -5,25 +5,18 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::audit::{Audit, Reason};
+use super::audit::{Audit, Reason, refuse_if};
 use super::check::certify;
 use super::collected::collect;
 use super::document::Document;
-use super::theorem::{Survivors, TheoremClaim};
+use super::theorem::{Survivors, TheoremClaim, first_beyond};
 use super::whole::prime_divisors;
 
 /// Every angle is a whole multiple of `1/period`, so one verdict per class proves all; each is checked, then the statement.
 /// Masses that turn with the crank make order 1 alone, which is stated separately.
 pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &Audit) -> Result<(), Reason> {
-    if !document.has_equal_centric_rods() {
-        return Err("a statement on every order needs rods that are equal and centric".into());
-    }
-    if document.turning_masses.iter().any(|mass| mass.order > 1) {
-        return Err("a statement on every order needs masses that turn with the crank, or none".into());
-    }
-    if document.cylinders.iter().any(|cylinder| cylinder.speed != 1) {
-        return Err("a statement on every order needs crankshafts that turn equally fast".into());
-    }
+    refuse_if(!document.has_equal_centric_rods(), "a statement on every order needs rods that are equal and centric")?;
+    document.check_turning()?;
     check_period(document, &claim.period)?;
     check_orders(claim)?;
     for verdict in &claim.verdicts {
@@ -32,20 +25,14 @@ pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &A
         let [group] = &groups[..] else { return Err(format!("order {order} has {} sums", groups.len()).into()) };
         let terms = document.terms(group, quantity, order, Some(claim.sense));
         let sum = collect(terms.into_iter().map(|(_, term)| (term.angle, term.weight)), audit)?;
-        certify(&sum, verdict.vanishes, &verdict.certificate, audit).map_err(|refusal| {
-            match Reason::from(refusal) {
-                Reason::Wrong(words) => Reason::Wrong(format!("order {}: {words}", verdict.order)),
-                Reason::TooManySteps => Reason::TooManySteps,
-            }
-        })?;
+        certify(&sum, verdict.vanishes, &verdict.certificate, audit)
+            .map_err(|refusal| Reason::from(refusal).within(format!("order {order}")))?;
     }
     check_statement(claim)
 }
 
 fn check_period(document: &Document, period: &BigInt) -> Result<(), Reason> {
-    if !period.is_positive() || period.is_odd() {
-        return Err(format!("the period {period} is not a positive even number").into());
-    }
+    refuse_if(!period.is_positive() || period.is_odd(), format!("the period {period} is not a positive even number"))?;
     let times = BigRational::from_integer(period.clone());
     for cylinder in &document.cylinders {
         let angles = [&cylinder.throw, &cylinder.bank];
@@ -59,24 +46,15 @@ fn check_period(document: &Document, period: &BigInt) -> Result<(), Reason> {
 
 /// Order 1, and the even ones up to the period: one of each class.
 fn check_orders(claim: &TheoremClaim) -> Result<(), Reason> {
-    let mut found = claim.verdicts.iter();
     let even = |index: u32| 2 * index;
     let last = (&claim.period / 2_u32).to_u32().filter(|half| *half < u32::MAX / 2);
     let Some(last) = last else {
         return Err(format!("the period {} has more classes than verdicts", claim.period).into());
     };
-    for order in std::iter::once(1).chain((1..=last).map(even)) {
-        match found.next() {
-            None => return Err(format!("order {order} is missing").into()),
-            Some(verdict) if verdict.order != order => {
-                return Err(format!("order {} is in the place of order {order}", verdict.order).into());
-            }
-            Some(_) => (),
-        }
-    }
-    match found.next() {
+    let orders = std::iter::once(1).chain((1..=last).map(even)).map(u64::from);
+    match first_beyond(&claim.verdicts, orders)? {
         None => Ok(()),
-        Some(verdict) => Err(format!("order {} is beyond the period {}", verdict.order, claim.period).into()),
+        Some(order) => Err(format!("order {order} is beyond the period {}", claim.period).into()),
     }
 }
 

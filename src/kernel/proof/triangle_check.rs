@@ -6,16 +6,14 @@
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::audit::{Audit, Reason};
+use super::audit::{Audit, Reason, demand, refuse_if};
 use super::check::certify;
 use super::collected::{Collected, collect};
 use super::decimals::{enclose, scale};
+use super::enclosure::check_bits;
 use super::part::{Part, check_alternative};
 use super::plane::{TriangleClaim, TriangleShape};
 use super::unknown::product;
-
-const FEWEST_BITS: u32 = 32;
-const MOST_BITS: u32 = 512;
 
 /// Checks the count of triangles, and those at rational turns.
 pub(super) fn check_triangle(claim: &TriangleClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
@@ -23,24 +21,9 @@ pub(super) fn check_triangle(claim: &TriangleClaim, left: &[Part<'_>], audit: &A
         return Err(format!("{} parts do not vanish, and a triangle has three sides", left.len()).into());
     };
     let [[a, b], [c, d]] = [second, third].map(|part| part.turned_against(first));
-    if a * d == b * c {
-        return Err("the parts are not turned against each other by two angles on their own".into());
-    }
+    refuse_if(a * d == b * c, "the parts are not turned against each other by two angles on their own")?;
     let squared_area = squared_area([first, second, third].map(Part::sum), audit)?;
-    let most = match &claim.shape {
-        TriangleShape::Never { bits } => {
-            check_sign(&squared_area, false, *bits, audit)?;
-            0
-        }
-        TriangleShape::Flat { certificate } => {
-            certify(&squared_area, true, certificate, audit)?;
-            1
-        }
-        TriangleShape::Two { bits } => {
-            check_sign(&squared_area, true, *bits, audit)?;
-            2
-        }
-    };
+    let most = check_count(&squared_area, &claim.shape, audit)?;
     if claim.alternatives.len() > most {
         return Err(format!("{} triangles are named, and there are {most}", claim.alternatives.len()).into());
     }
@@ -72,14 +55,19 @@ fn squared_area(sums: [&Collected; 3], audit: &Audit) -> Result<Collected, Reaso
     Ok(collect(terms, audit)?)
 }
 
-pub(super) fn check_sign(number: &Collected, is_positive: bool, bits: u32, audit: &Audit) -> Result<(), Reason> {
-    if !(FEWEST_BITS..=MOST_BITS).contains(&bits) {
-        return Err(format!("an enclosure has {FEWEST_BITS} to {MOST_BITS} bits").into());
+/// Checks the sign of a number; returns how many triangles it leaves.
+pub(super) fn check_count(number: &Collected, shape: &TriangleShape, audit: &Audit) -> Result<usize, Reason> {
+    match shape {
+        TriangleShape::Never { bits } => check_sign(number, false, *bits, audit).map(|()| 0),
+        TriangleShape::Flat { certificate } => Ok(certify(number, true, certificate, audit).map(|()| 1)?),
+        TriangleShape::Two { bits } => check_sign(number, true, *bits, audit).map(|()| 2),
     }
+}
+
+pub(super) fn check_sign(number: &Collected, is_positive: bool, bits: u32, audit: &Audit) -> Result<(), Reason> {
+    check_bits(bits)?;
     let scale = scale([number], audit)?;
     let enclosed = enclose(number, &scale, &audit.circle(bits), audit)?.re;
-    match enclosed.excludes_zero() && enclosed.middle.is_positive() == is_positive {
-        true => Ok(()),
-        false => Err("the number does not have this sign, or this many bits leave it open".into()),
-    }
+    let has_sign = enclosed.excludes_zero() && enclosed.middle.is_positive() == is_positive;
+    Ok(demand(has_sign, "the number does not have this sign, or this many bits leave it open")?)
 }

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::audit::{Audit, Reason};
+use super::audit::{Audit, Reason, refuse_if};
 use super::circle::{ArcClaim, CircleClaim};
 use super::circle_check::check_free;
 use super::laurent::{Laurent, of_powers, value};
@@ -22,9 +22,7 @@ pub(super) fn check_signs(
         ArcClaim::Free { .. } | ArcClaim::Monotone { .. } | ArcClaim::Rational { .. } | ArcClaim::Open { .. } => None,
     });
     let crossings: Vec<[&BigRational; 2]> = crossings.collect();
-    if crossings.len() != signs.len() {
-        return Err(format!("{} signs for {} crossings", signs.len(), crossings.len()).into());
-    }
+    refuse_if(crossings.len() != signs.len(), format!("{} signs for {} crossings", signs.len(), crossings.len()))?;
     for ([from, _], sign) in crossings.iter().zip(signs) {
         let there = value(number, from, audit)?;
         match sign {

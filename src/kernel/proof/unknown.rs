@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::audit::{Audit, Reason, steps_of};
+use super::audit::{Audit, Reason, demand, steps_of};
 use super::collected::{Collected, collect, common_multiple};
 use super::part::Part;
 use super::whole::is_prime;
@@ -27,18 +27,16 @@ impl<'a> Unknown<'a> {
         let [first, _, ..] = left else {
             return Err(format!("{} parts do not vanish, which contradicts `when`", left.len()).into());
         };
-        if !(phi.is_positive() || phi.is_zero() && delta.is_positive()) {
+        if !is_positive([phi, delta]) {
             return Err("the unknown enters with φ taken a positive number of times, or not at all and δ so".into());
         }
         let mut exponents = Vec::new();
         for part in left {
             let apart = part.turned_against(first);
             audit.spend(steps_of(&apart[0]) + steps_of(&apart[1]))?;
-            let times = if phi.is_zero() { &apart[1] / delta } else { &apart[0] / phi };
-            if apart != [phi * &times, delta * &times] || !times.is_integer() {
-                return Err("a part is not turned by a whole multiple of the unknown".into());
-            }
-            let times = times.to_integer().to_i64().filter(|times| *times <= HIGHEST_EXPONENT);
+            let times = whole_times(&apart, [phi, delta]);
+            let times = times.ok_or("a part is not turned by a whole multiple of the unknown")?;
+            let times = times.to_i64().filter(|times| *times <= HIGHEST_EXPONENT);
             exponents.push(times.ok_or_else(|| format!("the unknown enters more than {HIGHEST_EXPONENT} times"))?);
         }
         if !exponents.is_sorted_by(|a, b| a < b) || exponents.iter().fold(0, |all, n| n.gcd(&all)) != 1 {
@@ -97,6 +95,24 @@ impl<'a> Unknown<'a> {
         }
         Ok(self.exponents.iter().skip(1).map(|exponent| &modulus * exponent).collect())
     }
+}
+
+/// What is said of a part that is turned otherwise within its class.
+pub(super) const NOT_WHOLE: &str = "a part is not turned against its class by a whole multiple of u";
+
+/// Checks that `u = phi·φ + delta·δ` is said in one way.
+pub(super) fn check_positive(u: [&BigRational; 2]) -> Result<(), &'static str> {
+    demand(is_positive(u), "u takes φ a positive number of times, or not at all and δ so")
+}
+
+fn is_positive([phi, delta]: [&BigRational; 2]) -> bool {
+    phi.is_positive() || phi.is_zero() && delta.is_positive()
+}
+
+/// How many times an angle is u, where that is a whole number of times.
+pub(super) fn whole_times(angle: &[BigRational; 2], [phi, delta]: [&BigRational; 2]) -> Option<BigInt> {
+    let times = if phi.is_zero() { &angle[1] / delta } else { &angle[0] / phi };
+    (*angle == [phi * &times, delta * &times] && times.is_integer()).then(|| times.to_integer())
 }
 
 /// `conj(A)·B`, not collected.

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::One;
 use serde::{Deserialize, Serialize};
 
-use super::audit::{Audit, Reason};
+use super::audit::{Audit, Reason, refuse_if};
 use super::certificate::Certificate;
 use super::check::certify;
 use super::collected::{Collected, collected, turn};
@@ -99,9 +99,7 @@ impl SaidSum<'_> {
 }
 
 fn check_terms(terms: &[Vector], right: &[(String, Vector)]) -> Result<(), Reason> {
-    if terms.len() != right.len() {
-        return Err(format!("{} terms for {} sources", terms.len(), right.len()).into());
-    }
+    refuse_if(terms.len() != right.len(), format!("{} terms for {} sources", terms.len(), right.len()))?;
     for (term, (name, Vector { angle, weight })) in terms.iter().zip(right) {
         let right = turn(angle);
         if term.angle != right {

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::alternative::AlternativeClaim;
-use super::audit::{Audit, Reason, steps_of};
+use super::audit::{Audit, Reason, refuse_if, steps_of};
 use super::boxes_check::check_boxes;
 use super::certificate::Certificate;
 use super::check::certify;
@@ -159,9 +159,7 @@ fn check_lengths(
 pub(super) fn check_product(claim: &ProductClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
     let mut places: Vec<usize> = claim.groups.iter().flatten().copied().collect();
     places.sort_unstable();
-    if !places.into_iter().eq(0..left.len()) {
-        return Err("the groups do not hold each part that does not vanish once".into());
-    }
+    refuse_if(!places.into_iter().eq(0..left.len()), "the groups do not hold each part that does not vanish once")?;
     let (Some(first), [_, _, ..]) = (claim.groups.first(), claim.groups.as_slice()) else {
         return Err("there are two groups at least".into());
     };

@@ -8,15 +8,12 @@ use serde::{Deserialize, Serialize};
 use super::audit::{Audit, Reason};
 use super::ball::Complex;
 use super::decimals::{Decimal, enclose, scale};
+use super::enclosure::check_bits;
 use super::judged::{Judged, JudgedGroup};
 use super::motion::{Motion, smallness};
 use super::quantity::{Quantity, Sense};
 use super::refusal::Refusal;
 
-/// The bits that an enclosure may have: fewer are not worth asking for.
-const FEWEST_BITS: u32 = 32;
-/// More are not computed.
-const MOST_BITS: u32 = 512;
 /// The bits that what is not decided is enclosed with.
 const BITS_OF_DOUBT: u32 = 256;
 /// Bits beyond those that are asked for.
@@ -128,8 +125,7 @@ pub(super) fn are_nearly_equally_long(judged: &Judged, motion: &Motion<'_>) -> R
 pub(super) fn longest(judged: &Judged, sense: usize, motion: &Motion<'_>) -> Result<BigRational, Reason> {
     let whole = Enclosure::of_bits(judged, &[sense], BITS_OF_DOUBT, motion)?;
     let sum = whole.sum(judged, sense, motion)?;
-    let [[_, re], [_, im]] = [sum.re.sizes(), sum.im.sizes()];
-    Ok(BigRational::new((&re * &re + &im * &im).sqrt() + 1, whole.scale << whole.bits))
+    Ok(BigRational::new(sum.longest(), whole.scale << whole.bits))
 }
 
 /// Whether an enclosure tells `|direct|²` from `|reverse|²`.
@@ -148,18 +144,16 @@ struct Enclosure {
     below_one: u64,
 }
 
-impl Enclosure {
-    fn of_bits(judged: &Judged, senses: &[usize], bits: u32, motion: &Motion<'_>) -> Result<Self, Reason> {
-        match (FEWEST_BITS..=MOST_BITS).contains(&bits) {
-            true => Enclosure::new(judged, senses, bits, motion),
-            false => Err(format!("an enclosure has {FEWEST_BITS} to {MOST_BITS} bits").into()),
-        }
-    }
+/// What is left in these senses.
+fn left_in<'a>(judged: &'a Judged, senses: &[usize]) -> Vec<(&'a JudgedGroup, usize)> {
+    senses.iter().flat_map(|&sense| judged.left(sense).into_iter().map(move |group| (group, sense))).collect()
+}
 
+impl Enclosure {
     /// Bits are counted from about the size of the largest coefficient on: those of high orders are small.
-    fn new(judged: &Judged, senses: &[usize], bits: u32, motion: &Motion<'_>) -> Result<Self, Reason> {
-        let left: Vec<(&JudgedGroup, usize)> =
-            senses.iter().flat_map(|&sense| judged.left(sense).into_iter().map(move |group| (group, sense))).collect();
+    fn of_bits(judged: &Judged, senses: &[usize], bits: u32, motion: &Motion<'_>) -> Result<Self, Reason> {
+        check_bits(bits)?;
+        let left = left_in(judged, senses);
         let smallness: Vec<u64> = left
             .iter()
             .map(|(group, _)| smallness(&group.coefficient, judged.order, motion.audit()))
@@ -172,8 +166,8 @@ impl Enclosure {
 
     /// The terms of these senses end to end, each times about the size of the largest coefficient.
     fn largest(&self, judged: &Judged, senses: &[usize]) -> BigRational {
-        let left = senses.iter().flat_map(|&sense| judged.left(sense).into_iter().map(move |group| (group, sense)));
-        let weights: BigRational = left.flat_map(|(group, sense)| group.sums[sense].0.values()).map(Signed::abs).sum();
+        let weights = left_in(judged, senses).into_iter().flat_map(|(group, sense)| group.sums[sense].0.values());
+        let weights: BigRational = weights.map(Signed::abs).sum();
         weights / BigRational::from_integer(BigInt::one() << self.below_one)
     }
 

@@ -2,7 +2,6 @@
 //!
 //! ```standalone_crate
 //! # use crankstar_kernel as crankstar;
-//! # use crankstar_kernel as crankstar;
 //! use crankstar::engine::Cycle;
 //! use crankstar::search::{Options, Problem, search};
 //! let six = Problem::inline(6, Cycle::TwoStroke, &[1, 2]);

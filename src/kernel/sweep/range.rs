@@ -27,7 +27,6 @@ impl Range {
     ///
     /// ```standalone_crate
     /// # use crankstar_kernel as crankstar;
-    /// # use crankstar_kernel as crankstar;
     /// let range = crankstar::sweep::Range::parse("0..1:1/3").unwrap();
     /// assert_eq!(range.values().map(|value| value.to_string()).collect::<Vec<_>>(), ["0", "1/3", "2/3", "1"]);
     /// assert!(crankstar::sweep::Range::parse("0..1000000000:1").is_err());

@@ -4,7 +4,6 @@
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// use crankstar::text::coq_comment;
 /// assert_eq!(coq_comment("V8 *) Axiom false : \"x\""), "V8 [U+002A]) Axiom false : [U+0022]x[U+0022]");
 /// ```

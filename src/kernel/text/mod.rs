@@ -17,7 +17,7 @@ mod xml;
 
 pub use coq::coq_comment;
 pub use csv::field;
-pub use decoded::{Encoding, decoded};
+pub use decoded::decoded;
 pub use json::json;
 pub use latex::{SUPERSCRIPTS, latex};
 pub use letters::TEX_LETTERS;
@@ -67,7 +67,6 @@ impl Untrusted {
     /// The text in one line, with nothing in it that the format would obey.
     ///
     /// ```standalone_crate
-    /// # use crankstar_kernel as crankstar;
     /// # use crankstar_kernel as crankstar;
     /// use crankstar::text::{Format, Untrusted};
     /// let title = Untrusted::new("<b>\u{1b}[31m four");

@@ -6,7 +6,6 @@ use super::json::json;
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
-/// # use crankstar_kernel as crankstar;
 /// use crankstar::text::json_in_script;
 /// assert_eq!(json_in_script("[\"</script><!--\u{2028}\"]"), r#"["\u003c/script\u003e\u003c!--\u2028"]"#);
 /// ```

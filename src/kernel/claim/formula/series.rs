@@ -219,13 +219,12 @@ fn linear(formula: &Formula) -> Option<(BigRational, BigRational)> {
         // An angle of 0; other numbers would be radians that are no part of a turn.
         Formula::Number(number) => number.is_zero().then(|| (zero(), zero())),
         Formula::Negative(one) => linear(one).map(|(theta, turns)| (-theta, -turns)),
-        Formula::Both(Operation::Plus, pair) => {
+        Formula::Both(operation @ (Operation::Plus | Operation::Minus), pair) => {
             let (one, other) = (linear(&pair.0)?, linear(&pair.1)?);
-            Some((one.0 + other.0, one.1 + other.1))
-        }
-        Formula::Both(Operation::Minus, pair) => {
-            let (one, other) = (linear(&pair.0)?, linear(&pair.1)?);
-            Some((one.0 - other.0, one.1 - other.1))
+            Some(match operation {
+                Operation::Minus => (one.0 - other.0, one.1 - other.1),
+                _ => (one.0 + other.0, one.1 + other.1),
+            })
         }
         Formula::Both(Operation::Times, pair) => {
             let by =

@@ -42,25 +42,17 @@ impl fmt::Display for GasMistake {
 }
 
 pub(super) fn above_zero(value: &BigRational, setting: Setting) -> Result<(), GasMistake> {
-    match value.is_positive() {
-        true => Ok(()),
-        false => Err(GasMistake::new(
-            format!("{} is {value}", setting.key()),
-            "a value above 0; pressures are absolute",
-            At::Setting(setting),
-        )),
-    }
+    in_range(value.is_positive(), value, setting, "a value above 0; pressures are absolute")
 }
 
 /// Exponents of a change of state: 1 would be isothermal, and no gas has more than 5/3.
 pub(super) fn is_exponent(value: &BigRational, setting: Setting) -> Result<(), GasMistake> {
     let ends = [BigRational::from_integer(1.into()), BigRational::from_integer(2.into())];
-    match ends[0] < *value && *value <= ends[1] {
-        true => Ok(()),
-        false => Err(GasMistake::new(
-            format!("{} is {value}", setting.key()),
-            "above 1 and at most 2, such as 1.32",
-            At::Setting(setting),
-        )),
-    }
+    let fits = ends[0] < *value && *value <= ends[1];
+    in_range(fits, value, setting, "above 1 and at most 2, such as 1.32")
+}
+
+fn in_range(fits: bool, value: &BigRational, setting: Setting, right: &str) -> Result<(), GasMistake> {
+    let mistake = || GasMistake::new(format!("{} is {value}", setting.key()), right, At::Setting(setting));
+    if fits { Ok(()) } else { Err(mistake()) }
 }
