@@ -3,12 +3,11 @@
 use std::collections::BTreeSet;
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use crate::engine::{DELTA, Family, Linear, PHI};
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 
 /// The bank angles φ in (0°, 360°) at which an even firing order exists; `None` where the cycle is not given, or
 /// where another angle than φ is open.
@@ -55,10 +54,7 @@ pub fn even_firing_lines(family: &Family) -> Option<EvenFiring> {
     // The largest angle of which every centre is turned by a whole multiple.
     let axis = usize::from(phi.is_zero());
     let along = if axis == 0 { phi } else { delta };
-    let (divisor, multiple) = all.iter().fold((BigInt::zero(), BigInt::one()), |(divisor, multiple), times| {
-        (divisor.gcd(times[axis].numer()), multiple.lcm(times[axis].denom()))
-    });
-    let unit = BigRational::new(divisor, multiple);
+    let unit = fraction::common_unit(all.iter().map(|times| &times[axis]));
     let [phi, delta] = [phi, delta].map(|times| times / along * &unit);
     let times: Vec<BigRational> = all.iter().map(|of| &of[axis] / &unit).collect();
     let (other, by) = centres.iter().zip(&times).find(|(_, by)| !by.is_zero())?;

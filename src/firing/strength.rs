@@ -14,7 +14,7 @@ const FIRST_BITS: u32 = 128;
 /// Compares the lengths of two sums: that they are equal is decided, and unequal ones are distinguished by an enclosure of
 /// `|A|² − |B|²` that is narrowed until it excludes zero.
 pub fn by_length(a: &PhasorSum, b: &PhasorSum) -> Ordering {
-    let difference = PhasorSum::new(a.squared_modulus().minus(&b.squared_modulus()).collected());
+    let difference = a.squared_modulus().minus(&b.squared_modulus()).tidied();
     if difference.vanishes() {
         return Ordering::Equal;
     }

@@ -10,7 +10,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::fixed::FixedPoint;
 use super::memory::{self, Memory};
-use crate::exact::{PhasorSum, Term, Turn};
+use crate::exact::{PhasorSum, Term, Turn, fraction};
 use crate::motion::float;
 
 /// Bits behind the point that every evaluation starts with.
@@ -120,7 +120,7 @@ pub(super) fn fixed_ends(sum: &PhasorSum, bits: u32) -> ([[BigInt; 2]; 2], BigIn
 
 /// The weights over their least common denominator, and this.
 fn whole_weights(terms: &[Term]) -> (Vec<BigInt>, BigInt) {
-    let scale = terms.iter().fold(BigInt::one(), |scale, term| scale.lcm(term.weight.denom()));
+    let scale = fraction::common_denominator(terms.iter().map(|term| &term.weight));
     (terms.iter().map(|term| term.weight.numer() * (&scale / term.weight.denom())).collect(), scale)
 }
 

@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::evaluate::direction;
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 
 /// A root that a coefficient is multiplied by.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -138,9 +138,7 @@ impl Form {
 
     /// The rational number whose product with whole, coprime coefficients makes the form.
     fn content(&self) -> BigRational {
-        let numerators = self.terms.iter().fold(BigInt::zero(), |g, (_, q)| g.gcd(q.numer()));
-        let denominators = self.terms.iter().fold(BigInt::one(), |l, (_, q)| l.lcm(q.denom()));
-        BigRational::new(numerators, denominators)
+        fraction::common_unit(self.terms.iter().map(|(_, coefficient)| coefficient))
     }
 
     /// The number in decimals, to nearly the accuracy of a float.

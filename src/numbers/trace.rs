@@ -2,12 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
-use crate::exact::PhasorSum;
+use crate::exact::{PhasorSum, fraction};
 
 /// Means are taken up to this conductor.
 const LARGEST_CONDUCTOR: u64 = 1000;
@@ -16,7 +15,7 @@ const LARGEST_CONDUCTOR: u64 = 1000;
 /// above 1000.
 pub fn mean_of_conjugates(sum: &PhasorSum) -> Option<BigRational> {
     let terms = sum.collected();
-    let conductor = terms.iter().fold(BigInt::one(), |n, term| n.lcm(term.angle.denominator()));
+    let conductor = fraction::common_denominator(terms.iter().map(|term| term.angle.turns()));
     conductor.to_u64().filter(|&n| n <= LARGEST_CONDUCTOR)?;
     let mut by_order: BTreeMap<u64, BigRational> = BTreeMap::new();
     for term in terms {

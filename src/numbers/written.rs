@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::form::{Form, MOST_COSINES, Root};
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 use crate::file::parse_number;
 
 impl fmt::Display for Form {
@@ -80,7 +80,7 @@ const TEX: Style = Style {
 };
 
 fn write(form: &Form, style: &Style) -> String {
-    let denominator = form.terms().iter().fold(BigInt::one(), |l, (_, q)| l.lcm(q.denom()));
+    let denominator = fraction::common_denominator(form.terms().iter().map(|(_, coefficient)| coefficient));
     let common = BigRational::from_integer(denominator.clone());
     let mut text = String::new();
     // `√5 − 1` reads better than `−1 + √5`.

@@ -11,6 +11,7 @@ use super::problem::{Problem, ProblemError};
 use super::roots::Roots;
 use super::value::Value;
 use super::{firing, mode_shape};
+use crate::exact::fraction;
 
 /// The sum of the deflections is below this, in the whole numbers that they are multiples of.
 const LONGEST: i64 = 1 << 20;
@@ -131,7 +132,7 @@ fn firing_orders(problem: &Problem) -> u128 {
 
 /// Deflections as whole numbers without a common factor; none where these are too long.
 fn whole(shape: &[BigRational]) -> Option<Vec<i64>> {
-    let scale = shape.iter().fold(BigInt::one(), |scale, deflection| scale.lcm(deflection.denom()));
+    let scale = fraction::common_denominator(shape);
     let scaled: Vec<BigInt> = shape.iter().map(|deflection| (deflection * &scale).to_integer()).collect();
     let common = scaled.iter().fold(BigInt::ZERO, |common, deflection| common.gcd(deflection)).max(BigInt::one());
     let total: BigInt = scaled.iter().map(|deflection| (deflection / &common).abs()).sum();

@@ -108,7 +108,7 @@ fn multiplied_out(polynomial: &Polynomial, found: Vec<Vec<PhasorSum>>) -> Option
     if !differences.iter().all(PhasorSum::vanishes) {
         return None;
     }
-    let equalities = differences.iter().map(|sum| PhasorSum::new(sum.collected()).certificate()).collect();
+    let equalities = differences.iter().map(|sum| sum.tidied().certificate()).collect();
     let of = |coefficients: &[PhasorSum]| of_coefficients(polynomial, coefficients);
     let coprime = never::prove(&of(&without))?;
     Some((Factor { without, coprime, powers: powers.to_vec(), equalities }, of(&once)))
@@ -128,5 +128,5 @@ fn product(a: &[PhasorSum], b: &[PhasorSum]) -> Vec<PhasorSum> {
             product[i + j] = product[i + j].plus(&one.times(other));
         }
     }
-    product.into_iter().map(|sum| PhasorSum::new(sum.collected())).collect()
+    product.iter().map(PhasorSum::tidied).collect()
 }

@@ -59,7 +59,7 @@ impl Images {
                 Some(Term { angle, weight: fraction(number, &self.modulus)? })
             };
             let terms = (0..).zip(numbers).map(term).collect::<Option<Vec<Term>>>()?;
-            Some(PhasorSum::new(PhasorSum::new(terms).collected()))
+            Some(PhasorSum::new(terms).tidied())
         });
         self.shape.iter().map(|length| sums.by_ref().take(*length).collect()).collect()
     }
