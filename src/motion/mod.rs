@@ -50,6 +50,6 @@ pub use hung::{HungLink, LinkMass, harmonic};
 pub use jet::Jet;
 pub use linkage::Linkage;
 pub use piston::{LinkMotion, PistonMotion};
-pub use section::{golden_section, golden_section_of_costly};
+pub use section::{golden_section, golden_section_of_costly, halving};
 pub use series::{Series, series};
 pub use tail::{SLACK, Tail};
