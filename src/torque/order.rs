@@ -111,14 +111,6 @@ pub fn orders(classes: &[Class], bodies: &[Bodies]) -> Vec<TorqueOrder> {
     (1..first.harmonics.torque.len()).filter_map(order).collect()
 }
 
-impl Class {
-    /// Order κ of the torque of the cylinder at this place of the class, by its own angle: of gas and piston, where that is known.
-    pub fn torque_of_one(&self, place: usize, order: CycleOrder) -> Complex<f64> {
-        let inertia = self.inertia.as_ref().map_or_else(Complex::default, |inertia| inertia.at(order)[0]);
-        self.harmonics.torque_at(order) + inertia * numbers::float(&self.masses[place])
-    }
-}
-
 /// An order of the roll moment of these masses on the frame over ω², in kilograms times square metres: the opposite of their torque, and what
 /// changes their angular momentum. None where it vanishes, proved, or no scale is known.
 pub fn roll_of(bodies: &[Bodies], order: CycleOrder) -> Option<Complex<f64>> {
