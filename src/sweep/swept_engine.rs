@@ -140,7 +140,7 @@ pub(super) fn judge_with(
         values: Vec::new(),
         orders,
         newtons: loads::scale(engine).filter(|_| rods_known).map(|scale| scale.force()),
-        kilograms: mechanism.mass.as_ref().and_then(|_| order::unit_mass(engine).to_f64()),
+        kilograms: mechanism.mass.as_ref().and_then(|_| engine.unit_mass().to_f64()),
         evenness: evenness_of(engine, cycle, whole.as_ref()),
         counterweight: counterweight_of(engine, whole.as_ref()),
         envelope: envelope(engine, geometry),
