@@ -86,8 +86,6 @@ struct Closed {
 
 struct Piston {
     crank: SliderCrank,
-    ratio: f64,
-    offset: f64,
     phase: f64,
     /// By bearing: its part of the load, along the cylinder.
     parts: Vec<Complex<f64>>,
@@ -104,13 +102,7 @@ impl Closed {
         let pistons = engine.moved().zip(phases(engine)).filter_map(|((cylinder, mechanism), phase)| {
             let crank = order::crank(mechanism)?;
             let load = numbers::direction(&cylinder.bank) * numbers::float(&order::mass_radius(engine, cylinder));
-            Some(Piston {
-                ratio: numbers::float(crank.ratio()),
-                offset: numbers::float(crank.offset()),
-                phase: numbers::float(phase.turns()) * TAU,
-                parts: shared(&cylinder.position, load),
-                crank,
-            })
+            Some(Piston { phase: numbers::float(phase.turns()) * TAU, parts: shared(&cylinder.position, load), crank })
         });
         let mut rotating = vec![Complex::new(0.0, 0.0); loads.bearings.len()];
         for mass in turning_masses(engine) {
@@ -125,9 +117,7 @@ impl Closed {
         let mut sums: Vec<Complex<f64>> = self.rotating.iter().map(|mass| mass * Complex::cis(theta)).collect();
         for piston in &self.pistons {
             let psi = theta + piston.phase;
-            let slant = piston.ratio * psi.sin() - piston.offset;
-            let slope = slant / ((1.0 - slant) * (1.0 + slant)).sqrt();
-            let push = Complex::new(1.0, -slope) * -piston.crank.acceleration(psi);
+            let push = Complex::new(1.0, -piston.crank.rod_slope(psi)) * -piston.crank.acceleration(psi);
             sums.iter_mut().zip(&piston.parts).for_each(|(sum, part)| *sum += part * push);
         }
         sums.iter().map(|sum| sum.norm()).fold(0.0, f64::max)
