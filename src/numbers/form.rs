@@ -45,9 +45,7 @@ impl Form {
 
     /// A rational multiple of a cosine; those of whole multiples of 30° and 45° are roots.
     pub fn cosine(coefficient: BigRational, angle: Turn) -> Self {
-        let (half, quarter) = (Turn::fraction(1, 2), Turn::fraction(1, 4));
-        let upper = if angle > half { -&angle } else { angle };
-        let (angle, sign) = if upper > quarter { (&half - &upper, -BigRational::one()) } else { (upper, One::one()) };
+        let (angle, sign) = in_first_quarter(&angle);
         let known = [(0, 1), (1, 12), (1, 8), (1, 6), (1, 4)].map(|(part, of)| Turn::fraction(part, of));
         // 2 cos of 0°, 30°, 45°, 60°, 90° are the roots of 4, 3, 2, 1, 0.
         match known.iter().zip([4, 3, 2, 1, 0]).find(|(known, _)| **known == angle) {
@@ -129,7 +127,7 @@ impl Form {
             _ => return None,
         };
         let square = a * a - b * b * BigRational::from_integer(d.clone());
-        let difference = root_of_rational_square(&square)?;
+        let difference = fraction::square_root(&square)?;
         let two = BigRational::from_integer(2.into());
         let larger = root_of_rational(&((a + &difference) / &two));
         let smaller = root_of_rational(&((a - &difference) / &two));
@@ -155,6 +153,13 @@ impl Form {
         };
         self.terms.iter().map(|(r, coefficient)| coefficient.to_f64().unwrap_or(f64::NAN) * root(r)).sum()
     }
+}
+
+/// The angle of the first quarter that has the same cosine but for its sign, and that sign.
+pub(super) fn in_first_quarter(angle: &Turn) -> (Turn, BigRational) {
+    let (half, quarter) = (Turn::fraction(1, 2), Turn::fraction(1, 4));
+    let upper = if angle > &half { -angle } else { angle.clone() };
+    if upper > quarter { (&half - &upper, -BigRational::one()) } else { (upper, One::one()) }
 }
 
 /// Multiplies what stands before the cosines, and puts the cosines of both behind it; of `cos t · sin t` it makes `½ sin 2t`.
@@ -254,12 +259,4 @@ fn without_squares(value: &BigRational) -> (BigRational, BigInt) {
         }
     }
     (BigRational::new(outside, value.denom().clone()), inside)
-}
-
-fn root_of_rational_square(value: &BigRational) -> Option<BigRational> {
-    let exact = |n: &BigInt| Some(n.sqrt()).filter(|root| root * root == *n);
-    if value.is_negative() {
-        return None;
-    }
-    Some(BigRational::new(exact(value.numer())?, exact(value.denom())?))
 }
