@@ -6,7 +6,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-use crate::exact::{PhasorSum, fraction};
+use crate::exact::{PhasorSum, fraction, modulo};
 
 /// Means are taken up to this conductor.
 const LARGEST_CONDUCTOR: u64 = 1000;
@@ -41,15 +41,10 @@ fn of_roots(order: u64) -> BigRational {
 }
 
 fn moebius(number: u64) -> i64 {
-    let (mut left, mut sign) = (number, 1);
-    for prime in 2..=number {
-        if left.is_multiple_of(prime) {
-            left /= prime;
-            sign = -sign;
-            if left.is_multiple_of(prime) {
-                return 0;
-            }
-        }
+    let primes = modulo::prime_divisors(number);
+    match primes.iter().product::<u64>() == number {
+        true if primes.len() % 2 == 0 => 1,
+        true => -1,
+        false => 0,
     }
-    sign
 }

@@ -47,6 +47,8 @@ impl Form {
 /// How the parts of a form are put down.
 struct Style {
     minus: &'static str,
+    /// A minus between two terms.
+    less: &'static str,
     fraction: fn(&str, &BigInt, bool) -> String,
     root: fn(&str, bool) -> String,
     /// Name, power, degrees.
@@ -59,6 +61,7 @@ const RAISED: [&str; MOST_COSINES + 1] = ["", "", "²", "³", "⁴", "⁵", "⁶
 
 const TEXT: Style = Style {
     minus: "−",
+    less: " − ",
     fraction: |numerator, denominator, is_sum| match is_sum {
         true => format!("({numerator})/{denominator}"),
         false => format!("{numerator}/{denominator}"),
@@ -70,6 +73,7 @@ const TEXT: Style = Style {
 
 const TEX: Style = Style {
     minus: "-",
+    less: " - ",
     fraction: |numerator, denominator, _| format!("\\tfrac{{{numerator}}}{{{denominator}}}"),
     root: |inside, _| format!("\\sqrt{{{inside}}}"),
     function: |name, power, degrees| match power {
@@ -91,13 +95,7 @@ fn write(form: &Form, style: &Style) -> String {
         text.push_str(match (text.is_empty(), whole.is_negative()) {
             (true, true) => style.minus,
             (true, false) => "",
-            (false, true) => {
-                if style.minus == "-" {
-                    " - "
-                } else {
-                    " − "
-                }
-            }
+            (false, true) => style.less,
             (false, false) => " + ",
         });
         text.push_str(&term(root, &whole.abs(), style));
