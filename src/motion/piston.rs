@@ -29,13 +29,13 @@ pub struct LinkMotion {
     /// r/L.
     ratio: f64,
     /// κ = a/l.
-    knuckle: f64,
+    pub(super) knuckle: f64,
     /// λ of the master rod.
-    master: f64,
+    pub(super) master: f64,
     /// Δ in radians.
-    angle: f64,
+    pub(super) angle: f64,
     /// Cosine and sine of ε.
-    correction: [f64; 2],
+    pub(super) correction: [f64; 2],
 }
 
 /// Steps of half a turn among which a dead centre is looked for.
