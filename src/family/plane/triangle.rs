@@ -1,5 +1,7 @@
 //! When do three parts cancel that φ and δ turn on their own? Where they make a triangle: never, once, or in two mirror images.
 
+use std::cmp::Ordering;
+
 use num_complex::Complex;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -91,12 +93,9 @@ pub(super) fn enclosed_sign(area: &PhasorSum) -> Option<Shape> {
     let total: BigRational = area.terms().iter().map(|term| term.weight.abs()).sum();
     let area = area.scaled(&total.recip());
     BITS.iter().find_map(|&bits| {
-        let [(low, high), _] = numbers::enclose(&area, bits);
-        match (low.is_positive(), high.is_negative()) {
-            (true, _) => Some(Shape::Two(bits + SPARE_BITS)),
-            (_, true) => Some(Shape::Never(bits + SPARE_BITS)),
-            (false, false) => None,
-        }
+        let [area, _] = numbers::enclose(&area, bits);
+        let shape = if area.sign()? == Ordering::Greater { Shape::Two } else { Shape::Never };
+        Some(shape(bits + SPARE_BITS))
     })
 }
 
