@@ -12,7 +12,6 @@ use crate::loads::{self, HungRod, Method, Missing};
 use crate::motion::PistonMotion;
 use crate::numbers;
 use crate::order;
-use crate::proof::Sense;
 use crate::torque::{self, Bodies, Inertia};
 
 /// An engine whose values are asked for at crank angles.
@@ -178,7 +177,7 @@ impl Instants {
                 gas: class.map(|(gas, _)| gas),
                 zero: numbers::float(&zero) * 360.0,
                 throw: numbers::direction(&engine.pin_angle(cylinder)),
-                sense: if engine.sense_of(cylinder) == Sense::Direct { 1.0 } else { -1.0 },
+                sense: engine.sense_of(cylinder).signed(1.0),
                 rotating: numbers::float(&order::big_end(engine, cylinder)) * newtons.unwrap_or_default(),
                 motion,
                 axis,

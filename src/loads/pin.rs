@@ -77,10 +77,7 @@ pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
     }
     let pins = engine.cylinders().iter().zip(by_pin).map(|(cylinder, orders)| {
         let waveform = Waveform::new(orders.iter().map(|order| super::harmonic(order.order, &order.swing)));
-        let turns = match engine.sense_of(cylinder) {
-            Sense::Direct => i64::from(engine.speed_of(cylinder)),
-            Sense::Reverse => -i64::from(engine.speed_of(cylinder)),
-        };
+        let turns = engine.sense_of(cylinder).signed(i64::from(engine.speed_of(cylinder)));
         let on_the_crank = waveform.seen_from_the_crank(numbers::direction(&engine.pin_angle(cylinder)), turns);
         let [along, across] = [1.0.into(), Complex::i()].map(|direction| on_the_crank.component_peak(direction));
         PinLoad {

@@ -4,8 +4,6 @@
 use super::order_loads::{Torque, TorqueOrder, turning_orders};
 use super::{Missing, Motion, Vector};
 use crate::engine::{Engine, are_orders};
-use crate::exact::PhasorSum;
-use crate::motion::Coefficient;
 use crate::order;
 
 /// The roll moment on the frame at these orders, and at those of the shafts and the faster crankshafts, in multiples of m r² ω².
@@ -32,8 +30,6 @@ pub fn roll_moments(engine: &Engine, orders: &[u32]) -> Result<Vec<TorqueOrder>,
 
 fn of_order(engine: &Engine, motion: &Motion, order: u32) -> TorqueOrder {
     let roll = order::roll(engine, order);
-    let parts = roll.parts().iter();
-    let pairs: Vec<(Coefficient, &PhasorSum)> =
-        parts.map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
+    let pairs: Vec<_> = roll.parts().iter().map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
     TorqueOrder { order, coefficient: None, vector: Vector::of(&pairs, false) }
 }

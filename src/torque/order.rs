@@ -9,7 +9,6 @@ use super::class::Class;
 use crate::engine::{CycleOrder, Engine};
 use crate::exact::{PhasorSum, Term};
 use crate::numbers;
-use crate::proof::Sense;
 
 /// One order: `Re(vector · e^{iκθ})`, in newton-metres.
 #[derive(Clone, Debug)]
@@ -122,10 +121,7 @@ pub fn roll_of(bodies: &[Bodies], order: CycleOrder) -> Option<Complex<f64>> {
 /// An order of the roll moment of the gas on the frame, in newton-metres: the opposite of the torque on each crankshaft, in the sense in which
 /// that turns. None where it vanishes, proved.
 pub fn roll_of_gas(engine: &Engine, classes: &[Class], order: CycleOrder) -> Option<Complex<f64>> {
-    let sense = |cylinder: usize| match engine.sense_of(&engine.cylinders()[cylinder]) {
-        Sense::Direct => -BigRational::one(),
-        Sense::Reverse => BigRational::one(),
-    };
+    let sense = |cylinder: usize| engine.sense_of(&engine.cylinders()[cylinder]).signed(-BigRational::one());
     let stars = Stars::of_gas(classes, order, sense);
     stars.sum(|class| Some(class.harmonics.torque_at(order))).filter(|_| !stars.vanish())
 }
