@@ -60,13 +60,6 @@ pub fn common_unit<'a>(numbers: impl IntoIterator<Item = &'a BigRational>) -> Bi
     BigRational::new(divisor, multiple)
 }
 
-/// The square root of a number, where it is rational.
-pub fn square_root(square: &BigRational) -> Option<BigRational> {
-    let whole = |number: &BigInt| Some(number.sqrt()).filter(|root| root * root == *number);
-    (square.numer().sign() != Sign::Minus)
-        .then(|| Some(BigRational::new_raw(whole(square.numer())?, whole(square.denom())?)))?
-}
-
 /// `a/b ± c/d` with the gcd g of the denominators: `(a·d/g ± c·b/g) / (b·d/g)`, in which only a divisor of g is left to take out (Knuth,
 /// The Art of Computer Programming, volume 2, section 4.5.1).
 pub(super) fn sum_in_machine_words(one: &BigRational, other: &BigRational, sign: i128) -> Option<(i128, i128)> {

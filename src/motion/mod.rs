@@ -43,7 +43,7 @@ mod torque;
 pub use corrected::{Component, CorrectedLinkage};
 pub use corrected_tail::CorrectedTail;
 pub use crank::SliderCrank;
-pub use enclosure::{Coefficient, Enclosure, float};
+pub use enclosure::{Coefficient, Enclosure, float, rational_root};
 pub use error::NoFullTurn;
 pub use fast::coefficients_fast;
 pub use hung::{HungLink, LinkMass, harmonic};

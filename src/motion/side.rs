@@ -25,9 +25,8 @@ use num_rational::BigRational;
 use num_traits::{One, Pow, Zero};
 
 use super::ball::Ball;
-use super::enclosure::Enclosure;
+use super::enclosure::{Enclosure, rational_root};
 use super::offset::Factor;
-use crate::exact::fraction;
 
 /// Whether E_k is not zero.
 pub(super) fn exists(ratio: &BigRational, offset: &BigRational, k: u32) -> bool {
@@ -67,7 +66,7 @@ pub(super) fn harmonic(ratio: &BigRational, offset: &BigRational, k: u32) -> Enc
 pub(super) fn rational(ratio: &BigRational, offset: &BigRational, k: u32) -> Option<BigRational> {
     let part = |offset: &BigRational| {
         let reach = BigRational::one() + offset;
-        let root = fraction::square_root(&((&reach - ratio) * (&reach + ratio))).filter(|root| !root.is_zero())?;
+        let root = rational_root(&((&reach - ratio) * (&reach + ratio))).filter(|root| !root.is_zero())?;
         let fall = ratio / (reach + &root);
         let whole = |number: i64| BigRational::from_integer(number.into());
         let k = i64::from(k);

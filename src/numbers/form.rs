@@ -9,6 +9,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::evaluate::direction;
 use crate::exact::{Turn, fraction};
+use crate::motion::rational_root;
 
 /// A root that a coefficient is multiplied by.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -127,7 +128,7 @@ impl Form {
             _ => return None,
         };
         let square = a * a - b * b * BigRational::from_integer(d.clone());
-        let difference = fraction::square_root(&square)?;
+        let difference = rational_root(&square)?;
         let two = BigRational::from_integer(2.into());
         let larger = root_of_rational(&((a + &difference) / &two));
         let smaller = root_of_rational(&((a - &difference) / &two));
