@@ -179,27 +179,23 @@ fn slider(
     let mut rounded_stops: BTreeSet<BigRational> = BTreeSet::new();
     let sets = || zeros.iter().filter(|set| set.exists && !set.everywhere);
     for set in sets() {
-        for value in &set.at {
-            let whole = sets().any(|other| {
-                (other.quantity, other.order, other.of) == (set.quantity, set.order, Zeros::Largest)
-                    && other.at.contains(value)
-            });
-            let Some(what) = vanishing(set, whole) else { continue };
-            let (all, any_whole) = marks.entry(value.clone()).or_default();
-            all.push(what);
+        let is_whole =
+            |other: &ZeroSet| (other.quantity, other.order, other.of) == (set.quantity, set.order, Zeros::Largest);
+        let mut mark = |stop: &BigRational, whole: bool, how: &str| {
+            let Some(what) = vanishing(set, whole) else { return false };
+            let (all, any_whole) = marks.entry(stop.clone()).or_default();
+            all.push(format!("{what}{how}"));
             *any_whole |= whole;
+            true
+        };
+        for value in &set.at {
+            mark(value, sets().any(|other| is_whole(other) && other.at.contains(value)), "");
         }
         for ends in &set.irrational {
-            let whole = sets().any(|other| {
-                (other.quantity, other.order, other.of) == (set.quantity, set.order, Zeros::Largest)
-                    && other.irrational.contains(ends)
-            });
-            let Some(what) = vanishing(set, whole) else { continue };
-            let stop = rounded(ends);
-            let (all, any_whole) = marks.entry(stop.clone()).or_default();
-            all.push(format!("{what} (at an irrational angle, rounded here)"));
-            *any_whole |= whole;
-            rounded_stops.insert(stop);
+            let (stop, whole) = (rounded(ends), sets().any(|other| is_whole(other) && other.irrational.contains(ends)));
+            if mark(&stop, whole, " (at an irrational angle, rounded here)") {
+                rounded_stops.insert(stop);
+            }
         }
     }
     let mut values = vec![now.clone()];

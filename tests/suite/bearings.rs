@@ -161,7 +161,7 @@ impl Crank {
 fn as_in_the_thesis(layout: &Engine, method: Method) -> Vec<[f64; 3]> {
     let beam = Beam::new(layout.bearings().to_vec()).expect("a beam");
     let float = |number: &BigRational| number.to_f64().expect("a number");
-    let unit = float(&crankstar::order::unit_mass(layout));
+    let unit = float(&layout.unit_mass());
     let newtons = unit * 0.045 * (200.0 * std::f64::consts::PI).powi(2);
     let mut harmonics = vec![Vec::new(); layout.bearings().len()];
     for cylinder in layout.cylinders() {

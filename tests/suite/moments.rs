@@ -8,7 +8,8 @@ use crankstar::motion::coefficients_fast;
 use crankstar::report::{Amplitude, MomentsRow, MomentsStudy, NoMoments, Question};
 use crankstar::table::Value;
 use crankstar::text::Untrusted;
-use crankstar::torque::torque;
+use crankstar::torque::{Class, torque};
+use num_complex::Complex;
 
 use crate::support::dice::Dice;
 use crate::support::program::{call, scratch};
@@ -86,6 +87,12 @@ fn the_guide_force_moments_of_a_six_are_those_of_the_theory() {
 }
 
 /// A free check: M2V over `m r ω² c₂` and X₂ times the rod length over a cylinder's torque are the same star.
+/// Order κ of the torque of the cylinder at this place of a class, by its own angle: of gas and piston, where that is known.
+pub fn torque_of_one(class: &Class, place: usize, order: CycleOrder) -> Complex<f64> {
+    let inertia = class.inertia.as_ref().map_or_else(Complex::default, |inertia| inertia.at(order)[0]);
+    class.harmonics.torque_at(order) + inertia * crankstar::numbers::float(&class.masses[place])
+}
+
 #[test]
 fn external_and_guide_force_moments_share_their_stars() {
     for (order, _) in &GUIDE[..3] {
@@ -93,7 +100,7 @@ fn external_and_guide_force_moments_share_their_stars() {
         let (study, torque) = (study(&text), torque(&engine(&text)).expect("gas"));
         let (c2, omega) = (0.520_594_197_350, 127.0 / 60.0 * TAU);
         let second = CycleOrder::of_halves(4).expect("an order");
-        let of_one = torque.classes[0].torque_of_one(0, second).norm();
+        let of_one = torque_of_one(&torque.classes[0], 0, second).norm();
         let row = &study.rows[0];
         let twisting = row.guides.as_ref().expect("gas").0[1].twisting.expect("X");
         let external = row.moments[1].components[0].expect("M2V") / (3000.0 * omega * omega * c2);
@@ -264,8 +271,9 @@ fn the_twisting_moments_of_project_guides_are_the_arms_of_their_firing_orders() 
     for (order, arms) in cases {
         let several = guides(&two_stroke(order));
         let of_all = torque(&engine(&two_stroke(order))).expect("gas");
-        let of_one =
-            |order: u32| of_all.classes[0].torque_of_one(0, CycleOrder::of_halves(2 * order).expect("an order")).norm();
+        let of_one = |order: u32| {
+            torque_of_one(&of_all.classes[0], 0, CycleOrder::of_halves(2 * order).expect("an order")).norm()
+        };
         let count = order.split('-').count() as u32;
         for (kappa, arm) in (1..).zip(arms) {
             let found = several(kappa).twisting.unwrap_or(0.0) * 2.05 / (of_one(kappa) * 0.85);

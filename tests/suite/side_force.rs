@@ -244,7 +244,7 @@ fn random(dice: &mut Dice) -> Case {
     let length = if weights.is_empty() { "" } else { "[crankshaft]\nlength = 2\n" };
     let text = format!("speed = 3000\nbearings = {bearings:?}\n{tables}[mechanism]\n{}\n{length}", keys.join("\n"));
     let layout = layout(&text);
-    let unit = crankstar::order::unit_mass(&layout) * crankstar::order::unit_radius(&layout);
+    let unit = layout.unit_mass() * layout.unit_radius();
     Case { unit: float(&unit), layout, bodies, weights }
 }
 

@@ -5,6 +5,7 @@ use crankstar::journal::cycle_loads;
 use crankstar::torque::{EngineTorque, Peak, PeakMethod, guide_moments, torque};
 
 use crate::gas::{SPARK, engine};
+use crate::moments::torque_of_one;
 use crate::support::dice::Dice;
 use crate::support::gas_table;
 use crate::support::program::{call, scratch};
@@ -156,7 +157,7 @@ fn no_mass_changes_what_the_gas_does_in_random_engines() {
                     let psi = std::f64::consts::TAU * crankstar::numbers::float(&class.fires[place]);
                     let kappa = f64::from(order.order.halves()) / 2.0;
                     let arm = crankstar::numbers::float(&engine.arm(&engine.cylinders()[cylinder])) / 0.15;
-                    class.torque_of_one(place, order.order) * num_complex::Complex::cis(-kappa * psi) * arm
+                    torque_of_one(class, place, order.order) * num_complex::Complex::cis(-kappa * psi) * arm
                 };
                 let places = torque.classes[0].cylinders.iter().enumerate();
                 let twisting: num_complex::Complex<f64> = places.map(|(place, &cylinder)| sum(cylinder, place)).sum();

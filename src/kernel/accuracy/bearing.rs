@@ -8,14 +8,14 @@ use std::time::Duration;
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::bodies::phases;
 use super::method::all_turn_with_the_crank;
+use super::sample::{Piston, pistons};
 use super::timing::{Timing, measured};
 use crate::engine::{CycleOrder, Engine};
 use crate::loads::{self, BearingLoads, Missing, PeakMethod};
-use crate::motion::{SliderCrank, golden_section};
+use crate::motion::golden_section;
 use crate::numbers;
-use crate::order::{self, turning_masses};
+use crate::order::turning_masses;
 
 /// What a method finds of a largest value.
 #[derive(Clone, Debug)]
@@ -79,18 +79,10 @@ pub fn bearings(engine: &Engine, timing: Timing) -> Result<Option<Vec<PeakRow>>,
 
 /// The loads of the bearings without any series.
 struct Closed {
-    pistons: Vec<Piston>,
+    /// With its part in the load of each bearing, along the cylinder.
+    pistons: Vec<Piston<Vec<Complex<f64>>>>,
     /// By bearing: what turns with the crank, at crank angle 0.
     rotating: Vec<Complex<f64>>,
-}
-
-struct Piston {
-    crank: SliderCrank,
-    ratio: f64,
-    offset: f64,
-    phase: f64,
-    /// By bearing: its part of the load, along the cylinder.
-    parts: Vec<Complex<f64>>,
 }
 
 impl Closed {
@@ -101,23 +93,14 @@ impl Closed {
                 .map(|index| load * parts.map_or(0.0, |parts| numbers::float(&parts[index])))
                 .collect()
         };
-        let pistons = engine.moved().zip(phases(engine)).filter_map(|((cylinder, mechanism), phase)| {
-            let crank = order::crank(mechanism)?;
-            let load = numbers::direction(&cylinder.bank) * numbers::float(&order::mass_radius(engine, cylinder));
-            Some(Piston {
-                ratio: numbers::float(crank.ratio()),
-                offset: numbers::float(crank.offset()),
-                phase: numbers::float(phase.turns()) * TAU,
-                parts: shared(&cylinder.position, load),
-                crank,
-            })
-        });
+        let pistons =
+            pistons(engine, |cylinder, weight| shared(&cylinder.position, numbers::direction(&cylinder.bank) * weight));
         let mut rotating = vec![Complex::new(0.0, 0.0); loads.bearings.len()];
         for mass in turning_masses(engine) {
             let load = numbers::direction(&mass.angle) * numbers::float(&mass.mass_radius);
             rotating.iter_mut().zip(shared(&mass.position, load)).for_each(|(sum, part)| *sum += part);
         }
-        Closed { pistons: pistons.collect(), rotating }
+        Closed { pistons, rotating }
     }
 
     /// The load of the bearing that feels most at a crank angle.
@@ -125,10 +108,8 @@ impl Closed {
         let mut sums: Vec<Complex<f64>> = self.rotating.iter().map(|mass| mass * Complex::cis(theta)).collect();
         for piston in &self.pistons {
             let psi = theta + piston.phase;
-            let slant = piston.ratio * psi.sin() - piston.offset;
-            let slope = slant / ((1.0 - slant) * (1.0 + slant)).sqrt();
-            let push = Complex::new(1.0, -slope) * -piston.crank.acceleration(psi);
-            sums.iter_mut().zip(&piston.parts).for_each(|(sum, part)| *sum += part * push);
+            let push = Complex::new(1.0, -piston.crank.rod_slope(psi)) * -piston.crank.acceleration(psi);
+            sums.iter_mut().zip(&piston.part).for_each(|(sum, part)| *sum += part * push);
         }
         sums.iter().map(|sum| sum.norm()).fold(0.0, f64::max)
     }

@@ -34,7 +34,7 @@ impl Fixed {
     pub fn direction(angle: &Turn, bits: u32) -> [Fixed; 2] {
         let vector = PhasorSum::new(vec![Term { angle: angle.clone(), weight: BigRational::one() }]);
         // The roundings of the series take less than 32 bits.
-        numbers::enclose(&vector, bits + 32).map(|(low, high)| Fixed::between(&low, &high, bits))
+        numbers::enclose(&vector, bits + 32).map(|part| Fixed::between(&part.low, &part.high, bits))
     }
 
     /// Both ends; none where nothing is known.

@@ -27,10 +27,9 @@ pub(super) struct Spans {
 
 /// The greatest length of which all these are whole multiples; not all are zero.
 pub(super) fn common_unit(lengths: &[BigRational]) -> BigRational {
-    let denominator = lengths.iter().fold(BigInt::one(), |all, length| all.lcm(length.denom()));
-    let whole = |length: &BigRational| length.numer() * (&denominator / length.denom());
-    let divisor = lengths.iter().fold(BigInt::zero(), |all, length| all.gcd(&whole(length)));
-    BigRational::new(divisor, denominator)
+    let multiple = lengths.iter().fold(BigInt::one(), |all, length| all.lcm(length.denom()));
+    let divisor = lengths.iter().fold(BigInt::zero(), |all, length| all.gcd(length.numer()));
+    BigRational::new(divisor, multiple)
 }
 
 /// `D_0 = 0, D_1 = 1, D_{k+1} = 2(l_k + l_{k+1}) D_k − l_k² D_{k−1}`, one more than there are lengths.

@@ -11,7 +11,6 @@ use super::statement::{Subject, Value};
 use crate::engine::{Engine, LengthUnit};
 use crate::motion::{self, SliderCrank};
 use crate::numbers;
-use crate::order::unit_mass;
 use crate::proof::Quantity;
 use crate::verdict::OrderBalance;
 
@@ -41,7 +40,7 @@ impl Numbers {
         let are_alike = engine.mechanisms().len() == 1;
         (are_alike || (order == 1 && engine.is_centric())).then_some(())?;
         Some(Numbers {
-            reciprocating_mass: unit_mass(engine),
+            reciprocating_mass: engine.unit_mass(),
             rod_length: &crank_radius / &rod.ratio,
             crank_radius,
             speed: mechanism.speed.clone()?,

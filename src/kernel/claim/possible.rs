@@ -156,10 +156,10 @@ fn lighter(vectors: &[PhasorSum], limit: &BigRational) -> Option<bool> {
 
 /// Ends that enclose the length of a sum.
 fn length(vector: &PhasorSum) -> [BigRational; 2] {
-    let [(low, high), _] = numbers::enclose(&vector.squared_modulus(), BITS);
+    let [square, _] = numbers::enclose(&vector.squared_modulus(), BITS);
     let unit = BigInt::from(1) << BITS;
     let scaled = |end: BigRational| (end.max(BigRational::zero()) * &unit * &unit).floor().to_integer().sqrt();
-    [BigRational::new(scaled(low), unit.clone()), BigRational::new(scaled(high) + 2, unit.clone())]
+    [BigRational::new(scaled(square.low), unit.clone()), BigRational::new(scaled(square.high) + 2, unit.clone())]
 }
 
 fn witness(engine: &Engine, subject: &ComparableEngine, claimed: &Possible, vectors: Vec<PhasorSum>) -> Witness {

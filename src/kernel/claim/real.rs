@@ -1,27 +1,16 @@
 //! Is a real sum below zero, a length within two numbers, a direction within two angles? Exactly: zero is decided, and what is not zero has a sign.
 
+use std::cmp::Ordering;
+
 use num_rational::BigRational;
 use num_traits::Signed;
 
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers;
 
-/// Whether a real sum is below zero: zero is decided exactly, and what is not zero has a sign that enough bits show.
+/// Whether a real sum is below zero.
 pub(super) fn is_negative(real: &PhasorSum) -> bool {
-    if real.vanishes() {
-        return false;
-    }
-    let mut bits = 64;
-    loop {
-        let [(low, high), _] = numbers::enclose(real, bits);
-        if low.is_positive() {
-            return false;
-        }
-        if high.is_negative() {
-            return true;
-        }
-        bits *= 2;
-    }
+    numbers::sign(real) == Ordering::Less
 }
 
 /// Whether `½(|A| + |B|)` is no farther than `half` from a number.

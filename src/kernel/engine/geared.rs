@@ -87,10 +87,7 @@ impl<A, L> Engine<A, L> {
                 return Err(NoShaft::OfTwoCranks(cylinder.pin + 1));
             }
         }
-        let speed = |crank: &GearedCrank| match crank.sense {
-            Sense::Direct => i64::from(crank.speed),
-            Sense::Reverse => -i64::from(crank.speed),
-        };
+        let speed = |crank: &GearedCrank| crank.sense.signed(i64::from(crank.speed));
         Ok(cranks.into_iter().map(|crank| self.geared_cranks().get(crank.unwrap_or(0)).map_or(1, speed)).collect())
     }
 }

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::decide;
 use super::term::Term;
 use super::turn::Turn;
 use super::words::Words;
+use super::{decide, fraction};
 
 /// The sum `Σ weight · e^{2πi·exponent/conductor}` with whole weights: a [`super::PhasorSum`] scaled by
 /// `scale`, with each direction once, no weight zero, in order of the exponents.
@@ -32,8 +32,8 @@ impl IntegerSum {
             let terms = terms.map(|(exponent, weight)| (exponent.into(), weight.into())).collect();
             return IntegerSum { conductor: conductor.into(), scale: scale.into(), terms };
         }
-        let conductor = terms.iter().fold(BigInt::one(), |n, term| n.lcm(term.angle.denominator()));
-        let scale = terms.iter().fold(BigInt::one(), |s, term| s.lcm(term.weight.denom()));
+        let conductor = fraction::common_denominator(terms.iter().map(|term| term.angle.turns()));
+        let scale = fraction::common_denominator(terms.iter().map(|term| &term.weight));
         let mut pairs: Vec<(BigUint, BigInt)> = terms
             .iter()
             .map(|term| (whole(term.angle.turns(), &conductor), whole(&term.weight, &scale)))

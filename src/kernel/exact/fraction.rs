@@ -1,11 +1,13 @@
 //! How are fractions computed fast? In machine words, as nearly all of them are short: sums and products of [`BigRational`] ask for
 //! memory at every step, and reduce by a gcd of numbers of any size.
 
+use std::borrow::Borrow;
 use std::cmp::Ordering;
 
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_rational::BigRational;
+use num_traits::{One, Zero};
 
 /// One word over another, which is above 0.
 pub fn ratio(numerator: i64, denominator: i64) -> BigRational {
@@ -42,6 +44,20 @@ pub fn compare(one: &BigRational, other: &BigRational) -> Ordering {
         Some(((a, b), (c, d))) => (i128::from(a) * i128::from(d)).cmp(&(i128::from(c) * i128::from(b))),
         None => one.cmp(other),
     }
+}
+
+/// The least common multiple of the denominators: 1 of none.
+pub fn common_denominator(numbers: impl IntoIterator<Item: Borrow<BigRational>>) -> BigInt {
+    numbers.into_iter().fold(BigInt::one(), |multiple, number| multiple.lcm(number.borrow().denom()))
+}
+
+/// The largest number of which all these are whole multiples: 0 where all are 0.
+pub fn common_unit<'a>(numbers: impl IntoIterator<Item = &'a BigRational>) -> BigRational {
+    let (divisor, multiple) =
+        numbers.into_iter().fold((BigInt::zero(), BigInt::one()), |(divisor, multiple), number| {
+            (divisor.gcd(number.numer()), multiple.lcm(number.denom()))
+        });
+    BigRational::new(divisor, multiple)
 }
 
 /// `a/b ± c/d` with the gcd g of the denominators: `(a·d/g ± c·b/g) / (b·d/g)`, in which only a divisor of g is left to take out (Knuth,

@@ -10,6 +10,7 @@ mod evidence;
 mod fewest;
 pub mod fraction;
 mod minimal;
+pub mod modulo;
 mod polygons;
 mod residue;
 mod splitting;

@@ -3,14 +3,12 @@
 //! Where a conductor is too large for a prime with a root of that order, the decision itself is the evidence: each
 //! step keeps a part that would be zero if the whole were (theory, section 4), until one vector is left.
 
-use std::collections::BTreeMap;
-
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::One;
 
 use super::decide::{collect, corner_in_class, primes_up_to, vanishes};
-use super::terms::{Exponent, Weight};
+use super::terms::{Exponent, Weight, classes};
 use crate::proof::Step;
 
 type Terms = Vec<(BigUint, BigInt)>;
@@ -33,15 +31,6 @@ pub(super) fn find<E: Exponent, W: Weight>(conductor: &E, terms: &[(E, W)]) -> V
         (conductor, terms) = (next_conductor, next_terms);
     }
     steps
-}
-
-/// The terms by the remainder of their exponent.
-fn classes(terms: &Terms, modulus: &BigUint) -> BTreeMap<BigUint, Terms> {
-    let mut classes: BTreeMap<BigUint, Terms> = BTreeMap::new();
-    for (exponent, weight) in terms {
-        classes.entry(exponent % modulus).or_default().push((exponent.clone(), weight.clone()));
-    }
-    classes
 }
 
 /// The shortest class that is not zero among those that must vanish by themselves.

@@ -78,6 +78,11 @@ impl PhasorSum {
             .collect()
     }
 
+    /// The same sum, [collected](PhasorSum::collected).
+    pub fn tidied(&self) -> Self {
+        PhasorSum { terms: self.collected() }
+    }
+
     /// The same sum with each line once, opposite directions collected too: all weights positive, in order of the angles.
     pub fn on_lines(&self) -> Vec<Term> {
         let half = Turn::fraction(1, 2);
@@ -85,8 +90,7 @@ impl PhasorSum {
             true => term.clone(),
             false => Term { angle: term.angle.opposite(), weight: -&term.weight },
         };
-        let lines = PhasorSum::new(self.terms.iter().map(to_first_half).collect()).collected();
-        PhasorSum::new(lines).positive().collected()
+        self.map(to_first_half).tidied().positive().collected()
     }
 
     /// The sum with every vector of negative weight as one of positive weight, turned by half a turn.

@@ -3,30 +3,23 @@
 use std::collections::BTreeSet;
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
+use super::zeros::lifted;
 use crate::engine::{DELTA, Family, Linear, PHI};
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 
 /// The bank angles φ in (0°, 360°) at which an even firing order exists; `None` where the cycle is not given, or
 /// where another angle than φ is open.
-///
-/// In an even order the top dead centres, modulo a revolution, are the multiples of the interval. Between a cylinder
-/// in which φ enters otherwise than in the first and the first, that leaves finitely many φ, and each is tried.
 pub fn even_firing(family: &Family) -> Option<BTreeSet<Turn>> {
-    let centres = centres(family);
-    if centres.iter().any(|centre| centre.symbols().keys().any(|name| name != PHI)) {
+    if centres(family).iter().any(|centre| centre.symbols().keys().any(|name| name != PHI)) {
         return None;
     }
-    let step = step(family)?;
-    let first = centres.first()?;
-    let other = centres.iter().map(|centre| centre.minus(first)).find(|apart| !apart.coefficient(PHI).is_zero())?;
-    let candidates = candidates(&other.coefficient(PHI), other.known(), &step).into_iter();
-    let at = |centre: &Linear, phi: &Turn| Turn::new(centre.known() + centre.coefficient(PHI) * phi.turns());
-    let fires = |phi: &Turn| is_even(centres.iter().map(|centre| at(centre, phi)).collect(), &step);
-    Some(candidates.filter(|phi| *phi != Turn::zero() && fires(phi)).collect())
+    let EvenFiring { phi, turns, .. } = even_firing_lines(family)?;
+    let (none, one) = (BigRational::zero(), BigRational::one());
+    let values = turns.iter().flat_map(|turn| lifted([turn.turns(); 2], &phi, [&none, &one]));
+    Some(values.map(|[value, _]| value).filter(|value| *value != none && *value != one).map(Turn::new).collect())
 }
 
 /// Where an even firing order exists: where `phi·φ + delta·δ` is one of these turns, modulo a turn.
@@ -42,6 +35,9 @@ pub struct EvenFiring {
 
 /// The φ and δ at which an even firing order exists; `None` where the cycle is not given, where the top dead centres stand against
 /// each other as they do whatever φ and δ are, or where these turn them against each other by more than one angle.
+///
+/// In an even order the top dead centres, modulo a revolution, are the multiples of the interval. Between a cylinder that is turned otherwise
+/// than the first and the first, that leaves finitely many turns, and each is tried.
 pub fn even_firing_lines(family: &Family) -> Option<EvenFiring> {
     let centres = centres(family);
     let step = step(family)?;
@@ -55,10 +51,7 @@ pub fn even_firing_lines(family: &Family) -> Option<EvenFiring> {
     // The largest angle of which every centre is turned by a whole multiple.
     let axis = usize::from(phi.is_zero());
     let along = if axis == 0 { phi } else { delta };
-    let (divisor, multiple) = all.iter().fold((BigInt::zero(), BigInt::one()), |(divisor, multiple), times| {
-        (divisor.gcd(times[axis].numer()), multiple.lcm(times[axis].denom()))
-    });
-    let unit = BigRational::new(divisor, multiple);
+    let unit = fraction::common_unit(all.iter().map(|times| &times[axis]));
     let [phi, delta] = [phi, delta].map(|times| times / along * &unit);
     let times: Vec<BigRational> = all.iter().map(|of| &of[axis] / &unit).collect();
     let (other, by) = centres.iter().zip(&times).find(|(_, by)| !by.is_zero())?;

@@ -1,13 +1,11 @@
 //! What is left of a moment whose lengths are open? The lengths factored out where its vectors share a line.
 
-use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
 
 use super::verdict::{OpenSum, OpenVerdict};
 use crate::engine::Linear;
-use crate::exact::PhasorSum;
+use crate::exact::{PhasorSum, fraction};
 use crate::numbers::{self, Direction, Form};
 
 /// What is left of one quantity, order and sense, its angles known.
@@ -44,8 +42,7 @@ pub fn remaining(verdict: &OpenVerdict) -> Remaining {
     }
     let ratios: Option<Vec<BigRational>> = sums.iter().map(|(_, sum)| ratio(sum, reference)).collect();
     let (Some(ratios), Some(factor)) = (ratios, numbers::modulus(reference)) else { return Remaining::Apart };
-    let content = ratios.iter().fold((BigInt::zero(), BigInt::one()), |(g, l), q| (g.gcd(q.numer()), l.lcm(q.denom())));
-    let content = BigRational::new(content.0, content.1);
+    let content = fraction::common_unit(&ratios);
     let lengths = sums.iter().zip(&ratios).fold(Linear::default(), |lengths, ((sum, _), ratio)| {
         let coefficient = ratio / &content;
         let part = match &sum.symbol {

@@ -72,7 +72,7 @@ fn in_product(parts: &[&Part]) -> Option<When> {
 }
 
 fn length_difference(a: &PhasorSum, b: &PhasorSum) -> Certificate {
-    PhasorSum::new(a.squared_modulus().minus(&b.squared_modulus()).collected()).certificate()
+    a.squared_modulus().minus(&b.squared_modulus()).tidied().certificate()
 }
 
 fn two(first: &Part, second: &Part) -> When {
@@ -145,6 +145,6 @@ fn mirrored(at: usize, middle: &Part, [one, other]: [&Part; 2]) -> Option<Cosine
         return None;
     }
     let scaled = middle.sum.scaled(&multiple);
-    let multiples = [forward, backward].map(|sum| PhasorSum::new(sum.minus(&scaled).collected()).certificate());
+    let multiples = [forward, backward].map(|sum| sum.minus(&scaled).tidied().certificate());
     Some(Cosine { middle: at, phi, delta, turn, cosine, multiples })
 }

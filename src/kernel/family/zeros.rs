@@ -203,7 +203,11 @@ impl Circle {
 }
 
 /// All x in a range with `times·x` between two turns, modulo a turn.
-fn lifted(ends: [&BigRational; 2], times: &BigRational, [low, high]: [&BigRational; 2]) -> Vec<[BigRational; 2]> {
+pub(super) fn lifted(
+    ends: [&BigRational; 2],
+    times: &BigRational,
+    [low, high]: [&BigRational; 2],
+) -> Vec<[BigRational; 2]> {
     let mut whole: BigInt = (times * low - ends[1]).ceil().to_integer();
     let last = (times * high - ends[0]).floor().to_integer();
     let mut found = Vec::new();

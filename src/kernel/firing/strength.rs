@@ -2,31 +2,13 @@
 
 use std::cmp::Ordering;
 
-use num_traits::Signed;
-
 use super::{FiringPattern, FiringStar, StarOrder};
 use crate::exact::PhasorSum;
 use crate::numbers;
 
-/// Bits behind the point at the first attempt.
-const FIRST_BITS: u32 = 128;
-
-/// Compares the lengths of two sums: that they are equal is decided, and unequal ones are distinguished by an enclosure of
-/// `|A|² − |B|²` that is narrowed until it excludes zero.
+/// Compares the lengths of two sums.
 pub fn by_length(a: &PhasorSum, b: &PhasorSum) -> Ordering {
-    let difference = PhasorSum::new(a.squared_modulus().minus(&b.squared_modulus()).collected());
-    if difference.vanishes() {
-        return Ordering::Equal;
-    }
-    let mut bits = FIRST_BITS;
-    loop {
-        let [(low, high), _] = numbers::enclose(&difference, bits);
-        match (low.is_positive(), high.is_negative()) {
-            (true, _) => return Ordering::Greater,
-            (_, true) => return Ordering::Less,
-            (false, false) => bits *= 2,
-        }
-    }
+    numbers::sign(&a.squared_modulus().minus(&b.squared_modulus()).tidied())
 }
 
 impl FiringPattern {

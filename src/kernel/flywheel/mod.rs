@@ -66,13 +66,7 @@ pub struct Fluctuation {
 /// A load that does not fit the torque; angles of areas.
 pub fn fluctuation(diagram: &Diagram) -> Result<Fluctuation, NoFluctuation> {
     let Drawn { mean, cycle, energy, fastest_and_slowest, lobes } = match &diagram.torque {
-        Torque::Harmonics(mean, torque) => {
-            let load = match &diagram.load {
-                Some(Torque::Harmonics(_, load)) => load.as_slice(),
-                Some(Torque::Lines(_) | Torque::Areas(_)) | None => &[],
-            };
-            waves::drawn(mean, torque, load)
-        }
+        Torque::Harmonics(mean, torque) => waves::drawn(mean, torque, waves::load(diagram)),
         Torque::Lines(_) | Torque::Areas(_) => lobes::drawn(diagram)?,
     };
     let two = BigRational::from_integer(2.into());
@@ -134,18 +128,14 @@ impl<'a> TorqueCurve<'a> {
     /// # Errors
     /// Areas, which have none.
     pub fn new(diagram: &'a Diagram) -> Result<Self, NoFluctuation> {
-        match (&diagram.torque, &diagram.load) {
-            (Torque::Harmonics(mean, torque), load) => {
-                let load = match load {
-                    Some(Torque::Harmonics(_, load)) => load.as_slice(),
-                    Some(Torque::Lines(_) | Torque::Areas(_)) | None => &[],
-                };
-                Ok(TorqueCurve::Waves(numbers::float(mean), [torque, load]))
+        match &diagram.torque {
+            Torque::Harmonics(mean, torque) => {
+                Ok(TorqueCurve::Waves(numbers::float(mean), [torque, waves::load(diagram)]))
             }
-            (Torque::Areas(_), _) => Err(NoFluctuation::NoAngles),
-            (Torque::Lines(_), load) => {
+            Torque::Areas(_) => Err(NoFluctuation::NoAngles),
+            Torque::Lines(_) => {
                 let torque = lobes::all_cylinders(diagram)?;
-                let load = match load {
+                let load = match &diagram.load {
                     Some(Torque::Lines(load)) => load.clone(),
                     Some(Torque::Harmonics(..) | Torque::Areas(_)) | None => vec![lobes::mean_line(&torque)],
                 };

@@ -7,7 +7,7 @@ use num_traits::Zero;
 
 use super::drawn::Drawn;
 use super::with_pi::WithPi;
-use crate::file::Harmonic;
+use crate::file::{Diagram, Harmonic, Torque};
 use crate::numbers::{self, Form};
 use crate::torque;
 
@@ -21,6 +21,14 @@ pub(super) fn at(harmonics: &[Harmonic], theta: f64) -> f64 {
         numbers::float(&wave.cos) * cos + numbers::float(&wave.sin) * sin
     };
     harmonics.iter().map(one).sum()
+}
+
+/// The harmonics of the load; none where it is the mean.
+pub(super) fn load(diagram: &Diagram) -> &[Harmonic] {
+    match &diagram.load {
+        Some(Torque::Harmonics(_, load)) => load,
+        Some(Torque::Lines(_) | Torque::Areas(_)) | None => &[],
+    }
 }
 
 /// Torque less load, each order once.

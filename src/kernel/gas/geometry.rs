@@ -6,7 +6,7 @@ use num_rational::BigRational;
 
 use super::error::NoGas;
 use crate::engine::Engine;
-use crate::motion::{PistonMotion, float};
+use crate::motion::{PistonMotion, float, halving};
 
 /// Crank, rod and bore of a cylinder, in SI units. Where two pistons share it, lever and slope are those of the one that ψ is of, and the volume is
 /// that between both.
@@ -94,17 +94,13 @@ impl Geometry {
 
     /// Where the volume stands still, within a step of this place; the place itself where it does not.
     fn still(&self, near: f64, step: f64) -> f64 {
-        let (mut low, mut high) = (near - step, near + step);
+        let (low, high) = (near - step, near + step);
         let rises = |psi: f64| self.speed(psi) > 0.0;
         let at_first = rises(low);
         if rises(high) == at_first {
             return near;
         }
-        for _ in 0..HALVINGS {
-            let middle = (low + high) / 2.0;
-            if rises(middle) == at_first { low = middle } else { high = middle }
-        }
-        (low + high) / 2.0
+        halving(low, high, HALVINGS, |psi| rises(psi) == at_first)
     }
 
     /// How far out the pistons are that bound the volume, in crank radii, but for a constant.

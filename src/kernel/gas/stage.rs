@@ -4,7 +4,10 @@ use super::error::NoGas;
 use super::geometry::Geometry;
 use super::law::{Law, Piece, Shape, period};
 use crate::engine::{CompressorStage, Cycle};
-use crate::motion::float;
+use crate::motion::{float, halving};
+
+/// Halvings after which the angle at which a valve opens is known to its last digits.
+const HALVINGS: u32 = 100;
 
 /// The law of a stage, from the innermost place of the piston to the next.
 pub(super) fn law(stage: &CompressorStage, geometry: &Geometry) -> Result<Law, NoGas> {
@@ -18,8 +21,8 @@ pub(super) fn law(stage: &CompressorStage, geometry: &Geometry) -> Result<Law, N
     if !(delivers > smallest && takes_in < largest) {
         return Err(NoGas::Delivery);
     }
-    let opens = place(start, middle, |psi| geometry.volume(psi) > delivers);
-    let sucks = place(middle, start + period, |psi| geometry.volume(psi) < takes_in);
+    let opens = halving(start, middle, HALVINGS, |psi| geometry.volume(psi) > delivers);
+    let sucks = halving(middle, start + period, HALVINGS, |psi| geometry.volume(psi) < takes_in);
     let piece = |from, to, shape| Piece { from, to, shape };
     Ok(Law {
         pieces: vec![
@@ -30,17 +33,4 @@ pub(super) fn law(stage: &CompressorStage, geometry: &Geometry) -> Result<Law, N
         ],
         period,
     })
-}
-
-/// Where something stops to hold, by halving.
-fn place(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..100 {
-        let middle = (low + high) / 2.0;
-        if holds(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    (low + high) / 2.0
 }

@@ -6,7 +6,6 @@ use num_rational::BigRational;
 use crate::engine::Engine;
 use crate::numbers;
 use crate::order::{self, MassGroup};
-use crate::proof::Sense;
 
 /// What of the engine's forces one place carries.
 #[derive(Clone, Debug)]
@@ -51,9 +50,5 @@ pub(super) fn carried_by(
 
 /// How many times a crankshaft turns while the reference turns once; below 0 against it.
 pub(super) fn turns_of(engine: &Engine, crank: usize) -> f64 {
-    match engine.geared_cranks().get(crank) {
-        Some(crank) if crank.sense == Sense::Reverse => -f64::from(crank.speed),
-        Some(crank) => f64::from(crank.speed),
-        None => 1.0,
-    }
+    engine.geared_cranks().get(crank).map_or(1.0, |crank| crank.sense.signed(f64::from(crank.speed)))
 }

@@ -9,7 +9,7 @@ use crate::engine::{self, Engine};
 use crate::gas::Harmonics;
 use crate::loads::HungRod;
 use crate::numbers;
-use crate::order::{self, Source};
+use crate::order;
 use crate::torque::Class;
 
 /// The forces over the crank angle θ, in radians and newtons.
@@ -87,11 +87,6 @@ impl PistonForces {
 
 impl ForceHistory {
     pub(super) fn new(engine: &Engine, classes: Vec<Class>, newtons: f64) -> Self {
-        let turning = order::turning_masses(engine);
-        let rotating = |index: usize| {
-            let own = turning.iter().filter(|mass| mass.source == Source::BigEnd(index));
-            own.map(|mass| numbers::float(&mass.mass_radius) * newtons).sum::<f64>()
-        };
         let fires = |index: usize| {
             classes.iter().enumerate().find_map(|(class, of)| {
                 let place = of.cylinders.iter().position(|&cylinder| cylinder == index)?;
@@ -109,7 +104,8 @@ impl ForceHistory {
             let Some((class, fires)) = fires(index) else { unreachable!("every cylinder belongs to a class") };
             let [axis, throw] = [&cylinder.bank, &engine.pin_angle(cylinder)].map(numbers::direction);
             let turns = turns_of(engine, cylinder.crank);
-            let (mass, rotating, hung) = (mass(cylinder), rotating(index) * turns * turns, hung(index));
+            let rotating = numbers::float(&order::big_end(engine, cylinder)) * newtons * turns * turns;
+            let (mass, hung) = (mass(cylinder), hung(index));
             Cylinder { class, fires, mass, axis, throw, turns, rotating, hung }
         });
         let cylinders = cylinders.collect();

@@ -11,8 +11,7 @@ use crate::gas::{CylinderGas, NoGas};
 use crate::loads::{self, HungRod, Method, Missing};
 use crate::motion::PistonMotion;
 use crate::numbers;
-use crate::order::{self, Source};
-use crate::proof::Sense;
+use crate::order;
 use crate::torque::{self, Bodies, Inertia};
 
 /// An engine whose values are asked for at crank angles.
@@ -154,7 +153,6 @@ impl Instants {
         }
         let dimensions = engine.dimensions();
         let radius = dimensions.crank_radius.as_ref().ok_or(NoGas::Radius)?;
-        let turning = order::turning_masses(engine);
         let knuckles: Vec<Bodies> = torque::bodies(engine).into_iter().filter(|of| !of.is_of_pistons).collect();
         let mut cylinders = Vec::new();
         for (index, cylinder) in engine.cylinders().iter().enumerate() {
@@ -169,7 +167,6 @@ impl Instants {
                 class.as_ref().map_or_else(|| cylinder.top_dead_centre().turns().clone(), |(_, at)| (*at).clone());
             let mass = dimensions.mass.as_ref().map(|mass| numbers::float(&(mass * &cylinder.reciprocating_mass)));
             let axis = numbers::direction(&cylinder.bank);
-            let own = turning.iter().filter(|mass| mass.source == Source::BigEnd(index));
             cylinders.push(Moving {
                 outermost: motion.position(motion.dead_centres()[0]),
                 ratio,
@@ -180,8 +177,8 @@ impl Instants {
                 gas: class.map(|(gas, _)| gas),
                 zero: numbers::float(&zero) * 360.0,
                 throw: numbers::direction(&engine.pin_angle(cylinder)),
-                sense: if engine.sense_of(cylinder) == Sense::Direct { 1.0 } else { -1.0 },
-                rotating: own.map(|mass| numbers::float(&mass.mass_radius) * newtons.unwrap_or_default()).sum(),
+                sense: engine.sense_of(cylinder).signed(1.0),
+                rotating: numbers::float(&order::big_end(engine, cylinder)) * newtons.unwrap_or_default(),
                 motion,
                 axis,
             });

@@ -135,7 +135,7 @@ pub(super) fn handed_on(engine: &Engine, course: &ForceHistory) -> Vec<HandedOn>
 
 /// From the harmonics of force and side force; of a crank that turns against the reference the side force has the other sign.
 fn by_harmonics(class: &Class, sense: Sense) -> Vec<[Complex<f64>; 2]> {
-    let sign = if sense == Sense::Direct { 1.0 } else { -1.0 };
+    let sign = sense.signed(1.0);
     let both = class.harmonics.force.iter().zip(&class.harmonics.side);
     let vectors = |(force, side): (&Complex<f64>, &Complex<f64>)| {
         [(*force, *side), (force.conj(), side.conj())].map(|(force, side)| force - quarter_turned(side) * sign)

@@ -11,9 +11,9 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::pin::with_constant;
+use super::pin::{LoadOrder, with_constant};
 use super::shares::{Method, Shares, in_equilibrium};
-use super::{Missing, Motion, Peak, Scale, Swing, Waveform};
+use super::{Missing, Motion, Peak, Scale, Waveform};
 use crate::engine::{self, Engine};
 use crate::order::{self, Contribution, OrderSum};
 use crate::proof::Sense;
@@ -43,7 +43,7 @@ pub struct BearingLoad {
     /// Where it stands, in the unit of the layout's positions.
     pub position: BigRational,
     /// The orders, rising; from 0, a constant force, where there is one.
-    pub orders: Vec<BearingOrder>,
+    pub orders: Vec<LoadOrder>,
     /// All of them together.
     pub waveform: Waveform,
     /// The largest force in a revolution.
@@ -52,17 +52,6 @@ pub struct BearingLoad {
     pub along: Peak,
     /// The largest size of the component across it, x; to the right it is the imaginary part with its sign changed.
     pub across: Peak,
-}
-
-/// One order of what a bearing feels.
-#[derive(Clone, Debug)]
-pub struct BearingOrder {
-    /// The order k; 0 is a constant force.
-    pub order: u32,
-    /// P⁺ and P⁻ as exact sums, in multiples of m r.
-    pub sums: [OrderSum; 2],
-    /// The two vectors, in multiples of m r ω².
-    pub swing: Swing,
 }
 
 /// Peaks closer than this part share the place of the worst: the roundings of their decimals could not tell them apart.
@@ -94,7 +83,7 @@ fn of_crankshaft(
     shares: &Shares,
     (crank, orders): (usize, &[u32]),
 ) -> Vec<BearingLoad> {
-    let mut by_bearing: Vec<Vec<BearingOrder>> = engine.bearings().iter().map(|_| Vec::new()).collect();
+    let mut by_bearing: Vec<Vec<LoadOrder>> = engine.bearings().iter().map(|_| Vec::new()).collect();
     for order in with_constant(engine, orders) {
         let [direct, reverse] = Sense::BOTH.map(|sense| {
             let forces = order::shaft_contributions(engine, crank, order, sense);
@@ -111,7 +100,7 @@ fn of_crankshaft(
         });
         for ((loads, direct), reverse) in by_bearing.iter_mut().zip(direct).zip(reverse) {
             let swing = motion.swing([direct.clone(), reverse.clone()], order);
-            loads.push(BearingOrder { order, sums: [direct, reverse], swing });
+            loads.push(LoadOrder { order, sums: [direct, reverse], swing });
         }
     }
     let places = engine.bearings().iter().enumerate().zip(by_bearing);
@@ -127,7 +116,7 @@ fn of_crankshaft(
 }
 
 impl BearingLoad {
-    fn new((name, crank): (String, usize), position: BigRational, orders: Vec<BearingOrder>) -> Self {
+    fn new((name, crank): (String, usize), position: BigRational, orders: Vec<LoadOrder>) -> Self {
         let waveform = Waveform::new(orders.iter().map(|order| super::harmonic(order.order, &order.swing)));
         let [along, across] = [1.0.into(), Complex::i()].map(|direction| waveform.component_peak(direction));
         BearingLoad { name, crank, position, orders, peak: waveform.peak(), along, across, waveform }

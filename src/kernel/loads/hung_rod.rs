@@ -183,15 +183,13 @@ struct Own {
 impl Own {
     fn new(engine: &Engine, index: usize, crank: SliderCrank) -> Self {
         let cylinder = &engine.cylinders()[index];
-        let turning = order::turning_masses(engine);
-        let rotating = turning.iter().filter(|mass| mass.source == order::Source::BigEnd(index));
         Own {
             crank,
             axis: numbers::direction(&cylinder.bank),
             throw: numbers::direction(&cylinder.throw),
             top: numbers::float(cylinder.top_dead_centre().turns()) * TAU,
             mass: numbers::float(&mass_radius(engine, cylinder)),
-            rotating: rotating.map(|mass| numbers::float(&mass.mass_radius)).sum(),
+            rotating: numbers::float(&order::big_end(engine, cylinder)),
         }
     }
 

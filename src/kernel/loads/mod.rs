@@ -22,7 +22,7 @@ mod vector;
 mod waveform;
 
 pub use always::vanishes_at_every_order;
-pub use bearing::{BearingLoad, BearingLoads, BearingOrder, bearing_loads};
+pub use bearing::{BearingLoad, BearingLoads, bearing_loads};
 use coefficients::Motion;
 pub use hung_rod::{HungRod, KnuckleLoad, LinkLoads, MasterLoad, link_loads};
 pub use missing::Missing;
@@ -32,7 +32,7 @@ pub use needed_bearings::{bearing_orders, left_out_of_bearings, usual_bearing_or
 pub use order_loads::{OrderLoads, Torque, TorqueOrder};
 use order_loads::{harmonic, swings};
 pub use peak_method::PeakMethod;
-pub use pin::{PinLoad, PinLoads, PinOrder, pin_loads};
+pub use pin::{LoadOrder, PinLoad, PinLoads, pin_loads};
 pub use roll::roll_moments;
 pub use scale::{Arm, Scale, scale, unit};
 pub use shares::{Method, Shares};
@@ -129,7 +129,10 @@ pub fn loads_at(engine: &Engine, orders: &[u32], torque_orders: &[u32]) -> Resul
             Some([solve(Method::Continuous)?, solve(Method::Determinate)?])
         }
     };
-    let torque = engine.effects().torque.then(|| torque(engine, &motion, torque_orders));
+    let torque = engine
+        .effects()
+        .torque
+        .then(|| Torque::new(torque_orders.iter().map(|&order| TorqueOrder::new(engine, &motion, order)).collect()));
     let has_arms =
         !engine.crankshaft().balancers.is_empty() || engine.has_offset() || !engine.geared_cranks().is_empty();
     let asks = engine.effects().torque && has_arms;
@@ -157,9 +160,4 @@ impl GroupLoads {
             |place: usize| Waveform::new(by_order.iter().map(|(order, swings)| harmonic(*order, &swings[place])));
         GroupLoads { group, force: waveform(0), moment: waveform(1) }
     }
-}
-
-fn torque(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
-    let orders: Vec<TorqueOrder> = orders.iter().map(|&order| TorqueOrder::new(engine, motion, order)).collect();
-    Torque { waveform: Waveform::new(orders.iter().map(TorqueOrder::harmonic)), orders }
 }

@@ -50,6 +50,13 @@ pub struct Torque {
     pub waveform: Waveform,
 }
 
+impl Torque {
+    /// That of these orders.
+    pub(super) fn new(orders: Vec<TorqueOrder>) -> Self {
+        Torque { waveform: Waveform::new(orders.iter().map(TorqueOrder::harmonic)), orders }
+    }
+}
+
 /// One order of the inertia torque: `Re(vector · e^{ikθ})`.
 #[derive(Clone, Debug)]
 pub struct TorqueOrder {

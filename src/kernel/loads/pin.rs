@@ -28,7 +28,7 @@ pub struct PinLoad {
     /// Where it stands, in the unit of the layout's positions.
     pub position: BigRational,
     /// The orders, rising; from 0, a constant force, where there is one.
-    pub orders: Vec<PinOrder>,
+    pub orders: Vec<LoadOrder>,
     /// All of them together, seen from the engine.
     pub waveform: Waveform,
     /// The same seen from the crank: the real part is outward along the throw, the imaginary part in the sense of rotation.
@@ -41,10 +41,10 @@ pub struct PinLoad {
     pub across: Peak,
 }
 
-/// One order of the load of a pin, seen from the engine.
+/// One order of what a pin or a main bearing feels, seen from the engine.
 #[derive(Clone, Debug)]
-pub struct PinOrder {
-    /// The order k.
+pub struct LoadOrder {
+    /// The order k; 0 is a constant force.
     pub order: u32,
     /// P⁺ and P⁻ as exact sums, in multiples of m r.
     pub sums: [OrderSum; 2],
@@ -59,7 +59,7 @@ pub struct PinOrder {
 pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
     engine::are_orders(orders)?;
     let motion = Motion::new(engine)?;
-    let mut by_pin: Vec<Vec<PinOrder>> = engine.cylinders().iter().map(|_| Vec::new()).collect();
+    let mut by_pin: Vec<Vec<LoadOrder>> = engine.cylinders().iter().map(|_| Vec::new()).collect();
     for order in with_constant(engine, orders) {
         let cranks = 0..engine.crankshafts();
         let contributions = Sense::BOTH.map(|sense| {
@@ -72,15 +72,12 @@ pub fn pin_loads(engine: &Engine, orders: &[u32]) -> Result<PinLoads, Missing> {
                 OrderSum::new(own.map(|one| one.weighed(|_| BigRational::one())))
             });
             let swing = motion.swing(sums.clone(), order);
-            loads.push(PinOrder { order, sums, swing });
+            loads.push(LoadOrder { order, sums, swing });
         }
     }
     let pins = engine.cylinders().iter().zip(by_pin).map(|(cylinder, orders)| {
         let waveform = Waveform::new(orders.iter().map(|order| super::harmonic(order.order, &order.swing)));
-        let turns = match engine.sense_of(cylinder) {
-            Sense::Direct => i64::from(engine.speed_of(cylinder)),
-            Sense::Reverse => -i64::from(engine.speed_of(cylinder)),
-        };
+        let turns = engine.sense_of(cylinder).signed(i64::from(engine.speed_of(cylinder)));
         let on_the_crank = waveform.seen_from_the_crank(numbers::direction(&engine.pin_angle(cylinder)), turns);
         let [along, across] = [1.0.into(), Complex::i()].map(|direction| on_the_crank.component_peak(direction));
         PinLoad {

@@ -1,13 +1,9 @@
 //! How does the frame roll? With what answers the inertia torque, and with the forces whose lines pass beside its middle: those of
 //! pistons with an offset or on several crankshafts, and of balancer shafts (theory, sections 12 and 14).
 
-use num_complex::Complex;
-
 use super::order_loads::{Torque, TorqueOrder, turning_orders};
-use super::{Harmonic, Missing, Motion, Vector, Waveform};
+use super::{Missing, Motion, Vector};
 use crate::engine::{Engine, are_orders};
-use crate::exact::PhasorSum;
-use crate::motion::Coefficient;
 use crate::order;
 
 /// The roll moment on the frame at these orders, and at those of the shafts and the faster crankshafts, in multiples of m r² ω².
@@ -15,10 +11,7 @@ pub(super) fn roll(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
     let mut all: Vec<u32> = orders.iter().copied().chain(turning_orders(engine)).collect();
     all.sort_unstable();
     all.dedup();
-    let orders: Vec<TorqueOrder> = all.into_iter().map(|order| of_order(engine, motion, order)).collect();
-    let zero = Complex::new(0.0, 0.0);
-    let harmonics = orders.iter().map(|o| Harmonic { order: o.order, direct: o.vector.value, reverse: zero });
-    Torque { waveform: Waveform::new(harmonics), orders }
+    Torque::new(all.into_iter().map(|order| of_order(engine, motion, order)).collect())
 }
 
 /// The roll moment of the masses on the frame about the middle of the engine at these orders, in multiples of m r² ω²; every length that
@@ -37,8 +30,6 @@ pub fn roll_moments(engine: &Engine, orders: &[u32]) -> Result<Vec<TorqueOrder>,
 
 fn of_order(engine: &Engine, motion: &Motion, order: u32) -> TorqueOrder {
     let roll = order::roll(engine, order);
-    let parts = roll.parts().iter();
-    let pairs: Vec<(Coefficient, &PhasorSum)> =
-        parts.map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
+    let pairs: Vec<_> = roll.parts().iter().map(|(factor, sum)| (motion.coefficient(factor, order), sum)).collect();
     TorqueOrder { order, coefficient: None, vector: Vector::of(&pairs, false) }
 }

@@ -5,7 +5,6 @@ use num_traits::ToPrimitive;
 
 use crate::engine::{Engine, LengthUnit};
 use crate::numbers;
-use crate::order;
 use crate::proof::Quantity;
 use crate::table::Unit;
 
@@ -58,7 +57,7 @@ impl Arm {
 pub fn scale(engine: &Engine) -> Option<Scale> {
     let mechanism = engine.dimensions();
     Some(Scale {
-        mass: mechanism.mass.as_ref().map(|_| order::unit_mass(engine))?,
+        mass: mechanism.mass.as_ref().map(|_| engine.unit_mass())?,
         crank_radius: mechanism.crank_radius.clone()?,
         speed: mechanism.speed.clone()?,
     })

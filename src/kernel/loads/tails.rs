@@ -162,14 +162,7 @@ impl Tails {
                 (LinkMass::Piston, mass_radius(engine, cylinder)),
                 (LinkMass::Knuckle, &cylinder.knuckle_mass * &cylinder.crank_radius),
             ];
-            let of_mass = |(mass, weight): (LinkMass, BigRational)| {
-                let weight = weight.abs() * &faster;
-                match if weight.is_zero() { 0.0 } else { bound(mass) } {
-                    0.0 => 0.0,
-                    bound => (bound * rounded_up(&weight) * SLACK).max(f64::MIN_POSITIVE),
-                }
-            };
-            masses.map(of_mass).iter().sum::<f64>()
+            sum(masses.map(|(mass, weight)| (mass, weight.abs() * &faster)), |mass| bound(*mass))
         });
         pins.sum::<f64>() * SLACK
     }
@@ -218,7 +211,7 @@ impl Tails {
 }
 
 /// Bounds of what has these weights, each as much as it counts; 0 only where there is none.
-fn sum<K>(weights: BTreeMap<K, BigRational>, bound: impl Fn(&K) -> f64) -> f64 {
+fn sum<K>(weights: impl IntoIterator<Item = (K, BigRational)>, bound: impl Fn(&K) -> f64) -> f64 {
     // A mass of 0 is 0 times whatever the rest is.
     let weights = weights.into_iter().filter(|(_, weight)| !weight.is_zero());
     let parts = weights.map(|(key, weight)| match bound(&key) {

@@ -85,10 +85,7 @@ impl Vector {
 
 fn enclosed(pairs: &[(Coefficient, &PhasorSum)]) -> Vector {
     let total = numbers::enclose_weighted(pairs.iter().map(|(coefficient, sum)| (coefficient.clone(), *sum)));
-    let largest = |part: &Enclosure| {
-        let largest = if -&part.low > part.high { -part.low.clone() } else { part.high.clone() };
-        largest.to_f64().unwrap_or(f64::INFINITY)
-    };
+    let largest = |part: &Enclosure| part.largest().to_f64().unwrap_or(f64::INFINITY);
     let width = |part: &Enclosure| part.width().to_f64().unwrap_or(f64::INFINITY);
     let [re, im] = &total;
     let is_not_zero = excludes_zero(&total);

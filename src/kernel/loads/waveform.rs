@@ -90,17 +90,17 @@ impl Waveform {
 
     /// Every vector times a factor.
     pub fn scaled(&self, factor: f64) -> Self {
-        let scaled = |h: &Harmonic| Harmonic { order: h.order, direct: h.direct * factor, reverse: h.reverse * factor };
-        Waveform::new(self.harmonics.iter().map(scaled))
+        self.map(|vector| vector * factor)
     }
 
     /// Every vector turned, and lengthened, by the same complex factor.
     pub fn turned(&self, by: Complex<f64>) -> Self {
-        Waveform::new(self.harmonics.iter().map(|h| Harmonic {
-            order: h.order,
-            direct: h.direct * by,
-            reverse: h.reverse * by,
-        }))
+        self.map(|vector| vector * by)
+    }
+
+    fn map(&self, change: impl Fn(Complex<f64>) -> Complex<f64>) -> Self {
+        let changed = |h: &Harmonic| Harmonic { order: h.order, direct: change(h.direct), reverse: change(h.reverse) };
+        Waveform::new(self.harmonics.iter().map(changed))
     }
 
     /// Every vector times `e^{−inθ}`: what turns this many times stands still.

@@ -2,19 +2,7 @@
 
 use std::f64::consts::PI;
 
-use num_rational::BigRational;
-use num_traits::One;
-
-use super::enclosure::float;
-
-/// The numbers of a crank as floats. The gaps `1 ± δ − λ` are rounded from exact ones: near the end of reach they decide.
-#[derive(Clone, Debug)]
-pub(super) struct ClosedForm {
-    ratio: f64,
-    offset: f64,
-    gap_above: f64,
-    gap_below: f64,
-}
+use super::crank::{Floats, SliderCrank};
 
 /// The crank at an angle.
 struct Place {
@@ -26,54 +14,56 @@ struct Place {
     root: f64,
 }
 
-impl ClosedForm {
-    pub fn new(ratio: &BigRational, offset: &BigRational) -> Self {
-        let one = BigRational::one();
-        ClosedForm {
-            ratio: float(ratio),
-            offset: float(offset),
-            gap_above: float(&(&one + offset - ratio)),
-            gap_below: float(&(&one - offset - ratio)),
-        }
-    }
-
+impl SliderCrank {
     fn place(&self, psi: f64) -> Place {
+        let Floats { ratio, offset, gap_above, gap_below } = self.floats;
         let (sin, cos) = psi.sin_cos();
         // 1 − |sin ψ| without cancellation.
         let short = cos * cos / (1.0 + sin.abs());
         let (above, below) = if sin > 0.0 { (short, 1.0 + sin) } else { (1.0 - sin, short) };
-        let radicand = (self.gap_above + self.ratio * above) * (self.gap_below + self.ratio * below);
-        Place { sin, cos, slant: self.ratio * sin - self.offset, root: radicand.sqrt() }
+        let radicand = (gap_above + ratio * above) * (gap_below + ratio * below);
+        Place { sin, cos, slant: ratio * sin - offset, root: radicand.sqrt() }
     }
 
-    /// `cos ψ − 1 + (f(ψ) − f(0))/λ`, the difference of roots by the difference of squares.
+    /// How far the piston stands from where it is at ψ = 0, outward positive: `(s(ψ) − s(0))/r`, ψ in radians.
+    ///
+    /// At ψ = 0 a centric crank is in top dead centre, and this is at most 0. All motions here are closed forms without
+    /// cancellation between crank and rod, for λ → 0 and λ → 1: errors are a few units in the last place of the largest term.
     pub fn position(&self, psi: f64) -> f64 {
+        // cos ψ − 1 + (f(ψ) − f(0))/λ, the difference of roots by the difference of squares.
         let Place { sin, root, .. } = self.place(psi);
-        let first_root = ((1.0 - self.offset) * (1.0 + self.offset)).sqrt();
+        let Floats { ratio, offset, .. } = self.floats;
+        let first_root = ((1.0 - offset) * (1.0 + offset)).sqrt();
         let half = (psi / 2.0).sin();
-        -2.0 * half * half + sin * (2.0 * self.offset - self.ratio * sin) / (root + first_root)
+        -2.0 * half * half + sin * (2.0 * offset - ratio * sin) / (root + first_root)
     }
 
-    /// `−sin ψ + f'/λ`.
+    /// The piston's velocity `ṡ/(rω) = −sin ψ + f'/λ`, outward positive.
     pub fn velocity(&self, psi: f64) -> f64 {
         let Place { sin, cos, slant, root } = self.place(psi);
         -sin - slant * cos / root
     }
 
-    /// `−cos ψ + f''/λ`.
+    /// The piston's acceleration `s̈/(rω²) = −cos ψ + f''/λ`, outward positive; the shaking force is its opposite.
     pub fn acceleration(&self, psi: f64) -> f64 {
         let Place { sin, cos, slant, root } = self.place(psi);
-        -cos - self.ratio * (cos / root) * (cos / root) / root + slant * sin / root
+        -cos - self.floats.ratio * (cos / root) * (cos / root) / root + slant * sin / root
     }
 
-    /// tan β of the rod.
-    pub fn slope(&self, psi: f64) -> f64 {
-        let sine = self.ratio * psi.sin() - self.offset;
+    /// tan β of the rod at an angle, positive on the crankpin's side of ψ = 90°.
+    pub fn rod_slope(&self, psi: f64) -> f64 {
+        let sine = self.floats.ratio * psi.sin() - self.floats.offset;
         sine / ((1.0 - sine) * (1.0 + sine)).sqrt()
     }
 
-    /// Where the piston is farthest out, and where farthest in.
+    /// The angles at which the piston is farthest out, `sin ψ = δ/(1 + λ)`, and farthest in, in radians.
     pub fn dead_centres(&self) -> [f64; 2] {
-        [(self.offset / (1.0 + self.ratio)).asin(), PI + (self.offset / (1.0 - self.ratio)).asin()]
+        let Floats { ratio, offset, .. } = self.floats;
+        [(offset / (1.0 + ratio)).asin(), PI + (offset / (1.0 - ratio)).asin()]
+    }
+
+    /// The inertia torque `T/(m r² ω²) = −s's''/r²`, positive in the sense of rotation.
+    pub fn torque(&self, psi: f64) -> f64 {
+        -self.velocity(psi) * self.acceleration(psi)
     }
 }

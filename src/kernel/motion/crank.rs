@@ -5,8 +5,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::ball::Ball;
-use super::closed::ClosedForm;
-use super::enclosure::{Coefficient, Enclosure};
+use super::enclosure::{Coefficient, Enclosure, float};
 use super::error::NoFullTurn;
 use super::{centric, offset, side, small, torque};
 
@@ -26,7 +25,7 @@ use super::{centric, offset, side, small, torque};
 pub struct SliderCrank {
     ratio: BigRational,
     offset: BigRational,
-    closed: ClosedForm,
+    pub(super) floats: Floats,
 }
 
 impl PartialEq for SliderCrank {
@@ -54,8 +53,8 @@ impl SliderCrank {
         if !offset.is_zero() && offset::is_too_near(&sum) {
             return Err(NoFullTurn::TooNearOne(sum));
         }
-        let closed = ClosedForm::new(&ratio, &offset);
-        Ok(SliderCrank { ratio, offset, closed })
+        let floats = Floats::new(&ratio, &offset);
+        Ok(SliderCrank { ratio, offset, floats })
     }
 
     /// The rod ratio `λ = r/l`.
@@ -166,37 +165,25 @@ impl SliderCrank {
         let radicand = BigRational::one() - &self.offset * &self.offset;
         Enclosure::refine(&self.offset, None, |bits| Ball::rational(&radicand, bits).sqrt().reciprocal())
     }
+}
 
-    /// How far the piston stands from where it is at ψ = 0, outward positive: `(s(ψ) − s(0))/r`, ψ in radians.
-    ///
-    /// At ψ = 0 a centric crank is in top dead centre, and this is at most 0. All motions here are closed forms without
-    /// cancellation between crank and rod, for λ → 0 and λ → 1: errors are a few units in the last place of the largest term.
-    pub fn position(&self, psi: f64) -> f64 {
-        self.closed.position(psi)
-    }
+/// The numbers of a crank as floats. The gaps `1 ± δ − λ` are rounded from exact ones: near the end of reach they decide.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Floats {
+    pub ratio: f64,
+    pub offset: f64,
+    pub gap_above: f64,
+    pub gap_below: f64,
+}
 
-    /// The piston's velocity `ṡ/(rω)`, outward positive.
-    pub fn velocity(&self, psi: f64) -> f64 {
-        self.closed.velocity(psi)
-    }
-
-    /// The piston's acceleration `s̈/(rω²)`, outward positive; the shaking force is its opposite.
-    pub fn acceleration(&self, psi: f64) -> f64 {
-        self.closed.acceleration(psi)
-    }
-
-    /// tan β of the rod at an angle, positive on the crankpin's side of ψ = 90°.
-    pub fn rod_slope(&self, psi: f64) -> f64 {
-        self.closed.slope(psi)
-    }
-
-    /// The angles at which the piston is farthest out, `sin ψ = δ/(1 + λ)`, and farthest in, in radians.
-    pub fn dead_centres(&self) -> [f64; 2] {
-        self.closed.dead_centres()
-    }
-
-    /// The inertia torque `T/(m r² ω²) = −s's''/r²`, positive in the sense of rotation.
-    pub fn torque(&self, psi: f64) -> f64 {
-        -self.velocity(psi) * self.acceleration(psi)
+impl Floats {
+    fn new(ratio: &BigRational, offset: &BigRational) -> Self {
+        let one = BigRational::one();
+        Floats {
+            ratio: float(ratio),
+            offset: float(offset),
+            gap_above: float(&(&one + offset - ratio)),
+            gap_below: float(&(&one - offset - ratio)),
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! Between which numbers does a coefficient lie? Two rationals, rounded outward.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_complex::Complex;
 use num_integer::Integer;
@@ -20,6 +22,12 @@ pub(super) const FLOOR_BITS: u32 = 256;
 /// An exact number as a float; not a number where no float is near it.
 pub fn float(value: &BigRational) -> f64 {
     value.to_f64().unwrap_or(f64::NAN)
+}
+
+/// The square root of a number, where it is rational.
+pub fn rational_root(square: &BigRational) -> Option<BigRational> {
+    let whole = |number: &BigInt| Some(number.sqrt()).filter(|root| root * root == *number);
+    (!square.is_negative()).then(|| Some(BigRational::new_raw(whole(square.numer())?, whole(square.denom())?)))?
 }
 
 /// A real number that is guaranteed to lie in `low ..= high`. An exactly known number is a point.
@@ -55,6 +63,25 @@ impl Enclosure {
     /// The distance of the ends; 0 for a point.
     pub fn width(&self) -> BigRational {
         &self.high - &self.low
+    }
+
+    /// No number of it is larger in size.
+    pub fn largest(&self) -> BigRational {
+        self.low.abs().max(self.high.abs())
+    }
+
+    /// No number of it is smaller in size.
+    pub fn smallest(&self) -> BigRational {
+        if self.contains_zero() { BigRational::zero() } else { self.low.abs().min(self.high.abs()) }
+    }
+
+    /// How all its numbers compare with zero; none where they differ.
+    pub fn sign(&self) -> Option<Ordering> {
+        match (self.low.is_positive(), self.high.is_negative()) {
+            (true, _) => Some(Ordering::Greater),
+            (_, true) => Some(Ordering::Less),
+            (false, false) => None,
+        }
     }
 
     /// The float nearest the middle: for a coefficient within one unit in the last place of the number.

@@ -20,19 +20,13 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::FromPrimitive;
 
-use super::enclosure::{Coefficient, Enclosure, float};
+use super::enclosure::{Coefficient, Enclosure};
 use super::piston::LinkMotion;
 
 /// A link on its master rod: what its knuckle pin feels, and what becomes of it.
 #[derive(Clone, Debug)]
 pub struct HungLink {
     motion: LinkMotion,
-    /// κ = a/l, and λ of the master rod.
-    knuckle: f64,
-    master: f64,
-    /// Δ in radians, and `e^{iε}`.
-    angle: f64,
-    correction: Complex<f64>,
     known: [OnceLock<Vec<Complex<f64>>>; 2],
 }
 
@@ -55,16 +49,7 @@ const ROUNDING: f64 = 1e-12;
 impl HungLink {
     /// From r/L, κ and λ, and Δ and ε in turns.
     pub fn new(ratios: [&BigRational; 3], turns: [&BigRational; 2]) -> Self {
-        let [_, knuckle, master] = ratios.map(float);
-        let [angle, correction] = turns.map(|turns| float(turns) * TAU);
-        HungLink {
-            motion: LinkMotion::new(ratios, turns),
-            knuckle,
-            master,
-            angle,
-            correction: Complex::cis(correction),
-            known: Default::default(),
-        }
+        HungLink { motion: LinkMotion::new(ratios, turns), known: Default::default() }
     }
 
     /// tan β of the link, in its own cylinder.
@@ -79,8 +64,15 @@ impl HungLink {
 
     /// The direction from the crankpin to the knuckle pin, in the frame of the link's cylinder.
     pub fn outward(&self, psi: f64) -> Complex<f64> {
-        let sine = self.master * (psi + self.angle).sin();
-        self.correction * Complex::new(((1.0 - sine) * (1.0 + sine)).sqrt(), -sine)
+        let [sine, cosine] = self.master_rod(psi);
+        let [along, across] = self.motion.correction;
+        Complex::new(along, across) * Complex::new(cosine, -sine)
+    }
+
+    /// Sine and cosine of the slope of the master rod.
+    fn master_rod(&self, psi: f64) -> [f64; 2] {
+        let sine = self.motion.master * (psi + self.motion.angle).sin();
+        [sine, ((1.0 - sine) * (1.0 + sine)).sqrt()]
     }
 
     /// What an inertia of 1 of each kind loads the knuckle pin with, in the frame of the cylinder: a force of its piston along the axis,
@@ -93,13 +85,13 @@ impl HungLink {
     /// The force of the wall on the master's piston that a force on the knuckle pin calls for, a quarter turn anticlockwise from the
     /// master's axis outward; the force is in the frame of the link's cylinder.
     pub fn side(&self, psi: f64, force: Complex<f64>) -> f64 {
-        let sine = self.master * (psi + self.angle).sin();
-        -self.knuckle * (self.outward(psi).conj() * force).im / ((1.0 - sine) * (1.0 + sine)).sqrt()
+        let [_, cosine] = self.master_rod(psi);
+        -self.motion.knuckle * (self.outward(psi).conj() * force).im / cosine
     }
 
     /// What the crankpin feels of a force on the knuckle pin, both in the frame of the link's cylinder.
     pub fn handed_on(&self, psi: f64, force: Complex<f64>) -> Complex<f64> {
-        let across_the_master = Complex::<f64>::cis(FRAC_PI_2 - self.angle);
+        let across_the_master = Complex::<f64>::cis(FRAC_PI_2 - self.motion.angle);
         force + across_the_master * self.side(psi, force)
     }
 

@@ -12,7 +12,7 @@ use num_rational::BigRational;
 use super::crank::SliderCrank;
 use super::enclosure::float;
 use super::jet::Jet;
-use super::section::golden_section;
+use super::section::{golden_section, halving};
 
 /// The motion of a piston.
 #[derive(Clone, Debug)]
@@ -29,13 +29,13 @@ pub struct LinkMotion {
     /// r/L.
     ratio: f64,
     /// κ = a/l.
-    knuckle: f64,
+    pub(super) knuckle: f64,
     /// λ of the master rod.
-    master: f64,
+    pub(super) master: f64,
     /// Δ in radians.
-    angle: f64,
+    pub(super) angle: f64,
     /// Cosine and sine of ε.
-    correction: [f64; 2],
+    pub(super) correction: [f64; 2],
 }
 
 /// Steps of half a turn among which a dead centre is looked for.
@@ -144,14 +144,10 @@ impl PistonMotion {
         let grid = (0..2 * STEPS).map(|index| about + (index as f64 - STEPS as f64) * step);
         let best = grid.fold(about, |best, psi| if place(psi) > place(best) { psi } else { best });
         let top = golden_section(best - step, best + step, SECTIONS, place);
-        let (mut low, mut high) = (top - step / 8.0, top + step / 8.0);
+        let (low, high) = (top - step / 8.0, top + step / 8.0);
         if sign * self.velocity(low) <= 0.0 || sign * self.velocity(high) >= 0.0 {
             return top;
         }
-        for _ in 0..HALVINGS {
-            let middle = (low + high) / 2.0;
-            if sign * self.velocity(middle) > 0.0 { low = middle } else { high = middle }
-        }
-        (low + high) / 2.0
+        halving(low, high, HALVINGS, |psi| sign * self.velocity(psi) > 0.0)
     }
 }

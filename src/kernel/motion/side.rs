@@ -21,12 +21,11 @@
 //! h_k(q, S)`, and likewise for k = 0: at even k the difference is not zero. At odd k > 1 the sum is not. `E_1 = 1 − (1/R +
 //! 1/S)/2` is one less the mean of 1/w², and w < 1 but for single angles. For δ = 0 both parts are equal. ∎
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Pow, Signed, Zero};
+use num_traits::{One, Pow, Zero};
 
 use super::ball::Ball;
-use super::enclosure::Enclosure;
+use super::enclosure::{Enclosure, rational_root};
 use super::offset::Factor;
 
 /// Whether E_k is not zero.
@@ -67,7 +66,7 @@ pub(super) fn harmonic(ratio: &BigRational, offset: &BigRational, k: u32) -> Enc
 pub(super) fn rational(ratio: &BigRational, offset: &BigRational, k: u32) -> Option<BigRational> {
     let part = |offset: &BigRational| {
         let reach = BigRational::one() + offset;
-        let root = root(&((&reach - ratio) * (&reach + ratio)))?;
+        let root = rational_root(&((&reach - ratio) * (&reach + ratio))).filter(|root| !root.is_zero())?;
         let fall = ratio / (reach + &root);
         let whole = |number: i64| BigRational::from_integer(number.into());
         let k = i64::from(k);
@@ -78,10 +77,4 @@ pub(super) fn rational(ratio: &BigRational, offset: &BigRational, k: u32) -> Opt
     let sum = if k.is_multiple_of(2) { first - second } else { first + second };
     let one = if k == 1 { BigRational::one() } else { BigRational::zero() };
     Some(one - sum / BigRational::from_integer(4.into()))
-}
-
-/// The square root of a positive number, where it is rational.
-fn root(square: &BigRational) -> Option<BigRational> {
-    let whole = |number: &BigInt| Some(number.sqrt()).filter(|root| root * root == *number);
-    square.is_positive().then(|| Some(BigRational::new(whole(square.numer())?, whole(square.denom())?)))?
 }

@@ -69,7 +69,7 @@ impl Tail {
             let one = if order == 1 { BigRational::one() } else { BigRational::zero() };
             let re = Enclosure { low: &c.re.low - &one, high: &c.re.high - &one };
             // One of both parts is zero.
-            rest -= least_size(&re).max(least_size(&c.im));
+            rest -= re.smallest().max(c.im.smallest());
             tail.differences.push(rounded_up(&rest));
         }
         tail
@@ -142,10 +142,6 @@ impl Tail {
 /// The float at or above a number that is not negative.
 fn rounded_up(number: &BigRational) -> f64 {
     float(number).next_up()
-}
-
-fn least_size(number: &Enclosure) -> BigRational {
-    if number.contains_zero() { BigRational::zero() } else { number.low.abs().min(number.high.abs()) }
 }
 
 /// `s/√(1−s²)`, rounded up.

@@ -7,7 +7,7 @@ use num_traits::Zero;
 
 use super::form::Form;
 use super::star::Star;
-use crate::exact::Turn;
+use crate::exact::{Turn, modulo};
 
 /// Longer sums of cosines tell a reader nothing; decimals do.
 const MOST_COSINES: usize = 6;
@@ -41,7 +41,7 @@ pub(super) fn of(sum: &Star) -> Option<Form> {
 
 /// Takes off polygons whose corners mostly have the same weight.
 fn take_polygons_off(weights: &mut [i64], n: u64) {
-    for prime in (2..=n).filter(|p| n.is_multiple_of(*p) && (2..*p).all(|d| p % d != 0)) {
+    for prime in modulo::prime_divisors(n) {
         let step = (n / prime) as usize;
         for first in 0..step {
             let mut counts: BTreeMap<i64, usize> = BTreeMap::new();

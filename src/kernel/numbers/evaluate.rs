@@ -1,6 +1,7 @@
 //! Where does a sum point, and how long is it?
 
 use std::cell::RefCell;
+use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_complex::Complex;
@@ -10,8 +11,8 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::fixed::FixedPoint;
 use super::memory::{self, Memory};
-use crate::exact::{PhasorSum, Term, Turn};
-use crate::motion::float;
+use crate::exact::{PhasorSum, Term, Turn, fraction};
+use crate::motion::{Enclosure, float};
 
 /// Bits behind the point that every evaluation starts with.
 const FIRST_BITS: u32 = 128;
@@ -90,11 +91,29 @@ fn part(sum: &PhasorSum, choose: impl Fn((BigInt, BigInt)) -> BigInt) -> f64 {
     }
 }
 
-/// Ends that enclose the real and the imaginary part of a sum, from this many bits behind the point.
-pub fn enclose(sum: &PhasorSum, bits: u32) -> [(BigRational, BigRational); 2] {
+/// The sign of a real sum: zero is decided exactly, and what is not zero has a sign that enough bits show.
+pub fn sign(real: &PhasorSum) -> Ordering {
+    if real.vanishes() {
+        return Ordering::Equal;
+    }
+    let mut bits = FIRST_BITS;
+    loop {
+        let [real, _] = enclose(real, bits);
+        match real.sign() {
+            Some(sign) => return sign,
+            None => bits *= 2,
+        }
+    }
+}
+
+/// The real and the imaginary part of a sum between ends, from this many bits behind the point.
+pub fn enclose(sum: &PhasorSum, bits: u32) -> [Enclosure; 2] {
     let (ends, scale) = fixed_ends(sum, bits);
     let unit = scale << bits;
-    ends.map(|ends| ends.map(|end| BigRational::new(end, unit.clone())).into())
+    ends.map(|ends| {
+        let [low, high] = ends.map(|end| BigRational::new(end, unit.clone()));
+        Enclosure { low, high }
+    })
 }
 
 /// The same ends, rounded outwards, as whole numbers in units of `2^−bits`.
@@ -120,7 +139,7 @@ pub(super) fn fixed_ends(sum: &PhasorSum, bits: u32) -> ([[BigInt; 2]; 2], BigIn
 
 /// The weights over their least common denominator, and this.
 fn whole_weights(terms: &[Term]) -> (Vec<BigInt>, BigInt) {
-    let scale = terms.iter().fold(BigInt::one(), |scale, term| scale.lcm(term.weight.denom()));
+    let scale = fraction::common_denominator(terms.iter().map(|term| &term.weight));
     (terms.iter().map(|term| term.weight.numer() * (&scale / term.weight.denom())).collect(), scale)
 }
 

@@ -8,7 +8,8 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::evaluate::direction;
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
+use crate::motion::rational_root;
 
 /// A root that a coefficient is multiplied by.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -45,9 +46,7 @@ impl Form {
 
     /// A rational multiple of a cosine; those of whole multiples of 30° and 45° are roots.
     pub fn cosine(coefficient: BigRational, angle: Turn) -> Self {
-        let (half, quarter) = (Turn::fraction(1, 2), Turn::fraction(1, 4));
-        let upper = if angle > half { -&angle } else { angle };
-        let (angle, sign) = if upper > quarter { (&half - &upper, -BigRational::one()) } else { (upper, One::one()) };
+        let (angle, sign) = in_first_quarter(&angle);
         let known = [(0, 1), (1, 12), (1, 8), (1, 6), (1, 4)].map(|(part, of)| Turn::fraction(part, of));
         // 2 cos of 0°, 30°, 45°, 60°, 90° are the roots of 4, 3, 2, 1, 0.
         match known.iter().zip([4, 3, 2, 1, 0]).find(|(known, _)| **known == angle) {
@@ -129,7 +128,7 @@ impl Form {
             _ => return None,
         };
         let square = a * a - b * b * BigRational::from_integer(d.clone());
-        let difference = root_of_rational_square(&square)?;
+        let difference = rational_root(&square)?;
         let two = BigRational::from_integer(2.into());
         let larger = root_of_rational(&((a + &difference) / &two));
         let smaller = root_of_rational(&((a - &difference) / &two));
@@ -138,9 +137,7 @@ impl Form {
 
     /// The rational number whose product with whole, coprime coefficients makes the form.
     fn content(&self) -> BigRational {
-        let numerators = self.terms.iter().fold(BigInt::zero(), |g, (_, q)| g.gcd(q.numer()));
-        let denominators = self.terms.iter().fold(BigInt::one(), |l, (_, q)| l.lcm(q.denom()));
-        BigRational::new(numerators, denominators)
+        fraction::common_unit(self.terms.iter().map(|(_, coefficient)| coefficient))
     }
 
     /// The number in decimals, to nearly the accuracy of a float.
@@ -157,6 +154,13 @@ impl Form {
         };
         self.terms.iter().map(|(r, coefficient)| coefficient.to_f64().unwrap_or(f64::NAN) * root(r)).sum()
     }
+}
+
+/// The angle of the first quarter that has the same cosine but for its sign, and that sign.
+pub(super) fn in_first_quarter(angle: &Turn) -> (Turn, BigRational) {
+    let (half, quarter) = (Turn::fraction(1, 2), Turn::fraction(1, 4));
+    let upper = if angle > &half { -angle } else { angle.clone() };
+    if upper > quarter { (&half - &upper, -BigRational::one()) } else { (upper, One::one()) }
 }
 
 /// Multiplies what stands before the cosines, and puts the cosines of both behind it; of `cos t · sin t` it makes `½ sin 2t`.
@@ -256,12 +260,4 @@ fn without_squares(value: &BigRational) -> (BigRational, BigInt) {
         }
     }
     (BigRational::new(outside, value.denom().clone()), inside)
-}
-
-fn root_of_rational_square(value: &BigRational) -> Option<BigRational> {
-    let exact = |n: &BigInt| Some(n.sqrt()).filter(|root| root * root == *n);
-    if value.is_negative() {
-        return None;
-    }
-    Some(BigRational::new(exact(value.numer())?, exact(value.denom())?))
 }

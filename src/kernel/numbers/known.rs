@@ -3,14 +3,12 @@
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::form::Form;
+use super::form::{Form, in_first_quarter};
 use crate::exact::Turn;
 
 /// The cosine of a whole multiple of 15° or of 36°; none of any other angle.
 pub fn known_cosine(angle: &Turn) -> Option<Form> {
-    let (half, quarter) = (Turn::fraction(1, 2), Turn::fraction(1, 4));
-    let upper = if angle > &half { -angle } else { angle.clone() };
-    let (angle, sign) = if upper > quarter { (&half - &upper, -BigRational::one()) } else { (upper, One::one()) };
+    let (angle, sign) = in_first_quarter(angle);
     let of_a_quarter = |a: i64, d: i64, b: i64, e: i64| {
         let root = |coefficient: i64, radicand: i64| {
             let root = Form::rational(BigRational::from_integer(radicand.into())).square_root();

@@ -27,7 +27,7 @@ pub use crate::motion::float;
 pub use budget::Budget;
 pub use closed::{modulus, modulus_by_roots, modulus_within, plainer, real, real_within};
 pub use direction::{Direction, direction_of};
-pub use evaluate::{degrees, direction, enclose, enclose_in_units, evaluate, length, length_of};
+pub use evaluate::{degrees, direction, enclose, enclose_in_units, evaluate, length, length_of, sign};
 pub use form::{Form, Root};
 pub use known::known_cosine;
 pub use largest::half_of_lengths;

@@ -1,13 +1,12 @@
 //! Is a length a root times one or two cosines? `q√d cos t cos u`: so Q over the squared cosines is rational, in each conjugate.
 
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
 use super::budget::Budget;
 use super::form::Form;
 use super::quadratic::NEAR;
-use crate::exact::Turn;
+use crate::exact::{Turn, modulo};
 
 /// Pairs of cosines are looked for up to this conductor.
 const LARGEST_FOR_PAIRS: u64 = 800;
@@ -78,9 +77,7 @@ impl Products<'_> {
             return None;
         }
         // Four times a squared cosine divides a prime of the conductor, so these denominators suffice.
-        let radical = (2..=self.conductor)
-            .filter(|p| self.conductor.is_multiple_of(*p) && (2..*p).all(|d| p % d != 0))
-            .fold(1, |product: u64, p| product.lcm(&p));
+        let radical: u64 = modulo::prime_divisors(self.conductor).iter().product();
         let denominator = radical.checked_pow(u32::try_from(cosines.len()).ok()?)?;
         let whole = (first * denominator as f64).round().to_i64()?;
         let square = Form::rational(BigRational::new(whole.into(), denominator.into()));

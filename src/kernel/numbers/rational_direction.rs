@@ -3,10 +3,10 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
 use super::evaluate::evaluate;
-use crate::exact::{PhasorSum, Turn};
+use crate::exact::{PhasorSum, Turn, fraction};
 
 /// Among more directions than this the decimals cannot name the one candidate.
 const MOST_DIRECTIONS: i64 = 1 << 40;
@@ -19,7 +19,7 @@ pub(super) fn rational_direction(sum: &PhasorSum) -> Option<Turn> {
         let angle = if only.weight < BigRational::zero() { only.angle.opposite() } else { only.angle.clone() };
         return Some(angle);
     }
-    let conductor = collected.iter().fold(BigInt::one(), |n, term| n.lcm(term.angle.denominator()));
+    let conductor = fraction::common_denominator(collected.iter().map(|term| term.angle.turns()));
     let parts: BigInt = conductor.lcm(&BigInt::from(2)) * 2;
     let parts = parts.to_i64().filter(|&parts| parts <= MOST_DIRECTIONS)?;
     let turns = evaluate(sum).arg() / std::f64::consts::TAU * parts as f64;

@@ -2,12 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
-use crate::exact::PhasorSum;
+use crate::exact::{PhasorSum, fraction, modulo};
 
 /// Means are taken up to this conductor.
 const LARGEST_CONDUCTOR: u64 = 1000;
@@ -16,7 +15,7 @@ const LARGEST_CONDUCTOR: u64 = 1000;
 /// above 1000.
 pub fn mean_of_conjugates(sum: &PhasorSum) -> Option<BigRational> {
     let terms = sum.collected();
-    let conductor = terms.iter().fold(BigInt::one(), |n, term| n.lcm(term.angle.denominator()));
+    let conductor = fraction::common_denominator(terms.iter().map(|term| term.angle.turns()));
     conductor.to_u64().filter(|&n| n <= LARGEST_CONDUCTOR)?;
     let mut by_order: BTreeMap<u64, BigRational> = BTreeMap::new();
     for term in terms {
@@ -42,15 +41,10 @@ fn of_roots(order: u64) -> BigRational {
 }
 
 fn moebius(number: u64) -> i64 {
-    let (mut left, mut sign) = (number, 1);
-    for prime in 2..=number {
-        if left.is_multiple_of(prime) {
-            left /= prime;
-            sign = -sign;
-            if left.is_multiple_of(prime) {
-                return 0;
-            }
-        }
+    let primes = modulo::prime_divisors(number);
+    match primes.iter().product::<u64>() == number {
+        true if primes.len() % 2 == 0 => 1,
+        true => -1,
+        false => 0,
     }
-    sign
 }

@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::form::{Form, MOST_COSINES, Root};
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 use crate::file::parse_number;
 
 impl fmt::Display for Form {
@@ -48,6 +48,8 @@ impl Form {
 /// How the parts of a form are put down.
 struct Style {
     minus: &'static str,
+    /// A minus between two terms.
+    less: &'static str,
     fraction: fn(&str, &BigInt, bool) -> String,
     root: fn(&str, bool) -> String,
     /// Name, power, degrees.
@@ -60,6 +62,7 @@ const RAISED: [&str; MOST_COSINES + 1] = ["", "", "²", "³", "⁴", "⁵", "⁶
 
 const TEXT: Style = Style {
     minus: "−",
+    less: " − ",
     fraction: |numerator, denominator, is_sum| match is_sum {
         true => format!("({numerator})/{denominator}"),
         false => format!("{numerator}/{denominator}"),
@@ -71,6 +74,7 @@ const TEXT: Style = Style {
 
 const TEX: Style = Style {
     minus: "-",
+    less: " - ",
     fraction: |numerator, denominator, _| format!("\\tfrac{{{numerator}}}{{{denominator}}}"),
     root: |inside, _| format!("\\sqrt{{{inside}}}"),
     function: |name, power, degrees| match power {
@@ -81,7 +85,7 @@ const TEX: Style = Style {
 };
 
 fn write(form: &Form, style: &Style) -> String {
-    let denominator = form.terms().iter().fold(BigInt::one(), |l, (_, q)| l.lcm(q.denom()));
+    let denominator = fraction::common_denominator(form.terms().iter().map(|(_, coefficient)| coefficient));
     let common = BigRational::from_integer(denominator.clone());
     let mut text = String::new();
     // `√5 − 1` reads better than `−1 + √5`.
@@ -92,13 +96,7 @@ fn write(form: &Form, style: &Style) -> String {
         text.push_str(match (text.is_empty(), whole.is_negative()) {
             (true, true) => style.minus,
             (true, false) => "",
-            (false, true) => {
-                if style.minus == "-" {
-                    " - "
-                } else {
-                    " − "
-                }
-            }
+            (false, true) => style.less,
             (false, false) => " + ",
         });
         text.push_str(&term(root, &whole.abs(), style));

@@ -14,7 +14,6 @@ use crate::exact::{PhasorSum, Term};
 use crate::journal::{self, bearing_peaks};
 use crate::loads::{Arm, Method, Scale, bearing_loads};
 use crate::numbers;
-use crate::order::unit_mass;
 
 /// A crankshaft with its counterweights.
 #[derive(Clone, Debug)]
@@ -71,7 +70,7 @@ pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Desi
     let (Some(mass), Some(radius)) = (engine.crankshaft_mass(), &engine.dimensions().crank_radius) else {
         return Err(OptimiseError::NoMasses);
     };
-    let unit = unit_mass(engine) * radius;
+    let unit = engine.unit_mass() * radius;
     let arm = |position: &BigRational| position - engine.reference_plane();
     let newtons = loads.scale.as_ref().map_or(1.0, Scale::force);
     let (peaks, worst) = match engine.effects().gas {

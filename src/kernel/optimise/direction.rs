@@ -75,12 +75,7 @@ impl Directions {
 
     /// The same vector in as few terms of positive weight as its exact form has: two at most on a square or hexagon.
     pub fn positive(&self, sum: &PhasorSum) -> PhasorSum {
-        let opposed = |term: Term| match term.weight.is_negative() {
-            true => Term { angle: term.angle.opposite(), weight: -term.weight },
-            false => term,
-        };
-        let turned: Vec<Term> = sum.collected().into_iter().map(opposed).collect();
-        let collected = PhasorSum::new(turned).collected();
+        let collected = sum.tidied().positive().collected();
         if !self.lattice {
             return PhasorSum::new(self.cancelled(collected));
         }

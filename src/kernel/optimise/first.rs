@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 use super::error::OptimiseError;
 use crate::engine::{Engine, GearedCrank};
@@ -126,22 +126,13 @@ impl First {
         let scaled: Vec<_> = self.0.iter().map(|(value, sum)| (value.clone(), sum.scaled(&unit.recip()))).collect();
         let parts = match (scaled.as_slice(), self.is_exact()) {
             ([(_, only)], true) => numbers::enclose(only, BITS),
-            _ => numbers::enclose_weighted(scaled.iter().map(|(value, sum)| (value.clone(), sum)))
-                .map(|one| (one.low, one.high)),
+            _ => numbers::enclose_weighted(scaled.iter().map(|(value, sum)| (value.clone(), sum))),
         };
-        let end = |(low, high): &(BigRational, BigRational), largest: bool| {
-            let inside = low.is_negative() && high.is_positive();
-            let (near, far) = if low.abs() < high.abs() { (low.abs(), high.abs()) } else { (high.abs(), low.abs()) };
-            let value = if largest {
-                far
-            } else if inside {
-                BigRational::zero()
-            } else {
-                near
-            };
-            value.to_f64().unwrap_or(f64::INFINITY)
+        let length = |end: fn(&Enclosure) -> BigRational| {
+            let [re, im] = parts.each_ref().map(|part| end(part).to_f64().unwrap_or(f64::INFINITY));
+            re.hypot(im) * factor
         };
-        let [low, high] = [false, true].map(|largest| end(&parts[0], largest).hypot(end(&parts[1], largest)) * factor);
+        let [low, high] = [length(Enclosure::smallest), length(Enclosure::largest)];
         Residual::Between(low * (1.0 - ROUNDING), high * (1.0 + ROUNDING))
     }
 }

@@ -13,7 +13,6 @@ use crate::beam::Beam;
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::loads::{self, Arm, Method, bearing_loads};
-use crate::order::unit_mass;
 
 /// The problem. Mass-radii are in multiples of m r, forces of m r ω², masses in kilograms.
 pub(super) struct Problem {
@@ -89,7 +88,7 @@ impl Problem {
         let (Some(mass), Some(radius)) = (bare.crankshaft_mass(), bare.dimensions().crank_radius.clone()) else {
             return Err(OptimiseError::NoMasses);
         };
-        let unit = unit_mass(&bare) * radius;
+        let unit = bare.unit_mass() * radius;
         let float = |value: &BigRational| value.to_f64().unwrap_or(f64::INFINITY);
         let most_couple = match (&request.couple, &loads.scale) {
             (Couple::Zero, _) => None,

@@ -23,13 +23,12 @@ pub fn difference_of_squares<'a>(
             }
         }
     }
-    let collected = |sum: PhasorSum| PhasorSum::new(sum.collected());
     let mut coefficients = Vec::new();
     for (place, (_, [direct, reverse])) in real.iter().enumerate() {
-        coefficients.push(collected(direct.squared_modulus().minus(&reverse.squared_modulus())));
+        coefficients.push(direct.squared_modulus().minus(&reverse.squared_modulus()).tidied());
         for (_, [other_direct, other_reverse]) in &real[place + 1..] {
             let half = direct.times(&other_direct.conjugate()).minus(&reverse.times(&other_reverse.conjugate()));
-            coefficients.push(collected(half.plus(&half.conjugate())));
+            coefficients.push(half.plus(&half.conjugate()).tidied());
         }
     }
     coefficients

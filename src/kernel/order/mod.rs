@@ -46,4 +46,4 @@ pub use pin::{has_constant_pin_loads, pin_contributions, shaft_contributions};
 pub use ray::{Law, Ray, rays};
 pub use source::Source;
 pub use sum::{OrderSum, by_factor};
-pub use turning::{TurningMass, mass_radius, shaft_parts, turning_masses, unit_mass, unit_radius};
+pub use turning::{TurningMass, big_end, mass_radius, shaft_parts, turning_masses};

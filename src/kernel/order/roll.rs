@@ -11,7 +11,7 @@
 //! is ν² times as large, at ν times the order.
 
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 use super::contribution::{Contribution, Sources, power};
 use super::factor::Factor;
@@ -20,7 +20,6 @@ use super::source::Source;
 use super::turning::{mass_radius, of_turning};
 use crate::engine::{Cylinder, Engine};
 use crate::exact::{Term, Turn};
-use crate::proof::Sense;
 
 impl Sources<'_> {
     /// What each source adds to the roll moment of one order.
@@ -60,11 +59,8 @@ fn of_cylinder(engine: &Engine, cylinder: &Cylinder, order: u32) -> Vec<(Factor,
         parts.map(part).collect::<Vec<_>>()
     };
     let arms = arms(engine, cylinder).into_iter().flat_map(of_arm);
-    let sense = match engine.sense_of(cylinder) {
-        Sense::Direct => -BigRational::one(),
-        Sense::Reverse => BigRational::one(),
-    };
-    let torque = Term { angle: star.clone(), weight: &weight * &cylinder.crank_radius * sense };
+    let turned = engine.sense_of(cylinder).signed(-&weight * &cylinder.crank_radius);
+    let torque = Term { angle: star.clone(), weight: turned };
     arms.chain([(Factor::of_torque(cylinder.mechanism.as_ref()).geared(speed), torque)]).collect()
 }
 
@@ -85,12 +81,8 @@ fn arms(engine: &Engine, cylinder: &Cylinder) -> Vec<Term> {
     }
     if let Some(rod) = cylinder.rod().filter(|rod| !rod.offset.is_zero() && !rod.ratio.is_zero()) {
         let offset = &rod.offset / &rod.ratio * &cylinder.crank_radius;
-        let weight = match engine.sense_of(cylinder) {
-            Sense::Direct => -offset,
-            // The rod is that of the equivalent crank, which lies on the other side.
-            Sense::Reverse => offset,
-        };
-        arms.push(Term { angle: Turn::zero(), weight });
+        // The rod of a crank that turns against the reference is that of the equivalent crank, which lies on the other side.
+        arms.push(Term { angle: Turn::zero(), weight: engine.sense_of(cylinder).signed(-offset) });
     }
     arms
 }

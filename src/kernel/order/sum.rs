@@ -35,7 +35,7 @@ impl OrderSum {
     }
 
     fn of(parts: impl IntoIterator<Item = (Factor, PhasorSum)>) -> Self {
-        let collected = parts.into_iter().map(|(factor, sum)| (factor, PhasorSum::new(sum.collected())));
+        let collected = parts.into_iter().map(|(factor, sum)| (factor, sum.tidied()));
         OrderSum(collected.filter(|(_, sum)| !sum.vanishes()).collect())
     }
 

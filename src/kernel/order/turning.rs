@@ -62,7 +62,7 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
         axis: cranks.get(crank).map_or_else(Vec::new, |crank| crank.axis.clone()),
         crank: (crank < cranks.len()).then_some(crank),
     };
-    let radius = unit_radius(engine);
+    let radius = engine.unit_radius();
     let with_rods = engine.cylinders().iter().enumerate().filter(|(_, at)| !at.rotating_mass.is_zero());
     let rods = with_rods.map(|(index, at)| {
         let size = fraction::times(&fraction::times(&at.rotating_mass, &radius), &at.crank_radius);
@@ -106,7 +106,7 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
             crank: None,
         })
     });
-    let unit = unit_mass(engine) * &radius;
+    let unit = engine.unit_mass() * &radius;
     let all = rods.chain(pins).chain(webs).chain(weights).chain(shafts);
     let weighing = all.filter(|mass| !mass.mass_radius.is_zero());
     let in_multiples =
@@ -155,14 +155,9 @@ pub fn mass_radius(engine: &Engine, cylinder: &Cylinder) -> BigRational {
     }
 }
 
-/// The mass in kilograms that the sums are multiples of: m, or one kilogram where m is 0 or not known.
-pub fn unit_mass(engine: &Engine) -> BigRational {
-    engine.unit_mass()
-}
-
-/// The crank radius in metres, or 1 where it is not known: then only masses at the crankpins are, which it cancels from.
-pub fn unit_radius(engine: &Engine) -> BigRational {
-    engine.unit_radius()
+/// Mass times crank radius of the rotating part of a cylinder's rod, in multiples of m r.
+pub fn big_end(engine: &Engine, cylinder: &Cylinder) -> BigRational {
+    &cylinder.rotating_mass / engine.unit_mass() * &cylinder.crank_radius
 }
 
 /// Of a mass that turns about an axis there.

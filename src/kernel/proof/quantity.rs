@@ -1,5 +1,7 @@
 //! What is a verdict about?
 
+use std::ops::Neg;
+
 use serde::{Deserialize, Serialize};
 
 /// What a verdict is about.
@@ -128,6 +130,14 @@ pub enum Sense {
 impl Sense {
     /// Both, direct first.
     pub const BOTH: [Sense; 2] = [Sense::Direct, Sense::Reverse];
+
+    /// A number that counts with the crank: its opposite against it.
+    pub fn signed<T: Neg<Output = T>>(self, number: T) -> T {
+        match self {
+            Sense::Direct => number,
+            Sense::Reverse => -number,
+        }
+    }
 
     /// The word of the JSON document.
     pub fn name(self) -> &'static str {

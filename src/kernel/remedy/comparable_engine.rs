@@ -60,6 +60,6 @@ impl ComparableEngine {
     pub fn scale(&self) -> Option<[BigRational; 2]> {
         let radius = self.engine.dimensions().crank_radius.clone()?;
         self.engine.dimensions().mass.as_ref()?;
-        Some([order::unit_mass(&self.engine) * &radius, radius])
+        Some([self.engine.unit_mass() * &radius, radius])
     }
 }

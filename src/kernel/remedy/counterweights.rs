@@ -45,10 +45,10 @@ fn throw_weights(subject: &ComparableEngine, throws: &[Throw]) -> Vec<BigRationa
     }
     // Without a crank radius all masses are at the crankpins, and it cancels.
     let two = BigRational::from_integer(2.into());
-    let unit = order::unit_mass(engine);
+    let unit = engine.unit_mass();
     let cylinder = |&at: &usize| {
         let cylinder = &engine.cylinders()[at];
-        &cylinder.rotating_mass / &unit * &cylinder.crank_radius + order::mass_radius(engine, cylinder) / &two
+        order::big_end(engine, cylinder) + order::mass_radius(engine, cylinder) / &two
     };
     let whole = |(index, throw): (usize, &Throw)| {
         let pin = engine.crankshaft().pins.get(index).map_or_else(BigRational::zero, |mass| mass / &unit);

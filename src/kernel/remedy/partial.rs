@@ -57,7 +57,7 @@ impl Partial {
             };
             // A crank that turns faster has no part in order 1.
             let cylinders = engine.cylinders().iter().filter(|cylinder| engine.own_order(cylinder, 1).is_some());
-            PhasorSum::new(PhasorSum::new(cylinders.map(term).collect()).collected())
+            PhasorSum::new(cylinders.map(term).collect()).tidied()
         };
         let has_knuckles = engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero());
         (engine.is_centric() && !has_knuckles)

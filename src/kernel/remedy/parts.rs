@@ -67,11 +67,8 @@ fn length_above(sum: &PhasorSum) -> BigRational {
         return only.weight.abs();
     }
     let [re, im] = numbers::enclose(sum, 128);
-    let square = |(low, high): &(BigRational, BigRational)| {
-        let largest = if low.abs() > high.abs() { low.abs() } else { high.abs() };
-        &largest * &largest
-    };
-    let square = square(&re) + square(&im);
+    let [re, im] = [re.largest(), im.largest()];
+    let square = &re * &re + &im * &im;
     // A square root from above in steps of 2⁻⁹⁶.
     let bits = 96_u32;
     let scaled = (square * BigRational::from_integer(BigInt::one() << (2 * bits))).ceil().to_integer();

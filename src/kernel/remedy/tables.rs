@@ -28,13 +28,12 @@ impl Kept {
     pub fn of(remedy: &Remedy) -> Self {
         let crankshaft = remedy.subject.engine().crankshaft();
         let resized = remedy.resized();
-        let goes = |index: &usize, of: fn(&Replaced) -> &Vec<usize>| {
-            resized.iter().any(|plane| of(&plane.replaced).contains(index))
+        let staying = |count: usize, of: fn(&Replaced) -> &Vec<usize>| -> Vec<usize> {
+            let goes = |index: &usize| resized.iter().any(|plane| of(&plane.replaced).contains(index));
+            (0..count).filter(|index| !goes(index)).collect()
         };
-        let stays = |index: &usize| !goes(index, |replaced| &replaced.counterweights);
-        let counterweights: Vec<usize> = (0..crankshaft.counterweights.len()).filter(stays).collect();
-        let stays = |index: &usize| !goes(index, |replaced| &replaced.balancers);
-        let balancers: Vec<usize> = (0..crankshaft.balancers.len()).filter(stays).collect();
+        let counterweights = staying(crankshaft.counterweights.len(), |replaced| &replaced.counterweights);
+        let balancers = staying(crankshaft.balancers.len(), |replaced| &replaced.balancers);
         // A layout whose balance factor makes the counterweights has no others.
         let made = !crankshaft.balance_factors.is_empty();
         Kept {

@@ -1,10 +1,9 @@
 //! What is the quotient of two real sums, in closed form where one is known?
 
-use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, ToPrimitive};
+use num_traits::ToPrimitive;
 
-use crate::exact::{PhasorSum, Turn};
+use crate::exact::{PhasorSum, Turn, fraction};
 use crate::numbers::{self, Form};
 
 /// A real number: exact where a closed form is known, and in decimals.
@@ -45,7 +44,7 @@ fn closed(above: &PhasorSum, below: &PhasorSum) -> Option<Form> {
     if let Some(divisor) = numbers::real(below)?.as_rational() {
         return Some(numbers::real(above)?.scaled(&divisor.recip()));
     }
-    let conductor = below.terms().iter().fold(BigInt::one(), |all, term| all.lcm(term.angle.denominator())).to_i64()?;
+    let conductor = fraction::common_denominator(below.terms().iter().map(|term| term.angle.turns())).to_i64()?;
     let powers = (2..conductor.min(MOST_POWERS)).filter(|power| power.gcd(&conductor) == 1);
     let other = powers.map(|power| below.galois(power)).find(|other| other != below)?;
     let norm = numbers::real(&below.times(&other))?.as_rational()?;

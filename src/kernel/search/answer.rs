@@ -1,7 +1,5 @@
 //! What does a search answer? The front with its counts, the part of it that keeps limits, or every value there is.
 
-use std::cmp::Ordering;
-
 use num_bigint::BigUint;
 
 use super::found::{self, FoundStar, Moment, Standing};
@@ -54,19 +52,6 @@ impl Front {
         let points = self.judge(throws)?;
         let first = points.first().ok_or_else(|| ProblemError::new("this star does not fire evenly"))?;
         Ok(FoundStar::new(&self.problem, first))
-    }
-
-    /// The stars of the front that beat a star, in all of its firing orders where these are compared.
-    ///
-    /// # Errors
-    /// If this is no star of the question.
-    pub fn beating(&self, throws: &[u16]) -> Result<Vec<&FoundStar>, ProblemError> {
-        let points = self.judge(throws)?;
-        let beats = |best: &&(&StarValues, &FoundStar)| {
-            points.iter().all(|point| best.0.compare(point) == Some(Ordering::Less))
-        };
-        let pairs: Vec<(&StarValues, &FoundStar)> = self.points.iter().zip(&self.stars).collect();
-        Ok(pairs.iter().filter(beats).map(|(_, star)| *star).collect())
     }
 
     /// Whether equal stars are counted up to rotation, mirror and reversal; else the mirror image or the reversal of a star has other values.
@@ -143,8 +128,7 @@ pub fn every_value(problem: &Problem) -> Result<Front, ProblemError> {
     for piece in piece::pieces(&space, &tables) {
         let (next, of_piece) = piece::run(&space, &tables, &piece, census);
         census = next;
-        counts.judged += of_piece.judged;
-        counts.cut += of_piece.cut;
+        counts = counts.plus(of_piece).unwrap_or_else(|| unreachable!("this many stars exist"));
     }
     Ok(answer(problem, &space, census.points, counts))
 }

@@ -4,13 +4,12 @@
 //! of the cycle, and at once if the instants are one.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
-use num_traits::{One, ToPrimitive};
+use num_traits::ToPrimitive;
 
 use super::firing;
 use super::problem::{Problem, ProblemError};
 use crate::engine::Cycle;
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 
 /// Four-stroke engines of more cylinders that fire unevenly have too many choices of the revolution.
 const MOST_CHOOSING: u32 = 12;
@@ -42,7 +41,7 @@ impl Clock {
     pub fn new(problem: &Problem) -> Result<Self, ProblemError> {
         let (directions, supply) = problem.supply();
         let dead_centres = problem.dead_centres(directions);
-        let fine = dead_centres.iter().flatten().fold(BigInt::one(), |n, angle| n.lcm(angle.denominator()));
+        let fine = fraction::common_denominator(dead_centres.iter().flatten().map(Turn::turns));
         let turn = fine.to_u64().filter(|turn| *turn <= MOST_TICKS).ok_or_else(|| {
             ProblemError::new(
                 "neighbours are counted for angles of up to 12 digits; round the bank angle or the pin split",

@@ -1,14 +1,13 @@
 //! What moments has a V whose banks are offset, on a grid? Those of all its cylinders, which are no multiples of those of its pins.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{Signed, ToPrimitive};
 
 use super::problem::{Problem, ProblemError};
 use super::roots::Roots;
 use super::value::Value;
-use crate::exact::Turn;
+use crate::exact::{Turn, fraction};
 use crate::order;
 use crate::proof::Sense;
 
@@ -50,8 +49,7 @@ impl Entangled {
                 })
             })
             .collect();
-        let all = angles.iter().flatten().flatten();
-        let fine = all.fold(BigInt::one(), |n, angle| n.lcm(angle.denominator()));
+        let fine = fraction::common_denominator(angles.iter().flatten().flatten().map(Turn::turns));
         let count = fine.to_usize().filter(|count| *count <= FINEST).ok_or_else(|| {
             ProblemError::new(format!(
                 "with a bank offset, grid, bank angle and pin split are to be multiples of one angle, a turn divided by up to {FINEST}"
@@ -84,7 +82,7 @@ fn whole(throws: u32, offsets: [&BigRational; 2]) -> Option<[Vec<i64>; 2]> {
     let throws = i64::from(throws);
     let arm =
         |place: i64, offset: &BigRational| BigRational::from_integer((throws - 1 - 2 * place).into()) + offset * &two;
-    let scale = offsets.iter().fold(BigInt::one(), |scale, offset| scale.lcm((*offset * &two).denom()));
+    let scale = fraction::common_denominator(offsets.map(|offset| offset * &two));
     let scaled =
         offsets.map(|offset| (0..throws).map(|place| (arm(place, offset) * &scale).to_integer()).collect::<Vec<_>>());
     let total: BigInt = scaled.iter().flatten().map(BigInt::abs).sum();

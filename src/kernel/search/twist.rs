@@ -1,9 +1,8 @@
 //! How far does a firing order twist the shaft? The phase-vector sums of minor orders, as aims beside the moments.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::clock::Clock;
 use super::firing::orders_of;
@@ -11,6 +10,7 @@ use super::problem::{Problem, ProblemError};
 use super::roots::Roots;
 use super::value::Value;
 use super::{firing, mode_shape};
+use crate::exact::fraction;
 
 /// The sum of the deflections is below this, in the whole numbers that they are multiples of.
 const LONGEST: i64 = 1 << 20;
@@ -131,12 +131,11 @@ fn firing_orders(problem: &Problem) -> u128 {
 
 /// Deflections as whole numbers without a common factor; none where these are too long.
 fn whole(shape: &[BigRational]) -> Option<Vec<i64>> {
-    let scale = shape.iter().fold(BigInt::one(), |scale, deflection| scale.lcm(deflection.denom()));
-    let scaled: Vec<BigInt> = shape.iter().map(|deflection| (deflection * &scale).to_integer()).collect();
-    let common = scaled.iter().fold(BigInt::ZERO, |common, deflection| common.gcd(deflection)).max(BigInt::one());
-    let total: BigInt = scaled.iter().map(|deflection| (deflection / &common).abs()).sum();
+    let unit = Some(fraction::common_unit(shape)).filter(|unit| !unit.is_zero()).unwrap_or_else(BigRational::one);
+    let scaled: Vec<BigInt> = shape.iter().map(|deflection| (deflection / &unit).to_integer()).collect();
+    let total: BigInt = scaled.iter().map(Signed::abs).sum();
     // A V has two cylinders on each throw.
-    (total * 2 < BigInt::from(LONGEST)).then(|| scaled.iter().filter_map(|d| (d / &common).to_i64()).collect())
+    (total * 2 < BigInt::from(LONGEST)).then(|| scaled.iter().filter_map(ToPrimitive::to_i64).collect())
 }
 
 impl Problem {

@@ -1,9 +1,7 @@
 //! How evenly do the cylinders fire?
 
-use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
+use num_traits::ToPrimitive;
 use smallvec::SmallVec;
 
 use super::integers::IntegerEngine;
@@ -155,7 +153,7 @@ fn top_dead_centres(engine: &Engine) -> Option<(Vec<i64>, i64)> {
     let first = engine.cylinders().first()?.top_dead_centre();
     let centres: Vec<BigRational> =
         engine.cylinders().iter().map(|cylinder| (&cylinder.top_dead_centre() - &first).turns().clone()).collect();
-    let turn = centres.iter().fold(BigInt::one(), |turn, centre| turn.lcm(centre.denom()));
+    let turn = fraction::common_denominator(&centres);
     let whole = |centre: &BigRational| (centre.numer() * (&turn / centre.denom())).to_i64();
     let whole = centres.iter().map(whole).collect::<Option<_>>()?;
     Some((whole, turn.to_i64().filter(|turn| *turn < i64::MAX / 4)?))

@@ -14,7 +14,7 @@ use super::reader::{Reader, on_all_cores};
 use super::swept_engine::{Motions, SweptEngine};
 use super::zeros::{is_angle, zeros};
 use super::{SweepError, ZeroSet};
-use crate::engine::CycleOrder;
+use crate::engine::{CycleOrder, Engine};
 use crate::file::Template;
 use crate::loads::{self, Arm};
 use crate::text::Untrusted;
@@ -54,6 +54,29 @@ pub struct Sweep {
 }
 
 impl Sweep {
+    /// What all points have in common with the engine of the first.
+    pub(super) fn without_points(
+        first: &Engine,
+        parameters: &[Parameter],
+        orders: Vec<u32>,
+        geometry: &Geometry,
+    ) -> Self {
+        Sweep {
+            title: first.title().clone(),
+            parameters: parameters.to_vec(),
+            angles: vec![false; parameters.len()],
+            orders,
+            points: Vec::new(),
+            curve: Vec::new(),
+            zeros: None,
+            firing: None,
+            observed: None,
+            arm: Arm::of(first),
+            rods_known: !first.mechanisms().is_empty(),
+            geometry: geometry.clone(),
+        }
+    }
+
     /// The parameters, and whether each is an angle of the engine.
     pub fn axes(&self) -> impl Iterator<Item = (&Parameter, bool)> {
         self.parameters.iter().zip(self.angles.iter().copied())
@@ -131,20 +154,8 @@ pub fn sweep_until(
     let between = between.collect::<Result<Vec<SweptEngine>, SweepError>>()?;
     curve.extend(between);
     curve.sort_by(|a, b| a.values.cmp(&b.values));
-    Ok(Sweep {
-        title: first.title().clone(),
-        parameters: parameters.to_vec(),
-        angles: parameters.iter().map(|parameter| is_angle(template, parameter)).collect(),
-        orders: orders.to_vec(),
-        points,
-        curve,
-        zeros,
-        firing: None,
-        observed: None,
-        arm: Arm::of(&first),
-        rods_known: !first.mechanisms().is_empty(),
-        geometry: geometry.clone(),
-    })
+    let angles = parameters.iter().map(|parameter| is_angle(template, parameter)).collect();
+    Ok(Sweep { angles, points, curve, zeros, ..Sweep::without_points(&first, parameters, orders.to_vec(), geometry) })
 }
 
 /// How many points a sweep over these parameters has.

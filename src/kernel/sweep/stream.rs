@@ -9,7 +9,7 @@ use super::swept_engine::Motions;
 use super::{Geometry, SweepError};
 use crate::engine::CycleOrder;
 use crate::file::Template;
-use crate::loads::{self, Arm};
+use crate::loads;
 use crate::shard::Question;
 
 /// The fewest and the most points of a piece, and how many pieces there are between.
@@ -28,7 +28,6 @@ pub struct Stream<'a> {
     count: usize,
     /// Points of a piece: a number that follows from the question alone.
     points: usize,
-    geometry: Geometry,
     /// The sweep without its points.
     empty: Sweep,
 }
@@ -52,31 +51,10 @@ impl<'a> Stream<'a> {
         let first = reader.engine(&reader.values(0))?;
         let orders = if orders.is_empty() { loads::usual_orders(&first) } else { orders.to_vec() };
         let star = FiringSweep { orders: firing.to_vec(), points: Vec::new(), curve: Vec::new(), zeros: None };
-        let empty = Sweep {
-            title: first.title().clone(),
-            parameters: parameters.to_vec(),
-            angles: vec![false; parameters.len()],
-            orders,
-            points: Vec::new(),
-            curve: Vec::new(),
-            zeros: None,
-            firing: (!firing.is_empty()).then_some(star),
-            observed: None,
-            arm: Arm::of(&first),
-            rods_known: !first.mechanisms().is_empty(),
-            geometry: geometry.clone(),
-        };
+        let empty = Sweep::without_points(&first, parameters, orders, geometry);
+        let empty = Sweep { firing: (!firing.is_empty()).then_some(star), ..empty };
         let points = count.div_ceil(PIECES).clamp(FEWEST, MOST);
-        Ok(Stream {
-            reader,
-            parameters,
-            firing: firing.to_vec(),
-            observer: None,
-            count,
-            points,
-            geometry: geometry.clone(),
-            empty,
-        })
+        Ok(Stream { reader, parameters, firing: firing.to_vec(), observer: None, count, points, empty })
     }
 
     /// The same with values of other questions beside each point.
@@ -110,7 +88,7 @@ impl<'a> Stream<'a> {
         });
         let ranges: Vec<String> = ranges.collect();
         let firing: Vec<String> = self.firing.iter().map(ToString::to_string).collect();
-        let (orders, geometry) = (&self.empty.orders, &self.geometry);
+        let (orders, geometry) = (&self.empty.orders, &self.empty.geometry);
         let (ranges, firing, points) = (ranges.join("; "), firing.join(","), self.points);
         let values =
             self.observer.map_or_else(String::new, |observer| format!("values {}; ", observer.names.join(", ")));
@@ -143,7 +121,7 @@ impl<'a> Stream<'a> {
         sweep.points.reserve(to - from);
         for index in from..to {
             let values = self.reader.values(index);
-            let point = self.reader.point(&values, &sweep.orders, &self.geometry, &mut motions)?;
+            let point = self.reader.point(&values, &sweep.orders, &sweep.geometry, &mut motions)?;
             if let Some(firing) = &mut sweep.firing {
                 firing.points.push(lengths(&self.reader, &values, &self.firing)?);
             }

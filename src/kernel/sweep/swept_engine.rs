@@ -129,7 +129,7 @@ pub(super) fn judge_with(
     let judged = orders.iter().map(|&order| {
         let [force, moment] = match whole.as_ref().filter(|whole| whole.knows(order)) {
             Some(whole) => from_words(engine, whole, order, highest, motions),
-            None => BOTH.map(|quantity| from_sums(engine, quantity, order, highest, motions)),
+            None => Planar::BOTH.map(|quantity| from_sums(engine, quantity, order, highest, motions)),
         };
         SweptOrder { order, force, moment }
     });
@@ -140,15 +140,12 @@ pub(super) fn judge_with(
         values: Vec::new(),
         orders,
         newtons: loads::scale(engine).filter(|_| rods_known).map(|scale| scale.force()),
-        kilograms: mechanism.mass.as_ref().and_then(|_| order::unit_mass(engine).to_f64()),
+        kilograms: mechanism.mass.as_ref().and_then(|_| engine.unit_mass().to_f64()),
         evenness: evenness_of(engine, cycle, whole.as_ref()),
         counterweight: counterweight_of(engine, whole.as_ref()),
         envelope: envelope(engine, geometry),
     })
 }
-
-/// What the sums are of.
-const BOTH: [Planar; 2] = Planar::BOTH;
 
 fn from_words(
     engine: &Engine,
@@ -165,7 +162,7 @@ fn from_words(
         return [no_order(); 2];
     }
     let pairs = whole.pairs(order);
-    BOTH.map(|quantity| {
+    Planar::BOTH.map(|quantity| {
         let Pair { direct, mirrored, zeros, total_length } = pairs[usize::from(quantity == Planar::Moment)];
         let total_length = total_length * coefficient.norm();
         amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {

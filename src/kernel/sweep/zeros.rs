@@ -4,7 +4,6 @@
 //! exactly and completely. Each such angle is put into the file and judged once more, with all masses that turn.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
@@ -12,6 +11,7 @@ use super::parameter::Parameter;
 use super::reader::Reader;
 use super::swept_engine::SweptEngine;
 use crate::engine::{Engine, Family, PHI};
+use crate::exact::fraction;
 use crate::family::{self, Component, OpenVerdict, Solutions, component_zeros};
 use crate::file::{self, Layout, Template};
 use crate::order::{self, Path};
@@ -201,7 +201,7 @@ const MOST_TRIED: i64 = 2000;
 fn distinct(open: &Family, order: u32, per_unit: &BigRational) -> impl ExactSizeIterator<Item = BigRational> {
     let angles = || open.cylinders().iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
     let steps = angles().map(|angle| angle.coefficient(PHI));
-    let divisor = steps.clone().fold(BigInt::one(), |all, step| all.lcm(step.denom()));
+    let divisor = fraction::common_denominator(steps.clone());
     let widest = steps.map(|step| step.abs()).max().unwrap_or_else(BigRational::zero);
     let degree = widest * BigRational::from_integer(&divisor * BigInt::from(2 * order + 1));
     let count = (degree.ceil().to_integer() * 2_i32 + 1_i32).to_i64().filter(|count| *count <= MOST_TRIED).unwrap_or(0);

@@ -1,6 +1,7 @@
 //! What is a column of a table? Values of one type, a name with the unit in it, and a sentence that tells what they mean.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
 use super::Unit;
 use crate::text::Untrusted;
@@ -70,15 +71,15 @@ impl Values {
         self.len() == 0
     }
 
-    /// The value of one row, as values of one row.
-    pub(super) fn alone(&self, row: usize) -> Values {
+    /// The values of some rows.
+    pub(super) fn of_rows(&self, rows: Range<usize>) -> Values {
         match self {
-            Values::Words(values) => Values::Words(vec![values[row].clone()]),
-            Values::Exact(values) => Values::Exact(vec![values[row].clone()]),
-            Values::Person(values) => Values::Person(vec![values[row].clone()]),
-            Values::Integer(values) => Values::Integer(vec![values[row]]),
-            Values::Decimal(values) => Values::Decimal(vec![values[row]]),
-            Values::Truth(values) => Values::Truth(vec![values[row]]),
+            Values::Words(values) => Values::Words(values[rows].to_vec()),
+            Values::Exact(values) => Values::Exact(values[rows].to_vec()),
+            Values::Person(values) => Values::Person(values[rows].to_vec()),
+            Values::Integer(values) => Values::Integer(values[rows].to_vec()),
+            Values::Decimal(values) => Values::Decimal(values[rows].to_vec()),
+            Values::Truth(values) => Values::Truth(values[rows].to_vec()),
         }
     }
 
@@ -96,18 +97,6 @@ impl Values {
             (Values::Integer(values), _) => values.push(None),
             (Values::Decimal(values), _) => values.push(None),
             (Values::Truth(values), _) => values.push(None),
-        }
-    }
-
-    /// None, of the same type.
-    pub(super) fn none_of_its_kind(&self) -> Values {
-        match self {
-            Values::Words(_) => Values::Words(Vec::new()),
-            Values::Person(_) => Values::Person(Vec::new()),
-            Values::Exact(_) => Values::Exact(Vec::new()),
-            Values::Integer(_) => Values::Integer(Vec::new()),
-            Values::Decimal(_) => Values::Decimal(Vec::new()),
-            Values::Truth(_) => Values::Truth(Vec::new()),
         }
     }
 

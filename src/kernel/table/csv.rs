@@ -76,7 +76,7 @@ fn decimal(all: &mut String, value: f64) {
 
 /// The rows of a table like this one, from their lines; none where they are no such rows. A text of a person stays as it was escaped.
 pub fn from_rows(like: &Table, lines: &str) -> Option<Table> {
-    let mut columns: Vec<Values> = like.columns().iter().map(|column| column.values().none_of_its_kind()).collect();
+    let mut columns: Vec<Values> = like.columns().iter().map(|column| column.values().of_rows(0..0)).collect();
     let (mut rest, mut rows) = (lines, 0);
     while !rest.is_empty() {
         for (place, values) in columns.iter_mut().enumerate() {

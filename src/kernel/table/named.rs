@@ -89,7 +89,7 @@ impl Single {
 impl Single {
     /// Values of the same name as a column, with the unit and the type of this one; what is of another is omitted.
     pub fn column<'a>(&self, name: &str, all: impl IntoIterator<Item = Option<&'a Single>>) -> Column {
-        let mut values = self.values.none_of_its_kind();
+        let mut values = self.values.of_rows(0..0);
         for one in all {
             values.append(one.filter(|one| one.unit == self.unit).map(|one| &one.values));
         }
@@ -187,7 +187,7 @@ impl Table {
             there.sort_by_key(|name| Reverse(likeness(column, name)));
             NotNamed::Column(column.to_owned(), there)
         })?;
-        Ok(Single { unit: found.unit(), about: found.about(), values: found.values().alone(row) })
+        Ok(Single { unit: found.unit(), about: found.about(), values: found.values().of_rows(row..row + 1) })
     }
 
     /// The place of the row with these keys.

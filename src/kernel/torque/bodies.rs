@@ -9,7 +9,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use crate::engine::{CycleOrder, Engine, Mechanism};
-use crate::motion::{LinkMotion, PistonMotion};
+use crate::motion::{LinkMotion, PistonMotion, harmonic};
 use crate::numbers;
 
 /// Orders of the torque are computed up to this one, unless a question asks for more.
@@ -180,13 +180,8 @@ pub(super) fn omega(engine: &Engine) -> Option<f64> {
 fn of_a_turn(highest: u32, value: impl Fn(f64) -> f64) -> Vec<Complex<f64>> {
     let over = |points: usize| -> Vec<Complex<f64>> {
         let step = std::f64::consts::TAU / points as f64;
-        let values: Vec<f64> = (0..points).map(|point| value(point as f64 * step)).collect();
-        let of_order = |order: usize| {
-            let turned =
-                |(point, value): (usize, &f64)| Complex::cis(-((order * point % points) as f64) * step) * *value;
-            values.iter().enumerate().map(turned).sum::<Complex<f64>>() * (2.0 / points as f64)
-        };
-        (1..=highest as usize).map(of_order).collect()
+        let values: Vec<Complex<f64>> = (0..points).map(|point| value(point as f64 * step).into()).collect();
+        (1..=highest as usize).map(|order| harmonic(&values, order) * 2.0).collect()
     };
     let [mut points, most] = POINTS;
     let mut found = over(points);

@@ -8,7 +8,6 @@ use super::extreme::{self, Extreme};
 use crate::engine::{AxisLeftOut, Engine};
 use crate::gas::{CylinderGas, integrate, integrate_short};
 use crate::numbers;
-use crate::proof::Sense;
 
 /// The torque over the crank angle θ, in radians: on the only crankshaft, or of all that are geared together at the first.
 #[derive(Clone, Debug)]
@@ -114,8 +113,7 @@ impl TorqueCurve {
                 }
             })
         });
-        let sense = |sense| if sense == Sense::Direct { 1.0 } else { -1.0 };
-        let senses = engine.geared_cranks().iter().map(|crank| sense(crank.sense));
+        let senses = engine.geared_cranks().iter().map(|crank| crank.sense.signed(1.0));
         let senses: Vec<f64> = if engine.geared_cranks().is_empty() { vec![1.0] } else { senses.collect() };
         let of_shaft = |(shaft, sense)| {
             let own = pistons.iter().filter(|piston| piston.shaft == shaft);

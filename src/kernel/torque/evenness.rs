@@ -7,6 +7,7 @@
 use super::curve::TorqueCurve;
 use super::extreme::Extreme;
 use crate::engine::Engine;
+use crate::motion::halving;
 use crate::numbers::float;
 
 /// How evenly an engine turns at its speed.
@@ -55,7 +56,7 @@ pub struct Needed {
 /// The irregularity that is shown where none is asked for: that of a generator.
 const EXAMPLE: f64 = 0.01;
 /// Halvings of the energy at the beginning.
-const HALVINGS: usize = 100;
+const HALVINGS: u32 = 100;
 
 /// How evenly an engine turns at this speed, in radians a second.
 pub fn evenness(engine: &Engine, course: &TorqueCurve, omega: f64) -> Evenness {
@@ -102,16 +103,7 @@ pub fn by_energy(course: &TorqueCurve, inertia: f64, omega: f64) -> Option<f64> 
     if middle(least) > omega {
         return None;
     }
-    let (mut low, mut high) = (least, most);
-    for _ in 0..HALVINGS {
-        let energy = (low + high) / 2.0;
-        if middle(energy) < omega {
-            low = energy;
-        } else {
-            high = energy;
-        }
-    }
-    let energy = (low + high) / 2.0;
+    let energy = halving(least, most, HALVINGS, |energy| middle(energy) < omega);
     let at = |theta: f64| speed(energy, (course.gas_work(theta), inertia + course.reduced_inertia(theta)));
     let [fastest, slowest] = course.extremes(at);
     Some((fastest.value - slowest.value) / omega)

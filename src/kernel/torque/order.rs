@@ -9,7 +9,6 @@ use super::class::Class;
 use crate::engine::{CycleOrder, Engine};
 use crate::exact::{PhasorSum, Term};
 use crate::numbers;
-use crate::proof::Sense;
 
 /// One order: `Re(vector · e^{iκθ})`, in newton-metres.
 #[derive(Clone, Debug)]
@@ -111,14 +110,6 @@ pub fn orders(classes: &[Class], bodies: &[Bodies]) -> Vec<TorqueOrder> {
     (1..first.harmonics.torque.len()).filter_map(order).collect()
 }
 
-impl Class {
-    /// Order κ of the torque of the cylinder at this place of the class, by its own angle: of gas and piston, where that is known.
-    pub fn torque_of_one(&self, place: usize, order: CycleOrder) -> Complex<f64> {
-        let inertia = self.inertia.as_ref().map_or_else(Complex::default, |inertia| inertia.at(order)[0]);
-        self.harmonics.torque_at(order) + inertia * numbers::float(&self.masses[place])
-    }
-}
-
 /// An order of the roll moment of these masses on the frame over ω², in kilograms times square metres: the opposite of their torque, and what
 /// changes their angular momentum. None where it vanishes, proved, or no scale is known.
 pub fn roll_of(bodies: &[Bodies], order: CycleOrder) -> Option<Complex<f64>> {
@@ -130,10 +121,7 @@ pub fn roll_of(bodies: &[Bodies], order: CycleOrder) -> Option<Complex<f64>> {
 /// An order of the roll moment of the gas on the frame, in newton-metres: the opposite of the torque on each crankshaft, in the sense in which
 /// that turns. None where it vanishes, proved.
 pub fn roll_of_gas(engine: &Engine, classes: &[Class], order: CycleOrder) -> Option<Complex<f64>> {
-    let sense = |cylinder: usize| match engine.sense_of(&engine.cylinders()[cylinder]) {
-        Sense::Direct => -BigRational::one(),
-        Sense::Reverse => BigRational::one(),
-    };
+    let sense = |cylinder: usize| engine.sense_of(&engine.cylinders()[cylinder]).signed(-BigRational::one());
     let stars = Stars::of_gas(classes, order, sense);
     stars.sum(|class| Some(class.harmonics.torque_at(order))).filter(|_| !stars.vanish())
 }

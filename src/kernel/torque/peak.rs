@@ -10,7 +10,7 @@ use num_traits::One;
 
 use super::class::Class;
 use super::order::Stars;
-use super::{EngineTorque, Extreme, TorqueOrder, orders};
+use super::{EngineTorque, Extreme, TorqueOrder, orders, series};
 use crate::engine::{CycleOrder, HIGHEST_ORDER};
 use crate::loads::PeakMethod;
 
@@ -50,7 +50,7 @@ impl<'a> Peak<'a> {
         match method {
             PeakMethod::Orders(highest) => {
                 let kept = self.kept(highest);
-                largest(&|theta| self.torque.mean + series(&kept, theta) + course.inertia(theta))
+                largest(&|theta| self.torque.mean + series(kept, theta) + course.inertia(theta))
             }
             PeakMethod::Samples(steps) => {
                 let revolutions = (course.period() / TAU).round() as u32;
@@ -67,7 +67,7 @@ impl<'a> Peak<'a> {
         match method {
             PeakMethod::Orders(highest) => {
                 let kept = self.kept(highest);
-                let off = |theta: f64| (course.gas(theta) - self.torque.mean - series(&kept, theta)).abs();
+                let off = |theta: f64| (course.gas(theta) - self.torque.mean - series(kept, theta)).abs();
                 Some(course.extremes(off)[0].value)
             }
             PeakMethod::Samples(_) | PeakMethod::Refined => None,
@@ -96,9 +96,9 @@ impl<'a> Peak<'a> {
         if part.is_nan() { 0.0 } else { part }
     }
 
-    fn kept(&self, highest: CycleOrder) -> Vec<(f64, Complex<f64>)> {
-        let kept = self.orders.iter().filter(|order| order.order <= highest && !order.gas_vanishes);
-        kept.map(|order| (order.order.value(), order.gas)).collect()
+    /// The orders of the gas, rising, up to this one.
+    fn kept(&self, highest: CycleOrder) -> &[TorqueOrder] {
+        &self.orders[..self.orders.partition_point(|order| order.order <= highest)]
     }
 }
 
@@ -118,8 +118,4 @@ fn rest(class: &Class) -> f64 {
     // Σ 1/n² over n > N is below 1/N.
     let above = bound(last) * f64::from(last) * class.cylinders.len() as f64;
     (computed..=last).map(|index| bound(index) * star(index)).sum::<f64>() + above
-}
-
-fn series(orders: &[(f64, Complex<f64>)], theta: f64) -> f64 {
-    orders.iter().map(|(kappa, vector)| (vector * Complex::cis(kappa * theta)).re).sum()
 }

@@ -106,8 +106,7 @@ impl Balance {
 
 /// Planar or elliptical: whether two sums that are multiplied by equally large numbers are equally long, with the evidence.
 pub(super) fn compared(direct: &PhasorSum, reverse: &PhasorSum) -> (Shape, Certificate) {
-    let difference = direct.squared_modulus().minus(&reverse.squared_modulus());
-    let certificate = PhasorSum::new(difference.collected()).certificate();
+    let certificate = direct.squared_modulus().minus(&reverse.squared_modulus()).tidied().certificate();
     (if certificate.claims_zero() { Shape::Planar } else { Shape::Elliptical }, certificate)
 }
 

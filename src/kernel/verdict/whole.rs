@@ -5,7 +5,6 @@
 //! is left is multiplied by a number that may be zero.
 
 use num_rational::BigRational;
-use num_traits::Signed;
 
 use super::balance::{Verdict, compared};
 use crate::motion::Enclosure;
@@ -130,7 +129,7 @@ pub(super) fn outcome(parts: &[Part], order: u32, known: &Coefficients) -> Outco
             Some(sum) if !sum.iter().all(Enclosure::contains_zero) => {
                 Outcome::NotZeroByEnclosure { bits: CLAIMED_BITS }
             }
-            Some([re, im]) => Outcome::NotDecided { below: largest(&re) + largest(&im) },
+            Some([re, im]) => Outcome::NotDecided { below: re.largest() + im.largest() },
         },
     }
 }
@@ -140,11 +139,6 @@ fn enclosed(parts: &[Part], order: u32, known: &Coefficients) -> Option<[Enclosu
     let pair = |part: &Part<'_>| known.in_sense(part.factor, order, part.verdict.sense);
     let coefficients = parts.iter().map(pair).collect::<Option<Vec<_>>>()?;
     Some(numbers::enclose_weighted(coefficients.into_iter().zip(parts.iter().map(|part| &part.verdict.sum))))
-}
-
-/// No number of an enclosure is larger.
-fn largest(part: &Enclosure) -> BigRational {
-    part.low.abs().max(part.high.abs())
 }
 
 /// Whether two vectors that do not vanish are equally long, if that can be proved.

@@ -88,8 +88,7 @@ pub(super) fn vectors<R>(
 }
 
 fn torque(path: &'static str, entries: &[TorqueEntry], units: Units) -> Table {
-    let rows: Vec<&TorqueEntry> = entries.iter().collect();
-    let mut table = Filling::new(path, &rows);
+    let mut table = Filling::new(path, entries);
     table.whole("order", |entry| entry.order as usize);
     table.truth("vanishes", |entry| entry.vanishes);
     table.decimal("zero_to_peak_{unit}", units.torque, |entry| Some(entry.amplitude));
@@ -103,8 +102,7 @@ const STEPS: usize = 360;
 fn theta(numbers: &Numbers, units: Units) -> Table {
     let loads = &numbers.loads;
     let circle = Circle::new(STEPS);
-    let rows: Vec<usize> = (0..STEPS).collect();
-    let mut table = Filling::new("loads.theta", &rows);
+    let mut table = Filling::new("loads.theta", 0..STEPS);
     table.decimal("theta_{unit}", Unit::DEGREE, |theta| Some(*theta as f64));
     let vectors = [
         (["force_y_{unit}", "force_x_{unit}"], units.force, &loads.force),

@@ -6,7 +6,6 @@
 use crankstar::engine::{CycleOrder, Engine, Firing};
 use crankstar::exact::PhasorSum;
 use crankstar::file::{Template, parse_length};
-use crankstar::order;
 use crankstar::sweep::{self, Amplitude, Parameter};
 use crankstar::torque::{self, TorqueOrder};
 use num_rational::BigRational;
@@ -123,7 +122,7 @@ fn with_flywheel(at: BigRational, firing: Firing, engine: &Engine, radii: [&BigR
         return Err("a flywheel needs an engine with a speed above 0".to_owned());
     };
     let [ring, centre] = radii.map(|radius| radius.to_f64().unwrap_or(f64::NAN));
-    let unit = (order::unit_mass(engine) * order::unit_radius(engine)).to_f64().unwrap_or(f64::NAN);
+    let unit = (engine.unit_mass() * engine.unit_radius()).to_f64().unwrap_or(f64::NAN);
     let needed = evenness.needed;
     Ok(Evened {
         at,

@@ -27,8 +27,13 @@ impl Circle {
 
     /// The zeros that are rational turns of u, in [0, 1).
     pub fn rational(&self) -> impl Iterator<Item = Turn> + '_ {
-        self.pieces().filter_map(|(_, kind)| match kind {
-            Kind::Rational { at, .. } => Some(Turn::new(at.clone())),
+        self.rational_in_order().map(|at| Turn::new(at.clone()))
+    }
+
+    /// The same as they follow each other on the arcs.
+    pub(in super::super) fn rational_in_order(&self) -> impl Iterator<Item = &BigRational> {
+        self.arcs.iter().filter_map(|arc| match &arc.kind {
+            Kind::Rational { at, .. } => Some(at),
             Kind::Free | Kind::Monotone | Kind::Crossing { .. } | Kind::Open => None,
         })
     }

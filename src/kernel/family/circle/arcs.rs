@@ -254,17 +254,22 @@ impl Subdivider<'_> {
                 false => zero[1] = between,
             }
         }
-        let [low, high] = written?;
-        let slope = &self.line.as_ref()?[1];
-        let pieces = [
-            (ends[0].clone(), low.clone(), Kind::Monotone),
-            (low, high.clone(), Kind::Crossing { near: zero }),
-            (high, ends[1].clone(), Kind::Monotone),
-        ];
-        let arcs = pieces
-            .into_iter()
-            .filter(|(from, to, _)| from < to)
-            .map(|(from, to, kind)| slope.is_free([&from, &to]).then_some(Arc { to, kind }));
-        arcs.collect()
+        crossed(ends, written?, Kind::Crossing { near: zero }, &self.line.as_ref()?[1])
     }
+}
+
+/// An arc with a crossing in it cut down to the narrow one that holds it; none where that is not known to move one way everywhere.
+pub(super) fn crossed(
+    [from, to]: [&BigRational; 2],
+    [low, high]: [BigRational; 2],
+    crossing: Kind,
+    slope: &Curve<'_>,
+) -> Option<Vec<Arc>> {
+    let pieces = [
+        (from.clone(), low.clone(), Kind::Monotone),
+        (low, high.clone(), crossing),
+        (high, to.clone(), Kind::Monotone),
+    ];
+    let arcs = pieces.into_iter().filter(|(from, to, _)| from < to);
+    arcs.map(|(from, to, kind)| slope.is_free([&from, &to]).then_some(Arc { to, kind })).collect()
 }

@@ -7,11 +7,12 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::field::{Coefficients, Field, primes, root_of_order};
+use super::field::{Coefficients, Field, root_of_order};
 use super::images::Images;
 use super::never::{self, Coprime};
 use super::polynomial::Polynomial;
 use crate::exact::PhasorSum;
+use crate::exact::modulo::{power, primes};
 use crate::proof::Certificate;
 
 /// `P = Q F_1 F_2² F_3³ …`; the arcs are about `F_1 F_2 F_3 …`.
@@ -68,7 +69,7 @@ fn images(polynomial: &Polynomial, conductor: u64, prime: u64, units: &[u64]) ->
     let root = root_of_order(conductor, prime)?;
     let scale = polynomial.scale();
     let of_root = |root: u64| Field { conductor, prime, root, scale: &scale };
-    let lists = units.iter().map(|a| factors(&of_root(super::field::power(root, *a, prime)), polynomial));
+    let lists = units.iter().map(|a| factors(&of_root(power(root, *a, prime)), polynomial));
     Images::of(&of_root(root), units, &lists.collect::<Option<Vec<_>>>()?)
 }
 
@@ -108,7 +109,7 @@ fn multiplied_out(polynomial: &Polynomial, found: Vec<Vec<PhasorSum>>) -> Option
     if !differences.iter().all(PhasorSum::vanishes) {
         return None;
     }
-    let equalities = differences.iter().map(|sum| PhasorSum::new(sum.collected()).certificate()).collect();
+    let equalities = differences.iter().map(|sum| sum.tidied().certificate()).collect();
     let of = |coefficients: &[PhasorSum]| of_coefficients(polynomial, coefficients);
     let coprime = never::prove(&of(&without))?;
     Some((Factor { without, coprime, powers: powers.to_vec(), equalities }, of(&once)))
@@ -128,5 +129,5 @@ fn product(a: &[PhasorSum], b: &[PhasorSum]) -> Vec<PhasorSum> {
             product[i + j] = product[i + j].plus(&one.times(other));
         }
     }
-    product.into_iter().map(|sum| PhasorSum::new(sum.collected())).collect()
+    product.iter().map(PhasorSum::tidied).collect()
 }

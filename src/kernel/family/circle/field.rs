@@ -6,39 +6,14 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::polynomial::Polynomial;
+use crate::exact::modulo::{has_order, multiply, power, prime_divisors};
 use crate::exact::{PhasorSum, Term};
 
-/// The primes from a number on that are 1 modulo the conductor.
-pub(super) fn primes(conductor: u64, least: u64) -> impl Iterator<Item = u64> {
-    (least / conductor + 1..).map(move |k| k * conductor + 1).filter(|&candidate| is_prime(candidate))
-}
-
-fn is_prime(candidate: u64) -> bool {
-    (2..).take_while(|d| d * d <= candidate).all(|d| !candidate.is_multiple_of(d))
-}
-
+/// A number whose powers up to this one are not 1 before it.
 pub(super) fn root_of_order(order: u64, prime: u64) -> Option<u64> {
-    let divides = |d: &u64| order.is_multiple_of(*d) && is_prime(*d);
-    let divisors: Vec<u64> = (2..=order).filter(divides).collect();
+    let divisors = prime_divisors(order);
     let candidates = (2..prime).map(|base| power(base, (prime - 1) / order, prime));
-    candidates.take(1000).find(|root| divisors.iter().all(|q| power(*root, order / q, prime) != 1))
-}
-
-pub(super) fn times(a: u64, b: u64, modulus: u64) -> u64 {
-    let product = u128::from(a) * u128::from(b) % u128::from(modulus);
-    product.to_u64().unwrap_or_else(|| unreachable!("a remainder is below its modulus"))
-}
-
-pub(super) fn power(base: u64, exponent: u64, modulus: u64) -> u64 {
-    let (mut result, mut base, mut exponent) = (1, base % modulus, exponent);
-    while exponent > 0 {
-        if exponent.is_odd() {
-            result = times(result, base, modulus);
-        }
-        base = times(base, base, modulus);
-        exponent /= 2;
-    }
-    result
+    candidates.take(1000).find(|root| has_order(*root, order, &divisors, prime))
 }
 
 /// The whole numbers modulo a prime, with an image of `e^{2πi/N}`.
@@ -76,7 +51,7 @@ impl Field<'_> {
         let angle = term.angle.turns() * BigRational::from_integer(self.conductor.into());
         let weight = &term.weight * BigRational::from_integer(self.scale.clone());
         let weight = weight.to_integer().mod_floor(&BigInt::from(self.prime)).to_u64().unwrap_or(0);
-        times(weight, power(self.root, angle.to_integer().to_u64().unwrap_or(0), self.prime), self.prime)
+        multiply(weight, power(self.root, angle.to_integer().to_u64().unwrap_or(0), self.prime), self.prime)
     }
 
     /// U and V with `Ua + Vb = 1`, by Euclid's algorithm; `None` where the two have a common factor.
@@ -92,7 +67,7 @@ impl Field<'_> {
         }
         let [constant] = upper.0.as_slice() else { return None };
         let inverse = power(*constant, self.prime - 2, self.prime);
-        let scaled = |row: Coefficients| row.into_iter().map(|c| times(c, inverse, self.prime)).collect();
+        let scaled = |row: Coefficients| row.into_iter().map(|c| multiply(c, inverse, self.prime)).collect();
         Some((scaled(upper.1), scaled(upper.2)))
     }
 
@@ -104,12 +79,12 @@ impl Field<'_> {
             (upper, lower) = (lower, rest);
         }
         let inverse = power(upper.last().copied().unwrap_or(1), self.prime - 2, self.prime);
-        upper.into_iter().map(|coefficient| times(coefficient, inverse, self.prime)).collect()
+        upper.into_iter().map(|coefficient| multiply(coefficient, inverse, self.prime)).collect()
     }
 
     /// The derivative by x.
     pub fn derivative(&self, a: &Coefficients) -> Coefficients {
-        trimmed((1..).zip(a.iter().skip(1)).map(|(n, coefficient)| times(n, *coefficient, self.prime)).collect())
+        trimmed((1..).zip(a.iter().skip(1)).map(|(n, coefficient)| multiply(n, *coefficient, self.prime)).collect())
     }
 
     /// Without its rest.
@@ -119,10 +94,10 @@ impl Field<'_> {
         let inverse = power(leading, self.prime - 2, self.prime);
         let mut quotient = vec![0; (dividend.len() + 1).saturating_sub(divisor.len())];
         for place in (0..quotient.len()).rev() {
-            let factor = times(rest[place + divisor.len() - 1], inverse, self.prime);
+            let factor = multiply(rest[place + divisor.len() - 1], inverse, self.prime);
             quotient[place] = factor;
             for (at, coefficient) in divisor.iter().enumerate() {
-                let product = times(factor, *coefficient, self.prime);
+                let product = multiply(factor, *coefficient, self.prime);
                 rest[place + at] = (rest[place + at] + self.prime - product) % self.prime;
             }
         }
@@ -135,7 +110,7 @@ impl Field<'_> {
         result.resize(x.len().max(q.len() + y.len()), 0);
         for (i, a) in q.iter().enumerate() {
             for (j, b) in y.iter().enumerate() {
-                result[i + j] = (result[i + j] + self.prime - times(*a, *b, self.prime)) % self.prime;
+                result[i + j] = (result[i + j] + self.prime - multiply(*a, *b, self.prime)) % self.prime;
             }
         }
         trimmed(result)

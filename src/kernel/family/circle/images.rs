@@ -5,7 +5,8 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::field::{Coefficients, Field, power, times};
+use super::field::{Coefficients, Field};
+use crate::exact::modulo::{multiply, power};
 use crate::exact::{PhasorSum, Term, Turn};
 
 /// Polynomials, by the coefficients of `e^{2πij/N}` in their coefficients, j below φ(N), modulo a product of primes.
@@ -59,7 +60,7 @@ impl Images {
                 Some(Term { angle, weight: fraction(number, &self.modulus)? })
             };
             let terms = (0..).zip(numbers).map(term).collect::<Option<Vec<Term>>>()?;
-            Some(PhasorSum::new(PhasorSum::new(terms).collected()))
+            Some(PhasorSum::new(terms).tidied())
         });
         self.shape.iter().map(|length| sums.by_ref().take(*length).collect()).collect()
     }
@@ -97,7 +98,7 @@ impl<'a> Interpolation<'a> {
             field.minus_product(&Vec::new(), &product, &vec![field.prime - at(*a), 1])
         });
         let sign = cyclotomic.last().copied().unwrap_or(1);
-        let cyclotomic = cyclotomic.into_iter().map(|c| times(c, sign, field.prime)).collect();
+        let cyclotomic = cyclotomic.into_iter().map(|c| multiply(c, sign, field.prime)).collect();
         Interpolation { field, units, powers, cyclotomic }
     }
 
@@ -108,10 +109,10 @@ impl<'a> Interpolation<'a> {
         let coefficient = |j: u64| {
             let term = |(a, value): (&u64, &u64)| {
                 let back = ((conductor - a % conductor) * j % conductor).to_usize().unwrap_or(0);
-                times(*value, self.powers[back], prime)
+                multiply(*value, self.powers[back], prime)
             };
             let sum = self.units.iter().zip(values).map(term).fold(0, |sum, next| (sum + next) % prime);
-            times(sum, inverse, prime)
+            multiply(sum, inverse, prime)
         };
         let whole: Coefficients = (0..conductor).map(coefficient).collect();
         let quotient = self.field.quotient(&whole, &self.cyclotomic);

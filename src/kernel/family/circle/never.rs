@@ -7,8 +7,9 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::field::{Field, primes, root_of_order};
+use super::field::{Field, root_of_order};
 use super::polynomial::Polynomial;
+use crate::exact::modulo::primes;
 
 /// Evidence that a polynomial and its mirror image have no common zero.
 #[derive(Clone, Debug, PartialEq, Eq)]

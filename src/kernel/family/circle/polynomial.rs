@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::super::part::Part;
-use crate::exact::{PhasorSum, Term, Turn};
+use crate::exact::{PhasorSum, Term, Turn, fraction};
 use crate::proof::Certificate;
 
 /// Sums in which the unknown enters more often than this are not solved.
@@ -44,15 +44,12 @@ impl Polynomial {
             }
             places.push(&apart[axis] / &second[axis]);
         }
-        let unit = places.iter().fold((BigInt::zero(), BigInt::one()), |(divisor, multiple), place| {
-            (divisor.gcd(place.numer()), multiple.lcm(place.denom()))
-        });
-        let unit = BigRational::new(unit.0, unit.1);
+        let unit = fraction::common_unit(&places);
         let exponents = places.iter().map(|place| (place / &unit).to_integer().to_i64());
         let exponents = exponents.collect::<Option<Vec<i64>>>()?;
         let in_range = exponents.iter().all(|exponent| (0..=HIGHEST_DEGREE).contains(exponent));
         let [phi, delta] = second.map(|times| times * &unit);
-        let sums = parts.iter().map(|part| PhasorSum::new(part.sum.collected())).collect();
+        let sums = parts.iter().map(|part| part.sum.tidied()).collect();
         in_range.then_some(Polynomial { phi, delta, exponents, sums })
     }
 
@@ -68,14 +65,12 @@ impl Polynomial {
 
     /// The common denominator of all weights.
     pub(super) fn scale(&self) -> BigInt {
-        let weights = self.sums.iter().flat_map(PhasorSum::terms).map(|term| &term.weight);
-        weights.fold(BigInt::one(), |scale, weight| scale.lcm(weight.denom()))
+        fraction::common_denominator(self.sums.iter().flat_map(PhasorSum::terms).map(|term| &term.weight))
     }
 
     /// The common denominator of all angles.
     pub(super) fn conductor(&self) -> BigInt {
-        let angles = self.sums.iter().flat_map(PhasorSum::terms).map(|term| &term.angle);
-        angles.fold(BigInt::one(), |all, angle| all.lcm(angle.denominator()))
+        fraction::common_denominator(self.sums.iter().flat_map(PhasorSum::terms).map(|term| term.angle.turns()))
     }
 
     /// Every zero that is a rational turn is a multiple of `1/L` for one of these L (theory, section 16).
@@ -96,7 +91,7 @@ impl Polynomial {
             let term = move |term: &Term| Term { angle: &term.angle + &turned, weight: &term.weight * &factor };
             sum.terms().iter().map(term)
         });
-        PhasorSum::new(PhasorSum::new(terms.collect()).collected())
+        PhasorSum::new(terms.collect()).tidied()
     }
 
     /// Evidence that `e^{−idu/2}` times the polynomial stays on one line through 0, d its degree: `conj(S_{k−1−j}) S_{k−1} −
@@ -112,8 +107,7 @@ impl Polynomial {
             let outer = self.sums[last - j].conjugate().times(&self.sums[last]);
             outer.minus(&self.sums[0].conjugate().times(&self.sums[j]))
         };
-        let certificates = (0..half).map(|j| PhasorSum::new(difference(j).collected()).certificate());
-        let certificates: Vec<Certificate> = certificates.collect();
+        let certificates: Vec<Certificate> = (0..half).map(|j| difference(j).tidied().certificate()).collect();
         certificates.iter().all(Certificate::claims_zero).then_some(certificates)
     }
 }

@@ -1,7 +1,7 @@
 //! At each irrational zero of a circle, which sign has a real polynomial? Where it is free on the arc, one end tells.
 
-use super::arcs::{Arc, Circle, Kind, joined};
-use super::curve::{Curve, Evaluator};
+use super::arcs::{Arc, Circle, Kind, crossed, joined};
+use super::curve::Evaluator;
 use super::polynomial::Polynomial;
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -31,7 +31,9 @@ impl Circle {
             if let Some(sign) = known(ends.each_ref()) {
                 arcs.push(arc);
                 signs.push(sign);
-            } else if let Some((pieces, sign)) = narrowed(ends, near, &slope).zip(known(near.each_ref())) {
+            } else if let Some((pieces, sign)) =
+                crossed(ends.each_ref(), near.clone(), arc.kind.clone(), &slope).zip(known(near.each_ref()))
+            {
                 arcs.extend(pieces);
                 signs.push(sign);
             } else {
@@ -44,13 +46,4 @@ impl Circle {
         }
         (Circle { arcs: joined(arcs), ..self }, signs)
     }
-}
-
-/// A crossing cut down to the narrow arc that is known to hold its zero.
-fn narrowed([from, to]: [BigRational; 2], near: &[BigRational; 2], slope: &Curve<'_>) -> Option<Vec<Arc>> {
-    let [low, high] = near.clone();
-    let crossing = Kind::Crossing { near: near.clone() };
-    let pieces = [(from, low.clone(), Kind::Monotone), (low, high.clone(), crossing), (high, to, Kind::Monotone)];
-    let arcs = pieces.into_iter().filter(|(from, to, _)| from < to);
-    arcs.map(|(from, to, kind)| slope.is_free([&from, &to]).then_some(Arc { to, kind })).collect()
 }

@@ -6,7 +6,6 @@ use num_rational::BigRational;
 
 use super::super::part::Part;
 use super::split::{apart, directions};
-use crate::exact::PhasorSum;
 use crate::proof::Certificate;
 
 /// The places of the parts of each group, and the evidence for them; `None` where the sum is no product.
@@ -33,7 +32,7 @@ fn factored(parts: &[&Part], [phi, delta]: &[BigRational; 2]) -> Option<(Vec<Vec
                 return None;
             }
             let [outer, inner] = [[place, first[0]], [group[0], like]].map(|[a, b]| parts[a].sum.times(&parts[b].sum));
-            let difference = PhasorSum::new(outer.minus(&inner).collected());
+            let difference = outer.minus(&inner).tidied();
             if !difference.vanishes() {
                 return None;
             }

@@ -5,11 +5,11 @@
 
 use num_rational::BigRational;
 
-use super::super::circle::{self, Circle, Polynomial};
+use super::super::circle::{self, Circle};
 use super::super::part::Part;
-use super::laurent::{Laurent, conjugate_times, less, value};
+use super::laurent::{Laurent, conjugate_times, judged, judged_half, less, mirrored_whole, polynomial, value};
 use super::roots::{Roots, mirrored, near, roots};
-use super::split::{Three, three};
+use super::split::{Split, three};
 use super::triangle::{Shape, enclosed_sign};
 use crate::exact::PhasorSum;
 use crate::proof::Certificate;
@@ -48,16 +48,13 @@ pub struct Twist {
 
 /// Where the classes cancel; `None` where the parts do not make three equally far apart.
 pub(in super::super) fn solve(parts: &[&Part]) -> Option<Quadratic> {
-    let Three { u, v, classes } = three(parts)?;
-    let polynomials = classes.each_ref().map(|class| -> Laurent {
-        class.iter().map(|(times, place)| (*times, PhasorSum::new(parts[*place].sum.collected()))).collect()
-    });
+    let Split { u, v, classes } = three(parts)?;
+    let polynomials = classes
+        .each_ref()
+        .map(|class| -> Laurent { class.iter().map(|(times, place)| (*times, parts[*place].sum.tidied())).collect() });
     let [difference, twist] = eliminants(&polynomials);
     let whole = less(conjugate_times(&difference, &difference), &conjugate_times(&twist, &twist));
-    let half: Vec<(i64, PhasorSum)> = whole.into_iter().filter(|(power, _)| *power >= 0).collect();
-    let coefficients: Vec<Certificate> = half.iter().map(|(_, sum)| sum.certificate()).collect();
-    let left = half.into_iter().zip(&coefficients).filter(|(_, certificate)| !certificate.claims_zero());
-    let left: Vec<(i64, PhasorSum)> = left.map(|(coefficient, _)| coefficient).collect();
+    let (coefficients, left) = judged_half(whole);
     let degree = left.last().map(|(degree, _)| *degree);
     let is_twisted = degree.is_some_and(|degree| degree > 0) && difference.values().all(PhasorSum::vanishes);
     let lengths = match degree.is_none() || is_twisted {
@@ -70,12 +67,7 @@ pub(in super::super) fn solve(parts: &[&Part]) -> Option<Quadratic> {
             let (circle, twist) = twisted(&u, &polynomials, twist);
             (Some(circle), Some(twist))
         }
-        Some(_) => {
-            let mirrored = left.iter().rev().filter(|(power, _)| *power > 0);
-            let mirrored = mirrored.map(|(power, sum)| (-power, sum.conjugate()));
-            let whole = mirrored.chain(left.iter().cloned()).collect();
-            (Some(circle::arcs_of_polynomial(polynomial(&u, whole))), None)
-        }
+        Some(_) => (Some(circle::arcs_of_polynomial(mirrored_whole(&u, left))), None),
     };
     let at = |turn: &BigRational| polynomials.each_ref().map(|polynomial| value(polynomial, turn));
     let rational = circle.iter().flat_map(Circle::rational_in_order);
@@ -92,22 +84,14 @@ pub(in super::super) fn solve(parts: &[&Part]) -> Option<Quadratic> {
 
 /// The zeros of E on the circle, with the sign of `4|A|² − |B|²` at the irrational ones; where it is not found the arc is opened.
 fn twisted(u: &[BigRational; 2], [first, second, _]: &[Laurent; 3], twist: Laurent) -> (Circle, Twist) {
-    let coefficients: Vec<Certificate> = twist.values().map(PhasorSum::certificate).collect();
-    let left = twist.into_iter().zip(&coefficients).filter(|(_, certificate)| !certificate.claims_zero());
-    let circle = circle::whole(polynomial(u, left.map(|(coefficient, _)| coefficient).collect()));
+    let (coefficients, left) = judged(twist);
+    let circle = circle::whole(polynomial(u, left));
     let four = BigRational::from_integer(4.into());
     let squares = conjugate_times(first, first).into_iter().map(|(power, sum)| (power, sum.scaled(&four))).collect();
     let number = less(squares, &conjugate_times(second, second));
     let sign = |turn: &BigRational| enclosed_sign(&value(&number, turn));
     let (circle, signs) = circle.settled(&polynomial(u, number.clone().into_iter().collect()), sign);
     (circle, Twist { coefficients, signs })
-}
-
-/// Up to a power of y.
-fn polynomial([phi, delta]: &[BigRational; 2], rising: Vec<(i64, PhasorSum)>) -> Polynomial {
-    let lowest = rising.first().map_or(0, |(power, _)| *power);
-    let (exponents, sums) = rising.into_iter().map(|(power, sum)| (power - lowest, sum)).unzip();
-    Polynomial { phi: phi.clone(), delta: delta.clone(), exponents, sums }
 }
 
 /// D and E.

@@ -1,12 +1,9 @@
 //! Which x on the circle are zeros of `A + B x + C x²`, three vectors without unknowns?
 
-use num_bigint::BigInt;
 use num_complex::Complex;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive};
 
-use super::triangle::{Shape, sign};
+use super::triangle::{Shape, near_turn, sign};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers;
 use crate::proof::Certificate;
@@ -62,7 +59,7 @@ impl Roots {
 /// The zeros; `None` where the sign of `4|A|² − |B|²` is not found.
 pub(super) fn roots(sums: &[PhasorSum; 3]) -> Option<Roots> {
     let [first, second, third] = sums;
-    let lengths = PhasorSum::new(first.squared_modulus().minus(&third.squared_modulus()).collected()).certificate();
+    let lengths = first.squared_modulus().minus(&third.squared_modulus()).tidied().certificate();
     if !lengths.claims_zero() {
         return Some(Roots::One { lengths, at: root(sums, near(sums)) });
     }
@@ -91,28 +88,18 @@ pub(super) fn near(sums: &[PhasorSum; 3]) -> f64 {
 ///
 /// With `C = A e^{iγ}` the sum is `A e^{iγ/2} x (2 cos(ξ + γ/2) + r)`, ξ the angle of x, and r real.
 pub(super) fn mirrored(sums: &[PhasorSum; 3], shape: &Shape) -> Vec<f64> {
-    let signs: &[f64] = match shape {
-        Shape::Never(_) => &[],
-        Shape::Flat(_) => &[1.0],
-        Shape::Two(_) => &[1.0, -1.0],
-    };
     let [a, b, c] = sums.each_ref().map(numbers::evaluate);
     let half = numbers::degrees(c * a.conj()) / 2.0;
     let (sin, cos) = libm::sincos(half.to_radians());
     let ratio = (b / (a * Complex::new(cos, sin))).re;
     let apart = libm::acos((-ratio / 2.0).clamp(-1.0, 1.0)).to_degrees();
-    signs.iter().map(|sign| (sign * apart - half).rem_euclid(360.0)).collect()
+    shape.signs().iter().map(|sign| (sign * apart - half).rem_euclid(360.0)).collect()
 }
 
 /// A rational turn near the degrees at which the sum vanishes exactly, or the degrees.
 fn root([first, second, third]: &[PhasorSum; 3], degrees: f64) -> Root {
-    let angles = [first, second, third].into_iter().flat_map(PhasorSum::terms).map(|term| term.angle.denominator());
-    let conductor = angles.fold(BigInt::one(), |all, denominator| all.lcm(denominator));
-    // The primes up to three, and x² beside x (theory, section 16).
-    let modulus = conductor.lcm(&BigInt::from(6)) * BigInt::from(2);
-    let modulus = modulus.to_i64().filter(|modulus| *modulus < 1_000_000_000);
-    let exact = modulus.and_then(|modulus| {
-        let turn = Turn::fraction((degrees / 360.0 * modulus as f64).round() as i64, modulus);
+    // x² is beside x.
+    let exact = near_turn([first, second, third], 2, degrees).and_then(|turn| {
         let sum = first.plus(&second.turned(&turn)).plus(&third.turned(&turn.times(2)));
         let certificate = sum.certificate();
         certificate.claims_zero().then(|| Root::Exact(turn, Box::new(certificate)))

@@ -1,25 +1,26 @@
 //! Into which two classes, or three, do the parts fall, so that one angle turns the parts in each, and another the classes?
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
 
-use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
 use super::super::part::Part;
+use crate::exact::fraction;
 
 /// u may enter this many times in one class; in the squared lengths it enters twice as often.
 const HIGHEST_TIMES: i64 = 2048;
 
-/// Two angles, `[phi, delta]` times φ and δ, and the parts of two classes.
-pub(super) struct Split {
+/// Two angles, `[phi, delta]` times φ and δ, and the parts of two classes, or three.
+pub(super) struct Split<const N: usize> {
     /// What turns the parts of one class against each other.
     pub u: [BigRational; 2],
     /// What turns the first part of the second class against that of the first.
     pub v: [BigRational; 2],
-    /// How many times u turns a part against the first of its class, with its place.
-    pub classes: [Vec<(i64, usize)>; 2],
+    /// How many times u turns a part, with its place: of two classes against the first of its own; of three against the first of the first class,
+    /// turned by v once in the second class, and twice in the third.
+    pub classes: [Vec<(i64, usize)>; N],
 }
 
 /// How many times more φ and δ turn a part than another.
@@ -28,7 +29,7 @@ pub(super) fn apart(part: &Part, other: &Part) -> [BigRational; 2] {
 }
 
 /// Splits parts in rising order.
-pub(super) fn split(parts: &[&Part]) -> Option<Split> {
+pub(super) fn split(parts: &[&Part]) -> Option<Split<2>> {
     directions(parts).find_map(|direction| along(parts, direction))
 }
 
@@ -43,7 +44,7 @@ pub(super) fn directions(parts: &[&Part]) -> impl Iterator<Item = [BigRational; 
 }
 
 /// The two classes of parts that are on lines in a direction, where there are two.
-fn along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Split> {
+fn along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Split<2>> {
     let start = *parts.first()?;
     let across = |part: &Part| {
         let [phi, delta] = apart(part, start);
@@ -59,42 +60,36 @@ fn along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Split> {
     let times = |place: usize, from: &Part| &apart(parts[place], from)[axis] / &direction[axis];
     let placed = [(first, start), (second, other)]
         .map(|(places, from)| places.into_iter().map(|place| (times(place, from), place)).collect::<Vec<_>>());
-    let all = placed.iter().flatten().map(|(times, _)| times);
-    let (divisor, multiple) = all.fold((BigInt::zero(), BigInt::one()), |(divisor, multiple), times| {
-        (divisor.gcd(times.numer()), multiple.lcm(times.denom()))
-    });
-    if divisor.is_zero() {
-        return None;
-    }
-    let unit = BigRational::new(divisor, multiple);
-    let whole = |(times, place): &(BigRational, usize)| {
-        let times = (times / &unit).to_integer().to_i64().filter(|times| (0..=HIGHEST_TIMES).contains(times))?;
-        Some((times, *place))
-    };
-    let [first, second] = placed.map(|class| class.iter().map(whole).collect::<Option<Vec<_>>>());
-    Some(Split { u: direction.map(|times| times * &unit), v: apart(other, start), classes: [first?, second?] })
+    let (u, classes) = in_whole_times(&placed, direction, 0..=HIGHEST_TIMES)?;
+    Some(Split { u, v: apart(other, start), classes })
 }
 
-/// Two angles, `[phi, delta]` times φ and δ, and the parts of three classes.
-pub(super) struct Three {
-    /// What turns the parts of one class against each other.
-    pub u: [BigRational; 2],
-    /// What turns the first part of the second class against that of the first.
-    pub v: [BigRational; 2],
-    /// How many times u turns a part against the first of the first class, turned by v once in the second class, and twice in the
-    /// third; with its place.
-    pub classes: [Vec<(i64, usize)>; 3],
+/// The largest multiple of a direction that all parts of these classes are turned by whole times, and how many times that is.
+fn in_whole_times<const N: usize>(
+    placed: &[Vec<(BigRational, usize)>; N],
+    direction: [BigRational; 2],
+    range: RangeInclusive<i64>,
+) -> Option<([BigRational; 2], [Vec<(i64, usize)>; N])> {
+    let unit = fraction::common_unit(placed.iter().flatten().map(|(times, _)| times));
+    if unit.is_zero() {
+        return None;
+    }
+    let whole = |(times, place): &(BigRational, usize)| {
+        Some(((times / &unit).to_integer().to_i64().filter(|times| range.contains(times))?, *place))
+    };
+    let classes = placed.iter().map(|class| class.iter().map(whole).collect()).collect::<Option<Vec<_>>>()?;
+    Some((direction.map(|times| times * &unit), classes.try_into().ok()?))
 }
 
 /// u may enter this many times in one of three classes.
 const HIGHEST_OF_THREE: i64 = 256;
 
 /// Splits parts in rising order into three classes on lines that are equally far apart.
-pub(super) fn three(parts: &[&Part]) -> Option<Three> {
+pub(super) fn three(parts: &[&Part]) -> Option<Split<3>> {
     directions(parts).find_map(|direction| three_along(parts, direction))
 }
 
-fn three_along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Three> {
+fn three_along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Split<3>> {
     let start = *parts.first()?;
     let mut lines: BTreeMap<BigRational, Vec<usize>> = BTreeMap::new();
     for (place, part) in parts.iter().enumerate() {
@@ -118,18 +113,6 @@ fn three_along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Three> {
     };
     let placed = [(first, 0), (second, 1), (third, 2)]
         .map(|(places, turns)| places.into_iter().map(|place| (times(place, turns), place)).collect::<Vec<_>>());
-    let all = placed.iter().flatten().map(|(times, _)| times);
-    let (divisor, multiple) = all.fold((BigInt::zero(), BigInt::one()), |(divisor, multiple), times| {
-        (divisor.gcd(times.numer()), multiple.lcm(times.denom()))
-    });
-    if divisor.is_zero() {
-        return None;
-    }
-    let unit = BigRational::new(divisor, multiple);
-    let range = -HIGHEST_OF_THREE..=HIGHEST_OF_THREE;
-    let whole = |(times, place): &(BigRational, usize)| {
-        Some(((times / &unit).to_integer().to_i64().filter(|times| range.contains(times))?, *place))
-    };
-    let [first, second, third] = placed.map(|class| class.iter().map(whole).collect::<Option<Vec<_>>>());
-    Some(Three { u: direction.map(|times| times * &unit), v, classes: [first?, second?, third?] })
+    let (u, classes) = in_whole_times(&placed, direction, -HIGHEST_OF_THREE..=HIGHEST_OF_THREE)?;
+    Some(Split { u, v, classes })
 }

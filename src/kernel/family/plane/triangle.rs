@@ -1,14 +1,15 @@
 //! When do three parts cancel that φ and δ turn on their own? Where they make a triangle: never, once, or in two mirror images.
 
-use num_bigint::BigInt;
+use std::cmp::Ordering;
+
 use num_complex::Complex;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{Signed, ToPrimitive};
 
 use super::super::angles::{Alternative, alternative};
 use super::super::part::Part;
-use crate::exact::{PhasorSum, Turn};
+use crate::exact::{PhasorSum, Turn, fraction};
 use crate::numbers;
 use crate::proof::Certificate;
 
@@ -34,6 +35,17 @@ pub enum Shape {
     Two(u32),
 }
 
+impl Shape {
+    /// On which sides the solutions are.
+    pub(super) fn signs(&self) -> &'static [f64] {
+        match self {
+            Shape::Never(_) => &[],
+            Shape::Flat(_) => &[1.0],
+            Shape::Two(_) => &[1.0, -1.0],
+        }
+    }
+}
+
 /// What turns second and third part against the first.
 #[derive(Clone, Debug)]
 pub enum Corner {
@@ -55,12 +67,7 @@ pub(in super::super) fn solve(parts: [&Part; 3]) -> Option<Triangle> {
         return None;
     }
     let shape = shape(parts.map(|part| &part.sum))?;
-    let signs: &[f64] = match &shape {
-        Shape::Never(_) => &[],
-        Shape::Flat(_) => &[1.0],
-        Shape::Two(_) => &[1.0, -1.0],
-    };
-    let corners = signs.iter().map(|sign| corner(parts, *sign)).collect();
+    let corners = shape.signs().iter().map(|sign| corner(parts, *sign)).collect();
     Some(Triangle { shape, multiples, corners })
 }
 
@@ -74,7 +81,7 @@ fn shape(sums: [&PhasorSum; 3]) -> Option<Shape> {
 
 /// The sign of a real sum.
 pub(super) fn sign(area: PhasorSum) -> Option<Shape> {
-    let area = PhasorSum::new(area.collected());
+    let area = area.tidied();
     if area.vanishes() {
         return Some(Shape::Flat(area.certificate()));
     }
@@ -86,12 +93,9 @@ pub(super) fn enclosed_sign(area: &PhasorSum) -> Option<Shape> {
     let total: BigRational = area.terms().iter().map(|term| term.weight.abs()).sum();
     let area = area.scaled(&total.recip());
     BITS.iter().find_map(|&bits| {
-        let [(low, high), _] = numbers::enclose(&area, bits);
-        match (low.is_positive(), high.is_negative()) {
-            (true, _) => Some(Shape::Two(bits + SPARE_BITS)),
-            (_, true) => Some(Shape::Never(bits + SPARE_BITS)),
-            (false, false) => None,
-        }
+        let [area, _] = numbers::enclose(&area, bits);
+        let shape = if area.sign()? == Ordering::Greater { Shape::Two } else { Shape::Never };
+        Some(shape(bits + SPARE_BITS))
     })
 }
 
@@ -105,21 +109,21 @@ fn corner([first, second, third]: [&Part; 3], sign: f64) -> Corner {
     let turned = one / one.norm() * two.norm() * Complex::new(cos, sin);
     let to_third = numbers::degrees(-one - turned) - numbers::degrees(three);
     let near = [to_second, to_third].map(|degrees| degrees.rem_euclid(360.0));
-    let rational = modulus([first, second, third]).map(|modulus| {
-        let turn = |degrees: f64| Turn::fraction((degrees / 360.0 * modulus as f64).round() as i64, modulus);
-        alternative(first, &[(second, turn(near[0])), (third, turn(near[1]))])
-    });
+    let turn = |degrees: f64| near_turn([first, second, third].map(|part| &part.sum), 1, degrees);
+    let rational = near.map(turn);
+    let rational = rational[0].clone().zip(rational[1].clone());
+    let rational = rational.map(|(to_second, to_third)| alternative(first, &[(second, to_second), (third, to_third)]));
     match rational.filter(|alternative| alternative.certificate.claims_zero()) {
         Some(exact) => Corner::Exact(exact),
         None => Corner::Near(near),
     }
 }
 
-/// Rational turns at which three parts cancel are multiples of one over this (theory, section 16).
-fn modulus(parts: [&Part; 3]) -> Option<i64> {
-    let angles = parts.iter().flat_map(|part| part.sum.terms()).map(|term| term.angle.denominator());
-    let conductor = angles.fold(BigInt::one(), |all, denominator| all.lcm(denominator));
-    // The primes up to three.
-    let modulus = conductor.lcm(&BigInt::from(6));
-    modulus.to_i64().filter(|modulus| *modulus < 1_000_000_000)
+/// The rational turn next to these degrees at which three sums may cancel, the second or third of them turned by it this many times: a
+/// multiple of one over their conductor with the primes up to three (theory, section 16).
+pub(super) fn near_turn(sums: [&PhasorSum; 3], times: u32, degrees: f64) -> Option<Turn> {
+    let conductor =
+        fraction::common_denominator(sums.iter().flat_map(|sum| sum.terms()).map(|term| term.angle.turns()));
+    let modulus = (conductor.lcm(&6.into()) * times).to_i64().filter(|modulus| *modulus < 1_000_000_000)?;
+    Some(Turn::fraction((degrees / 360.0 * modulus as f64).round() as i64, modulus))
 }

@@ -9,6 +9,7 @@ use num_traits::{One, Signed, Zero};
 use super::plainest::{Component, Reason, Size};
 use super::symmetry::mirror_axis;
 use crate::exact::{PhasorSum, Term, Turn};
+use crate::motion::Enclosure;
 use crate::numbers::{self, Form, Root};
 
 /// The directions tried are those of the vectors and across them, of at most this many vectors.
@@ -76,14 +77,14 @@ fn component(vectors: &[Term]) -> Option<Reason> {
     let told = directions.iter().filter_map(|along| Some((along, roots(vectors, along)?)));
     let told = told.filter(|(_, form)| is_plainly_not_zero(form));
     if let Some((along, form)) = told.min_by_key(|(_, form)| weight_of(form)) {
-        let low = enclosed(vectors, along)?.0;
+        let low = enclosed(vectors, along)?.low;
         return Some(match low.is_positive() {
             true => component(along, Size::Roots(form)),
             false => component(&along.opposite(), Size::Roots(form.scaled(&-BigRational::one()))),
         });
     }
     let ends = |along: &Turn| {
-        let (low, high) = enclosed(vectors, along)?;
+        let Enclosure { low, high } = enclosed(vectors, along)?;
         let (along, low, high) = match high.is_negative() {
             true => (along.opposite(), -high, -low),
             false => (along.clone(), low, high),
@@ -117,9 +118,9 @@ fn weight_of(form: &Form) -> (bool, usize) {
 }
 
 /// Ends that enclose the components along a direction and exclude zero.
-fn enclosed(vectors: &[Term], along: &Turn) -> Option<(BigRational, BigRational)> {
-    let [(low, high), _] = numbers::enclose(&PhasorSum::new(vectors.to_vec()).turned(&-along), BITS);
-    (low.is_positive() || high.is_negative()).then_some((low, high))
+fn enclosed(vectors: &[Term], along: &Turn) -> Option<Enclosure> {
+    let [component, _] = numbers::enclose(&PhasorSum::new(vectors.to_vec()).turned(&-along), BITS);
+    component.sign().map(|_| component)
 }
 
 /// Positive ends rounded outwards to as few decimal places as tell them apart from zero well.

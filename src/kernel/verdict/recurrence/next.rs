@@ -4,7 +4,7 @@ use super::{AtOrder, ClassPattern, EveryOrderTheorem, Recurrences};
 use crate::engine::Engine;
 use crate::order::{Coefficients, Sources};
 use crate::proof::{Planar, Shape};
-use crate::verdict::{OrderVerdict, WholeOrder, of_order};
+use crate::verdict::of_order;
 
 /// So many orders are looked through, class by class, for one that is left.
 const MOST_LOOKED_THROUGH: u32 = 1000;
@@ -34,20 +34,15 @@ pub enum NextLeft {
 impl EveryOrderTheorem {
     /// The lowest order of force or moment that is left.
     pub fn first_left(&self, engine: &Engine, quantity: Planar) -> FirstLeft {
-        match (self, quantity) {
-            (EveryOrderTheorem::Period(theorem), _) => {
+        match self {
+            EveryOrderTheorem::Period(theorem) => {
                 let every = if quantity == Planar::Force { &theorem.force } else { &theorem.moment };
                 every
                     .first
                     .as_ref()
                     .map_or(FirstLeft::Nothing, |first| FirstLeft::Order(first.direct.order, first.shape))
             }
-            (EveryOrderTheorem::Recurrences(all), Planar::Force) => {
-                all.first_left(engine, |order| &order.force, |of| &of.force)
-            }
-            (EveryOrderTheorem::Recurrences(all), Planar::Moment) => {
-                all.first_left(engine, |order| &order.moment, |of| &of.moment)
-            }
+            EveryOrderTheorem::Recurrences(all) => all.first_left(engine, quantity),
         }
     }
 
@@ -68,19 +63,15 @@ impl EveryOrderTheorem {
 }
 
 impl Recurrences {
-    fn first_left(
-        &self,
-        engine: &Engine,
-        whole: impl Fn(&OrderVerdict) -> &WholeOrder,
-        both: impl Fn(&Self) -> &[super::Recurrence; 2],
-    ) -> FirstLeft {
+    fn first_left(&self, engine: &Engine, quantity: Planar) -> FirstLeft {
+        let both = if quantity == Planar::Force { &self.force } else { &self.moment };
         let (sources, known) = (Sources::new(engine, self.masses), Coefficients::default());
         for order in 1..=MOST_LOOKED_THROUGH {
-            if order > 1 && both(self).iter().all(|one| one.at(order) == AtOrder::Zero) {
+            if order > 1 && both.iter().all(|one| one.at(order) == AtOrder::Zero) {
                 continue;
             }
             let judged = if order == 1 { self.first.clone() } else { of_order(&sources, order, &[], &known) };
-            let whole = whole(&judged);
+            let whole = judged.whole(quantity);
             if whole.is_left() {
                 return FirstLeft::Order(order, whole.shape);
             }
@@ -88,7 +79,7 @@ impl Recurrences {
                 return FirstLeft::NotKnown;
             }
         }
-        match both(self).iter().flat_map(|one| one.even.iter().chain(&one.odd)).all(vanishes_always) {
+        match both.iter().flat_map(|one| one.even.iter().chain(&one.odd)).all(vanishes_always) {
             true => FirstLeft::Nothing,
             false => FirstLeft::NotKnown,
         }

@@ -26,7 +26,8 @@ impl Spot {
     /// A sum no longer than 1.
     pub fn of(sum: &PhasorSum) -> Self {
         let units = BigRational::from_integer(BigInt::one() << BITS);
-        let ends = numbers::enclose(sum, BITS + 16).map(|(low, high)| [(low * &units).floor(), (high * &units).ceil()]);
+        let ends = numbers::enclose(sum, BITS + 16);
+        let ends = ends.map(|part| [(part.low * &units).floor(), (part.high * &units).ceil()]);
         let whole = |end: &BigRational| end.to_integer().to_i128().unwrap_or(ONE);
         let [[re, re_end], [im, im_end]] = ends.each_ref().map(|ends| ends.each_ref().map(whole));
         Spot { re, im, doubt: (re_end - re).max(im_end - im) }

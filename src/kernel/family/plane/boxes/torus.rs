@@ -2,14 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use num_bigint::BigInt;
 use num_complex::Complex;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::super::super::part::Part;
-use crate::exact::{PhasorSum, Turn};
+use crate::exact::{PhasorSum, Turn, fraction};
 use crate::numbers;
 
 /// s and t may enter this many times.
@@ -32,7 +30,7 @@ pub(super) struct Torus {
 impl Torus {
     pub fn of(parts: &[&Part]) -> Option<Self> {
         let [(phi, m), (delta, n)] = [along(parts, 0)?, along(parts, 1)?];
-        let sums: Vec<PhasorSum> = parts.iter().map(|part| PhasorSum::new(part.sum.collected())).collect();
+        let sums: Vec<PhasorSum> = parts.iter().map(|part| part.sum.tidied()).collect();
         let total: BigRational = sums.iter().flat_map(PhasorSum::terms).map(|term| term.weight.abs()).sum();
         let decimals = sums.iter().map(|sum| numbers::evaluate(sum) / numbers::float(&total)).collect();
         let exponents = m.into_iter().zip(n).map(|(m, n)| [m, n]).collect();
@@ -50,7 +48,7 @@ impl Torus {
             let [m, n] = [*m, *n].map(|times| BigRational::from_integer(times.into()));
             sum.turned(&Turn::new(s * m + t * n)).terms().to_vec()
         });
-        PhasorSum::new(PhasorSum::new(turned.collect()).collected())
+        PhasorSum::new(turned.collect()).tidied()
     }
 
     /// Where Newton's method ends from a point, in turns.
@@ -81,7 +79,7 @@ impl Torus {
 
     /// A rational point next to a zero in decimals at which the sum vanishes exactly.
     pub fn rational(&self, near: [f64; 2]) -> Option<[BigRational; 2]> {
-        let [s, t] = near.map(|turns| fraction(turns.rem_euclid(1.0)));
+        let [s, t] = near.map(|turns| simplest(turns.rem_euclid(1.0)));
         let at = [s?, t?];
         self.at(&at).vanishes().then_some(at)
     }
@@ -92,23 +90,17 @@ fn along(parts: &[&Part], axis: usize) -> Option<(BigRational, Vec<i64>)> {
     let of = |part: &&Part| if axis == 0 { part.phi.clone() } else { part.delta.clone() };
     let least = parts.iter().map(of).min()?;
     let apart: Vec<BigRational> = parts.iter().map(|part| of(part) - &least).collect();
-    let (divisor, multiple) = apart.iter().fold((BigInt::zero(), BigInt::one()), |(divisor, multiple), times| {
-        (divisor.gcd(times.numer()), multiple.lcm(times.denom()))
-    });
-    if divisor.is_zero() {
+    let unit = fraction::common_unit(&apart);
+    if unit.is_zero() {
         return None;
     }
-    // The numerators over the common denominator.
-    let whole: Vec<BigInt> =
-        apart.iter().map(|times| (times * BigRational::from(multiple.clone())).to_integer()).collect();
-    let common = whole.iter().fold(BigInt::zero(), |all, times| all.gcd(times));
-    let exponents = whole.iter().map(|times| (times / &common).to_i64().filter(|times| *times <= HIGHEST_TIMES));
-    let exponents = exponents.collect::<Option<_>>()?;
-    Some((BigRational::new(common, multiple), exponents))
+    let whole = |times: &BigRational| (times / &unit).to_integer().to_i64().filter(|times| *times <= HIGHEST_TIMES);
+    let exponents = apart.iter().map(whole).collect::<Option<_>>()?;
+    Some((unit, exponents))
 }
 
 /// The simplest fraction within the digits of a decimal.
-fn fraction(turns: f64) -> Option<BigRational> {
+fn simplest(turns: f64) -> Option<BigRational> {
     let (mut rest, mut before, mut last) = (turns, [0, 1], [1, 0]);
     for _ in 0..20 {
         let whole = rest.floor();
