@@ -38,6 +38,7 @@ mod series;
 mod side;
 mod small;
 mod tail;
+mod top;
 mod torque;
 
 pub use corrected::{Component, CorrectedLinkage};
@@ -50,6 +51,7 @@ pub use hung::{HungLink, LinkMass, harmonic};
 pub use jet::Jet;
 pub use linkage::Linkage;
 pub use piston::{LinkMotion, PistonMotion};
-pub use section::{golden_section, golden_section_of_costly, halving};
+pub use section::{golden_section, halving};
 pub use series::{Series, series};
 pub use tail::{SLACK, Tail};
+pub use top::top_between;

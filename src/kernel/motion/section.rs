@@ -13,27 +13,6 @@ pub fn golden_section(mut low: f64, mut high: f64, sections: u32, value: impl Fn
     (low + high) / 2.0
 }
 
-/// The same with one value a step, for one that costs much. Of a flat top it tells another of the last digits.
-pub fn golden_section_of_costly(mut low: f64, mut high: f64, sections: u32, value: impl Fn(f64) -> f64) -> f64 {
-    let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
-    let places = |low: f64, high: f64| (high - golden * (high - low), low + golden * (high - low));
-    let (mut left, mut right) = places(low, high);
-    let (mut at_left, mut at_right) = (value(left), value(right));
-    for _ in 0..sections {
-        // One of the two places is one of the next two as well.
-        if at_left < at_right {
-            (low, left, at_left) = (left, right, at_right);
-            right = places(low, high).1;
-            at_right = value(right);
-        } else {
-            (high, right, at_right) = (right, left, at_left);
-            left = places(low, high).0;
-            at_left = value(left);
-        }
-    }
-    (low + high) / 2.0
-}
-
 /// Where something ceases to hold that holds at the lower of two places and not at the higher, by this many halvings.
 pub fn halving(mut low: f64, mut high: f64, halvings: u32, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..halvings {

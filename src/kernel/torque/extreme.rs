@@ -1,8 +1,8 @@
-//! Where in the cycle is a value largest, and where smallest? On a grid, then by golden sections beside its tops.
+//! Where in the cycle is a value largest, and where smallest? On a grid, then beside its tops.
 
 use std::f64::consts::TAU;
 
-use crate::motion::golden_section_of_costly;
+use crate::motion::top_between;
 use crate::numbers;
 
 /// A largest or smallest value, and where it first stands.
@@ -16,10 +16,10 @@ pub struct Extreme {
 
 /// Steps of a revolution in which the largest value is looked for: half a degree each.
 const STEPS: usize = 720;
+/// Where a function does not rise in this part of a step beside a place, its top is there.
+const HAIR: f64 = 1e-7;
 /// A top of the grid lower than the highest by more than this part of the range is no highest value.
 const NEAR_TOP: f64 = 0.02;
-/// Sections after which a place is known to some billionths of half a degree.
-const SECTIONS: u32 = 40;
 
 /// Angles through a cycle of this length in radians, half a degree apart.
 pub fn angles(period: f64) -> impl Iterator<Item = f64> {
@@ -43,17 +43,21 @@ pub fn largest(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) ->
     for index in (0..count).filter(is_top).take(most) {
         let before = if index == 0 { grid[count - 1] - period } else { grid[index - 1] };
         let after = if index + 1 == count { grid[0] + period } else { grid[index + 1] };
-        // A kink at the place itself has a slope of its own on each side.
-        let sides = [(before, grid[index]), (grid[index], after)]
-            .map(|(from, to)| golden_section_of_costly(from, to, SECTIONS, &value));
-        let place =
-            sides.into_iter().fold(grid[index], |best, side| if value(side) > value(best) { side } else { best });
-        let found = value(place);
-        if found > best.value + numbers::ALIKE * (highest - lowest) || best.value == f64::NEG_INFINITY {
-            best = Extreme { value: found, angle: place.rem_euclid(period).to_degrees() };
+        let found = largest_beside(grid[index], [before, after], &value);
+        if found.value > best.value + numbers::ALIKE * (highest - lowest) || best.value == f64::NEG_INFINITY {
+            best = Extreme { angle: found.angle.rem_euclid(period).to_degrees(), ..found };
         }
     }
     best
+}
+
+/// The largest value between a place and those beside it; the angle in radians. A kink at the place itself has a slope of its own on each side.
+fn largest_beside(place: f64, beside: [f64; 2], value: &impl Fn(f64) -> f64) -> Extreme {
+    let at = |angle: f64| Extreme { value: value(angle), angle };
+    let start = at(place);
+    let rises_to = |to: &f64| value(place + HAIR * (to - place)) > start.value;
+    let tops = beside.into_iter().filter(rises_to).map(|to| at(top_between(place.min(to), place.max(to), value)));
+    tops.fold(start, |best, top| if top.value > best.value { top } else { best })
 }
 
 /// The largest and the smallest value of such a function.

@@ -6,7 +6,7 @@
 
 use super::{Disc, Link, Mode, Train, modes};
 use crate::engine::{self, DamperValue, Torsion};
-use crate::motion::golden_section_of_costly;
+use crate::motion::top_between;
 use crate::numbers::float;
 
 /// The values of a damper.
@@ -66,8 +66,6 @@ fn settings(bare: &Train, dampers: &[engine::Damper]) -> Vec<DamperSetting> {
     dampers.iter().map(of_one).collect()
 }
 
-/// Steps of each search by golden sections: a bracket shrinks to its 10⁻⁷th part.
-const STEPS: u32 = 34;
 /// By so much the search goes beyond the formula, up and down.
 const FACTOR: f64 = 2.0;
 /// The same of the frequency of the ring.
@@ -82,14 +80,14 @@ pub fn search(train: &Train, link: usize, start: DamperSetting, peak: &dyn Fn(&T
     };
     let best_damping = |stiffness: f64| {
         let (low, high) = ((start.damping / FACTOR).ln(), (start.damping * FACTOR).ln());
-        let damping = golden_section_of_costly(low, high, STEPS, |value| -at(stiffness, value.exp())).exp();
+        let damping = top_between(low, high, |value| -at(stiffness, value.exp())).exp();
         (damping, at(stiffness, damping))
     };
     let stiffness = match start.stiffness {
         0.0 => 0.0,
         tuned => {
             let (low, high) = ((tuned / TUNING).ln(), (tuned * TUNING).ln());
-            golden_section_of_costly(low, high, STEPS, |value| -best_damping(value.exp()).1).exp()
+            top_between(low, high, |value| -best_damping(value.exp()).1).exp()
         }
     };
     let (damping, peak) = best_damping(stiffness);
@@ -110,7 +108,7 @@ pub fn highest(low: f64, high: f64, points: usize, of: &dyn Fn(f64) -> f64) -> (
         own >= value(index.wrapping_sub(1)) && own >= value(index + 1) && own >= top.min(LOWER * top)
     };
     let refined = |index: usize| {
-        let place = golden_section_of_costly(at(index.saturating_sub(1)), at((index + 1).min(points)), STEPS, of);
+        let place = top_between(at(index.saturating_sub(1)), at((index + 1).min(points)), of);
         let value = of(place);
         if value >= values[index] { (place, value) } else { (at(index), values[index]) }
     };
