@@ -179,10 +179,7 @@ impl From<Piece> for Text {
 
 impl From<&'static str> for Text {
     fn from(words: &'static str) -> Self {
-        match words.is_empty() {
-            true => Text::default(),
-            false => Text::phrase(words, Vec::new()),
-        }
+        if words.is_empty() { Text::default() } else { Text::phrase(words, Vec::new()) }
     }
 }
 

@@ -182,10 +182,7 @@ impl Language {
     pub(super) fn numbers(self, text: &str) -> String {
         let written = &self.list().written;
         let changed = decimals::with(text, &written.decimal);
-        match changed != text {
-            true => changed.replace(", ", &written.separator),
-            false => changed,
-        }
+        if changed != text { changed.replace(", ", &written.separator) } else { changed }
     }
 
     /// What stands between values where some are decimals.

@@ -35,10 +35,7 @@ impl<'a> Pattern<'a> {
         let mut text = text.strip_prefix(first)?;
         let mut values = Vec::new();
         for (index, words) in rest.iter().enumerate() {
-            let end = match index + 1 == rest.len() {
-                true => text.strip_suffix(words)?.len(),
-                false => text.find(words)?,
-            };
+            let end = if index + 1 == rest.len() { text.strip_suffix(words)?.len() } else { text.find(words)? };
             if end == 0 {
                 return None;
             }

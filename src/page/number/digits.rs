@@ -222,10 +222,7 @@ pub(crate) fn raised(power: i64) -> String {
 
 /// A unit behind its number.
 pub(crate) fn behind(unit: Unit) -> String {
-    match unit == Unit::DEGREE {
-        true => unit.name.to_owned(),
-        false => format!("\u{202f}{}", unit.name),
-    }
+    if unit == Unit::DEGREE { unit.name.to_owned() } else { format!("\u{202f}{}", unit.name) }
 }
 
 /// Items in a row: `1, 2, 4`.

@@ -19,27 +19,17 @@ pub(super) fn one(vector: &Term) -> Text {
 }
 
 /// Two vectors are left that do not lie on one line.
-pub(super) fn two(left: &[Term; 2]) -> Text {
-    phrase!(
-        "With like and opposite directions collected two vectors remain: {}. They do not lie on one line, so they cannot cancel.",
-        vectors(left)
-    )
-}
+pub(super) const TWO: &str = "With like and opposite directions collected two vectors remain: {}. They do not lie on one line, so they cannot cancel.";
 
 /// Three vectors are left, the first too long.
-pub(super) fn one_too_long(left: &[Term; 3]) -> Text {
-    phrase!(
-        "With like and opposite directions collected three vectors remain: {}. The first is no shorter than the other two together, which do not both point against it: they cannot cancel it.",
-        vectors(left)
-    )
-}
+pub(super) const ONE_TOO_LONG: &str = "With like and opposite directions collected three vectors remain: {}. The first is no shorter than the other two together, which do not both point against it: they cannot cancel it.";
 
 /// Three vectors are left that are equally long.
-pub(super) fn three_alike(left: &[Term; 3]) -> Text {
-    phrase!(
-        "With like and opposite directions collected three vectors remain: {}. Three equally long vectors cancel only where they are 120° apart, and these are not.",
-        vectors(left)
-    )
+pub(super) const THREE_ALIKE: &str = "With like and opposite directions collected three vectors remain: {}. Three equally long vectors cancel only where they are 120° apart, and these are not.";
+
+/// These few vectors are left, in such words.
+pub(super) fn few(words: &'static str, left: &[Term]) -> Text {
+    phrase!(words, vectors(left))
 }
 
 /// All vectors are on one side.

@@ -22,10 +22,8 @@ pub(super) fn csv(all: &[EngineRow]) -> String {
                 Origin::Found(Cycle::TwoStroke) => "best two-stroke star",
                 Origin::Found(Cycle::FourStroke) => "best four-stroke star",
             };
-            let [stars, all] = match &engine.ties {
-                Some(ties) => [ties.stars.to_string(), ties.all.to_string()],
-                None => [String::new(), String::new()],
-            };
+            let ties = engine.ties.as_ref().map(|ties| [ties.stars.to_string(), ties.all.to_string()]);
+            let [stars, all] = ties.unwrap_or_default();
             let unit = match engine.unit {
                 LengthUnit::Spacing => "spacing",
                 LengthUnit::Metre => "m",

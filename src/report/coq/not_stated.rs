@@ -99,8 +99,5 @@ fn check_cylinder(cylinder: &Cylinder) -> Result<(), NotStated> {
         RodStatement::Link(_) => return Err(NotStated::Link(cylinder.name.clone())),
         RodStatement::Known(_) | RodStatement::Unknown => (),
     }
-    match cylinder.speed == 1 && cylinder.crankshaft.is_none() {
-        true => Ok(()),
-        false => Err(NotStated::SeveralCrankshafts),
-    }
+    if cylinder.speed == 1 && cylinder.crankshaft.is_none() { Ok(()) } else { Err(NotStated::SeveralCrankshafts) }
 }

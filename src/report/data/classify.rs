@@ -105,10 +105,7 @@ fn star(verdict: &VerdictClaim) -> PhasorSum {
 }
 
 fn modulus(verdict: &VerdictClaim) -> Option<String> {
-    match verdict.vanishes {
-        true => Some("0".to_owned()),
-        false => numbers::modulus(&star(verdict)).map(|form| form.to_string()),
-    }
+    if verdict.vanishes { Some("0".to_owned()) } else { numbers::modulus(&star(verdict)).map(|form| form.to_string()) }
 }
 
 fn angle(verdict: &VerdictClaim) -> Option<String> {

@@ -243,10 +243,7 @@ impl Place {
     }
 
     fn is_exact(&self) -> bool {
-        match self {
-            Place::Exact(_) => true,
-            Place::Irrational(_) => false,
-        }
+        matches!(self, Place::Exact(_))
     }
 }
 

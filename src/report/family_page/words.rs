@@ -66,18 +66,12 @@ fn in_decimals(turn: &Turn) -> Text {
 
 /// `25.7°` for (180/7)°.
 fn rounded(turn: &Turn) -> String {
-    match is_fractional(turn) {
-        true => format!("{:.1}°", float(&turn.degrees())),
-        false => typeset::angle(turn),
-    }
+    if is_fractional(turn) { format!("{:.1}°", float(&turn.degrees())) } else { typeset::angle(turn) }
 }
 
 /// The same for a table: `2φ − δ ≈ 25.7°`.
 fn nearly(unknowns: String, turn: &Turn) -> String {
-    match is_fractional(turn) {
-        true => format!("{unknowns} ≈ {}", rounded(turn)),
-        false => exactly(unknowns, turn),
-    }
+    if is_fractional(turn) { format!("{unknowns} ≈ {}", rounded(turn)) } else { exactly(unknowns, turn) }
 }
 
 /// At which bank angles it can fire evenly.

@@ -103,10 +103,7 @@ fn class(lowest: CycleOrder, repeats: CycleOrder) -> Text {
 
 /// This many halves in TeX.
 fn tex(halves: u32) -> String {
-    match halves.is_multiple_of(2) {
-        true => (halves / 2).to_string(),
-        false => format!("\\tfrac{{{halves}}}{{2}}"),
-    }
+    if halves.is_multiple_of(2) { (halves / 2).to_string() } else { format!("\\tfrac{{{halves}}}{{2}}") }
 }
 
 /// The minor orders with the longest stars, and how long these are.

@@ -66,10 +66,7 @@ fn orders_of<'a>(orders: impl Iterator<Item = &'a OrderMotion>) -> Table {
             let still = one.excitation.still;
             zero_or(still.force && still.roll, Text::measured(peak(&one.load[1][2]), Unit::NEWTON_METRE))
         })
-        .column("Engine", |one| match one.excitation.still.is_whole() {
-            true => "still",
-            false => "moves",
-        })
+        .column("Engine", |one| if one.excitation.still.is_whole() { "still" } else { "moves" })
         .done()
 }
 

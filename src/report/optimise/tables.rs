@@ -52,15 +52,13 @@ pub(super) fn compared(layout: &Engine, front: &Front) -> Option<Table> {
 pub(super) fn weights(layout: &Engine, front: &Front) -> Table {
     let place = |place: &Place| {
         let thousand = BigRational::from_integer(1000.into());
-        match (layout.length_unit(), place.throw) {
-            (LengthUnit::Metre, Some(throw)) => {
-                phrase!("Throw {}, z = {}", throw + 1, given_with(&(&place.position * thousand), Unit::MILLIMETRE))
-            }
-            (LengthUnit::Metre, None) => phrase!("z = {}", given_with(&(&place.position * thousand), Unit::MILLIMETRE)),
-            (LengthUnit::Spacing, Some(throw)) => {
-                phrase!("Throw {}, z = {}", throw + 1, given(&place.position))
-            }
-            (LengthUnit::Spacing, None) => phrase!("z = {}", given(&place.position)),
+        let at = match layout.length_unit() {
+            LengthUnit::Metre => given_with(&(&place.position * thousand), Unit::MILLIMETRE),
+            LengthUnit::Spacing => given(&place.position),
+        };
+        match place.throw {
+            Some(throw) => phrase!("Throw {}, z = {}", throw + 1, at),
+            None => phrase!("z = {}", at),
         }
     };
     let table = Table::of(front.points.iter().enumerate()).column("Point", |(index, _)| index + 1);

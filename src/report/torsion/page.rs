@@ -71,32 +71,32 @@ fn forced_twist(study: &TorsionStudy) -> Vec<Block> {
         blocks.push(Block::Paragraph(words::forced(study, speed)));
         blocks.push(tables::forced(study, &orders).into());
     }
-    let mut section = |words: Text, table: Option<Table>| {
-        if let Some(table) = table.filter(|table| !table.rows.is_empty()) {
-            blocks.extend([Block::Paragraph(words), table.into()]);
+    let mut section = |words: Text, table: Table| {
+        if !table.rows.is_empty() {
+            blocks.extend([words.into(), table.into()]);
         }
     };
     if let Some(vibration) = study.at_speed() {
         let speed = || amounts::rpm(vibration.speed);
         section(
             phrase!("Shafts at {}, all orders together, and the largest in the range:", speed()),
-            Some(damped::shafts(study, vibration)),
+            damped::shafts(study, vibration),
         );
         if !study.train.gears.is_empty() {
             section(
                 phrase!("Teeth of gears at {}, all orders together, and the largest in the range:", speed()),
-                Some(gears::gears(study)),
+                gears::gears(study),
             );
             section(
                 phrase!("Teeth of gears at {}, order by order, at the first disc of each, zero to peak:", speed()),
-                Some(gears::orders(study, vibration)),
+                gears::orders(study, vibration),
             );
         }
-        section(phrase!("Discs at {}, all orders together:", speed()), Some(damped::twists(study, vibration)));
-        section(phrase!("Heat at {}:", speed()), Some(damped::heat(study, vibration)));
+        section(phrase!("Discs at {}, all orders together:", speed()), damped::twists(study, vibration));
+        section(phrase!("Heat at {}:", speed()), damped::heat(study, vibration));
     }
-    section("Resonances in the range, each order by itself:".into(), Some(damped::resonances(study)));
-    section("Dampers:".into(), Some(damped::dampers(study)));
+    section("Resonances in the range, each order by itself:".into(), damped::resonances(study));
+    section("Dampers:".into(), damped::dampers(study));
     blocks
 }
 

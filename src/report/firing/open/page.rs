@@ -124,8 +124,5 @@ fn argued(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Vec<Text> {
 }
 
 fn is_of_an_order(study: &OpenFiringStudy<'_>) -> bool {
-    match study.family.open_firing() {
-        Some(OpenFiring::Order(_)) => true,
-        Some(OpenFiring::Angles(_)) | None => false,
-    }
+    matches!(study.family.open_firing(), Some(OpenFiring::Order(_)))
 }
