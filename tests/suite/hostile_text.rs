@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use crankstar::page::{Format, Options};
 
 use crate::support::program::{call, scratch};
+use crate::support::rooms;
 
 /// What does harm somewhere: to a terminal, Markdown, HTML, LaTeX, Typst, a spreadsheet.
 const HARM: &str = "=cmd()|x \u{1b}[31m\u{7}\u{9b}31m\u{202e}\u{2066}\u{200b}\u{7f} | `a` ```` $`b`$ $\\input{/etc/hostname}$ \
@@ -463,7 +464,7 @@ fn found_in_source(fits: impl Fn(&str) -> Option<String>) -> BTreeSet<String> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut found = BTreeSet::new();
     for path in source_files(&source).into_iter().filter(|path| path.extension().is_some_and(|ending| ending == "rs")) {
-        let name = path.strip_prefix(&source).expect("below").display().to_string();
+        let name = rooms::path_in_crate(&path).display().to_string();
         let text = fs::read_to_string(&path).expect("a text");
         found.extend(text.lines().filter_map(&fits).map(|what| format!("{name}: {what}")));
     }

@@ -14,7 +14,7 @@ use super::layout::Layout;
 use super::quantities::integer;
 use super::rewritten::exact_number;
 use super::{quantities, units, written};
-use crate::engine::{Engine, LengthUnit, Mechanism, PressureLaw};
+use crate::engine::{Engine, LengthUnit, PressureLaw};
 
 /// Something odd in a layout file, with its place. It changes no result.
 #[derive(Clone, Debug)]
@@ -219,10 +219,7 @@ fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
         // ω² = (2π n/60)², π as 355/113.
         let omega = speed / integer(30) * BigRational::new(355.into(), 113.into());
         let accelerated = engine.cylinders().iter().zip(radii()).map(|(cylinder, radius)| {
-            let ratio = match &cylinder.mechanism {
-                Some(Mechanism::SliderCrank(rod)) => rod.ratio.clone(),
-                _ => BigRational::zero(),
-            };
+            let ratio = cylinder.rod().map_or_else(BigRational::zero, |rod| rod.ratio.clone());
             radius * &omega * &omega * (integer(1) + ratio)
         });
         let accelerated = accelerated.max().unwrap_or_default();

@@ -8,7 +8,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use crate::engine::{CycleOrder, Engine, Mechanism};
+use crate::engine::{CycleOrder, Engine};
 use crate::motion::{LinkMotion, PistonMotion, harmonic};
 use crate::numbers;
 
@@ -107,11 +107,9 @@ impl Inertia {
         let radius = dimensions.crank_radius.as_ref()? * &own.crank_radius;
         let weight = numbers::float(&(dimensions.mass.as_ref()? * &radius * &radius));
         let scale = weight * omega(engine)?.powi(2);
-        let lever = match &own.mechanism {
-            // An endless rod has no offset in metres: its pistons roll nothing but by their torque.
-            Some(Mechanism::SliderCrank(rod)) if !rod.ratio.is_zero() => numbers::float(&(&rod.offset / &rod.ratio)),
-            Some(Mechanism::SliderCrank(_) | Mechanism::Link(_)) | None => 0.0,
-        };
+        // An endless rod has no offset in metres: its pistons roll nothing but by their torque.
+        let rod = own.rod().filter(|rod| !rod.ratio.is_zero());
+        let lever = rod.map_or(0.0, |rod| numbers::float(&(&rod.offset / &rod.ratio)));
         let harmonics = match &body {
             Body::Piston(PistonMotion::Crank(crank)) => {
                 (1..=highest).map(|order| crank.torque_coefficient(order).to_complex()).collect()
@@ -210,12 +208,8 @@ pub(super) fn up_to(engine: &Engine, highest: u32) -> Vec<Bodies> {
     for (index, cylinder) in cylinders.iter().enumerate() {
         let Some(mechanism) = &cylinder.mechanism else { continue };
         let piston = Some((true, &cylinder.reciprocating_mass, Body::Piston(mechanism.piston())));
-        let knuckle = match mechanism {
-            Mechanism::Link(link) if !cylinder.knuckle_mass.is_zero() => {
-                Some((false, &cylinder.knuckle_mass, Body::Knuckle(link.motion())))
-            }
-            Mechanism::Link(_) | Mechanism::SliderCrank(_) => None,
-        };
+        let knuckle = cylinder.link().filter(|_| !cylinder.knuckle_mass.is_zero());
+        let knuckle = knuckle.map(|link| (false, &cylinder.knuckle_mass, Body::Knuckle(link.motion())));
         for (is_of_pistons, weight, body) in piston.into_iter().chain(knuckle) {
             let is_alike = |of: &Bodies| of.is_of_pistons == is_of_pistons && moves(of.cylinders[0]) == moves(index);
             let place = match all.iter().position(is_alike) {

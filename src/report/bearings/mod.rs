@@ -7,6 +7,7 @@ mod gas_data;
 mod links;
 mod page;
 mod plots;
+mod question;
 mod study;
 mod tables;
 

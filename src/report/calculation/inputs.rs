@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::expression::{Expression, Line, fraction, power, quantity};
+use super::given::{crank_radius, of_measure};
 use super::links;
 use crate::engine::{Engine, Given, Measure};
 use crate::exact::Turn;
@@ -142,18 +143,6 @@ pub(super) fn lines(engine: &Engine, loads: &Loads) -> Vec<Line> {
         lines.extend(of_engine(scale));
     }
     lines
-}
-
-/// What is given of a cylinder, or of all.
-pub(super) fn of_measure(engine: &Engine, index: usize, measure: Measure) -> Option<f64> {
-    let of = |given: &&Given| given.quantity == measure && given.cylinder.is_none_or(|of| of == index);
-    engine.dimensions().given.iter().find(of).and_then(|given| given.value.to_f64())
-}
-
-/// The crank radius of a cylinder, given itself or by its stroke.
-pub(super) fn crank_radius(engine: &Engine, index: usize) -> Option<f64> {
-    let half_stroke = || Some(of_measure(engine, index, Measure::Stroke)? / 2.0);
-    of_measure(engine, index, Measure::CrankRadius).or_else(half_stroke)
 }
 
 fn of_cylinder(engine: &Engine, index: usize, by_cylinder: bool) -> Vec<Line> {

@@ -1,7 +1,7 @@
 //! What follows from the lengths of links on a master rod? The ratios κ = a/l and r/L, line by line.
 
 use super::expression::{Expression, Line, fraction, quantity};
-use super::inputs::{crank_radius, of_measure};
+use super::given::{crank_radius, of_measure};
 use crate::engine::{Engine, Measure};
 
 /// The lines of all links; once where the file says the same of all. `by_cylinder`: whether rods have a line for each cylinder.

@@ -7,6 +7,7 @@ mod books;
 pub(super) mod data;
 mod equations;
 mod expression;
+mod given;
 mod inputs;
 mod largest;
 mod links;

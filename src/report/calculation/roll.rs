@@ -2,7 +2,7 @@
 
 use super::super::roll_asked::roll_asked;
 use super::amounts::{self, Unit, UnitOf};
-use super::{heading, tables};
+use super::tables;
 use crate::engine::Engine;
 use crate::loads::{Loads, Outcome};
 use crate::page::{Block, Text, phrase};
@@ -33,7 +33,7 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Vec
 pub(super) fn turning(engine: &Engine, loads: &Loads) -> Vec<Block> {
     let torque = loads.torque.iter().flat_map(|torque| {
         let table = tables::about_the_axis(engine, loads, Axial::Torque, torque);
-        [heading(2, "Inertia torque"), table.into()]
+        [Block::Heading(2, "Inertia torque".into()), table.into()]
     });
     torque.chain(roll_section(engine, loads)).collect()
 }
@@ -46,5 +46,5 @@ fn roll_section(engine: &Engine, loads: &Loads) -> Vec<Block> {
     }
     let said = Block::Paragraph(Text::joined(lines, " "));
     let table = loads.roll.as_ref().map(|roll| tables::about_the_axis(engine, loads, Axial::Roll, roll).into());
-    [heading(2, "Roll moment"), said].into_iter().chain(table).collect()
+    [Block::Heading(2, "Roll moment".into()), said].into_iter().chain(table).collect()
 }
