@@ -43,7 +43,7 @@ fn of_roots(order: u64) -> BigRational {
 fn moebius(number: u64) -> i64 {
     let primes = modulo::prime_divisors(number);
     match primes.iter().product::<u64>() == number {
-        true if primes.len() % 2 == 0 => 1,
+        true if primes.len().is_multiple_of(2) => 1,
         true => -1,
         false => 0,
     }

@@ -7,7 +7,10 @@ use crate::numbers::float;
 use crate::page::plot::Axis;
 use crate::page::{Number, Piece, Text, Unit, number, phrase};
 use crate::proof::Planar;
-use crate::sweep::{Amplitude, Amplitudes, Parameter, Sweep, SweptEngine};
+use crate::sweep::{Amplitude, Amplitudes, Envelope, Parameter, Sweep, SweptEngine};
+
+/// A side of what an engine fits into.
+pub(super) type Side = fn(&Envelope) -> Option<f64>;
 
 /// Whether the file gives mass, crank radius, speed and rods, so that every point is known in newtons.
 pub(super) fn in_newtons(sweep: &Sweep) -> bool {

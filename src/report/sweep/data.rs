@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::amounts::newtons;
+use super::amounts::{Side, newtons};
 use super::zero_data::{firing_zeros, zeros};
 use crate::exact::fraction;
 use crate::loads::Arm;
@@ -11,7 +11,7 @@ use crate::page::File;
 use crate::proof::Planar;
 use crate::report::data::{Filling, exact_number, value_columns};
 use crate::report::value::column_of;
-use crate::sweep::{Amplitude, Amplitudes, Envelope, Evenness, Parameter, Sweep, SweptEngine};
+use crate::sweep::{Amplitude, Amplitudes, Evenness, Parameter, Sweep, SweptEngine};
 use crate::table::{Table, Unit, csv};
 
 /// The tables of a sweep: the points, the exact zeros where the parameter is an angle, those of the firing stars where they are asked for.
@@ -161,7 +161,7 @@ fn counterweights(table: &mut Points) {
 }
 
 /// The sides of what the engine fits into.
-const SIDES: [(&str, fn(&Envelope) -> Option<f64>); 3] = [
+const SIDES: [(&str, Side); 3] = [
     ("length_{unit}", |envelope| envelope.length),
     ("breadth_{unit}", |envelope| Some(envelope.breadth)),
     ("height_{unit}", |envelope| Some(envelope.height)),

@@ -1,13 +1,13 @@
 //! Which tables show a sweep? Where each vector vanishes, the least and the greatest values, every point.
 
-use super::amounts::{self, number_of, place_cells, place_headings, size, unit};
+use super::amounts::{self, Side, number_of, place_cells, place_headings, size, unit};
 use super::findings::Finding;
 use super::observed;
 use super::plots::amplitudes;
 use crate::engine::DOES_NOT_EXIST;
 use crate::page::{Block, Number, Table, Text, Unit, number, phrase};
 use crate::proof::Planar;
-use crate::sweep::{Envelope, Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
+use crate::sweep::{Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// A row for each order and quantity that does not vanish everywhere: where each vector does.
 pub(super) fn zeros(parameter: &Parameter, sets: &[ZeroSet]) -> Table {
@@ -139,7 +139,7 @@ fn others(sweep: &Sweep) -> Table {
 }
 
 /// The sides of what an engine fits into.
-const SIDES: [(&str, &str, fn(&Envelope) -> Option<f64>); 3] = [
+const SIDES: [(&str, &str, Side); 3] = [
     ("Length in {}", "Length in $r$", |envelope| envelope.length),
     ("Breadth in {}", "Breadth in $r$", |envelope| Some(envelope.breadth)),
     ("Height in {}", "Height in $r$", |envelope| Some(envelope.height)),

@@ -64,12 +64,15 @@ fn along(parts: &[&Part], direction: [BigRational; 2]) -> Option<Split<2>> {
     Some(Split { u, v: apart(other, start), classes })
 }
 
+/// Parts of a class, each by how many whole times a direction it is turned, and its place.
+type InWholeTimes = Vec<(i64, usize)>;
+
 /// The largest multiple of a direction that all parts of these classes are turned by whole times, and how many times that is.
 fn in_whole_times<const N: usize>(
     placed: &[Vec<(BigRational, usize)>; N],
     direction: [BigRational; 2],
     range: RangeInclusive<i64>,
-) -> Option<([BigRational; 2], [Vec<(i64, usize)>; N])> {
+) -> Option<([BigRational; 2], [InWholeTimes; N])> {
     let unit = fraction::common_unit(placed.iter().flatten().map(|(times, _)| times));
     if unit.is_zero() {
         return None;
