@@ -66,7 +66,7 @@
 //! # Features
 //!
 //! The first three are on by default. Without any (`default-features = false`) the crate is the library without `page`, `report` and `optimise`: it
-//! decides, proves and checks, needs neither threads nor files, and builds for WebAssembly.
+//! decides, proves and checks, and builds for WebAssembly.
 //!
 //! - `report`: the rooms `page` and `report`, pages and documents.
 //! - `optimise`: the room `optimise`, with its solver for convex problems.

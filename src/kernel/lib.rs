@@ -1,7 +1,8 @@
 //! Decides, exactly, how a reciprocating engine balances: the library of crankstar without its pages and commands.
 //!
 //! The crate `crankstar` has every room of it under the same name, and the pages, documents and commands besides; who wants these depends on that
-//! one. This one compiles alone, for a browser too: it decides, proves, checks and weighs, and needs neither threads nor files.
+//! one. This one compiles alone, for a browser too: it decides, proves, checks and weighs. Threads, files and a clock are needed by `shard`, `sweep`,
+//! `search` and `accuracy` alone.
 //!
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -31,8 +32,8 @@
 //! proof  motion  beam  text
 //! ```
 //!
-//! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that. Floats
-//! do not compile in `proof`, `exact`, `beam`, `engine`, `file`, `firing`, `order`, `stars`, `text` and `verdict`.
+//! A room imports from the storeys below it and nothing from its own; a test reads the imports and holds it to that. Clippy
+//! refuses floats in `proof`, `exact`, `beam`, `classroom`, `engine`, `file`, `firing`, `order`, `stars`, `text` and `verdict`.
 //!
 //! # Features
 //!

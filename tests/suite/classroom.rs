@@ -7,7 +7,7 @@ use std::path::Path;
 use crankstar::BigRational;
 use crankstar::claim::{Judged, SUMS, Star};
 use crankstar::classroom::{
-    Content, Convention, Counts, Exercise, HandedIn, MarkedSheet, Outcome, Pupil, Scheme, Vary, can_be_set,
+    Content, Convention, Counts, Draw, Exercise, HandedIn, MarkedSheet, Outcome, Pupil, Scheme, Vary, can_be_set,
     csv_to_fill_in, mark_class, marks_table, parse_exercise, parse_scheme, students, toml_to_fill_in,
 };
 use crankstar::engine::Engine;
@@ -603,4 +603,25 @@ fn the_independent_student_agrees_with_the_program() {
     let engine = engine("V8-crossplane");
     let [direct, reverse] = vectors(&engine, 1, SUMS[1], |_| [0.0, 0.0]);
     assert_eq!([direct, reverse].map(|vector| decimals(vector.norm(), 6)), ["6.324555", "0"]);
+}
+
+/// SplitMix64 as Steele, Lea and Flood have it.
+fn splitmix64(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let mixed = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    mixed ^ (mixed >> 31)
+}
+
+#[test]
+fn the_generator_is_splitmix64_from_an_fnv_1a_hash() {
+    let mut known = 1_234_567;
+    let bits = [splitmix64(&mut known), splitmix64(&mut known)];
+    assert_eq!(bits, [6_457_827_717_110_365_317, 3_203_168_211_198_807_973]);
+    // FNV-1a of "a" is af63dc4c8601ec8c; nine zero bytes more only multiply.
+    let mut state = (0..9).fold(0xaf63_dc4c_8601_ec8c_u64, |hash, _| hash.wrapping_mul(0x0000_0100_0000_01b3));
+    let mut draw = Draw::of("a", 0);
+    for _ in 0..3 {
+        assert_eq!(draw.bits(), splitmix64(&mut state));
+    }
 }

@@ -220,7 +220,7 @@ fn page() -> String {
          With mpmath at 75 digits and more, from the formulas of the theory and not by this program's methods.\n\n\
          | Quantity | Formula |\n| --- | --- |\n{recipes}\n\
          ## Verdicts\n\n\
-         None of these numbers enters a verdict: `tests/hard_cases.rs` turns engines by angles over primes of ten digits, gives them\n\
+         None of these numbers enters a verdict: `tests/suite/hard_cases.rs` turns engines by angles over primes of ten digits, gives them\n\
          masses of 30 digits, planes a kilometre away, rods of λ = 10^−8 and 1 − 10^−12, and finds the same verdicts, each with a\n\
          certificate that the checker accepts.\n",
         shown(RODS_PART)

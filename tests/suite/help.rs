@@ -157,6 +157,11 @@ fn links_of_the_readme_and_of_docs_lead_somewhere() {
         "reports/speed/README.md",
         "docs/theory.md",
         "docs/walkthroughs.md",
+        "src/kernel/claim/README.md",
+        "src/kernel/file/README.md",
+        "src/kernel/proof/README.md",
+        "src/kernel/search/README.md",
+        "src/kernel/stars/README.md",
     ] {
         let page = text(file);
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);

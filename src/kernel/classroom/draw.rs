@@ -46,18 +46,3 @@ impl Draw {
         order
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Draw;
-
-    #[test]
-    fn the_generator_is_splitmix64_from_an_fnv_1a_hash() {
-        let mut known = Draw(1_234_567);
-        assert_eq!([known.bits(), known.bits()], [6_457_827_717_110_365_317, 3_203_168_211_198_807_973]);
-        // FNV-1a of "a" is af63dc4c8601ec8c; nine zero bytes more only multiply.
-        let mut hash = 0xaf63_dc4c_8601_ec8c_u64;
-        (0..9).for_each(|_| hash = hash.wrapping_mul(super::PRIME));
-        assert_eq!(Draw::of("a", 0).0, hash);
-    }
-}
