@@ -86,13 +86,13 @@ fn the_guide_force_moments_of_a_six_are_those_of_the_theory() {
     }
 }
 
-/// A free check: M2V over `m r ω² c₂` and X₂ times the rod length over a cylinder's torque are the same star.
 /// Order κ of the torque of the cylinder at this place of a class, by its own angle: of gas and piston, where that is known.
 pub fn torque_of_one(class: &Class, place: usize, order: CycleOrder) -> Complex<f64> {
     let inertia = class.inertia.as_ref().map_or_else(Complex::default, |inertia| inertia.at(order)[0]);
     class.harmonics.torque_at(order) + inertia * crankstar::numbers::float(&class.masses[place])
 }
 
+/// A free check: M2V over `m r ω² c₂` and X₂ times the rod length over a cylinder's torque are the same star.
 #[test]
 fn external_and_guide_force_moments_share_their_stars() {
     for (order, _) in &GUIDE[..3] {

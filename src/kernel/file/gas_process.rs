@@ -114,7 +114,12 @@ impl Settings<'_> {
         // What is said, or else what is usual, where anything is.
         let mut or_usual = |setting: Setting, read: Reader| {
             let said = self.read(setting, read)?;
-            Ok::<_, LayoutError>(said.or_else(|| usual(setting, ignition, cycle).inspect(|_| assumed.push(setting))))
+            if said.is_some() {
+                return Ok::<_, LayoutError>(said);
+            }
+            let usual = usual(setting, ignition, cycle);
+            assumed.extend(usual.is_some().then_some(setting));
+            Ok(usual)
         };
         let Some(intake_pressure) = or_usual(Setting::IntakePressure, absolute)? else {
             let right = "add intake_pressure, absolute: that of the scavenging air";
@@ -125,7 +130,10 @@ impl Settings<'_> {
             return Err(LayoutError::new("an exhaust pressure in a two-stroke", right, place(text)));
         }
         let exhaust_pressure = or_usual(Setting::ExhaustPressure, absolute)?;
-        let mut number = |setting, read| or_usual(setting, read).map(Option::unwrap_or_default);
+        let mut number = |setting, read| {
+            let value = or_usual(setting, read)?;
+            Ok::<_, LayoutError>(value.unwrap_or_else(|| unreachable!("all but the pressures has a usual value")))
+        };
         Ok(PressureLaw::Cycle(Box::new(IdealCycle {
             ignition,
             exhaust_pressure: exhaust_pressure.unwrap_or_else(|| intake_pressure.clone()),

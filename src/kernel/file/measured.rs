@@ -37,7 +37,8 @@ impl Reading {
         let places = for_each(list, self.count, "cylinders", right)?;
         let values = places.iter().map(|text| quantity.read(text)).collect::<Result<Vec<_>, _>>()?;
         let of_all = matches!(list.get_ref(), Values::One(_));
-        for (index, (value, text)) in values.iter().zip(&places).enumerate().take(if of_all { 1 } else { self.count }) {
+        let told = if of_all { 1 } else { self.count };
+        for (index, (value, text)) in values.iter().zip(&places).enumerate().take(told) {
             let written = text.get_ref().0.clone();
             let cylinder = (!of_all).then_some(index);
             self.given.push(Given { quantity, cylinder, value: value.clone(), written: Untrusted::new(written) });

@@ -146,11 +146,11 @@ impl ForceHistory {
         groups
     }
 
-    /// Angles at which the pressure of some cylinder has a kink, within the cycle.
+    /// Angles at which the pressure of some cylinder has a kink.
     pub(super) fn kinks(&self) -> impl Iterator<Item = f64> {
-        self.cylinders.iter().flat_map(|cylinder| {
-            self.classes[cylinder.class].gas.kinks().map(|psi| (psi + cylinder.fires).rem_euclid(self.period))
-        })
+        self.cylinders
+            .iter()
+            .flat_map(|cylinder| self.classes[cylinder.class].gas.kinks().map(|psi| psi + cylinder.fires))
     }
 
     /// The direction of the axis of a cylinder.

@@ -42,9 +42,6 @@ pub struct CylinderPeaks {
     pub pin_of_inertia: CyclePeak,
 }
 
-/// Angles closer than this in radians are one.
-const SAME: f64 = 1e-9;
-
 /// The forces at rising angles through a cycle, kinks of the pressures among them: from one to the next all is smooth.
 pub(super) struct Samples {
     grid: Vec<f64>,
@@ -56,9 +53,7 @@ pub(super) struct Samples {
 
 impl Samples {
     pub fn new(course: &ForceHistory) -> Self {
-        let mut grid: Vec<f64> = torque::angles(course.period()).chain(course.kinks()).collect();
-        grid.sort_unstable_by(f64::total_cmp);
-        grid.dedup_by(|next, before| *next - *before < SAME);
+        let grid = torque::angles_with(course.kinks(), course.period());
         let row = |index: usize| grid.iter().map(|&theta| course.forces(index, theta)).collect();
         let forces: Vec<Vec<PistonForces>> = (0..course.cylinders()).map(row).collect();
         let pins = forces.iter().enumerate().map(|(index, row)| {

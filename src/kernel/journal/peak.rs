@@ -99,7 +99,7 @@ impl LoadPeak {
     }
 
     fn top(&self, size: impl Fn(f64) -> f64) -> f64 {
-        let grid: Vec<f64> = torque::angles(self.course.period()).collect();
+        let grid = torque::angles_with(self.course.kinks(), self.course.period());
         let sizes: Vec<f64> = grid.iter().map(|&theta| size(theta)).collect();
         torque::largest(self.course.period(), &grid, &sizes, size).value
     }

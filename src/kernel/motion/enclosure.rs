@@ -27,7 +27,10 @@ pub fn float(value: &BigRational) -> f64 {
 /// The square root of a number, where it is rational.
 pub fn rational_root(square: &BigRational) -> Option<BigRational> {
     let whole = |number: &BigInt| Some(number.sqrt()).filter(|root| root * root == *number);
-    (!square.is_negative()).then(|| Some(BigRational::new_raw(whole(square.numer())?, whole(square.denom())?)))?
+    if square.is_negative() {
+        return None;
+    }
+    Some(BigRational::new_raw(whole(square.numer())?, whole(square.denom())?))
 }
 
 /// A real number that is guaranteed to lie in `low ..= high`. An exactly known number is a point.

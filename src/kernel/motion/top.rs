@@ -2,7 +2,7 @@
 //!
 //! R. P. Brent, Algorithms for Minimization without Derivatives, 1973, chapter 5.
 
-/// A place is known to this part of the bracket.
+/// The bracket is narrowed to this part: of a smooth top less than roundings of the values tell apart, of a kink the place.
 const NEAR: f64 = 1e-7;
 /// Golden sections alone would take 34 steps.
 const MOST_STEPS: usize = 100;
@@ -29,7 +29,7 @@ pub fn top_between(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f
         }
         // Parabolas whose steps do not shrink by half every other time lead nowhere.
         let to_top = to_top_of_parabola([best, second, third]);
-        let shrinks = |to_top: &f64| to_top.abs() < step_before.abs() / 2.0;
+        let shrinks = |to_top: &f64| step_before.abs() > near && to_top.abs() < step_before.abs() / 2.0;
         let to_end = |to_top: f64| (best.at + to_top - low).min(high - best.at - to_top);
         (step_before, step) = match to_top.filter(shrinks).filter(|to_top| to_end(*to_top) > 0.0) {
             Some(to_top) if to_end(to_top) < 2.0 * near => (step, near.copysign(middle - best.at)),

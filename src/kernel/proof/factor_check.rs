@@ -11,7 +11,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::audit::{Audit, Reason, refuse_if, steps_of};
+use super::audit::{Audit, Reason, steps_of};
 use super::check::certify;
 use super::collected::collect;
 use super::recurrence::{FactorClaim, Parity, Rays, Zeros, collect_rays};
@@ -69,7 +69,9 @@ pub(super) fn check_factor(factor: &FactorClaim, parity: Parity, audit: &Audit) 
 /// From order k to order `k + period` all rays turn by the same angle.
 fn period_of(factor: &FactorClaim) -> Result<u64, Reason> {
     let period = &factor.period;
-    refuse_if(!period.is_positive() || period.is_odd(), format!("the period {period} is not a positive even number"))?;
+    if !period.is_positive() || period.is_odd() {
+        return Err(format!("the period {period} is not a positive even number").into());
+    }
     let times = BigRational::from_integer(period.clone());
     if let [first, others @ ..] = factor.terms.as_slice() {
         let is_moved =

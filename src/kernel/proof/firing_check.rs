@@ -170,7 +170,9 @@ fn check_pattern(
             let Some((index, verdict)) = found.next() else {
                 return Err(Fault::new(place(pattern.verdicts.len()), "this verdict is missing"));
             };
-            refuse_if(verdict.order != order, Fault::new(place(index), "another verdict stands here"))?;
+            if verdict.order != order {
+                return Err(Fault::new(place(index), "another verdict stands here"));
+            }
             let terms = vectors(class, &order).into_iter().map(|(_, vector)| (vector.angle, vector.weight));
             let holds =
                 collect(terms, audit).and_then(|sum| certify(&sum, verdict.vanishes, &verdict.certificate, audit));

@@ -113,7 +113,9 @@ fn check_verdict(document: &OpenDocument, verdict: &OpenVerdictClaim, audit: &Au
     }
     for (sum, (symbol, parts)) in verdict.sums.iter().zip(&expected) {
         let name = symbol.as_deref().unwrap_or("known lengths");
-        refuse_if(sum.symbol != *symbol, format!("the sum of {name} is missing, or not in its place"))?;
+        if sum.symbol != *symbol {
+            return Err(format!("the sum of {name} is missing, or not in its place").into());
+        }
         if sum.parts.len() != parts.len() {
             return Err(format!("{} parts in the sum of {name}, it has {}", sum.parts.len(), parts.len()).into());
         }

@@ -32,7 +32,9 @@ pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &A
 }
 
 fn check_period(document: &Document, period: &BigInt) -> Result<(), Reason> {
-    refuse_if(!period.is_positive() || period.is_odd(), format!("the period {period} is not a positive even number"))?;
+    if !period.is_positive() || period.is_odd() {
+        return Err(format!("the period {period} is not a positive even number").into());
+    }
     let times = BigRational::from_integer(period.clone());
     for cylinder in &document.cylinders {
         let angles = [&cylinder.throw, &cylinder.bank];

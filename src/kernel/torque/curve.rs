@@ -212,9 +212,11 @@ impl TorqueCurve {
         extreme::angles(self.period)
     }
 
-    /// The largest and the smallest value of a function in the cycle.
+    /// The largest and the smallest value of a function in the cycle that is smooth but for the kinks of the pressures.
     pub fn extremes(&self, value: impl Fn(f64) -> f64) -> [Extreme; 2] {
-        let grid: Vec<f64> = self.angles().collect();
+        let kinks =
+            self.pistons.iter().flat_map(|piston| self.classes[piston.class].gas.kinks().map(|psi| psi + piston.fires));
+        let grid = extreme::angles_with(kinks, self.period);
         let values: Vec<f64> = grid.iter().map(|&theta| value(theta)).collect();
         extreme::extremes(self.period, &grid, &values, value)
     }

@@ -16,8 +16,10 @@ pub struct Extreme {
 
 /// Steps of a revolution in which the largest value is looked for: half a degree each.
 const STEPS: usize = 720;
-/// Where a function does not rise in this part of a step beside a place, its top is there.
-const HAIR: f64 = 1e-7;
+/// Where a function does not rise in this part of a step beside a place, its top is there: by less the rounding of values hides whether it rises.
+const HAIR: f64 = 1e-5;
+/// Angles closer than this in radians are one.
+const SAME: f64 = 1e-9;
 /// A top of the grid lower than the highest by more than this part of the range is no highest value.
 const NEAR_TOP: f64 = 0.02;
 
@@ -28,7 +30,15 @@ pub fn angles(period: f64) -> impl Iterator<Item = f64> {
     (0..count).map(move |index| index as f64 * step)
 }
 
-/// The largest value in a cycle of a function that is known at rising angles, and has at most one top from one to the next.
+/// The same with these angles among them, at which something has a kink: rising, so that from one to the next all is smooth.
+pub fn angles_with(kinks: impl Iterator<Item = f64>, period: f64) -> Vec<f64> {
+    let mut grid: Vec<f64> = angles(period).chain(kinks.map(|kink| kink.rem_euclid(period))).collect();
+    grid.sort_unstable_by(f64::total_cmp);
+    grid.dedup_by(|next, before| *next - *before < SAME);
+    grid
+}
+
+/// The largest value in a cycle of a function that is known at rising angles, and is smooth and has at most one top from one to the next.
 pub fn largest(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) -> f64) -> Extreme {
     let count = values.len().min(grid.len());
     let highest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -17,7 +17,7 @@ pub use bodies::{Bodies, HIGHEST, Inertia, bodies};
 pub use class::{Class, classes, warnings};
 pub use curve::TorqueCurve;
 pub use evenness::{Evenness, evenness};
-pub use extreme::{Extreme, angles, extremes, largest};
+pub use extreme::{Extreme, angles, angles_with, extremes, largest};
 pub use guide::{GuideMoments, guide_moments};
 pub use order::{TorqueOrder, orders, roll_of, roll_of_gas};
 pub use peak::Peak;
