@@ -112,10 +112,10 @@ impl Settings<'_> {
         };
         let mut assumed = Vec::new();
         // What is said, or else what is usual, where anything is.
-        let mut or_usual = |setting: Setting, read: Reader| {
+        let mut or_usual = |setting: Setting, read: Reader| -> Result<Option<BigRational>, LayoutError> {
             let said = self.read(setting, read)?;
             if said.is_some() {
-                return Ok::<_, LayoutError>(said);
+                return Ok(said);
             }
             let usual = usual(setting, ignition, cycle);
             assumed.extend(usual.is_some().then_some(setting));
@@ -130,9 +130,8 @@ impl Settings<'_> {
             return Err(LayoutError::new("an exhaust pressure in a two-stroke", right, place(text)));
         }
         let exhaust_pressure = or_usual(Setting::ExhaustPressure, absolute)?;
-        let mut number = |setting, read| {
-            let value = or_usual(setting, read)?;
-            Ok::<_, LayoutError>(value.unwrap_or_else(|| unreachable!("all but the pressures has a usual value")))
+        let mut number = |setting, read| -> Result<BigRational, LayoutError> {
+            Ok(or_usual(setting, read)?.unwrap_or_else(|| unreachable!("all but the pressures has a usual value")))
         };
         Ok(PressureLaw::Cycle(Box::new(IdealCycle {
             ignition,

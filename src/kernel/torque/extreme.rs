@@ -53,21 +53,21 @@ pub fn largest(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) ->
     for index in (0..count).filter(is_top).take(most) {
         let before = if index == 0 { grid[count - 1] - period } else { grid[index - 1] };
         let after = if index + 1 == count { grid[0] + period } else { grid[index + 1] };
-        let found = largest_beside(grid[index], [before, after], &value);
-        if found.value > best.value + numbers::ALIKE * (highest - lowest) || best.value == f64::NEG_INFINITY {
-            best = Extreme { angle: found.angle.rem_euclid(period).to_degrees(), ..found };
+        let (place, found) = largest_beside(grid[index], [before, after], &value);
+        if found > best.value + numbers::ALIKE * (highest - lowest) || best.value == f64::NEG_INFINITY {
+            best = Extreme { value: found, angle: place.rem_euclid(period).to_degrees() };
         }
     }
     best
 }
 
-/// The largest value between a place and those beside it; the angle in radians. A kink at the place itself has a slope of its own on each side.
-fn largest_beside(place: f64, beside: [f64; 2], value: &impl Fn(f64) -> f64) -> Extreme {
-    let at = |angle: f64| Extreme { value: value(angle), angle };
-    let start = at(place);
-    let rises_to = |to: &f64| value(place + HAIR * (to - place)) > start.value;
-    let tops = beside.into_iter().filter(rises_to).map(|to| at(top_between(place.min(to), place.max(to), value)));
-    tops.fold(start, |best, top| if top.value > best.value { top } else { best })
+/// Where, between a place and those beside it, a value is largest, and that value. A kink at the place itself has a slope of its own on each side.
+fn largest_beside(place: f64, beside: [f64; 2], value: &impl Fn(f64) -> f64) -> (f64, f64) {
+    let start = value(place);
+    let rises_to = |to: &f64| value(place + HAIR * (to - place)) > start;
+    let tops = beside.into_iter().filter(rises_to).map(|to| top_between(place.min(to), place.max(to), value));
+    let tops = tops.map(|top| (top, value(top)));
+    tops.fold((place, start), |best, top| if top.1 > best.1 { top } else { best })
 }
 
 /// The largest and the smallest value of such a function.
