@@ -18,7 +18,7 @@ def check(tree, notes):
     for c in each("cylinders", cylinders):
         demand(0 <= c.firing_angle < turns and centre(c) == centre(cylinders[0]), "it does not fire in the cycle, at a dead centre of its own")
         rods.append(rod := rod_of(c.rod))
-        stars.setdefault("endless" if rod[:2] == ("rod", 0) else rod, []).append(c)
+        stars.setdefault(rod, []).append(c)
     check_masters(cylinders, rods)
     demand(all(c.crank_radius > 0 for c in cylinders), "a crank radius is not above 0")
     demand(any(c.firing_angle == 0 for c in cylinders), "no cylinder fires at 0")

@@ -6,10 +6,12 @@ use crankstar::engine::{Cycle, CycleOrder, Cylinder, Draft, Engine, Firing};
 use crankstar::exact::Turn;
 use crankstar::file;
 use crankstar::firing::{FiringPattern, Weights, firing_stars, pattern};
+use crankstar::motion::SliderCrank;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::support::dice::Dice;
+use crate::support::written::ratio;
 
 /// A four-stroke engine in line whose cylinders fire in their order after these intervals in degrees.
 fn firing_after(intervals: &[i64]) -> Engine {
@@ -291,6 +293,29 @@ fn unequal_rods_are_judged_apart() {
             assert!(!stars[0].vanishes(), "with equal rods order 1 would vanish");
         }
         Err(error) => panic!("{error}"),
+    }
+}
+
+/// One pressure in two cylinders gives one torque where the pistons move alike, and only there: an endless rod that is inclined keeps its slope.
+#[test]
+fn a_star_is_that_of_pistons_which_move_alike() {
+    let rods = ["0", "1/4", "1/3"].into_iter().flat_map(|ratio| ["0", "3/5", "-3/5"].map(|offset| [ratio, offset]));
+    let rods: Vec<[&str; 2]> = rods.collect();
+    let moves = |rod: [&str; 2], angle: f64| {
+        let crank = SliderCrank::new(ratio(rod[0]), ratio(rod[1])).expect("it turns round");
+        crank.position(angle)
+    };
+    for (one, other) in rods.iter().flat_map(|one| rods.iter().map(move |other| (*one, *other))) {
+        let text = format!(
+            "cycle = \"four-stroke\"\nfiring_angles = [0, 180]\n[inline]\nthrows = [0, 180]\nspacing = 1\n[mechanism]\n\
+             rod_ratio = [\"{}\", \"{}\"]\noffset_ratio = [\"{}\", \"{}\"]\n",
+            one[0], other[0], one[1], other[1]
+        );
+        let engine = file::parse("two.toml", &text).unwrap_or_else(|error| panic!("{error}"));
+        let pattern = firing_stars(&engine, &[order("1")], &Weights::Rigid).expect("stars");
+        let alike = (1..7).all(|step| (moves(one, f64::from(step)) - moves(other, f64::from(step))).abs() < 1e-9);
+        assert_eq!(pattern[0].stars.len(), if alike { 1 } else { 2 }, "{one:?} {other:?}");
+        assert_eq!(pattern[0].vanishes(), alike, "{one:?} {other:?}");
     }
 }
 

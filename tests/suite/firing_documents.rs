@@ -12,6 +12,7 @@ use crankstar::report::{FiringStudy, firing_document};
 use num_rational::BigRational;
 
 use crate::support::dice::Dice;
+use crate::support::second;
 use crate::support::written::{fraction, of_catalogue as engine};
 
 fn document_of(engine: &Engine, weights: Weights) -> FiringDocument {
@@ -107,6 +108,22 @@ fn a_changed_engine_is_refused() {
         },
         "another verdict|missing",
     );
+}
+
+/// Endless rods of other slopes move otherwise: their cylinders are no one star, though each has order 1 alone.
+#[test]
+fn endless_rods_of_two_slopes_are_two_stars() {
+    let sloped = |offset: i64| RodStatement::Known(RodClaim { ratio: fraction(0, 1), offset: fraction(offset, 5) });
+    let mut of_one_slope = document();
+    for cylinder in &mut of_one_slope.cylinders {
+        cylinder.rod = sloped(3);
+    }
+    assert_travels(&of_one_slope);
+    let mut cheat = of_one_slope;
+    cheat.cylinders[1].rod = sloped(-3);
+    let fault = check_firing_document(&cheat).expect_err("the cheat is seen").to_string();
+    assert!(fault.contains("another verdict") || fault.contains("missing"), "{fault}");
+    second::refuses(&[("two slopes in one star", cheat)]);
 }
 
 #[test]

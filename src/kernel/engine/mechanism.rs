@@ -32,9 +32,9 @@ impl Rod {
         self.offset.is_zero()
     }
 
-    /// `e/(r + l)`, the sine of the angle by which its piston stands highest after its crankpin is in line with the axis; 0 of an endless rod.
+    /// `e/(r + l)`, the sine of the angle by which its piston stands highest after its crankpin is in line with the axis.
     pub fn highest_after(&self) -> BigRational {
-        if self.ratio.is_zero() { BigRational::zero() } else { &self.offset / (BigRational::one() + &self.ratio) }
+        &self.offset / (BigRational::one() + &self.ratio)
     }
 
     /// The same rod with its cylinder on the side of ψ = 90°, or centric.
@@ -66,14 +66,6 @@ impl Mechanism {
         match self {
             Mechanism::SliderCrank(rod) => rod.is_centric(),
             Mechanism::Link(link) => !link.is_corrected(),
-        }
-    }
-
-    /// The same as far as the motion of the piston goes: with an infinitely long rod that is the same whatever the offset is.
-    pub fn motion(&self) -> Mechanism {
-        match self.rod().filter(|rod| rod.ratio.is_zero()) {
-            Some(rod) => Mechanism::SliderCrank(Rod { ratio: rod.ratio.clone(), offset: BigRational::zero() }),
-            None => self.clone(),
         }
     }
 

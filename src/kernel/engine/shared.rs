@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::cylinder::{Cylinder, firing_pistons, is_second, partner};
+use super::cylinder::{firing_pistons, is_second, partner};
 use super::model::Engine;
 use crate::exact::Turn;
 
@@ -50,8 +50,7 @@ impl Engine {
     pub fn pairs_are_alike(&self) -> bool {
         let kind = |index: usize| {
             let (own, other) = (&self.cylinders()[index], &self.cylinders()[self.partner(index)?]);
-            let motion = |cylinder: &Cylinder| cylinder.mechanism.as_ref().map(|mechanism| mechanism.motion());
-            Some((motion(own), motion(other), &own.crank_radius / &other.crank_radius, self.lead(index)))
+            Some((&own.mechanism, &other.mechanism, &own.crank_radius / &other.crank_radius, self.lead(index)))
         };
         let mut kinds = self.firing_pistons().into_iter().map(kind);
         let first = kinds.next().flatten();

@@ -193,9 +193,9 @@ fn angle_of(firing: &Firing, cylinder: usize) -> &BigRational {
 /// The cylinders by rod ratio and offset, in the order of the first of each; one class where no rod is known. Of two pistons in one cylinder the
 /// first stands for both: where they move alike in all, what they turn the crank with is in proportion to its star.
 fn classes(engine: &Engine) -> Vec<Vec<usize>> {
-    let mut classes: Vec<(Option<Mechanism>, Vec<usize>)> = Vec::new();
+    let mut classes: Vec<(&Option<Mechanism>, Vec<usize>)> = Vec::new();
     for index in engine.firing_pistons() {
-        let mechanism = engine.cylinders()[index].mechanism.as_ref().map(Mechanism::motion);
+        let mechanism = &engine.cylinders()[index].mechanism;
         match classes.iter_mut().find(|(own, _)| *own == mechanism) {
             Some((_, members)) => members.push(index),
             None => classes.push((mechanism, vec![index])),

@@ -94,18 +94,12 @@ fn check_orders(document: &FiringDocument) -> Result<(), Fault> {
 fn classes(cylinders: &[FiringCylinder]) -> Vec<Vec<&FiringCylinder>> {
     let mut classes: Vec<(&RodStatement, Vec<&FiringCylinder>)> = Vec::new();
     for cylinder in cylinders {
-        match classes.iter_mut().find(|(rod, _)| move_alike(rod, &cylinder.rod)) {
+        match classes.iter_mut().find(|(rod, _)| **rod == cylinder.rod) {
             Some((_, members)) => members.push(cylinder),
             None => classes.push((&cylinder.rod, vec![cylinder])),
         }
     }
     classes.into_iter().map(|(_, members)| members).collect()
-}
-
-/// Whether pistons of one crank radius move alike: infinitely long rods do whatever their offsets are.
-fn move_alike(one: &RodStatement, other: &RodStatement) -> bool {
-    let is_infinite = |rod: &RodStatement| rod.on_the_pin().is_some_and(|rod| rod.ratio.is_zero());
-    one == other || (is_infinite(one) && is_infinite(other))
 }
 
 /// The vectors of a star, with the names of their cylinders.
