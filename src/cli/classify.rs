@@ -82,8 +82,8 @@ impl Classify {
             }
             Layout::Open(family) => return self.run_open(&family, &orders),
         };
-        if self.torque && !engine.has_judged_torque() {
-            return Err(Failure::new(loads::Missing::ArticulatedRods("verdicts on the inertia torque")));
+        if self.torque {
+            loads::Missing::unless_torque_is_judged(&engine, "verdicts on the inertia torque").map_err(Failure::new)?;
         }
         let engine = if self.torque { with_torque(*engine)? } else { *engine };
         let quantities = verdict::quantities(&engine, self.torque);

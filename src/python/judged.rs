@@ -14,8 +14,8 @@ use crate::verdict::{self, Judgement};
 impl Engine {
     /// The verdicts on these masses, or on all that the layout has.
     pub(super) fn judged(&self, orders: &[u32], masses: Option<Masses>, torque: bool) -> PyResult<Judgement> {
-        if torque && !self.engine.has_judged_torque() {
-            return Err(told(loads::Missing::ArticulatedRods("verdicts on the inertia torque")));
+        if torque {
+            loads::Missing::unless_torque_is_judged(&self.engine, "verdicts on the inertia torque").map_err(told)?;
         }
         let quantities = verdict::quantities(&self.engine, torque);
         match masses {

@@ -120,3 +120,12 @@ fn masses_that_belong_to_one_star_are_refused_as_sizes_of_others() {
         assert!(error.contains(told), "{error}");
     }
 }
+
+/// Sizes are multiplied by the coefficient of one rod.
+#[test]
+fn rods_that_differ_have_no_common_sizes() {
+    let unlike = MARINE.replace("rod_length = '2.05 m'", "rod_ratio = [0.4, 0.4, 0.4, 0.4, 0.4, 0.5]");
+    let engine = parse("six.toml", &unlike).unwrap_or_else(|error| panic!("{error}"));
+    let error = Sizes::new(&engine).expect_err("no common rod").to_string();
+    assert!(error.contains("alike at all throws"), "{error}");
+}

@@ -123,9 +123,7 @@ pub fn study(engine: &Engine, quantity: Quantity, timing: Timing) -> Result<Stud
         return Err(Missing::FasterCrank("the accuracy of methods"));
     }
     all_turn_with_the_crank(engine)?;
-    if engine.has_links() {
-        return Err(Missing::ArticulatedRods("the accuracy of methods"));
-    }
+    engine.only_rods().map_err(|with| Missing::OfRodsAlone(with, "the accuracy of methods"))?;
     let orders = Orders::new(engine, quantity, SUMMED)?;
     if loads::vanishes_at_every_order(engine, quantity) {
         return Ok(Study { quantity, peak: Enclosure::zero(), rounding: 0.0, doubt: 0.0, rows: Vec::new(), own: None });

@@ -49,9 +49,7 @@ use crate::engine::{BuildError, Engine, Mechanism, Rod};
 /// # Errors
 /// A rod that is too short.
 pub fn with_rod_ratio(engine: &Engine, ratio: &BigRational) -> Result<Engine, BuildError> {
-    if engine.has_links() {
-        return Err(BuildError::ArticulatedRods("another rod ratio"));
-    }
+    engine.only_rods().map_err(|with| BuildError::OfRodsAlone(with, "another rod ratio"))?;
     let mut draft = engine.clone().into_draft();
     for cylinder in &mut draft.cylinders {
         let offset = match cylinder.rod() {

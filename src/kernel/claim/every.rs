@@ -20,9 +20,9 @@ const LONGEST_PERIOD: u32 = 2000;
 pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) -> Answer {
     let Some(quantities) = planar(quantities) else { return Answer::nothing(TORQUE) };
     if !engine.is_centric() && !matches!(orders, Orders::Listed(_)) {
-        return Answer::nothing(match engine.has_offset() {
-            true => "with a pin offset every order exists: give the orders",
-            false => "with corrected knuckle angles every order may exist: give the orders",
+        return Answer::nothing(match engine.only_rods() {
+            Ok(()) => "with a pin offset every order exists: give the orders",
+            Err(_) => "where a piston has no rod on the crankpin every order may exist: give the orders",
         });
     }
     let (judged, period) = match (orders, period(engine)) {

@@ -15,7 +15,7 @@ use super::finding::{Finding, Term, TermVerdict};
 use super::formula::{Formula, Powers, Series, Wave};
 use super::handwritten::is_within_of;
 use super::statement::{ShakingForce, Statement};
-use crate::engine::Engine;
+use crate::engine::{Engine, Rods};
 use crate::exact::{PhasorSum, Turn};
 use crate::motion;
 use crate::numbers::{self, Form};
@@ -50,11 +50,15 @@ pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
 
 /// Answers a claim that a series is the shaking force of the pistons.
 pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
-    if engine.has_links() || engine.has_offset() || engine.mechanisms().len() > 1 {
-        return Answer::nothing(
-            "a series is compared where all rods are alike, on the crankpin, and no axis is offset",
-        );
-    }
+    let ratio = match engine.all_rods() {
+        Rods::Unknown => None,
+        Rods::Alike(rod) if rod.is_centric() => Some(rod.ratio.clone()),
+        Rods::Alike(_) | Rods::Differ | Rods::Without(_) => {
+            return Answer::nothing(
+                "a series is compared where all rods are alike, on the crankpin, and no axis is offset",
+            );
+        }
+    };
     let waves = says.series.waves();
     let highest = waves.keys().map(|wave| wave.order).max().unwrap_or(0).max(TOLD);
     let exact = |across: bool| -> BTreeMap<Wave, PhasorSum> {
@@ -76,7 +80,6 @@ pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
     let exact = exact(across);
     let all: std::collections::BTreeSet<Wave> = waves.keys().chain(exact.keys()).copied().collect();
     let zero = PhasorSum::new(Vec::new());
-    let ratio = engine.mechanisms().first().and_then(|mechanism| Some(mechanism.rod()?.ratio.clone()));
     let terms: Vec<Term> = all
         .into_iter()
         .map(|wave| {

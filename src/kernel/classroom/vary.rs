@@ -11,7 +11,7 @@ use num_traits::{One, Zero};
 
 use super::draw::Draw;
 use crate::claim::{SUMS, Star};
-use crate::engine::{Cylinder, Engine, LengthUnit};
+use crate::engine::{Cylinder, Engine, LengthUnit, Rods};
 use crate::exact::Turn;
 use crate::file::exact_number;
 use crate::proof::Sense;
@@ -54,12 +54,14 @@ const TRIES: usize = 64;
 /// # Errors
 /// Why it does not.
 pub fn can_be_set(engine: &Engine) -> Result<(), &'static str> {
-    match () {
-        () if !engine.has_one_vector_per_order() => Err("its rods are articulated, and a link has several vectors"),
-        () if !engine.geared_cranks().is_empty() => Err("it has several crankshafts, and a table has throws of one"),
-        () if engine.mechanisms().len() > 1 => Err("its rods differ, so that an order is several sums"),
-        () if engine.has_offset() => Err("its cylinder axes miss the crankshaft, which turns the vectors of order 1"),
-        () => Ok(()),
+    match engine.all_rods() {
+        Rods::Without(_) => Err("its rods are articulated, or not on the crankpins: a piston has several vectors"),
+        _ if !engine.geared_cranks().is_empty() => Err("it has several crankshafts, and a table has throws of one"),
+        Rods::Differ => Err("its rods differ, so that an order is several sums"),
+        Rods::Alike(rod) if !rod.is_centric() => {
+            Err("its cylinder axes miss the crankshaft, which turns the vectors of order 1")
+        }
+        Rods::Alike(_) | Rods::Unknown => Ok(()),
     }
 }
 

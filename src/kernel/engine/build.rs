@@ -158,10 +158,10 @@ impl Draft<Linear, Linear> {
     /// The first thing that does not fit.
     pub fn build(self) -> Result<Family, BuildError> {
         let family = self.checked()?;
-        match (family.has_links(), family.faster_crank()) {
-            (false, None) => Ok(family),
-            (true, _) => Err(BuildError::ArticulatedRods("an engine with open angles or lengths")),
-            (false, Some(_)) => Err(BuildError::FasterCrank("open angles or lengths")),
+        family.only_rods().map_err(|with| BuildError::OfRodsAlone(with, "an engine with open angles or lengths"))?;
+        match family.faster_crank() {
+            None => Ok(family),
+            Some(_) => Err(BuildError::FasterCrank("open angles or lengths")),
         }
     }
 }

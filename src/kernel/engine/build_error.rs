@@ -6,6 +6,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::gas::GasMistake;
+use super::mechanism::NotARod;
 use super::mounting::NoMounting;
 use super::order::{HIGHEST_ORDER, NotAnOrder};
 use super::torsion::NoShaft;
@@ -82,8 +83,8 @@ pub enum BuildError {
         /// The cylinder.
         cylinder: String,
     },
-    /// What is not computed of an engine with articulated rods.
-    ArticulatedRods(&'static str),
+    /// What is computed of rods on the crankpins alone, in an engine with others.
+    OfRodsAlone(NotARod, &'static str),
     /// Discs and springs that are no shaft for the crankpins.
     Torsion(NoShaft),
     /// A body on mounts that is none.
@@ -112,8 +113,8 @@ impl fmt::Display for BuildError {
             BuildError::NoMaster { cylinder } => {
                 write!(f, "the link of cylinder {cylinder} is on no rod of its crankpin")
             }
-            BuildError::ArticulatedRods(what) => {
-                write!(f, "with articulated rods {what} cannot be computed; leave it out, or the master rod")
+            BuildError::OfRodsAlone(with, what) => {
+                write!(f, "with {with} {what} cannot be computed; leave it out, or give rods on the crankpins")
             }
             BuildError::NoSuchCylinder(index) => {
                 write!(f, "a balancer shaft takes the coefficient of cylinder {}, which is not there", index + 1)

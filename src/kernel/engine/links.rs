@@ -15,22 +15,17 @@ pub(super) fn check(engine: &Engine) -> Result<(), BuildError> {
             return Err(BuildError::NoMaster { cylinder: cylinder.name.clone() });
         }
     }
-    let of_link = |shaft: &Balancer| {
+    let has_several = |shaft: &Balancer| {
         let cylinder = shaft.coefficient_of.and_then(|index| engine.cylinders().get(index));
-        cylinder.is_some_and(|cylinder| cylinder.link().is_some())
+        cylinder.and_then(|one| one.mechanism.as_ref()).is_some_and(|one| !one.has_one_vector_per_order())
     };
-    let effects = engine.effects();
-    let has_links = engine.has_links();
+    let torque = engine.effects().torque && !engine.has_judged_torque();
+    let shaft = engine.crankshaft().balancers.iter().any(has_several);
     let asked = [
-        (effects.torque && !engine.has_judged_torque(), "the exact inertia torque, \"torque\" in effects,"),
-        (has_links && !engine.geared_cranks().is_empty(), "several crankshafts"),
-        (
-            engine.crankshaft().balancers.iter().any(of_link),
-            "a shaft with the coefficient of a link, which has several,",
-        ),
+        (torque, "the exact inertia torque, \"torque\" in effects,"),
+        (!engine.geared_cranks().is_empty(), "several crankshafts"),
+        (shaft, "a shaft with the coefficient of a cylinder that has several"),
     ];
-    match asked.into_iter().find(|(is_asked, _)| *is_asked) {
-        Some((_, what)) => Err(BuildError::ArticulatedRods(what)),
-        None => Ok(()),
-    }
+    let what = asked.into_iter().find(|(is_asked, _)| *is_asked);
+    what.map_or(Ok(()), |(_, what)| engine.only_rods().map_err(|with| BuildError::OfRodsAlone(with, what)))
 }

@@ -1,5 +1,7 @@
 //! What moves a piston? A crank with a connecting rod of its own, or a link on the rod of another cylinder.
 
+use std::fmt;
+
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -59,26 +61,37 @@ pub struct Link {
     pub ratio: BigRational,
 }
 
-impl Mechanism {
-    /// Whether the motion is that of rods on the crankpin whose cylinder axes meet the crankshaft: order 1 is `cos ψ`, and there
-    /// is no other odd order. Links with a corrected knuckle angle move otherwise.
-    pub fn is_centric(&self) -> bool {
-        match self {
-            Mechanism::SliderCrank(rod) => rod.is_centric(),
-            Mechanism::Link(link) => !link.is_corrected(),
-        }
-    }
+/// What moves a piston where no rod of its own is on the crankpin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotARod {
+    /// A link on the rod of another cylinder.
+    Link,
+}
 
+impl fmt::Display for NotARod {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            NotARod::Link => "articulated rods",
+        })
+    }
+}
+
+/// The rods of all pistons of an engine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rods<'a> {
+    /// Nothing is known of them.
+    Unknown,
+    /// Each piston has one on its crankpin, all like this one.
+    Alike(&'a Rod),
+    /// Each piston has one on its crankpin, and they differ.
+    Differ,
+    /// Some piston has none.
+    Without(NotARod),
+}
+
+impl Mechanism {
     /// Whether the orders of the inertia torque are judged, and its values enclosed: of a link on a master rod they are decimals.
     pub fn has_judged_torque(&self) -> bool {
-        match self {
-            Mechanism::SliderCrank(_) => true,
-            Mechanism::Link(_) => false,
-        }
-    }
-
-    /// Whether its piston has one rotating vector in each order and sense of the force: a link has several, before several numbers.
-    pub fn has_one_vector_per_order(&self) -> bool {
         match self {
             Mechanism::SliderCrank(_) => true,
             Mechanism::Link(_) => false,
@@ -101,6 +114,14 @@ impl Mechanism {
         match self {
             Mechanism::SliderCrank(rod) => !rod.ratio.is_negative() && turns_round(rod),
             Mechanism::Link(link) => link.turns_round(),
+        }
+    }
+
+    /// What it is, where it is no rod on the crankpin.
+    pub fn not_a_rod(&self) -> Option<NotARod> {
+        match self {
+            Mechanism::SliderCrank(_) => None,
+            Mechanism::Link(_) => Some(NotARod::Link),
         }
     }
 

@@ -16,7 +16,7 @@ use super::flywheel::Flywheel;
 use super::form::Form;
 use super::gas::Gas;
 use super::length::{Length, LengthUnit};
-use super::mechanism::{Link, Mechanism, Rod};
+use super::mechanism::{Link, Mechanism, NotARod, Rod, Rods};
 use super::mounting::Mounting;
 use super::title_block::TitleBlock;
 use super::torsion::Torsion;
@@ -183,6 +183,24 @@ impl<A, L> Engine<A, L> {
     /// The connecting rods, in the order of the cylinders; none where nothing is known of them.
     pub fn rods(&self) -> impl Iterator<Item = &Rod> {
         self.cylinders().iter().filter_map(Cylinder::rod)
+    }
+
+    /// The rods of all pistons as one answer: what holds of rods on the crankpins alone asks this.
+    pub fn all_rods(&self) -> Rods<'_> {
+        match (self.only_rods(), self.mechanisms().as_slice()) {
+            (Err(other), _) => Rods::Without(other),
+            (Ok(()), []) => Rods::Unknown,
+            (Ok(()), [Mechanism::SliderCrank(rod)]) => Rods::Alike(rod),
+            (Ok(()), _) => Rods::Differ,
+        }
+    }
+
+    /// Whether no piston is moved otherwise than by a rod of its own on the crankpin, or nothing is known of it.
+    ///
+    /// # Errors
+    /// What moves one otherwise.
+    pub fn only_rods(&self) -> Result<(), NotARod> {
+        self.moved().find_map(|(_, mechanism)| mechanism.not_a_rod()).map_or(Ok(()), Err)
     }
 
     /// Whether some rod is a link on another.

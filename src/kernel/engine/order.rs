@@ -10,7 +10,8 @@ use num_traits::Zero;
 
 use super::cylinder::Cylinder;
 use super::geared_crank::{GearedCrank, own_order};
-use super::mechanism::{Link, Mechanism, Rod};
+use super::mechanism::{Mechanism, Rod};
+use super::ray::Ray;
 use crate::proof::Quantity;
 
 /// The highest order that is answered.
@@ -50,24 +51,11 @@ pub const WHY_NOT: &str = "“Does not exist”: the coefficient of the order is
 impl Mechanism {
     /// Whether the coefficient of an order is not zero; there is no order 0.
     pub fn has_order(&self, quantity: Quantity, order: u32) -> bool {
-        match self {
-            Mechanism::SliderCrank(rod) => rod.has_order(quantity, order),
-            Mechanism::Link(link) => link.has_order(quantity, order),
-        }
-    }
-}
-
-impl Link {
-    /// The master's motion and its own are of even order above order 1 (see [`crate::motion::Linkage`]); with a corrected knuckle angle
-    /// any order may be there, and so of the torque, which is not judged.
-    fn has_order(&self, quantity: Quantity, order: u32) -> bool {
-        let is_endless = self.ratio.is_zero() && self.master.is_zero();
-        let has_odd = self.is_corrected() && !self.ratio.is_zero();
+        let mut laws = Ray::of(self).into_iter().map(|ray| ray.law).filter(|law| !law.is_endless());
         match (quantity, order) {
             (_, 0) => false,
-            (Quantity::Axial(_), _) => true,
-            (Quantity::Planar(_), 1) => true,
-            (Quantity::Planar(_), _) => !is_endless && (order.is_multiple_of(2) || has_odd),
+            (Quantity::Axial(_), _) => order == 2 || laws.next().is_some(),
+            (Quantity::Planar(_), _) => order == 1 || laws.any(|law| law.has_parity_of(order)),
         }
     }
 }

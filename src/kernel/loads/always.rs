@@ -17,9 +17,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::engine::Engine;
+use crate::engine::{Engine, Law, Ray};
 use crate::exact::{PhasorSum, Term, Turn};
-use crate::order::{self, Law, Ray, mass_radius};
+use crate::order::{self, mass_radius};
 use crate::proof::{Quantity, Sense};
 
 /// How fast a crank turns, the law of a motion, and where the piston is in its stroke.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::beam::BeamError;
-use crate::engine::NotAnOrder;
+use crate::engine::{Engine, NotARod, NotAnOrder};
 use crate::firing::NoStar;
 use crate::gas::NoGas;
 use crate::order::NotComparable;
@@ -25,8 +25,8 @@ pub enum Missing {
     Motion(String),
     /// A number that is no order.
     Order(NotAnOrder),
-    /// What is not computed of an engine with articulated rods.
-    ArticulatedRods(&'static str),
+    /// What is computed of rods on the crankpins alone, in an engine with others.
+    OfRodsAlone(NotARod, &'static str),
     /// What is not computed where a crankshaft turns faster than the reference.
     FasterCrank(&'static str),
     /// No main bearings.
@@ -59,7 +59,7 @@ impl fmt::Display for Missing {
             }
             Missing::Motion(reason) => f.write_str(reason),
             Missing::Order(number) => number.fmt(f),
-            Missing::ArticulatedRods(what) => write!(f, "not available for an engine with articulated rods: {what}"),
+            Missing::OfRodsAlone(with, what) => write!(f, "not available for an engine with {with}: {what}"),
             Missing::FasterCrank(what) => {
                 write!(f, "not available for an engine with a crankshaft that turns faster than the reference: {what}")
             }
@@ -77,6 +77,19 @@ impl fmt::Display for Missing {
 }
 
 impl std::error::Error for Missing {}
+
+impl Missing {
+    /// Whether the orders of the inertia torque are judged, on which this rests.
+    ///
+    /// # Errors
+    /// What moves a piston of which they are decimals.
+    pub fn unless_torque_is_judged(engine: &Engine, what: &'static str) -> Result<(), Missing> {
+        match engine.has_judged_torque() {
+            true => Ok(()),
+            false => engine.only_rods().map_err(|with| Missing::OfRodsAlone(with, what)),
+        }
+    }
+}
 
 impl From<NotAnOrder> for Missing {
     fn from(what: NotAnOrder) -> Self {

@@ -21,9 +21,7 @@ pub(super) fn roll(engine: &Engine, motion: &Motion, orders: &[u32]) -> Torque {
 /// What the layout lacks, and orders that are none.
 pub fn roll_moments(engine: &Engine, orders: &[u32]) -> Result<Vec<TorqueOrder>, Missing> {
     are_orders(orders)?;
-    if !engine.has_judged_torque() {
-        return Err(Missing::ArticulatedRods("roll moments"));
-    }
+    Missing::unless_torque_is_judged(engine, "roll moments")?;
     let motion = Motion::new(engine)?;
     Ok(orders.iter().map(|&order| of_order(engine, &motion, order)).collect())
 }

@@ -6,9 +6,9 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Missing, Motion};
-use crate::engine::{Engine, Link, Mechanism};
+use crate::engine::{Engine, Law, Link, Mechanism, Ray};
 use crate::motion::{Coefficient, CorrectedTail, HungLink, LinkMass, SLACK, SliderCrank, Tail};
-use crate::order::{self, Factor, Law, Ray, mass_radius, power};
+use crate::order::{self, Factor, mass_radius, power};
 use crate::proof::{Planar, Quantity};
 
 /// What the orders of each piston leave to the higher ones.
@@ -22,6 +22,8 @@ pub struct Tails {
 /// What the orders of a law leave to the higher ones.
 #[derive(Clone, Debug)]
 enum LawTail {
+    /// Of a crankpin, which has order 1 alone.
+    First,
     /// Of a crank, whose harmonics are multiplied by no more than this.
     Crank(f64, Tail),
     /// Of a link with a corrected knuckle angle.
@@ -54,6 +56,7 @@ impl Tails {
 
     fn with(motion: &Motion, tail: impl Fn(&SliderCrank) -> Tail) -> Self {
         let of_law = |law: &Law| match law {
+            Law::Crank => Some(LawTail::First),
             Law::Rod(rod) => Some(LawTail::Crank(1.0, tail(&order::crank_of(rod)))),
             Law::Link(link) => {
                 let own = link.linkage()?;
@@ -72,6 +75,13 @@ impl Tails {
     /// The orders of the force above one.
     fn force(&self, law: &Law, order: u32) -> f64 {
         match self.by_law.get(law) {
+            Some(LawTail::First) => {
+                if order == 0 {
+                    1.0
+                } else {
+                    0.0
+                }
+            }
             Some(LawTail::Crank(part, tail)) => part * tail.force(order),
             Some(LawTail::Corrected(tail)) => tail.force(order),
             None => f64::INFINITY,
@@ -82,7 +92,7 @@ impl Tails {
     fn of_rod(&self, mechanism: &Mechanism, bound: impl Fn(&Tail) -> f64) -> f64 {
         match mechanism.rod().and_then(|rod| self.by_law.get(&Law::Rod(rod.clone()))) {
             Some(LawTail::Crank(_, tail)) => bound(tail),
-            Some(LawTail::Corrected(_)) | None => f64::INFINITY,
+            Some(LawTail::First | LawTail::Corrected(_)) | None => f64::INFINITY,
         }
     }
 
@@ -172,7 +182,8 @@ impl Tails {
         match quantity {
             Quantity::Planar(planar) => self.of_force(engine, planar, 0),
             Quantity::TORQUE => self.of_torque(engine, |mechanism, _| {
-                let shaking = 1.0 + self.of_rod(mechanism, |tail| tail.force(0));
+                let of_ray = |ray: Ray| rounded_up(&ray.weight.abs()) * self.force(&ray.law, 0);
+                let shaking: f64 = Ray::of(mechanism).into_iter().map(of_ray).sum();
                 shaking * shaking
             }),
             Quantity::ROLL => f64::INFINITY,
@@ -182,20 +193,16 @@ impl Tails {
     /// What the orders of the pistons above this one add to a force or a moment: each ray in one direction, and the first of the cranks
     /// that have it above.
     fn of_force(&self, engine: &Engine, quantity: Planar, order: u32) -> f64 {
-        let mut weights: BTreeMap<(Option<Law>, u32), BigRational> = BTreeMap::new();
+        let mut weights: BTreeMap<(Law, u32), BigRational> = BTreeMap::new();
         for cylinder in engine.cylinders() {
             let speed = engine.speed_of(cylinder);
             let lever = order::lever(engine, quantity, &cylinder.position).abs() * power(speed, 2);
-            let rays = order::rays(engine, cylinder).into_iter().map(|ray| (Some(ray.law), ray.weight));
-            // A crank that turns faster has had so few of its own orders up to this one.
-            let has_first = order / speed.max(1) == 0;
-            let knuckle = cylinder.link().map(|link| &cylinder.knuckle_mass * &cylinder.crank_radius * &link.knuckle);
-            let masses = [mass_radius(engine, cylinder)].into_iter().chain(knuckle).map(|mass| (None, mass));
-            for (law, weight) in rays.chain(masses.filter(|_| has_first)) {
-                *weights.entry((law, speed)).or_insert_with(BigRational::zero) += weight.abs() * &lever;
+            for ray in order::rays(engine, cylinder) {
+                *weights.entry((ray.law, speed)).or_insert_with(BigRational::zero) += ray.weight.abs() * &lever;
             }
         }
-        sum(weights, |(law, speed)| law.as_ref().map_or(1.0, |law| self.force(law, order / (*speed).max(1))))
+        // A crank that turns faster has had so few of its own orders up to this one.
+        sum(weights, |(law, speed)| self.force(law, order / (*speed).max(1)))
     }
 
     /// The bounds of the torques of the pistons, by their mechanisms and how fast their cranks turn.

@@ -14,8 +14,6 @@ use super::tail::SLACK;
 pub struct CorrectedTail {
     /// r/L; 0 of a link without an end.
     ratio: f64,
-    /// κ |sin ε|, what order 1 has beside 1 and h_1.
-    beside: f64,
     /// q and 1 − q of a strip, and S there.
     strips: Vec<[f64; 3]>,
 }
@@ -50,15 +48,13 @@ impl CorrectedTail {
             let reach = ratio * (length * cosh + off * (1.0 + lowered(master * cosh)));
             [cosh - root, root - beyond, lowered(reach)]
         };
-        let beside = knuckle * correction.sin().abs();
-        CorrectedTail { ratio, beside, strips: (1..=STRIPS).map(strip).collect() }
+        CorrectedTail { ratio, strips: (1..=STRIPS).map(strip).collect() }
     }
 
-    /// `Σ_{k>K} |c_k − [k=1] − κ cos ε e^{ikΔ} c_k(λ)|` at most; 0 only where no order is above.
+    /// `Σ_{k>K} |h_k|` at most; 0 only where no order is above.
     pub fn force(&self, order: u32) -> f64 {
-        let beside = if order == 0 { self.beside * SLACK } else { 0.0 };
         if self.ratio == 0.0 {
-            return beside;
+            return 0.0;
         }
         let n = f64::from(order) + 1.0;
         let sum = |[q, short, lowered]: &[f64; 3]| {
@@ -66,6 +62,6 @@ impl CorrectedTail {
             2.0 / self.ratio * lowered * q.powf(n) * terms
         };
         let least = self.strips.iter().map(sum).fold(f64::INFINITY, f64::min);
-        (beside + least * SLACK).max(f64::MIN_POSITIVE)
+        (least * SLACK).max(f64::MIN_POSITIVE)
     }
 }

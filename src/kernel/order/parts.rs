@@ -1,48 +1,49 @@
-//! Which parts does the force of a piston have in an order? Numbers of the motion, each with a part of the vector.
+//! Which parts does the force of a piston have in an order? The rays of its motion, as numbers each with a part of the vector.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed};
 
+use super::corrected::Corrected;
 use super::factor::Factor;
-use super::ray::{Law, Ray};
-use crate::engine::{Engine, Link, Mechanism, Rod};
+use super::link::{self, Linkage};
+use super::turning::mass_radius;
+use crate::engine::{Cylinder, Engine, Law, Link, Mechanism, Ray, Rod};
 use crate::exact::{Term, Turn};
+use crate::motion::Component;
+
+/// What the masses of a cylinder that go up and down add, in multiples of m r: its piston, and the mass at the knuckle pin of its link, which
+/// moves as the master's piston does.
+pub fn rays(engine: &Engine, cylinder: &Cylinder) -> Vec<Ray> {
+    let Some(mechanism) = &cylinder.mechanism else { return Vec::new() };
+    let piston = mass_radius(engine, cylinder);
+    let of_piston = Ray::of(mechanism).into_iter().map(|ray| Ray { weight: ray.weight * &piston, ..ray });
+    let of_knuckle = link::knuckle(cylinder).into_iter().flat_map(|(link, mass_radius)| {
+        Ray::of_knuckle(link).map(|ray| Ray { weight: &mass_radius * ray.weight, ..ray })
+    });
+    of_piston.chain(of_knuckle).collect()
+}
 
 impl Factor {
     /// What the force of a cylinder with this mechanism is multiplied by: numbers of the motion, each with a part of the vector in the
     /// direct star and the angle that this part is turned by; it is turned the other way in the reverse star.
     pub fn parts_of_force(engine: &Engine, mechanism: Option<&Mechanism>, order: u32) -> Vec<(Factor, Term)> {
-        match mechanism {
-            None => Factor::parts_of_rod(engine, None, order),
-            Some(Mechanism::SliderCrank(rod)) => Factor::parts_of_rod(engine, Some(rod), order),
-            Some(Mechanism::Link(link)) if order == 1 => first_of_link(link),
-            Some(mechanism) => {
-                let mut rays = Ray::of(mechanism);
-                // Where none of the numbers is there, one stands for all.
-                if rays.iter().any(|ray| ray.law.has_parity_of(order)) {
-                    rays.retain(|ray| ray.law.has_parity_of(order));
-                } else {
-                    rays.truncate(1);
-                }
-                rays.iter().flat_map(|ray| of_ray(ray, order)).collect()
-            }
+        // Where all mechanisms are alike, 1 and y are one number, c_1.
+        let is_one_number = |rod: &&Rod| order == 1 && !rod.is_centric() && engine.mechanisms().len() == 1;
+        let rod = mechanism.and_then(Mechanism::rod).filter(is_one_number);
+        let Some(mechanism) = mechanism.filter(|_| rod.is_none()) else {
+            let (factor, weight) = Factor::of_rod(rod, order);
+            return vec![(factor, Term { angle: Turn::zero(), weight })];
+        };
+        let mut rays = Ray::of(mechanism);
+        if rays.iter().any(|ray| ray.law.has_parity_of(order)) {
+            rays.retain(|ray| ray.law.has_parity_of(order));
+        } else {
+            // Where none of the numbers is there, one stands for all.
+            rays.retain(|ray| ray.law != Law::Crank);
+            rays.truncate(1);
         }
-    }
-
-    /// The same of a piston that has a rod on the crankpin.
-    pub fn parts_of_rod(engine: &Engine, rod: Option<&Rod>, order: u32) -> Vec<(Factor, Term)> {
-        if let Some(rod) = rod.filter(|rod| order == 1 && !rod.offset.is_zero())
-            && engine.mechanisms().len() > 1
-        {
-            let one = BigRational::one();
-            let weight = if rod.offset.is_negative() { -one.clone() } else { one.clone() };
-            return vec![
-                (Factor::One, Term { angle: Turn::zero(), weight: one }),
-                (Factor::Quadrature(rod.unsigned()), Term { angle: Turn::fraction(1, 4), weight }),
-            ];
-        }
-        let (factor, weight) = Factor::of_rod(rod, order);
-        vec![(factor, Term { angle: Turn::zero(), weight })]
+        rays.iter().flat_map(|ray| of_ray(ray, order)).collect()
     }
 }
 
@@ -51,18 +52,49 @@ fn of_ray(ray: &Ray, order: u32) -> impl Iterator<Item = (Factor, Term)> {
     let part = move |(factor, part): (Factor, Term)| {
         (factor, Term { angle: &part.angle + &angle, weight: part.weight * &ray.weight })
     };
-    ray.law.parts(order).into_iter().map(part)
+    numbers(&ray.law, order).into_iter().map(part)
 }
 
-/// The first order of a link: 1, as of every centric rod. With a corrected knuckle angle two parts more, and h_1.
-fn first_of_link(link: &Link) -> Vec<(Factor, Term)> {
-    let one = |angle, weight| (Factor::One, Term { angle, weight });
-    let mut parts = vec![one(Turn::zero(), BigRational::one())];
-    if link.is_corrected() {
-        let half = &link.knuckle / BigRational::from_integer(2.into());
-        parts.push(one(&link.angle - &link.correction, half.clone()));
-        parts.push(one(&link.angle + &link.correction, -half));
-        parts.extend(Law::Corrected(link.clone()).parts(1));
+/// The numbers of a law at an order, each with a part of the vector in the direct star and the angle that this part is turned by; in the
+/// reverse star it is turned the other way.
+fn numbers(law: &Law, order: u32) -> Vec<(Factor, Term)> {
+    let plain = |factor, weight| (factor, Term { angle: Turn::zero(), weight });
+    match law {
+        Law::Crank => vec![plain(Factor::One, BigRational::one())],
+        // c_1 = 1 + iy.
+        Law::Rod(rod) if order == 1 => {
+            let weight = if rod.offset.is_negative() { -BigRational::one() } else { BigRational::one() };
+            vec![(Factor::Quadrature(rod.unsigned()), Term { angle: Turn::fraction(1, 4), weight })]
+        }
+        Law::Rod(rod) => {
+            let (factor, weight) = Factor::of_rod(Some(rod), order);
+            vec![plain(factor, weight)]
+        }
+        Law::Link(link) => of_link(link, order),
+        Law::Corrected(link) => of_corrected(link, order),
     }
-    parts
+}
+
+/// `g_k z^k`, with `z^k = Σ C(k,u) (−κ)^u e^{iuΔ}`.
+fn of_link(link: &Link, order: u32) -> Vec<(Factor, Term)> {
+    let own = Factor::Linkage(Linkage::of(link));
+    let mut weight = BigRational::one();
+    let powers = (0..=i64::from(order)).map(|u| {
+        let term = Term { angle: link.angle.times(u), weight: weight.clone() };
+        // C(k,u+1) = C(k,u) (k−u)/(u+1).
+        weight *= -&link.knuckle * BigRational::new(BigInt::from(i64::from(order) - u), BigInt::from(u + 1));
+        (own.clone(), term)
+    });
+    powers.collect()
+}
+
+/// The two parts of h_k.
+fn of_corrected(link: &Link, order: u32) -> Vec<(Factor, Term)> {
+    let own = Corrected::of(link);
+    let (is_behind, is_taken_back) = (own.apart != link.angle, own.correction != link.correction);
+    let is_opposite = is_behind != is_taken_back && !order.is_multiple_of(2);
+    let weight = if is_opposite { -BigRational::one() } else { BigRational::one() };
+    let quarter = if is_behind { Turn::fraction(3, 4) } else { Turn::fraction(1, 4) };
+    let part = |component, angle| (Factor::Corrected(own.clone(), component), Term { angle, weight: weight.clone() });
+    vec![part(Component::Real, Turn::zero()), part(Component::Imaginary, quarter)]
 }

@@ -51,7 +51,8 @@ fn of_cylinder(engine: &Engine, (index, of): (usize, &Cylinder), order: u32, sen
         Some(Mechanism::SliderCrank(rod)) => {
             let (speed, with_its_crank) = (engine.speed_of(of), sense == engine.sense_of(of));
             let weight = geared(weight, speed, 2);
-            let parts = of_piston(engine, rod, own, (sense, with_its_crank)).into_iter();
+            let of_force = Factor::parts_of_force(engine, of.mechanism.as_ref(), own);
+            let parts = of_piston(of_force, rod, own, (sense, with_its_crank)).into_iter();
             let term = |part, turned: Turn| Term { angle: &at + &turned, weight: &weight * part };
             let of_part = |(factor, part, turned): (Factor, _, _)| (factor.geared(speed), term(part, turned));
             parts.map(of_part).map(|(factor, term)| one(Source::Piston(index), factor, term)).collect()
@@ -97,17 +98,16 @@ fn turning(
     sources.of_turning(order, sense).filter(|one| is_meant(one.source)).collect()
 }
 
-/// What the vector of a piston in the star of the force is multiplied by: numbers of the motion, each with its part and the angle it
-/// is turned by; `turns` says whether it turns as the crank of the piston does.
+/// What the vector of a piston in the star of the force is multiplied by, from what its force is: numbers of the motion, each with its part
+/// and the angle it is turned by; `turns` says whether it turns as the crank of the piston does.
 fn of_piston(
-    engine: &Engine,
+    of_force: Vec<(Factor, Term)>,
     rod: &Rod,
     order: u32,
     (sense, turns): (Sense, bool),
 ) -> Vec<(Factor, BigRational, Turn)> {
     let whole = |number: i64| BigRational::from_integer(number.into());
     let mut parts = Vec::new();
-    let of_force = if order > 0 { Factor::parts_of_rod(engine, Some(rod), order) } else { Vec::new() };
     for (factor, Term { angle, weight }) in of_force.into_iter().filter(|(factor, _)| factor.exists(order)) {
         let k = i64::from(order);
         let part = BigRational::new(if turns { k - 1 } else { k + 1 }.into(), k.into());

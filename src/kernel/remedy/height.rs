@@ -10,7 +10,7 @@ use num_complex::Complex;
 use num_traits::{ToPrimitive, Zero};
 
 use super::comparable_engine::ComparableEngine;
-use crate::engine::{Cylinder, Engine, Rod};
+use crate::engine::{Cylinder, Engine, Rods};
 use crate::gas::CylinderGas;
 use crate::motion::{Enclosure, SliderCrank};
 use crate::numbers;
@@ -29,16 +29,14 @@ pub struct PairHeight {
 /// The height of the pair of an order in an engine whose cylinders are in one line, with equal centric rods and crank
 /// radii; `None` for others, and where the rods are not known or the order has no force.
 pub fn pair_height(engine: &Engine, order: u32) -> Option<PairHeight> {
-    let rod = engine.rods().next().filter(|_| !engine.has_links())?;
+    let Rods::Alike(rod) = engine.all_rods() else { return None };
     let [first, ..] = engine.cylinders() else { return None };
     let alike = engine.cylinders().iter().all(|at| at.bank == first.bank && at.crank_radius == first.crank_radius);
     let upright = first.bank.turns().is_zero();
-    let same_rods = engine.rods().all(|other: &Rod| other == rod);
     // Crankshafts side by side roll the frame about axes of their own, and against each other where they turn so.
     if !engine.geared_cranks().is_empty()
         || !alike
         || !upright
-        || !same_rods
         || !rod.offset.is_zero()
         || rod.ratio.is_zero()
         || order == 0

@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::problem::ProblemError;
-use crate::engine::{Engine, Throw, throws};
+use crate::engine::{Engine, Rods, Throw, throws};
 use crate::loads::{self, Arm};
 use crate::motion::SliderCrank;
 
@@ -30,7 +30,7 @@ impl Sizes {
     pub fn new(engine: &Engine) -> Result<Self, ProblemError> {
         let [first, others @ ..] = engine.cylinders() else { return Err(refused("a layout with cylinders")) };
         let in_line = others.iter().all(|cylinder| cylinder.bank == first.bank);
-        if engine.has_links() || !engine.geared_cranks().is_empty() || !in_line {
+        if !engine.geared_cranks().is_empty() || !in_line {
             return Err(refused("a layout in line"));
         }
         let parts = engine.throw_parts();
@@ -44,7 +44,9 @@ impl Sizes {
         let spacing = gaps.first().filter(|_| Arm::of(engine) == Arm::Metre);
         let spacing = spacing.filter(|first| gaps.iter().all(|gap| gap == *first));
         let spacing = spacing.ok_or_else(|| refused("one spacing of all cylinders of the layout, in line"))?;
-        let rod = engine.rods().next().ok_or_else(|| refused("the connecting rods of the layout"))?;
+        let Rods::Alike(rod) = engine.all_rods() else {
+            return Err(refused("the connecting rods of the layout, alike at all throws"));
+        };
         let [reciprocating, turning] = of_a_throw(engine, &parts)?;
         let crank = SliderCrank::new(rod.ratio.clone(), rod.offset.clone());
         let crank = crank.map_err(|error| ProblemError::new(error.to_string()))?;

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive};
 
-use crate::engine::{DELTA, Family, PHI};
+use crate::engine::{DELTA, Family, PHI, Rods};
 use crate::family::{OpenOrder, OpenVerdict, phase};
 use crate::motion::coefficients_fast;
 use crate::numbers::float;
@@ -37,18 +37,16 @@ type Terms = [Vec<([f64; 2], f64, f64)>; 2];
 impl<'a> Sizes<'a> {
     /// None where the rods differ or their axes miss the crankshaft: no single coefficient tells the size of an order.
     pub fn new(family: &'a Family, highest: u32) -> Option<Self> {
-        let cylinders = family.cylinders().iter();
-        let rods: Vec<Option<&BigRational>> = cylinders.map(|of| of.rod().map(|rod| &rod.ratio)).collect();
-        let is_centric =
-            family.rods().all(|rod| rod.offset.is_zero()) && !family.has_links() && family.faster_crank().is_none();
-        let first = *rods.first()?;
-        if !is_centric || rods.iter().any(|rod| *rod != first) {
-            return None;
-        }
-        let ratio = first.cloned().unwrap_or_else(|| BigRational::new(USUAL.0.into(), USUAL.1.into()));
+        let known = match family.all_rods() {
+            _ if family.faster_crank().is_some() => return None,
+            Rods::Unknown => None,
+            Rods::Alike(rod) if rod.is_centric() => Some(&rod.ratio),
+            Rods::Alike(_) | Rods::Differ | Rods::Without(_) => return None,
+        };
+        let ratio = known.cloned().unwrap_or_else(|| BigRational::new(USUAL.0.into(), USUAL.1.into()));
         let coefficients = coefficients_fast(ratio.to_f64()?, highest);
         coefficients.iter().all(|number| number.is_finite()).then_some(())?;
-        Some(Sizes { family, ratio, is_assumed: first.is_none(), coefficients })
+        Some(Sizes { family, ratio, is_assumed: known.is_none(), coefficients })
     }
 
     /// `λ = 2/7 assumed`.
