@@ -28,6 +28,7 @@ mod firmness;
 mod flywheel;
 mod journal;
 mod loads_document;
+mod mechanism_words;
 mod moments;
 mod mounts;
 pub mod moving;

@@ -1,33 +1,13 @@
 //! Which formulas do the numbers follow? Numbered on from those of the proofs, alike in every format.
 
+use super::super::mechanism_words;
 use crate::engine::Engine;
 use crate::loads::Loads;
 use crate::order::MassGroup;
 
 /// The equations with what they say, in TeX, and their numbers.
 pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(&'static str, String, u32)> {
-    let offset = engine.has_offset();
-    let root = if offset { "(\\lambda\\sin\\psi - \\delta)^2" } else { "\\lambda^2\\,{\\sin}^2\\psi" };
-    let mut equations = vec![
-        (
-            "The position of a piston along its axis, from the centre of the crankshaft, is",
-            format!("s(\\psi) = r\\cos\\psi + l\\sqrt{{1 - {root}}}, \\qquad \\psi = \\theta + \\beta - \\alpha"),
-        ),
-        (
-            "Its inertia force, outward positive, is",
-            "-m\\,\\ddot s = m\\,r\\,\\omega^2\\, \\mathrm{Re} \\sum_{k\\ge1} c_k\\, e^{ik\\psi}".to_owned(),
-        ),
-        (
-            match offset {
-                true => "With an offset every order has a coefficient, real for even k and imaginary for odd k but for the 1 of the first:",
-                false => "Without an offset the coefficients are, all terms of a series having one sign,",
-            },
-            match offset {
-                true => "c_k = [k=1] + \\frac{k^2}{\\pi\\lambda} \\int_0^{2\\pi} \\sqrt{1 - (\\lambda\\sin\\psi - \\delta)^2}\\; e^{-ik\\psi}\\, d\\psi".to_owned(),
-                false => "\\begin{aligned} c_1 &= 1, \\qquad c_3 = c_5 = \\dots = 0, \\\\ c_{2n} &= 8 n^2 (-1)^n \\sum_{j\\ge n} (-1)^j \\binom{1/2}{j} \\binom{2j}{j-n} \\frac{\\lambda^{2j-1}}{4^{j}} \\end{aligned}".to_owned(),
-            },
-        ),
-    ];
+    let mut equations = mechanism_words::motion(engine);
     let turning = [MassGroup::Rotating, MassGroup::Crankshaft, MassGroup::Counterweights];
     let has = |wanted: &[MassGroup]| loads.groups.iter().any(|loads| wanted.contains(&loads.group));
     let rotating = if has(&turning) { " + [k=1]\\; 2 \\sum_u \\frac{U_u}{m\\,r}\\, e^{i\\beta_u}" } else { "" };

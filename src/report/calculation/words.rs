@@ -1,5 +1,6 @@
 //! What was assumed, what do the symbols mean, and where do the numbers end? Generated from what the file holds.
 
+use super::super::mechanism_words;
 use super::super::residual::{group_words, orders_in_words};
 use super::inputs;
 use crate::engine::{Engine, Measure};
@@ -41,9 +42,6 @@ pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
     lines
 }
 
-const FROM_TOP: &str = "crank angle of a cylinder, 0 at top dead centre";
-const FROM_ALIGNMENT: &str = "crank angle of a cylinder, 0 where its crankpin is in line with the axis";
-
 /// Symbols with their meaning and unit.
 pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
     let row = |symbol: &str, meaning: &'static str, unit: &'static str| -> Vec<Text> {
@@ -52,7 +50,7 @@ pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
     let mut rows = vec![
         row("\\theta", "crank angle of the reference throw", "°"),
         row("\\alpha,\\ \\beta", "angle of a cylinder axis; of its throw", "°"),
-        row("\\psi = \\theta + \\beta - \\alpha", if engine.has_offset() { FROM_ALIGNMENT } else { FROM_TOP }, "°"),
+        row("\\psi = \\theta + \\beta - \\alpha", mechanism_words::counted_from(engine), "°"),
     ];
     let mut seen: Vec<Measure> = Vec::new();
     for given in &engine.dimensions().given {

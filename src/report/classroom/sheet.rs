@@ -1,7 +1,7 @@
 //! What is a student given, and what is to be found? The engine in pictures and numbers, and the tables to fill in.
 
 use super::super::convention::seen;
-use super::super::engine_page::centres;
+use super::super::mechanism_words::centres;
 use super::super::residual;
 use super::super::table;
 use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};

@@ -2,10 +2,10 @@
 
 use super::super::calculation::{Unit, books_line, percent_at_most};
 use super::super::roll_asked::roll_asked;
-use super::super::{residual, stars, table};
+use super::super::{mechanism_words, residual, stars, table};
 use super::left::{Name, numbers};
 use super::weighing::{Rest, Weighed, WeighedParts, Weighing, circumstances, sizes};
-use super::{articulated, at_speed, conventions, cures, geared};
+use super::{articulated, at_speed, cures, geared};
 use crate::engine::{DOES_NOT_EXIST, Engine};
 use crate::order::Masses;
 use crate::page::{Block, Document, Text, phrase};
@@ -235,24 +235,6 @@ pub(super) fn whose(engine: &Engine, judged: &Judgement) -> Option<Text> {
     })
 }
 
-/// Why an order is made of several sums, in a plain sentence.
-pub(super) fn why_several(engine: &Engine) -> Option<Text> {
-    Some(match (engine.has_links(), engine.has_offset(), engine.faster_crank().is_some()) {
-        (true, ..) => {
-            "A piston on a link moves differently from the master piston: each kind of link has its own coefficient.".into()
-        }
-        (false, true, _) => {
-            "The cylinder axes miss the crankshaft: cylinders with different rods or offsets have different coefficients."
-                .into()
-        }
-        (false, false, true) => "The crankshafts turn at different speeds: each has its own coefficients.".into(),
-        (false, false, false) if engine.mechanisms().len() > 1 => {
-            "The rods differ: cylinders with different rods have different coefficients.".into()
-        }
-        (false, false, false) => "The pistons have the coefficient $c_k$ of their rods; rotating masses have none.".into(),
-    })
-}
-
 /// The short answer: what is left of each order, in newtons where the file gives numbers, and exactly.
 pub fn engine_answer(engine: &Engine, judged: &Judgement) -> Document {
     answer(engine, judged, Weighing::usual(), |_| None)
@@ -324,7 +306,7 @@ fn notes(
     notes.extend(given.and_then(|weighed| books_line(engine, &weighed.loads, Unit::as_read)));
     notes.extend(is_exact.then(|| residual::LEGEND.into()));
     if is_exact && shows_classes(weighing, as_judged) {
-        notes.extend(conventions::rows(engine).into_iter().map(Text::from));
+        notes.extend(mechanism_words::rows(engine).into_iter().map(Text::from));
     }
     notes.extend(articulated::hidden(engine, as_judged));
     notes.extend((is_exact && !engine.geared_cranks().is_empty()).then(|| residual::ROLL_LEGEND.into()));

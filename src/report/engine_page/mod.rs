@@ -14,7 +14,7 @@ mod torque;
 mod weighing;
 
 pub use answer::{engine_answer, engine_answer_weighed};
-pub(super) use conventions::{ASSUMED, FIRES, centres, reference_plane};
+pub(super) use conventions::{FIRES, reference_plane};
 pub(super) use cures::is_usually_cured;
 pub use cures::worth_curing;
 pub(super) use orders::symbol;
@@ -27,7 +27,7 @@ use super::firing::firing_section;
 use super::remedy::remedy_section;
 use super::torque::torque_section;
 use super::torsion::torsion_section;
-use super::{family_page, firmness, moving, table, theorem};
+use super::{family_page, firmness, mechanism_words, moving, table, theorem};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
@@ -185,7 +185,7 @@ fn results(engine: &Engine, judged: &Judgement, weighed: &WeighedParts) -> Vec<B
         table::sums(&judged.orders).into_iter().chain(judged.pistons.iter().filter_map(|pistons| table::sums(pistons)));
     let sums: Vec<Block> = sums.map(Block::Table).collect();
     if !sums.is_empty() {
-        blocks.extend(answer::why_several(engine).map(Block::Paragraph));
+        blocks.push(Block::Paragraph(mechanism_words::why_several(engine)));
         blocks.push(Block::Folded(Fold { summary: "Exact sums behind each order".into(), blocks: sums }));
     }
     blocks

@@ -4,7 +4,7 @@ use num_traits::Signed;
 
 use super::super::residual_words::{sentence, whole_sentence};
 use super::super::star::{WholeStars, sized_star_figure, star_figure, star_legend, whole_legend, whole_star_figure};
-use super::super::{argument, example, residual, table};
+use super::super::{argument, example, mechanism_words, residual, table};
 use super::weighing::{Weighed, WeighedParts};
 use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::exact::Turn;
@@ -121,7 +121,7 @@ fn proof(engine: &Engine, star: &StarOf) -> Vec<Block> {
         return blocks;
     }
     let order = star.order;
-    blocks.extend(super::answer::why_several(engine).map(Block::Paragraph));
+    blocks.push(Block::Paragraph(mechanism_words::why_several(engine)));
     blocks.extend(star.weighed.map(|weighed| table::whole_star(engine, &WholeStars::new(weighed), order.order).into()));
     let both = [("Force", &order.force), ("Moment", &order.moment)];
     blocks.extend(both.map(|(name, of)| Block::Paragraph(whole_sentence(name, order.order, of))));

@@ -19,7 +19,8 @@ pub(super) use picture::{axis_name, which_angle};
 pub(super) use words::{argument, condition_of, summary};
 
 use super::convention::{differs, seen};
-use super::engine_page::{ASSUMED, FIRES};
+use super::engine_page::FIRES;
+use super::mechanism_words::ASSUMED;
 use super::moving;
 use crate::engine::{DELTA, Family, PHI};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};

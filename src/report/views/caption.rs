@@ -2,10 +2,10 @@
 
 use num_traits::Signed;
 
-use super::super::typeset;
+use super::super::{mechanism_words, typeset};
 use super::linkage::{is_shortened, rows};
 use super::rows::banks;
-use crate::engine::{AxisLeftOut, Engine, Form, Rods, throws};
+use crate::engine::{AxisLeftOut, Engine, Form, throws};
 use crate::page::{Text, phrase};
 
 /// What stands under the view from the free end.
@@ -17,12 +17,7 @@ pub(in crate::report) fn end_view_caption(engine: &Engine) -> Text {
         let named = (0..rows).map(|row| phrase!(ROWS[row % ROWS.len()], row + 1));
         words.push(phrase!("From the free end: {}.", Text::joined(named, ", ")));
     }
-    words.push(match engine.all_rods() {
-        Rods::Unknown => "The layout gives no rods: they are drawn 3.5 crank radii long.".into(),
-        _ if is_shortened(engine) => "Rods longer than six crank radii are drawn shorter.".into(),
-        _ if engine.has_offset() => "Crank radius, rod length and offset are to scale.".into(),
-        Rods::Alike(_) | Rods::Differ | Rods::Without(_) => "Crank radius and rod length are to scale.".into(),
-    });
+    words.push(mechanism_words::scale(engine, is_shortened(engine)).into());
     let left_out = engine.geared_cranks().iter().find_map(|crank| crank.left_out.as_ref());
     words.extend(left_out.map(|what| match what {
         AxisLeftOut::Distance(_) => APART.into(),
