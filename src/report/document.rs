@@ -144,10 +144,8 @@ pub(super) fn coefficient_claim(factor: &Factor) -> Coefficient {
         Factor::One => Coefficient::One,
         Factor::Open | Factor::OpenTorque => Coefficient::Common,
         Factor::OnPin(..) => unreachable!("no force of the engine has a number of a crankpin"),
-        Factor::Motion(rod) | Factor::Side(rod) | Factor::Torque(Mechanism::SliderCrank(rod)) => {
-            Coefficient::Rod(rod_claim(rod))
-        }
-        Factor::Torque(Mechanism::Link(_)) => unreachable!("the torque of links is not decided"),
+        Factor::Motion(rod) | Factor::Side(rod) | Factor::Torque(rod) => Coefficient::Rod(rod_claim(rod)),
+        Factor::DecimalTorque(_) => unreachable!("it is not judged"),
         Factor::Quadrature(rod) => Coefficient::Quadrature(rod_claim(rod)),
         Factor::Linkage(linkage) => Coefficient::Linkage(LinkageClaim {
             ratio: linkage.ratio.clone(),

@@ -78,7 +78,8 @@ fn class_words(class: &Class, order: u32) -> String {
     let (factor, own_order) = class.factor.own(order);
     let rod = match factor {
         Factor::Motion(rod) | Factor::Side(rod) => rod_words(rod),
-        Factor::Torque(mechanism) => mechanism.rod().map_or_else(String::new, rod_words),
+        Factor::Torque(rod) => rod_words(rod),
+        Factor::DecimalTorque(_) => String::new(),
         Factor::Quadrature(rod) => {
             let size = equals(&rod.offset);
             let size = size.strip_prefix("= ").map_or_else(|| size.clone(), |value| format!("= ±{value}"));
@@ -199,7 +200,7 @@ pub(super) fn is_of_torques(part: &TorquePart) -> bool {
 fn is_of_torque(factor: &Factor) -> bool {
     match factor {
         Factor::Geared(_, own) => is_of_torque(own),
-        own => matches!(own, Factor::Torque(_) | Factor::OpenTorque),
+        own => matches!(own, Factor::Torque(_) | Factor::DecimalTorque(_) | Factor::OpenTorque),
     }
 }
 

@@ -90,12 +90,9 @@ pub enum Rods<'a> {
 }
 
 impl Mechanism {
-    /// Whether the orders of the inertia torque are judged, and its values enclosed: of a link on a master rod they are decimals.
+    /// Whether the orders of the inertia torque are judged, and its values enclosed: of what is no rod on the crankpin they are decimals.
     pub fn has_judged_torque(&self) -> bool {
-        match self {
-            Mechanism::SliderCrank(_) => true,
-            Mechanism::Link(_) => false,
-        }
+        self.rod().is_some()
     }
 
     /// The motion of its piston, in decimals.

@@ -134,6 +134,7 @@ impl Tails {
             Factor::Motion(rod) => 1.0 + self.force(&Law::Rod(rod.clone()), order.saturating_sub(1)),
             // A shaft is multiplied by none of these.
             Factor::Torque(_)
+            | Factor::DecimalTorque(_)
             | Factor::Quadrature(_)
             | Factor::Side(_)
             | Factor::Linkage(_)

@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use super::corrected::Corrected;
 use super::crank::crank_of;
 use super::factor::Factor;
-use crate::engine::{Link, Mechanism, Rod};
+use crate::engine::{Link, Rod};
 use crate::motion::{Coefficient, CorrectedLinkage, Enclosure, HungLink, SliderCrank};
 use crate::proof::Sense;
 
@@ -35,14 +35,14 @@ impl Coefficients {
                 let (own, order) = factor.own(order);
                 return self.of(own, order);
             }
-            Factor::Open | Factor::OpenTorque | Factor::Torque(Mechanism::Link(_)) => return None,
+            Factor::Open | Factor::OpenTorque | Factor::DecimalTorque(_) => return None,
             Factor::Motion(rod) => self.crank(rod, |crank| crank.coefficient(order)),
             Factor::Quadrature(rod) => {
                 let first = self.crank(rod, |crank| crank.coefficient(1));
                 Coefficient { re: first.im, im: Enclosure::zero() }
             }
             Factor::Side(rod) => self.crank(rod, |crank| crank.side_part(order)),
-            Factor::Torque(Mechanism::SliderCrank(rod)) => self.crank(rod, |crank| crank.torque_coefficient(order)),
+            Factor::Torque(rod) => self.crank(rod, |crank| crank.torque_coefficient(order)),
             Factor::Linkage(linkage) => Coefficient { re: linkage.motion().number(order), im: Enclosure::zero() },
             Factor::OnPin(link, mass, sense) => {
                 let mut links = self.hung.borrow_mut();

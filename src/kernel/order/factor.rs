@@ -21,8 +21,10 @@ pub enum Factor {
     /// y of the c_1 = 1 + iy of this rod, whose offset is positive: a real number below 0 (theory, section 2). Order 1 of rods that differ
     /// is multiplied by it, a quarter turn on, and by 1; where all mechanisms are alike it is multiplied by c_1.
     Quadrature(Rod),
-    /// t_k, the coefficient of the inertia torque, of this mechanism.
-    Torque(Mechanism),
+    /// t_k, the coefficient of the inertia torque, of this rod.
+    Torque(Rod),
+    /// That of a mechanism whose torque is not judged: a decimal.
+    DecimalTorque(Mechanism),
     /// u_k, the part of the side force that no c_k has ([`SliderCrank::side_part`]), of this mechanism, whose offset is not
     /// negative; conjugated in reverse sums.
     ///
@@ -73,7 +75,11 @@ impl Factor {
 
     /// What the inertia torque of a cylinder with this mechanism is multiplied by.
     pub fn of_torque(mechanism: Option<&Mechanism>) -> Factor {
-        mechanism.map_or(Factor::OpenTorque, |mechanism| Factor::Torque(mechanism.clone()))
+        match (mechanism, mechanism.and_then(Mechanism::rod)) {
+            (None, _) => Factor::OpenTorque,
+            (Some(_), Some(rod)) => Factor::Torque(rod.clone()),
+            (Some(mechanism), None) => Factor::DecimalTorque(mechanism.clone()),
+        }
     }
 
     /// The same of a crank that turns this many times while the reference turns once.
@@ -115,7 +121,8 @@ impl Factor {
             Factor::One | Factor::OpenTorque | Factor::OnPin(..) => true,
             Factor::Motion(rod) => rod.has_order(Quantity::FORCE, order),
             Factor::Quadrature(rod) => order == 1 && !rod.offset.is_zero(),
-            Factor::Torque(mechanism) => mechanism.has_order(Quantity::TORQUE, order),
+            Factor::Torque(rod) => rod.has_order(Quantity::TORQUE, order),
+            Factor::DecimalTorque(mechanism) => mechanism.has_order(Quantity::TORQUE, order),
             Factor::Side(rod) => crank_of(rod).has_side_part(order),
             Factor::Linkage(linkage) => linkage.exists(order),
             Factor::Corrected(corrected, component) => corrected.exists(*component, order),
@@ -139,9 +146,12 @@ impl Factor {
                 let (own, own_order) = self.own(order);
                 own.is_negative(own_order)
             }
-            Factor::Torque(_) | Factor::Side(_) | Factor::Corrected(..) | Factor::OnPin(..) | Factor::OpenTorque => {
-                None
-            }
+            Factor::Torque(_)
+            | Factor::DecimalTorque(_)
+            | Factor::Side(_)
+            | Factor::Corrected(..)
+            | Factor::OnPin(..)
+            | Factor::OpenTorque => None,
         }
     }
 
@@ -154,6 +164,7 @@ impl Factor {
             | Factor::Motion(_)
             | Factor::Quadrature(_)
             | Factor::Torque(_)
+            | Factor::DecimalTorque(_)
             | Factor::Side(_)
             | Factor::Linkage(_)
             | Factor::Open
@@ -181,6 +192,7 @@ impl Factor {
             | Factor::Motion(_)
             | Factor::Quadrature(_)
             | Factor::Torque(_)
+            | Factor::DecimalTorque(_)
             | Factor::Side(_)
             | Factor::Linkage(_)
             | Factor::Corrected(..)

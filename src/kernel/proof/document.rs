@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
 use super::audit::{Reason, demand};
-use super::engine::{Cylinder, Masses, TurningMassClaim, has_offset, rods};
+use super::engine::{Cylinder, Masses, TurningMassClaim, rods};
 use super::format::Format;
 use super::fraction;
 use super::quantity::Quantity;
@@ -71,9 +71,7 @@ impl Document {
     }
 
     pub(super) fn has_equal_centric_rods(&self) -> bool {
-        !self.has_links()
-            && self.rods().is_ok_and(|rods| {
-                rods.is_none_or(|rods| rods.windows(2).all(|pair| pair[0] == pair[1]) && !has_offset(&rods))
-            })
+        let are_equal = self.cylinders.windows(2).all(|pair| pair[0].rod == pair[1].rod);
+        are_equal && self.cylinders.iter().all(|cylinder| cylinder.rod.is_centric()) && self.rods().is_ok()
     }
 }

@@ -111,8 +111,17 @@ pub enum RodStatement {
 }
 
 impl RodStatement {
+    /// Whether it is a rod on the crankpin whose cylinder axis meets the crankshaft, or is taken for one.
+    pub fn is_centric(&self) -> bool {
+        match self {
+            RodStatement::Unknown => true,
+            RodStatement::Known(rod) => rod.offset.is_zero(),
+            RodStatement::Link(_) => false,
+        }
+    }
+
     /// The link, where it is one.
-    pub(super) fn link(&self) -> Option<&LinkClaim> {
+    pub fn link(&self) -> Option<&LinkClaim> {
         match self {
             RodStatement::Link(link) => Some(link),
             RodStatement::Unknown | RodStatement::Known(_) => None,
@@ -120,7 +129,7 @@ impl RodStatement {
     }
 
     /// The rod, where one on the crankpin is named.
-    pub(super) fn on_the_pin(&self) -> Option<&RodClaim> {
+    pub fn on_the_pin(&self) -> Option<&RodClaim> {
         match self {
             RodStatement::Known(rod) => Some(rod),
             RodStatement::Unknown | RodStatement::Link(_) => None,
@@ -284,9 +293,4 @@ pub(super) fn check_shafts<'a>(mut rods: impl Iterator<Item = &'a RodStatement>)
 /// Checks that a mass at a knuckle pin hangs on a link.
 pub(super) fn check_knuckle(rod: &RodStatement, weight: &BigRational) -> Result<(), Reason> {
     Ok(demand(rod.link().is_some() || weight.is_zero(), "a knuckle weight without a link")?)
-}
-
-/// Whether some cylinder axis misses the crankshaft.
-pub(super) fn has_offset(rods: &[&RodClaim]) -> bool {
-    rods.iter().any(|rod| !rod.offset.is_zero())
 }

@@ -11,7 +11,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::collected::turn;
-use super::engine::{Cylinder, RodStatement, TurningMassClaim};
+use super::engine::{Cylinder, TurningMassClaim};
 use super::quantity::Sense;
 use super::vector::Vector;
 use super::verdict::phase;
@@ -37,13 +37,10 @@ pub(super) fn arms(cylinder: &Cylinder) -> Vec<Vector> {
             arms.push(Vector { angle: across, weight: halves(2) });
         }
     }
-    match &cylinder.rod {
-        RodStatement::Known(rod) if !rod.offset.is_zero() && !rod.ratio.is_zero() => {
-            let offset = &rod.offset * &cylinder.crank_radius / &rod.ratio;
-            let weight = if is_against(cylinder) { offset } else { -offset };
-            arms.push(Vector { angle: BigRational::zero(), weight });
-        }
-        RodStatement::Known(_) | RodStatement::Unknown | RodStatement::Link(_) => {}
+    if let Some(rod) = cylinder.rod.on_the_pin().filter(|rod| !rod.offset.is_zero() && !rod.ratio.is_zero()) {
+        let offset = &rod.offset * &cylinder.crank_radius / &rod.ratio;
+        let weight = if is_against(cylinder) { offset } else { -offset };
+        arms.push(Vector { angle: BigRational::zero(), weight });
     }
     arms
 }

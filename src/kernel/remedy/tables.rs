@@ -261,7 +261,12 @@ fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, 
         | Factor::Corrected(..)
         | Factor::OnPin(..)
         | Factor::Geared(..) => (None, one),
-        Factor::Motion(_) | Factor::Torque(_) | Factor::Side(_) | Factor::Open | Factor::OpenTorque => {
+        Factor::Motion(_)
+        | Factor::Torque(_)
+        | Factor::DecimalTorque(_)
+        | Factor::Side(_)
+        | Factor::Open
+        | Factor::OpenTorque => {
             let is_plain = |cylinder: &Cylinder| cylinder.link().is_none() && engine.speed_of(cylinder) == 1;
             let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| is_plain(cylinder));
             let found = cylinders.map(|(index, cylinder)| (index, Factor::of_rod(cylinder.rod(), order)));

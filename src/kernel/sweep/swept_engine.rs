@@ -224,7 +224,10 @@ fn from_sums(engine: &Engine, quantity: Planar, order: u32, highest: u32, motion
         (Factor::Corrected(..), order) => motions.corrected(factor, order),
         // Of rods that are not given, amplitudes are in multiples of c_k.
         (Factor::One | Factor::Open | Factor::OpenTorque, _) => Complex::new(1.0, 0.0),
-        (Factor::Torque(_) | Factor::Side(_) | Factor::OnPin(..) | Factor::Geared(..), _) => {
+        (
+            Factor::Torque(_) | Factor::DecimalTorque(_) | Factor::Side(_) | Factor::OnPin(..) | Factor::Geared(..),
+            _,
+        ) => {
             unreachable!("shaking forces have no coefficient of torque or side force, nor a gear of gears")
         }
     };

@@ -171,7 +171,7 @@ fn coefficient(factor: &Factor) -> String {
         Factor::Open | Factor::OpenTorque => return "c_k".to_owned(),
         Factor::Motion(rod) => ("c_k", rod),
         Factor::Quadrature(rod) => return format!("Im c_1 of λ = {}, δ = {}", rod.ratio, rod.offset),
-        Factor::Torque(_) => return "t_k".to_owned(),
+        Factor::Torque(_) | Factor::DecimalTorque(_) => return "t_k".to_owned(),
         // Without an offset it is all there is of n_k in an odd order.
         Factor::Side(rod) if rod.is_centric() => ("n_k", rod),
         Factor::Side(rod) => ("u_k", rod),

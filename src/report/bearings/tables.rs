@@ -87,11 +87,11 @@ fn rod(factor: &Factor) -> Option<&Rod> {
         Factor::One
         | Factor::Open
         | Factor::OpenTorque
+        | Factor::DecimalTorque(_)
         | Factor::Linkage(_)
         | Factor::Corrected(..)
         | Factor::OnPin(..) => None,
-        Factor::Motion(rod) | Factor::Side(rod) | Factor::Quadrature(rod) => Some(rod),
-        Factor::Torque(mechanism) => mechanism.rod(),
+        Factor::Motion(rod) | Factor::Torque(rod) | Factor::Side(rod) | Factor::Quadrature(rod) => Some(rod),
         Factor::Geared(_, own) => rod(own),
     }
 }
@@ -102,7 +102,7 @@ pub(in crate::report) fn before(factor: &Factor) -> Option<char> {
         Factor::One => None,
         Factor::Motion(_) | Factor::Open | Factor::OpenTorque => Some('c'),
         Factor::Quadrature(_) => Some('y'),
-        Factor::Torque(_) => Some('t'),
+        Factor::Torque(_) | Factor::DecimalTorque(_) => Some('t'),
         Factor::Side(rod) if rod.is_centric() => Some('n'),
         Factor::Side(_) => Some('u'),
         Factor::Linkage(_) => Some('g'),

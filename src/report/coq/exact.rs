@@ -10,21 +10,16 @@ use num_traits::{One, Zero};
 use super::evidence::{Grid, fraction};
 use super::not_stated::has_pistons;
 use super::theorem::Theorem;
-use crate::proof::{Cylinder, Document, Quantity, RodStatement};
+use crate::proof::{Cylinder, Document, Quantity};
 
 /// The least turn after which it does; none where order 1 of the force is left or not asked for, or rods or crank radii differ.
 pub(super) fn theorem(document: &Document) -> Option<Theorem> {
     let first = document.cylinders.first().filter(|_| has_pistons(document) && document.turning_masses.is_empty())?;
-    let is_centric = match &first.rod {
-        RodStatement::Unknown => true,
-        RodStatement::Known(rod) => rod.offset.is_zero(),
-        RodStatement::Link(_) => false,
-    };
     let like_first = |other: &Cylinder| (&other.rod, &other.crank_radius) == (&first.rod, &first.crank_radius);
     let mut order_1 =
         document.verdicts.iter().filter(|verdict| (verdict.quantity, verdict.order) == (Quantity::FORCE, 1));
     let is_balanced = order_1.clone().count() == 2 && order_1.all(|verdict| verdict.vanishes && verdict.of.is_empty());
-    if !is_centric || !is_balanced || !document.cylinders.iter().all(like_first) {
+    if !first.rod.is_centric() || !is_balanced || !document.cylinders.iter().all(like_first) {
         return None;
     }
     let masses = document.cylinders.iter().map(|cylinder| (cylinder, &cylinder.reciprocating_mass));

@@ -11,8 +11,8 @@ use crate::text::harmless;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotStated {
-    /// A cylinder hangs on a master rod.
-    Link(String),
+    /// A cylinder has no rod of its own on the crankpin.
+    NoRod(String),
     /// Several crankshafts, and the roll moment with them.
     SeveralCrankshafts,
     /// A shaft is sized by the number c_k of a rod.
@@ -32,12 +32,8 @@ impl fmt::Display for NotStated {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("no file of Coq can state this engine: ")?;
         match self {
-            NotStated::Link(name) => {
-                write!(
-                    f,
-                    "cylinder {} is a link on a master rod, whose numbers are enclosed and not rational",
-                    harmless(name)
-                )
+            NotStated::NoRod(name) => {
+                write!(f, "cylinder {} has no rod on the crankpin, but a link with several vectors", harmless(name))
             }
             NotStated::SeveralCrankshafts => {
                 f.write_str("it has several crankshafts; formal/Engine.v knows one, that turns once in a revolution")
@@ -91,13 +87,12 @@ pub(super) fn check(document: &Document) -> Result<(), NotStated> {
 
 /// Whether its axis passes the crankshaft on the side that counts as negative.
 fn is_below(cylinder: &Cylinder) -> bool {
-    matches!(&cylinder.rod, RodStatement::Known(rod) if rod.offset.is_negative())
+    cylinder.rod.on_the_pin().is_some_and(|rod| rod.offset.is_negative())
 }
 
 fn check_cylinder(cylinder: &Cylinder) -> Result<(), NotStated> {
-    match &cylinder.rod {
-        RodStatement::Link(_) => return Err(NotStated::Link(cylinder.name.clone())),
-        RodStatement::Known(_) | RodStatement::Unknown => (),
+    if cylinder.rod != RodStatement::Unknown && cylinder.rod.on_the_pin().is_none() {
+        return Err(NotStated::NoRod(cylinder.name.clone()));
     }
     if cylinder.speed == 1 && cylinder.crankshaft.is_none() { Ok(()) } else { Err(NotStated::SeveralCrankshafts) }
 }

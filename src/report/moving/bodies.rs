@@ -6,7 +6,7 @@ use super::super::typeset;
 use super::super::views::axes;
 use super::open_angle::{OpenAngle, decimal};
 use super::scene::{Body, Knuckle};
-use crate::engine::{Cylinder, Engine, Link, Mechanism};
+use crate::engine::{Cylinder, Engine, Link};
 use crate::proof::Sense;
 
 /// Rod ratio that rods are drawn with where none is given: 2/7.
@@ -68,17 +68,17 @@ fn body(engine: &Engine, index: usize, open: Option<&OpenAngle>) -> Body {
         Sense::Reverse => (-1.0, 2.0 * bank_turns - throw_turns),
     };
     let radius = &cylinder.crank_radius;
-    let (rod, aside, knuckle) = match &cylinder.mechanism {
-        Some(Mechanism::SliderCrank(rod)) => {
+    let (rod, aside, knuckle) = match (cylinder.rod(), cylinder.link()) {
+        (Some(rod), _) => {
             let length = radius / drawn(&rod.ratio);
             let aside = &length * &rod.offset;
             (length, aside, None)
         }
-        Some(Mechanism::Link(link)) => {
+        (None, Some(link)) => {
             let (length, knuckle) = link_on_its_knuckle(link, radius);
             (length, BigRational::default(), Some(knuckle))
         }
-        None => (radius / ratio(USUAL_RATIO), BigRational::default(), None),
+        (None, None) => (radius / ratio(USUAL_RATIO), BigRational::default(), None),
     };
     Body {
         name: cylinder.name.clone(),
@@ -121,7 +121,7 @@ const OFFSET: &str = "With an offset the coefficient c_k of an odd order turns i
 
 /// What is not drawn as the file has it.
 pub(super) fn notes(engine: &Engine) -> Vec<String> {
-    let unknown = engine.cylinders().iter().any(|cylinder| cylinder.mechanism.is_none());
+    let unknown = engine.cylinders().iter().any(|cylinder| cylinder.rod().is_none() && cylinder.link().is_none());
     let links = engine.cylinders().iter().filter_map(Cylinder::link).map(|link| &link.ratio);
     let short = engine.rods().map(|rod| &rod.ratio).chain(links).any(|given| *given < ratio(LEAST_RATIO));
     let named = |of: (i64, i64)| typeset::number(&ratio(of));

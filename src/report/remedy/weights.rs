@@ -122,6 +122,7 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
                 },
                 Factor::Motion(_)
                 | Factor::Torque(_)
+                | Factor::DecimalTorque(_)
                 | Factor::Side(_)
                 | Factor::OnPin(..)
                 | Factor::Open
