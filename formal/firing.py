@@ -20,6 +20,7 @@ def check(tree, notes):
         rods.append(rod := rod_of(c.rod))
         stars.setdefault(rod, []).append(c)
     check_masters(cylinders, rods)
+    demand(len({rod[2] for rod in rods if rod[:2] == ("rod", 0)}) <= 1, "infinitely long rods have several offsets, and no stars of their own")
     demand(all(c.crank_radius > 0 for c in cylinders), "a crank radius is not above 0")
     demand(any(c.firing_angle == 0 for c in cylinders), "no cylinder fires at 0")
     demand(len({c.name for c in cylinders}) == len(cylinders), "two cylinders have the same name")

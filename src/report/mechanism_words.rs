@@ -15,10 +15,11 @@ pub(super) fn assumed(engine: &Engine) -> Text {
         });
     }
     let unequal = engine.mechanisms().len() > 1;
-    let orders = match (engine.faster_crank().is_some(), engine.has_offset()) {
+    let orders = match (engine.faster_crank().is_some(), engine.has_odd_orders()) {
         (true, true) => EVERY_OWN_ORDER,
         (true, false) => CENTRIC_OWN_ORDERS,
         (false, true) => EVERY_ORDER,
+        (false, false) if engine.has_offset() => INCLINED,
         (false, false) if unequal => CENTRIC_ORDERS,
         (false, false) => return ASSUMED.into(),
     };
@@ -34,6 +35,7 @@ const EVERY_OWN_ORDER: &str =
 const CENTRIC_OWN_ORDERS: &str =
     "Orders of centric cranks are 1 and the even ones, multiplied by the speed of their crankshaft.";
 const ORDERS_OF_CORRECTED: &str = "Knuckle angles are corrected, so that every order may exist.";
+const INCLINED: &str = "Cylinder axes miss the crankshaft, but their rods are infinitely long: their pistons have order 1 alone. Others have 1 and the even ones.";
 const CENTRIC_ORDERS: &str = "Orders of a centric engine are 1 and the even ones.";
 
 /// The same of equal centric rods.

@@ -295,7 +295,7 @@ fn the_tables_of_a_sweep_hold_its_points_and_zeros() {
                 }
             }
         }
-        assert_eq!(decimals(points, "firing_star_3/2_r")[row], stars.points[row][1].map(|star| star.value));
+        assert_eq!(decimals(points, "firing_star_3/2_r")[row], stars.points[row][1].amplitude().map(|star| star.value));
     }
     assert!((value[1].expect("a value") - 20.0 / 3.0).abs() < 1e-15);
     let zeros = answer.table("zeros");

@@ -347,6 +347,15 @@ fn an_order_whose_star_vanishes_is_zero_at_any_pressure() {
     assert!(torque.orders.iter().all(|order| order.inertia_vanishes != (order.order.halves() % 4 == 0)));
 }
 
+/// `−s′s″` of an infinitely long rod is made of sin 2ψ and cos 2ψ (theory, section 2).
+#[test]
+fn the_inertia_torque_of_scotch_yokes_has_order_2_alone() {
+    let yoke = four(3000).replace("rod_length = '143 mm'", "scotch_yoke = true");
+    for order in torque_of(&yoke).orders {
+        assert_eq!(order.inertia_vanishes, order.order.halves() != 4, "{}", order.order);
+    }
+}
+
 #[test]
 fn what_a_layout_lacks_for_its_torque_is_told() {
     let lacks = |text: &str| torque(&engine(text)).expect_err("it lacks something").to_string();

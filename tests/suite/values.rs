@@ -166,6 +166,23 @@ fn the_verdicts_have_names() {
     assert_eq!(value("classify.torque.4.torque_vanishes").as_deref(), Some("false"));
 }
 
+/// The stars of unlike rods are one row each: none of them tells of the order.
+#[test]
+fn parts_that_differ_have_no_one_value() {
+    let engine = engine(
+        "cycle = 'two-stroke'\nfiring_angles = [0, 90, 180, 200]\n[mechanism]\nrod_ratio = [0.25, 0.3, 0.25, 0.3]\n\
+         [inline]\nthrows = [0, 270, 180, 160]\n",
+    );
+    for name in ["firing.orders.1.vanishes", "firing.orders.1.length", "classify.torque.1.torque_vanishes"] {
+        let why = named(&engine, name).expect_err("two rods");
+        assert!(why.contains("2 rows have these keys and differ"), "{name}: {why}");
+    }
+    assert_eq!(
+        named(&engine, "firing.orders.1.major").expect("alike in both").value().map(|one| one.to_string()).as_deref(),
+        Some("false")
+    );
+}
+
 #[test]
 fn shafts_and_diagrams_have_values_and_say_which_file_another_question_reads() {
     let folder = scratch("values-files");

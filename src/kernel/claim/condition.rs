@@ -1,13 +1,12 @@
 //! What does a moment depend on, that a claim may leave unsaid? The reference plane, and the offset of the banks.
 
 use num_rational::BigRational;
-use num_traits::Zero;
 
 use super::answer::Condition;
 use crate::engine::{Cylinder, Engine, Form};
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::numbers;
-use crate::order;
+use crate::order::{Masses, Source, Sources};
 use crate::proof::{Planar, Sense};
 use crate::verdict::OrderBalance;
 
@@ -52,10 +51,11 @@ fn takes_offset(engine: &Engine) -> bool {
 /// What an offset of the banks adds to the moment: the force of one bank less that of the other.
 fn offset_sum(engine: &Engine, order: u32, sense: Sense) -> PhasorSum {
     let first: Option<&Turn> = engine.cylinders().first().map(|cylinder| &cylinder.bank);
-    let force = order::star(engine, Planar::Force, order, Some(sense));
-    let signed = engine.cylinders().iter().zip(force.terms()).map(|(cylinder, term)| Term {
-        angle: term.angle.clone(),
-        weight: if Some(&cylinder.bank) == first { term.weight.clone() } else { BigRational::zero() - &term.weight },
+    let bank = |source: Source| source.piston().map(|index| &engine.cylinders()[index].bank);
+    let terms = Sources::new(engine, Masses::Reciprocating).terms(Planar::Force.into(), order, Some(sense));
+    let signed = terms.into_iter().map(|(source, _, Term { angle, weight })| Term {
+        angle,
+        weight: if bank(source) == first { weight } else { -weight },
     });
     PhasorSum::new(signed.collect())
 }

@@ -21,6 +21,7 @@ use super::mounting::Mounting;
 use super::title_block::TitleBlock;
 use super::torsion::Torsion;
 use crate::exact::Turn;
+use crate::proof::Quantity;
 use crate::text::Untrusted;
 
 /// An engine, in exact numbers. What it holds fits together: see [`BuildError`](super::BuildError) for what does not.
@@ -258,6 +259,11 @@ impl Engine {
     /// Whether some cylinder axis misses the crankshaft, so that every order exists.
     pub fn has_offset(&self) -> bool {
         self.rods().any(|rod| !rod.offset.is_zero())
+    }
+
+    /// Whether some piston has an odd order of the force above the first: infinitely long rods have none, whatever their offset is.
+    pub fn has_odd_orders(&self) -> bool {
+        self.mechanisms().iter().any(|mechanism| mechanism.has_order(Quantity::FORCE, 3))
     }
 
     /// Whether offsets move the top dead centres of cylinders by different angles, so that they are not as far apart as the firing angles.

@@ -11,6 +11,7 @@ mod strength;
 
 use crate::engine::{Cycle, CycleOrder, Engine, Firing, HIGHEST_ORDER};
 use crate::exact::PhasorSum;
+use num_traits::Zero;
 pub use pattern::{FiringPattern, LONGEST_PATTERN, NoPattern, pattern};
 pub use star::{FiringStar, NoStar, StarOrder, Weights};
 pub use strength::by_length;
@@ -47,15 +48,26 @@ pub fn firing_stars(engine: &Engine, orders: &[CycleOrder], weights: &Weights) -
     if engine.has_opposed_pistons() && (weights.is_mode_shape() || !engine.pairs_are_alike()) {
         return Err(NoStar::OpposedPistons);
     }
+    if has_endless_rods_apart(engine) {
+        return Err(NoStar::EndlessRods);
+    }
     weights.fit(engine.cylinders().len())?;
     are_orders_of(firing.cycle, orders)?;
     Ok(orders.iter().map(|&order| StarOrder::new(engine, firing, order, weights)).collect())
 }
 
+/// Whether endless rods have several slopes: their motions are all made of the same two, so that stars of each slope prove nothing.
+fn has_endless_rods_apart(engine: &Engine) -> bool {
+    let rods = engine.firing_pistons().into_iter().filter_map(|index| engine.cylinders()[index].rod());
+    let mut slopes = rods.filter(|rod| rod.ratio.is_zero()).map(|rod| &rod.offset);
+    slopes.next().is_some_and(|first| slopes.any(|other| other != first))
+}
+
 /// The stars of one order without their certificates, one for each class of cylinders: of whole orders for any engine whose crankshafts turn equally
 /// fast, of half orders where it is known when the cylinders of a four-stroke fire; none where two pistons share a cylinder and not all do so alike.
 pub fn star_sums(engine: &Engine, order: CycleOrder) -> Option<Vec<PhasorSum>> {
-    if engine.faster_crank().is_some() || engine.has_opposed_pistons() && !engine.pairs_are_alike() {
+    let is_unlike = engine.has_opposed_pistons() && !engine.pairs_are_alike();
+    if engine.faster_crank().is_some() || is_unlike || has_endless_rods_apart(engine) {
         return None;
     }
     let dead_centres = || Firing::two_stroke(engine.cylinders());

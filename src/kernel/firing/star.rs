@@ -58,6 +58,8 @@ pub enum NoStar {
     NoFiring,
     /// Two pistons share each cylinder, and what is asked is known only of those alike, with known angles, on a rigid crankshaft.
     OpposedPistons,
+    /// Infinitely long rods have several offsets.
+    EndlessRods,
     /// A half order of an engine that fires once per revolution.
     HalfOrder(CycleOrder),
     /// A crankshaft turns faster than the reference: how often its cylinders fire in a cycle is not asked.
@@ -80,6 +82,9 @@ impl fmt::Display for NoStar {
             ),
             NoStar::OpposedPistons => f.write_str(
                 "firing stars of opposed pistons are decided where the two move alike in all cylinders, of known angles, and without a mode shape; torque gives the orders of any",
+            ),
+            NoStar::EndlessRods => f.write_str(
+                "firing stars of infinitely long rods (rod_ratio = 0) are decided where all have one offset; give a rod_ratio above 0",
             ),
             NoStar::FasterCrank => f.write_str(
                 "when the cylinders of crankshafts of different speeds fire is not decided; firing stars are those of crankshafts that turn equally fast",

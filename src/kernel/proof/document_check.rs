@@ -50,8 +50,9 @@ fn check_head(document: &Document) -> Result<(), Fault> {
     check_turning_masses(document)?;
     check_axes(document)?;
     check_asked(&document.orders, &document.quantities)?;
-    if document.has_links() && document.quantities.iter().any(|quantity| quantity.planar().is_none()) {
-        return Err(Fault::new("quantities", "torque and roll moment of links on a master rod are not decided"));
+    let are_rods = document.cylinders.iter().all(|cylinder| cylinder.rod.is_rod());
+    if !are_rods && document.quantities.iter().any(|quantity| quantity.planar().is_none()) {
+        return Err(Fault::new("quantities", "torque and roll moment are decided where all rods are on the crankpins"));
     }
     for cylinder in &document.cylinders {
         let checked = check_knuckle(&cylinder.rod, &cylinder.knuckle_weight);

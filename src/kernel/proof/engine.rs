@@ -111,6 +111,11 @@ pub enum RodStatement {
 }
 
 impl RodStatement {
+    /// Whether it is a rod on the crankpin, or is taken for one.
+    pub(super) fn is_rod(&self) -> bool {
+        *self == RodStatement::Unknown || self.on_the_pin().is_some()
+    }
+
     /// Whether it is a rod on the crankpin whose cylinder axis meets the crankshaft, or is taken for one.
     pub fn is_centric(&self) -> bool {
         match self {

@@ -25,6 +25,7 @@ pub fn check_firing_document(document: &FiringDocument) -> Result<Checked, Fault
     let audit = Audit::new();
     check_head(document)?;
     check_orders(document)?;
+    check_endless(&document.cylinders)?;
     let classes = classes(&document.cylinders);
     check_verdicts(document, &classes, &audit)?;
     if let Some(pattern) = &document.pattern {
@@ -88,6 +89,14 @@ fn check_orders(document: &FiringDocument) -> Result<(), Fault> {
         ));
     }
     demand(document.orders.windows(2).all(|pair| pair[0] < pair[1]), Fault::new("orders", "orders rise, each once"))
+}
+
+/// Motions of infinitely long rods with several slopes are all made of the same two, so that a star of each slope proves nothing.
+fn check_endless(cylinders: &[FiringCylinder]) -> Result<(), Fault> {
+    let endless = cylinders.iter().filter_map(|cylinder| cylinder.rod.on_the_pin()).filter(|rod| rod.ratio.is_zero());
+    let offsets: Vec<_> = endless.map(|rod| &rod.offset).collect();
+    let are_equal = offsets.windows(2).all(|pair| pair[0] == pair[1]);
+    demand(are_equal, Fault::new("cylinders", "infinitely long rods have several offsets, and no stars of their own"))
 }
 
 /// The cylinders by their rods, in the order of the first of each.

@@ -15,6 +15,23 @@ pub struct Amplitude {
     pub value: f64,
     /// Whether it is proved to be zero.
     pub vanishes: bool,
+    /// Whether neither that is proved nor, of sums with several coefficients, that it is other than zero: it is as small as roundings.
+    pub is_undecided: bool,
+}
+
+impl Amplitude {
+    /// One that is proved to be zero.
+    pub const ZERO: Amplitude = Amplitude { value: 0.0, vanishes: true, is_undecided: false };
+
+    /// One that is known to be other than zero, or is a sum before one coefficient.
+    pub fn decided(value: f64) -> Self {
+        Amplitude { value, vanishes: false, is_undecided: false }
+    }
+
+    /// Whether it is zero; none where that is not decided.
+    pub fn is_zero(self) -> Option<bool> {
+        (!self.is_undecided).then_some(self.vanishes)
+    }
 }
 
 /// What an order of the force or the moment comes to.

@@ -35,18 +35,18 @@ pub(super) fn counterweight_of(engine: &Engine, whole: Option<&IntegerEngine>) -
     };
     let ((p, no_force), (c, no_moment)) = (force?, moment?);
     if no_force && no_moment {
-        return Some(Amplitude { value: 0.0, vanishes: true });
+        return Some(Amplitude::ZERO);
     }
     let p = if no_force { Complex::zero() } else { p };
     let (first, second) = outermost(engine)?;
     if first == second {
-        return no_moment.then_some(Amplitude { value: p.norm() / 2.0, vanishes: false });
+        return no_moment.then_some(Amplitude::decided(p.norm() / 2.0));
     }
     let [z_1, z_2] = [first, second].map(|position| (position - engine.reference_plane()).to_f64());
     let (z_1, z_2) = (z_1?, z_2?);
     let apart = 2.0 * (z_1 - z_2);
     let larger = ((c - p * z_2) / apart).norm().max(((p * z_1 - c) / apart).norm());
-    Some(Amplitude { value: larger, vanishes: false })
+    Some(Amplitude::decided(larger))
 }
 
 /// The highest and the lowest position of a throw.

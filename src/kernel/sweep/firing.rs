@@ -19,8 +19,35 @@ use crate::file::Template;
 use crate::firing::{self, Weights};
 use crate::numbers;
 
-/// The length of a firing star in crank radii; none where the cylinders cannot fire so, or are of several classes.
-pub type StarLength = Option<Amplitude>;
+/// The length of a firing star in crank radii.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StarLength {
+    /// There is none: the cylinders cannot fire so.
+    NotFired,
+    /// Stars of several rods, not all of them zero: they have no common length, and the order does not vanish for every pressure law.
+    OfSeveralRods,
+    /// It is so long.
+    Of(Amplitude),
+}
+
+impl StarLength {
+    /// The length; none where there is none.
+    pub fn amplitude(self) -> Option<Amplitude> {
+        match self {
+            StarLength::NotFired | StarLength::OfSeveralRods => None,
+            StarLength::Of(amplitude) => Some(amplitude),
+        }
+    }
+
+    /// Whether it is zero, proved; none where the cylinders cannot fire so.
+    pub fn vanishes(self) -> Option<bool> {
+        match self {
+            StarLength::NotFired => None,
+            StarLength::OfSeveralRods => Some(false),
+            StarLength::Of(amplitude) => Some(amplitude.vanishes),
+        }
+    }
+}
 
 /// The firing stars of a sweep.
 #[derive(Clone, Debug)]
@@ -75,12 +102,13 @@ pub(super) fn lengths(
 }
 
 fn length(engine: &Engine, order: CycleOrder) -> StarLength {
-    let sums = firing::star_sums(engine, order)?;
-    match sums.as_slice() {
-        [only] => Some(amplitude(only)),
-        several if several.iter().all(PhasorSum::vanishes) => Some(Amplitude { value: 0.0, vanishes: true }),
-        // Stars of different classes have no common measure.
-        _ => None,
+    match firing::star_sums(engine, order).as_deref() {
+        None => StarLength::NotFired,
+        Some([only]) => StarLength::Of(amplitude(only)),
+        Some(several) => match several.iter().all(PhasorSum::vanishes) {
+            true => StarLength::Of(Amplitude::ZERO),
+            false => StarLength::OfSeveralRods,
+        },
     }
 }
 
@@ -88,8 +116,8 @@ fn amplitude(sum: &PhasorSum) -> Amplitude {
     let weights = sum.terms().iter().map(|term| term.weight.abs().to_f64().unwrap_or(f64::INFINITY));
     let (value, total) = (float(sum).norm(), weights.sum::<f64>());
     match value <= total * numbers::ALIKE && sum.vanishes() {
-        true => Amplitude { value: 0.0, vanishes: true },
-        false => Amplitude { value, vanishes: false },
+        true => Amplitude::ZERO,
+        false => Amplitude::decided(value),
     }
 }
 

@@ -165,7 +165,7 @@ fn from_words(
     Planar::BOTH.map(|quantity| {
         let Pair { direct, mirrored, zeros, total_length } = pairs[usize::from(quantity == Planar::Moment)];
         let total_length = total_length * coefficient.norm();
-        amplitudes(direct * coefficient, mirrored * coefficient, zeros, total_length, &|| {
+        amplitudes([direct * coefficient, mirrored * coefficient], zeros, (total_length, true), &|| {
             let [direct, reverse] = Sense::BOTH.map(|sense| order::all_masses(engine, quantity, order, sense));
             direct.is_as_long_as(&reverse, order)
         })
@@ -174,22 +174,26 @@ fn from_words(
 
 /// An order that does not exist: its coefficient is 0.
 fn no_order() -> Amplitudes {
-    amplitudes(Complex::zero(), Complex::zero(), [true; 4], 0.0, &|| true)
+    amplitudes([Complex::zero(); 2], [true; 4], (0.0, true), &|| true)
 }
 
 /// The amplitudes of `½(P⁺, P̄⁻)`; which of P⁺, P⁻, P⁺ + P̄⁻ and P⁺ − P̄⁻ are zero is known, and whether both are equally
-/// long is decided where it may be: where they differ by little of `total_length`, the length of all their terms end to end.
+/// long is decided where it may be: where they differ by little of `total_length`, the length of all their terms end to end. Where they are not
+/// `one_sum` each, before one coefficient, so small a value may be zero without a proof.
 fn amplitudes(
-    direct: Complex<f64>,
-    mirrored: Complex<f64>,
+    [direct, mirrored]: [Complex<f64>; 2],
     [plus, minus, along, across]: [bool; 4],
-    total_length: f64,
+    (total_length, one_sum): (f64, bool),
     equally_long: &dyn Fn() -> bool,
 ) -> Amplitudes {
-    let part = |value: Complex<f64>, vanishes: bool| Amplitude {
-        value: if vanishes { 0.0 } else { value.norm() / 2.0 },
-        vanishes,
+    let amplitude = |value: f64, vanishes: bool| match vanishes {
+        true => Amplitude::ZERO,
+        false => {
+            let is_undecided = !one_sum && value <= numbers::ALIKE * total_length;
+            Amplitude { is_undecided, ..Amplitude::decided(value) }
+        }
     };
+    let part = |value: Complex<f64>, vanishes: bool| amplitude(value.norm() / 2.0, vanishes);
     let (one, other) = (part(direct, plus), part(mirrored, minus));
     let (direct, mirrored) =
         (if plus { Complex::zero() } else { direct }, if minus { Complex::zero() } else { mirrored });
@@ -201,8 +205,8 @@ fn amplitudes(
     Amplitudes {
         direct: one,
         reverse: other,
-        largest: Amplitude { value: largest, vanishes: none },
-        smallest: Amplitude { value: if flat { 0.0 } else { smallest }, vanishes: flat },
+        largest: amplitude(largest, none),
+        smallest: amplitude(smallest, flat),
         along: part(direct + mirrored, along),
         across: part(direct - mirrored, across),
     }
@@ -240,7 +244,8 @@ fn from_sums(engine: &Engine, quantity: Planar, order: u32, highest: u32, motion
         let weights = sum.terms().iter().map(|term| term.weight.abs().to_f64().unwrap_or(f64::INFINITY));
         total_length += coefficient(factor).norm() * weights.sum::<f64>();
     }
-    amplitudes(direct_value, mirrored_value, [plus, minus, along, across], total_length, &|| {
+    let one_sum = direct.parts().len() <= 1 && mirrored.parts().len() <= 1;
+    amplitudes([direct_value, mirrored_value], [plus, minus, along, across], (total_length, one_sum), &|| {
         direct.is_as_long_as(&reverse, order)
     })
 }

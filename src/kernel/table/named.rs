@@ -116,6 +116,14 @@ pub enum NotNamed {
     },
     /// More or fewer keys than the table has: their names.
     Keys(Vec<String>),
+    /// So many rows have these keys, and other values.
+    Several(usize),
+}
+
+impl NotNamed {
+    fn nothing() -> Self {
+        NotNamed::Row { key: String::new(), asked: String::new(), there: Vec::new() }
+    }
 }
 
 /// So many names are listed at most.
@@ -138,6 +146,9 @@ impl fmt::Display for NotNamed {
                 write!(f, "no row `{}`; there are {}", harmless(asked), listed(there))
             }
             NotNamed::Keys(keys) if keys.is_empty() => write!(f, "the table has one row; name a column alone"),
+            NotNamed::Several(rows) => {
+                write!(f, "{rows} rows have these keys and differ in this column: it has no one value")
+            }
             NotNamed::Keys(keys) => write!(f, "a row is named by {}, then a column", keys.join(", then ")),
         }
     }
@@ -176,7 +187,7 @@ impl Table {
     /// # Errors
     /// What there is in its place.
     pub fn named(&self, keys: &[&str], column: &str) -> Result<Single, NotNamed> {
-        let row = self.row(keys)?;
+        let rows = self.having_keys(keys)?;
         let is_meant = |other: &&Column| {
             let name = other.name();
             name == column || without_unit(name, other.unit()) == column || other.stem() == column
@@ -187,17 +198,24 @@ impl Table {
             there.sort_by_key(|name| Reverse(likeness(column, name)));
             NotNamed::Column(column.to_owned(), there)
         })?;
-        Ok(Single { unit: found.unit(), about: found.about(), values: found.values().of_rows(row..row + 1) })
+        let single = |row: usize| found.values().of_rows(row..row + 1);
+        let (first, others) = rows.split_first().ok_or_else(NotNamed::nothing)?;
+        // A row of no part stands before its parts.
+        let is_whole = values.iter().any(|column| column.name() == "of" && column.values().get(*first).is_none());
+        match is_whole || others.iter().all(|other| single(*other) == single(*first)) {
+            true => Ok(Single { unit: found.unit(), about: found.about(), values: single(*first) }),
+            false => Err(NotNamed::Several(rows.len())),
+        }
     }
 
-    /// The place of the row with these keys.
-    fn row(&self, keys: &[&str]) -> Result<usize, NotNamed> {
+    /// The places of the rows with these keys, at least one.
+    fn having_keys(&self, keys: &[&str]) -> Result<Vec<usize>, NotNamed> {
         let columns = &self.columns()[..self.keys()];
         let more = keys.len().checked_sub(columns.len()).filter(|more| *more == 0 || !columns.is_empty());
         let more = more.ok_or_else(|| NotNamed::Keys(columns.iter().map(Column::stem).collect()))?;
         let all = || (0..self.rows()).collect::<Vec<usize>>();
-        if let Some(row) = fitting(columns, keys, all()).and_then(|rows| rows.first().copied()) {
-            return Ok(row);
+        if let Some(rows) = fitting(columns, keys, all()).filter(|rows| !rows.is_empty()) {
+            return Ok(rows);
         }
         // Which key fits no row is told of the first way to read them: what is too much belongs to the first key.
         let first = keys.get(..=more).unwrap_or_default().join(".");
@@ -213,7 +231,7 @@ impl Table {
             }
             rows = fit;
         }
-        Err(NotNamed::Row { key: String::new(), asked: String::new(), there: Vec::new() })
+        Err(NotNamed::nothing())
     }
 }
 

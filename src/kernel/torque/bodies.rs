@@ -11,6 +11,7 @@ use num_traits::Zero;
 use crate::engine::{CycleOrder, Engine};
 use crate::motion::{LinkMotion, PistonMotion, harmonic};
 use crate::numbers;
+use crate::proof::Quantity;
 
 /// Orders of the torque are computed up to this one, unless a question asks for more.
 pub const HIGHEST: u32 = 12;
@@ -20,6 +21,8 @@ pub const HIGHEST: u32 = 12;
 pub struct Bodies {
     /// Whether they are pistons; else masses at knuckle pins.
     pub is_of_pistons: bool,
+    /// Whether they have the second order of the torque alone: pistons on infinitely long rods.
+    pub has_second_alone: bool,
     /// The inertia of one whose mass is 1 in the engine's multiples; none where mass or speed is not known.
     pub inertia: Option<Inertia>,
     /// Whose they are, by index.
@@ -110,18 +113,12 @@ impl Inertia {
         // An endless rod has no offset in metres: its pistons roll nothing but by their torque.
         let rod = own.rod().filter(|rod| !rod.ratio.is_zero());
         let lever = rod.map_or(0.0, |rod| numbers::float(&(&rod.offset / &rod.ratio)));
-        let harmonics = match &body {
-            Body::Piston(PistonMotion::Crank(crank)) => {
-                (1..=highest).map(|order| crank.torque_coefficient(order).to_complex()).collect()
-            }
-            Body::Piston(PistonMotion::Link(_)) | Body::Knuckle(_) => of_a_turn(highest, |psi| body.torque(psi)),
-        };
-        let spin = match &body {
-            Body::Piston(PistonMotion::Crank(crank)) => {
-                (1..=highest).map(|order| crank.coefficient(order).to_complex() * lever).collect()
-            }
-            Body::Piston(PistonMotion::Link(_)) => vec![Complex::zero(); highest as usize],
-            Body::Knuckle(_) => of_a_turn(highest, |psi| body.spin(psi, 0.0)),
+        let [harmonics, spin] = match &body {
+            Body::Piston(PistonMotion::Crank(crank)) => [
+                (1..=highest).map(|order| crank.torque_coefficient(order).to_complex()).collect(),
+                (1..=highest).map(|order| crank.coefficient(order).to_complex() * lever).collect(),
+            ],
+            _ => [of_a_turn(highest, |psi| body.torque(psi)), of_a_turn(highest, |psi| body.spin(psi, lever))],
         };
         let radius = numbers::float(&radius);
         Some(Inertia { radius, lever, weight, scale, harmonics, spin, body })
@@ -216,8 +213,9 @@ pub(super) fn up_to(engine: &Engine, highest: u32) -> Vec<Bodies> {
                 Some(place) => place,
                 None => {
                     let inertia = Inertia::new(engine, body, index, highest);
+                    let has_second_alone = is_of_pistons && !mechanism.has_order(Quantity::TORQUE, 1);
                     let (cylinders, tops, weights) = Default::default();
-                    all.push(Bodies { is_of_pistons, inertia, cylinders, tops, weights });
+                    all.push(Bodies { is_of_pistons, has_second_alone, inertia, cylinders, tops, weights });
                     all.len() - 1
                 }
             };

@@ -60,7 +60,7 @@ impl<'a> Stars<'a, Class> {
 }
 
 impl<'a> Stars<'a, Bodies> {
-    /// Those of the inertia, one for all masses that move alike: each is weighed by itself as well.
+    /// Those of the inertia, one for all masses that move alike and have the order: each is weighed by itself as well.
     pub fn of_inertia(bodies: &'a [Bodies], order: CycleOrder, weight: impl Fn(usize) -> BigRational) -> Self {
         let star = |of: &Bodies| {
             let masses = of.cylinders.iter().zip(&of.tops).zip(&of.weights);
@@ -70,7 +70,8 @@ impl<'a> Stars<'a, Bodies> {
             };
             PhasorSum::new(masses.map(term).collect())
         };
-        Stars(bodies.iter().map(|of| (of, star(of))).collect())
+        let has_it = |of: &&Bodies| !of.has_second_alone || order.halves() == 4;
+        Stars(bodies.iter().filter(has_it).map(|of| (of, star(of))).collect())
     }
 }
 

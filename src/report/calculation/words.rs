@@ -136,7 +136,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
         row(
             "pin offset",
             engine.has_offset(),
-            "given: odd orders appear",
+            if engine.has_odd_orders() { "given: odd orders appear" } else { "given: no odd orders but 1" },
             if engine.is_centric() { "none: no odd orders but 1" } else { "none" },
         ),
         row("unequal cylinders", unequal, "masses, radii, rods or offsets differ", "all are alike"),

@@ -112,7 +112,7 @@ pub fn needs(remedy: &Remedy) -> Text {
         [one] => phrase!(
             "Order {} needs {counterweights and |}one balancer shaft {with|against} the crank.",
             order,
-            weights && one.sense == Sense::Reverse,
+            weights,
             one.sense
         ),
         [one, _] if one.lanchester => phrase!("Order {} needs a Lanchester pair.", order),

@@ -33,7 +33,7 @@ impl fmt::Display for NotStated {
         f.write_str("no file of Coq can state this engine: ")?;
         match self {
             NotStated::NoRod(name) => {
-                write!(f, "cylinder {} has no rod on the crankpin, but a link with several vectors", harmless(name))
+                write!(f, "cylinder {} has no rod on the crankpin, but several vectors in an order", harmless(name))
             }
             NotStated::SeveralCrankshafts => {
                 f.write_str("it has several crankshafts; formal/Engine.v knows one, that turns once in a revolution")

@@ -68,9 +68,13 @@ pub(super) fn axis(sweep: &Sweep, quantity: Planar) -> Axis {
     }
 }
 
+/// What is as small as roundings, of several sums.
+const NOT_DECIDED: &str = "not decided";
+
 /// An amplitude in a table: a decimal in what [`unit`] names, or 0.
 pub(super) fn size(sweep: &Sweep, quantity: Planar, part: Amplitude) -> Text {
     match (part.vanishes, in_newtons(sweep)) {
+        _ if part.is_undecided => NOT_DECIDED.into(),
         (true, _) => Text::zero(),
         (false, true) => Text::measured(part.value, newtons(sweep, quantity)),
         (false, false) => number_of(part),
@@ -79,12 +83,17 @@ pub(super) fn size(sweep: &Sweep, quantity: Planar, part: Amplitude) -> Text {
 
 /// A decimal, or 0, of what has no unit.
 pub(super) fn number_of(part: Amplitude) -> Text {
-    if part.vanishes { Text::zero() } else { Number::Decimal(part.value).into() }
+    match part.is_zero() {
+        None => NOT_DECIDED.into(),
+        Some(true) => Text::zero(),
+        Some(false) => Number::Decimal(part.value).into(),
+    }
 }
 
 /// An amplitude with its unit behind it.
 pub(super) fn with_unit(sweep: &Sweep, quantity: Planar, part: Amplitude) -> Text {
     match (part.vanishes, in_newtons(sweep), quantity, sweep.arm) {
+        _ if part.is_undecided => NOT_DECIDED.into(),
         (true, ..) => Text::zero(),
         (false, true, Planar::Force, _) => Piece::Quantity(part.value, Unit::NEWTON).into(),
         (false, true, Planar::Moment, Arm::Metre) => Piece::Quantity(part.value, Unit::NEWTON_METRE).into(),

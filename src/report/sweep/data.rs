@@ -11,7 +11,7 @@ use crate::page::File;
 use crate::proof::Planar;
 use crate::report::data::{Filling, exact_number, value_columns};
 use crate::report::value::column_of;
-use crate::sweep::{Amplitude, Amplitudes, Evenness, Parameter, Sweep, SweptEngine};
+use crate::sweep::{Amplitude, Amplitudes, Evenness, Parameter, StarLength, Sweep, SweptEngine};
 use crate::table::{Table, Unit, csv};
 
 /// The tables of a sweep: the points, the exact zeros where the parameter is an angle, those of the firing stars where they are asked for.
@@ -48,7 +48,7 @@ pub fn points(sweep: &Sweep) -> Table {
     let stars = || sweep.firing.iter().flat_map(|firing| firing.orders.iter().enumerate());
     for (place, order) in stars() {
         let name = ("firing_star_{order}_{unit}", order.exact());
-        table.decimal(name, Unit::CRANK_RADIUS, |(index, _)| star(sweep, *index, place).map(size));
+        table.decimal(name, Unit::CRANK_RADIUS, |(index, _)| star(sweep, *index, place)?.amplitude().map(size));
     }
     for (index, name) in parameters.iter().enumerate() {
         table.exact(("{parameter}_exact", name), Unit::NONE, |(_, point)| point.values.get(index).map(exact_number));
@@ -60,7 +60,7 @@ pub fn points(sweep: &Sweep) -> Table {
     table.truth("counterweight_vanishes", |(_, point)| point.counterweight.map(|part| part.vanishes));
     for (place, order) in stars() {
         let name = ("firing_star_{order}_vanishes", order.exact());
-        table.truth(name, |(index, _)| star(sweep, *index, place).map(|star| star.vanishes));
+        table.truth(name, |(index, _)| star(sweep, *index, place)?.vanishes());
     }
     with_observed(sweep, table.done())
 }
@@ -121,7 +121,7 @@ fn amplitudes(sweep: &Sweep, table: &mut Points, (place, order): (usize, u32), q
 fn vanishing(table: &mut Points, (place, order): (usize, u32), quantity: Planar) {
     for (index, [.., pattern]) in PARTS.into_iter().enumerate() {
         let name = (pattern, quantity.name(), order);
-        table.truth(name, |(_, point)| part(point, place, quantity, index).map(|part| part.vanishes));
+        table.truth(name, |(_, point)| part(point, place, quantity, index)?.is_zero());
     }
 }
 
@@ -167,9 +167,9 @@ const SIDES: [(&str, Side); 3] = [
     ("height_{unit}", |envelope| Some(envelope.height)),
 ];
 
-/// The length of the firing star of an order at a point; none where the cylinders cannot fire as the file says.
-fn star(sweep: &Sweep, point: usize, place: usize) -> Option<Amplitude> {
-    sweep.firing.as_ref()?.points.get(point)?.get(place).copied().flatten()
+/// The length of the firing star of an order at a point.
+fn star(sweep: &Sweep, point: usize, place: usize) -> Option<StarLength> {
+    sweep.firing.as_ref()?.points.get(point)?.get(place).copied()
 }
 
 /// An amplitude, 0 where it is proved.

@@ -48,7 +48,19 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
     let order = firing.orders[place_of].to_string();
     let known = firing.points.iter().zip(&sweep.points);
     let lengths: Vec<(Amplitude, &SweptEngine)> =
-        known.filter_map(|(stars, point)| Some((stars[place_of]?, point))).collect();
+        known.filter_map(|(stars, point)| Some((stars[place_of].amplitude()?, point))).collect();
+    let several = firing.points.iter().filter(|stars| stars[place_of] == StarLength::OfSeveralRods).count();
+    if several > 0 {
+        return phrase!(
+            "**Gas torque of order {}:** not {} at {} of {} values, where the rods are of several kinds: their stars have no common length. Exactly {} at {} values.",
+            order,
+            Text::zero(),
+            several,
+            firing.points.len(),
+            Text::zero(),
+            lengths.iter().filter(|(length, _)| length.vanishes).count()
+        );
+    }
     let set = firing.zeros.as_ref().map(|zeros| &zeros[place_of]);
     let Some([greatest, least]) = Extreme::of(&lengths) else {
         return match set {
@@ -110,7 +122,11 @@ fn points(sweep: &Sweep, firing: &FiringSweep) -> Table {
     let orders = firing.orders.iter().map(|order| phrase!("Order {}", order.to_string()));
     let mut table = Table::new(place_headings(sweep).chain(orders));
     for (point, stars) in sweep.points.iter().zip(&firing.points) {
-        let cells = stars.iter().map(|star| Text::or_dash(star.map(number_of)));
+        let cells = stars.iter().map(|star| match star {
+            StarLength::NotFired => "–".into(),
+            StarLength::OfSeveralRods => "not 0".into(),
+            StarLength::Of(amplitude) => number_of(*amplitude),
+        });
         table.push(place_cells(point).chain(cells).collect());
     }
     table
@@ -118,8 +134,9 @@ fn points(sweep: &Sweep, firing: &FiringSweep) -> Table {
 
 /// The stars over one parameter, those that do not vanish everywhere.
 fn picture(sweep: &Sweep, firing: &FiringSweep) -> Option<Picture> {
-    let is_left =
-        |place: &usize| firing.curve.iter().any(|(_, stars)| stars[*place].is_some_and(|star| !star.vanishes));
+    let is_left = |place: &usize| {
+        firing.curve.iter().any(|(_, stars)| stars[*place].amplitude().is_some_and(|star| !star.vanishes))
+    };
     let drawn: Vec<usize> = (0..firing.orders.len()).filter(is_left).collect();
     if sweep.points.len() < 2 || drawn.is_empty() {
         return None;
@@ -135,7 +152,7 @@ fn picture(sweep: &Sweep, firing: &FiringSweep) -> Option<Picture> {
 fn plot(sweep: &Sweep, firing: &FiringSweep, orders: &[usize]) -> Figure {
     let names: Vec<String> = orders.iter().map(|&place| firing.orders[place].to_string()).collect();
     let mut plot = plot_of_stars(&names, over(sweep, &sweep.parameters[0]));
-    let height = |star: StarLength| star.map_or(f64::NAN, |star| star.value);
+    let height = |star: StarLength| star.amplitude().map_or(f64::NAN, |star| star.value);
     for (number, (&place, name)) in orders.iter().zip(names).enumerate() {
         let points = firing.curve.iter().map(|(at, stars)| (float(at), height(stars[place]))).collect();
         let curve = Curve::new(number, format!("order {name}"), points);

@@ -97,7 +97,7 @@ fn masses(label: &str, flywheels: &Flywheels) -> Table {
     ]);
     let weights = |point: &Evened| match point.counterweights {
         Some(Amplitude { vanishes: true, .. }) => Text::zero(),
-        Some(Amplitude { value, vanishes: false }) => Text::measured(value, Unit::KILOGRAM),
+        Some(Amplitude { value, vanishes: false, .. }) => Text::measured(value, Unit::KILOGRAM),
         None => "–".into(),
     };
     for point in flywheels.all() {
