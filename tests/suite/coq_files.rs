@@ -402,7 +402,7 @@ fn what_the_file_cannot_state_is_refused_with_the_reason() {
         "title = 'Far'\ncycle = 'two-stroke'\nfiring_order = '1-2'\n[inline]\nthrows = ['0 turn', '1/1009 turn']\n",
     );
     let cases = [
-        (vec!["radial-9-master"], "is a link on a master rod"),
+        (vec!["radial-9-master"], "has no rod on the crankpin"),
         (vec![open.as_str()], "has unknowns; give them values"),
         (vec![long.as_str(), "--all-orders"], "2000006"),
         (
