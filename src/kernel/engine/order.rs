@@ -51,6 +51,9 @@ pub const WHY_NOT: &str = "“Does not exist”: the coefficient of the order is
 impl Mechanism {
     /// Whether the coefficient of an order is not zero; there is no order 0.
     pub fn has_order(&self, quantity: Quantity, order: u32) -> bool {
+        if let Some(rod) = self.rod() {
+            return rod.has_order(quantity, order);
+        }
         let mut laws = Ray::of(self).into_iter().map(|ray| ray.law).filter(|law| !law.is_endless());
         match (quantity, order) {
             (_, 0) => false,

@@ -72,17 +72,21 @@ impl Ray {
     }
 }
 
+/// A rod is asked without its rays: a sweep asks at each of its points.
 impl Mechanism {
     /// Whether the motion is that of rods on the crankpin whose cylinder axes meet the crankshaft: order 1 is `cos ψ`, and there
     /// is no other odd order. Links with a corrected knuckle angle move otherwise.
     pub fn is_centric(&self) -> bool {
+        if let Some(rod) = self.rod() {
+            return rod.is_centric();
+        }
         let mut odd = Ray::of(self).into_iter().filter(|ray| ray.law.has_parity_of(1));
         odd.next().is_some_and(|ray| ray.law == Law::Crank) && odd.next().is_none()
     }
 
     /// Whether its piston has one rotating vector in each order and sense of the force: a link has several, before several numbers.
     pub fn has_one_vector_per_order(&self) -> bool {
-        matches!(Ray::of(self).as_slice(), [_, _])
+        self.rod().is_some() || matches!(Ray::of(self).as_slice(), [_, _])
     }
 }
 

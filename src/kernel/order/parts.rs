@@ -28,8 +28,8 @@ impl Factor {
     /// What the force of a cylinder with this mechanism is multiplied by: numbers of the motion, each with a part of the vector in the
     /// direct star and the angle that this part is turned by; it is turned the other way in the reverse star.
     pub fn parts_of_force(engine: &Engine, mechanism: Option<&Mechanism>, order: u32) -> Vec<(Factor, Term)> {
-        // Where all mechanisms are alike, 1 and y are one number, c_1.
-        let is_one_number = |rod: &&Rod| order == 1 && !rod.is_centric() && engine.mechanisms().len() == 1;
+        // A rod has one number in an order. Only where mechanisms differ are 1 and y of c_1 = 1 + iy apart.
+        let is_one_number = |rod: &&Rod| order > 1 || rod.is_centric() || engine.mechanisms().len() == 1;
         let rod = mechanism.and_then(Mechanism::rod).filter(is_one_number);
         let Some(mechanism) = mechanism.filter(|_| rod.is_none()) else {
             let (factor, weight) = Factor::of_rod(rod, order);
