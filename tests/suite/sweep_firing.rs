@@ -163,6 +163,10 @@ fn stars_of_several_rods_are_neither_zero_nor_unfired() {
     let all = swept(&unlike, &["mechanism.rod_ratio.1=0.3..0.4:0.05"], &["1"]).expect("stars");
     let told = words_of(&report::sweep_answer(&all));
     assert!(!told.contains("at no value of the sweep"), "{told}");
+    let endless = text.replace("rod_ratio = [0.25, 0.25, 0.25]", "rod_ratio = 0\noffset_ratio = [0.1, 0.1, 0.1]");
+    let some = swept(&endless, &["mechanism.offset_ratio.2=0.1..0.2:0.1"], &["1"]).expect("stars");
+    let told = words_of(&report::sweep_answer(&some));
+    assert!(told.contains("not decided at 1 of 2 values"), "{told}");
 }
 
 #[test]

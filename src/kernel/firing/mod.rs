@@ -9,9 +9,10 @@ mod pattern;
 mod star;
 mod strength;
 
+use num_traits::Zero;
+
 use crate::engine::{Cycle, CycleOrder, Engine, Firing, HIGHEST_ORDER};
 use crate::exact::PhasorSum;
-use num_traits::Zero;
 pub use pattern::{FiringPattern, LONGEST_PATTERN, NoPattern, pattern};
 pub use star::{FiringStar, NoStar, StarOrder, Weights};
 pub use strength::by_length;
@@ -64,19 +65,27 @@ fn has_endless_rods_apart(engine: &Engine) -> bool {
 }
 
 /// The stars of one order without their certificates, one for each class of cylinders: of whole orders for any engine whose crankshafts turn equally
-/// fast, of half orders where it is known when the cylinders of a four-stroke fire; none where two pistons share a cylinder and not all do so alike.
-pub fn star_sums(engine: &Engine, order: CycleOrder) -> Option<Vec<PhasorSum>> {
-    let is_unlike = engine.has_opposed_pistons() && !engine.pairs_are_alike();
-    if engine.faster_crank().is_some() || is_unlike || has_endless_rods_apart(engine) {
-        return None;
+/// fast, of half orders where it is known when the cylinders of a four-stroke fire.
+///
+/// # Errors
+/// See [`NoStar`].
+pub fn star_sums(engine: &Engine, order: CycleOrder) -> Result<Vec<PhasorSum>, NoStar> {
+    if engine.faster_crank().is_some() {
+        return Err(NoStar::FasterCrank);
+    }
+    if engine.has_opposed_pistons() && !engine.pairs_are_alike() {
+        return Err(NoStar::OpposedPistons);
+    }
+    if has_endless_rods_apart(engine) {
+        return Err(NoStar::EndlessRods);
     }
     let dead_centres = || Firing::two_stroke(engine.cylinders());
     let firing = match order.is_whole() {
         // In turns a revolution more leaves κφ as it is.
         true => dead_centres(),
-        false => engine.firing().filter(|firing| order.exists_in(firing.cycle))?.clone(),
+        false => engine.firing().filter(|firing| order.exists_in(firing.cycle)).ok_or(NoStar::NoFiring)?.clone(),
     };
-    Some(star::sums(engine, &firing, order, &Weights::Rigid).into_iter().map(|(_, sum)| sum).collect())
+    Ok(star::sums(engine, &firing, order, &Weights::Rigid).into_iter().map(|(_, sum)| sum).collect())
 }
 
 /// The orders that are decided for this many cylinders where none are asked for, multiples of the lowest: up to the first at which all

@@ -16,7 +16,7 @@ use crate::engine::{CycleOrder, Engine, NoSpans};
 use crate::exact::PhasorSum;
 use crate::family::{self, OpenStar, Solutions};
 use crate::file::Template;
-use crate::firing::{self, Weights};
+use crate::firing::{self, NoStar, Weights};
 use crate::numbers;
 
 /// The length of a firing star in crank radii.
@@ -24,6 +24,8 @@ use crate::numbers;
 pub enum StarLength {
     /// There is none: the cylinders cannot fire so.
     NotFired,
+    /// Of such an engine it is not decided.
+    NotDecided,
     /// Stars of several rods, not all of them zero: they have no common length, and the order does not vanish for every pressure law.
     OfSeveralRods,
     /// It is so long.
@@ -34,15 +36,15 @@ impl StarLength {
     /// The length; none where there is none.
     pub fn amplitude(self) -> Option<Amplitude> {
         match self {
-            StarLength::NotFired | StarLength::OfSeveralRods => None,
+            StarLength::NotFired | StarLength::NotDecided | StarLength::OfSeveralRods => None,
             StarLength::Of(amplitude) => Some(amplitude),
         }
     }
 
-    /// Whether it is zero, proved; none where the cylinders cannot fire so.
+    /// Whether it is zero, proved; none where that is not decided, or the cylinders cannot fire so.
     pub fn vanishes(self) -> Option<bool> {
         match self {
-            StarLength::NotFired => None,
+            StarLength::NotFired | StarLength::NotDecided => None,
             StarLength::OfSeveralRods => Some(false),
             StarLength::Of(amplitude) => Some(amplitude.vanishes),
         }
@@ -103,9 +105,10 @@ pub(super) fn lengths(
 
 fn length(engine: &Engine, order: CycleOrder) -> StarLength {
     match firing::star_sums(engine, order).as_deref() {
-        None => StarLength::NotFired,
-        Some([only]) => StarLength::Of(amplitude(only)),
-        Some(several) => match several.iter().all(PhasorSum::vanishes) {
+        Err(NoStar::NoFiring) => StarLength::NotFired,
+        Err(_) => StarLength::NotDecided,
+        Ok([only]) => StarLength::Of(amplitude(only)),
+        Ok(several) => match several.iter().all(PhasorSum::vanishes) {
             true => StarLength::Of(Amplitude::ZERO),
             false => StarLength::OfSeveralRods,
         },

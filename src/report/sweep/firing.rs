@@ -49,7 +49,16 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
     let known = firing.points.iter().zip(&sweep.points);
     let lengths: Vec<(Amplitude, &SweptEngine)> =
         known.filter_map(|(stars, point)| Some((stars[place_of].amplitude()?, point))).collect();
-    let several = firing.points.iter().filter(|stars| stars[place_of] == StarLength::OfSeveralRods).count();
+    let count = |of: StarLength| firing.points.iter().filter(|stars| stars[place_of] == of).count();
+    let (several, open) = (count(StarLength::OfSeveralRods), count(StarLength::NotDecided));
+    if open > 0 {
+        return phrase!(
+            "**Gas torque of order {}:** not decided at {} of {} values.",
+            order,
+            open,
+            firing.points.len()
+        );
+    }
     if several > 0 {
         return phrase!(
             "**Gas torque of order {}:** not {} at {} of {} values, where the rods are of several kinds: their stars have no common length. Exactly {} at {} values.",
@@ -124,6 +133,7 @@ fn points(sweep: &Sweep, firing: &FiringSweep) -> Table {
     for (point, stars) in sweep.points.iter().zip(&firing.points) {
         let cells = stars.iter().map(|star| match star {
             StarLength::NotFired => "–".into(),
+            StarLength::NotDecided => "not decided".into(),
             StarLength::OfSeveralRods => "not 0".into(),
             StarLength::Of(amplitude) => number_of(*amplitude),
         });
