@@ -42,20 +42,18 @@ impl Ray {
             Mechanism::SliderCrank(rod) => vec![own(Law::Crank), own(Law::Rod(rod.clone()))],
             Mechanism::Link(link) if link.is_corrected() => {
                 let half = &link.knuckle / BigRational::from_integer(2.into());
-                let master = |law, turned, weight| Ray { law, ahead: link.angle.clone(), turned, weight };
-                let rod = || Law::Rod(link.master_rod());
+                let (ahead, back) = (&link.correction, &-&link.correction);
                 vec![
                     own(Law::Crank),
-                    master(Law::Crank, -&link.correction, half.clone()),
-                    master(Law::Crank, link.correction.clone(), -&half),
-                    master(rod(), link.correction.clone(), half.clone()),
-                    master(rod(), -&link.correction, half.clone()),
+                    of_master(link, Law::Crank, back, half.clone()),
+                    of_master(link, Law::Crank, ahead, -&half),
+                    of_master(link, Law::Rod(link.master_rod()), ahead, half.clone()),
+                    of_master(link, Law::Rod(link.master_rod()), back, half),
                     own(Law::Corrected(link.clone())),
                 ]
             }
             Mechanism::Link(link) => {
-                let master =
-                    Ray { ahead: link.angle.clone(), weight: link.knuckle.clone(), ..own(Law::Rod(link.master_rod())) };
+                let master = of_master(link, Law::Rod(link.master_rod()), &Turn::zero(), link.knuckle.clone());
                 vec![own(Law::Crank), master, own(Law::Link(link.clone()))]
             }
         }
@@ -63,13 +61,14 @@ impl Ray {
 
     /// The motion of the knuckle pin of a link, along the axis of the master: that of its piston pin, and of the weight κ.
     pub fn of_knuckle(link: &Link) -> [Ray; 2] {
-        [Law::Crank, Law::Rod(link.master_rod())].map(|law| Ray {
-            law,
-            ahead: link.angle.clone(),
-            turned: link.correction.clone(),
-            weight: link.knuckle.clone(),
-        })
+        let laws = [Law::Crank, Law::Rod(link.master_rod())];
+        laws.map(|law| of_master(link, law, &link.correction, link.knuckle.clone()))
     }
+}
+
+/// A part of the motion of a link, or of its knuckle pin, that stands to the crank as its master's piston does.
+fn of_master(link: &Link, law: Law, turned: &Turn, weight: BigRational) -> Ray {
+    Ray { law, ahead: link.angle.clone(), turned: turned.clone(), weight }
 }
 
 /// A rod is asked without its rays: a sweep asks at each of its points.

@@ -46,15 +46,18 @@ pub fn are_orders_of(cycle: Cycle, orders: &[CycleOrder]) -> Result<(), NoStar> 
 /// See [`NoStar`].
 pub fn firing_stars(engine: &Engine, orders: &[CycleOrder], weights: &Weights) -> Result<Vec<StarOrder>, NoStar> {
     let firing = firing_of(engine)?;
-    if engine.has_opposed_pistons() && (weights.is_mode_shape() || !engine.pairs_are_alike()) {
-        return Err(NoStar::OpposedPistons);
-    }
-    if has_endless_rods_apart(engine) {
-        return Err(NoStar::EndlessRods);
-    }
+    can_be_judged(engine, weights)?;
     weights.fit(engine.cylinders().len())?;
     are_orders_of(firing.cycle, orders)?;
     Ok(orders.iter().map(|&order| StarOrder::new(engine, firing, order, weights)).collect())
+}
+
+/// Whether the pistons move so that stars tell which orders vanish.
+fn can_be_judged(engine: &Engine, weights: &Weights) -> Result<(), NoStar> {
+    if engine.has_opposed_pistons() && (weights.is_mode_shape() || !engine.pairs_are_alike()) {
+        return Err(NoStar::OpposedPistons);
+    }
+    if has_endless_rods_apart(engine) { Err(NoStar::EndlessRods) } else { Ok(()) }
 }
 
 /// Whether endless rods have several slopes: their motions are all made of the same two, so that stars of each slope prove nothing.
@@ -73,12 +76,7 @@ pub fn star_sums(engine: &Engine, order: CycleOrder) -> Result<Vec<PhasorSum>, N
     if engine.faster_crank().is_some() {
         return Err(NoStar::FasterCrank);
     }
-    if engine.has_opposed_pistons() && !engine.pairs_are_alike() {
-        return Err(NoStar::OpposedPistons);
-    }
-    if has_endless_rods_apart(engine) {
-        return Err(NoStar::EndlessRods);
-    }
+    can_be_judged(engine, &Weights::Rigid)?;
     let dead_centres = || Firing::two_stroke(engine.cylinders());
     let firing = match order.is_whole() {
         // In turns a revolution more leaves κφ as it is.

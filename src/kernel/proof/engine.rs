@@ -112,7 +112,7 @@ pub enum RodStatement {
 
 impl RodStatement {
     /// Whether it is a rod on the crankpin, or is taken for one.
-    pub(super) fn is_rod(&self) -> bool {
+    pub fn is_rod(&self) -> bool {
         *self == RodStatement::Unknown || self.on_the_pin().is_some()
     }
 
@@ -126,7 +126,7 @@ impl RodStatement {
     }
 
     /// The link, where it is one.
-    pub fn link(&self) -> Option<&LinkClaim> {
+    pub(super) fn link(&self) -> Option<&LinkClaim> {
         match self {
             RodStatement::Link(link) => Some(link),
             RodStatement::Unknown | RodStatement::Known(_) => None,

@@ -4,7 +4,7 @@ use std::fmt;
 
 use num_traits::Signed;
 
-use crate::proof::{Cylinder, Document, Masses, Quantity, RodStatement};
+use crate::proof::{Cylinder, Document, Masses, Quantity};
 use crate::text::harmless;
 
 /// Why there is no file.
@@ -91,7 +91,7 @@ fn is_below(cylinder: &Cylinder) -> bool {
 }
 
 fn check_cylinder(cylinder: &Cylinder) -> Result<(), NotStated> {
-    if cylinder.rod != RodStatement::Unknown && cylinder.rod.on_the_pin().is_none() {
+    if !cylinder.rod.is_rod() {
         return Err(NotStated::NoRod(cylinder.name.clone()));
     }
     if cylinder.speed == 1 && cylinder.crankshaft.is_none() { Ok(()) } else { Err(NotStated::SeveralCrankshafts) }
