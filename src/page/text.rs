@@ -115,11 +115,6 @@ impl Text {
         Piece::Link(Box::new(text.into()), target.into()).into()
     }
 
-    /// For a place such as `{order|orders}`: the first words for one, the second for more.
-    pub fn one_or_more(count: usize) -> Self {
-        Text::from(count == 1)
-    }
-
     /// Which of the words of its place it chooses.
     pub(super) fn choice(&self) -> Option<usize> {
         match self.pieces[..] {
@@ -136,6 +131,12 @@ impl Text {
     /// Whether it is empty.
     pub fn is_empty(&self) -> bool {
         self.pieces.is_empty()
+    }
+
+    /// Whether it is empty, or a value in its words is.
+    pub(super) fn lacks_a_value(&self) -> bool {
+        let lacks = |piece: &Piece| matches!(piece, Piece::Phrase(_, values) if values.iter().any(Text::is_empty));
+        self.is_empty() || self.pieces.iter().any(lacks)
     }
 
     /// Whether it says no more than that something is exactly zero.
@@ -202,51 +203,86 @@ impl From<usize> for Text {
     }
 }
 
+/// Which of the words of a place are said: of `{with|against}` the first or the second.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice(usize);
+
+impl Choice {
+    /// For a place such as `{order|orders}`: the first words for one, the second for more.
+    pub fn one_or_more(count: usize) -> Self {
+        Choice::from(count == 1)
+    }
+
+    /// The words of this number, counted from 0.
+    pub fn of(number: usize) -> Self {
+        Choice(number)
+    }
+}
+
+impl From<Choice> for Text {
+    fn from(choice: Choice) -> Self {
+        Piece::Choice(choice.0).into()
+    }
+}
+
 /// For a place such as `{if it holds|if not}`.
-impl From<bool> for Text {
+impl From<bool> for Choice {
     fn from(holds: bool) -> Self {
-        Piece::Choice(usize::from(!holds)).into()
+        Choice(usize::from(!holds))
     }
 }
 
 /// For a place such as `{with|against}`.
-impl From<Sense> for Text {
+impl From<Sense> for Choice {
     fn from(sense: Sense) -> Self {
-        Text::from(sense == Sense::Direct)
+        Choice::from(sense == Sense::Direct)
     }
 }
 
 /// For a place such as `{force|moment}`.
-impl From<Planar> for Text {
+impl From<Planar> for Choice {
     fn from(quantity: Planar) -> Self {
-        Text::from(quantity == Planar::Force)
+        Choice::from(quantity == Planar::Force)
     }
 }
 
 /// For a place such as `{force|moment|inertia torque|roll moment}`.
-impl From<Quantity> for Text {
+impl From<Quantity> for Choice {
     fn from(quantity: Quantity) -> Self {
         match quantity {
             Quantity::Planar(quantity) => quantity.into(),
-            Quantity::Axial(Axial::Torque) => Piece::Choice(2).into(),
-            Quantity::Axial(Axial::Roll) => Piece::Choice(3).into(),
+            Quantity::Axial(Axial::Torque) => Choice(2),
+            Quantity::Axial(Axial::Roll) => Choice(3),
         }
     }
 }
 
 /// For a place such as `{from the free end|from the flywheel}`.
-impl From<SeenFrom> for Text {
+impl From<SeenFrom> for Choice {
     fn from(end: SeenFrom) -> Self {
-        Text::from(end == SeenFrom::FreeEnd)
+        Choice::from(end == SeenFrom::FreeEnd)
     }
 }
 
 /// For a place such as `{two|four}`.
-impl From<Cycle> for Text {
+impl From<Cycle> for Choice {
     fn from(cycle: Cycle) -> Self {
-        Text::from(cycle == Cycle::TwoStroke)
+        Choice::from(cycle == Cycle::TwoStroke)
     }
 }
+
+/// Words in the code whose place chooses: those in `templates/pages` take a [`Choice`].
+macro_rules! choosing {
+    ($($chooser:ty),*) => {
+        $(impl From<$chooser> for Text {
+            fn from(chooser: $chooser) -> Self {
+                Choice::from(chooser).into()
+            }
+        })*
+    };
+}
+
+choosing!(bool, Sense, Planar, Quantity, SeenFrom, Cycle);
 
 impl From<&Untrusted> for Text {
     fn from(words: &Untrusted) -> Self {

@@ -50,6 +50,7 @@ mod star;
 mod stars;
 mod sweep;
 mod table;
+mod texts;
 mod theorem;
 mod theorem_words;
 mod torque;

@@ -5,7 +5,7 @@ use num_traits::{One, Signed};
 
 use super::residual::{largest, line_bearing, shape_name};
 use crate::engine::DOES_NOT_EXIST;
-use crate::page::{Piece, Text, phrase};
+use crate::page::{Choice, Text, phrase};
 use crate::proof::{Planar, Sense, Shape, ShapeEvidence};
 use crate::verdict::{Balance, Outcome, WholeOrder};
 
@@ -96,7 +96,7 @@ pub(super) fn whole_sentence(name: &'static str, order: u32, whole: &WholeOrder)
 
 /// How it is known whether a vector vanishes, or both do.
 fn vector_sentence(vector: Option<Sense>, outcome: &Outcome) -> Text {
-    let vector = vector.map_or_else(|| Piece::Choice(2).into(), Text::from);
+    let vector = vector.map_or_else(|| Choice::of(2).into(), Text::from);
     match outcome {
         Outcome::Zero => phrase!(
             "{1:The direct vector vanishes|The reverse vector vanishes|Both vectors vanish}: each of {1:its|its|their} sums is zero.",

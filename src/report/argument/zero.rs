@@ -13,7 +13,7 @@ use crate::engine::Engine;
 use crate::exact::{MOST_VECTORS, MinimalStar, StarClass, Turn, minimal_stars, taken_apart};
 use crate::order::Source;
 use crate::page::number::angle;
-use crate::page::{Number, Text, phrase};
+use crate::page::{Choice, Number, Text, phrase};
 use crate::proof::{Polygon, Quantity};
 use crate::verdict::{JudgedStar, corners, mirror_partners, opposed_partners};
 
@@ -44,7 +44,7 @@ pub(super) fn opposed(engine: &Engine, star: JudgedStar<'_>) -> Text {
             partners.into_iter().map(|(first, second)| phrase!("{} and {}", one(first), one(second))).collect()
         }
     };
-    let number = Text::one_or_more(pairs.len());
+    let number = Choice::one_or_more(pairs.len());
     let listed = if pairs.len() == 1 { listed(pairs) } else { Text::joined(pairs, ", of ") };
     match star.quantity {
         Quantity::MOMENT => phrase!(

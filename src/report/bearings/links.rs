@@ -11,6 +11,7 @@ use crate::loads::{self, Circle, KnuckleLoad, LinkLoads, MasterLoad, Waveform, l
 use crate::page::{self, Block, Picture, Text, phrase};
 use crate::report::calculation::data::Units;
 use crate::report::data::Filling;
+use crate::report::texts::bearings as text;
 use crate::table::Table;
 use crate::text::Untrusted;
 
@@ -19,15 +20,11 @@ const STEPS: usize = 720;
 /// Of more links on a master rod those of one side are drawn, as many as these.
 const MOST_LINKS: usize = 4;
 
-const LINKS: &str = "Each rod is two masses at its ends: a link pushes its knuckle pin along itself, and the mass at the knuckle pin (the pin and the big end of the link) moves with the master rod. The crankpin carries all knuckle pins and the master's piston; the knuckle pins stand beside the master rod, so that its piston is pressed against the wall until the moments on the rod cancel. These loads have no closed form: they are computed from the exact motion, to the roundings of decimals.";
-
 /// Tables and drawings; none where no rod is a link.
 pub(in crate::report) fn blocks(engine: &Engine) -> Vec<Block> {
     let Some(links) = link_loads(engine) else { return Vec::new() };
     let unit = Unit::of_force(loads::scale(engine).as_ref());
     vec![
-        Block::Heading(1, "Articulated rods".into()),
-        Block::Paragraph(LINKS.into()),
         masters(engine, &links, unit).into(),
         knuckles(engine, &links, unit).into(),
         Block::Pictures(links.masters.iter().flat_map(|master| drawn(engine, &links, master, unit)).collect()),
@@ -41,18 +38,14 @@ pub(in crate::report) fn answer(engine: &Engine) -> Option<Text> {
     let most = |one: &&MasterLoad, other: &&MasterLoad| one.crankpin.value.total_cmp(&other.crankpin.value);
     let master = links.masters.iter().max_by(most)?;
     let knuckle = links.knuckles.iter().max_by(|one, other| one.peak.value.total_cmp(&other.peak.value))?;
-    Some(phrase!(
-        "Articulated rods: master rod {} with its links loads its crankpin with up to {} {}, the knuckle pin of cylinder {} carries up to {} {}, and the wall presses on the master's piston with up to {} {}, without links {} {}.",
+    Some(text::articulated(
         names(engine, &[master.cylinder]),
         amounts::size(&master.crankpin, unit),
         unit.label(),
         names(engine, &[knuckle.cylinder]),
         amounts::size(&knuckle.peak, unit),
-        unit.label(),
         amounts::size(&master.side, unit),
-        unit.label(),
         amounts::size(&master.own_side, unit),
-        unit.label()
     ))
 }
 
@@ -115,19 +108,12 @@ fn drawn(engine: &Engine, links: &LinkLoads, master: &MasterLoad, unit: Unit) ->
     [
         Picture {
             name: format!("master-{}-crankpin", master.cylinder + 1),
-            caption: phrase!(
-                "Crankpin of master rod {}: path of the tip of its load by all rods through a revolution, of the masses, seen from the crank, outward along the throw upwards. Rings mark crank angles, the dot the largest force.",
-                names(engine, &[master.cylinder])
-            ),
+            caption: text::crankpin(names(engine, &[master.cylinder])),
             figure: pin.figure(),
         },
         Picture {
             name: format!("master-{}-knuckles", master.cylinder + 1),
-            caption: phrase!(
-                "Knuckle pins of master rod {}, {} at most: paths of the tips of their loads through a revolution, of the masses, seen from the master rod, away from the crankpin upwards.",
-                names(engine, &[master.cylinder]),
-                MOST_LINKS
-            ),
+            caption: text::knuckle_pins(names(engine, &[master.cylinder]), MOST_LINKS),
             figure: pins.figure(),
         },
     ]

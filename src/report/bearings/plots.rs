@@ -8,7 +8,8 @@ use super::amounts::unit_of;
 use crate::engine::Convention;
 use crate::loads::{BearingLoad, BearingLoads, Circle};
 use crate::page::figure::Figure;
-use crate::page::{self, Picture, phrase};
+use crate::page::{self, Picture};
+use crate::report::texts::bearings as text;
 
 /// The tips of a force through a revolution, to the right and up.
 type Tips = Vec<(f64, f64)>;
@@ -95,9 +96,6 @@ pub(in crate::report) fn path(bearing: &str, curves: Vec<Curve>, largest: f64, u
     polar
 }
 
-const COMPONENTS: &str = "Bearing {}: components of the force through a revolution, y upwards in direction 0 (solid), x to the right (dashed)";
-const PATH: &str = "Bearing {}: path of the tip of the force through a revolution, seen from the {free end|flywheel}, direction 0 upwards. Rings mark crank angles, the dot the largest force.";
-
 fn drawn(
     convention: Convention,
     (number, bearing): (usize, &BearingLoad),
@@ -113,9 +111,9 @@ fn drawn(
     polar.mark_quarters(&tips, STEPS);
     let peak = &bearing.peak;
     polar.marks.extend(peak.angle.map(|angle| largest_at(tip(peak.vector * unit.factor), angle)));
-    let caption = phrase!(PATH, name.clone(), convention.turns_anticlockwise_from());
+    let caption = text::path(name.clone(), convention.turns_anticlockwise_from());
     [
-        Picture { name: format!("bearing-{number}"), caption: phrase!(COMPONENTS, name.clone()), figure: components },
+        Picture { name: format!("bearing-{number}"), caption: text::components(name.clone()), figure: components },
         Picture { name: format!("bearing-{number}-polar"), caption, figure: polar.figure() },
     ]
 }

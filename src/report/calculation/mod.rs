@@ -109,7 +109,7 @@ pub(super) fn working(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
     let assumed = assumed.chain(engine.title_block().assumptions.iter().map(Text::from));
     blocks.extend([heading(2, "Assumptions"), Block::List(assumed.collect())]);
     if loads.bearings.is_some() {
-        blocks.push(Block::List(bearings::ASSUMPTIONS.map(Text::from).into()));
+        blocks.push(Block::List(super::texts::bearings::assumptions().into()));
     }
     blocks.extend([heading(2, "Limits of validity"), Block::List(words::limits(engine, loads))]);
     blocks.push(Block::Folded(Fold { summary: "Symbols and equations".into(), blocks: equations(engine, loads) }));

@@ -9,7 +9,7 @@ use super::amounts::{Unit, is_left, waveform};
 use crate::engine::Engine;
 use crate::loads::{Circle, Loads, Outcome, Torque, Waveform};
 use crate::page::plot::{Axis, Curve, Plot, Polar, stacked};
-use crate::page::{Picture, Text, phrase};
+use crate::page::{Choice, Picture, Text, phrase};
 use crate::proof::{Planar, Quantity};
 
 /// Steps of a revolution in a plot.
@@ -136,7 +136,7 @@ fn caption(subject: &'static str, first: &[Order], rest: &[Order]) -> Text {
     let below = match rest {
         [] => return words,
         few if few.len() <= MOST_CURVES => {
-            phrase!("Below, to a larger scale, {order|orders} {}.", Text::one_or_more(few.len()), numbers(few))
+            phrase!("Below, to a larger scale, {order|orders} {}.", Choice::one_or_more(few.len()), numbers(few))
         }
         many => {
             let (shown, others) = many.split_at(MOST_CURVES - 1);

@@ -8,7 +8,7 @@ use super::weighing::{Rest, Weighed, WeighedParts, Weighing, circumstances, size
 use super::{articulated, at_speed, cures, geared};
 use crate::engine::{DOES_NOT_EXIST, Engine};
 use crate::order::Masses;
-use crate::page::{Block, Document, Text, phrase};
+use crate::page::{Block, Choice, Document, Text, phrase};
 use crate::proof::{Planar, Quantity, Shape};
 use crate::verdict::{self, EveryOrderTheorem, Judgement, NextLeft, NoTheorem, OrderVerdict, WholeOrder};
 
@@ -219,7 +219,7 @@ fn at_most(small: &[String], next: NextLeft, bound: Text) -> Text {
         (_, NextLeft::None) => phrase!("**Orders {}.** Together at most {}.", listed(), bound),
         (_, NextLeft::Order(_) | NextLeft::NotKnown) => phrase!(
             "**{Order|Orders} {} and all others.** Together at most {}.",
-            Text::one_or_more(small.len()),
+            Choice::one_or_more(small.len()),
             listed(),
             bound
         ),

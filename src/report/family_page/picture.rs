@@ -14,7 +14,7 @@ use crate::family::{OpenOrder, OpenVerdict, Solutions, Zeros, phase};
 use crate::numbers::float;
 use crate::page::figure::Figure;
 use crate::page::plot::{Axis, Curve, Plot, PointMark, stacked};
-use crate::page::{Piece, Text, phrase};
+use crate::page::{Choice, Text, phrase};
 use crate::proof::{Planar, Sense};
 
 /// Steps of a turn of the open angle.
@@ -70,7 +70,7 @@ fn kind_of_angle(family: &Family, unknown: &str) -> usize {
 
 /// For a place such as `{bank angle φ|angle φ|pin split δ}`.
 pub(in crate::report) fn which_angle(family: &Family, unknown: &str) -> Text {
-    Piece::Choice(kind_of_angle(family, unknown)).into()
+    Choice::of(kind_of_angle(family, unknown)).into()
 }
 
 /// What the axis of an open angle is called.

@@ -1,6 +1,7 @@
 //! What is said of the complete loads: first, and at the end?
 
-use super::super::bearings::{self, called};
+use super::super::bearings::called;
+use super::super::texts;
 use super::super::torque::{angle, assumptions as of_the_gas, names, quantity};
 use crate::engine::Engine;
 use crate::journal::{self, CycleBearings, CycleLoads};
@@ -163,8 +164,8 @@ pub(super) fn missed(loads: &CycleLoads, bearings: &CycleBearings) -> Text {
 
 /// What the numbers rest on.
 pub(super) fn assumptions(engine: &Engine) -> Vec<Text> {
-    let [shaft, _, rods, determinate] = bearings::ASSUMPTIONS;
-    let mut list: Vec<Text> = vec![shaft.into(), LOADS.into(), rods.into(), determinate.into()];
+    let [shaft, _, rods, determinate] = texts::bearings::assumptions();
+    let mut list: Vec<Text> = vec![shaft, LOADS.into(), rods, determinate];
     list.extend(of_the_gas(engine));
     list
 }

@@ -8,7 +8,7 @@ use super::super::engine_page::is_usually_cured;
 use super::super::typeset;
 use super::{ranked, weights};
 use crate::numbers::float;
-use crate::page::{Number, Piece, Text, Unit, phrase};
+use crate::page::{Choice, Number, Piece, Text, Unit, phrase};
 use crate::remedy::{Kind, PairHeight, Remedy, Shaft, Weight};
 
 /// For a place such as `{force|couple|force and moment}`.
@@ -18,7 +18,7 @@ fn choice(kind: Kind) -> Text {
         Kind::Couple => 1,
         Kind::ForceAndMoment => 2,
     };
-    Piece::Choice(at).into()
+    Choice::of(at).into()
 }
 
 /// The orders of a remedy.
@@ -176,7 +176,7 @@ fn proof(remedy: &Remedy) -> Text {
             left
         );
     }
-    let number = Text::one_or_more(remedy.orders.len());
+    let number = Choice::one_or_more(remedy.orders.len());
     match remedy.weights().is_empty() {
         true => phrase!("Force and moment vanish at {order|orders} {}: no weight is needed.", number, orders(remedy)),
         false => phrase!(
@@ -222,7 +222,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let optional = (!usual.is_empty() && !optional.is_empty()).then(|| {
         phrase!(
             "Usually left uncorrected: {order|orders} {}.",
-            Text::one_or_more(optional.len()),
+            Choice::one_or_more(optional.len()),
             typeset::listed(&optional)
         )
     });
