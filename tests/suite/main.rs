@@ -115,6 +115,7 @@ mod opposed_gas;
 mod optimise;
 mod optimise_geared;
 mod output_folder;
+mod page_texts;
 mod plane_cheats;
 mod plots;
 mod pressure_files;
@@ -191,6 +192,7 @@ mod support {
     pub mod linked;
     pub mod mutations;
     pub mod oracle;
+    pub mod page_texts;
     pub mod pages;
     pub mod pin_stars;
     pub mod piston;

@@ -13,7 +13,7 @@ use crankstar::page::{Block, Document, Piece, Text};
 use crankstar::remedy::{self, Request};
 use crankstar::report::{self, Numbers};
 
-use super::pages;
+use super::{page_texts, pages};
 
 /// What stands in a phrase outside of its formulas.
 pub fn outside(words: &str) -> impl Iterator<Item = &str> {
@@ -152,6 +152,7 @@ pub fn literals(folders: &[&str]) -> BTreeSet<String> {
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("rs") => found.extend(quoted(&source)),
             Some("toml") => {}
+            Some("md") => found.extend(page_texts::said(&source)),
             // In a template quotes stand within quotes.
             _ => found.extend(source.split('"').map(str::to_owned)),
         }
@@ -162,7 +163,7 @@ pub fn literals(folders: &[&str]) -> BTreeSet<String> {
 }
 
 /// The texts between quotes, outside of comments; a broken line goes on where its words do.
-fn quoted(source: &str) -> Vec<String> {
+pub fn quoted(source: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut letters = source.chars().peekable();
     while let Some(letter) = letters.next() {
