@@ -5,7 +5,7 @@ use crate::engine::CycleOrder;
 use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, number, phrase};
 use crate::report::calculation::inputs_table;
 use crate::report::engine_cells;
-use crate::report::torque::LINKED_GUIDES;
+use crate::report::texts::torque::linked_guides;
 use crate::torque::GuideMoments;
 
 const CONVENTION: &str = "V is along direction 0, upright in an in-line engine, H across it; amplitudes are zero to peak, moments about the reference plane. **0** is proved. Forces and moments are \
@@ -106,7 +106,7 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
     if has_guides {
         blocks.push(Block::Paragraph(GUIDES.into()));
         let has_links = study.rows.iter().any(|row| row.engine.has_links());
-        blocks.extend(has_links.then(|| Block::Paragraph(LINKED_GUIDES.into())));
+        blocks.extend(has_links.then(|| Block::Paragraph(linked_guides())));
         blocks.push(guides(study, ("H, {}", LAST_COLUMN), |moments| moments.rocking).into());
         blocks.extend(of_firing(study).map(Block::from));
         blocks.push(guides(study, ("X, {}", LAST_TWISTING), |moments| moments.twisting).into());

@@ -3,7 +3,8 @@
 use super::super::figure::Ink;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::{AtSpeed, MountsStudy, Place};
-use crate::page::{Picture, Unit, phrase};
+use crate::page::{Picture, Unit};
+use crate::report::texts::mounts as text;
 
 /// So many orders have curves of their own.
 const MOST_CURVES: usize = 5;
@@ -68,10 +69,7 @@ fn map(study: &MountsStudy) -> Option<Picture> {
             }
         }
     }
-    let caption = phrase!(
-        "Response over speed and order, as in Campbell's diagram: the velocity in each order is drawn above the line of that order, three decades from the line to the largest; a dot marks where the order meets a natural frequency. An order without a curve does not move the engine, proved."
-    );
-    Some(Picture::new("map", caption, plot.figure()))
+    Some(Picture::new("map", text::map(), plot.figure()))
 }
 
 /// The velocity of the watched place in the strongest orders.
@@ -91,9 +89,6 @@ fn speeds(study: &MountsStudy) -> Option<Picture> {
         let points = of_order(study, order).map(|at| (at.rpm, at.velocity.map_or(f64::NAN, |velocity| velocity * 1e3)));
         plot.curves.push(Curve::new(number, format!("order {}", name(order, study)), points.collect()));
     }
-    let caption = phrase!(
-        "Velocity of {the point of the file|the centre of gravity} over the speed in the orders that move it most, zero to peak along one axis.",
-        study.watched() == Place::Point
-    );
+    let caption = text::velocity_curves(study.watched() == Place::Point);
     Some(Picture::new("velocity", caption, plot.figure()))
 }

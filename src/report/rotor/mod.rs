@@ -9,6 +9,8 @@ use super::question::question_of_its_room;
 use crate::exact::PhasorSum;
 use crate::file::Rotor;
 use crate::numbers;
+use crate::page::Text;
+use crate::report::texts::rotor as text;
 use crate::rotor::{self, Answer, Found, Locomotive, NotSolved, Secondary};
 
 /// Masses on a shaft with what balances them.
@@ -29,7 +31,7 @@ pub(in crate::report) struct LeftOver<'a> {
     /// Its name in the tables of data.
     pub column: &'static str,
     /// Its name on the page.
-    pub name: &'static str,
+    pub name: Text,
     /// The star, in kilogram-metres or kilogram square metres; none where it is known in decimals alone.
     pub star: Option<&'a PhasorSum>,
     /// Its sum.
@@ -41,8 +43,15 @@ pub(in crate::report) struct LeftOver<'a> {
 }
 
 impl<'a> LeftOver<'a> {
-    fn new(column: &'static str, name: &'static str, star: &'a PhasorSum) -> Self {
-        LeftOver { column, name, star: Some(star), sum: numbers::evaluate(star), is_couple: false, is_secondary: false }
+    fn new(column: &'static str, name: impl Into<Text>, star: &'a PhasorSum) -> Self {
+        LeftOver {
+            column,
+            name: name.into(),
+            star: Some(star),
+            sum: numbers::evaluate(star),
+            is_couple: false,
+            is_secondary: false,
+        }
     }
 
     fn couple(self) -> Self {
@@ -98,7 +107,7 @@ impl RotorStudy {
     /// What is left in the second order.
     pub(in crate::report) fn of_second_order(&self) -> Vec<LeftOver<'_>> {
         let Some(Secondary { sums: [force, couple], exact }) = &self.secondary else { return Vec::new() };
-        let row = |column, name, sum: &Complex<f64>, index: usize| LeftOver {
+        let row = |column, name: Text, sum: &Complex<f64>, index: usize| LeftOver {
             column,
             name,
             star: exact[index].as_ref(),
@@ -107,8 +116,8 @@ impl RotorStudy {
             is_secondary: true,
         };
         vec![
-            row("secondary_force", "Secondary force, times ω² c₂", force, 0),
-            row("secondary_couple", "Secondary couple about the first mass, times ω² c₂", couple, 1),
+            row("secondary_force", "Secondary force, times ω² c₂".into(), force, 0),
+            row("secondary_couple", text::secondary_couple(), couple, 1),
         ]
     }
 

@@ -10,16 +10,8 @@ use crate::exact::PhasorSum;
 use crate::numbers::{self, Direction};
 use crate::page::number::{Amount, Bearing, Number, given_with, turns};
 use crate::page::{Block, Document, Table, Text, Unit, phrase};
+use crate::report::texts::rotor as text;
 use crate::rotor::{Answer, Found, Real, Reason};
-
-const FOUND: &str = "With $U = m r e^{i\\beta}$ the shaft is balanced where $\\sum U = 0$ and $\\sum z U = 0$: four real equations. Whether they hold, and whether a solution exists, is decided by exact sums; \
-    a value after = is exact, after ≈ a decimal.";
-
-const SECONDARY: &str = "Every mass reciprocates on its crank, so that it adds its mass times radius at twice its angle; times ω² and the coefficient c₂ of the connecting rod, nearly crank radius over rod length, these are force and couple of the second order.";
-
-const SCHLICK: &str = "Four cranks whose outer masses are equal, in planes symmetric about the middle, have no force and couple of the first order where the outer cranks stand at $\\pm\\alpha$ and the inner ones at $180^\\circ \\pm \\beta$; the force of the second order vanishes too where $2\\cos\\alpha\\cos\\beta = 1$ (Schlick). With the ratio $\\rho$ of the outer distance to the inner one, $x = \\cos^2\\alpha$ is the positive root of $4x^2 + (\\rho^2-1)x - \\rho^2 = 0$, and the inner masses are $2x$ times the outer ones.";
-
-const LOCOMOTIVE: &str = "The shaft is balanced with this share of the reciprocating masses counted as if it turned. The vertical component of this share is the hammer blow. The rest varies the tractive force, and about the middle between the wheels it is the swaying couple. Only the first order is included, for a long rod; secondary forces are neglected.";
 
 /// The short answer.
 pub(super) fn answer(study: &RotorStudy) -> Document {
@@ -31,60 +23,47 @@ pub(super) fn answer(study: &RotorStudy) -> Document {
 
 /// The page.
 pub(super) fn page(study: &RotorStudy) -> Document {
-    let mut page = Document::new("rotor", phrase!("{}: masses on a shaft", &study.rotor.title));
-    page.push(Block::Answer(vec![verdict(study)]));
-    page.blocks.extend(found(study));
-    page.section("The masses", masses(study));
-    page.section("How it was found", FOUND);
-    if study.rotor.secondary {
-        page.push(SCHLICK);
+    text::Page {
+        shaft: (&study.rotor.title).into(),
+        answer: Block::Answer(vec![verdict(study)]).into(),
+        found: found(study).into(),
+        masses: masses(study).into(),
+        method: std::iter::once(text::equations()).chain(study.rotor.secondary.then(text::schlick)).collect(),
     }
-    page
+    .document()
 }
 
 fn verdict(study: &RotorStudy) -> Text {
     match &study.answer {
-        Answer::Balanced => "The shaft is balanced: force and couple vanish, proved.".into(),
-        Answer::Residual(_) => "The shaft is not balanced, proved.".into(),
+        Answer::Balanced => text::balanced(),
+        Answer::Residual(_) => text::not_balanced(),
         Answer::Found(solutions) => {
             // Where no angle is given the whole may be turned about the shaft.
             let is_turned = study.rotor.masses.iter().all(|mass| mass.angle.is_none());
             match (solutions.len(), is_turned) {
-                (1, false) => "One solution balances the shaft, and no other does.",
-                (1, true) => "One solution balances the shaft; all others are the same, turned about the shaft.",
-                (_, false) => "Two solutions balance the shaft, mirror images of each other, and no other does.",
-                (_, true) => {
-                    "Two solutions balance the shaft, mirror images of each other; all others are these, turned about the shaft."
-                }
+                (1, false) => text::one_solution(),
+                (1, true) => text::one_solution_turned(),
+                (_, false) => text::two_solutions(),
+                (_, true) => text::two_solutions_turned(),
             }
-            .into()
         }
-        Answer::Never(reason) => phrase!("No solution, proved: {}", why(*reason, true)),
-        Answer::Many(reason) => phrase!("Many solutions: {}", why(*reason, false)),
+        Answer::Never(reason) => text::no_solution(why(*reason, true)),
+        Answer::Many(reason) => text::many_solutions(why(*reason, false)),
     }
 }
 
 fn why(reason: Reason, is_never: bool) -> Text {
     match reason {
-        Reason::OnePlane if is_never => "both wanted masses are in one plane, and a couple about it remains.",
-        Reason::OnePlane => "both wanted masses are in one plane, where only their sum matters.",
-        Reason::Couple => "the wanted masses balance the force, but a couple remains.",
-        Reason::Force => "no mass in the given direction balances the force.",
-        Reason::CoupleAlone => "a couple remains in a direction in which the wanted masses balance no force, so no planes for them balance it.",
-        Reason::NotParallel => {
-            "force and couple do not lie in one plane through the shaft, so that no single mass balances both."
-        }
-        Reason::OneLine => {
-            "both wanted masses are in one line with the shaft, so that they cannot be distinguished by their forces."
-        }
-        Reason::NoTriangle => {
-            "of the three moments about the plane of the wanted mass one is larger than the two others together."
-        }
-        Reason::BalancedAlready => {
-            "one wanted mass has nothing to balance: it is 0 and may be anywhere."
-        }
+        Reason::OnePlane if is_never => text::couple_remains_about_plane(),
+        Reason::OnePlane => text::only_sum_matters(),
+        Reason::Couple => text::couple_remains(),
+        Reason::Force => text::no_mass_in_direction(),
+        Reason::CoupleAlone => text::no_planes(),
+        Reason::NotParallel => text::not_in_one_plane(),
+        Reason::OneLine => text::one_line(),
+        Reason::NoTriangle => text::no_triangle(),
+        Reason::BalancedAlready => text::nothing_to_balance(),
     }
-    .into()
 }
 
 fn found(study: &RotorStudy) -> Vec<Block> {
@@ -95,14 +74,12 @@ fn found(study: &RotorStudy) -> Vec<Block> {
     }
     blocks.extend(study.solutions().iter().map(|solution| Block::from(table(study, solution))));
     if study.solutions().iter().flatten().any(|one| one.cosine.is_some()) {
-        blocks.push(Block::Note(
-            "cos is that of the angle from the first mass whose angle is wanted, or whose angle alone is given: exact."
-                .into(),
-        ));
+        blocks.push(Block::Note(text::cosine()));
     }
-    for (heading, rows, about) in
-        [("Second order", study.of_second_order(), SECONDARY), ("Locomotive", study.of_locomotive(), LOCOMOTIVE)]
-    {
+    for (heading, rows, about) in [
+        ("Second order", study.of_second_order(), text::secondary()),
+        ("Locomotive", study.of_locomotive(), text::locomotive()),
+    ] {
         if !rows.is_empty() {
             blocks.extend([Block::Heading(1, heading.into()), lengths(study, &rows).into(), about.into()]);
         }
@@ -177,7 +154,7 @@ fn lengths(study: &RotorStudy, rows: &[LeftOver]) -> Table {
         let bearing =
             || one.star.map_or(Bearing { exact: None, decimal: numbers::degrees(one.sum) }, residual::bearing);
         let towards = if zero { "–".into() } else { bearing().into() };
-        let mut row = vec![one.name.into(), length, towards];
+        let mut row = vec![one.name.clone(), length, towards];
         if let Some(omega_squared) = omega_squared {
             row.push(if zero { Text::zero() } else { quantity(one.length() * omega_squared, at_speed) });
         }

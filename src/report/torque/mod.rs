@@ -7,7 +7,7 @@ mod settings;
 mod tables;
 mod words;
 
-pub(super) use page::{LINKED_GUIDES, has_assumed, torque_section};
+pub(super) use page::{has_assumed, torque_section};
 pub(super) use words::{angle, assumptions, double_acting, misfire, names, opposed, quantity, warning};
 
 use super::question::question_of_its_room;

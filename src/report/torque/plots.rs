@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use crate::engine::Engine;
 use crate::page::plot::{Axis, Curve, Plot, Rule};
-use crate::page::{Picture, Unit, phrase};
+use crate::page::{Picture, Unit};
+use crate::report::texts::torque as text;
 use crate::torque::{Class, EngineTorque};
 
 /// Steps of a revolution.
@@ -31,13 +32,7 @@ pub(super) fn torque(torque: &EngineTorque) -> Picture {
     }
     plot.curves.push(Curve::new(0, "torque", points(&|theta| course.total(theta))));
     plot.rules.push(Rule { at: torque.mean, upright: false, label: "mean".to_owned() });
-    Picture {
-        name: "gas-torque".to_owned(),
-        caption: phrase!(
-            "The torque on the crank through a cycle: that of the gas, that of the inertia of the reciprocating masses, and their sum. The dashed line is the mean."
-        ),
-        figure: plot.figure(),
-    }
+    Picture { name: "gas-torque".to_owned(), caption: text::cycle(), figure: plot.figure() }
 }
 
 /// The pressure over the angle, and over the volume.
@@ -79,19 +74,7 @@ pub(super) fn pressure(engine: &Engine, torque: &EngineTorque) -> [Picture; 2] {
         }
     }
     [
-        Picture {
-            name: "pressure".to_owned(),
-            caption: phrase!(
-                "The absolute pressure of a cylinder over its own crank angle: 0° is the dead centre at which it fires."
-            ),
-            figure: over_angle.figure(),
-        },
-        Picture {
-            name: "loop".to_owned(),
-            caption: phrase!(
-                "The same pressure over the volume of the cylinder: the area of the loop is the work of a cycle."
-            ),
-            figure: loops.figure(),
-        },
+        Picture { name: "pressure".to_owned(), caption: text::pressure_over_angle(), figure: over_angle.figure() },
+        Picture { name: "loop".to_owned(), caption: text::pressure_over_volume(), figure: loops.figure() },
     ]
 }

@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use super::words::names;
 use crate::engine::{Engine, Heat, PressureLaw, Setting};
 use crate::page::{Table, Text, Unit, number};
+use crate::report::texts::torque as text;
 use crate::torque::EngineTorque;
 
 /// How a value of the gas is written.
@@ -65,7 +66,7 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
         if let Some(below) = &chamber.below {
             row("diameter of the piston rod".into(), millimetres(&below.rod), false);
             if let PressureLaw::Table(rows) = &gas.laws[below.law] {
-                row("rows of the table of pressures below the piston".into(), rows.rows().len().into(), false);
+                row(text::rows_below(), rows.rows().len().into(), false);
             }
         }
         match &gas.laws[chamber.law] {

@@ -8,6 +8,7 @@ use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::gas::CylinderGas;
 use crate::page::{Number, Table, Text, Unit, number, phrase};
+use crate::report::texts::torque as text;
 use crate::torque::{EngineTorque, Evenness, GuideMoments, TorqueOrder};
 
 /// Orders up to this one are shown even where they are zero.
@@ -86,29 +87,29 @@ pub(super) fn shafts(engine: &Engine, torque: &EngineTorque) -> Table {
 pub(super) fn flywheel(evenness: &Evenness) -> Table {
     let inertia = |value: f64| quantity(value, Unit::KILOGRAM_SQUARE_METRE);
     let mut table = Table::new(["", "Value"]);
-    let mut row = |name: &'static str, value: Text| table.push(vec![name.into(), value]);
-    row("energy fluctuation ΔW", quantity(evenness.energy, Unit::JOULE));
-    row("the crank is fastest at θ", angle(evenness.fastest.angle));
-    row("and slowest at θ", angle(evenness.slowest.angle));
-    row("mean of Σ m s'², the inertia of the reciprocating masses", inertia(evenness.reciprocating));
+    let mut row = |name: Text, value: Text| table.push(vec![name, value]);
+    row("energy fluctuation ΔW".into(), quantity(evenness.energy, Unit::JOULE));
+    row("the crank is fastest at θ".into(), angle(evenness.fastest.angle));
+    row("and slowest at θ".into(), angle(evenness.slowest.angle));
+    row(text::reciprocating(), inertia(evenness.reciprocating));
     let needed = evenness.needed;
     let wanted = || -> Text { Number::Decimal(needed.irregularity).into() };
     row(
         if needed.is_example {
-            "coefficient of fluctuation of speed δ, as an example"
+            text::example_coefficient()
         } else {
-            "required coefficient of fluctuation of speed δ"
+            "required coefficient of fluctuation of speed δ".into()
         },
         wanted(),
     );
-    row("inertia for it, J = ΔW/(δ ω²)", inertia(needed.inertia));
-    row("less that of the reciprocating masses", inertia(needed.refined));
+    row("inertia for it, J = ΔW/(δ ω²)".into(), inertia(needed.inertia));
+    row("less that of the reciprocating masses".into(), inertia(needed.refined));
     if let Some(given) = evenness.given {
-        row("given inertia J", inertia(given.inertia));
-        row("coefficient of fluctuation with it, δ = ΔW/(J ω²)", Number::Decimal(given.irregularity).into());
-        row("with that of the reciprocating masses", Number::Decimal(given.refined).into());
+        row("given inertia J".into(), inertia(given.inertia));
+        row("coefficient of fluctuation with it, δ = ΔW/(J ω²)".into(), Number::Decimal(given.irregularity).into());
+        row("with that of the reciprocating masses".into(), Number::Decimal(given.refined).into());
         row(
-            "by the balance of energy",
+            "by the balance of energy".into(),
             given.by_energy.map_or_else(|| "it stops within a cycle".into(), |value| Number::Decimal(value).into()),
         );
     }
@@ -131,12 +132,11 @@ pub(super) fn accuracy(torque: &EngineTorque) -> Text {
         torque.classes.iter().map(|class| of(class) * class.cylinders.len() as f64).sum()
     };
     let bound = each(&|class| class.harmonics.bound(f64::from(crate::torque::HIGHEST)));
-    phrase!(
-        "Mean torque and area of the loops agree to {} of the work. The orders up to {} miss at most {} of the torque; no order of the gas above them is larger than {}, by the total variation of the torque's slope. The harmonics of the gas are off by at most {}, the last change of their quadrature and its roundings.",
+    text::accuracy(
         Text::label(number::decimal(torque.balance.max(f64::EPSILON))),
         crate::torque::HIGHEST,
         quantity(torque.missed, Unit::NEWTON_METRE),
         quantity(bound, Unit::NEWTON_METRE),
-        quantity(each(&|class| class.harmonics.errors[2]), Unit::NEWTON_METRE)
+        quantity(each(&|class| class.harmonics.errors[2]), Unit::NEWTON_METRE),
     )
 }

@@ -7,6 +7,7 @@ use super::{ResonanceOrder, VibrationOrder};
 use crate::engine::CycleOrder;
 use crate::numbers::float;
 use crate::page::{Text, Unit, phrase};
+use crate::report::texts::torsion as text;
 use crate::torsion;
 
 impl TorsionStudy {
@@ -72,37 +73,29 @@ pub(super) fn said(study: &TorsionStudy, one: &ResonanceOrder, barred: &Barred) 
     let [from, to] = barred.speeds;
     if let Some(worst) = study.impassable(barred) {
         let stress = |pascals: f64| Text::measured_in(1e-6 * pascals, Unit::MEGAPASCAL);
-        return phrase!(
-            "Around the critical speed {} of order {} a barred range is no cure: at {} the stress in shaft {} is {}, and {} is permitted for passing through quickly.",
+        return text::impassable(
             rpm(one.rpm),
             one.order.to_string(),
             rpm(worst.speed),
             shaft(study, worst.shaft),
             stress(worst.stress),
-            stress(worst.permitted)
+            stress(worst.permitted),
         );
     }
     if barred.suffices {
-        return phrase!(
-            "Around the critical speed {} of order {} its formula bars {} to {}.",
-            rpm(one.rpm),
-            one.order.to_string(),
-            rpm(from),
-            rpm(to)
-        );
+        return text::barred(rpm(one.rpm), one.order.to_string(), rpm(from), rpm(to));
     }
     let excesses = exceeded(study, barred.speeds).into_iter().map(|ends| {
         let [from, to] = ends.map(rpm);
         phrase!("{} to {}", from, to)
     });
-    phrase!(
-        "Around the critical speed {} of order {} the range of its formula, {} to {}, does not suffice: the stress exceeds the limit from {}. The order with the largest part at that critical speed is {}.",
+    text::barred_too_little(
         rpm(one.rpm),
         one.order.to_string(),
         rpm(from),
         rpm(to),
         Text::joined(excesses, ", "),
-        barred.largest_part.to_string()
+        barred.largest_part.to_string(),
     )
 }
 

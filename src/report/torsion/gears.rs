@@ -6,11 +6,8 @@ use super::study::TorsionStudy;
 use crate::numbers::float;
 use crate::page::{self, Number, Text, Unit, phrase};
 use crate::report::data::Filling;
+use crate::report::texts::torsion as text;
 use crate::table;
-
-/// How the torque in the teeth is found.
-pub(super) const FOUND: &str = "Gear teeth are rigid: a gear carries what the discs behind it need, $T = \\frac{1}{\\nu_1} \\sum \\nu_i \\left((i\\Omega c_i - \\Omega^2 J_i)\\,\\Theta_i - M_i + \\ldots\\right)$, the sum over the discs that turn with its second disc, the dots for what their shafts take; the second disc feels $1/\\nu$ of it, $\\nu$ the ratio. \
-    This is the vibration alone: where it is larger than the mean torque that the gear carries, the teeth separate.";
 
 /// Torques of a gear at its first disc and at its second, in newton-metres, and the speed.
 type Torques = ([f64; 2], f64);
@@ -61,24 +58,10 @@ pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
     let disc = |gear: usize, end: usize| study.train.gears[gear][end] + 1;
     let mut lines = Vec::new();
     if let Some((gear, ([first, second], speed))) = most(|one| one.own) {
-        lines.push(phrase!(
-            "At {} the largest vibration torque in the teeth of gears is {} at disc {}, which is {} at disc {}.",
-            rpm(speed),
-            torque(first),
-            disc(gear, 0),
-            torque(second),
-            disc(gear, 1)
-        ));
+        lines.push(text::teeth(rpm(speed), torque(first), disc(gear, 0), torque(second), disc(gear, 1)));
     }
     if let Some((gear, ([first, second], speed))) = most(|one| one.largest) {
-        lines.push(phrase!(
-            "In the range of speeds the largest vibration torque in the teeth of gears is {} at disc {}, which is {} at disc {}, at {}.",
-            torque(first),
-            disc(gear, 0),
-            torque(second),
-            disc(gear, 1),
-            rpm(speed)
-        ));
+        lines.push(text::worst_teeth(torque(first), disc(gear, 0), torque(second), disc(gear, 1), rpm(speed)));
     }
     lines
 }

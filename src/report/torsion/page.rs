@@ -4,6 +4,7 @@ use super::study::TorsionStudy;
 use super::{amounts, damped_tables as damped, gears, plots, tables, words};
 use crate::engine::Engine;
 use crate::page::{Block, Document, Number, Picture, Table, Text, phrase};
+use crate::report::texts::torsion as text;
 
 /// The short answer: what shakes, then the first modes and the strongest orders.
 pub(super) fn answer(study: &TorsionStudy) -> Document {
@@ -20,19 +21,8 @@ pub(super) fn answer(study: &TorsionStudy) -> Document {
     if shown < orders {
         let command = Text::code("crankstar torsion --output");
         answer_page.push(Block::Note(match study.highest_speed() {
-            None => phrase!(
-                "{} orders of {} are shown, those with the longest stars in the first mode: {} writes all of them.",
-                shown,
-                orders,
-                command
-            ),
-            Some(speed) => phrase!(
-                "{} orders of {} are shown: of those that meet the first mode at no more than {} rpm the ones with the longest stars. {} writes all of them.",
-                shown,
-                orders,
-                Number::Decimal(speed),
-                command
-            ),
+            None => text::shown(shown, orders, command),
+            Some(speed) => text::shown_below(shown, orders, Number::Decimal(speed), command),
         }));
     }
     answer_page
@@ -56,7 +46,7 @@ pub(in crate::report) fn torsion_section(engine: &Engine) -> Vec<Block> {
             ];
             blocks.extend(forced_twist(&study));
             blocks.extend(words::found(&study).into_iter().map(Block::Paragraph));
-            blocks.push(Block::folded("Torsional vibration: the shaft, and what is assumed", shaft));
+            blocks.push(Block::folded(text::shaft_and_assumptions(), shaft));
             blocks
         }
     }
@@ -78,24 +68,15 @@ fn forced_twist(study: &TorsionStudy) -> Vec<Block> {
     };
     if let Some(vibration) = study.at_speed() {
         let speed = || amounts::rpm(vibration.speed);
-        section(
-            phrase!("Shafts at {}, all orders together, and the largest in the range:", speed()),
-            damped::shafts(study, vibration),
-        );
+        section(text::shafts(speed()), damped::shafts(study, vibration));
         if !study.train.gears.is_empty() {
-            section(
-                phrase!("Teeth of gears at {}, all orders together, and the largest in the range:", speed()),
-                gears::gears(study),
-            );
-            section(
-                phrase!("Teeth of gears at {}, order by order, at the first disc of each, zero to peak:", speed()),
-                gears::orders(study, vibration),
-            );
+            section(text::gears(speed()), gears::gears(study));
+            section(text::orders_of_gears(speed()), gears::orders(study, vibration));
         }
-        section(phrase!("Discs at {}, all orders together:", speed()), damped::twists(study, vibration));
-        section(phrase!("Heat at {}:", speed()), damped::heat(study, vibration));
+        section(text::discs(speed()), damped::twists(study, vibration));
+        section(text::heat(speed()), damped::heat(study, vibration));
     }
-    section("Resonances in the range, each order by itself:".into(), damped::resonances(study));
+    section(text::resonances(), damped::resonances(study));
     section("Dampers:".into(), damped::dampers(study));
     blocks
 }
@@ -104,25 +85,27 @@ fn pictures(study: &TorsionStudy) -> Vec<Picture> {
     plots::campbell(study).into_iter().chain([plots::modes(study)]).chain(plots::over_range(study)).collect()
 }
 
+/// The nodes, where they are not counted along a row alone.
+fn nodes(study: &TorsionStudy) -> Vec<Block> {
+    match study.torsion().is_damped() || !study.is_row() {
+        true => vec![text::nodes().into(), damped::nodes(study).into()],
+        false => Vec::new(),
+    }
+}
+
 /// The page, with modes and a Campbell diagram.
 pub(super) fn page(study: &TorsionStudy) -> Document {
-    let mut page = Document::new("torsion", phrase!("{}: torsional vibration", study.engine.title()));
-    page.push(Block::Answer(words::answer(study)));
-    page.push(Block::Pictures(pictures(study)));
-    page.section("Natural frequencies", tables::modes(study, usize::MAX));
-    if study.torsion().is_damped() || !study.is_row() {
-        page.push("Nodes of the first modes:");
-        page.push(damped::nodes(study));
+    text::Page {
+        engine: study.engine.title().into(),
+        answer: Block::Answer(words::answer(study)).into(),
+        pictures: pictures(study).into(),
+        modes: tables::modes(study, usize::MAX).into(),
+        nodes: nodes(study).into(),
+        critical_speeds: tables::critical(study).into(),
+        forced_twist: forced_twist(study).into(),
+        discs: tables::discs(study).into(),
+        method: words::found(study).into_iter().collect(),
+        assumptions: words::assumed(study).into(),
     }
-    page.section(
-        "Critical speeds",
-        "Critical speeds of each order in the first modes, and its star as a part of the longest possible in the mode:",
-    );
-    page.push(tables::critical(study));
-    page.blocks.extend(forced_twist(study));
-    page.section("The shaft", tables::discs(study));
-    page.push(Block::Heading(1, "Method".into()));
-    page.blocks.extend(words::found(study).into_iter().map(Block::Paragraph));
-    page.section("Assumptions", Block::List(words::assumed(study)));
-    page
+    .document()
 }

@@ -5,7 +5,8 @@ use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::study::TorsionStudy;
 use super::tables::MOST_MODES;
 use super::{TwistAtSpeed, amounts};
-use crate::page::{Picture, Text, Unit, phrase};
+use crate::page::{Picture, Unit};
+use crate::report::texts::torsion as text;
 use crate::torsion::Critical;
 
 /// This many orders are drawn as rays.
@@ -23,11 +24,7 @@ pub(super) fn modes(study: &TorsionStudy) -> Picture {
         let points = speeds.mode.shape.iter().take(discs).enumerate().map(|(disc, value)| ((disc + 1) as f64, *value));
         plot.curves.push(Curve::new(index, format!("mode {}", index + 1), points.collect()));
     }
-    let caption: Text = match study.is_row() {
-        true => "The first modes of the shaft: how far each disc is turned. A mode has a node where its curve crosses zero.",
-        false => "The first modes of the train: how far each disc is turned, in the order of their numbers, those of branches too.",
-    }
-    .into();
+    let caption = if study.is_row() { text::modes_of_shaft() } else { text::modes_of_train() };
     Picture::new("modes", caption, plot.figure())
 }
 
@@ -59,10 +56,7 @@ pub(super) fn campbell(study: &TorsionStudy) -> Option<Picture> {
             plot.marks.push(PointMark::dot((critical.rpm, level), ""));
         }
     }
-    let caption = phrase!(
-        "Campbell diagram: the modes are level lines, the orders with the longest stars in the first mode rise with the speed. A dot is a critical speed."
-    );
-    Some(Picture::new("campbell", caption, plot.figure()))
+    Some(Picture::new("campbell", text::campbell(), plot.figure()))
 }
 
 /// Curves of the largest torques are drawn, this many.
@@ -88,18 +82,8 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
         torque.curves.push(Curve::new(number, name, points(&|at| at.torques[shaft])));
     }
     let mut pictures = vec![
-        Picture {
-            name: "torsion-amplitude".to_owned(),
-            caption: phrase!("How far the first disc swings over the speed: half the range of all orders together."),
-            figure: amplitude.figure(),
-        },
-        Picture {
-            name: "torsion-torque".to_owned(),
-            caption: phrase!(
-                "The vibration torque over the speed, half the range of all orders together, in the shafts with the largest."
-            ),
-            figure: torque.figure(),
-        },
+        Picture { name: "torsion-amplitude".to_owned(), caption: text::amplitude(), figure: amplitude.figure() },
+        Picture { name: "torsion-torque".to_owned(), caption: text::torque(), figure: torque.figure() },
     ];
     let stressed: Vec<usize> =
         shafts.into_iter().filter(|shaft| study.stress(*shaft, 1.0).is_some()).take(MOST_SHAFTS).collect();
@@ -115,11 +99,7 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
         }
     }
     if !stressed.is_empty() {
-        pictures.push(Picture {
-            name: "torsion-stress".to_owned(),
-            caption: phrase!("The vibration stress over the speed, half the range of all orders together; grey what IACS UR M68 permits for continuous running."),
-            figure: stress.figure(),
-        });
+        pictures.push(Picture { name: "torsion-stress".to_owned(), caption: text::stress(), figure: stress.figure() });
     }
     pictures
 }
