@@ -6,8 +6,9 @@ use super::amounts::{Unit, UnitOf};
 use crate::engine::Engine;
 use crate::loads::{Loads, OrderLoads, Swing};
 use crate::order;
-use crate::page::{Setting, Text, number, phrase};
+use crate::page::{Setting, Text, number};
 use crate::proof::Planar;
+use crate::report::texts::loads as text;
 
 /// The second order with `c_2 = λ`; none where nothing is left of it, or where not all of it has one coefficient.
 pub(in crate::report) fn books_line(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Option<Text> {
@@ -18,10 +19,7 @@ pub(in crate::report) fn books_line(engine: &Engine, loads: &Loads, unit_of: Uni
     let sizes = Planar::BOTH.into_iter().filter_map(of);
     let sizes: Vec<Text> = sizes.collect();
     let less = number::sensible(100.0 * (1.0 - part));
-    (!sizes.is_empty()).then(|| {
-        let sizes = Text::joined(sizes, ", ");
-        phrase!("Textbooks that use only the first term, $c_2 = \\lambda$, give {} at order 2: {} % less.", sizes, less)
-    })
+    (!sizes.is_empty()).then(|| text::textbook(Text::joined(sizes, ", "), less))
 }
 
 /// The first term of `|c_2|` and all of it; none where masses that turn have a part in the order, which neither is a part of.

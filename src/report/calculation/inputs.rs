@@ -13,6 +13,7 @@ use crate::page::number::{given_in, given_with};
 use crate::page::{Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::report::table::{position, position_heading};
+use crate::report::texts::loads as text;
 use crate::report::typeset;
 
 /// Lines are written for each cylinder only up to this many; beyond, the table of inputs holds the values.
@@ -28,28 +29,28 @@ fn unit(measure: Measure) -> Option<Unit> {
 }
 
 /// Name, symbol in TeX and unit of a quantity.
-pub(super) fn words(measure: Measure) -> (&'static str, &'static str, &'static str) {
+pub(super) fn words(measure: Measure) -> (Text, &'static str, &'static str) {
     match measure {
-        Measure::Speed => ("speed", "n", "rpm"),
-        Measure::Stroke => ("stroke", "s", "m"),
-        Measure::CrankRadius => ("crank radius", "r", "m"),
-        Measure::RodLength => ("rod length between centres", "l", "m"),
-        Measure::RodRatio => ("rod ratio", "\\lambda", ""),
-        Measure::PinOffset => ("offset of the cylinder axis", "e", "m"),
-        Measure::OffsetRatio => ("offset ratio", "\\delta", ""),
-        Measure::ReciprocatingMass => ("reciprocating mass per cylinder", "m", "kg"),
-        Measure::PistonMass => ("piston with rings", "m_{\\mathrm{P}}", "kg"),
-        Measure::PinMass => ("piston pin", "m_{\\mathrm{B}}", "kg"),
-        Measure::PistonRodMass => ("piston rod", "m_{\\mathrm{S}}", "kg"),
-        Measure::CrossheadMass => ("crosshead", "m_{\\mathrm{K}}", "kg"),
-        Measure::RodMass => ("rod", "m_{\\mathrm{R}}", "kg"),
-        Measure::RodCentre => ("centre of gravity of the rod from its big end", "x_{\\mathrm{G}}", "m"),
-        Measure::RotatingMass => ("rotating mass at the crankpin, per cylinder", "m_{\\mathrm{rot}}", "kg"),
-        Measure::KnuckleRadius => ("knuckle radius, from crankpin to knuckle pin", "a", "m"),
-        Measure::KnuckleRatio => ("knuckle ratio a/l", "\\kappa", ""),
-        Measure::LinkLength => ("length of a link between centres", "L", "m"),
-        Measure::LinkRatio => ("link ratio", "r/L", ""),
-        Measure::KnuckleMass => ("mass at a knuckle pin, with the big end of its link", "m_{\\mathrm{kn}}", "kg"),
+        Measure::Speed => ("speed".into(), "n", "rpm"),
+        Measure::Stroke => ("stroke".into(), "s", "m"),
+        Measure::CrankRadius => ("crank radius".into(), "r", "m"),
+        Measure::RodLength => ("rod length between centres".into(), "l", "m"),
+        Measure::RodRatio => ("rod ratio".into(), "\\lambda", ""),
+        Measure::PinOffset => ("offset of the cylinder axis".into(), "e", "m"),
+        Measure::OffsetRatio => ("offset ratio".into(), "\\delta", ""),
+        Measure::ReciprocatingMass => ("reciprocating mass per cylinder".into(), "m", "kg"),
+        Measure::PistonMass => ("piston with rings".into(), "m_{\\mathrm{P}}", "kg"),
+        Measure::PinMass => ("piston pin".into(), "m_{\\mathrm{B}}", "kg"),
+        Measure::PistonRodMass => ("piston rod".into(), "m_{\\mathrm{S}}", "kg"),
+        Measure::CrossheadMass => ("crosshead".into(), "m_{\\mathrm{K}}", "kg"),
+        Measure::RodMass => ("rod".into(), "m_{\\mathrm{R}}", "kg"),
+        Measure::RodCentre => (text::rod_centre(), "x_{\\mathrm{G}}", "m"),
+        Measure::RotatingMass => (text::rotating_mass(), "m_{\\mathrm{rot}}", "kg"),
+        Measure::KnuckleRadius => (text::knuckle_radius(), "a", "m"),
+        Measure::KnuckleRatio => ("knuckle ratio a/l".into(), "\\kappa", ""),
+        Measure::LinkLength => ("length of a link between centres".into(), "L", "m"),
+        Measure::LinkRatio => ("link ratio".into(), "r/L", ""),
+        Measure::KnuckleMass => (text::knuckle_mass(), "m_{\\mathrm{kn}}", "kg"),
     }
 }
 

@@ -7,6 +7,7 @@ use crate::engine::Engine;
 use crate::loads::{self, Bound, LeftOut, Loads, Missing, Needed};
 use crate::page::{Text, phrase};
 use crate::proof::Quantity;
+use crate::report::texts::loads as text;
 
 /// The numbers of an engine, as pages and tables show them.
 #[derive(Clone, Debug)]
@@ -42,42 +43,27 @@ impl Numbers {
 
 /// `Largest force: ≈ 204.1 N at θ ≈ 12°, within 0.01 %; …`, a line a load.
 pub(super) fn largest_lines(engine: &Engine, Numbers { loads, largest, .. }: &Numbers, unit_of: UnitOf) -> Vec<Text> {
-    let all = [
-        ("Largest force: {}.", Some(&largest.force), Quantity::FORCE),
-        ("Largest moment: {}.", Some(&largest.moment), Quantity::MOMENT),
-        ("Largest inertia torque: {}.", largest.torque.as_ref(), Quantity::TORQUE),
+    let value = |largest: &Largest, quantity: Quantity| value(largest, unit_of(engine, loads, quantity));
+    let mut lines = vec![
+        text::largest_force(value(&largest.force, Quantity::FORCE)),
+        text::largest_moment(value(&largest.moment, Quantity::MOMENT)),
     ];
-    let line = |(words, largest, quantity): (&'static str, Option<&Largest>, Quantity)| {
-        Some(phrase!(words, value(largest?, unit_of(engine, loads, quantity))))
-    };
-    all.into_iter().filter_map(line).collect()
+    lines.extend(largest.torque.as_ref().map(|torque| text::largest_torque(value(torque, Quantity::TORQUE))));
+    lines
 }
 
 fn value(largest: &Largest, unit: Unit) -> Text {
     match largest {
-        Largest::Zero => "0, at every order, proved".into(),
+        Largest::Zero => text::zero(),
         _ if unit.factor == 0.0 => Text::zero(),
         Largest::Known { value, angle, error } => {
             let (size, part) = (in_digits(value * unit.factor, unit), percent_at_most(error / value));
             match angle {
-                Some(angle) => phrase!(
-                    "≈ {} {} at θ ≈ {}°, of the exact motion with all orders, to within {} %",
-                    size,
-                    unit.label(),
-                    digits(*angle),
-                    part
-                ),
-                None => phrase!(
-                    "≈ {} {} at every crank angle, of the exact motion with all orders, to within {} %",
-                    size,
-                    unit.label(),
-                    part
-                ),
+                Some(angle) => text::largest_at(size, unit.label(), digits(*angle), part),
+                None => text::largest_always(size, unit.label(), part),
             }
         }
-        Largest::Below(bound) => {
-            phrase!("below {} {}, and not proved to be 0", amounts::bound(*bound, unit), unit.label())
-        }
+        Largest::Below(bound) => text::below(amounts::bound(*bound, unit), unit.label()),
     }
 }
 
@@ -97,7 +83,7 @@ pub(super) fn shown_line(engine: &Engine, Numbers { loads, largest, .. }: &Numbe
             .then(|| phrase!(words, amounts::peak(&peak, unit)))
     });
     let differ: Vec<Text> = differ.collect();
-    (!differ.is_empty()).then(|| phrase!("The listed orders alone give: {}.", Text::joined(differ, ", ")))
+    (!differ.is_empty()).then(|| text::listed_alone(Text::joined(differ, ", ")))
 }
 
 /// A difference of this part is shown.
@@ -116,35 +102,31 @@ pub(super) fn chosen_lines(
     };
     let mut lines = Vec::new();
     if let Some(needed) = needed {
-        lines.push(phrase!(
-            "Orders kept for an accuracy of {} % of each peak: {}; omitted: {}, and all above {}.",
+        lines.push(text::kept(
             percent_at_most(needed.accuracy),
             list(&needed.kept),
             list(&needed.dropped),
-            needed.looked_at
+            needed.looked_at,
         ));
-        lines.extend(loads.torque.as_ref().map(|_| {
-            phrase!("Of the torque: {}; omitted: {}.", list(&needed.torque_kept), list(&needed.torque_dropped))
-        }));
-        lines.push(if needed.reached { "The accuracy is reached." } else { "The accuracy is not reached." }.into());
+        let of_torque = || text::kept_of_torque(list(&needed.torque_kept), list(&needed.torque_dropped));
+        lines.extend(loads.torque.as_ref().map(|_| of_torque()));
+        lines.push(if needed.reached { text::reached() } else { text::not_reached() });
     }
-    let bound = |([of_peak, alone], bound, quantity): ([&'static str; 2], Option<Bound>, Quantity)| {
-        let bound = bound?;
-        let unit = unit_of(engine, loads, quantity);
+    let said = |bound: Option<Bound>, quantity, of_peak: fn(String) -> Text, alone: fn(Text, Text) -> Text| {
+        let (bound, unit) = (bound?, unit_of(engine, loads, quantity));
         Some(match bound.part() {
-            Some(part) => phrase!(of_peak, percent_at_most(part)),
-            None => phrase!(alone, amounts::bound(bound.most, unit), unit.label()),
+            Some(part) => of_peak(percent_at_most(part)),
+            None => alone(amounts::bound(bound.most, unit), unit.label()),
         })
     };
-    let of_torque = ["{} % of the peak inertia torque", "{} {} of inertia torque, which may be all of it"];
     let bounds = [
-        (["{} % of the peak force", "{} {} of force, which may be all of it"], left.force, Quantity::FORCE),
-        (["{} % of the peak moment", "{} {} of moment, which may be all of it"], left.moment, Quantity::MOMENT),
-        (of_torque, left.torque, Quantity::TORQUE),
+        said(left.force, Quantity::FORCE, text::part_of_force, text::bound_of_force),
+        said(left.moment, Quantity::MOMENT, text::part_of_moment, text::bound_of_moment),
+        said(left.torque, Quantity::TORQUE, text::part_of_torque, text::bound_of_torque),
     ];
-    let bounds: Vec<Text> = bounds.into_iter().filter_map(bound).collect();
+    let bounds: Vec<Text> = bounds.into_iter().flatten().collect();
     if !bounds.is_empty() {
-        lines.push(phrase!("Orders not listed add at most {}.", Text::joined(bounds, ", ")));
+        lines.push(text::omitted(Text::joined(bounds, ", ")));
     }
     lines
 }

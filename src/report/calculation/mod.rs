@@ -33,8 +33,9 @@ pub(super) use summary::loads_answer_weighed;
 use super::bearings;
 use crate::engine::{Engine, Measure};
 use crate::loads::{Loads, Missing, Needed};
-use crate::page::{Block, Fold, Text, phrase};
+use crate::page::{Block, Fold, Text};
 use crate::proof::Planar;
+use crate::report::texts::{self, loads as text};
 use expression::Line;
 
 /// The loads of a layout that holds numbers; none where the file gives none.
@@ -43,7 +44,7 @@ pub(super) fn numbers_of(engine: &Engine, orders: &[u32], needed: Option<&Needed
     asks.then(|| Numbers::new(engine, orders, needed))
 }
 
-fn heading(level: u8, words: &'static str) -> Block {
+fn heading(level: u8, words: impl Into<Text>) -> Block {
     Block::Heading(level, words.into())
 }
 
@@ -57,11 +58,10 @@ pub(super) fn outcome(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
     let mut blocks = vec![heading(1, "Numbers")];
     blocks.push(Block::List(largest::largest_lines(engine, numbers, Unit::as_read)));
     blocks.extend(chosen(engine, numbers, needed));
-    blocks.push(tables::ellipses(engine, loads).into());
-    blocks.push(Block::Note(tables::units(engine, loads)));
+    blocks.extend(ellipses(engine, loads));
     blocks.extend(drawn(engine, loads));
-    blocks.extend([heading(2, "Effects included"), tables::effects(engine, loads).into()]);
-    blocks.push(Block::Note(SHARES.into()));
+    blocks.push(heading(2, "Effects included"));
+    blocks.extend(effects(engine, loads));
     blocks.extend(roll::turning(engine, loads));
     blocks.extend(main_bearings(engine, loads));
     blocks
@@ -78,7 +78,20 @@ fn drawn(engine: &Engine, loads: &Loads) -> Vec<Block> {
     plots::figures(engine, loads).chunks(2).map(|pair| Block::Pictures(pair.to_vec())).collect()
 }
 
-const SHARES: &str = "The share is the component of the effect along the peak, at the crank angle of the peak; the shares of a column sum to the peak.";
+/// The ellipse of each order, and what its table counts in.
+fn ellipses(engine: &Engine, loads: &Loads) -> Vec<Block> {
+    vec![tables::ellipses(engine, loads).into(), Block::Note(tables::units(engine, loads))]
+}
+
+/// The two vectors of each order, under their heading.
+fn vectors(engine: &Engine, loads: &Loads) -> Vec<Block> {
+    vec![heading(2, text::two_vectors()), tables::vectors(engine, loads).into()]
+}
+
+/// What is in the scene, and what a share is.
+fn effects(engine: &Engine, loads: &Loads) -> Vec<Block> {
+    vec![tables::effects(engine, loads).into(), Block::Note(text::shares())]
+}
 
 fn main_bearings(engine: &Engine, loads: &Loads) -> Vec<Block> {
     let Some([continuous, determinate]) = &loads.bearings else { return Vec::new() };
@@ -104,12 +117,12 @@ pub(super) fn working(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
         blocks.push(turning.into());
     }
     let source = engine.dimensions().source.as_ref();
-    blocks.extend(source.map(|source| Block::Paragraph(phrase!("Source of the inputs: {}.", source))));
+    blocks.extend(source.map(|source| Block::Paragraph(text::source(source))));
     let assumed = words::assumptions(engine, loads).into_iter();
     let assumed = assumed.chain(engine.title_block().assumptions.iter().map(Text::from));
     blocks.extend([heading(2, "Assumptions"), Block::List(assumed.collect())]);
     if loads.bearings.is_some() {
-        blocks.push(Block::List(super::texts::bearings::assumptions().into()));
+        blocks.push(Block::List(texts::bearings::assumptions().into()));
     }
     blocks.extend([heading(2, "Limits of validity"), Block::List(words::limits(engine, loads))]);
     blocks.push(Block::Folded(Fold { summary: "Symbols and equations".into(), blocks: equations(engine, loads) }));
@@ -120,27 +133,24 @@ pub(super) fn working(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
 fn equations(engine: &Engine, loads: &Loads) -> Vec<Block> {
     let mut blocks = vec![words::nomenclature(engine, loads).into()];
     for (words, tex, number) in equations::equations(engine, loads) {
-        blocks.extend([Block::Paragraph(words.into()), Block::Formula(tex, Some(number))]);
+        blocks.extend([Block::Paragraph(words), Block::Formula(tex, Some(number))]);
     }
     blocks
 }
 
-const LINES: &str = "Symbol = formula ≈ figures ≈ result; each result is computed from the figures shown.";
-
 fn lines(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
     let loads = &numbers.loads;
-    let mut blocks = vec![Block::Paragraph(LINES.into())];
+    let mut blocks = vec![Block::Paragraph(text::line_by_line())];
     blocks.extend(inputs::lines(engine, loads).iter().map(formula));
     for group in results::orders(engine, loads) {
         blocks.push(Block::Heading(2, group.heading));
         blocks.extend(group.lines.iter().map(formula));
     }
-    blocks.extend([heading(2, "The two vectors of each order, whose lengths add up to the largest value")]);
-    blocks.push(tables::vectors(engine, loads).into());
+    blocks.extend(vectors(engine, loads));
     for quantity in Planar::BOTH {
         if let Some(lines) = results::peak(engine, loads, quantity) {
             let listed = amounts::peak(&amounts::waveform(loads, quantity).peak(), Unit::of(engine, loads, quantity));
-            blocks.push(Block::Paragraph(phrase!("The {force|moment} of the listed orders is {}:", quantity, listed)));
+            blocks.push(Block::Paragraph(text::peak_of_listed_orders(quantity, listed)));
             blocks.extend(lines.iter().map(formula));
         }
     }

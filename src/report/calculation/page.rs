@@ -4,31 +4,37 @@ use super::super::convention::{differs, seen};
 use super::super::engine_page::reference_plane;
 use super::amounts::{self, Unit, amount, digits, waveform};
 use super::largest::{Numbers, largest_lines};
-use super::{SHARES, chosen, drawn, heading, roll, summary, tables, words};
+use super::{chosen, drawn, effects, ellipses, roll, summary, vectors, words};
 use crate::accuracy::Largest;
 use crate::engine::{Engine, WHY_NOT};
 use crate::loads::{Loads, Needed};
 use crate::numbers;
-use crate::page::{Block, Document, Number, Text, phrase};
+use crate::page::{Block, Document, Number, Text};
 use crate::proof::{Planar, Quantity};
+use crate::report::texts::loads as text;
 
 /// The page: the largest force, moment and torque, their plots, their orders.
 pub fn loads_page(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Document {
     let loads = &numbers.loads;
-    let title = match loads.torque {
-        Some(_) => phrase!("{}: forces, moments and torque", engine.title()),
-        None => phrase!("{}: forces and moments", engine.title()),
+    let page = text::Page {
+        engine: engine.title().into(),
+        answer: Block::Answer(answer(engine, numbers)).into(),
+        drawn: drawn(engine, loads).into(),
+        orders: by_order(engine, loads).into(),
+        chosen: chosen(engine, numbers, needed).into(),
+        ellipses: ellipses(engine, loads).into(),
+        vectors: vectors(engine, loads).into(),
+        turning: roll::turning(engine, loads).into(),
+        effects: effects(engine, loads).into(),
+        assumptions: words::assumptions(engine, loads).into(),
+        limits: words::limits(engine, loads).into(),
+        conventions: conventions(engine, loads).into(),
     };
-    let mut page = Document::new("loads", title);
-    page.push(Block::Answer(answer(engine, numbers)));
-    page.blocks.extend(drawn(engine, loads));
-    page.blocks.extend(order_by_order(engine, numbers, needed));
-    page.blocks.extend([heading(1, "Effects included"), tables::effects(engine, loads).into()]);
-    page.push(Block::Note(SHARES.into()));
-    page.blocks.extend([heading(1, "Assumptions"), Block::List(words::assumptions(engine, loads))]);
-    page.blocks.extend([heading(1, "Limits of validity"), Block::List(words::limits(engine, loads))]);
-    page.blocks.extend([heading(1, "Conventions"), Block::List(conventions(engine, loads))]);
-    page
+    let document = page.document();
+    match loads.torque {
+        Some(_) => document,
+        None => Document { title: text::without_torque(engine.title()), ..document },
+    }
 }
 
 /// What is in the box.
@@ -39,7 +45,7 @@ fn answer(engine: &Engine, numbers: &Numbers) -> Vec<Text> {
     lines.extend(swings.into_iter().filter_map(|(quantity, largest)| comes_to(engine, loads, quantity, largest)));
     let torque = loads.torque.as_ref().zip(largest.torque.as_ref()).filter(|(_, largest)| **largest != Largest::Zero);
     let listed = |peak| amounts::peak(&peak, Unit::as_read(engine, loads, Quantity::TORQUE));
-    lines.extend(torque.map(|(torque, _)| phrase!(TORQUE, listed(torque.waveform.real_peak()))));
+    lines.extend(torque.map(|(torque, _)| text::torque_of_listed_orders(listed(torque.waveform.real_peak()))));
     lines.push(scale(engine, loads));
     lines
 }
@@ -48,21 +54,10 @@ fn answer(engine: &Engine, numbers: &Numbers) -> Vec<Text> {
 fn scale(engine: &Engine, loads: &Loads) -> Text {
     let [force, moment] = Planar::BOTH.map(|quantity| Unit::as_read(engine, loads, quantity));
     match &loads.scale {
-        Some(scale) => phrase!(
-            "The values are zero to peak, at {} rpm, where m r ω² is {} {}.",
-            Number::exact(&scale.speed),
-            amount(1.0, force),
-            force.label()
-        ),
-        None => phrase!(
-            "The values are zero to peak, forces in {}, moments in {}: the layout does not give mass, crank radius and speed together.",
-            force.label(),
-            moment.label()
-        ),
+        Some(scale) => text::zero_to_peak(Number::exact(&scale.speed), amount(1.0, force), force.label()),
+        None => text::without_scale(force.label(), moment.label()),
     }
 }
-
-const TORQUE: &str = "The inertia torque of the listed orders is {}.";
 
 /// A vector that is less well known than this part of its length has no direction to name.
 const WELL_KNOWN: f64 = 1e-9;
@@ -77,13 +72,8 @@ fn comes_to(engine: &Engine, loads: &Loads, quantity: Planar, largest: &Largest)
     }
     let listed = amounts::peak(&peak, unit);
     Some(match peak.angle.filter(|_| peak.value > 0.0 && unit.factor != 0.0) {
-        Some(_) => phrase!(
-            "The {force|moment} of the listed orders is {} and points to ≈ {}° there.",
-            quantity,
-            listed,
-            digits(direction(numbers::degrees(peak.vector)))
-        ),
-        None => phrase!("The {force|moment} of the listed orders is {}.", quantity, listed),
+        Some(_) => text::points_to(quantity, listed, digits(direction(numbers::degrees(peak.vector)))),
+        None => text::of_listed_orders(quantity, listed),
     })
 }
 
@@ -93,32 +83,19 @@ fn direction(degrees: f64) -> f64 {
     if rounded == -180.0 { 180.0 } else { rounded }
 }
 
-/// The tables of the orders.
-fn order_by_order(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Block> {
-    let loads = &numbers.loads;
-    let mut blocks = vec![heading(1, "Order by order"), Block::Paragraph("The largest value of each order:".into())];
-    blocks.push(summary::by_order(engine, loads, Unit::as_read).into());
+/// The largest value of each order, and why an order has none.
+fn by_order(engine: &Engine, loads: &Loads) -> Vec<Block> {
+    let mut blocks = vec![summary::by_order(engine, loads, Unit::as_read).into()];
     if loads.orders.iter().any(|order| !order.exists(engine)) {
         blocks.push(Block::Note(WHY_NOT.into()));
     }
-    blocks.extend(chosen(engine, numbers, needed));
-    blocks.extend([heading(2, "The ellipse of each order"), tables::ellipses(engine, loads).into()]);
-    blocks.push(Block::Note(tables::units(engine, loads)));
-    blocks.push(heading(2, "The two vectors of each order, whose lengths add up to the largest value"));
-    blocks.push(tables::vectors(engine, loads).into());
-    blocks.extend(roll::turning(engine, loads));
     blocks
 }
-
-const MOMENTS: &str =
-    "A moment points where a single force with the same moment points that acts between that plane and the free end.";
-const ON_CRANKSHAFT: &str =
-    "The inertia torque is that on the crankshaft; on the frame it acts with the opposite sign.";
 
 fn conventions(engine: &Engine, loads: &Loads) -> Vec<Text> {
     let mut lines = vec![seen(engine.convention())];
     lines.extend(differs(engine.convention()));
-    lines.extend([reference_plane(engine), MOMENTS.into()]);
-    lines.extend(loads.torque.as_ref().map(|_| ON_CRANKSHAFT.into()));
+    lines.extend([reference_plane(engine), text::moments()]);
+    lines.extend(loads.torque.as_ref().map(|_| text::on_crankshaft()));
     lines
 }

@@ -9,8 +9,9 @@ use super::amounts::{Unit, is_left, waveform};
 use crate::engine::Engine;
 use crate::loads::{Circle, Loads, Outcome, Torque, Waveform};
 use crate::page::plot::{Axis, Curve, Plot, Polar, stacked};
-use crate::page::{Choice, Picture, Text, phrase};
+use crate::page::{Choice, Picture, Text};
 use crate::proof::{Planar, Quantity};
+use crate::report::texts::loads as text;
 
 /// Steps of a revolution in a plot.
 const STEPS: usize = 360;
@@ -29,15 +30,7 @@ struct Drawing<'a> {
 }
 
 /// What is above a plot, and what its caption begins with.
-type Heading = [&'static str; 2];
-
-const FORCE: [Heading; 2] =
-    [["Force along the reference direction"; 2], ["Force across it, in the plane of the cylinders"; 2]];
-const MOMENT: [Heading; 2] = [
-    ["Pitching moment", "Moment of the forces along the reference direction (pitching)"],
-    ["Yawing moment", "Moment of the forces across it (yawing)"],
-];
-const PATH: &str = "Path of the tip of the {force|moment, arm times force,} in a revolution, seen from the {free end|flywheel}, direction 0 upwards; rings mark crank angles.";
+type Heading = (&'static str, Text);
 
 /// All plots of the numbers of an engine; none of what is zero.
 pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture> {
@@ -47,28 +40,31 @@ pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture>
         Drawing { name, waveform, unit, axis }
     };
     let end = engine.convention().turns_anticlockwise_from();
+    let same = |heading: &'static str| (heading, Text::from(heading));
+    let force = [same("Force along the reference direction"), same("Force across it, in the plane of the cylinders")];
+    let moment = [("Pitching moment", text::pitching()), ("Yawing moment", text::yawing())];
     let both = [
-        (Planar::Force, "Force in {}", FORCE, "Path of the force in a revolution"),
-        (Planar::Moment, "Moment in {}", MOMENT, "Path of the moment in a revolution"),
+        (Planar::Force, "Force in {}", force, "Path of the force in a revolution"),
+        (Planar::Moment, "Moment in {}", moment, "Path of the moment in a revolution"),
     ];
     for (of, axis, headings, path) in both {
         if loads.orders.iter().any(|order| is_left(order.swing(of))) {
             let drawing = drawing(of.name(), waveform(loads, of), axis, of.into());
-            figures.extend(vectors(&drawing, headings, (path, phrase!(PATH, of, end))));
+            figures.extend(vectors(&drawing, headings, (path, text::path(of, end))));
         }
     }
     let is_left = |torque: &&Torque| torque.orders.iter().any(|order| order.vector.outcome == Outcome::NotZero);
     if let Some(torque) = loads.torque.as_ref().filter(is_left) {
         let drawing = drawing("torque", &torque.waveform, "Inertia torque in {}", Quantity::TORQUE);
-        figures.extend(curves(&drawing, ["Inertia torque on the crankshaft"; 2], "", |vector| vector.re));
+        figures.extend(curves(&drawing, same("Inertia torque on the crankshaft"), "", |vector| vector.re));
     }
     figures
 }
 
 /// Both components of a vector, and its path where it has both.
-fn vectors(drawing: &Drawing, headings: [Heading; 2], path_words: (&'static str, Text)) -> Vec<Picture> {
-    let along = curves(drawing, headings[0], "-along", |vector| vector.re);
-    let across = curves(drawing, headings[1], "-across", |vector| vector.im);
+fn vectors(drawing: &Drawing, [first, second]: [Heading; 2], path_words: (&'static str, Text)) -> Vec<Picture> {
+    let along = curves(drawing, first, "-along", |vector| vector.re);
+    let across = curves(drawing, second, "-across", |vector| vector.im);
     let path = (along.is_some() && across.is_some()).then(|| path(drawing, path_words));
     [along, across, path].into_iter().flatten().collect()
 }
@@ -82,7 +78,7 @@ type Order = (u32, Vec<(f64, f64)>);
 /// One component over the crank angle; none where it is zero. The sum and the two largest orders come first, the rest below.
 fn curves(
     drawing: &Drawing,
-    [heading, subject]: Heading,
+    (heading, subject): Heading,
     mark: &str,
     part: fn(Complex<f64>) -> f64,
 ) -> Option<Picture> {
@@ -122,29 +118,17 @@ fn curves(
 }
 
 /// What the plots of a component show: the orders in the first, and those below.
-fn caption(subject: &'static str, first: &[Order], rest: &[Order]) -> Text {
+fn caption(component: Text, first: &[Order], rest: &[Order]) -> Text {
     let words = match first {
-        [(only, _)] => phrase!(
-            "{} against the crank angle: order {}; no other of those listed is large enough to be drawn.",
-            subject,
-            *only
-        ),
-        several => {
-            phrase!("{} against the crank angle: the sum (wide) and its largest orders {}.", subject, numbers(several))
-        }
+        [(only, _)] => text::only_order(component, *only),
+        several => text::sum_and_orders(component, numbers(several)),
     };
     let below = match rest {
         [] => return words,
-        few if few.len() <= MOST_CURVES => {
-            phrase!("Below, to a larger scale, {order|orders} {}.", Choice::one_or_more(few.len()), numbers(few))
-        }
+        few if few.len() <= MOST_CURVES => text::smaller(Choice::one_or_more(few.len()), numbers(few)),
         many => {
             let (shown, others) = many.split_at(MOST_CURVES - 1);
-            phrase!(
-                "Below, to a larger scale, orders {} and the sum of the others, orders {}.",
-                numbers(shown),
-                numbers(others)
-            )
+            text::smaller_and_others(numbers(shown), numbers(others))
         }
     };
     words.and(" ").and(below)

@@ -5,11 +5,9 @@ use super::amounts::{self, Unit, UnitOf};
 use super::tables;
 use crate::engine::Engine;
 use crate::loads::{Loads, Outcome};
-use crate::page::{Block, Text, phrase};
+use crate::page::{Block, Text};
 use crate::proof::{Axial, Quantity};
-
-const OF_ONE: &str = "The roll moment is that on the frame about the middle of the engine: the inertia torque reversed, and the forces whose lines pass beside the middle, with their arms.";
-const OF_SEVERAL: &str = "The roll moment is that on the frame about the origin of the layout, from which the axes of its crankshafts are counted: the torque on each crankshaft reversed, and the forces of its pistons with the arms of their axes. Assumed: each crankshaft has its own flywheel and constant speed.";
+use crate::report::texts::loads as text;
 
 /// What is said of the roll moment: its largest value, and what it is, or what it lacks; nothing where the frame feels no more than the torque
 /// turned round.
@@ -18,15 +16,10 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Vec
         return loads.roll_lacks.map(|missing| roll_asked(engine, missing)).into_iter().collect();
     };
     let unit = unit_of(engine, loads, Quantity::ROLL);
-    let words = if engine.geared_cranks().is_empty() { OF_ONE } else { OF_SEVERAL };
+    let words = if engine.geared_cranks().is_empty() { text::roll_of_one() } else { text::roll_of_several() };
     let all_vanish = roll.orders.iter().all(|order| order.vector.outcome == Outcome::Zero);
-    let largest = match all_vanish {
-        true => phrase!("The roll moment of the listed orders is {}.", Text::zero()),
-        false => {
-            phrase!("The roll moment of the listed orders is {}.", amounts::peak(&roll.waveform.real_peak(), unit))
-        }
-    };
-    vec![largest, words.into()]
+    let peak = if all_vanish { Text::zero() } else { amounts::peak(&roll.waveform.real_peak(), unit) };
+    vec![text::roll(peak), words]
 }
 
 /// The orders of the inertia torque and of the roll moment, for a page, as far as they are known.

@@ -10,6 +10,7 @@ use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::loads::{Loads, Needed};
 use crate::page::{Block, Document, Table, Text, phrase};
 use crate::proof::{Axial, Planar, Quantity};
+use crate::report::texts::loads as text;
 
 /// The short answer: the largest force, moment and torque of each order, zero to peak, and of all orders. Scripts read its numbers, so that it counts
 /// as the document does: in newtons, however many.
@@ -106,7 +107,7 @@ const NOT_JUDGED: &str = "not computed";
 /// What follows the table: the largest values, what the orders shown omit, the effects.
 fn lines(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Text> {
     let loads = &numbers.loads;
-    let mut lines = vec!["Zero to peak; 0 is exact and proved, ≈ decimal.".into()];
+    let mut lines = vec![text::signs()];
     if loads.orders.iter().any(|order| !order.exists(engine)) {
         lines.push(WHY_NOT.into());
     }

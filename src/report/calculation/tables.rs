@@ -8,6 +8,7 @@ use crate::numbers;
 use crate::order::MassGroup;
 use crate::page::{self, Number, Table, Text, phrase};
 use crate::proof::{Axial, Planar, Quantity};
+use crate::report::texts::loads as text;
 
 /// What is in the scene and what is not, and what each group of masses adds to the peaks.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
@@ -90,21 +91,10 @@ fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Planar)
 pub(super) fn units(engine: &Engine, loads: &Loads) -> Text {
     let (force, moment) = (Unit::as_read(engine, loads, Planar::Force), Unit::as_read(engine, loads, Planar::Moment));
     let first = match Arm::of(engine) {
-        Arm::Metre => phrase!(
-            "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times 1 {}.",
-            force.label(),
-            moment.label(),
-            page::Unit::METRE
-        ),
-        Arm::Spacing => phrase!(
-            "Forces in {}, moments in {}; the last column counts forces in m r ω² and moments in that times the spacing a.",
-            force.label(),
-            moment.label()
-        ),
+        Arm::Metre => text::units(force.label(), moment.label(), page::Unit::METRE),
+        Arm::Spacing => text::units_of_spacing(force.label(), moment.label()),
     };
-    first.and(" ").and(
-        "All amplitudes are zero-to-peak. 0 is exact and proved, ≈ marks decimals. Along: the component in the reference direction, the bisector of the banks of a V; across: at right angles to it. The moment of the forces along it is the pitching moment, that of the forces across it the yawing moment. Angles of the vectors are those at θ = 0.",
-    )
+    first.and(" ").and(text::amplitudes())
 }
 
 /// Orders of the torque or the roll moment: amplitude, phase, and the multiple that both are of.

@@ -11,10 +11,7 @@ use crate::numbers::float;
 use crate::page::number::{Amount, Number, given, turns_in_decimals};
 use crate::page::plot::{Axis, Curve, Plot};
 use crate::page::{Block, Document, Picture, Piece, Table, Text, Unit, phrase};
-
-const FOUND: &str = "Between two crossings of torque and load the work is the area between them. The fluctuation of energy is the largest less the smallest running sum of these areas, $\\Delta E = \\max E - \\min E$; the coefficient of fluctuation of speed is $C_s = (\\omega_{max}-\\omega_{min})/\\omega = \\Delta E/(I\\omega^2)$, so that $\\pm 1\\,\\%$ is $C_s = 0.02$. The load is constant, at the mean of the torque, unless the file gives one.";
-
-const WAVES: &str = "The torque is a sum of harmonics. The fluctuation of energy is the range of the integral of torque less load; of one harmonic of the amplitude $R$ and the order $\\kappa$ it is $2R/\\kappa$.";
+use crate::report::texts::flywheel as text;
 
 /// Steps of a turn in which a torque of harmonics is drawn.
 const STEPS: i64 = 180;
@@ -31,15 +28,15 @@ pub(super) fn answer(study: &FlywheelStudy) -> Document {
 
 /// The page.
 pub(super) fn page(study: &FlywheelStudy) -> Document {
-    let mut page = Document::new("flywheel", phrase!("{}: turning-moment diagram", &study.diagram.title));
-    page.push(Block::Answer(lines(study)));
-    page.blocks.extend(picture(study).map(|picture| Block::Pictures(vec![picture])));
-    page.blocks.extend(tables(study));
-    page.section("How it was found", FOUND);
-    if matches!(study.diagram.torque, Torque::Harmonics(..)) {
-        page.push(WAVES);
+    let is_of_harmonics = matches!(study.diagram.torque, Torque::Harmonics(..));
+    text::Page {
+        diagram: (&study.diagram.title).into(),
+        answer: Block::Answer(lines(study)).into(),
+        drawn: picture(study).into(),
+        tables: tables(study).into(),
+        found: [text::areas()].into_iter().chain(is_of_harmonics.then(text::harmonics)).collect(),
     }
-    page
+    .document()
 }
 
 /// A value with its closed form before it, where that can be read.
@@ -74,51 +71,29 @@ fn value(value: &WithPi, unit: Unit) -> Text {
 /// The lines of the box.
 fn lines(study: &FlywheelStudy) -> Vec<Text> {
     let (diagram, found) = (&study.diagram, &study.fluctuation);
-    let mut lines = vec![phrase!("**Fluctuation of energy.** ΔE is {}.", value(&found.energy, Unit::JOULE))];
-    lines.extend(found.fastest_and_slowest.map(|[fastest, slowest]| {
-        phrase!("The crank is fastest at {}, and slowest at {}.", angle(fastest), angle(slowest))
-    }));
-    lines.extend(found.mean.as_ref().zip(found.work.as_ref()).map(|(mean, work)| {
-        phrase!(
-            "**Mean torque.** {}; the work of a cycle is {}.",
-            value(mean, Unit::NEWTON_METRE),
-            value(work, Unit::JOULE)
-        )
-    }));
-    lines.extend(found.energy_coefficient.as_ref().map(|part| {
-        phrase!("Coefficient of fluctuation of energy, ΔE over the work of a cycle: {}.", value(part, Unit::NONE))
-    }));
+    let mut lines = vec![text::fluctuation(value(&found.energy, Unit::JOULE))];
+    let at = found.fastest_and_slowest.map(|both| both.map(angle));
+    lines.extend(at.map(|[fastest, slowest]| text::fastest_and_slowest(fastest, slowest)));
+    let mean_and_work = found.mean.as_ref().zip(found.work.as_ref());
+    lines.extend(
+        mean_and_work.map(|(mean, work)| text::mean_torque(value(mean, Unit::NEWTON_METRE), value(work, Unit::JOULE))),
+    );
+    lines.extend(found.energy_coefficient.as_ref().map(|part| text::energy_coefficient(value(part, Unit::NONE))));
     let Some(speed) = &diagram.speed else {
-        lines.push(
-            "The file gives no speed: power, coefficient of fluctuation of speed and flywheel are omitted.".into(),
-        );
+        lines.push(text::no_speed());
         return lines;
     };
-    lines.extend(found.power.as_ref().map(|power| {
-        phrase!("**Power.** At {} rpm: {}.", given(speed), quantity(power.decimal / 1e3, Unit::KILOWATT))
-    }));
+    let kilowatts = found.power.as_ref().map(|power| quantity(power.decimal / 1e3, Unit::KILOWATT));
+    lines.extend(kilowatts.map(|power| text::power(given(speed), power)));
     lines.extend(found.irregularity.as_ref().zip(diagram.inertia.as_ref()).map(|(part, inertia)| {
         let inertia = quantity(float(inertia), Unit::KILOGRAM_SQUARE_METRE);
         let percent = Text::figures(part.decimal * 50.0);
-        phrase!(
-            "**Speed.** With an inertia of {} the coefficient of fluctuation of speed at {} rpm is {}, that is ± {} % of the mean.",
-            inertia,
-            given(speed),
-            value(part, Unit::NONE),
-            percent
-        )
+        text::speed(inertia, given(speed), value(part, Unit::NONE), percent)
     }));
     lines.extend(found.inertia.as_ref().zip(diagram.irregularity.as_ref()).map(|(inertia, wanted)| {
-        phrase!(
-            "**Flywheel.** For a coefficient of fluctuation of {} at {} rpm the inertia has to be {}.",
-            given(wanted),
-            given(speed),
-            value(inertia, Unit::KILOGRAM_SQUARE_METRE)
-        )
+        text::flywheel(given(wanted), given(speed), value(inertia, Unit::KILOGRAM_SQUARE_METRE))
     }));
-    lines.extend(found.mass.as_ref().map(|mass| {
-        phrase!("At the given radius of gyration its mass is {}.", quantity(mass.decimal, Unit::KILOGRAM))
-    }));
+    lines.extend(found.mass.as_ref().map(|mass| text::mass(quantity(mass.decimal, Unit::KILOGRAM))));
     lines
 }
 
@@ -193,11 +168,5 @@ fn picture(study: &FlywheelStudy) -> Option<Picture> {
     let mut plot = Plot::new("Torque", x, Axis::amplitude("Torque in {}").counted_in(Unit::NEWTON_METRE));
     plot.curves.push(Curve::new(0, "torque", curve(0)));
     plot.curves.push(Curve::new(1, "load", curve(1)));
-    Some(Picture {
-        name: "turning-moment".to_owned(),
-        caption: phrase!(
-            "The torque through a cycle, and the load. Where the torque is above the load the speed rises."
-        ),
-        figure: plot.figure(),
-    })
+    Some(Picture { name: "turning-moment".to_owned(), caption: text::torque_and_load(), figure: plot.figure() })
 }

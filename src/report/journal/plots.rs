@@ -9,7 +9,8 @@ use super::super::torque::names;
 use crate::engine::{Convention, Engine};
 use crate::journal::{CycleBearing, CycleBearings, CycleLoads, ForceHistory, SharedPin};
 use crate::page::plot::{Curve, Polar};
-use crate::page::{Picture, Text, Unit, phrase};
+use crate::page::{Picture, Text, Unit};
+use crate::report::texts::journal as text;
 
 /// The tips of a force through the cycle, to the right and up.
 type Tips = Vec<(f64, f64)>;
@@ -50,9 +51,6 @@ pub(super) fn bearings(convention: Convention, loads: &CycleLoads, bearings: &Cy
     bearings.bearings.iter().zip(known).enumerate().map(draw).collect()
 }
 
-const COMPONENTS: &str = "Bearing {}: components of the force of gas and masses through the cycle, y upwards in direction 0 (solid), x to the right (dashed).";
-const PATH: &str = "Bearing {}: path of the tip of the force through the cycle, seen from the {free end|flywheel}, direction 0 upwards: with gas (solid) and of the masses alone (dash-dotted). The dot is the largest force.";
-
 fn drawn(
     convention: Convention,
     (number, bearing): (usize, &CycleBearing),
@@ -68,11 +66,11 @@ fn drawn(
         vec![Curve::new(style::WHOLE, "with gas", all), Curve::new(style::WITHOUT_GAS, "without gas", inertia)];
     let mut polar = path(name, curves, largest, Unit::NEWTON);
     polar.marks.push(largest_at(tip(bearing.peak.vector), bearing.peak.angle));
-    let caption = phrase!(PATH, name.clone(), convention.turns_anticlockwise_from());
+    let caption = text::path(name.clone(), convention.turns_anticlockwise_from());
     [
         Picture {
             name: format!("bearing-{number}-cycle"),
-            caption: phrase!(COMPONENTS, name.clone()),
+            caption: text::components(name.clone()),
             figure: components,
         },
         Picture { name: format!("bearing-{number}-cycle-polar"), caption, figure: polar.figure() },
@@ -94,17 +92,10 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
             let figure = polar.counted_in(Unit::NEWTON).figure();
             Picture { name: format!("pin-{}-{end}", index + 1), caption, figure }
         };
-        let from_engine = phrase!(
-            "The load of the crankpin of cylinder {} through the cycle, seen from the engine, direction 0 upwards. Rings mark crank angles of the first revolution.",
-            names(engine, &[index])
-        );
+        let from_engine = text::crankpin(names(engine, &[index]));
         let from_crank = match group.len() {
-            1 => SEEN_FROM_CRANK.into(),
-            _ => phrase!(
-                "{} It is the same for cylinders {}, each when it fires.",
-                Text::from(SEEN_FROM_CRANK),
-                names(engine, group)
-            ),
+            1 => text::seen_from_crank(),
+            _ => text::same_for_others(text::seen_from_crank(), names(engine, group)),
         };
         let turning = |theta| course.pin_on_the_crank(index, theta);
         [
@@ -116,9 +107,6 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
     };
     course.alike().iter().take(MOST_PINS).flat_map(draw).collect()
 }
-
-/// What is drawn of a crankpin seen from the crank.
-const SEEN_FROM_CRANK: &str = "The same seen from the crank, outward along the throw upwards: where the pin is loaded.";
 
 /// The paths of the loads of the knuckle pins of every master rod, seen from it, as many as are told apart.
 pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
@@ -142,11 +130,7 @@ pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         let polar = Polar::new(format!("Knuckle pins of master rod {}", name(master)), label, curves);
         Picture {
             name: format!("master-{}-knuckles-cycle", master + 1),
-            caption: phrase!(
-                "Knuckle pins of master rod {}, {} at most: paths of the tips of their loads of gas and masses through the cycle, seen from the master rod, away from the crankpin upwards.",
-                Text::label(name(master)),
-                MOST_LINKS
-            ),
+            caption: text::knuckle_pins(name(master), MOST_LINKS),
             figure: polar.counted_in(Unit::NEWTON).figure(),
         }
     };
@@ -173,11 +157,7 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         polar.marks.push(largest_at(tip(largest), pin.peak.angle));
         Picture {
             name: format!("shared-pin-{number}-crank"),
-            caption: phrase!(
-                "Crankpin {}, with the rods of cylinders {}: path of the tip of its load through the cycle, seen from the crank, outward along the throw upwards. Solid, all rods together; broken, each of them alone where they are few. The dot is the largest load.",
-                number,
-                names(engine, &pin.cylinders)
-            ),
+            caption: text::shared_pin(number, names(engine, &pin.cylinders)),
             figure: polar.figure(),
         }
     };

@@ -1,11 +1,11 @@
 //! What is said of the complete loads: first, and at the end?
 
 use super::super::bearings::called;
-use super::super::texts;
 use super::super::torque::{angle, assumptions as of_the_gas, names, quantity};
 use crate::engine::Engine;
 use crate::journal::{self, CycleBearings, CycleLoads};
-use crate::page::{Text, Unit, phrase};
+use crate::page::{Text, Unit};
+use crate::report::texts::{self, journal as text};
 
 pub(super) fn newtons(value: f64) -> Text {
     quantity(value, Unit::NEWTON)
@@ -18,11 +18,9 @@ pub(super) fn answer(engine: &Engine, loads: &CycleLoads, [continuous, determina
     lines.extend(shared_pins(engine, loads));
     lines.extend(knuckles(engine, loads));
     lines.extend(rods(engine, loads));
-    lines.push(SIGNS.into());
+    lines.push(text::signs());
     lines
 }
-
-const SIGNS: &str = "Largest values are those of the forces themselves, through the whole cycle and with all orders; the load is the force on bearing or pin, and the part of the gas is its component along the load.";
 
 /// What the bearings with the largest load are called, and that load.
 fn worst(bearings: &CycleBearings) -> Option<(Text, f64)> {
@@ -39,31 +37,11 @@ fn largest(bearings: &CycleBearings) -> Option<Text> {
     let at = Text::joined(at, ", ");
     let gas = peaks.clone().next()?.gas_along();
     Some(if gas < 0.0 {
-        phrase!(
-            "**Largest load:** {} on {}, at crank angle {}, by the masses; the gas reduces it by {}.",
-            newtons(size),
-            names,
-            at,
-            newtons(-gas)
-        )
+        text::reduced_by_gas(newtons(size), names, at, newtons(-gas))
     } else if gas > size {
-        phrase!(
-            "**Largest load:** {} on {}, at crank angle {}: {} by the gas, less {} by the masses.",
-            newtons(size),
-            names,
-            at,
-            newtons(gas),
-            newtons(gas - size)
-        )
+        text::reduced_by_masses(newtons(size), names, at, newtons(gas), newtons(gas - size))
     } else {
-        phrase!(
-            "**Largest load:** {} on {}, at crank angle {}: {} by the gas and {} by the masses.",
-            newtons(size),
-            names,
-            at,
-            newtons(gas),
-            newtons(size - gas)
-        )
+        text::of_both(newtons(size), names, at, newtons(gas), newtons(size - gas))
     })
 }
 
@@ -73,13 +51,7 @@ fn others(continuous: &CycleBearings, determinate: &CycleBearings) -> Option<Tex
     let alone = journal::worst(sizes.clone());
     let names: Vec<String> = alone.iter().map(|index| continuous.bearings[*index].name.clone()).collect();
     let (determinate, load) = worst(determinate)?;
-    Some(phrase!(
-        "**Without gas** the largest load is {} on {}. By the determinate approximation, with gas, it is {} on {}.",
-        newtons(sizes.fold(0.0, f64::max)),
-        called(&names),
-        newtons(load),
-        determinate
-    ))
+    Some(text::other_loads(newtons(sizes.fold(0.0, f64::max)), called(&names), newtons(load), determinate))
 }
 
 /// The first of those with the largest of some size.
@@ -95,34 +67,19 @@ fn pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     }
     let index = first(0..loads.cylinders.len(), |index| loads.cylinders[*index].peaks.pin.value)?;
     let peak = &loads.cylinders[index].peaks.pin;
-    Some(phrase!(
-        "**Crankpins.** The rod of cylinder {} loads its crankpin most, with {} at crank angle {}.",
-        names(engine, &[index]),
-        newtons(peak.value),
-        angle(peak.angle)
-    ))
+    Some(text::worst_crankpin(names(engine, &[index]), newtons(peak.value), angle(peak.angle)))
 }
 
 fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     let pin = first(&loads.shared_pins, |pin| pin.peak.value)?;
-    Some(phrase!(
-        "**All rods of a crankpin** together load crankpin {} of cylinders {} most, with {} at crank angle {}.",
-        pin.throw + 1,
-        names(engine, &pin.cylinders),
-        newtons(pin.peak.value),
-        angle(pin.peak.angle)
-    ))
+    let cylinders = names(engine, &pin.cylinders);
+    Some(text::worst_shared_pin(pin.throw + 1, cylinders, newtons(pin.peak.value), angle(pin.peak.angle)))
 }
 
 fn knuckles(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     let knuckle = first(&loads.knuckles, |knuckle| knuckle.peak.value)?;
-    Some(phrase!(
-        "**Knuckle pins.** That of the link of cylinder {} on master rod {} carries most, {} at crank angle {}.",
-        names(engine, &[knuckle.cylinder]),
-        names(engine, &[knuckle.master]),
-        newtons(knuckle.peak.value),
-        angle(knuckle.peak.angle)
-    ))
+    let [link, master] = [knuckle.cylinder, knuckle.master].map(|cylinder| names(engine, &[cylinder]));
+    Some(text::worst_knuckle_pin(link, master, newtons(knuckle.peak.value), angle(knuckle.peak.angle)))
 }
 
 fn rods(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
@@ -132,42 +89,21 @@ fn rods(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     let name = |index: usize| names(engine, &[index]);
     let [most, least] = [rod(pressed)[0].value, rod(pulled)[1].value];
     Some(match least < 0.0 {
-        true if pressed == pulled => phrase!(
-            "**Rods.** The rod of cylinder {} is in compression up to {} and in tension up to {}.",
-            name(pressed),
-            newtons(most),
-            newtons(-least)
-        ),
-        true => phrase!(
-            "**Rods.** The rod of cylinder {} is in compression up to {}, that of cylinder {} in tension up to {}.",
-            name(pressed),
-            newtons(most),
-            name(pulled),
-            newtons(-least)
-        ),
-        false => phrase!(
-            "**Rods.** The rod of cylinder {} is in compression up to {}; none is in tension.",
-            name(pressed),
-            newtons(most)
-        ),
+        true if pressed == pulled => text::one_rod(name(pressed), newtons(most), newtons(-least)),
+        true => text::two_rods(name(pressed), newtons(most), name(pulled), newtons(-least)),
+        false => text::no_tension(name(pressed), newtons(most)),
     })
 }
 
 /// How well the orders tell the loads.
 pub(super) fn missed(loads: &CycleLoads, bearings: &CycleBearings) -> Text {
-    phrase!(
-        "The orders up to {} miss at most {} of the load of any bearing; the largest loads above are those of the forces themselves, not of the orders.",
-        crate::torque::HIGHEST,
-        newtons(loads.missed(bearings))
-    )
+    text::missed(crate::torque::HIGHEST, newtons(loads.missed(bearings)))
 }
 
 /// What the numbers rest on.
 pub(super) fn assumptions(engine: &Engine) -> Vec<Text> {
     let [shaft, _, rods, determinate] = texts::bearings::assumptions();
-    let mut list: Vec<Text> = vec![shaft, LOADS.into(), rods, determinate];
+    let mut list = vec![shaft, text::loads(), rods, determinate];
     list.extend(of_the_gas(engine));
     list
 }
-
-const LOADS: &str = "The loads are those of gas and masses: the pressure on the pistons, the reciprocating masses, the side force between piston and cylinder that both cause, and the rotating masses. Weight and friction are neglected.";

@@ -5,38 +5,27 @@ use crate::engine::CycleOrder;
 use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, number, phrase};
 use crate::report::calculation::inputs_table;
 use crate::report::engine_cells;
+use crate::report::texts::moments as text;
 use crate::report::texts::torque::linked_guides;
 use crate::torque::GuideMoments;
 
-const CONVENTION: &str = "V is along direction 0, upright in an in-line engine, H across it; amplitudes are zero to peak, moments about the reference plane. **0** is proved. Forces and moments are \
-    proportional to the square of the speed, $(n/n_1)^2$; the guide-force moments are not, since the gas contributes.";
-
-const COUNTERED: &str = "M1 with counterweights is the residual where counterweights cancel all that turns with the crank at order 1: as large along as across. Second-order compensators, balancer shafts at twice the speed, can cancel all of M2; the command remedy gives the masses of both.";
-
-const GUIDES: &str = "H is the order of the torque, which rocks the frame about the shaft; X is the sum of the couples of guides and crank, each times its distance from the middle, over the rod length, \
-    and twists the frame.";
-
-const PER_KILOWATT: &str = "Moment over power (PRU) is the engine makers' measure of the second order: below 60 N·m/kW a compensator is not relevant, up to 120 unlikely to be needed, up to 220 likely, above \
-    most likely.";
-
 /// The short answer.
 pub(super) fn answer(study: &MomentsStudy) -> Document {
-    let mut answer = Document::new("moments", "External forces and moments, guide-force moments");
+    let mut answer = Document::new("moments", text::title());
     answer.blocks.extend(tables(study));
-    answer.push(Block::Paragraph(CONVENTION.into()));
+    answer.push(text::conventions());
     answer
 }
 
 /// The page.
 pub(super) fn page(study: &MomentsStudy) -> Document {
-    let mut page = Document::new("moments", "External forces and moments, guide-force moments");
-    page.push(Block::Answer(study.built().map(said).collect()));
-    page.blocks.extend(tables(study));
-    page.push(Block::Heading(1, "Inputs".into()));
-    page.blocks.extend(inputs(study));
-    page.push(Block::Heading(1, "Conventions".into()));
-    page.push(Block::Paragraph(CONVENTION.into()));
-    page
+    text::Page {
+        answer: Block::Answer(study.built().map(said).collect()).into(),
+        tables: tables(study).into(),
+        inputs: inputs(study).into(),
+        conventions: text::conventions().into(),
+    }
+    .document()
 }
 
 /// The engines as they are built, those together that have something in common.
@@ -75,13 +64,10 @@ fn said(row: &MomentsRow) -> Text {
     let size = |moment: &External| moment.components.iter().flatten().copied().fold(0.0, f64::max);
     let largest = row.moments.iter().max_by(|one, other| size(one).total_cmp(&size(other)));
     match largest.filter(|moment| moment.components.iter().any(Option::is_some)) {
-        None => phrase!("**{}.** The moments of the orders 1, 2 and 4 vanish, proved.", &row.name),
-        Some(moment) => phrase!(
-            "**{}.** The largest external moment is that of order {}: {}.",
-            &row.name,
-            moment.order,
-            Text::from(Piece::Quantity(size(moment) / 1e3, Unit::KILONEWTON_METRE))
-        ),
+        None => text::all_vanish(&row.name),
+        Some(moment) => {
+            text::largest(&row.name, moment.order, Piece::Quantity(size(moment) / 1e3, Unit::KILONEWTON_METRE))
+        }
     }
 }
 
@@ -89,29 +75,25 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
     let mut blocks = vec![
         Block::Heading(1, "External moments".into()),
         external(study, Unit::KILONEWTON_METRE, |row| &row.moments, true).into(),
-        Block::Paragraph(COUNTERED.into()),
+        text::with_counterweights().into(),
         Block::Heading(1, "External forces".into()),
     ];
     blocks.push(match study.rows.iter().any(|row| row.forces.iter().any(|force| force.components != [None; 2])) {
         true => external(study, Unit::KILONEWTON, |row| &row.forces, false).into(),
-        false if study.rows.len() == 1 => {
-            Block::Paragraph("The forces of the orders 1, 2 and 4 vanish, proved.".into())
-        }
-        false => {
-            Block::Paragraph("The forces of the orders 1, 2 and 4 vanish in each of these engines, proved.".into())
-        }
+        false if study.rows.len() == 1 => text::no_forces().into(),
+        false => text::no_forces_in_each().into(),
     });
     blocks.push(Block::Heading(1, "Guide-force moments".into()));
     let has_guides = study.rows.iter().any(|row| row.guides.is_ok());
     if has_guides {
-        blocks.push(Block::Paragraph(GUIDES.into()));
+        blocks.push(text::guides().into());
         let has_links = study.rows.iter().any(|row| row.engine.has_links());
         blocks.extend(has_links.then(|| Block::Paragraph(linked_guides())));
         blocks.push(guides(study, ("H, {}", LAST_COLUMN), |moments| moments.rocking).into());
         blocks.extend(of_firing(study).map(Block::from));
         blocks.push(guides(study, ("X, {}", LAST_TWISTING), |moments| moments.twisting).into());
         if study.rows.iter().any(|row| row.per_kilowatt().is_some()) {
-            blocks.push(Block::Paragraph(PER_KILOWATT.into()));
+            blocks.push(text::per_kilowatt().into());
         }
     }
     blocks.extend(without_guides(study));
@@ -121,9 +103,7 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
 /// Which engines have no guide-force moments, and why: one line a reason, however many it holds for.
 fn without_guides(study: &MomentsStudy) -> impl Iterator<Item = Block> {
     let reasons = alike(study, |row| row.guides.as_ref().err());
-    reasons.into_iter().map(|(why, rows)| {
-        Block::Note(phrase!("Without guide-force moments: {}; {}.", names(&rows), Text::label(why.clone())))
-    })
+    reasons.into_iter().map(|(why, rows)| Block::Note(text::without_guides(names(&rows), Text::label(why.clone()))))
 }
 
 fn name(row: &MomentsRow) -> Text {
