@@ -2,7 +2,8 @@
 
 use crate::engine::{DeadCentre, Engine, Mechanism, Rod};
 use crate::numbers::float;
-use crate::page::{Text, phrase};
+use crate::page::Text;
+use crate::report::texts::dead_centres as text;
 
 /// What firing angles count, with the intervals from one top dead centre to the next, where offsets move these apart; else nothing.
 pub(super) fn counted(engine: &Engine) -> Option<Text> {
@@ -21,16 +22,10 @@ pub(super) fn counted(engine: &Engine) -> Option<Text> {
         angles.iter().skip(1).chain([&first]).zip(&angles).map(|(next, angle)| next - angle).collect();
     let [least, most] =
         [intervals.iter().copied().fold(f64::INFINITY, f64::min), intervals.iter().copied().fold(0.0, f64::max)];
-    let counted = phrase!(
-        "Firing angles count where each crankpin is in line with its cylinder. The axes miss the crankshaft: from one top dead centre to the next it is ≈ {}° to ≈ {}°.",
-        Text::figures(least),
-        Text::figures(most)
-    );
+    let counted = text::firing_angles(Text::figures(least), Text::figures(most));
     let by_piston = engine.gas().is_some_and(|gas| gas.chambers.iter().any(|one| one.zero == DeadCentre::Piston));
-    Some(if by_piston { counted.and(" ").and(BY_PISTON) } else { counted })
+    Some(if by_piston { counted.and(" ").and(text::gas_by_piston()) } else { counted })
 }
-
-const BY_PISTON: &str = "The gas of the layout counts from where each piston is farthest out, and so do torque, bearing loads and torsion; the firing stars, which are exact, count from the crankpins.";
 
 /// By how many degrees after its pin is in line with its axis a piston stands highest: `arcsin(e/(r + l))`.
 fn after_alignment(rod: &Rod) -> f64 {

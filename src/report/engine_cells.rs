@@ -6,6 +6,7 @@ use crate::engine::{Engine, Firing, Shot, firing_pistons};
 use crate::page::{Text, phrase};
 use crate::proof::Planar;
 use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
+use crate::report::texts::engine_cells as text;
 use crate::verdict::{EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, OrderVerdict};
 
 /// Of more intervals than this only the least and the largest are given.
@@ -89,7 +90,7 @@ pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> Text {
     let remedy = match remedy {
         Ok(remedy) => remedy,
         Err(RemedyError::Missing(_)) => return "not stated: masses cannot be compared".into(),
-        Err(_) => return "not stated: the planes or weights do not fit".into(),
+        Err(_) => return text::does_not_fit(),
     };
     let mut words: Vec<Text> = remedy.crankshaft.iter().map(counterweights).collect();
     let mut shafts = remedy.shafts.iter().peekable();
@@ -101,7 +102,7 @@ pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> Text {
             (Some(other), _) if other.kind == shaft.kind => phrase!("shafts ±{} ({} each)", order, kind(shaft)),
             (Some(other), _) => phrase!("shafts +{} ({}) and −{} ({})", order, kind(shaft), order, kind(other)),
             (None, Some(crank)) => phrase!("{} on crankshaft {}", counterweights(shaft), crank.name.clone()),
-            (None, None) => phrase!("shaft {+|−}{} ({})", shaft.sense, order, kind(shaft)),
+            (None, None) => text::shaft(shaft.sense, order, kind(shaft)),
         });
     }
     if words.is_empty() { "none needed".into() } else { Text::joined(words, "; ") }

@@ -4,29 +4,28 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::engine::Engine;
 use crate::page::{Block, Table, Text, phrase};
+use crate::report::texts::firmness as text;
 use crate::verdict::{Disturbance, Firmness, FirmnessOutcome, OrderBalance, OrderVerdict, firmness};
 
-/// What is changed, as the heading of a column, and what that means.
-fn words(disturbance: Disturbance) -> (&'static str, &'static str) {
+/// What is changed, as the heading of a column.
+fn heading(disturbance: Disturbance) -> &'static str {
     match disturbance {
-        Disturbance::SymmetricSpacing => (
-            "Symmetric spacing",
-            "the cylinders may be at any distances from the reference plane; equal distances stay equal.",
-        ),
-        Disturbance::AnySpacing => (
-            "Any spacing",
-            "the cylinders may be at any positions, those at one position together; the reference plane stays in place.",
-        ),
-        Disturbance::BankOffset => {
-            ("Bank offset", "every bank moves along the crankshaft as a whole; the middle of the banks stays in place.")
-        }
-        Disturbance::BankMasses => (
-            "Masses by bank",
-            "the masses of each bank are multiplied by a factor; for banks of a single cylinder see the next column.",
-        ),
-        Disturbance::CylinderMasses => {
-            ("Masses by cylinder", "masses differ from cylinder to cylinder; only sums without any vector stay zero.")
-        }
+        Disturbance::SymmetricSpacing => "Symmetric spacing",
+        Disturbance::AnySpacing => "Any spacing",
+        Disturbance::BankOffset => "Bank offset",
+        Disturbance::BankMasses => "Masses by bank",
+        Disturbance::CylinderMasses => "Masses by cylinder",
+    }
+}
+
+/// What that means.
+fn meaning(disturbance: Disturbance) -> Text {
+    match disturbance {
+        Disturbance::SymmetricSpacing => text::symmetric_spacing(),
+        Disturbance::AnySpacing => text::any_spacing(),
+        Disturbance::BankOffset => text::bank_offset(),
+        Disturbance::BankMasses => text::bank_masses(),
+        Disturbance::CylinderMasses => text::cylinder_masses(),
     }
 }
 
@@ -42,25 +41,19 @@ pub(super) fn section(engine: &Engine, orders: &[OrderVerdict]) -> Vec<Block> {
     if zeros.is_empty() {
         return Vec::new();
     }
-    let meaning = |disturbance| {
-        let (heading, meaning) = words(disturbance);
-        phrase!("**{}:** {}", heading, meaning)
-    };
+    let explained = |disturbance| phrase!("**{}:** {}", heading(disturbance), meaning(disturbance));
     vec![
         Block::Heading(1, "Robust and accidental zeros".into()),
-        Block::Paragraph(INTRODUCTION.into()),
+        text::which_survive().into(),
         table(engine, zeros).into(),
-        Block::List(Disturbance::ALL.map(meaning).into()),
+        Block::List(Disturbance::ALL.map(explained).into()),
     ]
 }
-
-const INTRODUCTION: &str = "Which zeros survive a change of the engine? Yes and no are decided exactly; – where there is nothing to change. A zero is \
-                            robust if only masses that differ from cylinder to cylinder can break it; otherwise the last column says what it needs.";
 
 fn table(engine: &Engine, zeros: Vec<(Text, Firmness)>) -> Table {
     let mut table = Table::of(zeros).column("Zero", |(name, _)| name.clone());
     for disturbance in Disturbance::ALL {
-        table = table.column(words(disturbance).0, |(_, firmness)| match firmness.outcome(disturbance) {
+        table = table.column(heading(disturbance), |(_, firmness)| match firmness.outcome(disturbance) {
             FirmnessOutcome::Survives => "yes",
             FirmnessOutcome::Breaks => "no",
             FirmnessOutcome::DoesNotApply => "–",

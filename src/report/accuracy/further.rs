@@ -7,6 +7,7 @@ use crate::journal::LoadPeak;
 use crate::loads::{Missing, PeakMethod};
 use crate::page::{Piece, Table, Text, Unit, phrase};
 use crate::proof::Quantity;
+use crate::report::texts::accuracy as text;
 use crate::torque::{self, Peak};
 
 /// A largest value by several methods.
@@ -38,38 +39,23 @@ impl FurtherLoad {
     /// All of them.
     pub const ALL: [FurtherLoad; 3] = [FurtherLoad::Bearing, FurtherLoad::Torque, FurtherLoad::BearingWithGas];
 
-    fn words(self) -> Words {
+    /// Above it, with its λ.
+    fn heading(self) -> &'static str {
         match self {
-            FurtherLoad::Bearing => Words {
-                heading: "Largest bearing load of inertia, {}",
-                value: "Peak in {}",
-                how: "The loads are those of inertia, with the side forces of the pistons, on a continuous beam. The error is that of the largest load of any bearing \
-                      against the closed form; what is guaranteed bounds all orders that are omitted, whichever bearing they load.",
-            },
-            FurtherLoad::Torque => Words {
-                heading: "Largest torque, gas and inertia, {}",
-                value: "Largest torque in {}",
-                how: "The error is that of the largest torque, gas and inertia, against the time law, and anywhere the largest error through the cycle, both as parts of that torque; what is guaranteed of it adds up the orders of the gas that are omitted, \
-                      exact stars times harmonics to order 48, above it times the bound by the total variation of the torque's slope. The inertia stays in its closed form. Neither includes the effect of a wrong pressure.",
-            },
-            FurtherLoad::BearingWithGas => Words {
-                heading: "Largest bearing load, gas and masses, {}",
-                value: "Largest load in {}",
-                how: "The loads are those of gas and masses, with the side forces of the pistons, on a continuous beam; the masses stay in their closed form. The error is \
-                      that of the largest load of any bearing against the forces themselves, and anywhere the largest error of any bearing through the cycle, both as parts of that load. Neither includes the effect of a wrong pressure.",
-            },
+            FurtherLoad::Bearing => "Largest bearing load of inertia, {}",
+            FurtherLoad::Torque => "Largest torque, gas and inertia, {}",
+            FurtherLoad::BearingWithGas => "Largest bearing load, gas and masses, {}",
         }
     }
-}
 
-/// What is said of such a load.
-struct Words {
-    /// Above it, with its λ.
-    heading: &'static str,
     /// Above its largest values, with their unit.
-    value: &'static str,
-    /// What the methods are, and what their errors mean.
-    how: &'static str,
+    fn value(self) -> &'static str {
+        match self {
+            FurtherLoad::Bearing => "Peak in {}",
+            FurtherLoad::Torque => "Largest torque in {}",
+            FurtherLoad::BearingWithGas => "Largest load in {}",
+        }
+    }
 }
 
 /// Errors below this are those of the search for the peak.
@@ -93,13 +79,17 @@ impl Further {
     }
 
     /// What the methods are, and what their errors mean.
-    pub(super) fn how(&self) -> &'static str {
-        self.load.words().how
+    pub(super) fn how(&self) -> Text {
+        match self.load {
+            FurtherLoad::Bearing => text::bearing_loads(),
+            FurtherLoad::Torque => text::torque(),
+            FurtherLoad::BearingWithGas => text::bearing_loads_with_gas(),
+        }
     }
 
     /// `Largest torque, gas and inertia, λ 0.3`.
     pub(super) fn heading(&self, label: Text) -> Text {
-        phrase!(self.load.words().heading, label)
+        phrase!(self.load.heading(), label)
     }
 
     fn name(&self, method: PeakMethod) -> Text {
@@ -122,9 +112,7 @@ impl Further {
         let part = |part: Option<f64>| part.map_or_else(Text::default, |part| methods::power(part).into());
         Table::of(&self.rows)
             .column("Method", |row| self.name(row.method))
-            .column(phrase!(self.load.words().value, self.unit), |row| {
-                methods::to_digits(row.value * self.factor, self.unit)
-            })
+            .column(phrase!(self.load.value(), self.unit), |row| methods::to_digits(row.value * self.factor, self.unit))
             .column("Error", |row| error(row))
             .column_if(far, "Anywhere", |row| part(row.farthest))
             .column_if(sure, "Guaranteed", |row| part(row.bound))
@@ -156,19 +144,10 @@ impl Further {
         let (heading, peak) = (self.heading(label), Piece::Quantity(peak, self.unit));
         let is_of_gas = self.load != FurtherLoad::Bearing;
         match self.enough() {
-            Some(order) if is_of_gas => phrase!(
-                "{}: {}. Gas orders up to {} are enough for 0.1 %.",
-                heading,
-                peak,
-                Text::label(order.to_string())
-            ),
-            None if is_of_gas => {
-                phrase!("{}: {}. The orders of the gas compared here do not have it within 0.1 %.", heading, peak)
-            }
-            Some(order) => {
-                phrase!("{}: {}. Orders up to {} give it within 0.1 %, guaranteed.", heading, peak, order.halves() / 2)
-            }
-            None => phrase!("{}: {}. The orders compared here do not give it within 0.1 %.", heading, peak),
+            Some(order) if is_of_gas => text::enough_of_gas(heading, peak, order.to_string()),
+            None if is_of_gas => text::none_enough_of_gas(heading, peak),
+            Some(order) => text::enough_of_load(heading, peak, order.halves() / 2),
+            None => text::none_enough_of_load(heading, peak),
         }
     }
 }

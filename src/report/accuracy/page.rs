@@ -3,7 +3,8 @@
 use super::further::{Further, FurtherLoad};
 use super::{AccuracyCase, AccuracyStudy, plots, tables, words};
 use crate::accuracy::Study;
-use crate::page::{Block, Document, Text, phrase};
+use crate::page::{Block, Document, Text};
+use crate::report::texts::accuracy as text;
 
 fn studies(cases: &[AccuracyCase]) -> impl Iterator<Item = (usize, &AccuracyCase, &Study)> {
     let numbered = cases.iter().enumerate();
@@ -30,7 +31,7 @@ pub(super) fn answer(AccuracyStudy { engine, cases }: &AccuracyStudy) -> Documen
             answer.push(tables::methods(engine, study));
         }
     }
-    answer.push(Block::Paragraph(tables::FRONT.into()));
+    answer.push(text::columns());
     for (label, further) in further(cases) {
         answer.push(Block::Paragraph(further.answer(label)));
         answer.push(further.table());
@@ -40,36 +41,40 @@ pub(super) fn answer(AccuracyStudy { engine, cases }: &AccuracyStudy) -> Documen
 
 /// The page of one engine with errors and times, and a plot a load and rod ratio; made for this machine at this hour.
 pub(super) fn page(AccuracyStudy { engine, cases }: &AccuracyStudy) -> Document {
-    let mut page = Document::new("accuracy", phrase!("{}: what accuracy costs", engine.title()));
-    let of_loads = studies(cases).map(|(_, case, study)| words::answer(engine, case, study));
-    let of_further = further(cases).map(|(label, further)| further.answer(label));
-    page.push(Block::Answer(of_loads.chain(of_further).collect()));
+    let answers = studies(cases).map(|(_, case, study)| words::answer(engine, case, study));
+    let further_answers = further(cases).map(|(label, further)| further.answer(label));
+    let mut loads: Vec<Block> = Vec::new();
     for (number, case, study) in studies(cases).filter(|(_, _, study)| !study.rows.is_empty()) {
-        page.push(Block::Heading(1, words::heading(case, study)));
-        page.push(plots::cost(number, case, study));
-        page.push(tables::methods(engine, study));
-        page.push(Block::Note(tables::FRONT.into()));
-        page.blocks.extend(words::sure_digits(study).map(Block::Paragraph));
+        loads.extend([
+            Block::Heading(1, words::heading(case, study)),
+            plots::cost(number, case, study).into(),
+            tables::methods(engine, study).into(),
+            Block::Note(text::columns()),
+        ]);
+        loads.extend(words::sure_digits(study).map(Block::Paragraph));
     }
-    for (label, further) in further(cases) {
-        page.push(Block::Heading(1, further.heading(label)));
-        page.push(further.table());
-        page.push(Block::Note(further.how().into()));
+    let further_loads = further(cases).flat_map(|(label, further)| {
+        [Block::Heading(1, further.heading(label)), further.table().into(), Block::Note(further.how())]
+    });
+    text::Page {
+        engine: engine.title().into(),
+        answer: Block::Answer(answers.chain(further_answers).collect()).into(),
+        loads: loads.into(),
+        further: further_loads.collect(),
+        methods: text::methods().into(),
     }
-    page.push(Block::Heading(1, "How the methods work".into()));
-    page.push(Block::List(words::METHODS.into_iter().chain([words::TIMES]).map(Text::from).collect()));
-    page
+    .document()
 }
 
 /// The section of a report on the errors of the methods; no times, so that it is the same on every machine.
 pub fn accuracy_section(cases: &[AccuracyCase]) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "What accuracy costs".into())];
     blocks.extend(tables::errors(cases));
-    blocks.push(Block::List(words::METHODS.map(Text::from).into()));
+    blocks.push(Block::List(text::methods().into()));
     for (label, further) in further(cases) {
         blocks.push(Block::Paragraph(further.answer(label)));
         blocks.push(further.table().into());
-        blocks.push(Block::Note(further.how().into()));
+        blocks.push(Block::Note(further.how()));
     }
     blocks
 }

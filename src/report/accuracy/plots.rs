@@ -6,7 +6,8 @@ use super::super::figure::Ink;
 use super::super::plot::{Axis, Curve, Plot, PointMark};
 use super::{AccuracyCase, methods, words};
 use crate::accuracy::{Method, Row, Study};
-use crate::page::{Picture, phrase};
+use crate::page::Picture;
+use crate::report::texts::accuracy as text;
 
 /// Errors smaller than this are drawn as this.
 const LEAST: f64 = 1e-18;
@@ -36,10 +37,7 @@ pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture
         let at = (microseconds(own.time), digits(own.bound));
         plot.marks.push(PointMark::ring(at, "").of("the program's own choice, from the engine itself"));
     }
-    let caption = phrase!(
-        "{}: each mark is a method, faster to the left and with more digits above. Digits are those of the measured error for the closed form and the orders, of the guaranteed bound for intervals, fractions and the program's own choice.",
-        title
-    );
+    let caption = text::marks(title);
     let name = format!("{}-{number}", words::name(study.quantity).replace('_', "-"));
     Picture { name, caption, figure: plot.figure() }
 }

@@ -7,6 +7,7 @@ use super::{AccuracyCase, words};
 use crate::accuracy::{Method, Row, Study};
 use crate::engine::Engine;
 use crate::page::{Block, Fold, Table, Text, phrase};
+use crate::report::texts::accuracy as text;
 
 /// A row a method: what it finds in newtons or multiples, its errors, its cost, and whether it is on the Pareto front.
 pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
@@ -22,10 +23,6 @@ pub(super) fn methods(engine: &Engine, study: &Study) -> Table {
         .done()
 }
 
-/// What is below those tables.
-pub(super) const FRONT: &str =
-    "Error and guaranteed bound are parts of the peak. Unbeaten: no other method is both faster and more accurate.";
-
 /// The errors of the methods for the loads of an engine at some rod ratios: measured ones, and folded what is guaranteed.
 pub(super) fn errors(cases: &[AccuracyCase]) -> Vec<Block> {
     let mut blocks = Vec::new();
@@ -39,16 +36,10 @@ pub(super) fn errors(cases: &[AccuracyCase]) -> Vec<Block> {
         }
         let measures = |row: &Row| row.method != Method::Fractions;
         let guarantees = |row: &Row| row.bound.is_some();
-        blocks.push(Block::Paragraph(phrase!(
-            "Measured error of the peak {force|moment|inertia torque}:",
-            first.quantity
-        )));
+        blocks.push(text::measured_error(first.quantity).into());
         blocks.push(by_ratio(cases, &studies, &measures, &methods::measured).into());
         blocks.push(Block::Folded(Fold {
-            summary: phrase!(
-                "Guaranteed bound of the error of the peak {force|moment|inertia torque}, roundings of the sums apart",
-                first.quantity
-            ),
+            summary: text::guaranteed_error(first.quantity),
             blocks: vec![by_ratio(cases, &studies, &guarantees, &|_, row| methods::guaranteed(row)).into()],
         }));
     }

@@ -8,17 +8,7 @@ use crate::accuracy::Study;
 use crate::engine::Engine;
 use crate::page::{Piece, Text, phrase};
 use crate::proof::Quantity;
-
-/// How the methods work, and what the columns mean.
-pub(super) const METHODS: [&str; 5] = [
-    "Each method computes the same peak; errors are parts of it.",
-    "**Orders** are summed in doubles; an order that adds nothing is skipped. What the higher orders can add is bounded by their exact sums and, above order 60, by the sum of all coefficients; that bound excludes roundings.",
-    "The **closed form** is the acceleration of each piston without any series, at equal steps of the crank angle, in floats of 64 bits.",
-    "**Intervals** enclose load and slope over spans of the crank angle and cut the highest span in two, until the digits asked for are certain; they stop at 4000 spans, and their bound then shows the accuracy reached.",
-    "**Intervals of fractions** carry some fifty digits, fewer where the load is nearly constant. Narrowed by all other guaranteed bounds, they are the reference of the others; an error that is smaller than their own is said to be below it.",
-];
-
-pub(super) const TIMES: &str = "A time is the median of seven evaluations of the peak on the machine that wrote this page, with all data of the engine precomputed; methods slower than 20 ms are timed once.";
+use crate::report::texts::accuracy as text;
 
 /// The heading of a load.
 pub(super) fn heading(case: &AccuracyCase, study: &Study) -> Text {
@@ -53,18 +43,10 @@ pub(super) fn vanishing(study: &Study) -> Option<Text> {
         return None;
     }
     if study.peak.high.is_zero() {
-        return Some(phrase!(
-            "The {force|moment|inertia torque} vanishes at every order, proved: there is no peak to compare.",
-            study.quantity
-        ));
+        return Some(text::vanishing(study.quantity));
     }
     let bound = study.peak.high.to_f64().unwrap_or(f64::INFINITY);
-    Some(phrase!(
-        "The {force|moment|inertia torque} vanishes at every order examined, and the others add less than {} {}: there is no peak to compare.",
-        study.quantity,
-        methods::power(bound),
-        multiple(study.quantity)
-    ))
+    Some(text::below(study.quantity, methods::power(bound), multiple(study.quantity)))
 }
 
 /// The digits of a peak that are sure.
@@ -82,11 +64,10 @@ pub(super) fn answer(engine: &Engine, case: &AccuracyCase, study: &Study) -> Tex
     let peak = Piece::Quantity(study.peak.to_float() * factor, unit);
     let peak = phrase!("{}: {}.", heading(case, study), peak);
     let orders = match methods::orders_for_a_thousandth(study) {
-        Some(order) => phrase!("Orders up to {} give it within 0.1 %, guaranteed.", order),
-        None => "The orders compared here do not give it within 0.1 %.".into(),
+        Some(order) => text::enough(order),
+        None => text::none_enough(),
     };
-    let fastest = methods::fastest_within_a_thousandth(study).map(|(row, time)| {
-        phrase!("The fastest method within 0.1 % takes {}: {}.", methods::time(time), methods::name(row.method))
-    });
+    let fastest = methods::fastest_within_a_thousandth(study)
+        .map(|(row, time)| text::fastest(methods::time(time), methods::name(row.method)));
     Text::joined([peak, orders].into_iter().chain(fastest), " ")
 }

@@ -3,6 +3,7 @@
 use super::super::figure::{Figure, Point};
 use super::{CatalogueFamily, KnownEngine, Stamp};
 use crate::page::{Block, Picture};
+use crate::report::texts::catalogue as text;
 
 /// Stamps beside each other: their words are read on a telephone too.
 const COLUMNS: usize = 2;
@@ -10,10 +11,6 @@ const COLUMNS: usize = 2;
 const MOST_ENGINES: usize = 8;
 /// Space between two stamps.
 const GAP: f64 = 4.0;
-
-/// What the pictures of a family show.
-const CAPTION: &str = "Each engine from its free end, cranks inside and cylinders outside, beside its free force F and moment M of orders 1 and 2: the path \
-    that they trace (red), and the largest value, rounded, in m r ω² and m r ω² a (rods 3.5 crank radii long where none are given). 0 is exact and proved.";
 
 /// The pictures of a family.
 pub fn pictures(family: &CatalogueFamily) -> Block {
@@ -24,7 +21,7 @@ pub fn pictures(family: &CatalogueFamily) -> Block {
             0 => family.file.to_owned(),
             later => format!("{}-{}", family.file, later + 1),
         },
-        caption: CAPTION.into(),
+        caption: text::stamps(),
         figure: rows(engines),
     };
     Block::Pictures(family.engines.chunks(rows_a_page * COLUMNS).enumerate().map(picture).collect())

@@ -16,8 +16,9 @@ use crate::engine::{Engine, Form};
 use crate::file::Entry;
 use crate::loads;
 use crate::order::Masses;
-use crate::page::{Text, phrase};
+use crate::page::Text;
 use crate::proof::{Planar, Shape};
+use crate::report::texts::catalogue as text;
 use crate::verdict::{
     self, EveryOrder, EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, OrderVerdict, WholeOrder,
 };
@@ -157,14 +158,14 @@ pub fn catalogue_summary(families: &[CatalogueFamily]) -> Vec<Text> {
     let late = names(&|known| known.lowest().is_some_and(|order| order > 2));
     let mut lines = Vec::new();
     if !never.is_empty() {
-        lines.push(phrase!("Force and moment vanish at any order: **{}**.", never));
+        lines.push(text::every_order(never));
     }
     if !late.is_empty() {
-        lines.push(phrase!("Force and moment vanish at orders 1 and 2: **{}**.", late));
+        lines.push(text::orders_1_and_2(late));
     }
     let rotating = names(&|known| known.drawn().is_some_and(|order| order.order == 1 && turns_with_crank(&order)));
     if !rotating.is_empty() {
-        lines.push(phrase!("Counterweights on the crankshaft remove all of order 1: **{}**.", rotating));
+        lines.push(text::order_1_removed(rotating));
     }
     lines
 }

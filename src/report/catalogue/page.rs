@@ -5,6 +5,7 @@ use super::{KnownEngine, catalogue_families};
 use crate::engine::{Engine, Firing};
 use crate::file::Entry;
 use crate::page::{Block, Document, Table, Text};
+use crate::report::texts::catalogue as text;
 
 /// The list: a row per engine, as narrow as a terminal.
 pub fn catalogue_answer(engines: &[(Entry, Engine)]) -> Document {
@@ -17,11 +18,9 @@ pub fn catalogue_answer(engines: &[(Entry, Engine)]) -> Document {
         .column("Moment", |([_, moment], _)| moment.clone());
     let mut page = Document::new("catalogue", "The catalogue");
     page.push(table.done());
-    page.push(Block::Note(LIST.into()));
+    page.push(Block::Note(text::lowest_orders()));
     page
 }
-
-const LIST: &str = "Force, Moment: the lowest order at which it is not zero; none: it is zero at every order. `crankstar classify NAME` gives its size.";
 
 /// How it fires, in a word.
 fn firing(firing: Option<&Firing>) -> Text {

@@ -3,14 +3,15 @@
 use super::super::{engine_cells, residual};
 use super::Compared;
 use crate::engine::{LengthUnit, WHY_NOT};
-use crate::page::{Text, phrase};
+use crate::page::Text;
+use crate::report::texts::compare as text;
 
 /// What follows the table.
 pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
-    let mut notes: Vec<Text> = vec![SIZES.into(), residual::LEGEND.into(), positions(engines), FIRST_LEFT.into()];
+    let mut notes: Vec<Text> = vec![text::sizes(), residual::LEGEND.into(), positions(engines), text::lowest_orders()];
     notes.push(engine_cells::REMEDIES.into());
     if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| order.parts.len() > 1)) {
-        notes.push(SEVERAL_SUMS.into());
+        notes.push(text::several_sums());
     }
     if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| !order.exists())) {
         notes.push(WHY_NOT.into());
@@ -21,28 +22,14 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
     notes.extend(engines.iter().filter_map(without_gas));
     let moved = names(engines, |engine| engine.engine.firing().is_some() && engine.engine.has_dead_centres_apart());
     if !moved.is_empty() {
-        notes.push(phrase!(
-            "Firing intervals count where crankpins are in line with their cylinders; offsets move the top dead centres: {}.",
-            moved
-        ));
+        notes.push(text::firing_intervals(moved));
     }
     let silent = names(engines, |engine| engine.engine.gas().is_some() && !engine.engine.effects().gas);
     if !silent.is_empty() {
-        let key = Text::code("effects = [\"gas\"]");
-        notes.push(phrase!(
-            "Guide-force moments H and X and bearing loads with gas need {} above the first table: {}.",
-            key,
-            silent
-        ));
+        notes.push(text::gas_not_asked(Text::code("effects = [\"gas\"]"), silent));
     }
     notes
 }
-
-const SIZES: &str = "Sizes are the largest values through a revolution, rounded; 0 is proved. An order has a row where it is above 1 % of the largest in one of the engines; the others add up to at most what is stated, – means below a millionth of the largest, or unknown. Cures are those of orders 1 and 2, or of all orders where neither is compared.";
-
-const FIRST_LEFT: &str = "Force from order, moment from order: the lowest of all orders at which it is not zero. All values are for the engines as built, with all masses of their layouts; where rotating masses contribute to an order, the pistons alone are below it.";
-
-const SEVERAL_SUMS: &str = "Where rods differ, or a shaft turns at an order of the pistons, both the whole order and each of its sums are decided: only equal rods have the same $c_k$.";
 
 /// The names of those that this is true of.
 pub(super) fn names(engines: &[Compared], of: impl Fn(&Compared) -> bool) -> Text {
@@ -53,22 +40,14 @@ pub(super) fn names(engines: &[Compared], of: impl Fn(&Compared) -> bool) -> Tex
 fn positions(engines: &[Compared]) -> Text {
     let of = |unit: LengthUnit| names(engines, |engine| engine.engine.length_unit() == unit);
     match (of(LengthUnit::Metre), of(LengthUnit::Spacing)) {
-        (_, spacings) if spacings.is_empty() => {
-            "m, r, ω and $c_k$ are those of each engine. Positions are in metres.".into()
-        }
-        (metres, _) if metres.is_empty() => {
-            "m, r, ω and $c_k$ are those of each engine. Positions have no unit: they are multiples of the spacing of each engine.".into()
-        }
-        (metres, spacings) => phrase!(
-            "m, r, ω and $c_k$ are those of each engine. Positions are in different units, so that the moments do not compare: metres in {}, multiples of the spacing in {}.",
-            metres,
-            spacings
-        ),
+        (_, spacings) if spacings.is_empty() => text::metres(),
+        (metres, _) if metres.is_empty() => text::spacings(),
+        (metres, spacings) => text::different_units(metres, spacings),
     }
 }
 
 /// Why the loads of gas and masses of an engine that asks for the gas are not there.
 fn without_gas(engine: &Compared) -> Option<Text> {
     let lack = engine.with_gas.as_ref()?.as_ref().err()?;
-    Some(phrase!("**{}**: gas loads were asked for, but are missing: {}.", &engine.name, lack.to_string()))
+    Some(text::gas_missing(&engine.name, lack.to_string()))
 }

@@ -5,8 +5,9 @@ use super::super::multiples::{self, Column};
 use super::super::residual;
 use super::rows::Sized;
 use super::{Compared, notes, orders_of, rows};
-use crate::page::{Block, Document, Picture, Text, phrase};
+use crate::page::{Block, Document, Picture, Text};
 use crate::proof::Shape;
+use crate::report::texts::compare as text;
 use crate::text::Format;
 use crate::verdict::{NextLeft, OrderBalance};
 
@@ -29,17 +30,17 @@ pub fn compare_answer(engines: &[Compared]) -> Document {
 
 /// The page, with the stars of each order in one picture.
 pub fn compare_page(engines: &[Compared]) -> Document {
-    let mut page = Document::new("compare", "Comparison");
-    page.blocks.extend(tables(engines, MOST_ON_A_PAGE));
     let stars: Vec<Block> =
         orders_of(engines).into_iter().flat_map(|order| stars(engines, order).map(Block::from)).collect();
-    page.push(Block::Heading(1, "Vector stars".into()));
-    match engines.len() > MOST_OF_STARS {
-        true => page.push(Block::folded("The stars of each order", stars)),
-        false => page.blocks.extend(stars),
+    text::Page {
+        tables: tables(engines, MOST_ON_A_PAGE).into(),
+        stars: match engines.len() > MOST_OF_STARS {
+            true => Block::folded("The stars of each order", stars).into(),
+            false => stars.into(),
+        },
+        notes: notes::notes(engines).into(),
     }
-    page.section("How to read it", Block::List(notes::notes(engines)));
-    page
+    .document()
 }
 
 /// The answer, sizes and cures, then the exact verdicts: this many engines beside each other.
@@ -69,7 +70,7 @@ fn balanced(engines: &[Compared]) -> Option<Text> {
             .all(|order| engine.at(order).is_some_and(|of| of.force.is_balanced() && of.moment.is_balanced()))
     };
     let names = notes::names(engines, is_zero);
-    (!names.is_empty()).then(|| phrase!("No force and no moment at orders 1 and 2: {}.", names))
+    (!names.is_empty()).then(|| text::no_low_orders(names))
 }
 
 /// The engines that leave nothing up to the highest order, where every order of all is known and they are not all alike. What turns with the
@@ -82,15 +83,8 @@ fn furthest(engines: &[Compared]) -> Option<Text> {
     let needs_weights = best().any(|(_, (_, needs_weights))| *needs_weights);
     match (best().count() == engines.len(), highest) {
         (true, _) => None,
-        (false, u32::MAX) => {
-            Some(phrase!("Balanced at every order{, with counterweights on the crank|}: {}.", needs_weights, names))
-        }
-        (false, order) => Some(phrase!(
-            "No free force or moment below order {}{, with counterweights on the crank|}: {}.",
-            order,
-            needs_weights,
-            names
-        )),
+        (false, u32::MAX) => Some(text::balanced(needs_weights, names)),
+        (false, order) => Some(text::balanced_below(order, needs_weights, names)),
     }
 }
 
@@ -117,24 +111,19 @@ fn left(engine: &Compared) -> Text {
     let name = &engine.name;
     let theorem = engine.theorem.as_ref().ok();
     let Some([force, moment]) = theorem.and_then(|theorem| first_left(theorem, &engine.engine)) else {
-        return phrase!("**{}**: no statement on every order; the table shows the orders compared.", name);
+        return text::not_stated(name);
     };
     match (force, moment) {
-        (None, None) => phrase!("**{}** has no residual force or moment at any order.", name),
-        (Some((order, shape)), None) | (None, Some((order, shape))) => phrase!(
-            "**{1}** has a residual {2:force|moment} from order {3} on, {4}, and no {2:moment|force} at any order.",
-            name,
-            force.is_some(),
-            order,
-            residual::shape_name(shape)
-        ),
-        (Some((force, force_shape)), Some((moment, moment_shape))) => phrase!(
-            "**{}** has a residual force from order {} on, {}, and a residual moment from order {} on, {}.",
+        (None, None) => text::no_residual(name),
+        (Some((order, shape)), None) | (None, Some((order, shape))) => {
+            text::one_residual(name, force.is_some(), order, residual::shape_name(shape))
+        }
+        (Some((force, force_shape)), Some((moment, moment_shape))) => text::both_residuals(
             name,
             force,
             residual::shape_name(force_shape),
             moment,
-            residual::shape_name(moment_shape)
+            residual::shape_name(moment_shape),
         ),
     }
 }
@@ -147,10 +136,7 @@ fn stars(engines: &[Compared], order: u32) -> impl Iterator<Item = Picture> {
             0 => format!("stars-order-{order}"),
             later => format!("stars-order-{order}-{}", later + 1),
         },
-        caption: phrase!(
-            "Vector stars of order {}: force above moment, each to one scale where units are the same. Blue, orange and green polygons sum to zero; a red arrow is the resultant.",
-            order
-        ),
+        caption: text::stars_of_order(order),
         figure,
     };
     multiples::multiples(&columns).into_iter().enumerate().map(picture)

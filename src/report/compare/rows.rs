@@ -8,6 +8,7 @@ use crate::engine::LengthUnit;
 use crate::loads::Missing;
 use crate::page::{self, Piece, Table, Text, phrase};
 use crate::proof::{Planar, Quantity};
+use crate::report::texts::compare as text;
 use crate::torque::GuideMoments;
 use crate::verdict::OrderVerdict;
 
@@ -74,17 +75,9 @@ pub(super) fn apart(all: &[Sized]) -> Option<Text> {
         weighed().any(|(_, weighed)| Some(of(weighed)) != first)
     };
     if differ(in_multiples) {
-        return Some(phrase!(
-            "Multiples of m r ω² do not compare with newtons, since m, r and ω are those of each engine: for sizes in one unit give masses, stroke and speed of {}.",
-            names(in_multiples)
-        ));
+        return Some(text::multiples_apart(names(in_multiples)));
     }
-    differ(in_spacings).then(|| {
-        phrase!(
-            "Moments in spacings do not compare with those in metres: for moments in one unit give the cylinder spacing of {}.",
-            names(in_spacings)
-        )
-    })
+    differ(in_spacings).then(|| text::spacings_apart(names(in_spacings)))
 }
 
 fn in_multiples(weighed: &Weighed) -> bool {

@@ -7,9 +7,8 @@ use crate::engine::Engine;
 use crate::numbers::float;
 use crate::optimise::{Design, Front, Uniform};
 use crate::page::{Picture, Unit};
+use crate::report::texts::optimise as text;
 use crate::text::Format;
-
-const CAPTION: &str = "The largest bearing load over the mass of the crankshaft. Each dot on the curve is the best crankshaft of its mass: no other of that mass keeps the balance asked for with a smaller load. Rings: one balance factor for all throws.";
 
 /// The front.
 pub(super) fn picture(layout: &Engine, front: &Front) -> Picture {
@@ -27,5 +26,5 @@ pub(super) fn picture(layout: &Engine, front: &Front) -> Picture {
         PointMark::ring(at(&uniform.design), name).of("one balance factor for all throws")
     };
     plot.marks.extend(front.uniform.iter().map(uniform));
-    Picture::new("front", CAPTION, plot.figure())
+    Picture::new("front", text::front(), plot.figure())
 }

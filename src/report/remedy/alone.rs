@@ -9,6 +9,7 @@ use crate::numbers::float;
 use crate::page::number::{Amount, given};
 use crate::page::{Block, Picture, Piece, Table, Text, Unit, phrase};
 use crate::remedy::{Ellipse, Partial, Remedy};
+use crate::report::texts::remedy as text;
 
 /// Steps of the curves.
 const STEPS: u32 = 40;
@@ -28,16 +29,8 @@ fn words(partial: &Partial, scale: Option<&Scale>) -> Text {
     let at = |part: &BigRational| force(peak(&partial.ellipse(part)), scale);
     let (bare, half) = (at(&BigRational::zero()), at(&BigRational::new(1.into(), 2.into())));
     match partial.reverse.vanishes() {
-        true => phrase!(
-            "Let counterweights balance the part f of the reciprocating masses. The first-order force peaks at $\\tfrac{1}{2}\\lvert 1 - 2f\\rvert\\,\\lvert P^+\\rvert$ times $m\\,r\\,\\omega^2$: {} at f = 0, and {} at f = ½, where the force vanishes.",
-            bare,
-            half
-        ),
-        false => phrase!(
-            "Let counterweights balance the part f of the reciprocating masses. The first-order force peaks at $\\tfrac{1}{2}(\\lvert 1 - 2f\\rvert\\,\\lvert P^+\\rvert + \\lvert P^-\\rvert)$ times $m\\,r\\,\\omega^2$: {} at f = 0 and, at its smallest, {} at f = ½; f and 1 − f give the same.",
-            bare,
-            half
-        ),
+        true => text::partial_balance_vanishing(bare, half),
+        false => text::partial_balance(bare, half),
     }
 }
 
@@ -86,8 +79,7 @@ fn picture(partial: &Partial, scale: Option<&Scale>) -> Picture {
     let mut plot = Plot::new("First-order force", x, force);
     plot.curves.push(Curve::new(0, "largest in a revolution", points(|ellipse| ellipse.peak_decimal)));
     plot.curves.push(Curve::new(1, "smallest in a revolution", points(|ellipse| ellipse.least_decimal)));
-    let caption = "The largest and the smallest first-order force in a revolution over the part f of the reciprocating masses that counterweights balance. Where both are equal the force turns without changing its size; where the smallest is 0 it swings along a line.";
-    Picture { name: "partial-balance".into(), caption: caption.into(), figure: plot.figure() }
+    Picture { name: "partial-balance".into(), caption: text::largest_and_smallest(), figure: plot.figure() }
 }
 
 /// The partial balance, where the first order is asked for and counterweights change it but leave a reverse vector, or

@@ -2,14 +2,9 @@
 
 use super::super::convention::differs;
 use super::{alone, ranked, weights, words};
-use crate::page::{Block, Document, Text, phrase};
+use crate::page::{Block, Document, Text};
 use crate::remedy::Remedy;
-
-const METHOD: [&str; 2] = [
-    "A mass at a radius, $U = m_U r_U$, that turns at $n$ times the crank speed and is at the angle $\\gamma$ at θ = 0 adds $2 n^2 U e^{i\\gamma}$ to the direct vector of order $n$ where it turns with the crank, and to the reverse one where it turns against it.",
-    "Each weight is an exact sum of the same kind as those of the engine. The sums of the corrected engine, with the weights among their terms, are formed again and decided: that they vanish is proved, not computed.",
-];
-const UNITS: &str = "m and r are the reciprocating mass per cylinder and the crank radius of the layout, and $c_k$ is the coefficient of order k of the piston motion. Angles grow in the sense in which the crank turns, {seen from the free end|anticlockwise seen from the flywheel}.";
+use crate::report::texts::remedy as text;
 
 /// The short answer: the weights, what they cancel, and what is good to know besides.
 pub fn remedy_answer(remedy: &Remedy) -> Document {
@@ -24,23 +19,20 @@ pub fn remedy_answer(remedy: &Remedy) -> Document {
 /// How the weights are found, and what angles and letters mean.
 fn method(remedy: &Remedy) -> Vec<Text> {
     let convention = remedy.subject.engine().convention();
-    METHOD
-        .map(Text::from)
-        .into_iter()
-        .chain([phrase!(UNITS, convention.turns_anticlockwise_from())])
-        .chain(differs(convention))
-        .collect()
+    let units = text::units(convention.turns_anticlockwise_from());
+    text::method().into_iter().chain([units]).chain(differs(convention)).collect()
 }
 
 /// The page.
 pub fn remedy_page(remedy: &Remedy) -> Document {
-    let mut page = Document::new("remedy", phrase!("{}: remedies", remedy.subject.engine().title()));
-    page.push(Block::Answer(words::remedy_cures(remedy)));
-    page.blocks.extend(results(remedy, 1));
-    page.blocks.extend(ranked::blocks(remedy, 1));
-    page.push(Block::Heading(1, "Method".into()));
-    page.push(Block::List(method(remedy)));
-    page
+    text::Page {
+        engine: remedy.subject.engine().title().into(),
+        answer: Block::Answer(words::remedy_cures(remedy)).into(),
+        results: results(remedy, 1).into(),
+        compared: ranked::blocks(remedy).into(),
+        method: method(remedy).into(),
+    }
+    .document()
 }
 
 /// The section of a report.

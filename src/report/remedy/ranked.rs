@@ -9,21 +9,15 @@ use crate::numbers;
 use crate::page::{Block, Piece, Table, Text, Unit, number, phrase};
 use crate::proof::{Quantity, Sense};
 use crate::remedy::{Cure, Kind, PairHeight, PairRoll, Remedy, Shaft, cures};
-
-const RANKED: &str = "Each cure by itself, beside the weights of the layout, forces before couples; first those that remove most of the peak for each balancer shaft, then for each weight. One shaft at best removes the longer of the two vectors of an order; the residual has the length of the \
-    other and turns the other way: of a force that swings along a line one shaft removes half, never more.";
+use crate::report::texts::remedy as text;
 
 /// The cures of the orders asked for, and where a pair belongs; nothing where no order needs one.
-pub(super) fn blocks(remedy: &Remedy, level: u8) -> Vec<Block> {
+pub(super) fn blocks(remedy: &Remedy) -> Vec<Block> {
     let all = cures(&remedy.subject, &remedy.orders);
     let pairs = pairs(remedy);
-    if all.is_empty() && pairs.is_empty() {
-        return Vec::new();
-    }
-    let mut blocks = vec![Block::Heading(level, "Cures compared".into())];
+    let mut blocks = Vec::new();
     if !all.is_empty() {
-        blocks.push(Block::Paragraph(RANKED.into()));
-        blocks.push(table(remedy, all).into());
+        blocks.extend([text::ranking().into(), table(remedy, all).into()]);
     }
     blocks.extend((!pairs.is_empty()).then_some(Block::List(pairs)));
     blocks
@@ -32,11 +26,9 @@ pub(super) fn blocks(remedy: &Remedy, level: u8) -> Vec<Block> {
 fn name(engine: &Engine, cure: &Cure) -> Text {
     let is_force = cure.kind == Kind::Force;
     let one = |sense: &Sense| match engine.crank_turning(cure.order, *sense) {
-        Some(crank) => {
-            phrase!("{counterweight|two counterweights} on crankshaft {}", is_force, crank.name.clone())
-        }
-        None if engine.has_crank_turning(cure.order, *sense) => phrase!("{counterweight|two counterweights}", is_force),
-        None => phrase!("one shaft {with|against} the crank", *sense),
+        Some(crank) => text::cure_on_crankshaft(is_force, crank.name.clone()),
+        None if engine.has_crank_turning(cure.order, *sense) => text::cure_counterweight(is_force),
+        None => text::cure_shaft(*sense),
     };
     match (cure.senses.as_slice(), cure.shafts) {
         ([_, _], 2) => "two shafts, one each way".into(),
@@ -101,13 +93,8 @@ pub(super) fn rolling_shafts(remedy: &Remedy) -> Option<Text> {
         (!shaft.lanchester && shaft.kind != Kind::Couple).then(|| phrase!("shaft {} with {}", index + 1, newtons))
     };
     let all: Vec<Text> = remedy.shafts.iter().enumerate().filter_map(pulls).collect();
-    (!all.is_empty()).then(|| {
-        phrase!(
-            "Force and moment cancel wherever the axis of a shaft lies; the roll moment does not. At {} a shaft adds to it, zero to peak, its force times the distance of its axis from the crankshaft's: {}.",
-            number::given_with(speed, Unit::PER_MINUTE),
-            Text::joined(all, ", ")
-        )
-    })
+    (!all.is_empty())
+        .then(|| text::rolling_shafts(number::given_with(speed, Unit::PER_MINUTE), Text::joined(all, ", ")))
 }
 
 /// Where the shafts of a pair belong so that the roll moment of its order vanishes too, at the speed of the layout, with the gas.
@@ -125,23 +112,19 @@ pub(super) fn over_speeds(remedy: &Remedy) -> Vec<Text> {
         let peak = |place: [f64; 2]| speeds.iter().map(|rpm| roll.peak(*rpm, place)).fold(0.0, f64::max);
         let largest =
             |place: [f64; 2]| Piece::Quantity(without_rounding(peak(place), peak([0.0; 2])), Unit::NEWTON_METRE);
-        Some(phrase!(
-            "Over {} rpm the roll moment of order {} has the least sum of squares where the shaft that turns with the crank lies {} higher than the other and the offsets of both add up to {}: {} at most, {} at the height for the masses alone, {} with both at one height.",
+        Some(text::best_place(
             Text::joined(remedy.speeds.iter().map(number::given), ", "),
             height.order,
             millimetres(up),
             millimetres(sideways),
             largest([up, sideways]),
             largest([height.metres?, 0.0]),
-            largest([0.0; 2])
+            largest([0.0; 2]),
         ))
     };
     let placed: Vec<Text> = remedy.heights.iter().filter_map(place).collect();
     match placed.is_empty() && !speeds.is_empty() {
-        true => vec![
-            "No pair of shafts is to be placed over the speeds: none cancels a force of equal cylinders in line."
-                .into(),
-        ],
+        true => vec![text::no_pair()],
         false => placed,
     }
 }
@@ -161,15 +144,14 @@ fn at_its_speed(remedy: &Remedy) -> Vec<Text> {
         let [up, sideways] = roll.place(speed);
         let millimetres = |value: f64| Piece::Quantity(value * 1e3, Unit::MILLIMETRE);
         let moment = |value: f64| Piece::Quantity(value, Unit::NEWTON_METRE);
-        Some(phrase!(
-            "With the gas of the layout, at {}, the pair of order {} cancels the whole roll moment of its order where the shaft that turns with the crank lies {} higher than the other (below 0: lower) and the offsets of both add up to {}. At {}, the height for the masses alone, {} of the gas remain at any speed; with both shafts at one height, without offsets, {} at this speed.",
+        Some(text::place_with_gas(
             Piece::Quantity(speed, Unit::PER_MINUTE),
             height.order,
             millimetres(up),
             millimetres(sideways),
             millimetres(metres),
             moment(roll.peak(speed, [metres, 0.0])),
-            moment(roll.peak(speed, [0.0; 2]))
+            moment(roll.peak(speed, [0.0; 2])),
         ))
     };
     remedy.heights.iter().filter_map(place).collect()

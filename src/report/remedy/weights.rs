@@ -10,6 +10,7 @@ use crate::page::number::{Amount, Bearing, given, given_with};
 use crate::page::{Number, Piece, Table, Text, Unit, phrase};
 use crate::proof::Sense;
 use crate::remedy::{Built, Remedy, Weight};
+use crate::report::texts::remedy as text;
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -161,8 +162,8 @@ pub(super) fn coefficients(remedy: &Remedy) -> Option<Text> {
     let sizes: Vec<Text> = sizes.collect();
     let sizes = (!sizes.is_empty()).then(|| Text::joined(sizes, ", "))?;
     Some(match is_open {
-        true => phrase!("The factors, with λ = {} assumed: {}.", short(&assumed_ratio()), sizes),
-        false => phrase!("The factors, with the rods of the layout: {}.", sizes),
+        true => text::factors_assumed(short(&assumed_ratio()), sizes),
+        false => text::factors(sizes),
     })
 }
 
