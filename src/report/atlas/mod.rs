@@ -41,12 +41,12 @@ impl<'a> Atlas<'a> {
 
     /// The page, which says that `atlas.csv` is beside it.
     pub fn page(&self) -> Document {
-        page::page(self.engines, &self.rows, page::ALONE)
+        page::page(self.engines, &self.rows, page::one_format())
     }
 
     /// The page where it is written in several formats: as README that leads to the others, and as one of those.
     pub fn pages(&self) -> [Document; 2] {
-        let named = page::page(self.engines, &self.rows, page::WITH_OTHERS);
+        let named = page::page(self.engines, &self.rows, page::other_formats());
         [Document { name: "README", ..named.clone() }, named]
     }
 

@@ -7,6 +7,7 @@ use crate::engine::Cycle;
 use crate::numbers::Form;
 use crate::page::{Columns, Number, Table, Text, phrase};
 use crate::proof::{Planar, Shape};
+use crate::report::texts::atlas as text;
 
 /// Longer closed forms are not in the tables.
 const LONGEST_IN_TABLE: usize = 24;
@@ -66,12 +67,7 @@ fn name(engine: &EngineRow) -> Text {
 fn ties(Ties { stars, all, tied }: &Ties) -> Text {
     match tied {
         None => phrase!("{} of {} stars", stars.to_string(), all.to_string()),
-        Some(classes) => phrase!(
-            "{} of {} stars, with the least $M_4$ of the {} classes that have $M_1 = M_2 = 0$",
-            stars.to_string(),
-            all.to_string(),
-            classes.to_string()
-        ),
+        Some(classes) => text::tied(stars.to_string(), all.to_string(), classes.to_string()),
     }
 }
 
@@ -117,13 +113,7 @@ pub(super) fn longer_forms(all: &[EngineRow]) -> Vec<Text> {
                     Number::Zero | Number::Exact(_) | Number::Decimal(_) => false,
                 };
                 if is_long && is_shown {
-                    lines.push(phrase!(
-                        "{}, {force|moment} of order {}: {}",
-                        name(engine),
-                        quantity,
-                        order.order,
-                        largest.clone()
-                    ));
+                    lines.push(text::long_form(name(engine), quantity, order.order, largest.clone()));
                 }
             }
         }

@@ -69,8 +69,8 @@ fn kind_of_angle(family: &Family, unknown: &str) -> usize {
 }
 
 /// For a place such as `{bank angle φ|angle φ|pin split δ}`.
-pub(in crate::report) fn which_angle(family: &Family, unknown: &str) -> Text {
-    Choice::of(kind_of_angle(family, unknown)).into()
+pub(in crate::report) fn which_angle(family: &Family, unknown: &str) -> Choice {
+    Choice::of(kind_of_angle(family, unknown))
 }
 
 /// What the axis of an open angle is called.

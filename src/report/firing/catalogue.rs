@@ -8,10 +8,7 @@ use crate::engine::{Cycle, Engine, Firing};
 use crate::file::Entry;
 use crate::firing::{NoStar, Weights};
 use crate::page::{Block, Document, Table, Text, phrase};
-
-/// What the page is about.
-const FOUR_STROKE: &str = "Which orders of the gas torque vanish for every pressure law common to all cylinders, on a rigid crankshaft? Half orders depend on the firing order, whole orders only on the crankshaft.";
-const TWO_STROKE: &str = "Which orders of the gas torque vanish for every pressure law common to all cylinders, on a rigid crankshaft, where every engine of the catalogue is run as a two-stroke? It then fires at each top dead centre and has whole orders only.";
+use crate::report::texts::firing_catalogue as text;
 
 /// The engine as it runs in this cycle: any as a two-stroke, one that says when it fires as a four-stroke.
 ///
@@ -50,20 +47,17 @@ impl Runs {
     /// What is found of all, with a table; engines that do not say when they fire are named, and nothing else is said of them.
     fn answer(&self, studies: &[(Entry, FiringStudy)]) -> Document {
         let (name, title, words) = match self.cycle {
-            Cycle::FourStroke => ("four-stroke", "Firing stars of four-stroke engines", FOUR_STROKE),
-            Cycle::TwoStroke => ("two-stroke", "Firing stars of two-stroke engines", TWO_STROKE),
+            Cycle::FourStroke => ("four-stroke", "Firing stars of four-stroke engines", text::four_stroke()),
+            Cycle::TwoStroke => ("two-stroke", "Firing stars of two-stroke engines", text::two_stroke()),
         };
         let mut page = Document::new(name, title);
         page.push(Block::Answer(found(studies)));
-        page.push(Block::Paragraph(words.into()));
+        page.push(words);
         page.push(table(studies));
         let silent = self.runs.iter().filter(|(_, engine)| engine.is_none()).map(|(entry, _)| entry.name);
         let silent: Vec<&str> = silent.collect();
         if !silent.is_empty() {
-            page.push(Block::Note(phrase!(
-                "The layouts of these engines give no firing order: {}.",
-                silent.join(", ")
-            )));
+            page.push(Block::Note(text::no_firing_order(silent.join(", "))));
         }
         page
     }
@@ -94,20 +88,10 @@ fn found(studies: &[(Entry, FiringStudy)]) -> Vec<Text> {
     let count = |holds: &dyn Fn(&FiringStudy) -> bool| studies.iter().filter(|(_, study)| holds(study)).count();
     let even = count(&is_even);
     let fires = match count(&|study| is_even(study) && leaves_minor(study)) {
-        0 => phrase!(
-            "{} of {} engines fire evenly, and in each of these only the major orders remain: the multiples of its \
-             number of firings per revolution.",
-            even,
-            studies.len()
-        ),
-        minor => {
-            phrase!("{} of {} engines fire evenly; minor orders remain in {} of these.", even, studies.len(), minor)
-        }
+        0 => text::even_without_minor(even, studies.len()),
+        minor => text::even_with_minor(even, studies.len(), minor),
     };
-    vec![
-        fires,
-        phrase!("{} engines have residual minor orders; the table has the strongest of each.", count(&leaves_minor)),
-    ]
+    vec![fires, text::with_minor(count(&leaves_minor))]
 }
 
 /// Engines × (intervals, orders left, strongest minor order).

@@ -7,6 +7,7 @@ use super::{FiringStudy, tables, words};
 use crate::engine::Engine;
 use crate::firing::{FiringStar, StarOrder, Weights};
 use crate::page::{Block, Document, Picture, Text, phrase};
+use crate::report::texts::firing as text;
 use crate::verdict::JudgedStar;
 
 /// At most this many stars are drawn.
@@ -15,40 +16,21 @@ const MOST_DRAWN: usize = 12;
 const STAR: &str = "S_\\kappa = \\sum_j r_j\\, e^{-i\\kappa\\varphi_j}";
 const STAR_OF_A_MODE: &str = "S_\\kappa = \\sum_j \\Delta_j\\, r_j\\, e^{-i\\kappa\\varphi_j}";
 
-const MEANING: &str = "A cylinder that fires at the crank angle $\\varphi_j$ adds $r_j\\, t_\\kappa\\, e^{-i\\kappa\\varphi_j}$ to order $\\kappa$ of the torque, \
-                       where $t_\\kappa$ depends on the pressure in the cylinder. Where all cylinders have the same pressure and bore, order $\\kappa$ of the gas torque \
-                       is $t_\\kappa$ times the firing star";
-const MEANING_OF_A_MODE: &str = "A cylinder that fires at the crank angle $\\varphi_j$ does work in order $\\kappa$ on a mode of torsional vibration in proportion to \
-                       the deflection $\\Delta_j$ of its throw. Where all cylinders have the same pressure and bore, that of all is $t_\\kappa$ times the sum of phase vectors";
-const ASSUMED: [&str; 3] = [
-    "Every cylinder fires once per cycle at its angle, with the same pressure law and the same bore; a verdict holds for any such law. A particular law may have further zero orders.",
-    "Lengths are counted in crank radii; r is that of the layout, 1 where all are alike.",
-    "At whole orders the inertia of the pistons adds to the torque; half orders are of the gas only.",
-];
-const ASSUMED_RIGID: &str =
-    "The crankshaft is taken to be rigid: a minor order that vanishes here may still twist the shaft.";
-
-const UNLIKE_GAS: &str = "The gas of this layout differs between its cylinders: orders that vanish here may be left in its torque, which {} computes.";
-
 /// What shakes the crankshaft: how evenly it fires, which orders vanish, which is the strongest.
 fn answer(study: &FiringStudy) -> Vec<Text> {
     let mut lines: Vec<Text> = words::evenness(&study.engine).into_iter().collect();
     lines.extend(dead_centres::counted(&study.engine));
     if study.engine.gas().is_some_and(|gas| !gas.is_shared()) {
-        lines.push(phrase!(UNLIKE_GAS, Text::code("crankstar torque")));
+        lines.push(text::unlike_gas(Text::code("crankstar torque")));
     }
     match study.pattern() {
         Ok(pattern) => {
-            let whose = match (study.weights.is_mode_shape(), study.is_of_one_class()) {
-                (true, _) => "**Work of the gas on this mode, for every pressure law common to all cylinders.** {}",
-                (false, true) => {
-                    "**Gas torque of a rigid crankshaft, for every pressure law common to all cylinders.** {}"
-                }
-                (false, false) => {
-                    "**Gas torque of a rigid crankshaft, for every pressure law common to all cylinders; rods or offsets differ.** {}"
-                }
-            };
-            lines.push(phrase!(whose, words::statement(pattern)));
+            let orders = words::statement(pattern);
+            lines.push(match (study.weights.is_mode_shape(), study.is_of_one_class()) {
+                (true, _) => text::work_on_mode(orders),
+                (false, true) => text::gas_torque(orders),
+                (false, false) => text::gas_torque_of_classes(orders),
+            });
             lines.extend(words::major(pattern));
             lines.extend(words::strongest(pattern));
         }
@@ -67,19 +49,20 @@ pub fn firing_answer(study: &FiringStudy) -> Document {
 
 /// The page, with the stars that are left and the proof of each.
 pub fn firing_page(study: &FiringStudy) -> Document {
-    let mut page = Document::new("firing", phrase!("{}: firing stars", study.engine.title()));
-    page.push(Block::Answer(answer(study)));
-    page.push(picture(study));
-    page.section("Orders of the gas torque", tables::orders(study));
-    page.blocks.extend(meaning(study.weights.is_mode_shape()));
-    page.section("When the cylinders fire", tables::firings(study));
-    if let Ok(pattern) = study.pattern() {
-        page.section("Every order", words::why(pattern));
+    let is_of_a_mode = study.weights.is_mode_shape();
+    text::Page {
+        engine: study.engine.title().into(),
+        answer: Block::Answer(answer(study)).into(),
+        picture: picture(study).into(),
+        orders: tables::orders(study).into(),
+        meaning: meaning(is_of_a_mode).into_iter().collect(),
+        firings: tables::firings(study).into(),
+        every_order: study.pattern().ok().map(words::why).into(),
+        proofs: Block::List(each(study, argued)).into(),
+        certificates: Block::folded("Firing stars: the certificates", vec![Block::List(each(study, certified))]).into(),
+        assumptions: assumed(is_of_a_mode).into(),
     }
-    page.section("Proofs", Block::List(each(study, argued)));
-    page.push(Block::folded("Firing stars: the certificates", vec![Block::List(each(study, certified))]));
-    page.section("Assumptions", Block::List(assumed(study.weights.is_mode_shape())));
-    page
+    .document()
 }
 
 /// What the report of an engine shows of its firing stars, where the file asks for them; none where it does not.
@@ -89,7 +72,7 @@ pub(in crate::report) fn firing_section(engine: &Engine) -> Vec<Block> {
     }
     let heading = Block::Heading(1, "Firing stars".into());
     match FiringStudy::new(engine, &[], Weights::Rigid) {
-        Err(why) => vec![heading, Block::Paragraph(phrase!("No firing stars: {}.", why.to_string()))],
+        Err(why) => vec![heading, Block::Paragraph(text::no_stars(why.to_string()))],
         Ok(study) => {
             let [meaning, formula] = meaning(false);
             let proofs = vec![Block::List(each(&study, argued)), Block::List(each(&study, certified))];
@@ -109,13 +92,14 @@ pub(in crate::report) fn firing_section(engine: &Engine) -> Vec<Block> {
 
 /// What a star is.
 pub(super) fn meaning(of_a_mode: bool) -> [Block; 2] {
-    let (meaning, formula) = if of_a_mode { (MEANING_OF_A_MODE, STAR_OF_A_MODE) } else { (MEANING, STAR) };
+    let (meaning, formula) =
+        if of_a_mode { (text::meaning_of_a_mode(), STAR_OF_A_MODE) } else { (text::meaning(), STAR) };
     [meaning.into(), Block::Formula(formula.to_owned(), None)]
 }
 
 /// What the verdicts rest on.
 pub(super) fn assumed(with_mode_shape: bool) -> Vec<Text> {
-    ASSUMED.into_iter().chain((!with_mode_shape).then_some(ASSUMED_RIGID)).map(Text::from).collect()
+    text::assumptions().into_iter().chain((!with_mode_shape).then(text::rigid)).collect()
 }
 
 /// The stars of the first orders, all of them up to this many.

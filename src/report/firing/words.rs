@@ -7,6 +7,7 @@ use super::super::typeset::{self, Amount};
 use crate::engine::{CycleOrder, Engine};
 use crate::firing::{FiringPattern, FiringStar, NoPattern, StarOrder};
 use crate::page::{Text, phrase};
+use crate::report::texts::firing as text;
 
 /// Up to this many classes of orders are named one by one, as `4j − 1`.
 const MOST_NAMED: usize = 4;
@@ -19,13 +20,12 @@ pub(super) fn evenness(engine: &Engine) -> Option<Text> {
     let degrees = |turns: &BigRational| Text::from(typeset::turns(turns));
     let intervals = firing.intervals();
     Some(match (intervals.as_slice(), firing.is_even()) {
-        ([only], _) => phrase!("The one cylinder fires every {}.", degrees(only)),
-        ([first, ..], true) => phrase!("The cylinders fire evenly, every {}.", degrees(first)),
+        ([only], _) => text::one_cylinder(degrees(only)),
+        ([first, ..], true) => text::even(degrees(first)),
         (_, _) if intervals.len() <= MOST_INTERVALS => {
-            let all = Text::joined(intervals.iter().map(degrees), ", ");
-            phrase!("The cylinders fire unevenly: the intervals are {}.", all)
+            text::uneven_intervals(Text::joined(intervals.iter().map(degrees), ", "))
         }
-        _ => "The cylinders fire unevenly.".into(),
+        _ => text::uneven(),
     })
 }
 
@@ -35,22 +35,14 @@ pub(super) fn statement(pattern: &FiringPattern) -> Text {
     let zeros = zeros(pattern, length);
     let repeats = pattern.orders[length - 1].order;
     match (left.as_slice(), zeros.as_slice()) {
-        (_, []) => "No order vanishes.".into(),
-        ([], _) => "Every order vanishes.".into(),
-        (left, _) if left.len() <= MOST_NAMED => phrase!("All orders vanish except {}.", classes(left, repeats)),
-        (_, zeros) if zeros.len() <= MOST_NAMED => {
-            phrase!("Exactly these orders vanish: {}.", classes(zeros, repeats))
+        (_, []) => text::none_vanishes(),
+        ([], _) => text::all_vanish(),
+        (left, _) if left.len() <= MOST_NAMED => text::vanish_except(classes(left, repeats)),
+        (_, zeros) if zeros.len() <= MOST_NAMED => text::exactly_vanish(classes(zeros, repeats)),
+        (left, zeros) if left.len() <= zeros.len() => {
+            text::vanish_except_repeating(typeset::listed(left), repeats.to_string())
         }
-        (left, zeros) if left.len() <= zeros.len() => phrase!(
-            "Every order vanishes but {}, and those that differ from one of these by a multiple of {}.",
-            typeset::listed(left),
-            repeats.to_string()
-        ),
-        (_, zeros) => phrase!(
-            "The orders {} vanish, and those that differ from one of these by a multiple of {}; no other order vanishes.",
-            typeset::listed(zeros),
-            repeats.to_string()
-        ),
+        (_, zeros) => text::vanish_repeating(typeset::listed(zeros), repeats.to_string()),
     }
 }
 
@@ -127,8 +119,8 @@ pub(super) fn strongest(pattern: &FiringPattern) -> Option<Text> {
 /// Which minor orders are the strongest.
 pub(in crate::report) fn strongest_in_words(orders: &[CycleOrder], length: Amount) -> Text {
     match orders {
-        [only] => phrase!("The strongest minor order is {}, with a star of length {}.", only.to_string(), length),
-        _ => phrase!("The strongest minor orders are {}, with stars of length {}.", typeset::listed(orders), length),
+        [only] => text::strongest_order(only.to_string(), length),
+        _ => text::strongest_orders(typeset::listed(orders), length),
     }
 }
 
@@ -141,36 +133,24 @@ pub(super) fn major(pattern: &FiringPattern) -> Option<Text> {
     let is_regular = list.windows(2).all(|pair| pair[1].halves() - pair[0].halves() == first.order.halves())
         && repeats.halves() == first.order.halves() * u32::try_from(list.len()).unwrap_or(u32::MAX);
     let orders = if is_regular { class(first.order, first.order) } else { classes(&list, repeats) };
-    Some(phrase!("The major orders, at which all vectors point the same way, are {}.", orders))
+    Some(text::major_orders(orders))
 }
 
 /// Why nothing is said of every order at once.
 pub(super) fn no_pattern(why: &NoPattern) -> Text {
     match why {
-        NoPattern::NoStar(why) => phrase!("No statement is made on every order: {}.", why.to_string()),
-        NoPattern::PeriodTooLong(_) => {
-            "No statement is made on every order at once: the firing angles repeat only after very many orders.".into()
-        }
+        NoPattern::NoStar(why) => text::no_pattern(why.to_string()),
+        NoPattern::PeriodTooLong(_) => text::long_period(),
     }
 }
 
 /// Why one period tells of all orders.
 pub(super) fn why(pattern: &FiringPattern) -> Text {
-    let repeats = pattern.repeats_after();
-    if pattern.orders.len() == 1 {
-        return phrase!(
-            "All vectors point the same way in every order, so every star is that of order {}.",
-            repeats.to_string()
-        );
+    let repeats = pattern.repeats_after().to_string();
+    match pattern.orders.len() {
+        1 => text::one_star(repeats),
+        count => text::period(repeats, count),
     }
-    phrase!(
-        "Each firing angle times {} is a whole number of turns, so the star of order $\\kappa$ is that of order $\\kappa$ + {}: the {} orders up to {} decide all. Order {} − $\\kappa$ has the mirror image of the star of order $\\kappa$.",
-        repeats.to_string(),
-        repeats.to_string(),
-        pattern.orders.len(),
-        repeats.to_string(),
-        repeats.to_string()
-    )
 }
 
 /// `1, 3, 5`.

@@ -1,6 +1,6 @@
 //! What has a reader to know of a drawing of stars? Colours, turned arrows and short names, as far as they are in it.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use super::panel::MOST_LABELS;
 use super::sheet::order_rows;
@@ -9,6 +9,7 @@ use crate::engine::Engine;
 use crate::order::Source;
 use crate::page::{Text, phrase};
 use crate::proof::Quantity;
+use crate::report::texts::star as text;
 use crate::verdict::{JudgedStar, OrderBalance};
 
 /// What is below the stars of an order.
@@ -32,44 +33,37 @@ pub(in crate::report) fn legend_of_one_scale(engine: &Engine, judged: &[JudgedSt
 
 /// The words for what is in stars of these quantities.
 pub(super) fn legend(drawn: &[(Quantity, Star, Scale)]) -> Text {
-    let mut words: Vec<Text> = vec!["The dashed line is direction 0.".into()];
+    let mut words: Vec<Text> = vec![text::direction()];
     let any = |holds: &dyn Fn(Quantity, &Star) -> bool| drawn.iter().any(|(quantity, star, _)| holds(*quantity, star));
     let sides = |least: u64, most: u64| {
         any(&|_, star| star.polygons.iter().any(|polygon| (least..=most).contains(&polygon.sides)))
     };
-    words.extend(any(&|quantity, _| matches!(quantity, Quantity::Planar(_))).then(|| HALVED.into()));
-    words.extend(any(&|_, star| star.by_crank).then(|| "Each arrow is the resultant of one crankshaft.".into()));
+    words.extend(any(&|quantity, _| matches!(quantity, Quantity::Planar(_))).then(text::halved));
+    words.extend(any(&|_, star| star.by_crank).then(text::by_crankshaft));
     words.extend(match (sides(2, 2), sides(3, u64::MAX)) {
         (false, false) => None,
-        (true, false) => Some("Each coloured bar joins two opposite vectors that cancel.".into()),
-        (false, true) => Some("The vectors at the corners of a coloured polygon sum to zero.".into()),
-        (true, true) => Some(
-            "The vectors at the corners of a coloured polygon, or at the ends of a coloured bar, sum to zero.".into(),
-        ),
+        (true, false) => Some(text::bars()),
+        (false, true) => Some(text::polygons()),
+        (true, true) => Some(text::polygons_and_bars()),
     });
-    words.extend(any(&|_, star| star.resultant.is_some()).then(|| "The red arrow in outline is the resultant.".into()));
+    words.extend(any(&|_, star| star.resultant.is_some()).then(text::resultant));
     let is_turned = |is_moment: bool| any(&|of, star| star.has_turned && (of == Quantity::MOMENT) == is_moment);
     words.extend(match [is_turned(false), is_turned(true)] {
         [false, false] => None,
-        [false, true] => Some("A vector with a negative arm is drawn turned by 180°.".into()),
-        [true, false] => Some("A vector with a negative weight is drawn turned by 180°.".into()),
-        [true, true] => Some(
-            "A vector with a negative weight, or a negative product of weight and arm, is drawn turned by 180°.".into(),
-        ),
+        [false, true] => Some(text::negative_arm()),
+        [true, false] => Some(text::negative_weight()),
+        [true, true] => Some(text::negative_weight_or_product()),
     });
     let arrows =
         drawn.iter().flat_map(|(_, star, scale)| labelled(star).iter().flat_map(|ray| ray.arrows(scale.millimetres)));
     let counted = arrows.map(|(_, count)| count).find(|count| *count > 1);
-    words.extend(counted.map(|count| phrase!("({} ×): {} equal vectors drawn as one.", count, count)));
+    words.extend(counted.map(text::drawn_as_one));
     words.extend(short_names(drawn.iter().flat_map(|(_, star, _)| labelled(star))));
     if any(&|_, star| star.rays.len() > MOST_LABELS) {
         words.push("Stars with this many directions are not labelled; the table has them.".into());
     }
     Text::joined(words, " ")
 }
-
-/// Why the vectors of a star are half as long as those of the table.
-const HALVED: &str = "Vectors are drawn halved, as they count in force and moment.";
 
 /// The rays that have their names beside them.
 fn labelled(star: &Star) -> &[Ray] {
@@ -78,7 +72,7 @@ fn labelled(star: &Star) -> &[Ray] {
 
 /// What the names of masses that turn mean, as far as they are there.
 fn short_names<'a>(rays: impl Iterator<Item = &'a Ray>) -> Option<Text> {
-    let mut kinds: BTreeSet<&'static str> = BTreeSet::new();
+    let mut kinds = BTreeMap::new();
     let mut counted = None;
     for ray in rays {
         match ray.counts_turning() {
@@ -87,21 +81,21 @@ fn short_names<'a>(rays: impl Iterator<Item = &'a Ray>) -> Option<Text> {
         }
     }
     let counted = counted.map(|count| phrase!("+{} for {} rotating masses", count, count));
-    let words: Vec<Text> = kinds.into_iter().map(Text::from).chain(counted).collect();
-    (!words.is_empty()).then(|| phrase!("Short names: {}.", Text::joined(words, ", ")))
+    let words: Vec<Text> = kinds.into_values().chain(counted).collect();
+    (!words.is_empty()).then(|| text::short_names(Text::joined(words, ", ")))
 }
 
-/// What a short name stands for.
-fn kind(source: Source) -> Option<&'static str> {
+/// A short name, and what it stands for.
+fn kind(source: Source) -> Option<(&'static str, Text)> {
     match source {
         Source::Piston(_) => None,
-        Source::BigEnd(_) => Some("rod for the big end of a rod"),
-        Source::Knuckle(_) => Some("kn for the mass at a knuckle pin, as far as it moves as the master piston does"),
-        Source::KnuckleAtPin(_) => Some("kn on for that mass at the crankpin"),
-        Source::KnuckleOffPin(_) => Some("kn off for what is taken from it there, at the angle of the knuckle"),
-        Source::Pin(_) => Some("pin for a crankpin"),
-        Source::Webs(_) => Some("webs for the webs of a throw"),
-        Source::Counterweight(_) => Some("cw for a counterweight"),
-        Source::Balancer(_) => Some("shaft for a balancer shaft"),
+        Source::BigEnd(_) => Some(("rod", text::big_end())),
+        Source::Knuckle(_) => Some(("kn", text::knuckle())),
+        Source::KnuckleAtPin(_) => Some(("kn on", text::knuckle_at_pin())),
+        Source::KnuckleOffPin(_) => Some(("kn off", text::knuckle_off_pin())),
+        Source::Pin(_) => Some(("pin", text::crankpin())),
+        Source::Webs(_) => Some(("webs", text::webs())),
+        Source::Counterweight(_) => Some(("cw", text::counterweight())),
+        Source::Balancer(_) => Some(("shaft", text::balancer())),
     }
 }

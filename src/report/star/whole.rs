@@ -17,6 +17,7 @@ use crate::page::figure::Figure;
 use crate::page::{Text, Units};
 use crate::proof::{Masses, Planar, Sense};
 use crate::report::engine_page::Weighed;
+use crate::report::texts::star as text;
 
 /// The stars of an engine whose sizes are known, in multiples of m r ω².
 pub(in crate::report) struct WholeStars<'a> {
@@ -130,7 +131,5 @@ pub(in crate::report) fn whole_legend(stars: &WholeStars, order: u32) -> Text {
             (quantity.into(), star, scale)
         })
     });
-    Text::from("Each vector has the coefficient of its own motion; lengths are rounded.")
-        .and(" ")
-        .and(legend(&scaled.collect::<Vec<_>>()))
+    text::own_coefficients().and(" ").and(legend(&scaled.collect::<Vec<_>>()))
 }

@@ -10,23 +10,12 @@ use crate::page::{Block, Document, Picture, Table, Text, phrase};
 use crate::proof::{Certificate, Quantity};
 use crate::report::argument::listed_polygons;
 use crate::report::engine_page::symbol;
+use crate::report::texts::star_atlas as text;
 use crate::text::Untrusted;
 use crate::verdict::{self, Verdict};
 
-const TITLE: &str = "Atlas of the minimal vanishing stars";
 /// The orders at which engines are looked at.
 const ORDERS: [u32; 4] = [1, 2, 4, 6];
-
-const MADE: &str = "**Theorem** (Poonen and Rubinstein). A star of up to twelve equal vectors that sums to zero, while no part of it does, is a regular polygon $R_p$ with a prime number of corners, or one in which corners are replaced: $(R_5 : 2R_3)$ is a pentagon, two \
-    corners of which are replaced by the other two vectors of a triangle each.";
-const WHY: &str = "**Proof.** Let $p$ be the largest prime in the common denominator of the differences of the angles; no square divides it (Mann). Sort the vectors by their multiples of $1/p$ turn: $p$ groups. The star is zero only if all groups, turned to one place, have the same sum. \
-    With fewer than $2p$ vectors some group is a single vector; let the sum be 1. Another group is 1 too, or several vectors no part of which is zero; put $-1$ beside them: a minimal star of smaller primes, one vector of which, $-1$, is omitted. So the star is as described. The other way round: \
-    a part of such a star that is zero holds the single vector or it does not; so it has all of each group, or nothing. For $p \\le 5$ and $2p$ vectors or more there is no further star: the tests go through all of them. ∎";
-const SOURCE: &str = "B. Poonen and M. Rubinstein, The number of intersection points made by the diagonals of a regular polygon, SIAM Journal on Discrete Mathematics 11 (1998) 135–156, with these names and numbers; J. H. Conway and A. J. Jones, Trigonometric diophantine equations (On vanishing sums \
-    of roots of unity), Acta Arithmetica 30 (1976) 229–240, up to nine vectors; H. B. Mann, On linear relations between roots of unity, Mathematika 12 (1965) 107–117.";
-const READING: &str = "Mirror images count as two stars, rotations as one. **Fewest polygons**: the least number of regular polygons, added or subtracted, that make up the star; the program's search proves it. In the drawings triangles are orange, pentagons green, larger polygons blue, and a grey bar joins a pair; dashed polygons are subtracted.";
-const OCCURS: &str = "The sums of the reciprocating masses that are zero and have vectors, at orders 1, 2, 4 and 6, are decomposed: like directions are added, negative vectors turned by half a turn, and then the stars of this atlas are subtracted, each at the greatest length that fits, those of fewer vectors first. \
-    $P_k^{\\pm}$ are the direct and the reverse vector of the force of order $k$, $C_k^{\\pm}$ those of the moment.";
 
 /// An engine of the atlas of stars.
 pub struct StarredEngine {
@@ -106,26 +95,10 @@ impl StarAtlas {
         let occurring: Vec<Text> = occurring.map(|(class, _)| Text::formula(class.to_string())).collect();
         let [apart, left] = self.sums;
         vec![
-            phrase!(
-                "**{} stars of up to {} equal vectors sum to zero while no part of them does**, in {} classes: regular polygons with a prime number of corners, and polygons in which corners are replaced.",
-                self.stars.len(),
-                MOST_VECTORS,
-                classes.len()
-            ),
+            text::classes(self.stars.len(), MOST_VECTORS, classes.len()),
             match left {
-                0 => phrase!(
-                    "**What engines are made of.** {} sums of {} engines are zero and have vectors, at orders 1, 2, 4 and 6. Each is put together from stars of these classes alone: {}.",
-                    apart,
-                    self.engines,
-                    Text::joined(occurring, ", ")
-                ),
-                left => phrase!(
-                    "**What engines are made of.** {} sums of {} engines are zero and have vectors, at orders 1, 2, 4 and 6. All but {} are put together from stars of these classes: {}.",
-                    apart + left,
-                    self.engines,
-                    left,
-                    Text::joined(occurring, ", ")
-                ),
+                0 => text::made_of(apart, self.engines, Text::joined(occurring, ", ")),
+                left => text::made_of_but(apart + left, self.engines, left, Text::joined(occurring, ", ")),
             },
         ]
     }
@@ -167,8 +140,8 @@ impl StarAtlas {
             places.iter().map(|place| (self.label(*place), &self.stars[*place])).collect();
         let (formula, vectors) = (Text::formula(class.to_string()), class.vectors());
         let caption = match places.len() {
-            1 => phrase!("Class {}: {} vectors; one star up to rotation.", formula, vectors),
-            several => phrase!("Class {}: {} vectors; {} stars up to rotation.", formula, vectors, several),
+            1 => text::one_star(formula, vectors),
+            several => text::several_stars(formula, vectors, several),
         };
         let picture = Picture::new(name, caption, drawn::stars(&labelled));
         let mut blocks = vec![Block::Pictures(vec![picture])];
@@ -219,7 +192,7 @@ fn occurrences(engines: &[&(String, Vec<String>)]) -> Table {
 
 /// The short answer: the classes.
 pub fn star_atlas_answer(atlas: &StarAtlas) -> Document {
-    let mut answer = Document::new("stars", TITLE);
+    let mut answer = Document::new("stars", text::title());
     answer.push(Block::List(atlas.answer_box()));
     answer.push(atlas.table());
     answer
@@ -227,21 +200,19 @@ pub fn star_atlas_answer(atlas: &StarAtlas) -> Document {
 
 /// The atlas, each star drawn.
 pub fn star_atlas_page(atlas: &StarAtlas) -> Document {
-    let mut page = Document { has_contents: true, ..Document::new("README", TITLE) };
-    page.push(Block::Answer(atlas.answer_box()));
-    page.section("The classes", READING);
-    page.push(atlas.table());
-    page.push(Block::Note(OCCURS.into()));
-    page.section("Why there are no others", MADE);
-    page.push(WHY);
-    page.push(Block::Note(SOURCE.into()));
-    let mut vectors = 0;
+    let (mut stars, mut vectors) = (Vec::new(), 0);
     for (class, places) in atlas.classes() {
         if class.vectors() != vectors {
             vectors = class.vectors();
-            page.push(Block::Heading(1, phrase!("{} vectors", vectors)));
+            stars.push(Block::Heading(1, phrase!("{} vectors", vectors)));
         }
-        page.blocks.extend(atlas.class(class, &places));
+        stars.extend(atlas.class(class, &places));
     }
-    page
+    let page = text::Page {
+        title: text::title(),
+        answer: Block::Answer(atlas.answer_box()).into(),
+        classes: atlas.table().into(),
+        stars: stars.into(),
+    };
+    Document { name: "README", has_contents: true, ..page.document() }
 }

@@ -8,7 +8,8 @@ use super::tables::every;
 use super::words::least_moment;
 use crate::engine::Engine;
 use crate::exact::Turn;
-use crate::page::{Text, phrase};
+use crate::page::Text;
+use crate::report::texts::stars as text;
 use crate::stars::{self, Fate, Obstruction, Pins, Star};
 
 /// What theorems say of equal cylinders one spacing apart, in line or in two banks on shared pins.
@@ -18,10 +19,7 @@ pub(in crate::report) fn cited(engine: &Engine) -> Vec<Text> {
     match (pins.each, stars::fate(Pins::once(throws), &[1])) {
         (1, Fate::Never(Obstruction { prime, .. })) if throws > 2 => vec![never(throws, banks, prime)],
         (1, Fate::Lost(_)) if banks == 1 && !engine.has_offset() && star.loses(1) => lost(&star),
-        (2, _) if throws > 1 && (1..=throws).all(|order| star.loses(order)) => vec![phrase!(
-            "**The crankshaft is its own mirror image:** the two throws in each direction have opposite arms, so that the pistons' moments of all orders vanish (page of stars, {}).",
-            page()
-        )],
+        (2, _) if throws > 1 && (1..=throws).all(|order| star.loses(order)) => vec![text::mirror_image(page())],
         _ => Vec::new(),
     }
 }
@@ -84,20 +82,8 @@ impl Crank {
 /// That the moment of order 1 is left by every star.
 fn never(throws: u32, banks: usize, prime: u32) -> Text {
     match banks {
-        1 => phrase!(
-            "**No star of {} throws in evenly spread directions, equally far apart, is free of the first-order couple**: {} is a power of the prime {} (page of stars, {}).",
-            throws,
-            throws,
-            prime,
-            page()
-        ),
-        _ => phrase!(
-            "**No order of the {} pins, and no bank angle, removes the rotating first-order couple:** {} is a power of the prime {} (page of stars, {}).",
-            throws,
-            throws,
-            prime,
-            page()
-        ),
+        1 => text::no_star(throws, prime, page()),
+        _ => text::no_order_of_pins(throws, prime, page()),
     }
 }
 
@@ -112,39 +98,17 @@ fn lost(star: &Star) -> Vec<Text> {
     };
     let is_first = (2..throws).all(never);
     let fewest = is_first.then(|| match left {
-        None => phrase!(
-            "**No star of 2 to {} throws in evenly spread directions is free of the moments of every order** (page of stars, {}).",
-            throws - 1,
-            page()
-        ),
-        Some(_) => phrase!(
-            "**No star of 2 to {} throws in evenly spread directions is free of the moments of these orders:** {} (page of stars, {}).",
-            throws - 1,
-            typeset::listed(&before),
-            page()
-        ),
+        None => text::fewest_for_every_order(throws - 1, page()),
+        Some(_) => text::fewest_for_orders(throws - 1, typeset::listed(&before), page()),
     });
     let more = left.map(|left| stars::fate(Pins::once(throws), &[&before[..], &[left]].concat()));
     let most = match more {
-        Some(Fate::Never(why)) => Some(phrase!(
-            "**No star of {} throws is free of the moments of these orders together:** {}. Throws 1/{} of a turn apart would coincide (page of stars, {}).",
-            throws,
-            typeset::listed(&why.orders),
-            why.prime,
-            page()
-        )),
+        Some(Fate::Never(why)) => Some(text::not_together(throws, typeset::listed(&why.orders), why.prime, page())),
         _ => None,
     };
     let bounds = stars::least(Pins::once(throws), &left.into_iter().collect::<Vec<_>>());
     let least =
         bounds.iter().find(|bound| least_moment(bound).is_some_and(|sum| star.moment(bound.order).is_as_long_as(&sum)));
-    let least = least.map(|bound| {
-        phrase!(
-            "**No star of {} throws without a first-order moment leaves less of order {}** (page of stars, {}).",
-            throws,
-            bound.order,
-            page()
-        )
-    });
+    let least = least.map(|bound| text::least_left(throws, bound.order, page()));
     [fewest, most, least].into_iter().flatten().collect()
 }

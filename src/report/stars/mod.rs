@@ -4,7 +4,6 @@ mod atlas;
 mod cited;
 mod drawn;
 mod page;
-mod proofs;
 mod study;
 mod tables;
 mod words;

@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use super::study::{BestStar, CYLINDERS, of_six};
 use crate::page::number::{Amount, grouped};
 use crate::page::{Number, Table, Text, phrase};
+use crate::report::texts::stars as text;
 use crate::stars::{self, Count, Fate, Pins, PrimePower};
 
 /// Whether stars of this many throws lose these orders.
@@ -77,7 +78,7 @@ pub(super) fn four_stroke() -> Table {
     Table::of((4..=16).step_by(2).map(|cylinders| (cylinders, Pins::inline(cylinders, true))))
         .column("Cylinders, four-stroke", |(cylinders, _)| *cylinders)
         .column("Directions", |(_, pins)| pins.directions)
-        .column("Stars that are their own mirror image", |(_, pins)| {
+        .column(text::own_mirror_images(), |(_, pins)| {
             let orders: Vec<u32> = (1..=pins.directions).collect();
             how_many(stars::count(*pins, &orders).as_ref())
         })
@@ -89,7 +90,7 @@ pub(super) fn vees(best: &[BestStar]) -> Table {
     Table::of(best.iter().filter(|best| best.cylinders <= 8))
         .column("V on shared pins", |best| format!("V{}", 2 * best.cylinders))
         .column("Pins", |best| best.cylinders)
-        .column("Least couple of order 1 that turns with the crank", |best| Amount::of(&best.moments[0]))
+        .column(text::turning_couple(), |best| Amount::of(&best.moments[0]))
         .done()
 }
 

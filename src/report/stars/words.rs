@@ -4,9 +4,10 @@ use num_rational::BigRational;
 
 use crate::engine::Cycle;
 use crate::exact::PhasorSum;
+use crate::page::Text;
 use crate::page::number::grouped;
-use crate::page::{Text, phrase};
 use crate::report::residual;
+use crate::report::texts::stars as text;
 use crate::search::{self, Options, Problem, Theorems};
 use crate::stars::{By, Count, Counted, Least, Obstruction};
 
@@ -26,39 +27,18 @@ pub(in crate::report) fn never(obstruction: &Obstruction) -> Text {
     let Obstruction { throws, prime, power, orders } = obstruction;
     let listed = residual::orders_in_words(orders);
     match power == throws {
-        true => phrase!(
-            "**Impossible.** With {} throws no moment of {} can vanish. The number of throws is a power of the prime {}: were the moment 0, throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
-            *throws,
-            listed,
-            *prime,
-            *prime
-        ),
-        false => phrase!(
-            "**Impossible.** With {} throws the moments of {} cannot vanish together. Throws 1/{} of a turn apart would coincide. No rational spacing changes that.",
-            *throws,
-            listed,
-            *prime
-        ),
+        true => text::impossible(*throws, listed, *prime),
+        false => text::impossible_together(*throws, listed, *prime),
     }
 }
 
 /// How a star was made, and why it loses what it does.
 pub(in crate::report) fn how(by: &By, throws: u32) -> Text {
     match by {
-        By::MixedRadix(powers) => phrase!(
-            "**Possible, by a star that a theorem describes.** The throw at $x$ steps of 1/{} turn has the place {}, where $x_q$ is the remainder of $x$ divided by $q$. Each term repeats within a turn, so it adds 0 to the moments asked for.",
-            throws,
-            place(powers)
-        ),
-        By::EveryMoment { two, odd } => phrase!(
-            "**Possible, by a star that a theorem describes.** {} = {} · {}: throws half a turn apart are mirrored about the middle of the shaft, which cancels every even order, and of each half the places are sums over the prime factors of {}, which cancels order 1. So no order has a moment.",
-            throws,
-            *two,
-            *odd,
-            *odd
-        ),
-        By::Mirrored => "**Possible, by a star that a theorem describes.** Throws half a turn apart are mirrored about the middle of the shaft: they have opposite arms, and at an even order one direction, so that they cancel.".into(),
-        By::MirrorImage => "**Possible, by a star that a theorem describes.** The shaft is its own mirror image: two throws in one direction have opposite arms, at every order.".into(),
+        By::MixedRadix(powers) => text::by_remainders(throws, place(powers)),
+        By::EveryMoment { two, odd } => text::by_halves(throws, *two, *odd),
+        By::Mirrored => text::by_mirrored_halves(),
+        By::MirrorImage => text::by_mirror_image(),
     }
 }
 
@@ -81,29 +61,13 @@ fn counted(count: &Count) -> Option<Text> {
         Counted::None => return None,
         Counted::Sums([p, q]) => Text::formula(format!("2\\,({p}-1)!\\,({q}-1)!")),
         Counted::Covers([p, q], covers) => {
-            return Some(phrase!(
-                "**Counted.** {} stars do, with cylinder 1 at 0°: the places are cut into sums of {} and {} places in {} ways.",
-                stars,
-                *p,
-                *q,
-                grouped(&covers.to_string())
-            ));
+            return Some(text::counted_covers(stars, *p, *q, grouped(&covers.to_string())));
         }
-        Counted::MirrorImages => {
-            return Some(phrase!(
-                "**Counted.** {} stars do, with cylinder 1 at 0°: those that are their own mirror image.",
-                stars
-            ));
-        }
+        Counted::MirrorImages => return Some(text::counted_mirror_images(stars)),
     };
     Some(match &count.classes {
-        Some(classes) => phrase!(
-            "**Counted.** {} stars do, with cylinder 1 at 0°: {}; up to rotation, mirror and reversal {}.",
-            stars,
-            formula,
-            grouped(&classes.to_string())
-        ),
-        None => phrase!("**Counted.** {} stars do, with cylinder 1 at 0°: {}.", stars, formula),
+        Some(classes) => text::counted_classes(stars, formula, grouped(&classes.to_string())),
+        None => text::counted(stars, formula),
     })
 }
 
@@ -119,18 +83,7 @@ pub(super) fn least_moment(Least { factor, of, .. }: &Least) -> Option<PhasorSum
 fn least(least: &Least) -> Text {
     let Least { order, factor, of } = least;
     match least_moment(least) {
-        Some(sum) => phrase!(
-            "**The residual then.** Where the moment of order 1 is 0, that of order {} is at least {} times the least first-order moment of {} throws: {}.",
-            *order,
-            *factor,
-            *of,
-            residual::modulus_of(&sum)
-        ),
-        None => phrase!(
-            "**The residual then.** Where the moment of order 1 is 0, that of order {} is at least {} times the least first-order moment of {} throws.",
-            *order,
-            *factor,
-            *of
-        ),
+        Some(sum) => text::residual(*order, *factor, *of, residual::modulus_of(&sum)),
+        None => text::residual_bound(*order, *factor, *of),
     }
 }

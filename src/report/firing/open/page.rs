@@ -7,35 +7,32 @@ use super::{OpenFiringStudy, picture, words};
 use crate::engine::{Cycle, CycleOrder, FiringSpan, OpenFiring};
 use crate::family::{OpenStar, SpanStar};
 use crate::page::{Block, Document, Table, Text, phrase};
-
-const LEGEND: &str = "**0** vanishes for all values of the unknowns at which the cylinders fire, proved, and for every pressure law common to all cylinders. Angles are those in (0°, 360°), exact and complete; ≡ is modulo 360°.";
-const HALF_ORDERS: &str = "Half orders need to know in which revolution each cylinder fires: add cycle = \"four-stroke\" with firing_order, or with \
-                           firing_angles such as [0, \"360 + phi\"]. Whole orders depend on the crankshaft alone.";
-const WHOLE_ORDERS: &str =
-    "At whole orders a crank angle counts modulo 360°, so that the top dead centres are enough, for any firing order.";
+use crate::report::texts::open_firing as text;
 
 /// The short answer.
 pub fn open_firing_answer(study: &OpenFiringStudy<'_>) -> Document {
     let mut page = Document::new("firing", study.family.title());
     page.push(orders(study));
-    page.push(Block::Note(LEGEND.into()));
+    page.push(Block::Note(text::legend()));
     page.blocks.extend(firing(study).into_iter().map(Block::Paragraph));
     page
 }
 
 /// The page.
 pub fn open_firing_page(study: &OpenFiringStudy<'_>) -> Document {
-    let mut page = Document::new("firing", phrase!("{}: firing stars", study.family.title()));
-    page.push(Block::Answer(answer(study)));
-    page.section("Orders of the gas torque", orders(study));
-    page.push(Block::Note(LEGEND.into()));
-    page.blocks.extend(picture::lengths(study).map(Block::from));
-    page.blocks.extend(meaning(study.weights.is_mode_shape()));
-    page.section("When the cylinders fire", firings(study));
-    page.push(WHOLE_ORDERS);
-    page.section("Proofs", Block::List(study.orders.iter().flat_map(|star| argued(study, star)).collect()));
-    page.section("Assumptions", Block::List(assumed(study.weights.is_mode_shape())));
-    page
+    let is_of_a_mode = study.weights.is_mode_shape();
+    let page = text::Page {
+        family: study.family.title().into(),
+        answer: Block::Answer(answer(study)).into(),
+        orders: orders(study).into(),
+        legend: [text::legend()].into(),
+        lengths: picture::lengths(study).into(),
+        meaning: meaning(is_of_a_mode).into_iter().collect(),
+        firings: firings(study).into(),
+        proofs: Block::List(study.orders.iter().flat_map(|star| argued(study, star)).collect()).into(),
+        assumptions: assumed(is_of_a_mode).into(),
+    };
+    Document { name: "firing", ..page.document() }
 }
 
 /// What is open, and which orders vanish where.
@@ -48,20 +45,17 @@ fn answer(study: &OpenFiringStudy<'_>) -> Vec<Text> {
     let (always, never) = (named(&OpenStar::always), named(&|star| star.never() || no_value(star)));
     if !always.is_empty() {
         let orders = residual::orders_in_words(&always);
-        lines.push(phrase!("The gas torque of {} vanishes in the whole family, for every pressure law.", orders));
+        lines.push(text::vanish_always(orders));
     }
     if !never.is_empty() {
         let orders = residual::orders_in_words(&never);
-        lines.push(phrase!("The gas torque of {} vanishes at no value of what is open.", orders));
+        lines.push(text::vanish_never(orders));
     }
     for star in study.orders.iter().filter(|star| !star.always() && !star.never()) {
         let values = words::values(study, star).filter(|values| !values.is_empty());
         if let Some((values, unknown)) = values.zip(study.unknown()) {
-            lines.push(phrase!(
-                "The gas torque of order {} vanishes exactly at {}.",
-                star.order.to_string(),
-                format!("{} = {}", words::symbol(unknown), words::list(&values))
-            ));
+            let values = format!("{} = {}", words::symbol(unknown), words::list(&values));
+            lines.push(text::vanish_at(star.order.to_string(), values));
         }
     }
     lines.extend(firing(study));
@@ -70,7 +64,7 @@ fn answer(study: &OpenFiringStudy<'_>) -> Vec<Text> {
 
 /// When the cylinders can fire, and what half orders need.
 fn firing(study: &OpenFiringStudy<'_>) -> Vec<Text> {
-    let lacking = study.lacks_half_orders().then(|| HALF_ORDERS.into());
+    let lacking = study.lacks_half_orders().then(text::half_orders);
     words::can_fire(study).into_iter().chain(lacking).collect()
 }
 

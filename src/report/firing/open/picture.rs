@@ -11,9 +11,10 @@ use super::{OpenFiringStudy, words};
 use crate::engine::{FiringSpan, PHI};
 use crate::family::{OpenStar, SpanStar};
 use crate::numbers;
+use crate::page::Picture;
 use crate::page::figure::Figure;
 use crate::page::plot::{Axis, Curve, Plot, stacked};
-use crate::page::{Picture, phrase};
+use crate::report::texts::open_firing as text;
 
 /// Steps of a turn of the open angle.
 const STEPS: i64 = 720;
@@ -27,10 +28,9 @@ pub(super) fn lengths(study: &OpenFiringStudy<'_>) -> Option<Picture> {
     let is_drawn = |star: &&OpenStar| !star.always() && star.spans.as_ref().is_ok_and(|spans| !spans.is_empty());
     let drawn: Vec<&OpenStar> = study.orders.iter().filter(is_drawn).take(MOST_ORDERS).collect();
     let plots: Vec<Figure> = drawn.chunks(MOST_CURVES).map(|chunk| plot(study, unknown, chunk)).collect();
-    let caption = "Length of the firing stars over the {bank angle φ|angle φ|pin split δ}, in crank radii. Rings are exact zeros in (0°, 360°); orders that vanish for all angles are not drawn.";
     (!plots.is_empty()).then(|| Picture {
         name: "firing-lengths".to_owned(),
-        caption: phrase!(caption, which_angle(study.family, unknown)),
+        caption: text::lengths(which_angle(study.family, unknown)),
         figure: stacked(plots),
     })
 }

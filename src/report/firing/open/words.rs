@@ -12,6 +12,7 @@ use super::OpenFiringStudy;
 use crate::engine::{FiringSpan, Linear, NoSpans, PHI};
 use crate::family::{OpenStar, SpanStar, When};
 use crate::page::{Piece, Text, phrase};
+use crate::report::texts::open_firing as text;
 
 /// When a star vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`.
 pub(super) fn summary(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Text {
@@ -155,36 +156,17 @@ pub(super) fn can_fire(study: &OpenFiringStudy<'_>) -> Option<Text> {
     let [none, turn] = ends();
     let spans = match study.family.firing_spans([&none, &turn], false) {
         Ok(spans) => spans,
-        Err(NoSpans::TwoAngles) => {
-            return Some(phrase!(
-                "Two angles are open, and for which of them the cylinders can fire in the order {} is not solved: half orders are not decided. Give firing_angles, or one of the angles a value below [values].",
-                order
-            ));
-        }
-        Err(NoSpans::TooWide) => {
-            return Some(phrase!(
-                "The open angle enters too many times for the order {}: half orders are not decided. Give firing_angles.",
-                order
-            ));
-        }
+        Err(NoSpans::TwoAngles) => return Some(text::two_angles(order)),
+        Err(NoSpans::TooWide) => return Some(text::too_wide(order)),
         Err(NoSpans::NotSaid) => return None,
     };
     let labels: Vec<String> = spans.iter().filter_map(|span| label(study, span)).collect();
     let is_everywhere =
         |span: &FiringSpan| span.within.as_ref().is_none_or(|[low, high]| low.at == none && high.at == turn);
     Some(match spans.as_slice() {
-        [] => phrase!(
-            "These throws cannot fire in the order {} at any value of the open angle with intervals of up to a revolution; give firing_angles.",
-            order
-        ),
-        [_] if study.unknown().is_none() => phrase!("The cylinders fire in the order {}.", order),
-        [only] if is_everywhere(only) => {
-            phrase!("The cylinders fire in the order {} at every value of the open angle.", order)
-        }
-        _ => phrase!(
-            "The cylinders can fire in the order {} where {}, and at no other value in (0°, 360°): half orders are decided there alone.",
-            order,
-            Text::joined(labels.into_iter().map(Text::label), " or ")
-        ),
+        [] => text::cannot_fire(order),
+        [_] if study.unknown().is_none() => text::fires(order),
+        [only] if is_everywhere(only) => text::fires_everywhere(order),
+        _ => text::fires_where(order, Text::joined(labels.into_iter().map(Text::label), " or ")),
     })
 }
