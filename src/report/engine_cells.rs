@@ -122,6 +122,3 @@ fn kind(shaft: &Shaft) -> &'static str {
         Kind::ForceAndMoment => "force and moment",
     }
 }
-
-/// How remedies are read.
-pub(super) const REMEDIES: &str = "A remedy cancels every vector of its orders exactly: counterweights on the crankshaft, balancer shafts at a multiple of crank speed, + with the crank and − against it; a shaft for a couple has two opposite weights; a Lanchester pair is two shafts with one weight each.";

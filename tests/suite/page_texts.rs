@@ -12,8 +12,7 @@ fn every_sentence_of_every_branch_has_german() {
     let texts = all();
     let phrases: BTreeSet<String> = texts.iter().flat_map(|(_, text)| said(text)).collect();
     assert!(phrases.len() > 1000, "{}", phrases.len());
-    let missing: Vec<&String> =
-        phrases.iter().filter(|words| has_words(words) && !Language::De.knows(words)).collect();
+    let missing: Vec<&String> = phrases.iter().filter(|words| has_words(words) && !Language::De.knows(words)).collect();
     assert!(missing.is_empty(), "no German for {missing:#?}");
 }
 
@@ -32,7 +31,8 @@ fn no_sentence_stands_in_the_code_of_the_pages() {
 fn is_sentence(words: &str) -> bool {
     let letters = |word: &&str| word.chars().count() > 1;
     let count = words.split(|letter: char| !letter.is_ascii_alphabetic()).filter(letters).count();
-    let chooses = words.split('{').skip(1).any(|place| place.split('}').next().is_some_and(|words| words.contains('|')));
+    let chooses =
+        words.split('{').skip(1).any(|place| place.split('}').next().is_some_and(|words| words.contains('|')));
     count >= 7 || count >= 4 && words.trim_end().ends_with(['.', ':']) || chooses
 }
 

@@ -1,14 +1,13 @@
 //! What is on the pages of the atlas? The answer, the stars of the catalogue, what each engine leaves first and at each order.
 
 use super::super::catalogue::{catalogue_families, catalogue_pictures, catalogue_summary};
-use super::super::engine_cells;
 use super::entry::{EngineRow, Origin};
 use super::tables;
 use crate::engine::{Cycle, Engine};
 use crate::file::Entry;
 use crate::page::{Block, Blocks, Document, Table, Text};
 use crate::proof::Planar;
-use crate::report::texts::atlas as text;
+use crate::report::texts::{atlas as text, engine_cells};
 
 /// The page in no format yet.
 pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow], files: Text) -> Document {
@@ -31,7 +30,7 @@ pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow], files: Text) 
         two_stroke: found(Cycle::TwoStroke),
         four_stroke: found(Cycle::FourStroke),
         longer_forms: Block::List(tables::longer_forms(all)).into(),
-        remedies: [engine_cells::REMEDIES].into(),
+        remedies: [engine_cells::remedies()].into(),
         files: files.into(),
     };
     Document { has_contents: true, ..page.document() }

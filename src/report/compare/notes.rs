@@ -1,15 +1,15 @@
 //! What has to be said beside a comparison: units, how it is read, why there are no newtons?
 
-use super::super::{engine_cells, residual};
+use super::super::residual;
 use super::Compared;
 use crate::engine::{LengthUnit, WHY_NOT};
 use crate::page::Text;
-use crate::report::texts::compare as text;
+use crate::report::texts::{compare as text, engine_cells};
 
 /// What follows the table.
 pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
     let mut notes: Vec<Text> = vec![text::sizes(), residual::LEGEND.into(), positions(engines), text::lowest_orders()];
-    notes.push(engine_cells::REMEDIES.into());
+    notes.push(engine_cells::remedies());
     if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| order.parts.len() > 1)) {
         notes.push(text::several_sums());
     }
