@@ -7,7 +7,8 @@ use super::super::typeset;
 use super::circle_words::about;
 use super::unknowns::{NEVER, alternatives, near, unknowns, zero_where};
 use crate::family::{BoxZero, Boxes, Place, is_in_range};
-use crate::page::{Text, phrase};
+use crate::page::Text;
+use crate::report::texts::family as text;
 
 /// `0 where φ ≡ 90° and δ ≡ 60°, or φ ≈ 12.5° and δ ≈ 75.52°`, and where it is not known.
 pub(super) fn condition(found: &Boxes) -> Text {
@@ -45,30 +46,21 @@ fn open(found: &Boxes) -> impl Iterator<Item = Text> + '_ {
     let [s, t] = names(found);
     found.open.iter().map(move |[across, along]| {
         let [[a, b], [c, d]] = [across, along].map(|ends| about(ends.each_ref()));
-        phrase!("not solved for {} between {} and {} with {} between {} and {}", s.clone(), a, b, t.clone(), c, d)
+        text::open_box(s.clone(), a, b, t.clone(), c, d)
     })
 }
 
 /// Why it vanishes there, and nowhere else.
 pub(super) fn why(found: &Boxes) -> Text {
     let [s, t] = names(found);
-    let lead = phrase!(
-        "These parts cannot be reduced to one unknown. The torus of {} and {} is divided into {} boxes, and each is proved to exclude 0, or lies within one of {} boxes with exactly one zero each (Krawczyk's test; theory, section 17).",
-        s,
-        t,
-        found.count(),
-        found.zeros.len()
-    );
+    let lead = text::boxes(s, t, found.count(), found.zeros.len());
     let so = match (zeros(found), found.is_complete()) {
-        (Some(zeros), true) => phrase!("So the sum vanishes exactly where {}.", zeros),
-        (None, true) => "So it vanishes for no angles.".into(),
-        (Some(zeros), false) => {
-            phrase!("So, except in the boxes left open, it vanishes exactly where {}.", zeros)
-        }
-        (None, false) => "So it vanishes nowhere, except perhaps in the boxes left open.".into(),
+        (Some(zeros), true) => text::so_zeros(zeros),
+        (None, true) => text::so_none(),
+        (Some(zeros), false) => text::zeros_but_in_open_boxes(zeros),
+        (None, false) => text::no_zero_but_in_open_boxes(),
     };
-    let open = open(found).map(|open| phrase!("Free parameters: {}: the step limit was reached.", open));
-    Text::joined([lead, so].into_iter().chain(open), " ")
+    Text::joined([lead, so].into_iter().chain(open(found).map(text::step_limit)), " ")
 }
 
 /// s and t.

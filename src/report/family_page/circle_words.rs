@@ -12,6 +12,7 @@ use crate::family::{Circle, Closed, Coprime, Place, is_in_range};
 use crate::numbers;
 use crate::page::number::Bearing;
 use crate::page::{Piece, Text, phrase};
+use crate::report::texts::family as text;
 
 /// `0 where φ ≡ 60°, or φ ≈ 75.52°`, and where it is not known; `never 0` where it has no zero.
 pub(super) fn condition(circle: &Circle) -> Text {
@@ -22,7 +23,7 @@ pub(super) fn condition(circle: &Circle) -> Text {
 pub(super) fn open(circle: &Circle) -> impl Iterator<Item = Text> + '_ {
     circle.open().map(|ends| {
         let [from, to] = about(ends);
-        phrase!("not solved for {} between {} and {}", unknown(circle), from, to)
+        text::open_arc(unknown(circle), from, to)
     })
 }
 
@@ -75,58 +76,34 @@ pub(super) fn signed(times: &[BigRational; 2], turn: &Turn, degrees: f64) -> Str
 pub(super) fn why(circle: &Circle) -> Text {
     let (unknown, count) = (unknown(circle), circle.arcs.len());
     let sum = match &circle.factor {
-        None => phrase!(
-            "The sum is a polynomial of degree {} in the turn by {}.",
-            circle.polynomial.degree().to_string(),
-            unknown
-        ),
-        Some(factor) => phrase!(
-            "The sum is a polynomial of degree {} in the turn by {}. What it has in common with its mirror image, a polynomial of degree {} with \
-             each factor taken once, vanishes for the same angles, since the other factor of the sum vanishes for none (proved modulo the prime {}).",
+        None => text::polynomial(circle.polynomial.degree().to_string(), unknown),
+        Some(factor) => text::common_polynomial(
             factor.equalities.len().saturating_sub(1).to_string(),
             unknown,
             circle.polynomial.degree().to_string(),
-            factor.coprime.prime.to_string()
+            factor.coprime.prime.to_string(),
         ),
     };
     let arcs = match (zeros(circle), circle.is_complete()) {
-        (Some(zeros), true) => phrase!(
-            "The circle is divided into {} arcs, with the proved number of zeros on each: exactly where {}.",
-            count,
-            zeros
-        ),
-        (None, true) => {
-            phrase!("The circle is divided into {} arcs, and it is proved that it vanishes on none.", count)
-        }
-        (Some(zeros), false) => phrase!(
-            "The circle is divided into {} arcs; except on those left open it vanishes exactly where {} (proved).",
-            count,
-            zeros
-        ),
-        (None, false) => phrase!(
-            "The circle is divided into {} arcs; except on those left open it vanishes on none (proved).",
-            count
-        ),
+        (Some(zeros), true) => text::zeros_on_arcs(count, zeros),
+        (None, true) => text::no_zero_on_arcs(count),
+        (Some(zeros), false) => text::zeros_but_for_open(count, zeros),
+        (None, false) => text::no_zero_but_for_open(count),
     };
     let only = circle.irrational().map(|near| {
         let [from, to] = between(circle, near);
-        phrase!("Between {} and {} it vanishes once, at no rational turn.", from, to)
+        text::vanishes_once(from, to)
     });
     let open = circle.open().map(|ends| {
         let [from, to] = about(ends);
-        phrase!("From {} to {} it is left open: the step limit was reached.", from, to)
+        text::left_open(from, to)
     });
     Text::joined([sum, arcs].into_iter().chain(only).chain(open), " ")
 }
 
 /// Why a sum vanishes nowhere, by a prime.
 pub(super) fn coprime(found: &Coprime) -> Text {
-    phrase!(
-        "Modulo the prime {} the sum, a polynomial in the turn by {}, and its mirror image have no common factor (proved), so it vanishes for \
-         no angle.",
-        found.prime.to_string(),
-        unknowns(&found.phi, &found.delta)
-    )
+    text::coprime(found.prime.to_string(), unknowns(&found.phi, &found.delta))
 }
 
 fn unknown(circle: &Circle) -> String {

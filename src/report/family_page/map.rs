@@ -4,9 +4,10 @@ use super::picture::unit;
 use super::sizes::Sizes;
 use crate::engine::{DELTA, Family, PHI};
 use crate::family::OpenOrder;
+use crate::page::Picture;
 use crate::page::plot::{Axis, Map};
-use crate::page::{Picture, phrase};
 use crate::proof::Planar;
+use crate::report::texts::family as text;
 
 /// Degrees from one point of the grid to the next, bank angles from 0°, and pin splits to both sides of 0°.
 const STEP: i32 = 5;
@@ -28,11 +29,7 @@ pub(super) fn maps(family: &Family, orders: &[OpenOrder]) -> Vec<Picture> {
             let name = quantity.name();
             maps.push(Picture {
                 name: format!("map-{name}-{order}"),
-                caption: phrase!(
-                    "Largest value of order {} over bank angle and pin split, {}. The darker, the larger; a contour line at each value of the scale.",
-                    order,
-                    sizes.circumstances()
-                ),
+                caption: text::map(order, sizes.circumstances()),
                 figure: map(&sizes, quantity, order, &unit).figure(),
             });
         }

@@ -26,42 +26,36 @@ use crate::engine::{DELTA, Family, PHI};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
 use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::Planar;
+use crate::report::texts::family as text;
 
 pub(super) use unknowns::{unknowns, written};
-
-const LEGEND: &str = "**0** vanishes for all values of the unknowns, proved; a vanishing moment vanishes for all lengths. Angles are those \
-                      in (0°, 360°), complete, and exact unless marked ≈; ≡ is modulo 360°.";
 
 /// The report of a family.
 ///
 /// `in_motion`: whether it is shown in motion, where a page can.
 pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Document {
-    let mut page = Document { has_contents: true, ..Document::new("report", family.title()) };
-    page.push(family_summary(family, orders));
-    page.push(tables::summary(orders));
-    page.push(Block::Note(LEGEND.into()));
-    page.blocks.extend(amplitude_picture(family, orders));
-    page.blocks.extend(map::maps(family, orders).into_iter().map(Block::from));
-    if in_motion {
+    let scenes = in_motion.then(|| {
         let orders: Vec<u32> = orders.iter().map(|order| order.order).collect();
-        page.blocks.extend(moving::live(&moving::open_scenes(family, &orders)));
-    }
-    page.push(Block::Heading(1, "The engine".into()));
-    page.blocks.extend(differs(family.convention()).map(Block::Paragraph));
-    page.push(tables::cylinders(family));
-    let source = family.source().map(|source| phrase!("Source of the crank star: {}.", source));
-    page.blocks.extend(source.map(Block::Paragraph));
-    page.push(Block::Heading(1, "Proofs, order by order".into()));
-    page.blocks.extend(family_proofs(family, orders));
-    page.push(Block::Heading(1, "Conventions".into()));
-    let plane = unknowns::open_length(family.reference_plane());
-    page.push(Block::List(vec![
-        seen(family.convention()),
-        FIRES.into(),
-        phrase!("Moments are taken about the plane z = {}.", plane),
-        ASSUMED.into(),
-    ]));
-    page
+        moving::live(&moving::open_scenes(family, &orders))
+    });
+    let page = text::Page {
+        family: family.title().into(),
+        summary: family_summary(family, orders).into(),
+        verdicts: tables::summary(orders).into(),
+        legend: [text::legend()].into(),
+        amplitudes: amplitude_picture(family, orders).into(),
+        maps: map::maps(family, orders).into_iter().collect(),
+        in_motion: scenes.unwrap_or_default().into(),
+        drawn_otherwise: differs(family.convention()).into(),
+        cylinders: tables::cylinders(family).into(),
+        source: family.source().map(Text::from).unwrap_or_default(),
+        proofs: family_proofs(family, orders).into(),
+        seen: [seen(family.convention())].into(),
+        firing: [FIRES].into(),
+        plane: unknowns::open_length(family.reference_plane()).into(),
+        assumed: [ASSUMED].into(),
+    };
+    Document { name: "report", has_contents: true, ..page.document() }
 }
 
 /// The box that the report of a family opens with, by itself.
@@ -82,7 +76,7 @@ pub fn family_proofs(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
 /// What a report of a member says of all lengths and angles.
 pub(super) fn section(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
     let mut blocks = vec![Block::Heading(1, "For all lengths".into()), Block::Paragraph(left_open(family))];
-    blocks.extend([tables::summary(orders).into(), Block::Note(LEGEND.into())]);
+    blocks.extend([tables::summary(orders).into(), Block::Note(text::legend())]);
     blocks.extend(amplitude_picture(family, orders));
     for order in orders {
         let summary = phrase!("Order {}, all lengths", order.order);
@@ -96,9 +90,7 @@ pub fn family_answer(family: &Family, orders: &[OpenOrder]) -> Document {
     let mut page = Document::new("verdicts", family.title());
     page.blocks.extend(answer(family, orders).into_iter().map(Block::Paragraph));
     page.push(tables::summary(orders));
-    page.push(Block::Note(
-        "0 vanishes for all values of the unknowns, proved; angles are complete in (0°, 360°), and exact unless marked ≈.".into(),
-    ));
+    page.push(Block::Note(text::short_legend()));
     page
 }
 
@@ -110,7 +102,7 @@ fn even_firing(family: &Family) -> Option<Text> {
 pub(super) fn left_open(family: &Family) -> Text {
     let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
     let unknowns = unknowns.join(", ").replace(PHI, "φ").replace("delta", "δ");
-    phrase!("Free parameters: {}.", unknowns)
+    text::free_parameters(unknowns)
 }
 
 /// The amplitude of each order over the one open angle, with its exact zeros.
@@ -127,29 +119,21 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
         let Some(unit) = picture::unit(family, Some(&sizes), quantity) else {
             let of = orders.iter().filter(|order| !sizes::verdicts(order, quantity).iter().all(OpenVerdict::always));
             let of: Vec<u32> = of.map(|order| order.order).collect();
-            let words = "a moment of {} that depends on the lengths";
-            told.extend((!of.is_empty()).then(|| phrase!(words, super::residual::orders_in_words(&of))));
+            told.extend((!of.is_empty()).then(|| text::depends_on_lengths(super::residual::orders_in_words(&of))));
             continue;
         };
-        let size = |(order, size): (u32, f64)| {
-            phrase!("{force|moment} {} (order {})", quantity, format!("{} {unit}", number::sensible(size)), order)
-        };
+        let size =
+            |(order, size): (u32, f64)| text::largest(quantity, format!("{} {unit}", number::sensible(size)), order);
         let (large, small) = sizes.told(quantity, orders);
         told.extend(large.into_iter().map(size));
-        told.extend((!small.is_empty()).then(|| {
-            phrase!(
-                "{1:force|moment} below 1 % of the largest{1: or of one piston's|} at {2}",
-                quantity,
-                super::residual::orders_in_words(&small)
-            )
-        }));
+        told.extend((!small.is_empty()).then(|| text::small(quantity, super::residual::orders_in_words(&small))));
     }
     let has_angle = [PHI, DELTA].iter().any(|angle| family.unknowns().contains(angle));
-    let words = match has_angle {
-        true => "**Largest residual over all angles** ({}, numerical): {}.",
-        false => "**What shakes** ({}): {}.",
-    };
-    (!told.is_empty()).then(|| phrase!(words, sizes.circumstances(), Text::joined(told, ", ")))
+    let (circumstances, shakes) = (sizes.circumstances(), Text::joined(told, ", "));
+    (!shakes.is_empty()).then(|| match has_angle {
+        true => text::largest_residual(circumstances, shakes),
+        false => text::what_shakes(circumstances, shakes),
+    })
 }
 
 /// What is open, and where each order vanishes.
@@ -163,13 +147,10 @@ fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
     let both = list(&|order| always(&order.force) && always(&order.moment));
     let forces = list(&|order| always(&order.force) && !always(&order.moment));
     if !both.is_empty() {
-        lines.push(phrase!(
-            "Force and moment of {} vanish in the whole family.",
-            super::residual::orders_in_words(&both)
-        ));
+        lines.push(text::both_vanish(super::residual::orders_in_words(&both)));
     }
     if !forces.is_empty() {
-        lines.push(phrase!("The force of {} vanishes in the whole family.", super::residual::orders_in_words(&forces)));
+        lines.push(text::force_vanishes(super::residual::orders_in_words(&forces)));
     }
     lines.extend(even_firing(family));
     lines.push(left_open(family));
@@ -182,13 +163,7 @@ pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
     let sentence = |verdict: &OpenVerdict| {
         let listed = verdict.bank_angles().filter(|angles| !angles.is_empty() && !verdict.always());
         if let Some(angles) = listed {
-            return Some(phrase!(
-                "The {direct|reverse} {force|moment} of order {} vanishes exactly at φ = {}.",
-                verdict.sense,
-                verdict.quantity,
-                verdict.order,
-                words::list(&angles)
-            ));
+            return Some(text::vanishes_at(verdict.sense, verdict.quantity, verdict.order, words::list(&angles)));
         }
         let [OpenSum { when, .. }] = verdict.sums.as_slice() else { return None };
         let zeros = match when {
@@ -198,13 +173,7 @@ pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
             When::Triangle(_) | When::Classes(_) | When::Quadratic(_) => return None,
             When::Product(_) | When::Boxes(_) | When::NotSolved(_) => return None,
         };
-        Some(phrase!(
-            "The {direct|reverse} {force|moment} of order {} vanishes exactly where {}.",
-            verdict.sense,
-            verdict.quantity,
-            verdict.order,
-            zeros
-        ))
+        Some(text::vanishes_where(verdict.sense, verdict.quantity, verdict.order, zeros))
     };
     verdicts.filter_map(sentence).collect()
 }
@@ -212,15 +181,9 @@ pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
 /// Each vector of an order with its argument, and the certificates.
 fn proofs(order: &OpenOrder) -> Vec<Block> {
     let argued = order.force.iter().chain(&order.moment).map(|verdict| {
-        let none = verdict.sums.is_empty().then(|| "Every weight is zero.".into());
+        let none = verdict.sums.is_empty().then(text::no_weight);
         let sums = verdict.sums.iter().map(words::argument).chain(none).chain(words::left_sentence(verdict));
-        phrase!(
-            "**{Force|Moment}, {direct|reverse}:** {}. {}",
-            verdict.quantity,
-            verdict.sense,
-            words::summary(verdict),
-            Text::joined(sums, " ")
-        )
+        text::argument(verdict.quantity, verdict.sense, words::summary(verdict), Text::joined(sums, " "))
     });
     vec![Block::List(argued.collect())]
 }

@@ -14,8 +14,9 @@ use crate::family::{OpenOrder, OpenVerdict, Solutions, Zeros, phase};
 use crate::numbers::float;
 use crate::page::figure::Figure;
 use crate::page::plot::{Axis, Curve, Plot, PointMark, stacked};
-use crate::page::{Choice, Text, phrase};
+use crate::page::{Choice, Text};
 use crate::proof::{Planar, Sense};
+use crate::report::texts::family as text;
 
 /// Steps of a turn of the open angle.
 const STEPS: i64 = 720;
@@ -82,18 +83,17 @@ pub(in crate::report) fn axis_name(family: &Family, unknown: &str) -> &'static s
 pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     let unknown = open_angle(family)?;
     let drawn = shown(family, orders);
-    let over = "Largest value of each order through a revolution over the {bank angle φ|angle φ|pin split δ}.";
-    let mut words = vec![phrase!(over, which_angle(family, unknown))];
+    let mut words = vec![text::largest_over_angle(which_angle(family, unknown))];
     let sizes = sizes(family, orders);
-    words.extend(sizes.as_ref().map(|sizes| phrase!("Sizes: {}.", sizes.circumstances())));
-    words.push(phrase!(MARKS, MOST_DOTS));
+    words.extend(sizes.as_ref().map(|sizes| text::sizes(sizes.circumstances())));
+    words.push(text::marks(MOST_DOTS));
     let is_rounded = |place: &Place| !place.is_exact();
     let rounded = |(_, verdicts): &OfOrder| {
         let (full, single) = zeros(verdicts, unknown);
         full.iter().any(is_rounded) || single.len() <= MOST_DOTS && single.iter().any(is_rounded)
     };
     if drawn.iter().flat_map(|(_, curves)| curves).any(rounded) {
-        words.push(IRRATIONAL.into());
+        words.push(text::irrational_marks());
     }
     for quantity in Planar::BOTH {
         let of = of_quantity(orders, quantity);
@@ -102,31 +102,20 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
         let open = |verdict: &OpenVerdict| !is_solved(verdict, unknown);
         let unsolved: Vec<&OfOrder> = of.iter().filter(|(_, verdicts)| verdicts.iter().any(open)).collect();
         let curves = drawn.iter().find(|(other, _)| *other == quantity).map_or(0, |(_, curves)| curves.len());
-        words.extend((!always.is_empty()).then(|| {
-            phrase!("Not drawn, since zero for all angles: {force|moment} at {}.", quantity, numbers(&always))
-        }));
-        words.extend((!unsolved.is_empty()).then(|| {
-            phrase!("Not solved, so that zeros may be unmarked: {force|moment} at {}.", quantity, numbers(&unsolved))
-        }));
+        words.extend((!always.is_empty()).then(|| text::zero_for_all(quantity, numbers(&always))));
+        words.extend((!unsolved.is_empty()).then(|| text::unsolved(quantity, numbers(&unsolved))));
         let sized = sizes.as_ref().filter(|_| unit(family, sizes.as_ref(), quantity).is_some());
         let small = sized.map_or_else(Vec::new, |sizes| sizes.told(quantity, orders).1);
-        words.extend((!small.is_empty()).then(|| phrase!(SMALL, quantity, typeset::listed(&small))));
+        words.extend((!small.is_empty()).then(|| text::too_small(quantity, typeset::listed(&small))));
         if unit(family, sizes.as_ref(), quantity).is_none() {
             // A force has no arms.
-            words.push("The moment is not drawn: its arms contain several open lengths.".into());
+            words.push(text::several_lengths());
         } else if curves + small.len() < left.len() {
-            words.push(phrase!("Not drawn: {force|moment} at {}.", quantity, numbers(&left[curves..])));
+            words.push(text::not_drawn(quantity, numbers(&left[curves..])));
         }
     }
     (!drawn.is_empty()).then(|| Text::joined(words, " "))
 }
-
-const MARKS: &str = "Rings are its exact zeros in (0°, 360°); at a dot just one of the direct and the reverse vector is exactly zero, and the \
-                     other turns at constant length (marked for orders with no more than {} of them).";
-
-const SMALL: &str = "Not drawn, below 1 % of the largest{1: or of one piston's force|}: {1:force|moment} at {2}.";
-
-const IRRATIONAL: &str = "Marks that the legend calls irrational are at angles that are not rational turns, proved to be zeros and drawn rounded.";
 
 fn numbers(orders: &[&OfOrder]) -> String {
     typeset::listed(orders.iter().map(|(order, _)| order))

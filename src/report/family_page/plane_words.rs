@@ -9,12 +9,13 @@ use crate::exact::Turn;
 use crate::family::{Circle, Classes, Corner, Meeting, Place, Triangle, is_in_range};
 use crate::page::number::Bearing;
 use crate::page::{Text, phrase};
+use crate::report::texts::family as text;
 
 /// `0 where δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; `0 on a curve, at one φ for each δ`.
 pub(super) fn condition(classes: &Classes) -> Text {
     let [u, v] = names([&classes.u, &classes.v]);
     if classes.is_curve() {
-        return phrase!("0 on a curve: at one {} for each {}, or all", v, u);
+        return text::curve(v, u);
     }
     let open = classes.circle.iter().flat_map(circle_words::open);
     zero_where(zeros(classes), open).unwrap_or_else(|| none_of(classes.circle.as_ref()))
@@ -63,28 +64,13 @@ pub(super) fn irrational<'a>(
 /// Why it vanishes there, and nowhere else.
 pub(super) fn why(classes: &Classes) -> Text {
     let [u, v] = names([&classes.u, &classes.v]);
-    let lead = phrase!(
-        "The parts make two classes: {} turns the parts of each, {} turns one class against the other, and they cancel where they are equally \
-         long and opposite.",
-        u.clone(),
-        v.clone()
-    );
+    let lead = text::two_classes(u.clone(), v.clone());
     let equal = match (&classes.circle, classes.is_curve()) {
-        (_, true) => phrase!(
-            "They are equally long for every {} (proved), so that each has one {} at which the sum vanishes, which turns by −A/B, A and B being the sums of the classes, or all, where both vanish.",
-            u,
-            v
-        ),
-        (None, false) => {
-            "The squares of their lengths differ by the same for all angles (proved), so they never cancel.".into()
-        }
+        (_, true) => text::equal_for_every(u, v),
+        (None, false) => text::never_equal(),
         (Some(circle), false) => {
-            let difference = phrase!(
-                "The difference of the squares of their lengths is a real polynomial of degree {} in the turn by {}; the circle is divided into {} arcs, and each shows how often it vanishes there (proved).",
-                (circle.polynomial.degree() / 2).to_string(),
-                u.clone(),
-                circle.arcs.len()
-            );
+            let degree = (circle.polynomial.degree() / 2).to_string();
+            let difference = text::difference(degree, u.clone(), circle.arcs.len());
             Text::joined([difference, so(circle, zeros(classes), &u)], " ")
         }
     };
@@ -94,23 +80,16 @@ pub(super) fn why(classes: &Classes) -> Text {
 /// What follows from a circle for the zeros that are known.
 pub(super) fn so(circle: &Circle, zeros: Option<Text>, u: &str) -> Text {
     let told = match (zeros, circle.is_complete()) {
-        (Some(zeros), true) => phrase!("So the sum vanishes exactly where {}.", zeros),
-        (None, true) => "So it vanishes for no angles.".into(),
-        (Some(zeros), false) => {
-            phrase!("So, except on the arcs left open, the sum vanishes exactly where {}.", zeros)
-        }
-        (None, false) => "So it vanishes nowhere, except perhaps on the arcs left open.".into(),
+        (Some(zeros), true) => text::so_zeros(zeros),
+        (None, true) => text::so_none(),
+        (Some(zeros), false) => text::zeros_but_on_open_arcs(zeros),
+        (None, false) => text::no_zero_but_on_open_arcs(),
     };
     let only = circle.irrational().map(|near| {
         let [from, to] = circle_words::between(circle, near);
-        phrase!("Between {} and {} there is one such {}, which is not a rational turn.", from, to, u.to_owned())
+        text::irrational(from, to, u.to_owned())
     });
-    Text::joined([told].into_iter().chain(only).chain(circle_words::open(circle).map(ended)), " ")
-}
-
-/// As a sentence of its own.
-fn ended(open: Text) -> Text {
-    phrase!("Free parameters: {}: the step limit was reached.", open)
+    Text::joined([told].into_iter().chain(only).chain(circle_words::open(circle).map(text::step_limit)), " ")
 }
 
 /// `0 where φ ≡ 90° and δ ≡ 45°, or φ ≈ 30° and δ ≈ 75.52°`.
@@ -139,20 +118,9 @@ fn corners(triangle: &Triangle) -> Option<Text> {
 /// Why it vanishes there, and nowhere else.
 pub(super) fn triangle_why(triangle: &Triangle) -> Text {
     match (corners(triangle), triangle.corners.len()) {
-        (None, 1..) => {
-            "Three parts remain, which can be the sides of a triangle (proved), but no angles in (0°, 360°) turn them so.".into()
-        }
-        (None, 0) => {
-            "Three parts remain, and one is longer than the others together (proved), so they cancel for no angles."
-                .into()
-        }
-        (Some(corners), 1) => phrase!(
-            "Three parts remain, and one is as long as the others together (proved), so they cancel in one way: where {} (modulo 360°).",
-            corners
-        ),
-        (Some(corners), _) => phrase!(
-            "Three parts remain, which can be the sides of a triangle (proved), and of its mirror image, so they cancel in two ways: where {} (modulo 360°).",
-            corners
-        ),
+        (None, 1..) => text::sides_not_turned(),
+        (None, 0) => text::one_too_long(),
+        (Some(corners), 1) => text::flat_triangle(corners),
+        (Some(corners), _) => text::triangle(corners),
     }
 }

@@ -7,8 +7,9 @@ use super::words;
 use crate::engine::{DELTA, Family, PHI};
 use crate::exact::Turn;
 use crate::family::OpenOrder;
-use crate::page::{Text, phrase};
+use crate::page::Text;
 use crate::proof::Quantity;
+use crate::report::texts::family as text;
 use crate::verdict::Judgement;
 
 /// A sentence for each group of angles where the same remains; none where order 1 always or never loses its reverse vectors.
@@ -23,8 +24,8 @@ pub(super) fn sentences(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
         }
     }
     let sentence = |(angles, remains): (BTreeSet<Turn>, Option<Text>)| match remains {
-        Some(remains) => phrase!("At φ = {} counterweights cancel order 1; {}.", words::list(&angles), remains),
-        None => phrase!("At φ = {} counterweights cancel order 1.", words::list(&angles)),
+        Some(remains) => text::counterweights_leave(words::list(&angles), remains),
+        None => text::counterweights_at(words::list(&angles)),
     };
     groups.into_iter().map(sentence).chain(of_two_angles(family, orders)).collect()
 }
@@ -36,12 +37,7 @@ fn of_two_angles(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     let mut open = [&first.force[1], &first.moment[1]].into_iter().filter(|reverse| !reverse.always());
     let condition = words::conditions_of(open.next()?)?;
     let is_one_of_two = [PHI, DELTA].iter().all(|angle| unknowns.contains(angle)) && open.next().is_none();
-    is_one_of_two.then(|| {
-        phrase!(
-            "Counterweights cancel order 1 where {}; elsewhere a shaft against the crank cancels their residual.",
-            condition
-        )
-    })
+    is_one_of_two.then(|| text::counterweights_where(condition))
 }
 
 /// The bank angles at which both reverse vectors of order 1 vanish.
@@ -64,11 +60,9 @@ fn remains(family: &Family, angle: &Turn) -> Option<Text> {
     let second = judged.orders.first().filter(|order| order.parts.len() == 1)?;
     let [force, moment] = residual::whole(second);
     Some(match (force.is_zero(), moment.is_zero()) {
-        (true, true) => "order 2 is balanced".into(),
-        (false, true) => phrase!("order 2 remains: force {} (m r ω² c₂)", force),
-        (true, false) => phrase!("order 2 remains: {} (m r ω² c₂ times the unit of the positions)", moment),
-        (false, false) => {
-            phrase!("order 2 remains: force {} (m r ω² c₂), {} (times the unit of the positions)", force, moment)
-        }
+        (true, true) => text::second_balanced(),
+        (false, true) => text::second_force(force),
+        (true, false) => text::second_moment(moment),
+        (false, false) => text::second_force_and_moment(force, moment),
     })
 }

@@ -14,6 +14,7 @@ use crate::family::{self, Angles, Cosine, EvenFiring, Never, OpenSum, OpenVerdic
 use crate::numbers::{Form, float};
 use crate::page::number::Bearing;
 use crate::page::{Piece, Setting, Text, Unit, phrase};
+use crate::report::texts::family as text;
 
 /// When a verdict vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`, `2√10 (2a + b + 2c)`.
 pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
@@ -77,18 +78,16 @@ fn nearly(unknowns: String, turn: &Turn) -> String {
 /// At which bank angles it can fire evenly.
 pub(super) fn even_firing_words(angles: &BTreeSet<Turn>) -> Text {
     match angles.is_empty() {
-        true => "It cannot fire evenly at any bank angle.".into(),
-        false => phrase!("It fires evenly only at φ = {}.", list(angles)),
+        true => text::fires_unevenly(),
+        false => text::fires_evenly_at(list(angles)),
     }
 }
 
 /// For which bank angles and pin splits together it can.
 pub(super) fn even_firing_lines_words(even: &EvenFiring) -> Text {
     match even.turns.is_empty() {
-        true => "It cannot fire evenly at any bank angle and pin split.".into(),
-        false => {
-            phrase!("It can fire evenly exactly where {} ≡ {}.", unknowns(&even.phi, &even.delta), list(&even.turns))
-        }
+        true => text::fires_unevenly_always(),
+        false => text::fires_evenly_where(unknowns(&even.phi, &even.delta), list(&even.turns)),
     }
 }
 
@@ -171,9 +170,7 @@ pub(in crate::report) fn argument(sum: &OpenSum) -> Text {
     let one = |part: &Part| {
         let certificate = argument::certificate_of(&part.sum, &part.certificate);
         match (&sum.symbol, has_open_angles) {
-            (_, true) => {
-                phrase!("Turned by {}: {}. {}", unknowns(&part.phi, &part.delta), value(part), certificate)
-            }
+            (_, true) => text::turned(unknowns(&part.phi, &part.delta), value(part), certificate),
             (Some(_), false) => phrase!("{}. {}", value(part), certificate),
             // The lead of the verdict says it already.
             (None, false) => certificate,
@@ -182,18 +179,16 @@ pub(in crate::report) fn argument(sum: &OpenSum) -> Text {
     let sentences = sum.parts.iter().map(one).chain(has_open_angles.then(|| why(&sum.when)));
     let sentences = Text::joined(sentences, " ");
     match &sum.symbol {
-        Some(symbol) => phrase!("Factor of {}: {}", symbol.clone(), sentences),
+        Some(symbol) => text::factor_of(symbol.clone(), sentences),
         None => sentences,
     }
 }
 
 pub(super) fn why(when: &When) -> Text {
     match when {
-        When::Always => "Every part vanishes, so the sum does for all angles.".into(),
-        When::Never(Never::OnePart) => "One part remains, so the sum vanishes for no angle.".into(),
-        When::Never(Never::UnequalLengths(_)) => {
-            "Two parts remain and their lengths differ (proved), so they cancel for no angle.".into()
-        }
+        When::Always => text::all_parts_vanish(),
+        When::Never(Never::OnePart) => text::one_part(),
+        When::Never(Never::UnequalLengths(_)) => text::unequal_parts(),
         When::Never(Never::Coprime(found)) => circle_words::coprime(found),
         When::Never(Never::Circle(circle)) | When::Circle(circle) => circle_words::why(circle),
         When::Never(Never::Triangle(triangle)) | When::Triangle(triangle) => plane_words::triangle_why(triangle),
@@ -201,30 +196,13 @@ pub(super) fn why(when: &When) -> Text {
         When::Never(Never::Quadratic(found)) | When::Quadratic(found) => quadratic_words::why(found),
         When::Never(Never::Product(product)) | When::Product(product) => product_why(product),
         When::Never(Never::Boxes(found)) | When::Boxes(found) => boxes_words::why(found),
-        When::Where(angles) => {
-            let Some(conditions) = conditions(angles, exactly) else {
-                return "The remaining parts are equally long (proved), but no angles in (0°, 360°) make them cancel.".into();
-            };
-            phrase!(
-                "The remaining parts are equally long (proved), so they cancel exactly where they are {opposite|120° apart}: {} (modulo 360°).",
-                angles.alternatives.len() == 1,
-                conditions
-            )
-        }
-        When::Irrational { .. } => {
-            "The two parts are equally long (proved) and cancel where they are opposite; no rational turn was found for that.".into()
-        }
-        When::Cosine(found) => {
-            let cosine = typeset::number(&found.cosine);
-            phrase!(
-                "Two of the parts are mirror images about the third and equal multiples of it (proved), so that the sum vanishes exactly where cos({}) = {}.",
-                argument_of(found),
-                cosine
-            )
-        }
-        When::NotSolved(count) => {
-            phrase!("{} parts remain; for which angles they cancel is not solved here.", *count)
-        }
+        When::Where(angles) => match conditions(angles, exactly) {
+            Some(conditions) => text::cancel_where(angles.alternatives.len() == 1, conditions),
+            None => text::cannot_cancel(),
+        },
+        When::Irrational { .. } => text::no_rational_turn(),
+        When::Cosine(found) => text::mirror_images(argument_of(found), typeset::number(&found.cosine)),
+        When::NotSolved(count) => text::not_solved(*count),
     }
 }
 
@@ -239,13 +217,7 @@ pub(super) fn product_condition(product: &Product) -> Text {
 
 /// Why it vanishes there, and nowhere else.
 pub(super) fn product_why(product: &Product) -> Text {
-    phrase!(
-        "The parts make {} groups, each a multiple of the first and turned against it (proved), so that the sum is a product: that of one group, \
-         and that of the first parts of all; it vanishes where either does. The group: {} The first parts: {}",
-        product.groups.len(),
-        why(&product.group),
-        why(&product.firsts)
-    )
+    text::product(product.groups.len(), why(&product.group), why(&product.firsts))
 }
 
 fn value(part: &Part) -> Text {
@@ -271,5 +243,5 @@ fn factored(factor: &Form, lengths: &Linear) -> Text {
 pub(super) fn left_sentence(verdict: &OpenVerdict) -> Option<Text> {
     let Remaining::Factored { factor, lengths, direction, degrees } = family::remaining(verdict) else { return None };
     let bearing = Bearing { exact: direction, decimal: degrees };
-    Some(phrase!("Residual: length {}, angle {}.", factored(&factor, &lengths), bearing))
+    Some(text::residual(factored(&factor, &lengths), bearing))
 }

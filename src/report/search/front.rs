@@ -3,14 +3,10 @@
 use num_traits::Zero;
 
 use crate::page::plot::{Axis, Curve, Plot, PointMark};
-use crate::page::{File, Picture, phrase};
+use crate::page::{File, Picture};
 use crate::proof::Sense;
+use crate::report::texts::search as text;
 use crate::search::{FoundStar, Front};
-
-/// What is reported where only the two moments shown are compared.
-const STAIRS: &str = "Every star above and to the right of the steps is dominated.";
-/// What is reported where more is compared.
-const OTHERS: &str = "A star that seems dominated here is better in a value that is not drawn.";
 
 /// The first two orders that can differ; none where just one star or one order is there to be shown.
 pub(super) fn front_picture(front: &Front) -> Option<Picture> {
@@ -40,10 +36,7 @@ pub(super) fn front_picture(front: &Front) -> Option<Picture> {
         };
         plot.marks.push(PointMark::dot(at(star), label));
     }
-    let caption = phrase!(
-        "The front: a dot for each star of the table with its number, and in brackets how many equal stars there are. {}",
-        if only_these { STAIRS } else { OTHERS }
-    );
+    let caption = text::front(if only_these { text::steps() } else { text::better_elsewhere() });
     Some(Picture::new("front", caption, plot.figure()))
 }
 

@@ -3,8 +3,9 @@
 use super::super::star::{star_figure, star_legend};
 use super::super::views::{end_view, end_view_caption};
 use crate::order::Masses;
-use crate::page::{Picture, phrase};
+use crate::page::Picture;
 use crate::proof::Quantity;
+use crate::report::texts::search as text;
 use crate::search::{FoundStar, Problem};
 use crate::verdict::classify;
 
@@ -24,19 +25,14 @@ pub(in crate::report) fn pictures_at(
     let Ok(engine) = star.engine(problem) else { return Vec::new() };
     let from_the_end = Picture {
         name: format!("star-{number}"),
-        caption: phrase!("Star {}. {}", number, end_view_caption(&engine)),
+        caption: text::crankshaft(number, end_view_caption(&engine)),
         figure: end_view(&engine),
     };
     let judged = order.and_then(|order| classify(&engine, &[order], Masses::Reciprocating, &Quantity::PLANAR).ok());
     let parts = judged.iter().flatten().flat_map(|order| order.parts.first());
     let vectors = parts.map(|order| Picture {
         name: format!("star-{number}-order-{}", order.order),
-        caption: phrase!(
-            "Star {}, order {}: the two vectors of each cylinder, of the force and of the moment. {}",
-            number,
-            order.order,
-            star_legend(&engine, order)
-        ),
+        caption: text::star_vectors(number, order.order, star_legend(&engine, order)),
         figure: star_figure(&engine, order),
     });
     [from_the_end].into_iter().chain(vectors).collect()

@@ -12,6 +12,7 @@ use crate::engine::CycleOrder;
 use crate::numbers::float;
 use crate::page::figure::Figure;
 use crate::page::{Block, Picture, Table, Text, phrase};
+use crate::report::texts::sweep as text;
 use crate::sweep::{Amplitude, FiringSweep, FiringZeros, StarLength, Sweep, SweptEngine};
 
 /// More points than this are left to the table in CSV.
@@ -20,8 +21,6 @@ const MOST_ROWS: usize = 200;
 const MOST_CURVES: usize = 3;
 /// More exact zeros of an order than this are not marked.
 const MOST_MARKS: usize = 60;
-
-const MEANING: &str = "The firing star of order $\\kappa$, $\\sum_j r_j e^{-i\\kappa\\varphi_j}$, is proportional to the gas torque of that order where all cylinders share one pressure law: where it is 0 the order vanishes for every such law. Its length is in crank radii. Half orders are given where the cylinders can fire as the layout says.";
 
 /// A sentence per order, and the table of zeros.
 pub(super) fn answer(sweep: &Sweep) -> Vec<Block> {
@@ -33,12 +32,11 @@ pub(super) fn answer(sweep: &Sweep) -> Vec<Block> {
 /// All that a page tells of them.
 pub(super) fn section(sweep: &Sweep) -> Vec<Block> {
     let Some(firing) = &sweep.firing else { return Vec::new() };
-    let mut blocks = vec![Block::Heading(1, "Orders of the gas torque".into())];
-    blocks.extend(answer(sweep));
-    blocks.push(Block::Paragraph(MEANING.into()));
+    let mut blocks = answer(sweep);
+    blocks.push(text::firing_star().into());
     blocks.extend(picture(sweep, firing).map(Block::from));
     if sweep.points.len() <= MOST_ROWS {
-        let summary = phrase!("The firing stars at each of the {} points", sweep.points.len());
+        let summary = text::firing_stars_at_points(sweep.points.len());
         blocks.push(Block::folded(summary, vec![points(sweep, firing).into()]));
     }
     blocks
@@ -52,63 +50,41 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
     let count = |of: StarLength| firing.points.iter().filter(|stars| stars[place_of] == of).count();
     let (several, open) = (count(StarLength::OfSeveralRods), count(StarLength::NotDecided));
     if open > 0 {
-        return phrase!(
-            "**Gas torque of order {}:** not decided at {} of {} values.",
-            order,
-            open,
-            firing.points.len()
-        );
+        return text::torque_undecided(order, open, firing.points.len());
     }
     if several > 0 {
-        return phrase!(
-            "**Gas torque of order {}:** not {} at {} of {} values, where the rods are of several kinds: their stars have no common length. Exactly {} at {} values.",
-            order,
-            Text::zero(),
-            several,
-            firing.points.len(),
-            Text::zero(),
-            lengths.iter().filter(|(length, _)| length.vanishes).count()
-        );
+        let vanishing = lengths.iter().filter(|(length, _)| length.vanishes).count();
+        return text::torque_of_several_rods(order, Text::zero(), several, firing.points.len(), vanishing);
     }
     let set = firing.zeros.as_ref().map(|zeros| &zeros[place_of]);
     let Some([greatest, least]) = Extreme::of(&lengths) else {
         return match set {
             Some(FiringZeros { everywhere: true, .. }) => everywhere(firing.orders[place_of]),
-            _ => phrase!(
-                "**Gas torque of order {}:** the cylinders can fire as the layout says at no value of the sweep.",
-                order
-            ),
+            _ => text::torque_never_fired(order),
         };
     };
     let exact = |set: &FiringZeros| listed(amounts::zeros(&sweep.parameters[0], &set.at, &set.irrational));
     match set {
         Some(FiringZeros { everywhere: true, .. }) => everywhere(firing.orders[place_of]),
         None if greatest.amplitude.vanishes => everywhere(firing.orders[place_of]),
-        Some(set) if set.complete && !(set.at.is_empty() && set.irrational.is_empty()) => phrase!(
-            "**Gas torque of order {}:** exactly {} at {} and nowhere else in the range; the firing star is at most {}, at {}.",
-            order,
-            Text::zero(),
-            exact(set),
-            number_of(greatest.amplitude),
-            greatest.listed(sweep)
-        ),
-        _ => phrase!(
-            "**Gas torque of order {}:** the firing star is from {} at {} up to {} at {}.",
+        Some(set) if set.complete && !(set.at.is_empty() && set.irrational.is_empty()) => {
+            text::torque_zeros(order, Text::zero(), exact(set), number_of(greatest.amplitude), greatest.listed(sweep))
+        }
+        _ => text::torque_from_to(
             order,
             number_of(least.amplitude),
             least.listed(sweep),
             number_of(greatest.amplitude),
-            greatest.listed(sweep)
+            greatest.listed(sweep),
         ),
     }
 }
 
 fn everywhere(order: CycleOrder) -> Text {
-    let words = match order.is_whole() {
-        true => "**Gas torque of order {}:** exactly {} at every value.",
-        false => "**Gas torque of order {}:** exactly {} wherever the cylinders fire as the layout says.",
-    };
-    phrase!(words, order.to_string(), Text::zero())
+    match order.is_whole() {
+        true => text::torque_vanishes(order.to_string(), Text::zero()),
+        false => text::torque_vanishes_where_fired(order.to_string(), Text::zero()),
+    }
 }
 
 /// Where each star vanishes, for one angle.
@@ -152,11 +128,7 @@ fn picture(sweep: &Sweep, firing: &FiringSweep) -> Option<Picture> {
         return None;
     }
     let plots = drawn.chunks(MOST_CURVES).map(|chunk| plot(sweep, firing, chunk)).collect();
-    Some(Picture {
-        name: "firing-stars".to_owned(),
-        caption: "Length of the firing stars, in crank radii. Rings are exact zeros; a curve ends where the cylinders cannot fire as the layout says.".into(),
-        figure: stacked(plots),
-    })
+    Some(Picture { name: "firing-stars".to_owned(), caption: text::firing_stars_drawn(), figure: stacked(plots) })
 }
 
 fn plot(sweep: &Sweep, firing: &FiringSweep, orders: &[usize]) -> Figure {

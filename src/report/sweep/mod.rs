@@ -1,7 +1,6 @@
 //! How is a sweep shown? A table with one row per point, and a page with curves or maps.
 
 mod amounts;
-mod assumptions;
 pub(super) mod data;
 mod findings;
 mod firing;

@@ -2,7 +2,8 @@
 
 use super::amounts::{place, place_cells, place_headings};
 use super::findings::listed;
-use crate::page::{Table, Text, phrase};
+use crate::page::{Table, Text};
+use crate::report::texts::sweep as text;
 use crate::report::values::{cell, heading, with_unit};
 use crate::sweep::{Observed, ObservedSweep, Sweep, SweptEngine};
 use crate::table::{Single, Value};
@@ -24,17 +25,16 @@ fn of_value(sweep: &Sweep, values: &[Observed], name: &str, index: usize) -> Vec
     let points = sweep.points.iter().zip(values);
     let all: Vec<At> = points.filter_map(|(point, values)| Some((point, values.get(index)?.as_ref().ok()?))).collect();
     let missing = sweep.points.len() - all.len();
-    let lacking =
-        (missing > 0).then(|| phrase!("{} has no value at {} of the {} points.", name(), missing, sweep.points.len()));
+    let lacking = (missing > 0).then(|| text::lacking(name(), missing, sweep.points.len()));
     let told = all.first().map(|(_, first)| {
         if missing == 0 && all.iter().all(|(_, other)| other.value() == first.value()) {
-            return phrase!("**{}:** {} at every value.", name(), with_unit(first));
+            return text::everywhere(name(), with_unit(first));
         }
         match extremes(&all) {
             Some([(least, low), (greatest, high)]) => {
                 let at = |points: Vec<&SweptEngine>| listed(points.into_iter().map(|at| place(sweep, at)).collect());
                 let [least, greatest] = [least, greatest].map(with_unit);
-                phrase!("**{}:** from {} at {} up to {} at {}.", name(), least, at(low), greatest, at(high))
+                text::from_to(name(), least, at(low), greatest, at(high))
             }
             None => {
                 let mut different: Vec<&Single> = Vec::new();
@@ -43,7 +43,7 @@ fn of_value(sweep: &Sweep, values: &[Observed], name: &str, index: usize) -> Vec
                         different.push(value);
                     }
                 }
-                phrase!("**{}:** {}.", name(), listed(different.into_iter().map(with_unit).collect()))
+                text::different_values(name(), listed(different.into_iter().map(with_unit).collect()))
             }
         }
     });

@@ -1,35 +1,19 @@
 //! What is on the page of a sweep, and on the terminal? What is zero and what is greatest first, then the plots and every point.
 
 use super::amounts::{counted, in_newtons, unit, value};
-use super::assumptions::assumptions;
 use super::findings::{Finding, findings};
 use super::sentences::{firing_sentence, gone_sentence};
 use super::{firing, observed, plots, tables};
 use crate::loads::Arm;
-use crate::page::{Block, Document, Text, phrase};
+use crate::page::{Block, Document, Text};
 use crate::proof::Planar;
-use crate::sweep::{Parameter, Sweep, ZeroSet};
+use crate::report::texts::sweep as text;
+use crate::sweep::{Geometry, Parameter, Sweep, ZeroSet};
 
 /// More points than this are left to the table in CSV.
 const MOST_ROWS: usize = 200;
 /// More forces and moments than this are left to the table below the answer.
 const MOST_SENTENCES: usize = 4;
-
-const ALL_ZEROS: &str = "The exact values inside the range, on the grid of the sweep or between its points. The lists are complete: nowhere else in the \
-    range does one of these vanish.";
-const SOME_ZEROS: &str = "The exact values inside the range, on the grid of the sweep or between its points. The lists are complete but for those that \
-    say otherwise.";
-const PARTS: &str = "Direct and reverse are the two vectors of an order, which turn with the crank and against it. All: both vanish, and with them the \
-    whole force or moment. Along is the part in the reference direction, which for a V is the bisector of its banks; across is the \
-    part at right angles to it.";
-const SIZES: &str =
-    "All amplitudes are from zero to peak. Largest and smallest: the greatest and the least length in a revolution.";
-const EXACT: &str = "Zeros are decided exactly; amplitudes are decimals.";
-const MULTIPLES: &str = "$m$ is the reciprocating mass of a cylinder, $r$ the crank radius, $\\omega$ the speed of the crank in radians a second.";
-const COEFFICIENT: &str = "$c_k$ is the coefficient of order k, which the rod decides; the layout gives no rod.";
-const SPACING: &str = "$a$ is the spacing of neighbouring cylinders, which the layout does not give as a length.";
-const COUNTERWEIGHTS: &str = "There are two counterweights, in the planes of the outermost throws. They cancel the part of order 1 that turns with the crank; the larger one is shown.";
-const FIRING: &str = "Firing intervals count where crankpins are in line with their cylinders: offsets move the top dead centres. Where the layout gives no firing order, they are those of the most even order that the throws allow.";
 
 /// The short answer: what is zero, what is greatest, and where.
 pub fn sweep_answer(sweep: &Sweep) -> Document {
@@ -48,40 +32,42 @@ pub fn sweep_answer(sweep: &Sweep) -> Document {
 pub fn sweep_page(sweep: &Sweep) -> Document {
     let sweep = &counted(sweep);
     let (found, gone) = findings(sweep);
-    let mut page = Document::new("sweep", title(sweep));
-    page.push(Block::Answer(sentences(sweep, &found, &gone)));
-    page.push(Block::Paragraph(swept(sweep)));
-    page.blocks.extend(others(sweep, &found));
-    let pictures = plots::drawings(sweep);
-    if !pictures.is_empty() {
-        page.section("Plots", Block::Pictures(pictures));
+    let points = match sweep.points.len() {
+        ..=MOST_ROWS => tables::points(sweep).into(),
+        count => {
+            let command = Text::code("crankstar sweep … --format csv");
+            text::points_in_file(count, Text::code("sweep.csv"), command).into()
+        }
+    };
+    let Geometry { bore, rod_ratio, half_width, above_pin, crankcase, spacing, ends } = &sweep.geometry;
+    text::Page {
+        title: title(sweep),
+        answer: Block::Answer(sentences(sweep, &found, &gone)).into(),
+        swept: swept(sweep).into(),
+        orders: others(sweep, &found).into(),
+        plots: plots::drawings(sweep).into(),
+        zeros: zeros(sweep).into_iter().flatten().collect(),
+        firing: firing::section(sweep).into(),
+        points,
+        // Beside the table of zeros it is reported already.
+        vectors: sweep.zeros.is_none().then(text::vectors).into(),
+        units: units(sweep).into(),
+        bore: bore.to_string().into(),
+        rod_ratio: rod_ratio.to_string().into(),
+        width: (2.0 * half_width).to_string().into(),
+        above_pin: above_pin.to_string().into(),
+        crankcase: crankcase.to_string().into(),
+        ends: ends.to_string().into(),
+        spacing: spacing.to_string().into(),
     }
-    if let Some(zeros) = zeros(sweep) {
-        page.push(Block::Heading(1, "Where each vector vanishes".into()));
-        page.blocks.extend(zeros);
-    }
-    page.blocks.extend(firing::section(sweep));
-    page.push(Block::Heading(1, "Every point".into()));
-    match sweep.points.len() <= MOST_ROWS {
-        true => page.blocks.extend(tables::points(sweep)),
-        false => page.push(phrase!(
-            "The {} points are in {}, which {} prints.",
-            sweep.points.len(),
-            Text::code("sweep.csv"),
-            Text::code("crankstar sweep … --format csv")
-        )),
-    }
-    page.section("How to read it", Block::List(conventions(sweep)));
-    page.push("Length, breadth and height are those of a simple geometry:");
-    page.push(Block::List(assumptions(&sweep.geometry).into()));
-    page
+    .document()
 }
 
 fn title(sweep: &Sweep) -> Text {
     match &sweep.parameters[..] {
-        [one, other] => phrase!("{}: {} and {} swept", &sweep.title, one.label.clone(), other.label.clone()),
-        [one, ..] => phrase!("{}: {} swept", &sweep.title, one.label.clone()),
-        [] => phrase!("{}: a sweep", &sweep.title),
+        [one, other] => text::title_of_two(&sweep.title, one.label.clone(), other.label.clone()),
+        [one, ..] => text::title(&sweep.title, one.label.clone()),
+        [] => text::title_alone(&sweep.title),
     }
 }
 
@@ -91,19 +77,19 @@ fn swept(sweep: &Sweep) -> Text {
         let show = |at| value(parameter, at, is_angle);
         let key = Text::code(parameter.key.to_string());
         let range = &parameter.range;
-        if range.count() == 1 {
-            return phrase!("{} at {} alone", key, show(&range.value(0)));
+        match range.count() {
+            1 => text::one_value(key, show(&range.value(0))),
+            count => text::range(key, show(&range.value(0)), show(&range.last()), count),
         }
-        phrase!("{} from {} to {}, {} values", key, show(&range.value(0)), show(&range.last()), range.count())
     };
     let ranges = Text::joined(sweep.axes().map(range), "; ");
     let [force, moment] = Planar::BOTH.map(|quantity| unit(sweep, quantity));
-    phrase!("Swept: {}. Forces are in {}, moments in {}.", ranges, force, moment)
+    text::swept(ranges, force, moment)
 }
 
 fn sentences(sweep: &Sweep, found: &[Finding], gone: &[(Planar, u32)]) -> Vec<Text> {
     let told = found.iter().take(MOST_SENTENCES).map(|finding| finding.sentence(sweep));
-    let rest = (found.len() > MOST_SENTENCES).then(|| "The other orders are in the table below.".into());
+    let rest = (found.len() > MOST_SENTENCES).then(text::other_orders);
     let values = observed::sentences(sweep);
     told.chain(rest).chain(gone_sentence(gone)).chain(firing_sentence(sweep)).chain(values).collect()
 }
@@ -119,21 +105,19 @@ fn zeros(sweep: &Sweep) -> Option<[Block; 3]> {
     let parameter = sweep.parameters.first()?;
     let complete = sets.iter().all(|set| set.complete);
     Some([
-        Block::Paragraph(if complete { ALL_ZEROS } else { SOME_ZEROS }.into()),
+        if complete { text::all_zeros() } else { text::some_zeros() }.into(),
         tables::zeros(parameter, sets).into(),
-        Block::Note(PARTS.into()),
+        Block::Note(text::vectors()),
     ])
 }
 
-fn conventions(sweep: &Sweep) -> Vec<Text> {
+/// The signs in the units.
+fn units(sweep: &Sweep) -> impl Iterator<Item = Text> {
     let multiples = !in_newtons(sweep);
-    let of_units = [
-        multiples.then_some(MULTIPLES),
-        (multiples && !sweep.rods_known).then_some(COEFFICIENT),
-        (sweep.arm == Arm::Spacing).then_some(SPACING),
+    let signs = [
+        multiples.then(text::multiples),
+        (multiples && !sweep.rods_known).then(text::coefficient),
+        (sweep.arm == Arm::Spacing).then(text::spacing),
     ];
-    // Beside the table of zeros it is reported already.
-    let parts = sweep.zeros.is_none().then_some(PARTS);
-    let words = [SIZES, EXACT].into_iter().chain(parts).chain(of_units.into_iter().flatten());
-    words.chain([COUNTERWEIGHTS, FIRING]).map(Text::from).collect()
+    signs.into_iter().flatten()
 }

@@ -9,8 +9,9 @@ use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
 use super::super::typeset;
 use super::amounts::{self, axis_name};
 use crate::numbers::float;
-use crate::page::{Picture, Text, phrase};
+use crate::page::{Picture, Text};
 use crate::proof::Planar;
+use crate::report::texts::sweep as text;
 use crate::sweep::{Amplitudes, Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// One of the amplitudes of an order.
@@ -18,12 +19,6 @@ pub(super) type Amplitude = fn(&Amplitudes) -> f64;
 
 /// More exact zeros than this are not marked one by one.
 const MOST_MARKS: usize = 60;
-
-/// What the drawings show.
-const CURVES: &str = "Above, the largest and the smallest value through a revolution; below, the largest along the reference \
-                      direction and across it. Curves that coincide share a name; at most 60 exact zeros are marked.";
-const MAP: &str = "The darker, the larger; the contour lines, at the values of the scale, are interpolated between the points of the \
-                   grid. Where there are more than 60 rings, none is drawn; without any, a dot marks the least value.";
 
 /// One drawing for each order of force and moment that is not zero at every point.
 pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
@@ -47,8 +42,8 @@ pub(super) fn drawings(sweep: &Sweep) -> Vec<Picture> {
 
 /// What a reader sees in a drawing.
 fn caption(sweep: &Sweep, quantity: Planar, order: u32) -> Text {
-    let shown = if sweep.parameters.len() == 1 { CURVES } else { MAP };
-    phrase!("{Force|Moment} of order {}. {}", quantity, order, shown)
+    let shown = if sweep.parameters.len() == 1 { text::curves() } else { text::map() };
+    text::drawing(quantity, order, shown)
 }
 
 pub(super) fn amplitudes(point: &SweptEngine, place: usize, quantity: Planar) -> Option<&Amplitudes> {

@@ -5,6 +5,7 @@ use super::amounts::{self, in_newtons, place, size, with_unit};
 use super::findings::{Finding, listed};
 use crate::page::{Text, number, phrase};
 use crate::proof::Planar;
+use crate::report::texts::sweep as text;
 use crate::sweep::{Sweep, SweptEngine, ZeroSet};
 
 impl Finding<'_> {
@@ -21,35 +22,19 @@ impl Finding<'_> {
         let zeros =
             self.set.map_or_else(Vec::new, |set| amounts::zeros(&sweep.parameters[0], &set.at, &set.irrational));
         match self.set {
-            _ if self.greatest.is_everywhere(sweep) && self.least.is_everywhere(sweep) => {
-                phrase!("**{}:** {} at every value.", name, most)
+            _ if self.greatest.is_everywhere(sweep) && self.least.is_everywhere(sweep) => text::everywhere(name, most),
+            Some(ZeroSet { complete: true, .. }) if !zeros.is_empty() => {
+                text::zeros_and_most(name, Text::zero(), listed(zeros), most, at_most)
             }
-            Some(ZeroSet { complete: true, .. }) if !zeros.is_empty() => phrase!(
-                "**{}:** exactly {} at {} and nowhere else in the range; at most {}, at {}.",
-                name,
-                Text::zero(),
-                listed(zeros),
-                most,
-                at_most
-            ),
-            Some(ZeroSet { complete: false, .. }) if !zeros.is_empty() => phrase!(
-                "**{}:** exactly {} at {}, perhaps elsewhere too; at most {}, at {}.",
-                name,
-                Text::zero(),
-                listed(zeros),
-                most,
-                at_most
-            ),
-            Some(ZeroSet { complete: true, .. }) => {
-                phrase!("**{}:** nowhere 0; from {} at {} up to {} at {}.", name, least, at_least, most, at_most)
+            Some(ZeroSet { complete: false, .. }) if !zeros.is_empty() => {
+                text::some_zeros_and_most(name, Text::zero(), listed(zeros), most, at_most)
             }
+            Some(ZeroSet { complete: true, .. }) => text::never_zero(name, least, at_least, most, at_most),
             Some(_) | None if !self.zeros.is_empty() => {
                 let at = listed(self.zeros.iter().map(|point| place(sweep, point)).collect());
-                phrase!("**{}:** exactly {} at {}; at most {}, at {}.", name, Text::zero(), at, most, at_most)
+                text::zeros_at_points(name, Text::zero(), at, most, at_most)
             }
-            Some(_) | None => {
-                phrase!("**{}:** from {} at {} up to {} at {}.", name, least, at_least, most, at_most)
-            }
+            Some(_) | None => text::from_to(name, least, at_least, most, at_most),
         }
     }
 }
@@ -71,13 +56,9 @@ pub(super) fn gone_sentence(gone: &[(Planar, u32)]) -> Option<Text> {
     let named = residual::orders_in_words;
     match (forces.is_empty(), moments.is_empty()) {
         (true, true) => None,
-        (false, true) => Some(phrase!("**Exactly zero at every value:** the force of {}.", named(&forces))),
-        (true, false) => Some(phrase!("**Exactly zero at every value:** the moment of {}.", named(&moments))),
-        (false, false) => Some(phrase!(
-            "**Exactly zero at every value:** the force of {}, the moment of {}.",
-            named(&forces),
-            named(&moments)
-        )),
+        (false, true) => Some(text::force_vanishes(named(&forces))),
+        (true, false) => Some(text::moment_vanishes(named(&moments))),
+        (false, false) => Some(text::both_vanish(named(&forces), named(&moments))),
     }
 }
 
@@ -93,7 +74,7 @@ pub(super) fn firing_sentence(sweep: &Sweep) -> Option<Text> {
     let at = listed(at.into_iter().map(|point| place(sweep, point)).collect());
     let [shortest, longest] = [&best.shortest, &best.longest].map(number::turns);
     Some(match shortest == longest {
-        true => phrase!("**Firing:** even, every {}, at {}.", shortest, at),
-        false => phrase!("**Firing:** most even, at intervals from {} to {}, at {}.", shortest, longest, at),
+        true => text::even_firing(shortest, at),
+        false => text::most_even_firing(shortest, longest, at),
     })
 }

@@ -7,6 +7,7 @@ use super::plots::amplitudes;
 use crate::engine::DOES_NOT_EXIST;
 use crate::page::{Block, Number, Table, Text, Unit, number, phrase};
 use crate::proof::Planar;
+use crate::report::texts::sweep as text;
 use crate::sweep::{Parameter, Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// A row for each order and quantity that does not vanish everywhere: where each vector does.
@@ -68,21 +69,21 @@ pub(super) fn points(sweep: &Sweep) -> Vec<Block> {
         let tables = sweep.orders.iter().enumerate().filter_map(|(index, &order)| {
             let has_value =
                 |point| amplitudes(point, index, quantity).is_some_and(|amplitudes| !amplitudes.largest.vanishes);
-            let about = phrase!("Order {}, in {}:", order, unit(sweep, quantity));
+            let about = text::amplitudes(order, unit(sweep, quantity));
             let table = sweep.points.iter().any(has_value).then(|| of_order(sweep, quantity, index))?;
             Some([Block::Paragraph(about), table.into()])
         });
         let tables: Vec<Block> = tables.flatten().collect();
-        let summary = phrase!("The {force|moment} at each of the {} points", quantity, sweep.points.len());
+        let summary = text::amplitudes_at_points(quantity, sweep.points.len());
         folds.extend((!tables.is_empty()).then(|| Block::folded(summary, tables)));
     }
     let others = others(sweep);
     if others.header.len() > sweep.parameters.len() {
-        let summary = phrase!("Firing, counterweights and size at each of the {} points", sweep.points.len());
+        let summary = text::others_at_points(sweep.points.len());
         folds.push(Block::folded(summary, vec![others.into()]));
     }
     folds.extend(observed::table(sweep).map(|table| {
-        let summary = phrase!("The values of other questions at each of the {} points", sweep.points.len());
+        let summary = text::values_at_points(sweep.points.len());
         Block::folded(summary, vec![table.into()])
     }));
     folds
