@@ -179,6 +179,8 @@ fn page_code(name: &str, lines: &[Line<'_>]) -> Result<String, Mistake> {
             _ => ("paragraph", line),
         };
         let several = match step {
+            // A title of several forms, which Rust chooses.
+            "title" => Some(("new", Kind::Text)),
             "paragraph" => Some(("blocks", Kind::Blocks)),
             "item" => Some(("items", Kind::Items)),
             "note" => Some(("notes", Kind::Items)),
@@ -186,7 +188,10 @@ fn page_code(name: &str, lines: &[Line<'_>]) -> Result<String, Mistake> {
         };
         if let (Some(place), Some((step, kind))) = (alone(text), several) {
             field(number, (place.to_owned(), kind))?;
-            let _ = writeln!(steps, "page.{step}(self.{place});");
+            let _ = match step {
+                "new" => writeln!(steps, "let mut page = Skeleton::new({name:?}, self.{place});"),
+                _ => writeln!(steps, "page.{step}(self.{place});"),
+            };
             continue;
         }
         let words = Words::read((number, text))?;
