@@ -9,8 +9,9 @@ use super::{table, typeset};
 use crate::engine::{Cylinder, Engine};
 use crate::exact::Turn;
 use crate::numbers;
-use crate::page::{Block, Number, Picture, Text, phrase};
+use crate::page::{Block, Number, Picture, Text};
 use crate::proof::Sense;
+use crate::report::texts::example as text;
 use crate::verdict::OrderBalance;
 
 /// What stands before equations (1) and (2): one cylinder of these sums, of order 1 or 2, put into them, with a picture.
@@ -22,18 +23,13 @@ pub fn worked(engine: &Engine, balance: &OrderBalance) -> Vec<Block> {
         || (balance.order == 1 && engine.is_centric());
     let is_shown = balance.exists && balance.order <= 2 && is_one;
     let Some((cylinder, weight)) = chosen(engine, balance).filter(|_| is_shown) else { return Vec::new() };
-    let mut blocks =
-        vec![Block::Paragraph(two_vectors(balance.order)), Block::Paragraph(numbers_of(cylinder, weight, balance))];
+    let mut blocks = vec![two_vectors(balance.order).into(), numbers_of(cylinder, weight, balance).into()];
     let has_side_part = balance.order == 1 && cylinder.rod().is_some_and(|rod| !rod.offset.is_zero());
-    blocks.extend(has_side_part.then(|| Block::Paragraph(OFFSET.into())));
+    blocks.extend(has_side_part.then(|| text::offset().into()));
     blocks.push(picture(cylinder, balance.order).into());
-    blocks.push(Block::Paragraph(ALL_CYLINDERS.into()));
+    blocks.push(text::all_cylinders().into());
     blocks
 }
-
-const OFFSET: &str = "The offset of this cylinder adds a part to $c_1$ that belongs to the sine: it lengthens both vectors and turns the direct one by a fixed angle \
-                      and the reverse one by as much the other way. The picture leaves it out.";
-const ALL_CYLINDERS: &str = "Every cylinder has two such vectors. Equation (2) adds up the direct ones of all cylinders, and the reverse ones, as they are at $\\theta = 0$; equation (1) turns both sums and takes half of their resultant.";
 
 /// A cylinder of the sums that has a mass: one whose throw and axis are both turned where there is one.
 fn chosen<'a>(engine: &'a Engine, balance: &'a OrderBalance) -> Option<(&'a Cylinder, &'a BigRational)> {
@@ -49,21 +45,8 @@ fn chosen<'a>(engine: &'a Engine, balance: &'a OrderBalance) -> Option<(&'a Cyli
 /// A cosine along a line as the half sum of two vectors that turn.
 fn two_vectors(order: u32) -> Text {
     match order {
-        1 => "The force of order 1 of one piston acts along the axis of its cylinder and swings as $\\cos(\\theta + \\beta - \\alpha)$ does: \
-              largest at top dead centre. It is half the sum of two vectors of constant length. The **direct** vector turns with the crank, \
-              the **reverse** vector at the same speed in the opposite sense; each is the mirror image of the other in the axis of the cylinder, so that across \
-              the axis they cancel at every moment."
-            .into(),
-        k => phrase!(
-            "The force of order {} of one piston acts along the axis of its cylinder and swings {} times in a revolution, as {} does. It \
-             is half the sum of two vectors of constant length. The **direct** vector turns with the crank at {} times its speed, the \
-             **reverse** vector at the same speed in the opposite sense; each is the mirror image of the other in the axis of the cylinder, so that across \
-             the axis they cancel at every moment.",
-            k,
-            k,
-            Text::formula(format!("\\cos {k}(\\theta + \\beta - \\alpha)")),
-            k
-        ),
+        1 => text::first_order(),
+        k => text::higher_order(k, Text::formula(format!("\\cos {k}(\\theta + \\beta - \\alpha)"))),
     }
 }
 
@@ -71,8 +54,7 @@ fn two_vectors(order: u32) -> Text {
 fn numbers_of(cylinder: &Cylinder, weight: &BigRational, balance: &OrderBalance) -> Text {
     let order = balance.order;
     let formula = |sense| table::phase_formula(i64::from(order), sense, true);
-    phrase!(
-        "Take cylinder {}: its throw is at β = {}, its axis at α = {}, and its mass counts {}. At θ = 0 its direct vector is at {}, here {}, and its reverse vector at {}, here {}; both are {} long.",
+    text::numbers(
         cylinder.name.clone(),
         typeset::angle(&cylinder.throw),
         typeset::degrees(&typeset::signed_degrees(&cylinder.bank)),
@@ -81,7 +63,6 @@ fn numbers_of(cylinder: &Cylinder, weight: &BigRational, balance: &OrderBalance)
         table::working(cylinder, order, Sense::Direct),
         formula(Sense::Reverse),
         table::working(cylinder, order, Sense::Reverse),
-        Number::exact(weight)
     )
 }
 
@@ -100,16 +81,8 @@ fn picture(cylinder: &Cylinder, order: u32) -> Picture {
     }
     let name = cylinder.name.clone();
     let caption = match order {
-        1 => phrase!(
-            "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the force (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by θ from where it is at θ = 0, the reverse vector by −θ.",
-            name
-        ),
-        _ => phrase!(
-            "Cylinder {} at two crank angles, angle 0 upwards: half of its direct vector and half of its reverse vector add up to the force (red) along the axis of the cylinder (dashed). Grey: the crank. The direct vector has turned by {}θ from where it is at θ = 0, the reverse vector by −{}θ.",
-            name,
-            order,
-            order
-        ),
+        1 => text::two_angles(name),
+        _ => text::two_angles_of_order(name, order),
     };
     Picture { name: "direct-and-reverse".to_owned(), caption, figure }
 }

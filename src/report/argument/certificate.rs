@@ -6,8 +6,9 @@ use num_traits::{One, Signed};
 use super::super::typeset;
 use super::sums::{MOST_IN_LIST, image_tex, sum_tex, vectors};
 use crate::exact::{PhasorSum, Term};
-use crate::page::{Text, phrase};
+use crate::page::Text;
 use crate::proof::{Certificate, Polygon, Residue, Step};
+use crate::report::texts::argument as text;
 use crate::verdict::Verdict;
 
 /// The numbers of the certificate of a verdict.
@@ -19,9 +20,7 @@ pub fn certificate(verdict: &Verdict) -> Text {
 pub(in crate::report) fn certificate_of(sum: &PhasorSum, certificate: &Certificate) -> Text {
     let collected = sum.collected();
     match certificate {
-        Certificate::Polygons { polygons } if polygons.is_empty() => {
-            "No polygon is needed, the collected sum is empty.".into()
-        }
+        Certificate::Polygons { polygons } if polygons.is_empty() => text::no_polygon(),
         Certificate::Polygons { polygons } => of_polygons(polygons),
         Certificate::Residue(residue) => of_residue(&collected, residue),
         Certificate::Splitting { steps } => of_splitting(&collected, steps),
@@ -31,11 +30,8 @@ pub(in crate::report) fn certificate_of(sum: &PhasorSum, certificate: &Certifica
 fn of_polygons(polygons: &[Polygon]) -> Text {
     let list = listed_polygons(polygons);
     match polygons.iter().any(|polygon| polygon.weight.is_negative()) {
-        false => phrase!("Polygons as (sides; turn of a corner; weight): {}.", list),
-        true => phrase!(
-            "Polygons as (sides; turn of a corner; weight): {}. A negative weight subtracts a polygon; if its number of sides is odd, that equals adding it turned by half a turn.",
-            list
-        ),
+        false => text::polygons(list),
+        true => text::polygons_subtracted(list),
     }
 }
 
@@ -52,11 +48,9 @@ fn fraction(value: &BigRational) -> String {
 /// The sum that is reduced.
 fn the_sum(collected: &[Term]) -> Text {
     match sum_tex(collected) {
-        Some(sum) => phrase!("The collected sum is {}.", Text::formula(format!("S = {sum}"))),
-        None if collected.len() <= MOST_IN_LIST => {
-            phrase!("The collected sum $S$ has the vectors {}.", vectors(collected))
-        }
-        None => phrase!("The collected sum $S$ has {} vectors.", collected.len()),
+        Some(sum) => text::sum(Text::formula(format!("S = {sum}"))),
+        None if collected.len() <= MOST_IN_LIST => text::sum_of_vectors(vectors(collected)),
+        None => text::sum_of_many(collected.len()),
     }
 }
 
@@ -66,19 +60,8 @@ fn of_residue(collected: &[Term], claim: &Residue) -> Text {
         // Every vector lies at angle 0: the sum is a number.
         let (residue, prime) = (residue.to_string(), prime.to_string());
         return match scale.is_one() {
-            true => phrase!(
-                "{} It is a whole number that is {} modulo {}, so it is not zero.",
-                the_sum(collected),
-                residue,
-                prime
-            ),
-            false => phrase!(
-                "{} Times {} it is a whole number that is {} modulo {}, so it is not zero.",
-                the_sum(collected),
-                scale.to_string(),
-                residue,
-                prime
-            ),
+            true => text::whole_number(the_sum(collected), residue, prime),
+            false => text::times_whole_number(the_sum(collected), scale.to_string(), residue, prime),
         };
     }
     let map = Text::formula(format!("e^{{2\\pi i/{conductor}}} \\mapsto {root}"));
@@ -87,46 +70,32 @@ fn of_residue(collected: &[Term], claim: &Residue) -> Text {
     let of = [prime, root, conductor].map(|number| Text::label(number.to_string()));
     let [prime_text, root_text, conductor_text] = of;
     match image_tex(collected, scale, conductor, root) {
-        Some(image) => phrase!(
-            "{} Modulo the prime {} the powers of {} repeat after {}, so {} maps sums to sums: {}.",
+        Some(image) => text::image(
             the_sum(collected),
             prime_text,
             root_text,
             conductor_text,
             map,
-            Text::formula(format!("{times} \\mapsto {image} {not_zero}"))
+            Text::formula(format!("{times} \\mapsto {image} {not_zero}")),
         ),
-        None => phrase!(
-            "{} Modulo the prime {} the powers of {} repeat after {}, so {} maps sums to sums. A vector of weight \
-             $w$ at the angle $t$ becomes {}; added up, {}.",
+        None => text::long_image(
             the_sum(collected),
             prime_text,
             root_text,
             conductor_text,
             map,
             Text::formula(format!("w \\cdot {root}^{{{conductor}\\,t/360^\\circ}}")),
-            Text::formula(format!("{times} \\mapsto {}", not_zero.trim_start_matches("\\equiv ")))
+            Text::formula(format!("{times} \\mapsto {}", not_zero.trim_start_matches("\\equiv "))),
         ),
     }
 }
 
 fn of_splitting(collected: &[Term], steps: &[Step]) -> Text {
     let step = |step: &Step| match step {
-        Step::Class { angle, modulus } => phrase!(
-            "the vectors at {} of a turn plus multiples of 1/{} must sum to zero by themselves",
-            fraction(angle),
-            modulus.to_string()
-        ),
-        Step::Compare { prime, first, second } => phrase!(
-            "the classes {} and {} of the prime {} must be equal, so their difference must be zero",
-            first.to_string(),
-            second.to_string(),
-            prime.to_string()
-        ),
+        Step::Class { angle, modulus } => text::class(fraction(angle), modulus.to_string()),
+        Step::Compare { prime, first, second } => {
+            text::classes(first.to_string(), second.to_string(), prime.to_string())
+        }
     };
-    phrase!(
-        "{} If it were zero, then {}; but one vector remains, and it is not zero.",
-        the_sum(collected),
-        Text::joined(steps.iter().map(step), "; of these, ")
-    )
+    text::splitting(the_sum(collected), Text::joined(steps.iter().map(step), "; of these, "))
 }

@@ -12,6 +12,7 @@ use crate::engine::Engine;
 use crate::order::Source;
 use crate::page::Text;
 use crate::proof::Quantity;
+use crate::report::texts::argument as text;
 use crate::verdict::{JudgedStar, Reason, reason};
 pub use certificate::certificate;
 pub(super) use certificate::{certificate_of, listed_polygons};
@@ -22,24 +23,22 @@ pub(super) use sums::listed;
 pub fn argument<'a>(engine: &Engine, star: impl Into<JudgedStar<'a>>) -> Text {
     let star = star.into();
     match reason(engine, star) {
-        Reason::NoWeight if star.sources.is_empty() => "No mass contributes.".into(),
-        Reason::NoWeight if star.quantity == Quantity::MOMENT && stand_in_the_plane(engine, star) => {
-            "Every cylinder is in the reference plane: all arms are zero.".into()
-        }
-        Reason::NoWeight if star.quantity == Quantity::MOMENT => "Each mass is zero, or its arm is.".into(),
-        Reason::NoWeight => "All masses are zero.".into(),
+        Reason::NoWeight if star.sources.is_empty() => text::no_mass(),
+        Reason::NoWeight if star.quantity == Quantity::MOMENT && stand_in_the_plane(engine, star) => text::no_arm(),
+        Reason::NoWeight if star.quantity == Quantity::MOMENT => text::no_mass_or_arm(),
+        Reason::NoWeight => text::masses_zero(),
         Reason::Mirror => zero::mirror(engine),
         Reason::Cancels => zero::cancelling(engine, star),
         Reason::OpposedPairs => zero::opposed(engine, star),
         Reason::Rotation { fold } => zero::rotation(engine, star, fold),
         Reason::Polygons => zero::polygons(engine, star),
         Reason::OneVector(vector) => left::one(&vector),
-        Reason::TwoVectors(vectors) => left::few(left::TWO, &vectors),
-        Reason::OneTooLong(vectors) => left::few(left::ONE_TOO_LONG, &vectors),
-        Reason::ThreeAlike(vectors) => left::few(left::THREE_ALIKE, &vectors),
+        Reason::TwoVectors(vectors) => text::two_vectors(sums::vectors(&vectors)),
+        Reason::OneTooLong(vectors) => text::one_too_long(sums::vectors(&vectors)),
+        Reason::ThreeAlike(vectors) => text::three_alike(sums::vectors(&vectors)),
         Reason::OneSide { middle, within } => left::one_side(star.sum, &middle, &within),
         Reason::Component(component) => left::component(&component),
-        Reason::Certificate => "No set of regular polygons makes up this star; the certificate shows it.".into(),
+        Reason::Certificate => text::by_certificate(),
     }
 }
 

@@ -15,6 +15,7 @@ use crate::order::Source;
 use crate::page::number::angle;
 use crate::page::{Choice, Number, Text, phrase};
 use crate::proof::{Polygon, Quantity};
+use crate::report::texts::argument as text;
 use crate::verdict::{JudgedStar, corners, mirror_partners, opposed_partners};
 
 /// A mirror plane across the crankshaft.
@@ -22,11 +23,7 @@ pub(super) fn mirror(engine: &Engine) -> Text {
     let partners = mirror_partners(engine).unwrap_or_default().into_iter().enumerate();
     let cylinders: Vec<Source> = (0..engine.cylinders().len()).map(Source::Piston).collect();
     let pairs = pairs(engine, &cylinders, partners.filter(|(index, partner)| index < partner));
-    phrase!(
-        "By symmetry: the reference plane is a mirror plane of the crankshaft. The cylinders {} have the same throw, bank and mass, \
-         and opposite arms, so their vectors cancel in every order.",
-        Text::joined(pairs, ", ")
-    )
+    text::mirror(Text::joined(pairs, ", "))
 }
 
 /// Vectors that are equally long and opposite, two by two.
@@ -47,16 +44,8 @@ pub(super) fn opposed(engine: &Engine, star: JudgedStar<'_>) -> Text {
     let number = Choice::one_or_more(pairs.len());
     let listed = if pairs.len() == 1 { listed(pairs) } else { Text::joined(pairs, ", of ") };
     match star.quantity {
-        Quantity::MOMENT => phrase!(
-            "By opposed pairs: the vectors of {}, each multiplied by its arm, are equally long and opposite, and cancel{.| pair by pair.}",
-            listed,
-            number
-        ),
-        Quantity::FORCE | Quantity::Axial(_) => phrase!(
-            "By opposed pairs: the vectors of {} are equally long and opposite, and cancel{.| pair by pair.}",
-            listed,
-            number
-        ),
+        Quantity::MOMENT => text::opposed_with_arms(listed, number),
+        Quantity::FORCE | Quantity::Axial(_) => text::opposed(listed, number),
     }
 }
 
@@ -82,7 +71,7 @@ pub(super) fn cancelling(engine: &Engine, star: JudgedStar<'_>) -> Text {
         let names = source_names(engine, members.iter().map(|(source, _)| *source));
         phrase!("at {} ({}) {} = {}", angle(direction), names, added(members), Text::zero())
     };
-    phrase!("Like directions cancel: {}.", Text::joined(directions.iter().map(one), "; "))
+    text::cancelling(Text::joined(directions.iter().map(one), "; "))
 }
 
 /// `4.5 − 1.5 − 3`.
@@ -100,12 +89,7 @@ fn added(members: &[(Source, &BigRational)]) -> Text {
 
 /// A star that a turn carries into itself, and its polygons.
 pub(super) fn rotation(engine: &Engine, star: JudgedStar<'_>, fold: u32) -> Text {
-    let turn = angle(&Turn::fraction(1, i64::from(fold)));
-    let symmetry = phrase!(
-        "By symmetry: turned by {} the star is the same star, so its sum is the same when turned by {}, and only zero is.",
-        turn.clone(),
-        turn
-    );
+    let symmetry = text::rotation(angle(&Turn::fraction(1, i64::from(fold))));
     // A word on turned vectors has to come before the star is spoken of.
     let sentences = negative_turned(star).into_iter().chain([symmetry]).chain(sentences(engine, star));
     Text::joined(sentences, " ")
@@ -127,33 +111,20 @@ fn class(star: JudgedStar<'_>) -> Option<Text> {
     classes.dedup();
     let named = |class: &StarClass| Text::formula(class.to_string());
     (!classes.is_empty()).then(|| {
-        phrase!(
-            "In the words of Poonen and Rubinstein it has vectors of the class {}: they sum to zero, and no part of them does ({}).",
-            Text::joined(classes.into_iter().map(named), ", "),
-            Text::code("crankstar stars --atlas")
-        )
+        text::minimal_stars(Text::joined(classes.into_iter().map(named), ", "), Text::code("crankstar stars --atlas"))
     })
 }
 
 /// What is done with vectors of negative weight, where there are some.
 fn negative_turned(star: JudgedStar<'_>) -> Option<Text> {
-    ExactStar::new(star).has_turned.then(|| {
-        phrase!(
-            "Take the vectors of negative {arms|weight} turned by 180°, as they are drawn.",
-            star.quantity == Quantity::MOMENT
-        )
-    })
+    ExactStar::new(star).has_turned.then(|| text::negative_turned(star.quantity == Quantity::MOMENT))
 }
 
 /// A sentence on all polygons of this many sides; or, where some are taken away, on the polygons that make up the star.
 fn sentences(engine: &Engine, star: JudgedStar<'_>) -> Vec<Text> {
     let star = ExactStar::new(star);
     if star.polygons.iter().any(|polygon| !is_part(&star, polygon)) {
-        return vec![phrase!(
-            "The star is put together from regular polygons, each of which sums to zero: {}. Where their corners meet, the lengths \
-             are added.",
-            Text::joined(star.polygons.iter().map(added_or_taken), "; ")
-        )];
+        return vec![text::made_of_polygons(Text::joined(star.polygons.iter().map(added_or_taken), "; "))];
     }
     let mut sides: Vec<u64> = star.polygons.iter().map(|polygon| polygon.sides).collect();
     sides.sort_unstable();
@@ -187,23 +158,13 @@ fn names(engine: &Engine, ray: &ExactRay) -> String {
 
 /// A sentence on polygons with the same number of sides.
 fn sentence(engine: &Engine, star: &ExactStar, sides: u64, polygons: &[&Polygon]) -> Text {
+    let members =
+        |polygons: &[&Polygon]| Text::joined(polygons.iter().map(|polygon| member(engine, star, polygon)), "; ");
     match (sides, polygons) {
-        (2, [only]) => {
-            let vectors = inside(engine, star, only);
-            phrase!("The vectors {} are equally long and opposite, and cancel.", vectors)
-        }
-        (2, several) => phrase!(
-            "These vectors are equally long and opposite, two by two, and cancel: {}.",
-            Text::joined(several.iter().map(|polygon| member(engine, star, polygon)), "; ")
-        ),
-        (_, [only]) => {
-            phrase!("The vectors {} are the corners of {} and sum to zero.", inside(engine, star, only), name(sides))
-        }
-        (_, several) => phrase!(
-            "Each of these sets of vectors is the corners of {} and sums to zero: {}.",
-            name(sides),
-            Text::joined(several.iter().map(|polygon| member(engine, star, polygon)), "; ")
-        ),
+        (2, [only]) => text::opposite(inside(engine, star, only)),
+        (2, several) => text::opposite_pairs(members(several)),
+        (_, [only]) => text::polygon(inside(engine, star, only), name(sides)),
+        (_, several) => text::polygons_alike(name(sides), members(several)),
     }
 }
 
@@ -250,7 +211,7 @@ fn added_or_taken(polygon: &Polygon) -> Text {
     let at = listed(corners.terms().iter().map(|corner| angle(&corner.angle).into()).collect());
     let weight = Number::exact(&polygon.weight.abs());
     match polygon.weight.is_negative() {
-        false => phrase!("vectors of length {} at {}", weight, at),
-        true => phrase!("less vectors of length {} at {}", weight, at),
+        false => text::added(weight, at),
+        true => text::taken_away(weight, at),
     }
 }

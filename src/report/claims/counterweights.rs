@@ -4,20 +4,21 @@ use super::super::{residual, typeset};
 use crate::claim::{Status, Witness};
 use crate::page::{Text, Unit, phrase};
 use crate::remedy::Weight;
+use crate::report::texts::claims as text;
 
 /// The counterweights that were found, with their masses where the layout gives numbers; that there are none where the claim is not so.
 pub(super) fn found(found: &Witness, status: &Status) -> Text {
     if !status.holds() {
-        return "No counterweights at these positions do that.".into();
+        return text::no_counterweights();
     }
     let mass = |index: usize| found.masses.as_ref().and_then(|masses| masses.get(index)).copied();
     let each = found.weights.iter().enumerate().map(|(index, weight)| one(weight, mass(index)));
     let told = match found.weights.is_empty() {
-        true => "No counterweight is needed.".into(),
-        false => phrase!("Suitable counterweights: {}.", Text::joined(each, "; ")),
+        true => text::no_counterweight_needed(),
+        false => text::counterweights(Text::joined(each, "; ")),
     };
     match found.crankshaft_mass {
-        Some(mass) => phrase!("{} The crankshaft's mass is then {}.", told, kilograms(mass)),
+        Some(mass) => text::crankshaft_mass_then(told, kilograms(mass)),
         None => told,
     }
 }
@@ -29,16 +30,9 @@ fn kilograms(mass: f64) -> Text {
 fn one(weight: &Weight, mass: Option<f64>) -> Text {
     let at = typeset::number(&weight.position);
     match (mass, weight.vector.only()) {
-        (Some(mass), Some((_, sum))) => {
-            phrase!("at z = {}, {} at the crank radius, angle {}", at, kilograms(mass), residual::bearing(sum))
-        }
-        (Some(mass), None) => phrase!("at z = {}, {} at the crank radius", at, kilograms(mass)),
-        (None, Some((_, sum))) => phrase!(
-            "at z = {}, mass-radius {} in multiples of m r, angle {}",
-            at,
-            residual::modulus_of(sum),
-            residual::bearing(sum)
-        ),
-        (None, None) => phrase!("at z = {}, none", at),
+        (Some(mass), Some((_, sum))) => text::mass_at_angle(at, kilograms(mass), residual::bearing(sum)),
+        (Some(mass), None) => text::mass(at, kilograms(mass)),
+        (None, Some((_, sum))) => text::mass_radius(at, residual::modulus_of(sum), residual::bearing(sum)),
+        (None, None) => text::no_mass(at),
     }
 }

@@ -10,6 +10,7 @@ use crate::order::Masses;
 use crate::page::{Text, Unit, number, phrase};
 use crate::proof::{Quantity, Sense, Shape};
 use crate::remedy::{Remedy, Shaft};
+use crate::report::texts::claims as text;
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, TorquePart, Verdict};
 
 /// `true`, `false`, `true only if …`.
@@ -23,8 +24,8 @@ pub fn claim_status(answer: &Answer) -> Text {
             let words = Text::joined(conditions.iter().map(condition), " and ");
             // Where the layout names no firing order there is none to be one of these.
             match conditions.contains(&Condition::FiringOrder) {
-                true => phrase!("true only if {}", words),
-                false => phrase!("true only if {}, {as it is|which it is not} here", words, *met),
+                true => text::only_if(words),
+                false => text::only_if_here(words, *met),
             }
         }
     }
@@ -32,13 +33,11 @@ pub fn claim_status(answer: &Answer) -> Text {
 
 fn condition(condition: &Condition) -> Text {
     match condition {
-        Condition::AboutPlane(plane) | Condition::NotAboutPlane(plane) => phrase!(
-            "moments are {|not }taken about the plane z = {}",
-            matches!(condition, Condition::AboutPlane(_)),
-            typeset::number(plane)
-        ),
-        Condition::NoBankOffset => "the cylinders of a crankpin are in one plane".into(),
-        Condition::FiringOrder => "the firing order is one of the even ones".into(),
+        Condition::AboutPlane(plane) | Condition::NotAboutPlane(plane) => {
+            text::moments_about(matches!(condition, Condition::AboutPlane(_)), typeset::number(plane))
+        }
+        Condition::NoBankOffset => text::pins_in_one_plane(),
+        Condition::FiringOrder => text::even_firing_order(),
     }
 }
 
@@ -53,14 +52,8 @@ pub fn claim_finding_on(
     let differs = |of_all: &Status| *of_all == Status::NotDecided || of_all.holds() != answer.status.holds();
     match of_all.filter(|of_all| answer.status != Status::NotDecided && differs(of_all)) {
         None => finding,
-        Some(Status::NotDecided) => {
-            phrase!("{} This is for the pistons alone; of all masses the claim is not decided.", finding)
-        }
-        Some(of_all) => phrase!(
-            "{} This is for the pistons alone; the claim is {true|false} of all masses.",
-            finding,
-            of_all.holds()
-        ),
+        Some(Status::NotDecided) => text::of_all_not_decided(finding),
+        Some(of_all) => text::of_all(finding, of_all.holds()),
     }
 }
 
@@ -78,12 +71,12 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
             Asked { surviving, judged: *judged, period: *period, first: first.as_deref() }.finding(statement)
         }
         (Finding::FiringStars(orders), _) => gas_torque::found(orders, statement),
-        (Finding::Firing(None), _) => "The layout gives no firing order.".into(),
+        (Finding::Firing(None), _) => text::no_firing_order(),
         (Finding::Firing(Some(intervals)), _) => {
             let degrees = intervals.iter().map(|interval| typeset::turns(interval).into());
-            phrase!("The intervals are {}.", Text::joined(degrees, ", "))
+            text::intervals(Text::joined(degrees, ", "))
         }
-        (Finding::Mass(mass), _) => phrase!("The crankshaft's mass is {}.", number::given_with(mass, Unit::KILOGRAM)),
+        (Finding::Mass(mass), _) => text::crankshaft_mass(number::given_with(mass, Unit::KILOGRAM)),
         (Finding::Bearings(loads), _) => super::super::bearings::peaks_in_words(loads),
         (Finding::CombinedOrders(orders), _) => Text::joined(orders.iter().map(of_several_rods), " "),
         (Finding::Remedy(remedy), _) => needs(remedy),
@@ -98,7 +91,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
 /// What is left of an order to which several kinds of rods contribute.
 fn of_several_rods(order: &OrderVerdict) -> Text {
     let [force, moment] = residual::whole(order);
-    phrase!("Order {}: force {}; moment: {}.", order.order, force, moment)
+    text::order_left(order.order, force, moment)
 }
 
 /// What takes an order away, in a word or two.
@@ -107,24 +100,19 @@ pub fn needs(remedy: &Remedy) -> Text {
     let shafts: Vec<&Shaft> = remedy.shafts.iter().filter(|shaft| remedy.crank_of(shaft).is_none()).collect();
     let weights = remedy.crankshaft.is_some() || shafts.len() < remedy.shafts.len();
     match shafts.as_slice() {
-        [] if weights => phrase!("Order {} needs counterweights alone.", order),
-        [] => phrase!("Order {} needs nothing.", order),
-        [one] => phrase!(
-            "Order {} needs {counterweights and |}one balancer shaft {with|against} the crank.",
-            order,
-            weights,
-            one.sense
-        ),
-        [one, _] if one.lanchester => phrase!("Order {} needs a Lanchester pair.", order),
-        [..] => phrase!("Order {} needs two balancer shafts, one turning each way.", order),
+        [] if weights => text::counterweights_alone(order),
+        [] => text::nothing_needed(order),
+        [one] => text::one_shaft(order, weights, one.sense),
+        [one, _] if one.lanchester => text::lanchester_pair(order),
+        [..] => text::two_shafts(order),
     }
 }
 
 fn about_torque(torque: &TorquePart) -> Text {
     let order = torque.verdict.order;
     match torque.exists {
-        true => phrase!("Order {} of the torque is {}.", order, residual::torque_part(torque)),
-        false => phrase!("Order {} of the torque does not exist. {}", order, WHY_NOT),
+        true => text::torque_order(order, residual::torque_part(torque)),
+        false => text::no_torque_order(order, WHY_NOT),
     }
 }
 
@@ -132,7 +120,7 @@ fn about_order(subject: Subject, order: &OrderBalance) -> Text {
     let is_force = subject.quantity == Quantity::FORCE;
     let k = subject.order;
     if !order.exists {
-        return phrase!("Order {} of the {force|moment} does not exist. {}", k, is_force, WHY_NOT);
+        return text::no_order(k, is_force, WHY_NOT);
     }
     let balance: &Balance = if is_force { &order.force } else { &order.moment };
     let verdict: Option<&Verdict> = subject.sense.map(|sense| match sense {
@@ -141,18 +129,15 @@ fn about_order(subject: Subject, order: &OrderBalance) -> Text {
     });
     let name = whose(if is_force { "force" } else { residual::moment_name(order) }, subject.masses);
     match verdict {
-        Some(verdict) if verdict.vanishes() => {
-            phrase!("The {} vector of the {} of order {} is {}.", sense(verdict), name, k, Text::zero())
-        }
-        Some(verdict) => phrase!(
-            "The {} vector of the {} of order {} is {} long, angle {}.",
+        Some(verdict) if verdict.vanishes() => text::zero_vector(sense(verdict), name, k, Text::zero()),
+        Some(verdict) => text::vector(
             sense(verdict),
             name,
             k,
             residual::modulus(verdict).mean(&Amount::zero()),
-            residual::bearing(&verdict.sum)
+            residual::bearing(&verdict.sum),
         ),
-        None if balance.is_balanced() => phrase!("The {} of order {} is {}.", name, k, Text::zero()),
+        None if balance.is_balanced() => text::zero_order(name, k, Text::zero()),
         None => left(&name, k, balance),
     }
 }
@@ -160,23 +145,15 @@ fn about_order(subject: Subject, order: &OrderBalance) -> Text {
 /// What is left of an order: its shape, its largest value, the angle of a rotating vector, the line of one that swings.
 fn left(name: &Text, order: u32, balance: &Balance) -> Text {
     let (name, shape, largest) = (name.clone(), residual::shape_name(balance.shape), residual::largest(balance));
-    let at_angle = "The {} of order {} is {}, its largest value {}, at angle {}.";
     match balance.shape {
-        Shape::Balanced | Shape::NotDecided | Shape::DoesNotExist => {
-            phrase!("The {} of order {} is {}, its largest value {}.", name, order, shape, largest)
-        }
-        Shape::Rotating => phrase!(at_angle, name, order, shape, largest, residual::bearing(&balance.direct.sum)),
+        Shape::Balanced | Shape::NotDecided | Shape::DoesNotExist => text::largest_value(name, order, shape, largest),
+        Shape::Rotating => text::largest_at_angle(name, order, shape, largest, residual::bearing(&balance.direct.sum)),
         Shape::CounterRotating => {
-            phrase!(at_angle, name, order, shape, largest, residual::bearing(&balance.reverse.sum))
+            text::largest_at_angle(name, order, shape, largest, residual::bearing(&balance.reverse.sum))
         }
-        Shape::Planar | Shape::Elliptical => phrase!(
-            "The {} of order {} is {}, its largest value {}, along the line of angle {}.",
-            name,
-            order,
-            shape,
-            largest,
-            residual::line_bearing(balance)
-        ),
+        Shape::Planar | Shape::Elliptical => {
+            text::largest_along_line(name, order, shape, largest, residual::line_bearing(balance))
+        }
     }
 }
 
@@ -184,9 +161,9 @@ fn left(name: &Text, order: u32, balance: &Balance) -> Text {
 fn whose(name: &'static str, masses: Masses) -> Text {
     match masses {
         Masses::Reciprocating => name.into(),
-        Masses::Rotating => phrase!("{} of the rotating masses", name),
-        Masses::Counterweights => phrase!("{} of the counterweights", name),
-        Masses::All => phrase!("{} of all masses", name),
+        Masses::Rotating => text::of_rotating_masses(name),
+        Masses::Counterweights => text::of_counterweights(name),
+        Masses::All => text::of_all_masses(name),
     }
 }
 
@@ -198,11 +175,7 @@ fn in_newtons(subject: Subject, absolute: &Absolute) -> Text {
     let unit = if subject.quantity == Quantity::MOMENT { Unit::NEWTON_METRE } else { Unit::NEWTON };
     let value = |value: f64| Text::measured_in(value, unit);
     match subject.order {
-        1 => phrase!("That is {}.", value(absolute.whole)),
-        _ => phrase!(
-            "That is {} with the first term of $c_k$ alone, {} with the whole series.",
-            value(absolute.first_term),
-            value(absolute.whole)
-        ),
+        1 => text::in_newtons(value(absolute.whole)),
+        _ => text::by_first_term(value(absolute.first_term), value(absolute.whole)),
     }
 }

@@ -3,7 +3,8 @@
 use super::super::torque::{angle, quantity};
 use crate::claim::{Agreement, LargestOf, Loaded, Measured};
 use crate::page::number;
-use crate::page::{Text, Unit, phrase};
+use crate::page::{Text, Unit};
+use crate::report::texts::claims as text;
 
 /// How far a formula is off.
 pub(super) fn agreement(found: &Agreement) -> Text {
@@ -14,21 +15,15 @@ pub(super) fn agreement(found: &Agreement) -> Text {
     );
     let percent = || Text::from(number::decimal(100.0 * found.part()));
     match (found.equal, constant) {
-        (true, true) => phrase!("It agrees: {}.", largest),
-        (false, true) => phrase!("It is {}; the formula is {} % off.", largest, percent()),
-        (true, false) => phrase!(
-            "At each of {} crank angles of the cycle both are the same to 10⁻⁹ of the largest value, {} at θ {}.",
-            found.angles,
-            largest,
-            angle(found.largest.angle)
-        ),
-        (false, false) => phrase!(
-            "The formula is off by up to {} at θ {}: {} % of the largest value, {} at θ {}.",
+        (true, true) => text::constant_agrees(largest),
+        (false, true) => text::constant_off(largest, percent()),
+        (true, false) => text::curve_agrees(found.angles, largest, angle(found.largest.angle)),
+        (false, false) => text::curve_off(
             measure(found.what, found.off.value),
             angle(found.off.angle),
             percent(),
             largest,
-            angle(found.largest.angle)
+            angle(found.largest.angle),
         ),
     }
 }
@@ -58,15 +53,14 @@ fn measure(what: Measured, value: f64) -> Text {
 pub(super) fn largest(found: &LargestOf) -> Text {
     let (size, at) = (quantity(found.peak.value, Unit::NEWTON), angle(found.peak.angle));
     let which = Text::label(found.which.clone());
-    let words = match found.of {
-        Loaded::MainBearing => "Bearing {} carries the largest load, {} at crank angle {}.",
-        Loaded::Crankpin => "The rod of cylinder {} loads its crankpin most, with {} at crank angle {}.",
-        Loaded::Rod => "The rod of cylinder {} is compressed most, with {} at crank angle {}.",
-        Loaded::Cylinder => "Cylinder {} has the largest side force, {} at crank angle {}.",
+    let told = match found.of {
+        Loaded::MainBearing => text::worst_bearing(which, size, at),
+        Loaded::Crankpin => text::worst_crankpin(which, size, at),
+        Loaded::Rod => text::worst_rod(which, size, at),
+        Loaded::Cylinder => text::worst_side_force(which, size, at),
     };
-    let told = phrase!(words, which, size, at);
     match found.without_gas {
         None => told,
-        Some(masses) => phrase!("{} The masses alone give at most {} there.", told, quantity(masses, Unit::NEWTON)),
+        Some(masses) => text::without_gas(told, quantity(masses, Unit::NEWTON)),
     }
 }

@@ -6,6 +6,7 @@ use crate::claim::{GasTorque, Statement};
 use crate::engine::CycleOrder;
 use crate::firing::StarOrder;
 use crate::page::{Text, phrase};
+use crate::report::texts::claims as text;
 
 /// The stars that a claim is about, or the strongest minor orders.
 pub(super) fn found(orders: &[StarOrder], statement: &Statement) -> Text {
@@ -24,7 +25,7 @@ fn of_several(orders: &[StarOrder]) -> Text {
         [only] => Some(of_order(only)),
         several => {
             let names = several.iter().map(|order| order.order.to_string().into()).collect();
-            Some(phrase!("The firing stars of orders {} are {}.", listed(names), Text::zero()))
+            Some(text::zero_stars(listed(names), Text::zero()))
         }
     };
     let left = match left.as_slice() {
@@ -32,7 +33,7 @@ fn of_several(orders: &[StarOrder]) -> Text {
         [only] => Some(of_order(only)),
         several => {
             let lengths = several.iter().map(|order| phrase!("{}: {}", order.order.to_string(), lengths(order)));
-            Some(phrase!("The firing stars have these lengths, by order: {}.", Text::joined(lengths, "; ")))
+            Some(text::star_lengths(Text::joined(lengths, "; ")))
         }
     };
     Text::joined(zeros.into_iter().chain(left), " ")
@@ -47,11 +48,9 @@ fn of_order(order: &StarOrder) -> Text {
     let name = order.order.to_string();
     let lengths = lengths(order);
     match (order.vanishes(), order.only()) {
-        (true, _) => phrase!("The firing star of order {} is {}.", name, Text::zero()),
-        (false, Some(_)) => phrase!("The firing star of order {} has length {}.", name, lengths),
-        (false, None) => {
-            phrase!("The firing stars of order {}, one for each kind of rod, have lengths {}.", name, lengths)
-        }
+        (true, _) => text::zero_star(name, Text::zero()),
+        (false, Some(_)) => text::star_length(name, lengths),
+        (false, None) => text::lengths_by_rods(name, lengths),
     }
 }
 
@@ -59,6 +58,6 @@ fn strongest(orders: &[StarOrder]) -> Text {
     let names: Vec<CycleOrder> = orders.iter().map(|order| order.order).collect();
     match orders.first().and_then(StarOrder::only) {
         Some(star) => firing::strongest_in_words(&names, residual::modulus(star)),
-        None => "No minor order remains.".into(),
+        None => text::no_minor_order(),
     }
 }

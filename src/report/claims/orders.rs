@@ -4,6 +4,7 @@ use super::super::residual;
 use crate::claim::{Statement, Topic};
 use crate::page::{Text, phrase};
 use crate::proof::Quantity;
+use crate::report::texts::claims as text;
 use crate::verdict::OrderBalance;
 
 /// More orders than this are not named.
@@ -25,36 +26,20 @@ impl Asked<'_> {
         let named = Text::joined(self.surviving.iter().take(MOST_NAMED).map(|&order| order.into()), ", ");
         let named = if self.surviving.len() > MOST_NAMED { phrase!("{}, …", named) } else { named };
         let what = what_is_left(first, statement);
+        let is_lowest = self.surviving.iter().all(|order| *order >= first.order);
         match self.period {
-            Some(period) => phrase!(
-                "Of all orders that exist (1 and the even ones, repeating after {}) these remain: {}; {the first is|for example} order {}: {}.",
-                period,
-                named,
-                self.surviving.iter().all(|order| *order >= first.order),
-                first.order,
-                what
-            ),
-            None => phrase!(
-                "Of the {} orders these remain: {}; {the first is|for example} order {}: {}.",
-                self.judged,
-                named,
-                self.surviving.iter().all(|order| *order >= first.order),
-                first.order,
-                what
-            ),
+            Some(period) => text::orders_left(period, named, is_lowest, first.order, what),
+            None => text::asked_orders_left(self.judged, named, is_lowest, first.order, what),
         }
     }
 
     fn nothing_left(&self, statement: &Statement) -> Text {
         let of_free_moment = statement.topic() == Topic::FreeMoment;
         match self.period {
-            Some(period) if of_free_moment => phrase!(
-                "No order has a free moment: its moment vanishes or is that of its force in one plane; one period of {} orders proves it.",
-                period
-            ),
-            Some(period) => phrase!("All of them vanish: one period of {} orders proves it.", period),
-            None if self.judged == 2 => "Both of them vanish.".into(),
-            None => phrase!("All {} of them vanish.", self.judged),
+            Some(period) if of_free_moment => text::no_free_moment(period),
+            Some(period) => text::all_vanish(period),
+            None if self.judged == 2 => text::both_asked_vanish(),
+            None => text::all_asked_vanish(self.judged),
         }
     }
 }

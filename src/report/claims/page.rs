@@ -8,6 +8,7 @@ use crate::claim::{Answer, Claim, Claims, Finding, Provenance, Published, Quote,
 use crate::engine::{Engine, LengthUnit};
 use crate::page::{Block, Document, Table, Text, phrase};
 use crate::proof::Quantity;
+use crate::report::texts::claims as text;
 use crate::text::Untrusted;
 
 /// A claim with its answer.
@@ -29,19 +30,16 @@ pub fn claims_answer(claims: &Claims) -> Document {
 
 /// The page that answers a claims file.
 pub fn claims_page(claims: &Claims) -> Document {
-    let mut page = Document::new("claims", &claims.title);
-    page.push(Block::Answer(counts(claims)));
-    page.blocks.extend(exceptions(claims));
-    page.push(HOW);
-    page.blocks.extend(of_forces(claims));
-    page.blocks.extend(of_moments(claims));
-    for published in &claims.statements {
-        page.blocks.extend(statement(published));
+    text::Page {
+        title: (&claims.title).into(),
+        answer: Block::Answer(counts(claims)).into(),
+        exceptions: exceptions(claims).into(),
+        about_formulas: of_forces(claims).into(),
+        about_moments: of_moments(claims).into(),
+        statements: claims.statements.iter().flat_map(statement).collect(),
+        star_tables: tables(claims).into(),
     }
-    if let Some(tables) = tables(claims) {
-        page.section("Vector-star tables", tables);
-    }
-    page
+    .document()
 }
 
 /// The claims of all statements.
@@ -68,15 +66,11 @@ fn exceptions(claims: &Claims) -> Vec<Block> {
     [(0, "What does not hold"), (1, "What is not decided")].into_iter().filter_map(of).flatten().collect()
 }
 
-const HOW: &str = "Each answer is decided exactly and proved by the certificates below it, except values in newtons and most heavily loaded bearings, which are compared in decimals. A statement and its conclusion are in the words of the author of the file, who draws the conclusion from the answers above it; a source's own words are in quotation marks.";
-
 /// How claims about forces of gas and masses are answered, where there are some.
-fn of_forces(claims: &Claims) -> Option<Block> {
+fn of_forces(claims: &Claims) -> Option<Text> {
     let is_of_forces = |statement: &Statement| statement.topic() == Topic::Forces;
-    all(claims).any(|claim| is_of_forces(&claim.statement)).then(|| FORMULAS.into())
+    all(claims).any(|claim| is_of_forces(&claim.statement)).then(text::formulas)
 }
-
-const FORMULAS: &str = "A formula is about the first cylinder of its layout, at its own crank angle θ from the dead centre on the cylinder's axis. The program compares its own result with the formula at every half degree of the cycle: **true** is a formula that differs nowhere by more than 10⁻⁹ of the largest value, after ≈ by no more than the stated part of it. Forces are positive towards the crank, on the frame outward; across, in the sense of rotation.";
 
 /// What moments are counted in, where some answer tells one of an engine with positions in metres.
 fn of_moments(claims: &Claims) -> Option<Block> {
@@ -84,10 +78,8 @@ fn of_moments(claims: &Claims) -> Option<Block> {
     let is_moment = |statement: &Statement| matches!(statement, Statement::Order { subject, .. } if subject.quantity == Quantity::MOMENT);
     let is_told = all(claims).any(|claim| in_metres(&claim.layout) && is_moment(&claim.statement))
         || claims.tables.iter().any(|table| in_metres(&table.layout));
-    is_told.then(|| Block::Note(METRES.into()))
+    is_told.then(|| Block::Note(text::in_metres()))
 }
-
-const METRES: &str = "Where a layout gives its positions in a unit of length, moments without a unit of their own are in metres, times m r ω² $c_k$: divided by the spacing in metres they are the multiples that books print.";
 
 fn answered<'a>(claims: impl Iterator<Item = &'a Claim>) -> Vec<Answered<'a>> {
     claims.map(|claim| (claim, claim.answer())).collect()
@@ -107,14 +99,14 @@ fn counts(claims: &Claims) -> Vec<Text> {
     }
     let tables = claims.judged_tables();
     let tables = [tables.len(), tables.iter().filter(|verdict| verdict.holds()).count()];
-    let kinds = [
-        (quoted, "Claims quoted from their sources: {} of {} hold."),
-        (folklore, "Common claims without a source: {} of {} hold."),
-        (own, "Our own cross-checks: {} of {} hold."),
-        (tables, "Vector-star tables: {} of {} are right."),
+    let told = |[all, hold]: [usize; 2], words: fn(usize, usize) -> Text| (all > 0).then(|| words(hold, all));
+    let told = [
+        told(quoted, text::quoted),
+        told(folklore, text::without_source),
+        told(own, text::own_checks),
+        told(tables, text::tables_right),
     ];
-    let counted = kinds.into_iter().filter(|([all, _], _)| *all > 0);
-    counted.map(|([all, hold], words)| phrase!(words, hold, all)).collect()
+    told.into_iter().flatten().collect()
 }
 
 /// A statement with its claims, each place that is quoted with its words above them.
@@ -132,7 +124,7 @@ fn statement(published: &Published) -> Vec<Block> {
         blocks.push(table(group.iter().copied()).into());
     }
     if !own.is_empty() {
-        blocks.push(Block::Paragraph("Cross-checks of our own:".into()));
+        blocks.push(text::cross_checks().into());
         blocks.push(table(own.iter().copied()).into());
     }
     blocks.extend(published.conclusion.as_ref().map(|words| Block::Paragraph(phrase!("**Conclusion.** {}", words))));
@@ -147,7 +139,7 @@ fn said(provenance: &Provenance, above: Option<&Untrusted>) -> Text {
             phrase!("**{}:** “{}”", place, words)
         }
         Provenance::Quoted(Quote { source, place, words }) => phrase!("**{}, {}:** “{}”", source, place, words),
-        Provenance::Folklore => "A common claim; no source was found:".into(),
+        Provenance::Folklore => text::no_source_found(),
         Provenance::Own => Text::default(),
     }
 }

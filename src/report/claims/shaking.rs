@@ -8,11 +8,12 @@ use crate::claim::{Powers, Term, TermVerdict, Wave};
 use crate::numbers::Form;
 use crate::page::number::raised;
 use crate::page::{Text, phrase};
+use crate::report::texts::claims as text;
 
 /// Each term with what is said of it.
 pub(super) fn found(terms: &[Term]) -> Text {
     match terms.is_empty() {
-        true => "The pistons make no force of orders 1 and 2; the series claims no other.".into(),
+        true => text::no_term(),
         false => Text::joined(terms.iter().map(sentence), " "),
     }
 }
@@ -20,22 +21,13 @@ pub(super) fn found(terms: &[Term]) -> Text {
 fn sentence(term: &Term) -> Text {
     let wave = wave(term.wave);
     match term.verdict {
-        TermVerdict::Right => phrase!("{}: right.", wave),
-        TermVerdict::UpTo(power) => phrase!("{}: right up to {}.", wave, lambda(power)),
-        TermVerdict::Rounded => phrase!("{}: right, rounded; {} belongs there.", wave, right(term)),
-        TermVerdict::Wrong => {
-            phrase!("{}: **wrong**, {} is claimed; {} belongs there.", wave, said(&term.said), right(term))
-        }
-        TermVerdict::WrongUnit => phrase!(
-            "{}: **wrong**, {} is claimed, which is not in m r ω²; {} belongs there.",
-            wave,
-            said(&term.said),
-            right(term)
-        ),
-        TermVerdict::Missing => phrase!("{}: **missing**; {} belongs there.", wave, right(term)),
-        TermVerdict::NoRatio => {
-            phrase!("{}: not decided, for the layout has no rod ratio; with λ, {} belongs there.", wave, right(term))
-        }
+        TermVerdict::Right => text::term_right(wave),
+        TermVerdict::UpTo(power) => text::term_right_up_to(wave, lambda(power)),
+        TermVerdict::Rounded => text::term_rounded(wave, right(term)),
+        TermVerdict::Wrong => text::term_wrong(wave, said(&term.said), right(term)),
+        TermVerdict::WrongUnit => text::term_in_wrong_unit(wave, said(&term.said), right(term)),
+        TermVerdict::Missing => text::term_missing(wave, right(term)),
+        TermVerdict::NoRatio => text::term_without_ratio(wave, right(term)),
     }
 }
 

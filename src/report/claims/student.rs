@@ -4,19 +4,19 @@ use super::super::{table, typeset};
 use crate::claim::{StarTable, TableVerdict};
 use crate::engine::Engine;
 use crate::order;
+use crate::page::Text;
 use crate::page::number::Amount;
-use crate::page::{Text, phrase};
+use crate::report::texts::claims as text;
 
 /// The answer to a table.
 pub fn table_finding(of: &StarTable, verdict: &TableVerdict) -> Text {
     match verdict {
-        TableVerdict::Right(entries) => phrase!("All {} entries are right.", *entries),
+        TableVerdict::Right(entries) => text::all_entries_right(*entries),
         TableVerdict::WrongPhase { cylinder, sense, written, right } => {
             let engine: &Engine = &of.layout;
             let cylinder = &engine.cylinders()[*cylinder];
             assert_eq!(order::phase(cylinder, of.order, Some(*sense)), *right);
-            phrase!(
-                "The first wrong row is that of cylinder {}: its {} phase is {}, not {}: {} with β = {} and α = {} is {}.",
+            text::wrong_row(
                 cylinder.name.clone(),
                 sense.name(),
                 typeset::angle(right),
@@ -27,12 +27,8 @@ pub fn table_finding(of: &StarTable, verdict: &TableVerdict) -> Text {
                 table::working(cylinder, of.order, *sense),
             )
         }
-        TableVerdict::WrongSum { quantity, sense, written, right } => phrase!(
-            "All phases given are right, but the {} sum of the {} is not {}: its length is {}.",
-            sense.name(),
-            quantity.name(),
-            written,
-            Amount { exact: right.0.clone(), decimal: right.1 },
-        ),
+        TableVerdict::WrongSum { quantity, sense, written, right } => {
+            text::wrong_sum(sense.name(), quantity.name(), written, Amount { exact: right.0.clone(), decimal: right.1 })
+        }
     }
 }

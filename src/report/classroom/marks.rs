@@ -10,6 +10,7 @@ use crate::classroom::{Distribution, Exercise, MarkedSheet, Outcome, Scheme, Stu
 use crate::numbers::{self, Form};
 use crate::page::number::Amount;
 use crate::page::{Block, Document, Picture, Table, Text, phrase};
+use crate::report::texts::marks as text;
 use crate::text::Untrusted;
 
 /// The short answer: the table of marks.
@@ -19,25 +20,22 @@ pub fn marks_answer(results: &[StudentResult], scheme: &Scheme) -> Document {
     page.push(table(results));
     page.blocks.extend(Distribution::of(results).map(|points| Block::Paragraph(spread(&points))));
     page.blocks.extend(remarks(results, scheme));
-    page.push(Block::Note(phrase!("Points by this scheme: {}.", shown(scheme))));
+    page.push(Block::Note(text::scheme(shown(scheme))));
     page
 }
 
 /// The page: the marks, what was wrong most often, the scheme.
 pub fn marks_page(exercise: &Exercise, results: &[StudentResult], scheme: &Scheme) -> Document {
-    let mut page = Document::new("marks", "Marks");
-    page.push(Block::Answer(vec![summary(results)]));
-    page.push(table(results));
-    page.blocks.extend(remarks(results, scheme));
-    page.blocks.extend(Distribution::of(results).iter().flat_map(distribution));
-    page.section("What was right, column by column", columns(exercise, results));
-    page.section("Scheme", SCHEME);
-    page.push(Block::Verbatim("toml", Untrusted::new(scheme.to_toml())));
-    page
+    text::Page {
+        answer: Block::Answer(vec![summary(results)]).into(),
+        table: table(results).into(),
+        remarks: remarks(results, scheme).into(),
+        spread: Distribution::of(results).iter().flat_map(distribution).collect(),
+        columns: columns(exercise, results).into(),
+        scheme: Block::Verbatim("toml", Untrusted::new(scheme.to_toml())).into(),
+    }
+    .document()
 }
-
-const SCHEME: &str = "The points of a right phase and of a right sum; the part of them for a sum that is wrong only because a phase is; the part of all points of a sheet that is \
-    right in a convention which it does not declare; the significant digits that a rounded length needs, and the part of the points for an entry that is right to fewer.";
 
 /// `phase = 1, sum = 2, …`.
 fn shown(scheme: &Scheme) -> Text {
@@ -57,12 +55,11 @@ fn spread(points: &Distribution) -> Text {
     let hundredfold = &points.mean * BigRational::from_integer(100.into());
     let mean = hundredfold.is_integer().then(|| Form::rational(points.mean.clone()));
     let no_spread = points.variance.is_zero().then(|| Form::rational(BigRational::zero()));
-    phrase!(
-        "Points: mean {} of {}, standard deviation {}. Sheets: {}.",
+    text::points(
         Amount { exact: mean, decimal: numbers::float(&points.mean) },
         super::student::points(&points.possible),
         Amount { exact: no_spread, decimal: numbers::float(&points.variance).sqrt() },
-        points.sheets
+        points.sheets,
     )
 }
 
@@ -80,25 +77,18 @@ fn distribution(points: &Distribution) -> Vec<Block> {
     let x = Axis::linear("Part of the points in %");
     let mut plot = Plot::new("Points", x, Axis::linear("Sheets"));
     plot.curves.push(Curve::new(0, "sheets", outline));
-    let caption = "The number of marked sheets by the share of the possible points, in tenths. A value between two tenths counts in the upper one.";
-    let picture = Picture::new("points", caption, plot.figure());
-    vec![
-        Block::Heading(1, "How the points are spread".into()),
-        Block::Paragraph(spread(points)),
-        Block::Pictures(vec![picture]),
-        table.into(),
-    ]
+    let picture = Picture::new("points", text::tenths(), plot.figure());
+    vec![spread(points).into(), Block::Pictures(vec![picture]), table.into()]
 }
 
 fn summary(results: &[StudentResult]) -> Text {
     let count = |is: fn(&Outcome) -> bool| results.iter().filter(|result| is(&result.outcome)).count();
-    phrase!(
-        "Marked: {}. Not readable: {}. Not handed in: {}. Handed in more than once: {}. Files that are not tables: {}.",
+    text::sheets(
         marked(results).count(),
         count(|outcome| matches!(outcome, Outcome::Unreadable(_))),
         count(|outcome| matches!(outcome, Outcome::NotHandedIn)),
         count(|outcome| matches!(outcome, Outcome::HandedInTwice)),
-        results.iter().filter(|result| is_no_table(result)).count()
+        results.iter().filter(|result| is_no_table(result)).count(),
     )
 }
 
@@ -135,17 +125,17 @@ fn remarks(results: &[StudentResult], scheme: &Scheme) -> Option<Block> {
         let files = || Text::joined(result.files.iter().map(Text::from), ", ");
         let remark = match &result.outcome {
             Outcome::Marked(sheet) => Text::joined(read_in(sheet, scheme).into_iter().chain(rows_not_read(sheet)), " "),
-            Outcome::Unreadable(why) => phrase!("{} cannot be read: {}", files(), why),
+            Outcome::Unreadable(why) => text::cannot_be_read(files(), why),
             // All of them in one line below.
             Outcome::NotHandedIn | Outcome::NotRead(_) => Text::default(),
-            Outcome::HandedInTwice => phrase!("handed in more than once: {}", files()),
+            Outcome::HandedInTwice => text::handed_in_twice(files()),
         };
         (!remark.is_empty()).then(|| phrase!("{}: {}", name(result), remark))
     };
     let mut remarks: Vec<Text> = results.iter().filter_map(remark).collect();
     let absent = results.iter().filter(|result| matches!(result.outcome, Outcome::NotHandedIn));
     let absent = Text::joined(absent.map(name), ", ");
-    remarks.extend((!absent.is_empty()).then(|| phrase!("Not handed in: {}.", absent)));
+    remarks.extend((!absent.is_empty()).then(|| text::not_handed_in(absent)));
     remarks.extend(not_read(results));
     (!remarks.is_empty()).then_some(Block::List(remarks))
 }
@@ -161,7 +151,7 @@ fn not_read(results: &[StudentResult]) -> Vec<Text> {
             None => by_reason.push((why, files.collect())),
         }
     }
-    by_reason.into_iter().map(|(why, files)| phrase!("Not read, {}: {}.", why, Text::joined(files, ", "))).collect()
+    by_reason.into_iter().map(|(why, files)| text::not_read(why, Text::joined(files, ", "))).collect()
 }
 
 /// Of each kind of entry, how many of the class have it right.

@@ -4,8 +4,9 @@ use super::super::engine_page::proofs;
 use super::sheet::given;
 use crate::classroom::Pupil;
 use crate::engine::NotAnOrder;
-use crate::page::{Block, Document, phrase};
+use crate::page::{Block, Document};
 use crate::proof::Quantity;
+use crate::report::texts::solutions as text;
 use crate::verdict::Judgement;
 
 /// The solutions of a student's sheet.
@@ -14,9 +15,11 @@ use crate::verdict::Judgement;
 /// If there is no such order.
 pub fn exercise_solutions(pupil: &Pupil, orders: &[u32]) -> Result<Document, NotAnOrder> {
     let judged = Judgement::new(&pupil.engine, orders, &Quantity::PLANAR)?;
-    let mut page = Document::new("solutions", phrase!("Vector-star exercise: {}, solutions", &pupil.name));
-    page.blocks.extend(given(pupil));
-    page.blocks.extend(proofs(&pupil.engine, &judged));
-    page.section("Layout file", Block::Verbatim("toml", pupil.engine.file().clone()));
-    Ok(page)
+    let page = text::Page {
+        student: (&pupil.name).into(),
+        given: given(pupil).into(),
+        proofs: proofs(&pupil.engine, &judged).into(),
+        layout: Block::Verbatim("toml", pupil.engine.file().clone()).into(),
+    };
+    Ok(page.document())
 }

@@ -8,23 +8,20 @@ use crate::classroom::{Convention, MarkedSheet, Pupil, Scheme};
 use crate::page::number::Amount;
 use crate::page::{Block, Document, Table, Text, phrase};
 use crate::proof::{Planar, Sense};
+use crate::report::texts::marked as text;
 
 /// The page of a marked sheet.
 pub fn marked_page(pupil: &Pupil, sheet: &MarkedSheet, scheme: &Scheme) -> Document {
-    let mut page = Document::new("marked", phrase!("Vector-star exercise, marked: {}", &pupil.name));
-    let mut answer =
-        vec![phrase!("**{} of {} points.**", points(&sheet.points), points(&sheet.possible)), counts(sheet)];
+    let mut answer = vec![text::points(points(&sheet.points), points(&sheet.possible)), counts(sheet)];
     answer.extend(read_in(sheet, scheme));
     answer.extend(rows_not_read(sheet));
-    page.push(Block::Answer(answer));
-    for table in &sheet.tables {
-        page.section(phrase!("Order {}", table.order), entries(pupil, sheet, table.order, &table.entries, scheme));
-    }
-    page.push(Block::Note(FOLLOWS.into()));
-    page
+    let orders = sheet.tables.iter().flat_map(|table| {
+        let heading = Block::Heading(1, phrase!("Order {}", table.order));
+        [heading, entries(pupil, sheet, table.order, &table.entries, scheme)]
+    });
+    text::Page { student: (&pupil.name).into(), answer: Block::Answer(answer).into(), orders: orders.collect() }
+        .document()
 }
-
-const FOLLOWS: &str = "**follows** marks a sum that is wrong but consistent with the phases above it. Phases count modulo 360°; decimals are right where they equal the true value, rounded.";
 
 /// Points in decimals that end, else a fraction.
 pub(super) fn points(value: &BigRational) -> Text {
@@ -34,30 +31,18 @@ pub(super) fn points(value: &BigRational) -> Text {
 /// How many entries are right, wrong and so on.
 pub(super) fn counts(sheet: &MarkedSheet) -> Text {
     let counts = sheet.counts();
-    phrase!(
-        "Right: {}. Wrong: {}. Wrong because of another entry: {}. Right to too few digits: {}. Not readable: {}. Missing: {}.",
-        counts.right,
-        counts.wrong,
-        counts.consequential,
-        counts.coarse,
-        counts.unreadable,
-        counts.missing
-    )
+    text::counts(counts.right, counts.wrong, counts.consequential, counts.coarse, counts.unreadable, counts.missing)
 }
 
 /// In which convention the sheet is read, where it is not the one above the table.
 pub(super) fn read_in(sheet: &MarkedSheet, scheme: &Scheme) -> Vec<Text> {
     let mut told = Vec::new();
     if sheet.declared != Convention::default() {
-        told.push(phrase!("Read in the convention that is declared: {}.", named(&sheet.declared)));
+        told.push(text::declared(named(&sheet.declared)));
     }
     let others = sheet.undeclared.iter().map(named);
     if !sheet.undeclared.is_empty() {
-        told.push(phrase!(
-            "Read in a convention that is not declared, but in which more is right: {}. The points are multiplied by {}.",
-            Text::joined(others, ", or "),
-            points(&scheme.undeclared)
-        ));
+        told.push(text::undeclared(Text::joined(others, ", or "), points(&scheme.undeclared)));
     }
     told
 }
@@ -65,7 +50,7 @@ pub(super) fn read_in(sheet: &MarkedSheet, scheme: &Scheme) -> Vec<Text> {
 /// The rows that belong nowhere in the table.
 pub(super) fn rows_not_read(sheet: &MarkedSheet) -> Option<Text> {
     let rows = Text::joined(sheet.not_read.iter().map(Text::from), ", ");
-    (!sheet.not_read.is_empty()).then(|| phrase!("Rows that cannot be read: {}.", rows))
+    (!sheet.not_read.is_empty()).then(|| text::rows_not_read(rows))
 }
 
 /// `sense clockwise, vectors swapped`; that of the sheet where nothing is otherwise.
