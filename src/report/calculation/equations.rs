@@ -4,42 +4,43 @@ use super::super::mechanism_words;
 use crate::engine::Engine;
 use crate::loads::Loads;
 use crate::order::MassGroup;
+use crate::page::Text;
 
 /// The equations with what they say, in TeX, and their numbers.
-pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(&'static str, String, u32)> {
+pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(Text, String, u32)> {
     let mut equations = mechanism_words::motion(engine);
     let turning = [MassGroup::Rotating, MassGroup::Crankshaft, MassGroup::Counterweights];
     let has = |wanted: &[MassGroup]| loads.groups.iter().any(|loads| wanted.contains(&loads.group));
     let rotating = if has(&turning) { " + [k=1]\\; 2 \\sum_u \\frac{U_u}{m\\,r}\\, e^{i\\beta_u}" } else { "" };
     equations.push((
-        "The rotating vectors of order k are, with the stars of (2) and the arms for the moment W,",
+        "The rotating vectors of order k are, with the stars of (2) and the arms for the moment W,".into(),
         format!("\\begin{{aligned}} V_k^{{+}} &= \\sum_j \\frac{{m_j\\, r_j}}{{m\\,r}}\\, c_{{k,j}}\\, e^{{i(k\\beta_j - (k-1)\\alpha_j)}}{rotating}, \\\\ V_k^{{-}} &= \\sum_j \\frac{{m_j\\, r_j}}{{m\\,r}}\\, c_{{k,j}}^{{*}}\\, e^{{i(-k\\beta_j + (k+1)\\alpha_j)}} \\end{{aligned}}"),
     ));
     if has(&turning) {
         equations.push((
-            "where U is the mass-radius of a mass that turns with the crank, at its angle β; for a rotating mass at a crankpin",
+            "where U is the mass-radius of a mass that turns with the crank, at its angle β; for a rotating mass at a crankpin".into(),
             "U_u = m_{\\mathrm{rot}}\\, r".to_owned(),
         ));
     }
     if has(&[MassGroup::Balancers]) {
         equations.push((
-            "A balancer shaft at n times the speed of the crank, with it or against it, with its weight U at the angle γ for θ = 0, adds",
+            "A balancer shaft at n times the speed of the crank, with it or against it, with its weight U at the angle γ for θ = 0, adds".into(),
             "\\Delta V_n^{\\pm} = 2 n^2 \\frac{U}{m\\,r}\\, e^{i\\gamma}".to_owned(),
         ));
     }
     equations.push((
-        "and the force of order k, with its largest and smallest length,",
+        "and the force of order k, with its largest and smallest length,".into(),
         "\\begin{aligned} F_k(\\theta) &= \\tfrac12 K \\left( V_k^{+} e^{ik\\theta} + V_k^{-} e^{-ik\\theta} \\right), \\\\ \\hat F_k,\\ \\check F_k &= \\tfrac12 K \\left|\\, |V_k^{+}| \\pm |V_k^{-}| \\,\\right| \\end{aligned}".to_owned(),
     ));
     if loads.torque.is_some() {
         equations.push((
-            "The inertia torque on the crankshaft, positive in its sense of rotation, is",
+            "The inertia torque on the crankshaft, positive in its sense of rotation, is".into(),
             "\\begin{aligned} T(\\theta) &= K\\,r\\; \\mathrm{Re} \\sum_k t_k\\, Q_k\\, e^{ik\\theta}, \\\\ Q_k &= \\sum_j \\frac{m_j\\, r_j^2}{m\\,r^2}\\, e^{ik(\\beta_j - \\alpha_j)}, \\qquad \\mathrm{Re} \\sum_k t_k\\, e^{ik\\psi} = -\\frac{s'\\,s''}{r^2} \\end{aligned}".to_owned(),
         ));
     }
     if engine.faster_crank().is_some() {
         equations.push((
-            "A crankshaft that turns ν times while the reference turns once adds only to the orders that ν divides, with the factor ν² for its vectors and ν³ for its torque at the reference crankshaft,",
+            "A crankshaft that turns ν times while the reference turns once adds only to the orders that ν divides, with the factor ν² for its vectors and ν³ for its torque at the reference crankshaft,".into(),
             "\\psi = \\nu\\theta + \\beta - \\alpha, \\qquad V_{\\nu j}^{\\pm} \\mathrel{+}= \\nu^2\\, V_j^{\\pm}, \\qquad t_{\\nu j}\\, Q_{\\nu j} \\mathrel{+}= \\nu^3\\, t_j\\, Q_j".to_owned(),
         ));
     }

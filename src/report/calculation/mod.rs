@@ -120,7 +120,7 @@ pub(super) fn working(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
 fn equations(engine: &Engine, loads: &Loads) -> Vec<Block> {
     let mut blocks = vec![words::nomenclature(engine, loads).into()];
     for (words, tex, number) in equations::equations(engine, loads) {
-        blocks.extend([Block::Paragraph(words.into()), Block::Formula(tex, Some(number))]);
+        blocks.extend([Block::Paragraph(words), Block::Formula(tex, Some(number))]);
     }
     blocks
 }

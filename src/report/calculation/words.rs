@@ -50,7 +50,7 @@ pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
     let mut rows = vec![
         row("\\theta", "crank angle of the reference throw", "°"),
         row("\\alpha,\\ \\beta", "angle of a cylinder axis; of its throw", "°"),
-        row("\\psi = \\theta + \\beta - \\alpha", mechanism_words::counted_from(engine), "°"),
+        vec![Text::formula("\\psi = \\theta + \\beta - \\alpha"), mechanism_words::counted_from(engine), "°".into()],
     ];
     let mut seen: Vec<Measure> = Vec::new();
     for given in &engine.dimensions().given {

@@ -1,13 +1,14 @@
 //! What has to be said beside a comparison: units, how it is read, why there are no newtons?
 
-use super::super::{engine_cells, residual};
+use super::super::engine_cells;
+use super::super::texts::residual;
 use super::Compared;
 use crate::engine::{LengthUnit, WHY_NOT};
 use crate::page::{Text, phrase};
 
 /// What follows the table.
 pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
-    let mut notes: Vec<Text> = vec![SIZES.into(), residual::LEGEND.into(), positions(engines), FIRST_LEFT.into()];
+    let mut notes: Vec<Text> = vec![SIZES.into(), residual::exact_sizes(), positions(engines), FIRST_LEFT.into()];
     notes.push(engine_cells::REMEDIES.into());
     if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| order.parts.len() > 1)) {
         notes.push(SEVERAL_SUMS.into());
@@ -16,7 +17,7 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
         notes.push(WHY_NOT.into());
     }
     if engines.iter().any(|engine| engine.engine.faster_crank().is_some()) {
-        notes.push(residual::SPEED_LEGEND.into());
+        notes.push(residual::orders_by_speed());
     }
     notes.extend(engines.iter().filter_map(without_gas));
     let moved = names(engines, |engine| engine.engine.firing().is_some() && engine.engine.has_dead_centres_apart());

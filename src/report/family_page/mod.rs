@@ -19,8 +19,6 @@ pub(super) use picture::{axis_name, which_angle};
 pub(super) use words::{argument, condition_of, summary};
 
 use super::convention::{differs, seen};
-use super::engine_page::FIRES;
-use super::mechanism_words::ASSUMED;
 use super::moving;
 use crate::engine::{DELTA, Family, PHI};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
@@ -57,9 +55,9 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
     let plane = unknowns::open_length(family.reference_plane());
     page.push(Block::List(vec![
         seen(family.convention()),
-        FIRES.into(),
+        super::texts::engine::lagging_throw(),
         phrase!("Moments are taken about the plane z = {}.", plane),
-        ASSUMED.into(),
+        super::texts::mechanism::equal_rods(),
     ]));
     page
 }

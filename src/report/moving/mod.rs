@@ -58,7 +58,7 @@ pub fn scene(
             .into_iter()
             .chain(drawn)
             .chain(bodies::notes(engine))
-            .chain([residual::LEGEND.to_owned()])
+            .chain([super::texts::residual::exact_sizes().plain()])
             .collect(),
         angle: open.map(|open| open.into_angle()),
         words: Words::default(),
