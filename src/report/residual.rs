@@ -10,6 +10,7 @@ use crate::numbers::{self, Direction};
 use crate::order::{self, Factor, MassGroup, Masses};
 use crate::page::{Text, phrase};
 use crate::proof::Shape;
+use crate::report::texts::residual as text;
 use crate::verdict::{
     Balance, Class, JudgedStar, Judgement, OrderBalance, OrderVerdict, Outcome, TorquePart, TorqueVerdict, WholeOrder,
 };
@@ -57,9 +58,6 @@ pub fn order_name(order: &OrderBalance) -> String {
         Some(class) => format!("{} ({})", order.order, class_words(class, order.order)),
     }
 }
-
-/// What crankshafts of several speeds have in which order, and what their sums are counted in.
-pub(super) const SPEED_LEGEND: &str = "A crankshaft that turns ν times while the reference turns once takes part in the orders that ν divides: order k of the engine is order k/ν of its own, and its sums are multiplied by $c_{k/\\nu}$, those of its first order by 1, each also by ν².";
 
 /// `= 0.25`, `≈ 0.2748`.
 fn equals(value: &BigRational) -> String {
@@ -209,23 +207,15 @@ pub fn torque_part(part: &TorquePart) -> Text {
     if !part.exists { DOES_NOT_EXIST.into() } else { modulus(&part.verdict).into() }
 }
 
-/// What the summaries are counted in.
-pub(super) const LEGEND: &str = "0 is proved; any other number is the largest value ½(|P⁺| + |P⁻|), exact unless marked ≈: forces in m r ω² c_k, moments in that times the unit of the positions.";
-
-/// What the torque and the roll moment are counted in, where crankshafts are geared together.
-pub(super) const ROLL_LEGEND: &str = "Torque: of all crankshafts, referred to the reference crankshaft, in m r² ω² $t_k$. Roll: the moment on the frame about the origin of the layout, of the forces by their arms in crank radii, in m r² ω² $c_k$, and of the torques, in m r² ω² $t_k$; a single number is the amplitude.";
-
 /// Whose masses the verdicts are about, where the engine has others than the reciprocating ones.
 pub(super) fn whose_masses(engine: &Engine, judged: &Judgement) -> Option<Text> {
     if let Some(why) = judged.not_as_built {
-        return Some(phrase!("Verdicts on the reciprocating masses alone: {}.", why.to_string()));
+        return Some(text::not_as_built(why.to_string()));
     }
     let groups = order::groups_of(engine);
     (groups.len() > 1).then(|| match judged.masses {
-        Masses::All => {
-            phrase!("As built: {}.", Text::joined(groups.into_iter().map(|group| group_words(group).into()), ", "))
-        }
-        masses => phrase!("Verdicts on {} alone.", masses_words(masses)),
+        Masses::All => text::as_built(Text::joined(groups.into_iter().map(|group| group_words(group).into()), ", ")),
+        masses => text::masses_alone(masses_words(masses)),
     })
 }
 
@@ -249,31 +239,29 @@ pub(super) fn group_words(group: MassGroup) -> &'static str {
 }
 
 /// The masses that verdicts are about.
-pub(super) fn masses_words(masses: Masses) -> &'static str {
+fn masses_words(masses: Masses) -> Text {
     match masses {
-        Masses::Reciprocating => "the reciprocating masses",
-        Masses::Rotating => "the rotating masses, without counterweights and shafts,",
-        Masses::Counterweights => "the counterweights",
-        Masses::All => "the engine as it is built",
+        Masses::Reciprocating => text::reciprocating(),
+        Masses::Rotating => text::rotating_alone(),
+        Masses::Counterweights => text::counterweights(),
+        Masses::All => text::engine_as_built(),
     }
 }
 
 /// Why an order does not exist, of the masses that verdicts are about.
-pub(super) fn why_not(masses: Masses) -> &'static str {
+pub(super) fn why_not(masses: Masses) -> Text {
     match masses {
-        Masses::Reciprocating | Masses::All => WHY_NOT,
-        Masses::Rotating | Masses::Counterweights => {
-            "What turns at k times the speed of the crank has order k and no other."
-        }
+        Masses::Reciprocating | Masses::All => WHY_NOT.into(),
+        Masses::Rotating | Masses::Counterweights => text::no_such_order(),
     }
 }
 
 /// In what masses that turn are counted, where they are a sum of their own beside the pistons.
-pub(super) fn turning_unit(judged: &Judgement) -> Option<&'static str> {
+pub(super) fn turning_unit(judged: &Judgement) -> Option<Text> {
     let mut classes = judged.orders.iter().flat_map(|order| &order.parts).filter_map(|part| part.class.as_ref());
     // Links with a corrected knuckle angle, and crankshafts of several speeds, have a part of pistons there, and their own words for it.
-    let is_apart = |class: &&Class| class.factor == Factor::One && !class.turning.is_empty();
-    classes.find(is_apart).map(|_| "A sum of rotating masses is in $m r \\omega^2$, without $c_k$.")
+    let is_apart = |class: &Class| class.factor == Factor::One && !class.turning.is_empty();
+    classes.any(is_apart).then(text::in_no_coefficient)
 }
 
 /// In words with places for size and shape; without them in both alone.

@@ -5,19 +5,38 @@ use num_traits::{One, Signed};
 
 use super::residual::{largest, line_bearing, shape_name};
 use crate::engine::DOES_NOT_EXIST;
-use crate::page::{Choice, Text, phrase};
+use crate::page::{Choice, Text};
 use crate::proof::{Planar, Sense, Shape, ShapeEvidence};
+use crate::report::texts::residual as text;
 use crate::verdict::{Balance, Outcome, WholeOrder};
 
 /// A sentence on what the two vectors together trace.
 pub(super) fn sentence(balance: &Balance) -> Text {
     match balance.shape {
-        Shape::Balanced => "Balanced: both vectors vanish.".into(),
-        Shape::Rotating => turning(balance, "+", ROTATING),
-        Shape::CounterRotating => turning(balance, "-", COUNTER_ROTATING),
-        Shape::Planar => planar(balance),
-        Shape::Elliptical => elliptical(balance),
-        Shape::NotDecided => "Whether the vectors are equally long is not decided.".into(),
+        Shape::Balanced => text::balanced(),
+        Shape::Rotating => {
+            let (length, size) = (half_length(balance, "+"), largest(balance));
+            match balance.direct.order {
+                1 => text::rotating(length, size),
+                order => text::rotating_faster(length, size, order),
+            }
+        }
+        Shape::CounterRotating => {
+            let (length, size) = (half_length(balance, "-"), largest(balance));
+            match balance.direct.order {
+                1 => text::counter_rotating(length, size),
+                order => text::counter_rotating_faster(length, size, order),
+            }
+        }
+        Shape::Planar => {
+            let (difference, line) = (difference(balance, "="), line_bearing(balance));
+            text::planar(difference, balance.quantity, line, largest(balance))
+        }
+        Shape::Elliptical => {
+            let (difference, line) = (difference(balance, "\\ne"), line_bearing(balance));
+            text::elliptical(difference, balance.quantity, largest(balance), line)
+        }
+        Shape::NotDecided => text::lengths_not_decided(),
         Shape::DoesNotExist => DOES_NOT_EXIST.into(),
     }
 }
@@ -36,51 +55,11 @@ fn half_length(balance: &Balance, sign: &str) -> Text {
     Text::formula(format!("\\tfrac12 \\lvert {letter}_{{{k}}}^{{{sign}}} \\rvert"))
 }
 
-/// One vector is left: in words for order 1, and in those for higher orders.
-fn turning(balance: &Balance, sign: &str, [first, higher]: [&'static str; 2]) -> Text {
-    let (length, size) = (half_length(balance, sign), largest(balance));
-    match balance.direct.order {
-        1 => phrase!(first, length, size),
-        k => phrase!(higher, length, size, k),
-    }
-}
-
-const ROTATING: [&str; 2] = [
-    "The residual is **rotating**: a vector of constant length {}, here {}, that turns with the crank. Counterweights on the crankshaft remove it.",
-    "The residual is **rotating**: a vector of constant length {}, here {}, that turns the same way as the crank at {} times its speed. A balancer shaft that turns so removes it.",
-];
-const COUNTER_ROTATING: [&str; 2] = [
-    "The residual is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at crank speed. One balancer shaft that turns so removes it.",
-    "The residual is **counter-rotating**: a vector of constant length {}, here {}, that turns against the crank at {} times its speed. One balancer shaft that turns so removes it.",
-];
-
 /// `|P_2⁺|² − |P_2⁻|²` beside zero.
 fn difference(balance: &Balance, relation: &str) -> Text {
     let (letter, k) = (letter(balance), balance.direct.order);
     let square = |sign: &str| format!("\\lvert {letter}_{{{k}}}^{{{sign}}} \\rvert^2");
     Text::formula(format!("{} - {} {relation} 0", square("+"), square("-")))
-}
-
-fn planar(balance: &Balance) -> Text {
-    let (difference, line, size) = (difference(balance, "="), line_bearing(balance), largest(balance));
-    phrase!(
-        "The residual is **planar**: both vectors are equally long ({}, proved), so the {force|moment} swings along the line at {}; its largest value is {}.",
-        difference,
-        balance.quantity,
-        line,
-        size
-    )
-}
-
-fn elliptical(balance: &Balance) -> Text {
-    let (difference, line, size) = (difference(balance, "\\ne"), line_bearing(balance), largest(balance));
-    phrase!(
-        "The residual is **elliptical**: the vectors differ in length ({}, proved), so the tip of the {force|moment} runs round an ellipse; its largest value is {}, along the line at {}.",
-        difference,
-        balance.quantity,
-        size,
-        line
-    )
 }
 
 /// A sentence on a whole order, how it is known whether it vanishes.
@@ -90,35 +69,19 @@ pub(super) fn whole_sentence(name: &'static str, order: u32, whole: &WholeOrder)
         true => vec![vector_sentence(None, direct)],
         false => vec![vector_sentence(Some(Sense::Direct), direct), vector_sentence(Some(Sense::Reverse), reverse)],
     };
-    let lead = phrase!("**{} of order {}, all its sums together.**", name, order);
+    let lead = text::whole_order(name, order);
     Text::joined([lead].into_iter().chain(outcomes).chain(what_is_left(whole)), " ")
 }
 
 /// How it is known whether a vector vanishes, or both do.
 fn vector_sentence(vector: Option<Sense>, outcome: &Outcome) -> Text {
-    let vector = vector.map_or_else(|| Choice::of(2).into(), Text::from);
+    let vectors = vector.map_or_else(|| Choice::of(2), Choice::from);
     match outcome {
-        Outcome::Zero => phrase!(
-            "{1:The direct vector vanishes|The reverse vector vanishes|Both vectors vanish}: each of {1:its|its|their} sums is zero.",
-            vector
-        ),
-        Outcome::NotZero => phrase!(
-            "{The direct vector does not vanish|The reverse vector does not vanish|Neither vector vanishes}: only one of its sums remains, and its coefficient is not zero.",
-            vector
-        ),
-        Outcome::NotZeroByEnclosure { .. } => phrase!(
-            "{The direct vector does not vanish|The reverse vector does not vanish|Neither vector vanishes}: an enclosure of the whole, each sum times its coefficient, excludes zero.",
-            vector
-        ),
-        Outcome::NotDecided { below } => phrase!(
-            "{The direct vector is not|The reverse vector is not|Neither vector is} decided: only the coefficients could make it vanish, and it is no longer than {}.",
-            vector,
-            rounded_up(below)
-        ),
-        Outcome::Open => phrase!(
-            "{The direct vector is not|The reverse vector is not|Neither vector is} decided: it depends on the rods, of which the layout says nothing.",
-            vector
-        ),
+        Outcome::Zero => text::zero(vectors),
+        Outcome::NotZero => text::not_zero(vectors),
+        Outcome::NotZeroByEnclosure { .. } => text::zero_excluded(vectors),
+        Outcome::NotDecided { below } => text::not_decided(vectors, rounded_up(below)),
+        Outcome::Open => text::rods_unknown(vectors),
     }
 }
 
@@ -129,17 +92,10 @@ fn what_is_left(whole: &WholeOrder) -> Option<Text> {
         shape => shape_name(shape),
     };
     Some(match &whole.evidence {
-        None => phrase!("The residual is **{}**.", shape),
-        Some(ShapeEvidence::Certificate(_)) => {
-            phrase!("The residual is **{}**: the squares of both lengths are compared exactly.", shape)
-        }
-        Some(ShapeEvidence::Pairs(_)) => phrase!(
-            "The residual is **{}**: both vectors are equally long for any coefficients: in the difference of the squares of their lengths each product of two of them has the exact coefficient zero.",
-            shape
-        ),
-        Some(ShapeEvidence::Bits(_)) => {
-            phrase!("The residual is **{}**: an enclosure shows that the lengths differ.", shape)
-        }
+        None => text::shape(shape),
+        Some(ShapeEvidence::Certificate(_)) => text::shape_by_squares(shape),
+        Some(ShapeEvidence::Pairs(_)) => text::shape_by_products(shape),
+        Some(ShapeEvidence::Bits(_)) => text::shape_by_enclosure(shape),
     })
 }
 

@@ -3,19 +3,20 @@
 pub(super) use super::theorem_words::{no_theorem, statements, why};
 use super::{recurrence_words, stars, table};
 use crate::engine::Engine;
-use crate::page::{Block, Fold, phrase};
+use crate::page::{Block, Fold};
+use crate::report::texts::theorem as text;
 use crate::verdict::{EveryOrderTheorem, NextLeft, NoTheorem, OrderVerdict};
 
 /// Longer tables of one period are omitted.
 const MOST_ROWS: usize = 24;
 
-/// The section on every order: the statements, why one period proves them, and the period.
-pub(super) fn section(
+/// The statements on every order, why one period proves them, and the period.
+pub(super) fn every_order(
     engine: &Engine,
     judged: &[OrderVerdict],
     theorem: &Result<EveryOrderTheorem, NoTheorem>,
 ) -> Vec<Block> {
-    let mut blocks = vec![Block::Heading(1, "Every order".into())];
+    let mut blocks = Vec::new();
     match theorem {
         Err(reason) => blocks.push(Block::Paragraph(no_theorem(reason))),
         Ok(every @ EveryOrderTheorem::Recurrences(all)) => {
@@ -41,8 +42,8 @@ pub(super) fn section(
 fn next(judged: &[OrderVerdict], theorem: &EveryOrderTheorem) -> Option<Block> {
     let told: Vec<u32> = judged.iter().map(|order| order.order).collect();
     match theorem.next_left(&told) {
-        NextLeft::None => Some(Block::Paragraph("No other order remains.".into())),
-        NextLeft::Order(next) => Some(Block::Paragraph(phrase!("The next non-zero order is {}.", next))),
+        NextLeft::None => Some(Block::Paragraph(text::no_other_order())),
+        NextLeft::Order(next) => Some(Block::Paragraph(text::next_order(next))),
         NextLeft::NotKnown => None,
     }
 }

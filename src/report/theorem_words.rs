@@ -6,6 +6,7 @@ use crate::engine::Engine;
 use crate::order::{self, Masses};
 use crate::page::{Number, Text, phrase};
 use crate::proof::Survivors;
+use crate::report::texts::theorem as text;
 use crate::verdict::{self, EveryOrder, LONGEST_SIEVED, MOST_CANDIDATES, NoTheorem, Theorem};
 
 /// Up to this many classes of orders are named one by one, as `18j − 8`.
@@ -15,22 +16,23 @@ const MOST_DIGITS: usize = 20;
 
 /// What is true of every order, of the force and of the moment.
 pub(super) fn statements(engine: &Engine, theorem: &Theorem) -> Vec<Text> {
-    let force = phrase!("**Force.** {}", statement(&theorem.force));
-    let moment = phrase!("**Moment.** {}", statement(&theorem.moment));
-    [force, moment].map(|statement| whose(engine, theorem.masses, statement)).into()
+    of_both(engine, theorem.masses, [statement(&theorem.force), statement(&theorem.moment)])
+}
+
+/// The statements on force and moment.
+pub(super) fn of_both(engine: &Engine, masses: Masses, [force, moment]: [Text; 2]) -> Vec<Text> {
+    [text::force(force), text::moment(moment)].map(|statement| whose(engine, masses, statement)).into()
 }
 
 /// Whose masses it is about, where the engine has others than pistons.
-pub(super) fn whose(engine: &Engine, masses: Masses, statement: Text) -> Text {
+fn whose(engine: &Engine, masses: Masses, statement: Text) -> Text {
     let has_others = order::groups_of(engine).len() > 1;
     match masses {
-        Masses::Reciprocating if has_others => phrase!("{} This is about the pistons alone.", statement),
-        Masses::All if has_others => phrase!("{} This is about the engine as it is built.", statement),
+        Masses::Reciprocating if has_others => text::pistons_alone(statement),
+        Masses::All if has_others => text::as_built(statement),
         Masses::Reciprocating | Masses::All => statement,
-        Masses::Rotating => {
-            phrase!("{} This is about the rotating masses alone, without counterweights and shafts.", statement)
-        }
-        Masses::Counterweights => phrase!("{} This is about the counterweights alone.", statement),
+        Masses::Rotating => text::rotating_alone(statement),
+        Masses::Counterweights => text::counterweights_alone(statement),
     }
 }
 
@@ -38,34 +40,13 @@ pub(super) fn whose(engine: &Engine, masses: Masses, statement: Text) -> Text {
 pub(super) fn no_theorem(reason: &NoTheorem) -> Text {
     match reason {
         NoTheorem::PeriodTooLong(period) => match period.to_string() {
-            digits if digits.len() <= MOST_DIGITS => phrase!(
-                "No statement is made on every order at once: the pattern repeats only after {} orders, and at most {} are examined.",
-                digits,
-                LONGEST_SIEVED
-            ),
-            digits => phrase!(
-                "No statement is made on every order at once: the pattern repeats only after a number of orders that has {} digits, and at most {} are examined.",
-                digits.len(),
-                LONGEST_SIEVED
-            ),
+            digits if digits.len() <= MOST_DIGITS => text::period_too_long(digits, LONGEST_SIEVED),
+            digits => text::period_of_digits(digits.len(), LONGEST_SIEVED),
         },
-        NoTheorem::TooManyCandidates(period) => phrase!(
-            "No statement is made on every order at once: the pattern repeats only after {} orders, of which more than {} may be zero, too many to decide. The verdicts cover only the orders asked for.",
-            *period,
-            MOST_CANDIDATES
-        ),
-        NoTheorem::RodsDiffer => {
-            "No statement is made on every order at once: the rods differ, so no order is a single sum.".into()
-        }
-        NoTheorem::FasterCrank(speed) => phrase!(
-            "No statement is made on every order at once: a crankshaft turns {} times while the reference turns once, so that its pistons have \
-             other orders than those of the reference.",
-            *speed
-        ),
-        NoTheorem::Shaft(order) => phrase!(
-            "No statement is made on every order at once: a balancer shaft turns at order {}, which is not in the pattern of the cylinders; use the reciprocating masses only (`--masses reciprocating`).",
-            *order
-        ),
+        NoTheorem::TooManyCandidates(period) => text::too_many_candidates(*period, MOST_CANDIDATES),
+        NoTheorem::RodsDiffer => text::rods_differ(),
+        NoTheorem::FasterCrank(speed) => text::faster_crank(*speed),
+        NoTheorem::Shaft(order) => text::shaft_apart(*order),
     }
 }
 
@@ -75,23 +56,8 @@ pub(super) fn why(engine: &Engine, theorem: &Theorem) -> Text {
     let part = Text::formula(format!("\\tfrac{{1}}{{{period}}}"));
     let plane = Number::exact(engine.reference_plane());
     match period {
-        2 => phrase!(
-            "All throws and banks are multiples of {} of a turn, and in (2) the order $k$ only multiplies angles: so the sums of the \
-             force depend on $k$ only modulo {}, and so do those of the moment, about z = {}. The verdicts on order 1 and on order 2 \
-             prove the statements for every order of a centric engine.",
-            part,
-            period,
-            plane
-        ),
-        _ => phrase!(
-            "All throws and banks are multiples of {} of a turn, and in (2) the order $k$ only multiplies angles: so the sums of the \
-             force depend on $k$ only modulo {}, and so do those of the moment, about z = {}. The verdicts on order 1 and on the even \
-             orders 2 to {} prove the statements for every order of a centric engine.",
-            part,
-            period,
-            plane,
-            period
-        ),
+        2 => text::why_two_orders(part, period, plane),
+        _ => text::why_one_period(part, period, plane),
     }
 }
 
@@ -101,16 +67,9 @@ fn statement(every: &EveryOrder) -> Text {
     let senses @ [direct, reverse] = &[&every.direct, &every.reverse].map(|verdicts| verdict::survivors(verdicts));
     match named(&both, senses) {
         _ if every.first.is_none() => sentence(&both),
-        Some(list) => phrase!("Nothing remains but {}.", list),
-        None if direct == reverse => {
-            phrase!("{} This holds for both the direct and the reverse vector.", sentence(&both))
-        }
-        None => phrase!(
-            "{} The direct vector: {} The reverse vector: {}",
-            sentence(&both),
-            sentence(direct),
-            sentence(reverse)
-        ),
+        Some(list) => text::nothing_but(list),
+        None if direct == reverse => text::both_vectors(sentence(&both)),
+        None => text::each_vector(sentence(&both), sentence(direct), sentence(reverse)),
     }
 }
 
@@ -148,36 +107,19 @@ fn sentence(survivors: &Survivors) -> Text {
     let zeros: Vec<u32> = (0..*modulus).step_by(2).filter(|residue| !residues.contains(residue)).collect();
     let does = |sign: &str| Text::formula(format!("{modulus} {sign} k"));
     match (residues.as_slice(), zeros.as_slice(), order_one) {
-        ([], _, false) => "Zero at every order.".into(),
-        ([], _, true) => "Zero at every order but order 1.".into(),
-        (_, [], true) => "Zero at no order.".into(),
-        (_, [], false) => "Zero at order 1 and at no other.".into(),
-        ([0], _, one) => phrase!(
-            "Zero exactly at the orders $k$ {but 1 |}that {} does not divide ({}).",
-            *one,
-            *modulus,
-            does("\\nmid")
-        ),
-        (_, [0], one) => phrase!(
-            "Zero exactly {|at order 1 and }at the orders $k$ that {} divides ({}).",
-            *one,
-            *modulus,
-            does("\\mid")
-        ),
-        (left, zeros, one) if left.len() <= zeros.len() => match (orders(left, *modulus), one) {
-            (Orders::Named(list), one) => phrase!("Zero at every order but {order 1 and |}{}.", *one, list),
-            (Orders::Counted(list), one) => {
-                phrase!("Zero at every order but {order 1 and |}those that are {} modulo {}.", *one, list, *modulus)
-            }
+        ([], _, false) => text::zero_at_all(),
+        ([], _, true) => text::zero_but_first(),
+        (_, [], true) => text::zero_at_none(),
+        (_, [], false) => text::zero_at_first(),
+        ([0], _, one) => text::zero_unless_divided(*one, *modulus, does("\\nmid")),
+        (_, [0], one) => text::zero_if_divided(*one, *modulus, does("\\mid")),
+        (left, zeros, one) if left.len() <= zeros.len() => match orders(left, *modulus) {
+            Orders::Named(list) => text::zero_but(*one, list),
+            Orders::Counted(list) => text::zero_but_modulo(*one, list, *modulus),
         },
-        (_, zeros, one) => match (orders(zeros, *modulus), one) {
-            (Orders::Named(list), one) => phrase!("Zero at {1:|order 1 and }{2}{1:|,} and at no other.", *one, list),
-            (Orders::Counted(list), one) => phrase!(
-                "Zero at {|order 1, at }the orders that are {} modulo {}, and at no other.",
-                *one,
-                list,
-                *modulus
-            ),
+        (_, zeros, one) => match orders(zeros, *modulus) {
+            Orders::Named(list) => text::zero_at(*one, list),
+            Orders::Counted(list) => text::zero_at_modulo(*one, list, *modulus),
         },
     }
 }

@@ -27,13 +27,13 @@ fn no_sentence_stands_in_the_code_of_the_pages() {
     assert!(!is_sentence("Force in {}") && !is_sentence("Largest load of the crankpin in {}"));
 }
 
-/// Seven words, or four with a full stop or a colon, or words that a value chooses: less is a label.
+/// Ten words, or four with a full stop or a colon, or words that a value chooses: less is a label.
 fn is_sentence(words: &str) -> bool {
     let letters = |word: &&str| word.chars().count() > 1;
     let count = words.split(|letter: char| !letter.is_ascii_alphabetic()).filter(letters).count();
     let chooses =
         words.split('{').skip(1).any(|place| place.split('}').next().is_some_and(|words| words.contains('|')));
-    count >= 7 || count >= 4 && words.trim_end().ends_with(['.', ':']) || chooses
+    count >= 10 || count >= 4 && words.trim_end().ends_with(['.', ':']) || chooses
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn a_text_is_a_page_with_places_and_sentences_with_names() {
     for line in [
         "pub(crate) mod crank_pins {",
         "pub(crate) engine: Text,\npub(crate) sense: Choice,\npub(crate) table: Blocks,\npub(crate) notes: Items,\n",
-        "Text::phrase(\"The {1:with|against} of {2}, $c_{2}$:\"",
+        "Text::phrase(\"The {with|against} of {}, $c_{2}$:\", vec![Text::from(self.sense), self.engine.clone()])",
         "page.blocks(self.table);\npage.section(Text::phrase(\"More\", vec![]));\npage.items(self.notes);",
         "pub(crate) fn largest(force: impl Into<Text>) -> Text {\nText::phrase(\"It is {}.\", vec![force.into()])",
     ] {

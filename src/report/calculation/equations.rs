@@ -9,8 +9,7 @@ use crate::report::texts::loads as text;
 
 /// The equations with what they say, in TeX, and their numbers.
 pub(super) fn equations(engine: &Engine, loads: &Loads) -> Vec<(Text, String, u32)> {
-    let motion = mechanism_words::motion(engine).into_iter().map(|(words, tex)| (Text::from(words), tex));
-    let mut equations: Vec<(Text, String)> = motion.collect();
+    let mut equations = mechanism_words::motion(engine);
     let turning = [MassGroup::Rotating, MassGroup::Crankshaft, MassGroup::Counterweights];
     let has = |wanted: &[MassGroup]| loads.groups.iter().any(|loads| wanted.contains(&loads.group));
     let rotating = if has(&turning) { " + [k=1]\\; 2 \\sum_u \\frac{U_u}{m\\,r}\\, e^{i\\beta_u}" } else { "" };

@@ -43,7 +43,7 @@ pub(super) fn given(pupil: &Pupil) -> Vec<Block> {
         text::cylinders(engine.cylinders().len()).into(),
         Block::Pictures(vec![end, side]),
         table::cylinders(engine).into(),
-        Block::List(vec![seen(engine.convention()), centres(engine).into(), vectors, plane]),
+        Block::List(vec![seen(engine.convention()), centres(engine), vectors, plane]),
     ]
 }
 

@@ -1,14 +1,13 @@
 //! What has to be said beside a comparison: units, how it is read, why there are no newtons?
 
-use super::super::residual;
 use super::Compared;
 use crate::engine::{LengthUnit, WHY_NOT};
 use crate::page::Text;
-use crate::report::texts::{compare as text, engine_cells};
+use crate::report::texts::{compare as text, engine_cells, residual};
 
 /// What follows the table.
 pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
-    let mut notes: Vec<Text> = vec![text::sizes(), residual::LEGEND.into(), positions(engines), text::lowest_orders()];
+    let mut notes: Vec<Text> = vec![text::sizes(), residual::exact_sizes(), positions(engines), text::lowest_orders()];
     notes.push(engine_cells::remedies());
     if engines.iter().any(|engine| engine.judged.orders.iter().any(|order| order.parts.len() > 1)) {
         notes.push(text::several_sums());
@@ -17,7 +16,7 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
         notes.push(WHY_NOT.into());
     }
     if engines.iter().any(|engine| engine.engine.faster_crank().is_some()) {
-        notes.push(residual::SPEED_LEGEND.into());
+        notes.push(residual::orders_by_speed());
     }
     notes.extend(engines.iter().filter_map(without_gas));
     let moved = names(engines, |engine| engine.engine.firing().is_some() && engine.engine.has_dead_centres_apart());

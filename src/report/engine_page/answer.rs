@@ -10,6 +10,7 @@ use crate::engine::{DOES_NOT_EXIST, Engine};
 use crate::order::Masses;
 use crate::page::{Block, Choice, Document, Text, phrase};
 use crate::proof::{Planar, Quantity, Shape};
+use crate::report::texts::{engine as text, residual as of_residual};
 use crate::verdict::{self, EveryOrderTheorem, Judgement, NextLeft, NoTheorem, OrderVerdict, WholeOrder};
 
 /// The lines of the box that a report opens with.
@@ -36,8 +37,8 @@ fn pistons(judged: &Judgement, weighed: &WeighedParts) -> Option<Text> {
     let existing: Vec<&OrderVerdict> = judged.pistons.as_ref()?.iter().filter(|order| order.exists()).collect();
     let left = left(&existing, weighed.pistons.as_ref());
     Some(match left.is_empty() {
-        true => "**The pistons alone.** No force or moment at these orders.".into(),
-        false => phrase!("**The pistons alone.** {}", Text::joined(left, " ")),
+        true => text::pistons_still(),
+        false => text::pistons_alone(Text::joined(left, " ")),
     })
 }
 
@@ -47,16 +48,16 @@ fn shaking(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Text {
     let what = match left.is_empty() {
         false => Text::joined(left, " "),
         true if orders.iter().all(|order| order.force.is_balanced() && order.moment.is_balanced()) => {
-            "No force and no moment at these orders.".into()
+            text::nothing_shakes()
         }
         true => match weighed {
-            Some(weighed) => phrase!("Nothing above {} % of one piston's force.", percent_at_most(weighed.above())),
-            None => "Nothing is known to remain at the orders examined.".into(),
+            Some(weighed) => text::nothing_above(percent_at_most(weighed.above())),
+            None => text::nothing_known(),
         },
     };
     match circumstances(weighed) {
-        None => phrase!("**What shakes.** {}", what),
-        Some(circumstances) => phrase!("**What shakes** ({}). {}", circumstances, what),
+        None => text::shakes(what),
+        Some(circumstances) => text::shakes_under(circumstances, what),
     }
 }
 
@@ -66,14 +67,14 @@ fn left(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Vec<Text> {
     for order in orders {
         for quantity in Planar::BOTH {
             let Some((name, size)) = sized(order, quantity, weighed) else { continue };
-            match named.iter_mut().find(|(other, _)| *other == name) {
+            match named.iter_mut().find(|(other, _)| other.label == name.label) {
                 Some((_, sizes)) => sizes.push(size),
                 None => named.push((name, vec![size])),
             }
         }
     }
     let mut sentences: Vec<Text> =
-        named.into_iter().map(|(name, sizes)| phrase!(name.sentence, Text::joined(sizes, ", "))).collect();
+        named.into_iter().map(|(name, sizes)| (name.sentence)(Text::joined(sizes, ", "))).collect();
     sentences.extend(weighed.into_iter().flat_map(about_the_axis));
     sentences.extend(not_decided(orders));
     sentences
@@ -83,7 +84,7 @@ fn left(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Vec<Text> {
 fn not_decided(orders: &[&OrderVerdict]) -> Option<Text> {
     let is_open = |whole: &WholeOrder| whole.shape == Shape::NotDecided && !whole.is_left();
     let open = numbers(orders.iter().copied(), |order| is_open(&order.force) || is_open(&order.moment));
-    (!open.is_empty()).then(|| phrase!("Not decided: whether {} vanish.", residual::orders_in_words(&open)))
+    (!open.is_empty()).then(|| text::not_decided(residual::orders_in_words(&open)))
 }
 
 /// The name of the force or moment of an order, and its size; none where it is not left, or told with others.
@@ -130,10 +131,10 @@ fn about_the_axis(weighed: &Weighed) -> Option<Text> {
     let small: Vec<String> = small.iter().map(|(order, _)| order.to_string()).collect();
     match (large.is_empty(), small.is_empty()) {
         (true, _) => None,
-        (false, true) => Some(phrase!("Roll moment: {}.", Text::joined(large, ", "))),
+        (false, true) => Some(text::roll_moment(Text::joined(large, ", "))),
         (false, false) => {
             let small = residual::orders_in_words(&small);
-            Some(phrase!("Roll moment: {}; smaller at {}.", Text::joined(large, ", "), small))
+            Some(text::roll_moment_smaller(Text::joined(large, ", "), small))
         }
     }
 }
@@ -148,20 +149,20 @@ fn balanced(all: &[OrderVerdict], existing: &[&OrderVerdict]) -> Option<Text> {
     let words = residual::orders_in_words;
     let vanishing = match (forces.as_slice(), moments.as_slice()) {
         ([], []) => None,
-        (forces, moments) if forces == moments => Some(phrase!("Force and moment at {}.", words(forces))),
-        (forces, []) => Some(phrase!("Force at {}.", words(forces))),
-        ([], moments) => Some(phrase!("Moment at {}.", words(moments))),
-        (forces, moments) => Some(phrase!("Force at {}; moment at {}.", words(forces), words(moments))),
+        (forces, moments) if forces == moments => Some(text::force_and_moment_at(words(forces))),
+        (forces, []) => Some(text::force_at(words(forces))),
+        ([], moments) => Some(text::moment_at(words(moments))),
+        (forces, moments) => Some(text::force_at_moment_at(words(forces), words(moments))),
     };
     let mut missing = numbers(all, |order| !order.exists());
     missing.dedup();
     let missing = match missing.as_slice() {
         [] => None,
-        [only] => Some(phrase!("Order {} {}.", only.clone(), DOES_NOT_EXIST)),
-        several => Some(phrase!("Orders {} do not exist.", several.join(", "))),
+        [only] => Some(text::order_missing(only.clone(), DOES_NOT_EXIST)),
+        several => Some(text::orders_missing(several.join(", "))),
     };
     let sentences: Vec<Text> = vanishing.into_iter().chain(missing).collect();
-    (!sentences.is_empty()).then(|| phrase!("**Balanced, proved.** {}", Text::joined(sentences, " ")))
+    (!sentences.is_empty()).then(|| text::balanced(Text::joined(sentences, " ")))
 }
 
 /// What is known of the orders that are not told: that there are none, or what they add up to at most, forces and moments together where
@@ -180,10 +181,8 @@ fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&
     let of_force = bound((Planar::Force, ["{} % of the largest force", "{} of force"]));
     let of_moment = bound((Planar::Moment, ["{} % of the largest moment", "{} of moment"]));
     match (of_force, of_moment, next) {
-        (None, None, NextLeft::None) if is_all_told(weighed) => Some("**All other orders.** Zero.".into()),
-        (None, None, NextLeft::Order(next)) => {
-            Some(phrase!("**All other orders.** The next non-zero order is {}.", next))
-        }
+        (None, None, NextLeft::None) if is_all_told(weighed) => Some(text::others_zero()),
+        (None, None, NextLeft::Order(next)) => Some(text::others_next(next)),
         (None, None, NextLeft::None | NextLeft::NotKnown) => None,
         (Some((small, force)), Some((same, moment)), next) if small == same => {
             Some(at_most(&small, next, Text::joined([force, moment], ", ")))
@@ -198,8 +197,7 @@ fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&
                     phrase!("{} ({})", bound, orders.join(", "))
                 }
             };
-            let bounds = Text::joined([force, moment].map(named), ", ");
-            Some(phrase!("**All other orders.** Together at most {}.", bounds))
+            Some(text::others_at_most(Text::joined([force, moment].map(named), ", ")))
         }
     }
 }
@@ -213,16 +211,13 @@ fn is_all_told(weighed: Option<&Weighed>) -> bool {
 fn at_most(small: &[String], next: NextLeft, bound: Text) -> Text {
     let listed = || Text::label(small.join(", "));
     match (small, next) {
-        ([], NextLeft::Order(next)) => phrase!("**All other orders.** From {} on, together at most {}.", next, bound),
-        ([], NextLeft::None | NextLeft::NotKnown) => phrase!("**All other orders.** Together at most {}.", bound),
-        ([only], NextLeft::None) => phrase!("**Order {}.** At most {}.", only.clone(), bound),
-        (_, NextLeft::None) => phrase!("**Orders {}.** Together at most {}.", listed(), bound),
-        (_, NextLeft::Order(_) | NextLeft::NotKnown) => phrase!(
-            "**{Order|Orders} {} and all others.** Together at most {}.",
-            Choice::one_or_more(small.len()),
-            listed(),
-            bound
-        ),
+        ([], NextLeft::Order(next)) => text::others_from(next, bound),
+        ([], NextLeft::None | NextLeft::NotKnown) => text::others_at_most(bound),
+        ([only], NextLeft::None) => text::order_at_most(only.clone(), bound),
+        (_, NextLeft::None) => text::orders_at_most(listed(), bound),
+        (_, NextLeft::Order(_) | NextLeft::NotKnown) => {
+            text::these_and_others_at_most(Choice::one_or_more(small.len()), listed(), bound)
+        }
     }
 }
 
@@ -262,7 +257,7 @@ fn answer(
         None => page.push(Block::Answer(lines(engine, judged, theorem.as_ref(), &weighed))),
         Some((sized, speed)) => {
             page.push(at_speed::table(engine, judged, theorem.as_ref(), sized, speed));
-            page.push(Block::Note(at_speed::legend()));
+            page.push(Block::Note(text::sizes_rounded(Text::code("--all"))));
             page.blocks.extend(pistons(judged, &weighed).map(Block::Paragraph));
         }
     }
@@ -275,10 +270,10 @@ fn answer(
 fn tables(judged: &Judgement, weighing: &Weighing, weighed: &WeighedParts) -> Vec<Block> {
     let WeighedParts { as_judged, pistons: of_pistons } = weighed;
     let mut page = Document::new("verdicts", Text::default());
-    page.blocks.extend(judged.pistons.as_ref().map(|_| Block::Paragraph("As built:".into())));
+    page.blocks.extend(judged.pistons.as_ref().map(|_| Block::Paragraph(text::as_built())));
     page.push(table::verdicts(&judged.orders, as_judged.as_ref()));
     if let Some(pistons) = &judged.pistons {
-        page.push(Block::Paragraph("The pistons alone:".into()));
+        page.push(text::of_pistons());
         page.push(table::verdicts(pistons, of_pistons.as_ref()));
     }
     let sums = table::sums(&judged.orders).filter(|_| shows_classes(weighing, as_judged.as_ref()));
@@ -304,21 +299,21 @@ fn notes(
     // What books say of rods that are assumed nobody asks.
     let given = as_judged.filter(|weighed| weighed.assumed.is_none());
     notes.extend(given.and_then(|weighed| books_line(engine, &weighed.loads, Unit::as_read)));
-    notes.extend(is_exact.then(|| residual::LEGEND.into()));
+    notes.extend(is_exact.then(of_residual::exact_sizes));
     if is_exact && shows_classes(weighing, as_judged) {
-        notes.extend(mechanism_words::rows(engine).into_iter().map(Text::from));
+        notes.extend(mechanism_words::rows(engine));
     }
     notes.extend(articulated::hidden(engine, as_judged));
-    notes.extend((is_exact && !engine.geared_cranks().is_empty()).then(|| residual::ROLL_LEGEND.into()));
+    notes.extend((is_exact && !engine.geared_cranks().is_empty()).then(of_residual::torque_and_roll));
     let lacks = as_judged.and_then(|weighed| weighed.loads.roll_lacks);
     notes.extend(geared::roll_asked_of(engine).or_else(|| lacks.map(|missing| roll_asked(engine, missing))));
-    notes.extend(geared::flywheels(engine, judged).map(Text::from));
-    notes.extend(engine.faster_crank().filter(|_| is_exact).map(|_| residual::SPEED_LEGEND.into()));
-    notes.extend(residual::turning_unit(judged).filter(|_| is_exact).map(Text::from));
+    notes.extend(geared::has_flywheels(engine, judged).then(text::own_flywheels));
+    notes.extend(engine.faster_crank().filter(|_| is_exact).map(|_| of_residual::orders_by_speed()));
+    notes.extend(residual::turning_unit(judged).filter(|_| is_exact));
     let missing =
         |order: &OrderVerdict| !order.exists() || order.torque.as_ref().is_some_and(|torque| !torque.exists());
     if judged.orders.iter().any(missing) {
-        notes.push(residual::why_not(judged.masses).into());
+        notes.push(residual::why_not(judged.masses));
     }
     notes.extend(residual::whose_masses(engine, judged));
     notes.into_iter().map(Block::Note).collect()

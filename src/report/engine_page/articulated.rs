@@ -4,15 +4,15 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::super::{residual, typeset};
-use super::corrected;
 use super::left::numbers;
 use super::weighing::Weighed;
 use crate::engine::{Cylinder, Draft, Engine, Form, Link, Mechanism, Rod};
 use crate::exact::Turn;
 use crate::loads::{self, Loads};
 use crate::order;
-use crate::page::{Block, Number, Piece, Table, Text, Unit, phrase};
+use crate::page::{Block, Number, Piece, Table, Text, Unit};
 use crate::proof::{Planar, Sense};
+use crate::report::texts::engine as text;
 use crate::verdict::{Judgement, OrderVerdict};
 
 /// r : l : a of the master rod that a radial is compared with which names none.
@@ -26,39 +26,34 @@ pub(super) fn section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     if !engine.has_links() {
         return Vec::new();
     }
-    let paragraph = |text: &'static str| Block::Paragraph(text.into());
+    let formula = |tex: &str| Block::Formula(tex.to_owned(), None);
     let mut blocks = vec![Block::Heading(1, "Articulated rods".into()), links(engine).into()];
     let mut of_engine = engine.cylinders().iter().filter_map(Cylinder::link);
     if !of_engine.all(Link::is_corrected) {
-        let formula = Block::Formula(HARMONIC.to_owned(), None);
-        blocks.extend([paragraph(MOTION), formula, paragraph(THEOREM), paragraph(TERMS)]);
+        let [coefficients, sums] = [text::link_coefficients(), text::link_sums()].map(Block::Paragraph);
+        blocks.extend([text::link_motion().into(), formula(HARMONIC), coefficients, sums]);
     }
     if engine.has_corrected_links() {
-        blocks.extend(corrected::section());
+        let [coefficients, sums] = [text::corrected_coefficients(), text::corrected_sums()].map(Block::Paragraph);
+        blocks.extend([text::corrected_motion().into(), formula(CORRECTED_HARMONIC), coefficients, sums]);
     }
     let lines = in_line(engine, judged);
     if !lines.is_empty() {
-        blocks.push(Block::Paragraph(phrase!(
-            "**Direction, proved.** The vectors of {}, direct and reverse, lie on the line of the master's own: every sum of force and moment, with any coefficient, is its own mirror image in it. So the force is largest along that line or across it, by symmetry.",
-            residual::orders_in_words(&lines)
-        )));
+        blocks.push(text::own_line(residual::orders_in_words(&lines)).into());
     }
     if engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero()) {
-        blocks.push(paragraph(if engine.has_corrected_links() { corrected::KNUCKLES } else { KNUCKLES }));
+        let is_corrected = engine.has_corrected_links();
+        let masses = if is_corrected { text::corrected_knuckle_masses() } else { text::knuckle_masses() };
+        blocks.push(masses.into());
     }
-    blocks.push(paragraph(NOT_JUDGED));
+    blocks.push(text::rods_as_masses().into());
     blocks
 }
 
-const MOTION: &str = "The cylinders of the table have no rod on the crankpin: their links are on knuckle pins of the master rod. The pin is at the radius a and, seen from the crankpin, at the angle of its cylinder. With $\\kappa = a/l$, $\\Delta = \\alpha - \\alpha_0$ and $z = 1 - \\kappa e^{i\\Delta}$, the shaking force of such a piston has $c_1 = 1$, no other odd order, and for even k";
+/// The coefficients of a piston on a link.
 const HARMONIC: &str = "\\kappa\\, e^{ik\\Delta} c_k(\\lambda) + z^k g_k, \\qquad z^k = \\sum_{u=0}^{k} \\binom{k}{u} (-\\kappa)^u e^{iu\\Delta}";
-const THEOREM: &str = "Order 1 is therefore exactly that of rods on the crankpin itself. $c_k(\\lambda)$ is that of the master rod; $g_k = |z|^{1-k} c_k(r|z|/L)$ is a real \
-                       number that is not zero, for it is a series whose terms have one sign, and it has the sign of $c_k$. It is the same for $\\Delta$ and \
-                       $-\\Delta$.";
-const TERMS: &str = "So each order is made of exact sums, one multiplied by $c_k$ and one by each $g_k$: they are decided separately. Where all are zero the order is, proved; where some remain, bounds from below and above decide. Rows that name $\\Delta$ count in $g_k$ where others count in $c_k$.";
-const KNUCKLES: &str = "A knuckle pin moves as $(1-\\zeta)$ times the crankpin and $\\zeta$ times the piston pin of the master, $\\zeta = \\kappa e^{i\\Delta}$. So its mass, with the \
-                        big end of the link, is exactly a mass on each of them: terms of the sums of the master and of what turns with the crank.";
-const NOT_JUDGED: &str = "Each rod is two masses, which is exact for forces and moments. The orders of the inertia torque are not decided of an engine with articulated rods; the command torque computes them, with the gas.";
+/// The same where the knuckle pin is elsewhere than at the angle of its cylinder.
+const CORRECTED_HARMONIC: &str = "c_k = [k=1] \\left(1 + \\tfrac{\\kappa}{2} e^{i(\\Delta-\\varepsilon)} - \\tfrac{\\kappa}{2} e^{i(\\Delta+\\varepsilon)}\\right) + \\tfrac{\\kappa}{2} \\left(e^{i(k\\Delta+\\varepsilon)} + e^{i(k\\Delta-\\varepsilon)}\\right) c_k(\\lambda) + h_k";
 
 /// The links, with what they hang on.
 fn links(engine: &Engine) -> Table {
@@ -130,13 +125,8 @@ pub(super) fn hidden(engine: &Engine, weighed: Option<&Weighed>) -> Option<Text>
         let peak = peak(loads, order);
         if peak == 0.0 { Text::zero() } else { Text::from(Piece::Quantity(peak, Unit::MULTIPLE)) }
     });
-    Some(phrase!(
-        "**Rods are taken as concentric.** With the first rods as masters (crank, rod, knuckles {}, assumed), order {} would be a force of {}, not {}: give [articulated].",
-        [r.clone(), &r / &ratio, &knuckle / &ratio].map(|length| typeset::short(&length)).join(" : "),
-        order,
-        after,
-        before
-    ))
+    let lengths = [r.clone(), &r / &ratio, &knuckle / &ratio].map(|length| typeset::short(&length));
+    Some(text::taken_as_concentric(lengths.join(" : "), order, after, before))
 }
 
 /// The loads of the pistons of an engine with these rods, concentric or on the first master of each row.

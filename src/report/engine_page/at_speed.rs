@@ -6,17 +6,9 @@ use super::cures::Cures;
 use super::left::{Name, numbers};
 use super::weighing::Weighed;
 use crate::engine::{DOES_NOT_EXIST, Engine};
-use crate::page::{Piece, Setting, Table, Text, number, phrase};
+use crate::page::{Setting, Table, Text, number, phrase};
 use crate::proof::{Axial, Planar, Quantity};
 use crate::verdict::{EveryOrderTheorem, Judgement, NextLeft, OrderVerdict};
-
-/// What the sizes are.
-pub(super) fn legend() -> Text {
-    phrase!(
-        "Sizes are the largest values through a revolution, rounded; 0 is proved. {} adds the exact numbers.",
-        Text::from(Piece::Code("--all".to_owned()))
-    )
-}
 
 /// A row per order of force and of couple that stands out, with what it comes to: then the roll moment, the small orders, and the zeros.
 pub(super) fn table(

@@ -13,6 +13,7 @@ use crate::order;
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::proof::{Planar, Sense};
 use crate::remedy::{self, Remedy, Request, Shaft, SmallOrders, Weight};
+use crate::report::texts::engine as text;
 use crate::verdict::{Judgement, OrderVerdict};
 
 /// Orders of a crankshaft above this are usually left as they are.
@@ -59,7 +60,7 @@ impl<'a> Cures<'a> {
     pub fn line(&self) -> Option<Text> {
         let mut cures: Vec<Text> = self.cured.iter().filter_map(|order| self.of(order).sentence()).collect();
         cures.extend(self.usually_left());
-        (!cures.is_empty()).then(|| phrase!("**What cures it.** {}", Text::joined(cures, " ")))
+        (!cures.is_empty()).then(|| text::cures(Text::joined(cures, " ")))
     }
 
     /// The orders above 2 that stand out, each beside the largest of its kind.
@@ -70,11 +71,8 @@ impl<'a> Cures<'a> {
         };
         match self.accepted.as_slice() {
             [] => None,
-            [only] => Some(phrase!("Usually uncorrected: order {}.", named(only))),
-            several => {
-                let named = Text::joined(several.iter().map(named), ", ");
-                Some(phrase!("Usually uncorrected: orders {}.", named))
-            }
+            [only] => Some(text::uncorrected_order(named(only))),
+            several => Some(text::uncorrected_orders(Text::joined(several.iter().map(named), ", "))),
         }
     }
 
@@ -177,10 +175,8 @@ impl Cure<'_> {
             Means::Counterweights => self.counterweights(),
             Means::Shaft(sense) => self.shaft(sense),
             Means::Pair => match self.size(Sense::Direct) {
-                Some(size) => {
-                    phrase!("two shafts at {} crank speed, one each way (each {})", times(self.order.order), size)
-                }
-                None => phrase!("two shafts at {} crank speed, one each way", times(self.order.order)),
+                Some(size) => text::pair_of_size(times(self.order.order), size),
+                None => text::pair(times(self.order.order)),
             },
         }
     }
@@ -189,32 +185,23 @@ impl Cure<'_> {
         let order = self.order.order;
         let leaves = |kept: [bool; 2]| self.part_left(kept);
         Some(match *self.steps().as_slice() {
-            [(Means::Counterweights, kept)] => phrase!("Order 1: {} leave {}.", self.counterweights(), leaves(kept)),
+            [(Means::Counterweights, kept)] => text::first_order(self.counterweights(), leaves(kept)),
             [(Means::Counterweights, kept), (Means::Shaft(sense), _)] => {
-                let counterweights = self.counterweights();
-                phrase!("Order 1: {} leave {}; with {}, nothing.", counterweights, leaves(kept), self.shaft(sense))
+                text::first_order_with_shaft(self.counterweights(), leaves(kept), self.shaft(sense))
             }
-            [(Means::Shaft(sense), kept)] => phrase!("Order {}: {} leaves {}.", order, self.shaft(sense), leaves(kept)),
+            [(Means::Shaft(sense), kept)] => text::one_shaft(order, self.shaft(sense), leaves(kept)),
             [(first @ Means::Shaft(sense), kept), (last, _), ..]
                 if self.engine.crank_turning(order, sense).is_some() =>
             {
-                let (first, last) = (self.named(first), self.named(last));
-                phrase!("Order {}: {} leave {}; with {}, nothing.", order, first, self.part_left(kept), last)
+                text::two_steps(order, self.named(first), leaves(kept), self.named(last))
             }
             [(Means::Shaft(sense), kept), ..] => {
                 let other = if sense == Sense::Direct { Sense::Reverse } else { Sense::Direct };
                 let [first, second] = [sense, other].map(|sense| self.size(sense).unwrap_or_default());
-                phrase!(
-                    "Order {}: a shaft at {} crank speed {with|against} the crank ({}) leaves {} %; with one the other way ({}), nothing.",
-                    order,
-                    times(order),
-                    sense,
-                    first,
-                    percent(self.decimal_left(kept)),
-                    second
-                )
+                let percent = percent(self.decimal_left(kept));
+                text::two_shafts(order, times(order), sense, first, percent, second)
             }
-            [(Means::Pair, _), ..] => phrase!("Order {}: {}, leave nothing.", order, self.named(Means::Pair)),
+            [(Means::Pair, _), ..] => text::pair_leaves(order, self.named(Means::Pair)),
             [(Means::Counterweights, _), ..] | [] => return None,
         })
     }
@@ -260,11 +247,11 @@ impl Cure<'_> {
                 let [force, moment] = Planar::BOTH.map(|quantity| percent(self.part_of(quantity, vectors)));
                 let both = Planar::BOTH.into_iter().all(|quantity| self.order.whole(quantity).is_left());
                 match both && force != moment {
-                    true => phrase!("{} % of the force and {} % of the moment", force, moment),
+                    true => text::part_of_both(force, moment),
                     false => phrase!("{} %", percent(self.decimal_left(vectors))),
                 }
             }
-            (true, false) => "the part that turns the other way".into(),
+            (true, false) => text::other_part(),
         }
     }
 
@@ -282,7 +269,7 @@ impl Cure<'_> {
         let shaft = match (crank, self.order.order, sense) {
             (Some(crank), ..) => phrase!("counterweights added on crankshaft {}", crank.name.clone()),
             (None, 1, _) => "a shaft against the crank".into(),
-            (None, order, sense) => phrase!("a shaft at {} crank speed {with|against} the crank", times(order), sense),
+            (None, order, sense) => text::shaft(times(order), sense),
         };
         match self.size(sense) {
             Some(size) => phrase!("{} ({})", shaft, size),

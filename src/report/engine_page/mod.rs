@@ -4,7 +4,6 @@ mod answer;
 mod articulated;
 mod at_speed;
 mod conventions;
-mod corrected;
 mod cures;
 mod engine;
 mod geared;
@@ -14,7 +13,7 @@ mod torque;
 mod weighing;
 
 pub use answer::{engine_answer, engine_answer_weighed};
-pub(super) use conventions::{FIRES, reference_plane};
+pub(super) use conventions::reference_plane;
 pub(super) use cures::is_usually_cured;
 pub use cures::worth_curing;
 pub(super) use orders::symbol;
@@ -23,16 +22,18 @@ pub(super) use weighing::{Rest, Weighed, WeighedParts, assumed_ratio, circumstan
 
 use super::accuracy::{AccuracyCase, accuracy_section};
 use super::calculation::{self, Numbers};
+use super::convention::differs;
 use super::firing::firing_section;
 use super::remedy::remedy_section;
+use super::texts::engine as text;
 use super::torque::torque_section;
 use super::torsion::torsion_section;
-use super::{family_page, firmness, mechanism_words, moving, table, theorem};
+use super::{dead_centres, family_page, firmness, mechanism_words, moving, table, theorem};
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
 use crate::order::Masses;
-use crate::page::{Block, Document, Fold, Table, Text, phrase};
+use crate::page::{Block, Document, Fold, Table, Text};
 use crate::remedy::{self, Remedy, RemedyError, Request};
 use crate::verdict::Judgement;
 use answer::theorem_of;
@@ -90,48 +91,62 @@ pub fn engine_page(subject: Contents) -> Document {
     let theorem = theorem_of(engine, judged);
     let weighed = WeighedParts::new(engine, judged, weighing);
     let stars = orders::stars(judged, &weighed);
-    let mut page = Document { has_contents: true, ..Document::new("report", engine.title()) };
-    page.blocks.extend(title_block(engine));
-    page.push(Block::Answer(answer::lines(engine, judged, theorem.as_ref().ok(), &weighed)));
-    page.push(Block::Pictures(engine::first_pictures(engine, &stars)));
-    if in_motion {
-        page.blocks.extend(moving::live(&[moving::scene(engine, judged, family, weighing)]));
-    }
-    page.blocks.extend(results(engine, judged, &weighed));
-    page.blocks.extend(engine::section(engine));
-    page.blocks.extend(articulated::section(engine, judged));
-    match &numbers {
-        None => {}
-        Some(Err(missing)) => page.blocks.extend(lacking("Numbers", phrase!("No numbers: {}.", missing.to_string()))),
-        Some(Ok(numbers)) => page.blocks.extend(calculation::outcome(engine, numbers, needed)),
-    }
-    match subject.remedy() {
-        None => {}
-        Some(Ok(remedy)) => page.blocks.extend(remedy_section(&remedy)),
-        Some(Err(refused)) => page.blocks.extend(lacking("Remedies", phrase!("No remedy: {}.", refused.to_string()))),
-    }
-    page.blocks.extend(torque_section(engine));
-    page.blocks.extend(firing_section(engine));
-    page.blocks.extend(torsion_section(engine));
-    page.blocks.extend(accuracy.into_iter().flat_map(|case| accuracy_section(std::slice::from_ref(case))));
-    page.blocks.extend(family.into_iter().flat_map(|(family, orders)| family_page::section(family, orders)));
-    page.blocks.extend(theorem::section(engine, &judged.orders, &theorem));
-    if engine.mechanisms().len() < 2 && engine.faster_crank().is_none() {
-        page.blocks.extend(firmness::section(engine, judged.pistons.as_ref().unwrap_or(&judged.orders)));
-    }
-    page.blocks.extend(orders::section(engine, &stars));
-    page.blocks.extend(torque::section(engine, judged, known));
-    page.blocks.extend(torque::roll_section(engine, judged));
-    page.blocks.extend(known.into_iter().flat_map(|numbers| calculation::working(engine, numbers)));
-    page.blocks.extend(conventions::section(engine));
-    page.push(Block::Heading(1, "Layout file".into()));
-    page.push(Block::Verbatim("toml", engine.file().clone()));
-    page
+    let is_alike = engine.mechanisms().len() < 2 && engine.faster_crank().is_none();
+    let firmness = is_alike.then(|| firmness::section(engine, judged.pistons.as_ref().unwrap_or(&judged.orders)));
+    let motion = in_motion.then(|| moving::scene(engine, judged, family, weighing));
+    let page = text::Page {
+        engine: engine.title().into(),
+        title_block: title_block(engine).into(),
+        answer: Block::Answer(answer::lines(engine, judged, theorem.as_ref().ok(), &weighed)).into(),
+        first_pictures: engine::first_pictures(engine, &stars).into(),
+        in_motion: motion.map(|scene| moving::live(&[scene])).unwrap_or_default().into(),
+        whose_masses: answer::whose(engine, judged).into(),
+        sizes: weighing::sizes(weighed.as_judged.as_ref()).into(),
+        summary: summary(engine, judged, &weighed).into(),
+        torque_and_roll: torque::results(engine, judged).into(),
+        pistons_alone: pistons_alone(engine, judged, &weighed).into(),
+        units: [conventions::units(engine)].into(),
+        exact_sums: exact_sums(engine, judged).into(),
+        convention: differs(engine.convention()).into(),
+        side_view: engine::seen_from_the_side(engine).into(),
+        cylinders: table::cylinders(engine).into(),
+        crankshafts: geared::crankshafts(engine).into(),
+        firing: engine.firing().map(|firing| engine::fires(engine, firing)).into(),
+        dead_centres: dead_centres::counted(engine).into(),
+        source: engine.source().map(Text::from).unwrap_or_default(),
+        articulated_rods: articulated::section(engine, judged).into(),
+        numbers: match &numbers {
+            None => Vec::new(),
+            Some(Err(missing)) => lacking("Numbers", text::no_numbers(missing.to_string())),
+            Some(Ok(numbers)) => calculation::outcome(engine, numbers, needed),
+        }
+        .into(),
+        remedies: match subject.remedy() {
+            None => Vec::new(),
+            Some(Ok(remedy)) => remedy_section(&remedy),
+            Some(Err(refused)) => lacking("Remedies", text::no_remedy(refused.to_string())),
+        }
+        .into(),
+        torque: torque_section(engine).into(),
+        gas_and_inertia: firing_section(engine).into(),
+        torsion: torsion_section(engine).into(),
+        accuracy: accuracy.into_iter().flat_map(|case| accuracy_section(std::slice::from_ref(case))).collect(),
+        family: family.into_iter().flat_map(|(family, orders)| family_page::section(family, orders)).collect(),
+        every_order: theorem::every_order(engine, &judged.orders, &theorem).into(),
+        firmness: firmness.unwrap_or_default().into(),
+        proofs: orders::proofs(engine, &stars).into(),
+        inertia_torque: torque::section(engine, judged, known).into(),
+        roll_moment: torque::roll_section(engine, judged).into(),
+        working: known.into_iter().flat_map(|numbers| calculation::working(engine, numbers)).collect(),
+        conventions: conventions::lines(engine).into(),
+        layout_file: Block::Verbatim("toml", engine.file().clone()).into(),
+    };
+    Document { name: "report", has_contents: true, ..page.document() }
 }
 
 /// What stands in the place of a section that the layout asks for in vain.
-fn lacking(heading: &'static str, why: Text) -> [Block; 2] {
-    [Block::Heading(1, heading.into()), Block::Paragraph(why)]
+fn lacking(heading: &'static str, why: Text) -> Vec<Block> {
+    vec![Block::Heading(1, heading.into()), Block::Paragraph(why)]
 }
 
 /// The box that a report opens with, by itself.
@@ -141,14 +156,15 @@ pub fn engine_summary(engine: &Engine, judged: &Judgement) -> Block {
     Block::Answer(answer::lines(engine, judged, theorem.as_ref().ok(), &weighed))
 }
 
-/// The proofs of a report by themselves, order by order, under no heading of their own.
+/// Each order with its star, its table and its proofs, under no heading of their own.
 pub fn engine_proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
-    proofs(engine, judged).into_iter().skip(1).collect()
+    orders::proofs(engine, &orders::stars(judged, &WeighedParts::new(engine, judged, Weighing::usual())))
 }
 
-/// Each order with its star, its table and its proofs.
+/// The same under their heading.
 pub(super) fn proofs(engine: &Engine, judged: &Judgement) -> Vec<Block> {
-    orders::section(engine, &orders::stars(judged, &WeighedParts::new(engine, judged, Weighing::usual())))
+    let heading = Block::Heading(1, "Proofs, order by order".into());
+    [heading].into_iter().chain(engine_proofs(engine, judged)).collect()
 }
 
 /// Number, revision, author and what else the file says of itself, with the objective.
@@ -159,34 +175,34 @@ fn title_block(engine: &Engine) -> Vec<Block> {
         .column(Text::default(), |(_, written)| written)
         .done();
     let table = (!table.rows.is_empty()).then_some(Block::Table(table));
-    let objective = block.objective.as_ref().map(|words| Block::Paragraph(phrase!("**Objective.** {}", words)));
+    let objective = block.objective.as_ref().map(|words| Block::Paragraph(text::objective(words)));
     table.into_iter().chain(objective).collect()
 }
 
-/// What is left of each order: of the engine as it is built, and of its pistons.
-fn results(engine: &Engine, judged: &Judgement, weighed: &WeighedParts) -> Vec<Block> {
+/// What is left of each order.
+fn summary(engine: &Engine, judged: &Judgement, weighed: &WeighedParts) -> Table {
     let firmness = match judged.masses {
         Masses::Reciprocating => table::Firmness::Shown,
         // Firmness is that of the pistons' zeros.
         Masses::Rotating | Masses::Counterweights | Masses::All => table::Firmness::NotShown,
     };
-    let WeighedParts { as_judged, pistons: of_pistons } = weighed;
-    let mut blocks = vec![Block::Heading(1, "Order by order".into())];
-    blocks.extend(answer::whose(engine, judged).map(Block::Paragraph));
-    blocks.extend(weighing::sizes(as_judged.as_ref()).map(Block::Paragraph));
-    blocks.push(table::summary(engine, &judged.orders, as_judged.as_ref(), firmness).into());
-    blocks.extend(torque::results(engine, judged));
-    if let Some(pistons) = &judged.pistons {
-        blocks.push(Block::Paragraph("The pistons alone:".into()));
-        blocks.push(table::summary(engine, pistons, of_pistons.as_ref(), table::Firmness::Shown).into());
+    table::summary(engine, &judged.orders, weighed.as_judged.as_ref(), firmness)
+}
+
+/// The same of the pistons alone, where the verdicts are on more.
+fn pistons_alone(engine: &Engine, judged: &Judgement, weighed: &WeighedParts) -> Vec<Block> {
+    let Some(pistons) = &judged.pistons else { return Vec::new() };
+    let table = table::summary(engine, pistons, weighed.pistons.as_ref(), table::Firmness::Shown);
+    vec![text::of_pistons().into(), table.into()]
+}
+
+/// The sums of the orders that are made of several, with why they are.
+fn exact_sums(engine: &Engine, judged: &Judgement) -> Vec<Block> {
+    let of_pistons = judged.pistons.iter().filter_map(|pistons| table::sums(pistons));
+    let sums: Vec<Block> = table::sums(&judged.orders).into_iter().chain(of_pistons).map(Block::Table).collect();
+    if sums.is_empty() {
+        return Vec::new();
     }
-    blocks.push(Block::Note(conventions::units(engine)));
-    let sums =
-        table::sums(&judged.orders).into_iter().chain(judged.pistons.iter().filter_map(|pistons| table::sums(pistons)));
-    let sums: Vec<Block> = sums.map(Block::Table).collect();
-    if !sums.is_empty() {
-        blocks.push(Block::Paragraph(mechanism_words::why_several(engine)));
-        blocks.push(Block::Folded(Fold { summary: "Exact sums behind each order".into(), blocks: sums }));
-    }
-    blocks
+    let folded = Fold { summary: "Exact sums behind each order".into(), blocks: sums };
+    vec![mechanism_words::why_several(engine).into(), Block::Folded(folded)]
 }

@@ -10,6 +10,7 @@ use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::exact::Turn;
 use crate::page::{Block, Fold, Picture, Text, phrase};
 use crate::proof::{Quantity, Sense};
+use crate::report::texts::{engine as text, theorem};
 use crate::verdict::{Balance, Judgement, OrderBalance, OrderVerdict, Verdict};
 
 /// An order as a report shows it: with its stars and its proofs.
@@ -68,7 +69,7 @@ impl<'a> StarOf<'a> {
             }
             (None, None) => return None,
         };
-        let caption = phrase!("{}: vector stars. {}", self.title(), legend);
+        let caption = text::stars(self.title(), legend);
         let name = if self.pistons_alone { format!("order-{number}-pistons") } else { format!("order-{number}") };
         Some(Picture { name, caption, figure })
     }
@@ -77,34 +78,25 @@ impl<'a> StarOf<'a> {
 const FORCE: &str =
     "F_k(\\theta) = \\tfrac12\\, r\\, \\omega^2 c_k \\left( P_k^{+} e^{ik\\theta} + P_k^{-} e^{-ik\\theta} \\right)";
 const PHASES: &str = "P_k^{+} = \\sum_j m_j\\, e^{i(k\\beta_j - (k-1)\\alpha_j)}, \\qquad P_k^{-} = \\sum_j m_j\\, e^{i(-k\\beta_j + (k+1)\\alpha_j)}";
-const BANKS: &str = "Between two banks an angle φ apart the direct phases of order k differ by (k − 1)φ and the reverse \
-                     ones by (k + 1)φ: by 0 and 2φ at order 1, φ and 3φ at order 2, 3φ and 5φ at order 4, 5φ and 7φ at order 6.";
-
-const SPEEDS: &str = "A crankshaft that turns ν times while the reference turns once has its own order k/ν at order k of the engine: its terms have k/ν in place of k and are multiplied by ν². What turns on it has order ν, and its weight is multiplied by ν².";
-
-const BELOW_ZERO: &str = "A cylinder with an offset below 0 is the mirror image of one with the same offset above 0: in odd orders above 1 its term is multiplied by −1, which is its weight in the table of the order.";
-
 fn has_offset_below_zero(engine: &Engine) -> bool {
     engine.mechanisms().iter().filter_map(|mechanism| mechanism.rod()).any(|rod| rod.offset.is_negative())
 }
 
 /// The proofs, order by order.
-pub(super) fn section(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
+pub(super) fn proofs(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
     let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != Turn::zero());
-    let paragraph = |words: &'static str| Block::Paragraph(words.into());
-    let mut blocks = vec![Block::Heading(1, "Proofs, order by order".into())];
-    blocks.extend(
-        stars.iter().take(1).flat_map(|star| &star.order.parts).take(1).flat_map(|part| example::worked(engine, part)),
-    );
+    let first = stars.iter().take(1).flat_map(|star| &star.order.parts).take(1);
+    let mut blocks: Vec<Block> = first.flat_map(|part| example::worked(engine, part)).collect();
     blocks.extend([
-        paragraph("The force of order k is a vector that turns with the crank and one that turns against it:"),
+        text::force_vectors().into(),
         Block::Formula(FORCE.to_owned(), Some(1)),
         Block::Formula(PHASES.to_owned(), Some(2)),
-        paragraph("The moment has the same sums with each term multiplied by its arm z; they are called C."),
+        text::moment_vectors().into(),
     ]);
-    blocks.extend(has_offset_below_zero(engine).then(|| paragraph(BELOW_ZERO)));
-    blocks.extend((has_banks && engine.faster_crank().is_none()).then(|| paragraph(BANKS)));
-    blocks.extend(engine.faster_crank().map(|_| paragraph(SPEEDS)));
+    let offset = has_offset_below_zero(engine).then(text::offset_below_zero);
+    let banks = (has_banks && engine.faster_crank().is_none()).then(text::bank_phases);
+    let speeds = engine.faster_crank().map(|_| text::own_orders());
+    blocks.extend(offset.into_iter().chain(banks).chain(speeds).map(Block::Paragraph));
     for star in stars {
         blocks.extend(proof(engine, star));
     }
@@ -116,7 +108,7 @@ fn proof(engine: &Engine, star: &StarOf) -> Vec<Block> {
     blocks.extend(star.picture(engine).map(Block::from));
     if let Some(only) = star.only() {
         blocks.extend(sum_proved(engine, only));
-        let summary = phrase!("{}: the certificates", star.title());
+        let summary = text::certificates(star.title());
         blocks.push(Block::Folded(Fold { summary, blocks: vec![certificates(only)] }));
         return blocks;
     }
@@ -131,7 +123,7 @@ fn proof(engine: &Engine, star: &StarOf) -> Vec<Block> {
         evidence.extend(sum_proved(engine, part));
         evidence.push(certificates(part));
     }
-    let summary = phrase!("{}: the exact sums that it is made of, with their proofs", star.title());
+    let summary = text::exact_sums(star.title());
     blocks.push(Block::Folded(Fold { summary, blocks: evidence }));
     blocks
 }
@@ -151,31 +143,23 @@ fn certificates(order: &OrderBalance) -> Block {
 }
 
 fn force_left(order: &OrderBalance) -> Text {
-    match order.exists {
-        true => phrase!("**Force.** {}", sentence(&order.force)),
-        false => phrase!("**Force.** {}", missing(order)),
-    }
+    theorem::force(if order.exists { sentence(&order.force) } else { missing(order) })
 }
 
 /// Of a star without an order.
 fn missing(order: &OrderBalance) -> Text {
-    phrase!("For any sums, order {} {}. {}", order.order, DOES_NOT_EXIST, WHY_NOT)
+    text::any_sums(order.order, DOES_NOT_EXIST, WHY_NOT)
 }
 
 fn moment_left(engine: &Engine, order: &OrderBalance) -> Text {
     let kind = || match order.moment_is_couple() {
-        true if order.moment.is_balanced() => {
-            "The force of this order vanishes, so the moment vanishes about every plane.".into()
-        }
-        true => "The force of this order vanishes, so the moment is a free couple: the same about every plane.".into(),
-        false => phrase!(
-            "The force of this order does not vanish, so the moment depends on the reference plane, here z = {}.",
-            table::place(engine, engine.reference_plane())
-        ),
+        true if order.moment.is_balanced() => text::moment_vanishes(),
+        true => text::free_couple(),
+        false => text::depends_on_plane(table::place(engine, engine.reference_plane())),
     };
     match order.exists {
-        true => phrase!("**Moment.** {} {}", sentence(&order.moment), kind()),
-        false => phrase!("**Moment.** {}", missing(order)),
+        true => text::moment(sentence(&order.moment), kind()),
+        false => theorem::moment(missing(order)),
     }
 }
 
@@ -210,12 +194,12 @@ pub(super) fn value(verdict: &Verdict) -> Text {
 
 /// A verdict with its argument.
 fn argued(engine: &Engine, verdict: &Verdict) -> Text {
-    let words = match verdict.sense {
-        Some(Sense::Direct) => "**Direct:** {}. {}",
-        Some(Sense::Reverse) => "**Reverse:** {}. {}",
-        None => "{}. {}",
-    };
-    phrase!(words, value(verdict), argument::argument(engine, verdict))
+    let (value, argument) = (value(verdict), argument::argument(engine, verdict));
+    match verdict.sense {
+        Some(Sense::Direct) => text::direct(value, argument),
+        Some(Sense::Reverse) => text::reverse(value, argument),
+        None => phrase!("{}. {}", value, argument),
+    }
 }
 
 /// A verdict with its certificate.

@@ -6,16 +6,12 @@ use super::super::{argument, residual};
 use super::geared;
 use super::orders::{certified, value};
 use crate::engine::{Engine, WHY_NOT};
-use crate::page::{Block, Fold, Picture, Table, Text, phrase};
+use crate::page::{Block, Fold, Picture, Table, Text};
+use crate::report::texts::{engine as text, residual as of_residual};
 use crate::verdict::{self, JudgedStar, Judgement, TorquePart};
 
 const ROLL: &str = "R_k = \\sum_j \\left( c_k\\, m_j r_j\\, a_j - s_j\\, t_k\\, m_j r_j^2 \\right) e^{ik(\\beta_j - \\alpha_j)}, \\qquad a_j = \\sum d \\sin(\\alpha_j - \\eta) - s_j\\, e_j";
 const TORQUE: &str = "Q_k = \\sum_j m_j\\, r_j^2\\, e^{ik(\\beta_j - \\alpha_j)}";
-
-const TORQUE_SPEEDS: &str = "with k/ν for k and the factor ν³ for the terms of a crankshaft that turns ν times while the reference turns once: ν² for the forces, ν for the gear.";
-const ROLL_ARMS: &str = "$s_j$ is 1 for a crank that turns with the reference and −1 for one against it. The axis of the crankshaft of cylinder j stands at $\\sum d\\, e^{i\\eta}$ from the origin of the layout; the axis of the cylinder misses it by $e_j$, positive on the side to which its crankpin goes after dead centre.";
-const ROLL_SPEEDS: &str =
-    "A crankshaft that turns ν times while the reference turns once has k/ν for k and the factor ν² for its terms.";
 
 /// The verdicts: at the orders that it has numbers of, else at the first and those of force and moment; one per mechanism where
 /// they differ.
@@ -42,17 +38,15 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
     let judged: Vec<JudgedStar> = verdicts.iter().map(|verdict| JudgedStar::from(*verdict)).collect();
     let stars = Picture {
         name: "torque-stars".to_owned(),
-        caption: phrase!("Vector stars of the inertia torque. {}", legend_of_one_scale(engine, &judged)),
+        caption: text::torque_stars(legend_of_one_scale(engine, &judged)),
         figure: torque_figure(engine, &verdicts),
     };
     let mut blocks = vec![
         Block::Heading(1, "Inertia torque".into()),
-        Block::Paragraph(
-            "The inertia torque of order k has the amplitude of the star, in multiples of the layout's mass and crank radius,".into(),
-        ),
+        text::torque_amplitude().into(),
         Block::Formula(TORQUE.to_owned(), None),
     ];
-    blocks.extend(engine.faster_crank().map(|_| Block::Paragraph(TORQUE_SPEEDS.into())));
+    blocks.extend(engine.faster_crank().map(|_| Block::Paragraph(text::torque_of_faster_crank())));
     blocks.push(stars.into());
     blocks.extend(proofs(parts.iter(), |part| argued(engine, part), "Inertia torque: the certificates"));
     blocks
@@ -85,7 +79,7 @@ pub(super) fn results(engine: &Engine, judged: &Judgement) -> Vec<Block> {
         return Vec::new();
     }
     let asked = geared::roll_asked_of(engine).map(Block::Paragraph);
-    [table.into(), Block::Note(residual::ROLL_LEGEND.into())].into_iter().chain(asked).collect()
+    [table.into(), Block::Note(of_residual::torque_and_roll())].into_iter().chain(asked).collect()
 }
 
 /// The proofs of the roll moment; none where there is one crankshaft.
@@ -97,14 +91,11 @@ pub(super) fn roll_section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     }
     let mut blocks = vec![
         Block::Heading(1, "Roll moment".into()),
-        Block::Paragraph(
-            "The roll moment of order k about the origin of the layout, in multiples of m r² ω², with arms in crank radii:"
-                .into(),
-        ),
+        text::roll_amplitude().into(),
         Block::Formula(ROLL.to_owned(), None),
-        Block::Paragraph(ROLL_ARMS.into()),
+        text::roll_arms().into(),
     ];
-    blocks.extend(engine.faster_crank().map(|_| Block::Paragraph(ROLL_SPEEDS.into())));
+    blocks.extend(engine.faster_crank().map(|_| Block::Paragraph(text::roll_of_faster_crank())));
     let argued = |part: &TorquePart| roll_argued(engine, part);
     blocks.extend(proofs(parts.into_iter(), argued, "Roll moment: the certificates"));
     blocks
@@ -114,11 +105,9 @@ fn roll_argued(engine: &Engine, part: &TorquePart) -> Text {
     let verdict = &part.verdict;
     let argument = argument::argument(engine, verdict);
     match (residual::is_of_torques(part), part.exists) {
-        (_, false) => {
-            phrase!("**Order {}, forces by their arms:** the order does not exist. {}", verdict.order, WHY_NOT)
-        }
-        (true, true) => phrase!("**Order {}, torques:** {}. {}", verdict.order, value(verdict), argument),
-        (false, true) => phrase!("**Order {}, forces by their arms:** {}. {}", verdict.order, value(verdict), argument),
+        (_, false) => text::roll_by_arms_missing(verdict.order, WHY_NOT),
+        (true, true) => text::roll_by_torques(verdict.order, value(verdict), argument),
+        (false, true) => text::roll_by_arms(verdict.order, value(verdict), argument),
     }
 }
 
@@ -126,10 +115,7 @@ fn argued(engine: &Engine, part: &TorquePart) -> Text {
     let verdict = &part.verdict;
     let argument = argument::argument(engine, verdict);
     match &part.class {
-        None => phrase!("**Order {}:** {}. {}", verdict.order, value(verdict), argument),
-        Some(class) => {
-            let of = residual::class_sources(class);
-            phrase!("**Order {} ({}):** {}. {}", verdict.order, of, value(verdict), argument)
-        }
+        None => text::torque_of_order(verdict.order, value(verdict), argument),
+        Some(class) => text::torque_of_class(verdict.order, residual::class_sources(class), value(verdict), argument),
     }
 }

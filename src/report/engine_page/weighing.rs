@@ -12,6 +12,7 @@ use crate::numbers;
 use crate::order::{self, Masses};
 use crate::page::{self, Piece, Setting, Text, number, phrase};
 use crate::proof::{Axial, Planar, Quantity, Shape};
+use crate::report::texts::engine as text;
 use crate::verdict::{Judgement, OrderVerdict};
 
 /// What is reported one by one of an engine, and what together.
@@ -384,10 +385,7 @@ pub(super) fn sizes(weighed: Option<&Weighed>) -> Option<Text> {
     // One coefficient for all pistons, and no newtons.
     let is_plain = engine.mechanisms().len() == 1 && engine.faster_crank().is_none() && loads.scale.is_none();
     let assumed = assumed.as_ref().filter(|_| is_plain).and_then(coefficients);
-    let sizes: Text = match circumstances(weighed) {
-        Some(circumstances) => phrase!("Sizes, rounded: the largest value through a revolution, {}.", circumstances),
-        None => "Sizes, rounded: the largest value through a revolution, for the rods of the layout.".into(),
-    };
+    let sizes = circumstances(weighed).map_or_else(text::sizes_of_layout, text::sizes_under);
     Some(assumed.into_iter().fold(sizes, |sizes, words| sizes.and(" ").and(words)))
 }
 
@@ -395,9 +393,5 @@ pub(super) fn sizes(weighed: Option<&Weighed>) -> Option<Text> {
 fn coefficients(ratio: &BigRational) -> Option<Text> {
     let crank = SliderCrank::new(ratio.clone(), BigRational::zero()).ok()?;
     let of = |order: u32| Text::from(number::decimal(crank.coefficient(order).re.to_float()));
-    Some(phrase!(
-        "Each is the exact number times $|c_k|$, λ being crank radius over rod length: $c_2 = \\lambda + \\lambda^3/4 + \\dots$ ≈ {}, $c_4 = -\\lambda^3/4 - \\dots$ ≈ {}.",
-        of(2),
-        of(4)
-    ))
+    Some(text::coefficients(of(2), of(4)))
 }

@@ -19,8 +19,6 @@ pub(super) use picture::{axis_name, which_angle};
 pub(super) use words::{argument, condition_of, summary};
 
 use super::convention::{differs, seen};
-use super::engine_page::FIRES;
-use super::mechanism_words::ASSUMED;
 use super::moving;
 use crate::engine::{DELTA, Family, PHI};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
@@ -51,9 +49,9 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
         source: family.source().map(Text::from).unwrap_or_default(),
         proofs: family_proofs(family, orders).into(),
         seen: [seen(family.convention())].into(),
-        firing: [FIRES].into(),
+        firing: [super::texts::engine::lagging_throw()].into(),
         plane: unknowns::open_length(family.reference_plane()).into(),
-        assumed: [ASSUMED].into(),
+        assumed: [super::texts::mechanism::equal_rods()].into(),
     };
     Document { name: "report", has_contents: true, ..page.document() }
 }

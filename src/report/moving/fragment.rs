@@ -52,7 +52,7 @@ pub fn moving_fragment(scene: &Scene, id: &str, language: Language) -> String {
     let mut context = Context::new();
     context.insert("id", &text::xml(id));
     context.insert("title", &text::xml(&scene.title));
-    context.insert("seen", scene.seen);
+    context.insert("seen", &scene.seen);
     context.insert("orders", &orders);
     context.insert("start", &scene.start.0);
     context.insert("quantity", scene.start.1);

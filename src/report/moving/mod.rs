@@ -28,6 +28,7 @@ use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::page::{self, Language, Live};
 use crate::proof::Planar;
+use crate::report::texts::moving as text;
 use crate::text::Format;
 use crate::verdict::Judgement;
 use open_angle::OpenAngle;
@@ -49,7 +50,7 @@ pub fn scene(
     let whose = residual::whose_masses(engine, judged).map(|words| words.plain());
     Scene {
         title: engine.title().escaped(Format::Plain),
-        seen: said(engine.convention(), SEEN),
+        seen: said(engine.convention(), [text::from_free_end(), text::from_flywheel()]).plain(),
         bodies: bodies::bodies(engine, open.as_ref()),
         start: start(&orders),
         orders,
@@ -58,7 +59,7 @@ pub fn scene(
             .into_iter()
             .chain(drawn)
             .chain(bodies::notes(engine))
-            .chain([residual::LEGEND.to_owned()])
+            .chain([super::texts::residual::exact_sizes().plain()])
             .collect(),
         angle: open.map(|open| open.into_angle()),
         words: Words::default(),
@@ -84,11 +85,6 @@ fn unit(weighed: &Weighed, quantity: Planar) -> MovingUnit {
     let unit = weighed.unit_of_tables(quantity);
     MovingUnit { factor: unit.factor, name: unit.unit.name }
 }
-
-const SEEN: [&str; 2] = [
-    "The engine seen from the free end: pins, rods and pistons at the crank angle of the slider",
-    "The engine seen from the flywheel: pins, rods and pistons at the crank angle of the slider",
-];
 
 /// A scene in a page, with its name there.
 #[derive(Debug)]

@@ -12,7 +12,7 @@ pub struct Scene {
     pub title: String,
     /// From which end it is drawn, for those who hear the page.
     #[serde(skip)]
-    pub seen: &'static str,
+    pub seen: String,
     /// The cylinders from the free end on.
     pub bodies: Vec<Body>,
     /// The orders that are decided.

@@ -22,7 +22,7 @@ pub(in crate::report) fn end_view_caption(engine: &Engine) -> Text {
         });
         words.push(text::rows(Text::joined(named, ", ")));
     }
-    words.push(mechanism_words::scale(engine, is_shortened(engine)).into());
+    words.push(mechanism_words::scale(engine, is_shortened(engine)));
     let left_out = engine.geared_cranks().iter().find_map(|crank| crank.left_out.as_ref());
     words.extend(left_out.map(|what| match what {
         AxisLeftOut::Distance(_) => text::no_distance(),
