@@ -271,19 +271,6 @@ impl From<Cycle> for Choice {
     }
 }
 
-/// Words in the code whose place chooses: those in `templates/pages` take a [`Choice`].
-macro_rules! choosing {
-    ($($chooser:ty),*) => {
-        $(impl From<$chooser> for Text {
-            fn from(chooser: $chooser) -> Self {
-                Choice::from(chooser).into()
-            }
-        })*
-    };
-}
-
-choosing!(bool, Sense, Planar, Quantity, SeenFrom, Cycle);
-
 impl From<&Untrusted> for Text {
     fn from(words: &Untrusted) -> Self {
         Piece::Person(words.clone()).into()

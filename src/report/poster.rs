@@ -6,6 +6,7 @@ use crate::engine::Engine;
 use crate::file::Entry;
 use crate::page::{self, Document, File, Format, Language, Options, Picture, Text, phrase};
 use crate::page::{svg, tikz};
+use crate::report::texts::poster as text;
 
 /// A2 upright, in millimetres.
 const SHEET: (f64, f64) = (420.0, 594.0);
@@ -40,16 +41,6 @@ fn title(engines: usize) -> Text {
     phrase!("How {} engines balance", engines)
 }
 
-const SUBTITLE: [&str; 2] = [
-    "Each engine from its free end, and what shakes it: the free force F and moment M, once (1) and twice (2) in a revolution.",
-    "The red line is the path: a line swings, a circle turns with the crank or against it, an ellipse does both. 0 is exact and proved.",
-];
-
-const FOOTER: [&str; 2] = [
-    "Largest values, rounded: F in m r ω², M in m r ω² a about the middle of the engine; rods 3.5 crank radii long where none are given.",
-    "m: reciprocating mass of a cylinder; r: crank radius; ω: speed in radians per second; a: spacing of the cylinders.",
-];
-
 /// The sheet itself.
 pub fn poster_sheet(engines: &[(Entry, Engine)]) -> Figure {
     let families = catalogue_families(engines);
@@ -57,9 +48,9 @@ pub fn poster_sheet(engines: &[(Entry, Engine)]) -> Figure {
     let mut figure = Figure::new(width, height).lettered(WORDS);
     let top = height - MARGIN - TITLE / 2.0;
     figure.title(Point::new(width / 2.0, top), title(engines.len()).plain(), TITLE, Anchor::Middle);
-    for (index, line) in SUBTITLE.iter().enumerate() {
+    for (index, line) in text::above().iter().enumerate() {
         let y = height - MARGIN - TITLE - LINE * (index as f64 + 0.8);
-        figure.text(Point::new(width / 2.0, y), *line, Anchor::Middle);
+        figure.text(Point::new(width / 2.0, y), line.plain(), Anchor::Middle);
     }
     let columns = columns(&families);
     let cell = (width - 2.0 * MARGIN) / columns as f64;
@@ -78,8 +69,8 @@ pub fn poster_sheet(engines: &[(Entry, Engine)]) -> Figure {
             y -= row;
         }
     }
-    for (index, line) in FOOTER.iter().rev().enumerate() {
-        figure.text(Point::new(MARGIN, MARGIN + LINE * (index as f64 + 0.3)), *line, Anchor::Start);
+    for (index, line) in text::below().iter().rev().enumerate() {
+        figure.text(Point::new(MARGIN, MARGIN + LINE * (index as f64 + 0.3)), line.plain(), Anchor::Start);
     }
     figure
 }

@@ -8,6 +8,7 @@ use super::open_angle::{OpenAngle, decimal};
 use super::scene::{Body, Knuckle};
 use crate::engine::{Cylinder, Engine, Link};
 use crate::proof::Sense;
+use crate::report::texts::moving as text;
 
 /// Rod ratio that rods are drawn with where none is given: 2/7.
 const USUAL_RATIO: (i64, i64) = (2, 7);
@@ -116,9 +117,6 @@ fn link_on_its_knuckle(link: &Link, radius: &BigRational) -> (BigRational, Knuck
     (radius / drawn(&link.ratio), knuckle)
 }
 
-/// With an offset the numbers c_k of odd orders are not real.
-const OFFSET: &str = "With an offset the coefficient c_k of an odd order turns its vectors by an additional angle, which is not shown here.";
-
 /// What is not drawn as the file has it.
 pub(super) fn notes(engine: &Engine) -> Vec<String> {
     let unknown = engine.cylinders().iter().any(|cylinder| cylinder.rod().is_none() && cylinder.link().is_none());
@@ -127,9 +125,9 @@ pub(super) fn notes(engine: &Engine) -> Vec<String> {
     let named = |of: (i64, i64)| typeset::number(&ratio(of));
     let (usual, least) = (named(USUAL_RATIO), named(LEAST_RATIO));
     let notes = [
-        (unknown, format!("Rods that the file does not give are drawn with λ = {usual}; no verdict depends on it.")),
-        (short, format!("Rods longer than eight crank radii are drawn with λ = {least}; no verdict depends on it.")),
-        (engine.has_offset(), OFFSET.to_owned()),
+        (unknown, text::rods_not_given(usual)),
+        (short, text::long_rods(least)),
+        (engine.has_offset(), text::offset()),
     ];
-    notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, words)| words).collect()
+    notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, words)| words.plain()).collect()
 }

@@ -12,6 +12,7 @@ use crate::engine::{DELTA, Family, PHI};
 use crate::family;
 use crate::order::Masses;
 use crate::proof::Quantity;
+use crate::report::texts::moving as text;
 use crate::verdict::Judgement;
 
 /// The scenes of a family, one per open angle, or one where only lengths are open; none where no member can be built.
@@ -56,9 +57,7 @@ fn held(fixed: &Values) -> Option<String> {
 fn lengths_drawn(lengths: &Values) -> Option<String> {
     let one = |(name, value): (&String, &BigRational)| format!("{name} = {}", typeset::number(value));
     let all: Vec<String> = lengths.iter().map(one).collect();
-    let drawn =
-        || format!("Open lengths are drawn as {}; zeros of the moment are those for all lengths.", all.join(", "));
-    (!all.is_empty()).then(drawn)
+    (!all.is_empty()).then(|| text::open_lengths(all.join(", ")).plain())
 }
 
 /// Unknowns by name with their values: angles in turns.

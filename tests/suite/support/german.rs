@@ -152,7 +152,9 @@ pub fn literals(folders: &[&str]) -> BTreeSet<String> {
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("rs") => found.extend(quoted(&source)),
             Some("toml") => {}
-            Some("md") => found.extend(page_texts::said(&source)),
+            Some("md") if path.parent().is_some_and(|folder| folder.ends_with("templates/pages")) => {
+                found.extend(page_texts::said(&source));
+            }
             // In a template quotes stand within quotes.
             _ => found.extend(source.split('"').map(str::to_owned)),
         }

@@ -3,14 +3,15 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folders of the rooms.
+/// The folders of the rooms; that of the build script is none.
 pub fn folders() -> Vec<PathBuf> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let kernel = source.join("kernel");
     let below =
         |folder: &Path| fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()).collect();
     let all: [Vec<PathBuf>; 2] = [below(&source), below(&kernel)];
-    all.concat().into_iter().filter(|path| path.is_dir() && *path != kernel).collect()
+    let others = [kernel, source.join("embed")];
+    all.concat().into_iter().filter(|path| path.is_dir() && !others.contains(path)).collect()
 }
 
 /// The name of a room.
