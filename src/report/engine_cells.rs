@@ -90,7 +90,7 @@ pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> Text {
     let remedy = match remedy {
         Ok(remedy) => remedy,
         Err(RemedyError::Missing(_)) => return "not stated: masses cannot be compared".into(),
-        Err(_) => return text::does_not_fit(),
+        Err(_) => return text::not_stated(),
     };
     let mut words: Vec<Text> = remedy.crankshaft.iter().map(counterweights).collect();
     let mut shafts = remedy.shafts.iter().peekable();

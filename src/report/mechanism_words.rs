@@ -18,7 +18,7 @@ pub(super) fn assumed(engine: &Engine) -> Text {
         (true, true) => text::every_own_order(),
         (true, false) => text::centric_own_orders(),
         (false, true) => text::every_order(),
-        (false, false) if engine.has_offset() => text::inclined(),
+        (false, false) if engine.has_offset() => text::endless_offset_rods(),
         (false, false) if unequal => text::centric_orders(),
         (false, false) => return text::equal_rods(),
     };

@@ -29,7 +29,7 @@ fn order_one(whole: &WholeOrder) -> Text {
         Shape::Balanced | Shape::DoesNotExist => text::first_vanishes(),
         Shape::NotDecided if !whole.is_left() => text::first_not_decided(),
         Shape::NotDecided => text::first_remains(),
-        shape => text::first_remains_so(shape_name(shape)),
+        shape => text::first_remains_with_shape(shape_name(shape)),
     }
 }
 

@@ -252,7 +252,7 @@ fn masses_words(masses: Masses) -> Text {
 pub(super) fn why_not(masses: Masses) -> Text {
     match masses {
         Masses::Reciprocating | Masses::All => WHY_NOT.into(),
-        Masses::Rotating | Masses::Counterweights => text::no_such_order(),
+        Masses::Rotating | Masses::Counterweights => text::only_own_order(),
     }
 }
 

@@ -77,10 +77,10 @@ pub(super) fn whole_sentence(name: &'static str, order: u32, whole: &WholeOrder)
 fn vector_sentence(vector: Option<Sense>, outcome: &Outcome) -> Text {
     let vectors = vector.map_or_else(|| Choice::of(2), Choice::from);
     match outcome {
-        Outcome::Zero => text::zero(vectors),
-        Outcome::NotZero => text::not_zero(vectors),
-        Outcome::NotZeroByEnclosure { .. } => text::zero_excluded(vectors),
-        Outcome::NotDecided { below } => text::not_decided(vectors, rounded_up(below)),
+        Outcome::Zero => text::vectors_zero(vectors),
+        Outcome::NotZero => text::vectors_not_zero(vectors),
+        Outcome::NotZeroByEnclosure { .. } => text::vectors_exclude_zero(vectors),
+        Outcome::NotDecided { below } => text::vectors_not_decided(vectors, rounded_up(below)),
         Outcome::Open => text::rods_unknown(vectors),
     }
 }

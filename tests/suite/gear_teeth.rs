@@ -164,7 +164,7 @@ fn a_wheel_alone_needs_its_inertia() {
 fn the_pages_tell_it_in_both_languages() {
     let [page, answer] = said_in_german(&study(TREE).at(600.0));
     let text = pages::text(&page, Format::GITHUB);
-    for words in ["Teeth of gears at", "Gear 2–3", "the teeth separate"] {
+    for words in ["Gear teeth at", "Gear 2–3", "the teeth separate"] {
         assert!(text.contains(words), "{words}: {text}");
     }
     let answer = pages::text(&answer, Format::PLAIN);

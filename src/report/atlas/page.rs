@@ -15,9 +15,8 @@ pub(super) fn page(engines: &[(Entry, Engine)], all: &[EngineRow], files: Text) 
     let of = |origin: Origin| all.iter().filter(|row| row.origin == origin).collect::<Vec<_>>();
     let mut lines = vec![text::engines(engines.len(), all.len() - engines.len())];
     lines.extend(catalogue_summary(&families));
-    let stars = families
-        .iter()
-        .flat_map(|family| [Block::Heading(2, family.heading.into()), catalogue_pictures(family).into()]);
+    let stars =
+        families.iter().flat_map(|family| [Block::Heading(2, family.heading.into()), catalogue_pictures(family)]);
     let known = of(Origin::Catalogue);
     let found = |cycle: Cycle| {
         let found = of(Origin::Found(cycle));

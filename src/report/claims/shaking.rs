@@ -13,7 +13,7 @@ use crate::report::texts::claims as text;
 /// Each term with what is said of it.
 pub(super) fn found(terms: &[Term]) -> Text {
     match terms.is_empty() {
-        true => text::no_term(),
+        true => text::no_low_order_force(),
         false => Text::joined(terms.iter().map(sentence), " "),
     }
 }

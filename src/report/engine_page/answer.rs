@@ -51,7 +51,7 @@ fn shaking(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Text {
             text::nothing_shakes()
         }
         true => match weighed {
-            Some(weighed) => text::nothing_above(percent_at_most(weighed.above())),
+            Some(weighed) => text::all_below(percent_at_most(weighed.above())),
             None => text::nothing_known(),
         },
     };
@@ -182,7 +182,7 @@ fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&
     let of_moment = bound((Planar::Moment, ["{} % of the largest moment", "{} of moment"]));
     match (of_force, of_moment, next) {
         (None, None, NextLeft::None) if is_all_told(weighed) => Some(text::others_zero()),
-        (None, None, NextLeft::Order(next)) => Some(text::others_next(next)),
+        (None, None, NextLeft::Order(next)) => Some(text::next_order_left(next)),
         (None, None, NextLeft::None | NextLeft::NotKnown) => None,
         (Some((small, force)), Some((same, moment)), next) if small == same => {
             Some(at_most(&small, next, Text::joined([force, moment], ", ")))

@@ -126,7 +126,7 @@ pub(super) fn hidden(engine: &Engine, weighed: Option<&Weighed>) -> Option<Text>
         if peak == 0.0 { Text::zero() } else { Text::from(Piece::Quantity(peak, Unit::MULTIPLE)) }
     });
     let lengths = [r.clone(), &r / &ratio, &knuckle / &ratio].map(|length| typeset::short(&length));
-    Some(text::taken_as_concentric(lengths.join(" : "), order, after, before))
+    Some(text::rods_on_the_crankpin(lengths.join(" : "), order, after, before))
 }
 
 /// The loads of the pistons of an engine with these rods, concentric or on the first master of each row.

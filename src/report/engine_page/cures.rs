@@ -189,7 +189,10 @@ impl Cure<'_> {
             [(Means::Counterweights, kept), (Means::Shaft(sense), _)] => {
                 text::first_order_with_shaft(self.counterweights(), leaves(kept), self.shaft(sense))
             }
-            [(Means::Shaft(sense), kept)] => text::one_shaft(order, self.shaft(sense), leaves(kept)),
+            [(Means::Shaft(sense), kept)] => {
+                let is_shaft = self.engine.crank_turning(order, sense).is_none();
+                text::one_shaft(order, self.shaft(sense), is_shaft, leaves(kept))
+            }
             [(first @ Means::Shaft(sense), kept), (last, _), ..]
                 if self.engine.crank_turning(order, sense).is_some() =>
             {

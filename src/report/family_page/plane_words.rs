@@ -119,7 +119,7 @@ fn corners(triangle: &Triangle) -> Option<Text> {
 pub(super) fn triangle_why(triangle: &Triangle) -> Text {
     match (corners(triangle), triangle.corners.len()) {
         (None, 1..) => text::sides_not_turned(),
-        (None, 0) => text::one_too_long(),
+        (None, 0) => text::triangle_impossible(),
         (Some(corners), 1) => text::flat_triangle(corners),
         (Some(corners), _) => text::triangle(corners),
     }

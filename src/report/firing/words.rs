@@ -148,7 +148,7 @@ pub(super) fn no_pattern(why: &NoPattern) -> Text {
 pub(super) fn why(pattern: &FiringPattern) -> Text {
     let repeats = pattern.repeats_after().to_string();
     match pattern.orders.len() {
-        1 => text::one_star(repeats),
+        1 => text::all_stars_alike(repeats),
         count => text::period(repeats, count),
     }
 }

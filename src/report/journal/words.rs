@@ -37,9 +37,9 @@ fn largest(bearings: &CycleBearings) -> Option<Text> {
     let at = Text::joined(at, ", ");
     let gas = peaks.clone().next()?.gas_along();
     Some(if gas < 0.0 {
-        text::reduced_by_gas(newtons(size), names, at, newtons(-gas))
+        text::of_masses_less_gas(newtons(size), names, at, newtons(-gas))
     } else if gas > size {
-        text::reduced_by_masses(newtons(size), names, at, newtons(gas), newtons(gas - size))
+        text::of_gas_less_masses(newtons(size), names, at, newtons(gas), newtons(gas - size))
     } else {
         text::of_both(newtons(size), names, at, newtons(gas), newtons(size - gas))
     })

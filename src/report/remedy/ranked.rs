@@ -112,7 +112,7 @@ pub(super) fn over_speeds(remedy: &Remedy) -> Vec<Text> {
         let peak = |place: [f64; 2]| speeds.iter().map(|rpm| roll.peak(*rpm, place)).fold(0.0, f64::max);
         let largest =
             |place: [f64; 2]| Piece::Quantity(without_rounding(peak(place), peak([0.0; 2])), Unit::NEWTON_METRE);
-        Some(text::best_place(
+        Some(text::pair_place_over_speeds(
             Text::joined(remedy.speeds.iter().map(number::given), ", "),
             height.order,
             millimetres(up),
@@ -144,7 +144,7 @@ fn at_its_speed(remedy: &Remedy) -> Vec<Text> {
         let [up, sideways] = roll.place(speed);
         let millimetres = |value: f64| Piece::Quantity(value * 1e3, Unit::MILLIMETRE);
         let moment = |value: f64| Piece::Quantity(value, Unit::NEWTON_METRE);
-        Some(text::place_with_gas(
+        Some(text::pair_place_with_gas(
             Piece::Quantity(speed, Unit::PER_MINUTE),
             height.order,
             millimetres(up),

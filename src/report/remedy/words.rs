@@ -131,7 +131,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let on_a_crankshaft = on_a_crankshaft(remedy).map(|(_, others)| others);
     let fewest = match on_a_crankshaft.unwrap_or(remedy.shafts.len()) {
         0 => None,
-        count if on_a_crankshaft.is_some() => Some(text::fewest_beside_crankshaft(count)),
+        count if on_a_crankshaft.is_some() => Some(text::shafts_beside_crankshaft(count)),
         1 => Some(text::one_is_fewest()),
         count => Some(text::fewest(count)),
     };

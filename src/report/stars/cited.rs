@@ -83,7 +83,7 @@ impl Crank {
 fn never(throws: u32, banks: usize, prime: u32) -> Text {
     match banks {
         1 => text::no_star(throws, prime, page()),
-        _ => text::no_order_of_pins(throws, prime, page()),
+        _ => text::no_pin_sequence(throws, prime, page()),
     }
 }
 

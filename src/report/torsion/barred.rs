@@ -73,7 +73,7 @@ pub(super) fn said(study: &TorsionStudy, one: &ResonanceOrder, barred: &Barred) 
     let [from, to] = barred.speeds;
     if let Some(worst) = study.impassable(barred) {
         let stress = |pascals: f64| Text::measured_in(1e-6 * pascals, Unit::MEGAPASCAL);
-        return text::impassable(
+        return text::no_barred_range_possible(
             rpm(one.rpm),
             one.order.to_string(),
             rpm(worst.speed),

@@ -139,7 +139,7 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
     }
     for one in study.resonances() {
         if one.is_unbarred {
-            lines.push(text::unbarred(rpm(one.rpm), one.order.to_string()));
+            lines.push(text::may_not_be_barred(rpm(one.rpm), one.order.to_string()));
         }
         lines.extend(one.barred.as_ref().map(|range| barred::said(study, one, range)));
     }
@@ -172,5 +172,5 @@ fn at_rest(study: &TorsionStudy) -> Option<Text> {
     }
     let named = Text::joined(orders.iter().map(|order| order.to_string().into()), ", ");
     let which = if orders.len() == 1 { phrase!("order {}", named) } else { phrase!("orders {}", named) };
-    Some(text::rolls_not(which))
+    Some(text::no_rigid_motion(which))
 }
