@@ -155,7 +155,7 @@ fn different_units_and_missing_numbers_are_said() {
     let four = layout("metres", FOUR);
     let text = succeeds(&[&four, "I4"]);
     assert!(words(&text).contains(
-        "different units, so that the moments do not compare: metres in metres, multiples of the spacing in I4"
+        "different units, so that the moments cannot be compared: metres in metres, multiples of the spacing in I4"
     ));
     let force = line(&text, "Force, order 2");
     assert!(force.contains(" kN, planar | ") && force.ends_with(" m r ω², planar"), "{text}");

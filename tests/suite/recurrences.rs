@@ -252,7 +252,7 @@ fn an_offset_to_the_other_side_turns_the_odd_orders_round() {
     let opposite = text(OPPOSITE);
     let line = "Even orders: none vanishes, in both vectors. Odd orders from 3 on: none vanishes, in both vectors.";
     assert!(opposite.contains("- **Force.** Order 1 remains, ") && opposite.contains(line), "{opposite}");
-    assert!(same.contains("The next non-zero order is"), "{same}");
+    assert!(same.contains("The next order with a force or moment is"), "{same}");
 }
 
 #[test]

@@ -68,7 +68,7 @@ fn the_in_line_six_keeps_the_orders_that_six_divides() {
     says(
         &six,
         &[
-            "The next non-zero order is 12.",
+            "The next order with a force or moment is 12.",
             "- **Force.** Zero exactly at the orders $k$ that 6 does not divide ($6 \\nmid k$). This holds for both the direct and the reverse vector.",
             "- **Moment.** Zero at every order.",
             "| 2, 8, … | **0** | **0** | **0** | **0** |",
@@ -86,7 +86,7 @@ fn the_radial_nine_keeps_order_1_and_two_classes() {
     says(
         &nine,
         &[
-            "The next non-zero order is 26.",
+            "The next order with a force or moment is 26.",
             "- **Force.** Nothing remains but order 1 (direct), orders 8, 26, … = $18j - 10$ (reverse) and orders 10, \
              28, … = $18j - 8$ (direct).",
         ],
@@ -112,7 +112,7 @@ fn each_kind_of_statement_has_its_sentence() {
         ("I4", format!("- **Force.** Zero at order 1 and at no other. {alike}")),
         (
             "I2-270",
-            format!("- **Force.** Zero exactly at the orders $k$ but 1 that 4 does not divide ($4 \\nmid k$). {alike}"),
+            format!("- **Force.** Zero exactly at the orders $k$ other than 1 that 4 does not divide ($4 \\nmid k$). {alike}"),
         ),
         ("I2-270", format!("- **Moment.** Zero exactly at the orders $k$ that 4 divides ($4 \\mid k$). {alike}")),
         (

@@ -111,7 +111,7 @@ const VR6: &str = "cycle = 'four-stroke'\nspeed = 6000\nfiring_order = '1-5-3-6-
 #[test]
 fn firing_angles_of_displaced_axes_say_what_they_count_and_how_far_apart_the_dead_centres_are() {
     let told = said("firing", VR6, &[]);
-    let moved = "from one top dead centre to the next it is ≈ 119.9° to ≈ 120.1°";
+    let moved = "from one top dead centre to the next are ≈ 119.9° to ≈ 120.1°";
     assert!(told.contains("fire unevenly") && told.contains(moved), "{told}");
     // Even by the pins, and uneven by the pistons.
     let pins = said("firing", &VR6.replace("pin_splay = 22", "pin_splay = 15"), &[]);
@@ -211,7 +211,7 @@ fn stars_that_are_equally_good_are_all_counted() {
 fn of_infinitely_long_rods_no_order_above_1_is_called_left() {
     let yoke = "inline.throws = [0, 180, 180, 0]\nmechanism.scotch_yoke = true\n";
     let told = said("classify", yoke, &[]);
-    assert!(told.contains("All other orders. Zero."), "{told}");
+    assert!(told.contains("All other orders. No force or moment."), "{told}");
     assert!(checked(yoke, "forces vanish at every order").contains("true."));
     let document = printed(&["classify", &written(yoke), "--all-orders", "--json"]);
     assert!(read_document(document.as_bytes()).is_ok_and(|document| document.check().is_ok()), "{document}");
