@@ -132,7 +132,7 @@ impl Exercise {
         let Some(list) = &self.students else {
             return Ok(vec![Student { name: Untrusted::new("sheet"), file: "sheet".to_owned(), is_namesake: false }]);
         };
-        let text = layouts::read_text(list)?;
+        let text = layouts::read_any_text(list)?;
         classroom::students(&text).map_err(|why| Failure::new(format!("in `{}`: {why}", layouts::shown(list))))
     }
 

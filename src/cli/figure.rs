@@ -1,6 +1,6 @@
 //! `figure`: how does one drawing get into a document of one's own?
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
@@ -69,6 +69,29 @@ enum Format {
     Tikz,
 }
 
+impl Format {
+    fn ending_and_name(self) -> (&'static str, &'static str) {
+        match self {
+            Format::Svg => ("svg", "SVG"),
+            Format::Tikz => ("tex", "TikZ"),
+        }
+    }
+
+    /// What a file of this name holds, by its ending; none where it has no ending.
+    fn of_file(path: &Path) -> Result<Option<Self>, Failure> {
+        match path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()).as_deref() {
+            None => Ok(None),
+            Some("svg") => Ok(Some(Format::Svg)),
+            Some("tex" | "tikz" | "pgf") => Ok(Some(Format::Tikz)),
+            Some(ending) => Err(Failure::misuse(format!(
+                "`{}` is named as a file of {}, and a drawing is SVG or TikZ; end the name in .svg or .tex",
+                layouts::shown(path),
+                harmless(ending)
+            ))),
+        }
+    }
+}
+
 impl Figure {
     /// Lists the drawings, or writes the one that is named.
     pub fn run(&self) -> Result<(), Failure> {
@@ -77,6 +100,7 @@ impl Figure {
                 "--digits has no effect on a drawing, whose labels have the figures that they have room for; omit it",
             ));
         }
+        let alone = self.alone()?;
         let figures = self.figures()?;
         let names = || figures.iter().map(|figure| figure.name.as_str()).collect::<Vec<_>>();
         let Some(name) = &self.name else { return write::to_stdout(&(names().join("\n") + "\n")) };
@@ -88,7 +112,7 @@ impl Figure {
             let layout = layouts::shown(&self.about.layout);
             return Err(Failure::new(format!("`{layout}` has no figure `{}`; {there}", harmless(name))));
         };
-        let text = self.alone()?.write(&figure.picture, &self.reader.options()?);
+        let text = alone.write(&figure.picture, &self.reader.options()?);
         match &self.output {
             None => write::to_stdout(&text),
             Some(path) => {
@@ -99,13 +123,20 @@ impl Figure {
     }
 
     fn alone(&self) -> Result<Alone, Failure> {
-        let ends_in_tex = self.output.as_ref().is_some_and(|path| path.extension().is_some_and(|it| it == "tex"));
-        match (self.format, self.standalone) {
-            (Some(Format::Svg), true) => Err(Failure::new("--standalone is of TikZ: an SVG file is a file of its own")),
-            (Some(Format::Svg), false) => Ok(Alone::Svg),
-            (Some(Format::Tikz), false) => Ok(Alone::Tikz),
-            (None, false) => Ok(if ends_in_tex { Alone::Tikz } else { Alone::Svg }),
-            (Some(Format::Tikz) | None, true) => Ok(Alone::TikzDocument),
+        let named = self.output.as_deref().map_or(Ok(None), Format::of_file)?;
+        let usual = if self.standalone { Format::Tikz } else { Format::Svg };
+        let format = self.format.or(named).unwrap_or(usual);
+        if let Some(named) = named.filter(|named| *named != format) {
+            let [(_, named), (right, format)] = [named, format].map(Format::ending_and_name);
+            let message =
+                format!("--output is named as a file of {named}, and holds {format}; end the name in .{right}");
+            return Err(Failure::misuse(message));
+        }
+        match (format, self.standalone) {
+            (Format::Svg, true) => Err(Failure::new("--standalone is of TikZ: an SVG file is a file of its own")),
+            (Format::Svg, false) => Ok(Alone::Svg),
+            (Format::Tikz, false) => Ok(Alone::Tikz),
+            (Format::Tikz, true) => Ok(Alone::TikzDocument),
         }
     }
 

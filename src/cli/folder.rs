@@ -25,10 +25,20 @@ pub fn write(folder: &Path, files: &[File]) -> Result<(), Failure> {
     write_contents(folder, &contents)
 }
 
-/// Writes one file whole; `example` is a name that `--output` could have.
+/// Writes one file whole, through a link too; `example` is a name that it could have.
 pub fn write_file(path: &Path, content: &[u8], example: &str) -> Result<(), Failure> {
-    let (parent, name) = parts(path, example)?;
-    write_contents(parent, &[(name, content)])
+    let fail = |error: io::Error| Failure::new(format!("cannot write `{}`: {error}", shown(path)));
+    if is_device(path) {
+        return fs::write(path, content).map_err(fail);
+    }
+    let linked = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let (parent, name) = parts(&linked, example)?;
+    place(parent, &[(name, content)]).map_err(fail)
+}
+
+/// Whether there is a device or a pipe, which is written to and stays.
+fn is_device(path: &Path) -> bool {
+    path.metadata().is_ok_and(|there| !there.is_file() && !there.is_dir())
 }
 
 /// The folder and the name of a file.
@@ -36,15 +46,19 @@ fn parts<'a>(path: &'a Path, example: &str) -> Result<(&'a Path, &'a str), Failu
     let name = path.file_name().filter(|_| !path.is_dir()).and_then(|name| name.to_str());
     let Some(name) = name else {
         let path = shown(path);
-        return Err(Failure::new(format!("`{path}` is not a name of a file; --output names one, such as {example}")));
+        return Err(Failure::new(format!("`{path}` is not a name of a file, such as {example}")));
     };
     let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
     Ok((parent.unwrap_or(Path::new(".")), name))
 }
 
-/// Writes one file that grows under another name, and has its own when it is whole; `example` is a name that `--output` could have.
+/// Writes one file that grows under another name, and has its own when it is whole; `example` is a name that it could have.
 pub fn grow_file(path: &Path, example: &str, fill: impl FnOnce(Handle) -> Result<(), Failure>) -> Result<(), Failure> {
     let fail = |error: io::Error| Failure::new(format!("cannot write `{}`: {error}", shown(path)));
+    if is_device(path) {
+        return Handle::options().write(true).open(path).map_err(fail).and_then(fill);
+    }
+    let path = &path.canonicalize().unwrap_or_else(|_| path.to_owned());
     let (parent, name) = parts(path, example)?;
     fs::create_dir_all(parent).map_err(fail)?;
     clear_abandoned(parent, name);
@@ -64,18 +78,22 @@ pub fn grow_file(path: &Path, example: &str, fill: impl FnOnce(Handle) -> Result
 /// The same of any files.
 pub fn write_contents(folder: &Path, files: &[Content]) -> Result<(), Failure> {
     let fail = |error: io::Error| Failure::new(format!("cannot write the folder `{}`: {error}", shown(folder)));
+    place(folder, files).map_err(fail)
+}
+
+fn place(folder: &Path, files: &[Content]) -> io::Result<()> {
     if folder.exists() && !folder.is_dir() {
-        return Err(Failure::new(format!("`{}` is a file; --output names a folder", shown(folder))));
+        return Err(io::Error::new(ErrorKind::NotADirectory, format!("`{}` is a file", shown(folder))));
     }
     if folder.is_dir() {
-        return fill(folder, files).map_err(fail);
+        return fill(folder, files);
     }
     let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    fs::create_dir_all(parent).map_err(fail)?;
+    fs::create_dir_all(parent)?;
     match folder.file_name() {
-        Some(name) => new_folder(folder, parent, &name.to_string_lossy(), files).map_err(fail),
+        Some(name) => new_folder(folder, parent, &name.to_string_lossy(), files),
         // `a/..` and the like: there, since its parent is.
-        None => fill(folder, files).map_err(fail),
+        None => fill(folder, files),
     }
 }
 

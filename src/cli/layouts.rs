@@ -34,7 +34,7 @@ pub fn parsed(layout: &Path, name: &str, text: &str) -> Result<Layout, Failure> 
         }
         Err(error) => {
             // A length in millimetres that is read in metres makes a crank that cannot turn.
-            warn(file::warnings_of_refused(name, text));
+            warn(file::warnings_of_values(name, text));
             Err(error.into())
         }
     }
@@ -70,8 +70,8 @@ pub fn warn_of(layout: &Path) {
     let _ = read(layout);
 }
 
-/// Tells what is odd about the quantities of a layout, once.
-fn warn(warnings: Vec<LayoutWarning>) {
+/// Tells what is odd about the quantities of a file, once.
+pub fn warn(warnings: Vec<LayoutWarning>) {
     static TOLD: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     for warning in warnings {
         let is_new = TOLD.lock().is_ok_and(|mut told| told.insert(warning.to_string()));
@@ -120,12 +120,24 @@ fn is_standard_input(path: &Path) -> bool {
 
 /// The text of a layout or claims file, of standard input for `-`.
 pub fn read_text(path: &Path) -> Result<String, Failure> {
-    let bytes = if is_standard_input(path) { standard_input()? } else { read_bytes(path)? };
-    let file = shown(path);
-    String::from_utf8(bytes).map_err(|error| {
-        let place = error.utf8_error().valid_up_to();
-        Failure::new(format!("`{file}` is not a text: byte {place} is not UTF-8; a TOML text is expected"))
+    String::from_utf8(bytes(path)?).map_err(|error| {
+        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = valid.iter().filter(|byte| **byte == b'\n').count() + 1;
+        Failure::new(format!("`{}` is not in UTF-8, in line {line}; save it as UTF-8", shown(path)))
     })
+}
+
+/// A text of a spreadsheet or an old editor, in an encoding of its own.
+pub fn read_any_text(path: &Path) -> Result<String, Failure> {
+    let text = decoded(&bytes(path)?);
+    match text.contains('\0') {
+        true => Err(Failure::new(format!("`{}` is not a text", shown(path)))),
+        false => Ok(text),
+    }
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+    if is_standard_input(path) { standard_input() } else { read_bytes(path) }
 }
 
 /// The scheme of this file, or the usual one.

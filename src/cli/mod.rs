@@ -51,7 +51,7 @@ mod write;
 
 use std::ffi::OsString;
 
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{Arg, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crankstar::text;
 use failure::Failure;
@@ -214,14 +214,34 @@ fn ended(answer: Result<u8, Failure>) -> u8 {
 
 /// What is asked for, read with the help that groups the commands.
 fn asked(arguments: Vec<OsString>) -> Result<Arguments, clap::Error> {
-    let asked = questions::by_question(Arguments::command()).try_get_matches_from(arguments)?;
+    // A value below 0 is refused by who reads it, with what would be right.
+    let signed = |option: Arg| match option.is_positional() || !option.get_action().takes_values() {
+        true => option,
+        false => option.allow_negative_numbers(true),
+    };
+    let program = Arguments::command().mut_subcommands(|command| command.mut_args(signed));
+    let asked = questions::by_question(program).try_get_matches_from(arguments)?;
     Arguments::from_arg_matches(&asked)
 }
 
 /// Tells what is wrong with the arguments, which may be repeated in it.
 fn misused(told: &clap::Error) -> u8 {
-    write::to_stderr(text::harmless_lines(&told.render().to_string()).trim_end());
+    write::to_stderr(text::harmless_lines(&in_words(&told.render().to_string())).trim_end());
     2
+}
+
+/// What readers of numbers say, in the words of a person.
+fn in_words(told: &str) -> String {
+    let said = [
+        ("invalid digit found in string", "a whole number is needed, without sign and unit"),
+        ("cannot parse integer from empty string", "a whole number is needed"),
+        ("invalid float literal", "a number is needed, such as 0.5, without a unit"),
+        ("cannot parse float from empty string", "a number is needed"),
+        ("number too large to fit in target type", "this number is too large"),
+    ];
+    let told = said.iter().fold(told.to_owned(), |told, (said, words)| told.replace(said, words));
+    let range = told.split_once(" is not in ").and_then(|(before, after)| Some((before, after.split_once("..=")?)));
+    range.map_or(told.clone(), |(before, (least, rest))| format!("{before} is not from {least} to {rest}"))
 }
 
 fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {

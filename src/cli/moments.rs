@@ -42,7 +42,7 @@ impl Moments {
     /// Prints the tables, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("moments", self.json, || {
-            let count = self.layouts.len() * self.firing_order.len().max(1);
+            let count = self.layouts.len() * self.firing_orders().len().max(1);
             if count > MOST_ENGINES {
                 return Err(Failure::new(format!(
                     "{count} engines are too many for a table; up to {MOST_ENGINES} fit"
@@ -52,14 +52,23 @@ impl Moments {
         })
     }
 
+    /// The firing orders; names of cylinders alone, with commas between, are one.
+    fn firing_orders(&self) -> Vec<String> {
+        let is_one = self.firing_order.iter().all(|order| !order.contains(['-', ' ']));
+        match is_one && self.firing_order.len() > 1 {
+            true => vec![self.firing_order.join("-")],
+            false => self.firing_order.clone(),
+        }
+    }
+
     fn engines(&self) -> Result<Vec<(Untrusted, Engine)>, Failure> {
-        let mut engines = Vec::new();
+        let (mut engines, orders) = (Vec::new(), self.firing_orders());
         for layout in &self.layouts {
-            if self.firing_order.is_empty() {
+            if orders.is_empty() {
                 let engine = known(layout, layouts::read(layout)?)?;
                 engines.push((engine.title().clone(), engine));
             }
-            for order in &self.firing_order {
+            for order in &orders {
                 let engine = known(layout, fired(layout, order)?)?;
                 let several =
                     if self.layouts.len() > 1 { format!("{}, ", engine.title().written()) } else { String::new() };

@@ -3,9 +3,9 @@
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
-use crankstar::engine::{Engine, LengthUnit};
+use crankstar::engine::{Draft, Engine, LengthUnit};
 use crankstar::exact::Turn;
-use crankstar::file::{parse_angle, parse_length, parse_number, parse_radius};
+use crankstar::file::{self, parse_angle, parse_length, parse_number, parse_radius};
 use crankstar::remedy::{self, Request};
 use crankstar::report;
 use num_rational::BigRational;
@@ -15,7 +15,7 @@ use super::answer::Answer;
 use super::failure::Failure;
 use super::orders::EngineAndOrders;
 use super::weigh::Threshold;
-use super::{layouts, write};
+use super::{folder, layouts, write};
 
 /// Arguments of `remedy`.
 #[derive(clap::Args)]
@@ -71,6 +71,11 @@ impl Remedy {
         self.answer.give("remedy", self.json, || {
             let (layout, orders) = self.about.read()?;
             let engine = layouts::without_unknowns(layout, "a remedy needs")?;
+            // A length with its unit makes the layout metric, as in the file.
+            let is_metric = self.has_metric_planes() && engine.positions_given();
+            let unit = if is_metric { LengthUnit::Metre } else { engine.length_unit() };
+            let draft = Draft { length_unit: unit, ..engine.into_draft() };
+            let engine = draft.build().map_err(Failure::new)?;
             let remedy = remedy::remedy(&engine, &self.request(&engine, orders)?).map_err(Failure::new)?;
             if !self.planes.is_empty() && !self.reciprocating.is_empty() {
                 write::warn(ON_THE_THROWS);
@@ -98,10 +103,13 @@ impl Remedy {
         if file.exists() && layout.canonicalize().ok() == file.canonicalize().ok() {
             return Err(Failure::new("--write names the layout file itself, which stays as it is; name another file"));
         }
-        std::fs::write(file, &corrected.text)
-            .map_err(|error| Failure::new(format!("cannot write `{}`: {error}", layouts::shown(file))))?;
+        folder::write_file(file, corrected.text.as_bytes(), "corrected.toml")?;
         let rounded = if corrected.is_rounded { ROUNDED } else { "" };
         Ok(format!("Written: {}\n{rounded}", layouts::shown(file)))
+    }
+
+    fn has_metric_planes(&self) -> bool {
+        self.planes.iter().any(|text| parse_length(text).is_ok_and(|(_, unit)| unit == LengthUnit::Metre))
     }
 
     /// The balance factor of each throw that is asked for.
@@ -163,6 +171,10 @@ fn misread(flag: &str, text: &str, right: impl Display) -> Failure {
 }
 
 fn factor(flag: &str, text: &str) -> Result<BigRational, Failure> {
+    let key = flag.trim_start_matches('-').replace('-', "_");
+    if let Some(odd) = file::odd_value(&key, text) {
+        write::warn(&format!("warning: {odd}"));
+    }
     match parse_number(text) {
         Ok(value) if value.is_negative() => Err(misread(flag, text, "a balance factor is 0 or more")),
         Ok(value) => Ok(value),

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crankstar::file::parse_rotor;
+use crankstar::file::{self, parse_rotor};
 use crankstar::report::RotorStudy;
 
 use super::answer::Answer;
@@ -26,7 +26,10 @@ impl Rotor {
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("rotor", self.json, || {
             let text = layouts::read_text(&self.file)?;
-            RotorStudy::new(parse_rotor(&layouts::shown(&self.file), &text)?).map_err(Failure::new)
+            let name = layouts::shown(&self.file);
+            let rotor = parse_rotor(&name, &text)?;
+            layouts::warn(file::warnings_of_values(&name, &text));
+            RotorStudy::new(rotor).map_err(Failure::new)
         })
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crankstar::engine::{CycleOrder, Engine};
-use crankstar::file::{self, Template};
+use crankstar::file::{self, Layout, Template};
 use crankstar::report::{ValueName, values_of};
 use crankstar::shard::Question;
 use crankstar::sweep::{self, Geometry, Observer, Parameter, Stream};
@@ -46,16 +46,16 @@ pub struct Ranges {
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     pin_split: Option<String>,
     /// The distance between neighbouring pins: "80..120:5 mm"
-    #[arg(long, value_name = "RANGE")]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     spacing: Option<String>,
     /// The rod ratio r/l
-    #[arg(long, value_name = "RANGE")]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     rod_ratio: Option<String>,
     /// The balance factor of the counterweights
-    #[arg(long, value_name = "RANGE")]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     balance_factor: Option<String>,
     /// The speed in revolutions per minute
-    #[arg(long, value_name = "RANGE")]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     speed: Option<String>,
     /// Any key of the layout file, with its unit: "mechanism.rod_length=120..160:5 mm", vee.throws.2=0..120:10; a second sweep makes a map
     #[arg(long, value_name = "KEY=RANGE")]
@@ -160,11 +160,17 @@ impl Ranges {
         let short = given.map(|(flag, range)| Parameter::short_cut(flag, range, template));
         let set = self.set.iter().map(|text| Parameter::parse(text));
         let parameters: Vec<Parameter> = short.chain(set).collect::<Result<_, _>>().map_err(Failure::new)?;
-        for parameter in &parameters {
-            let first = format!("{} {}", parameter.range.value(0), parameter.range.unit());
-            if let Some(odd) = file::odd_value(parameter.key.name(), first.trim()) {
-                write::warn(&format!("warning: {odd}"));
-            }
+        let first = |one: &Parameter| format!("{} {}", one.range.value(0), one.range.unit()).trim().to_owned();
+        let first: Vec<String> = parameters.iter().map(first).collect();
+        let values: Vec<_> = parameters.iter().zip(&first).map(|(one, text)| (&one.key, text.as_str())).collect();
+        for odd in values.iter().filter_map(|(key, text)| file::odd_value(key.name(), text)) {
+            write::warn(&format!("warning: {odd}"));
+        }
+        // What is wrong with the engine is reported by whoever reads it.
+        if let Ok(Layout::Known(engine, _)) = template.layout(&values)
+            && let Some(odd) = file::odd_position(&engine)
+        {
+            write::warn(&format!("warning: {odd}"));
         }
         Ok(parameters)
     }

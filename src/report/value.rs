@@ -97,7 +97,8 @@ impl Valued<'_> {
     /// What is wrong with the file.
     pub fn of_file(name: &str, source: &str) -> Result<Option<Self>, Unanswered> {
         Ok(match Kind::of(source) {
-            Kind::Layout => None,
+            // A layout; what is none is told by its reader.
+            Kind::Layout | Kind::Claims => None,
             Kind::Shaft => Some(Valued::File(Box::new(RotorStudy::new(parse_rotor(name, source)?)?))),
             Kind::Diagram => Some(Valued::File(Box::new(FlywheelStudy::new(parse_diagram(name, source)?)?))),
         })
@@ -189,7 +190,9 @@ impl Asking<'_> {
         let engine = match (self.of, name.kind()) {
             (Valued::File(question), _) if question.command() == name.question => return Ok(question.table(name.table)),
             (Valued::Engine(engine), Kind::Layout) => *engine,
-            (_, Kind::Layout) => return Err(format!("`{}` is asked of the layout of an engine", name.question)),
+            (_, Kind::Layout | Kind::Claims) => {
+                return Err(format!("`{}` is asked of the layout of an engine", name.question));
+            }
             (_, Kind::Shaft) => return Err("`rotor` is asked of a file of masses on a shaft".to_owned()),
             (_, Kind::Diagram) => {
                 let of_engine = "the flywheel of an engine is torque.flywheel.inertia";

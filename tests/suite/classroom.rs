@@ -594,6 +594,19 @@ fn the_command_writes_nothing_outside_of_its_folder_and_refuses_what_makes_no_ta
         let told = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(!output.status.success() && told.contains(keyword), "{arguments:?}: {told}");
     }
+    // As a spreadsheet or an old editor saves them: Windows-1252, and UTF-16 with its mark.
+    let utf16 = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    for (list, bytes) in [("ansi", b"J\xf6rg\r\nAda".to_vec()), ("unicode", utf16("\u{feff}Jörg\r\nAda"))] {
+        fs::write(folder.join(list), bytes).expect("a list");
+        let output = format!("out-{list}");
+        let done = run(&["exercise", "I4", "--students", list, "--output", &output]);
+        assert!(done.status.success(), "{list}: {}", String::from_utf8_lossy(&done.stderr));
+        let expected = BTreeSet::from(["ada", "joerg"].map(str::to_owned));
+        assert_eq!(names(&folder.join(output).join("sheets")), expected, "{list}");
+    }
+    fs::write(folder.join("table.xlsx"), b"PK\x03\x04\0\0\xff").expect("no list");
+    let told = run(&["exercise", "I4", "--students", "table.xlsx", "--output", "none"]);
+    assert!(String::from_utf8_lossy(&told.stderr).contains("`table.xlsx` is not a text"));
     let sheet = run(&["exercise", "I4", "--seed", "3"]);
     assert!(sheet.status.success() && String::from_utf8_lossy(&sheet.stdout).contains("## To find"));
 }

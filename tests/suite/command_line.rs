@@ -283,7 +283,55 @@ fn wrong_input_ends_with_status_one_and_says_what_would_be_right() {
     let folder = scratch("binary");
     let file = folder.join("binary.toml");
     fs::write(&file, b"title = \"\xff\"").expect("a file");
-    assert!(fails(&["classify", text(&file)], 1).contains("byte 9 is not UTF-8"));
+    assert!(fails(&["classify", text(&file)], 1).contains("not in UTF-8, in line 1; save it as UTF-8"));
+}
+
+#[test]
+fn a_file_of_another_kind_is_told_in_one_line_with_the_command_that_reads_it() {
+    let folder = scratch("other-kinds");
+    let kinds = [
+        ("layout", "[inline]\nthrows = [0]\n[mechanism]\nstroke = 1", "classify", &["loads", "classify", "sweep"][..]),
+        ("shaft", "[[mass]]\nmass = 1\nradius = 1", "rotor", &["rotor"]),
+        ("diagram", "areas = ['52 mm²']\nspeed = 3", "flywheel", &["flywheel"]),
+        ("claims", "[[claim]]\nlayout = 'I4'\nsays = 'force order 1 is zero'", "check", &["check"]),
+    ];
+    for (name, written, reader, own) in kinds {
+        let file = folder.join(format!("{name}.toml"));
+        fs::write(&file, written).expect("a file");
+        for (other, _, _, commands) in kinds.iter().filter(|(.., commands)| *commands != own) {
+            for command in *commands {
+                let range = if *command == "sweep" { &["--speed", "1..2:1"][..] } else { &[] };
+                let told = fails(&[&[command, text(&file)], range].concat(), 1);
+                let one = told.matches("error").count() == 1 && told.contains("this file holds");
+                assert!(one && told.contains(&format!("crankstar {reader}`")), "{command} {name}, not {other}: {told}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_space_or_the_end_of_a_line_behind_the_name_of_an_engine_changes_nothing() {
+    for name in ["I4 ", " I4", "I4\r"] {
+        assert_eq!(succeeds(&["classify", name]), succeeds(&["classify", "I4"]), "{name:?}");
+    }
+}
+
+#[test]
+fn a_value_that_is_none_is_told_in_words_of_a_person() {
+    for (arguments, words) in [
+        (&["classify", "I4", "--above", "-1"][..], "a number of percent from 0 to 100"),
+        (&["torsion", "I4", "--speed", "-5"], "a speed above 0"),
+        (&["exercise", "I4", "--seed", "-1"], "a whole number is needed, without sign and unit"),
+        (&["exercise", "I4", "--orders", "1/2"], "a whole number is needed"),
+        (&["loads", "I4", "--digits", "x"], "a whole number is needed"),
+        (&["loads", "I4", "--digits", "20"], "20 is not from 2 to 12"),
+        (&["loads", "I4", "--digits", "-3"], "-3 is not from 2 to 12"),
+        (&["angle", "I4", "--gravity", "9.81 m/s"], "a number is needed, such as 0.5, without a unit"),
+    ] {
+        let told = fails(arguments, 2);
+        let foreign = ["tip:", "literal", "found in string", "..="].iter().find(|foreign| told.contains(**foreign));
+        assert!(told.contains(words) && foreign.is_none(), "{arguments:?}: {told}");
+    }
 }
 
 #[test]

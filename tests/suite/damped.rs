@@ -96,6 +96,16 @@ fn the_class_formula_gives_limits_barred_range_and_the_speeds_above_the_limit() 
     assert_prints(excess.speeds[1], "74.291051");
 }
 
+/// The end of the range of speeds cuts the excess off, 0.3 rpm after its begin.
+#[test]
+fn a_narrow_range_of_speeds_has_two_ends_on_the_page() {
+    let study = study(&MARINE.replace("\"127 rpm\"]", "\"66.3 rpm\"]"));
+    for document in said_in_german(&study) {
+        let text = pages::text(&document, Format::PLAIN).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains("for continuous running from 66.01 rpm to 66.30 rpm"), "{text}");
+    }
+}
+
 /// `16 M / π d³` at the peak of order 6 is 102.8 MPa; τ_T there 102.5 MPa of a steel of 560 MPa, and 108.2 of one of 600.
 #[test]
 fn a_range_is_no_cure_where_the_stress_in_it_is_too_large_to_pass_through() {
@@ -427,23 +437,26 @@ fn what_cannot_damp_is_refused_at_its_place() {
     for (keys, words, line) in [
         (format!("{two}dampings = [0, -1]\n"), "damping 2 is below 0", 8),
         (format!("{two}dampings = [0]\n"), "1 dampings for 2", 8),
-        (format!("{two}loss_factor = -0.1\n"), "loss factor 1 is below 0", 6),
+        (format!("{two}loss_factor = -0.1\n"), "loss factor is 0 or more", 8),
+        (format!("{two}[[torsion.shaft]]\nbetween = [1, 2]\nloss_factor = -3\n"), "loss factor is 0 or more", 10),
         (format!("{two}loss_factor = 0.1\nmagnifier = 10\n"), "a loss factor and a magnifier", 9),
-        (format!("{two}[[torsion.shaft]]\nbetween = [1, 2]\ndamping = -3\n"), "damping of shaft 1 is below 0", 8),
+        (format!("{two}[[torsion.shaft]]\nbetween = [1, 2]\ndamping = -3\n"), "damping is 0 or more", 10),
         (format!("{two}[[torsion.shaft]]\nbetween = [2, 1]\nstiffness = 3\n"), "written before", 9),
         (format!("{two}[[torsion.shaft]]\nbetween = [1, 3]\nstiffness = 3\n"), "shaft 2 is at disc 3; there are 2", 8),
         ("inertias = [1, 1, 1]\nstiffnesses = [1]\n".to_owned(), "between 3 discs there are 2", 7),
         ("inertias = [1, 1, 1]\nstiffnesses = [1, 1]\n[[torsion.shaft]]\nbetween = [1, 3]\nstiffness = 3\n".to_owned(), "may close no ring", 8),
         ("inertias = [1, 1, 1, 1]\n[[torsion.gear]]\nbetween = [1, 2]\nratio = 2\n[[torsion.shaft]]\nbetween = [3, 4]\nstiffness = 3\n".to_owned(), "joins disc 3 to the first", 6),
-        ("inertias = [1, 1]\n[[torsion.gear]]\nbetween = [1, 2]\nratio = 0\n".to_owned(), "ratio of 0", 7),
+        ("inertias = [1, 1]\n[[torsion.gear]]\nbetween = [1, 2]\nratio = 0\n".to_owned(), "ratio of 0", 9),
         ("inertias = [1, 1]\n[[torsion.gear]]\nbetween = [1, 2]\nratio = 2\n".to_owned(), "crankpin 2 is on disc 2, which gears turn", 6),
         ("inertias = [1, 1]\n[[torsion.shaft]]\nbetween = [1, 2]\nlength = 1\nouter_diameter = 0.1\n".to_owned(), "shear modulus", 9),
         ("inertias = [1, 1]\n[[torsion.shaft]]\nbetween = [1, 2]\nlength = 1\nshear_modulus = \"80 GPa\"\n".to_owned(), "without a diameter", 9),
         ("inertias = [1, 1]\n[[torsion.shaft]]\nbetween = [1, 2]\nstiffness = 1\nouter_diameter = 0.1\ninner_diameter = 0.1\n".to_owned(), "bore of shaft 1", 7),
         ("inertias = [1, 1]\n[[torsion.shaft]]\nbetween = [1, 2]\n".to_owned(), "without a stiffness", 8),
         (format!("{two}[[torsion.shaft]]\nbetween = [1, 2]\ntensile_strength = \"560 MPa\"\n"), "needs three keys", 10),
-        (format!("{two}[[torsion.damper]]\ndisc = 3\ninertia = 1\ndamping = 1\n"), "damper 1 is at disc 3", 8),
-        (format!("{two}[[torsion.damper]]\ndisc = 1\ninertia = 1\ndamping = -1\n"), "damping of damper 1 is below 0", 8),
+        (format!("{two}[[torsion.damper]]\ndisc = 3\ninertia = 1\ndamping = 1\n"), "damper 1 is at disc 3", 9),
+        (format!("{two}[[torsion.damper]]\ndisc = 1\ninertia = 0\ndamping = 1\n"), "above 0", 10),
+        (format!("{two}[[torsion.damper]]\ndisc = 1\ninertia = 1\ndamping = 1\nstiffness = 0\n"), "above 0", 12),
+        (format!("{two}[[torsion.damper]]\ndisc = 1\ninertia = 1\ndamping = -1\n"), "damping is 0 or more", 11),
         (format!("{two}[[torsion.damper]]\ndisc = 1\ninertia = 1\ndamping = \"good\"\n"), "damping `good`", 11),
         (format!("{two}[[torsion.harmonic]]\norder = 1\ntorque = 1\n[[torsion.harmonic]]\norder = 2\ntorque = 1\n"), "has no phase", 8),
         (format!("{two}[[torsion.harmonic]]\norder = 1\ntorque = 0\n"), "above 0", 10),

@@ -110,6 +110,27 @@ fn the_ending_of_the_file_says_the_format() {
 }
 
 #[test]
+fn a_drawing_is_not_written_under_the_name_of_another_format() {
+    let folder = scratch("figure-other-names");
+    let path = |name: &str| folder.join(name).to_str().expect("a path in UTF-8").to_owned();
+    for (name, more, words) in [
+        ("a.png", &[][..], "named as a file of png, and a drawing is SVG or TikZ"),
+        ("a.pdf", &[], "end the name in .svg or .tex"),
+        ("a.csv", &["--format", "svg"], "named as a file of csv"),
+        ("a.tex", &["--format", "svg"], "named as a file of TikZ, and holds SVG; end the name in .svg"),
+        ("a.svg", &["--format", "tikz"], "named as a file of SVG, and holds TikZ; end the name in .tex"),
+    ] {
+        let told = fails(&[&["figure", "I4", "star:2", "--output", &path(name)], more].concat(), 2);
+        assert!(told.contains(words) && !folder.join(name).exists(), "{name}: {told}");
+    }
+    for (name, begin) in [("a.TEX", "% \\usepackage"), ("a.tikz", "% \\usepackage"), ("a.SVG", "<svg "), ("a", "<svg ")]
+    {
+        succeeds(&["figure", "I4", "star:2", "--output", &path(name)]);
+        assert!(fs::read_to_string(path(name)).expect("a drawing").starts_with(begin), "{name}");
+    }
+}
+
+#[test]
 fn digits_are_refused_where_they_would_change_nothing() {
     assert!(fails(&["figure", "I4", "star:2", "--digits", "6"], 2).contains("--digits has no effect on a drawing"));
     assert!(!succeeds(&["figure", "--help"]).contains("--digits"));

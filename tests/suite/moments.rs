@@ -308,3 +308,17 @@ fn the_answer_states_the_speed_and_each_reason_for_missing_guide_force_moments_o
     let table = asked(&["moments", &path, "--format", "csv"]);
     assert!(table.contains(",speed_rpm,"), "{table}");
 }
+
+#[test]
+fn a_firing_order_with_commas_is_one_order_and_not_six() {
+    let folder = scratch("moments-commas");
+    let layout = folder.join("low.toml");
+    std::fs::write(&layout, two_stroke("1-4-3-2-5")).expect("a file");
+    let path = layout.display().to_string();
+    let asked = |order: &str| {
+        let output = call(&["moments", &path, "--firing-order", order]);
+        assert!(output.status.success(), "{order}: {}", String::from_utf8_lossy(&output.stderr));
+        output.stdout
+    };
+    assert_eq!(asked("1,5,2,3,4"), asked("1-5-2-3-4"));
+}

@@ -130,6 +130,61 @@ fn locked(staging: &Path) -> fs::File {
     options.open(staging.with_extension("crankstar-lock")).expect("a lock")
 }
 
+/// One file, of a remedy, a drawing or data: the old one stays until the new one is whole.
+#[test]
+#[cfg(unix)]
+fn a_file_that_is_replaced_on_a_full_disk_is_the_old_one() {
+    let scratch = scratch("output-full-file");
+    for call in ["remedy I3 --write old.toml", "figure I4 end-view --output old.svg", "classify I4 --output old.csv"] {
+        let old = scratch.join(call.rsplit(' ').next().expect("a name"));
+        fs::write(&old, "old").expect("a file");
+        let script = format!("trap '' XFSZ; ulimit -f 0; exec \"$0\" {call}");
+        let program = env!("CARGO_BIN_EXE_crankstar");
+        let output = Command::new("sh").args(["-c", &script, program]).current_dir(&scratch).output().expect("a shell");
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{call}: {message}");
+        let name = old.file_name().expect("a name").to_string_lossy().into_owned();
+        assert!(message.contains(&format!("cannot write `{name}`: ")), "{call}: {message}");
+        assert_eq!(fs::read_to_string(&old).expect("the old one"), "old", "{call}");
+    }
+    assert!(files(&scratch).keys().all(|name| !name.starts_with('.')));
+}
+
+/// A link is written through and stays one; so is a pipe, which has no place for another file to take.
+#[test]
+#[cfg(unix)]
+fn links_and_pipes_that_are_written_to_stay_what_they_are() {
+    let scratch = scratch("output-links");
+    let shell = |script: &str| {
+        let program = env!("CARGO_BIN_EXE_crankstar");
+        let output = Command::new("sh").args(["-c", script, program]).current_dir(&scratch).output().expect("a shell");
+        assert!(output.status.success(), "{script}: {}", String::from_utf8_lossy(&output.stderr));
+    };
+    for (call, begin) in [
+        ("remedy I3 --write", "# The throws"),
+        ("figure I4 end-view --output", "<svg "),
+        ("classify I4 --format json --output", "{"),
+        ("sweep V2-45 --bank-angle 0..90:30 --format csv --output", "bank_angle"),
+    ] {
+        let ending = match call.split(' ').next() {
+            Some("figure") => "svg",
+            Some("classify") => "json",
+            Some("sweep") => "csv",
+            _ => "toml",
+        };
+        let name = |name: &str| scratch.join(format!("{name}.{ending}"));
+        shell(&format!(
+            "echo old >real.{ending}; ln -s real.{ending} link.{ending}; \"$0\" {call} link.{ending}; \
+             mkfifo pipe.{ending}; cat pipe.{ending} >read.{ending} & \"$0\" {call} pipe.{ending}; wait"
+        ));
+        assert!(name("link").is_symlink() && !name("pipe").is_file(), "{call}");
+        for written in ["real", "read"] {
+            let text = fs::read_to_string(name(written)).expect("a text");
+            assert!(text.starts_with(begin), "{call} {written}: {text}");
+        }
+    }
+}
+
 #[test]
 fn what_another_writer_has_staged_is_left_alone_and_what_a_killed_one_has_is_not() {
     let scratch = scratch("output-staging");

@@ -156,6 +156,14 @@ fn what_is_no_shaft_is_refused_at_its_place() {
         let error = file::parse("two.toml", &format!("{head}{keys}")).expect_err(keys).to_string();
         assert!(error.contains(words), "{keys}: {error}");
     }
+    let boxer = "[boxer]\nthrows = [0, 180]\nspacing = 1\nstagger = 0.3\n[torsion]\ninertias = [1, 1, 1, 1, 1]\nstiffnesses = [1, 1, 1, 1]\n";
+    let error =
+        file::parse("boxer.toml", &format!("{boxer}crankpins_at = [1, 2, 3, 4]")).expect_err("two pins").to_string();
+    assert!(
+        error.contains("4 discs are named for 2 crankpins") && error.contains("both pins of a pair of [boxer]"),
+        "{error}"
+    );
+    assert!(file::parse("boxer.toml", &format!("{boxer}crankpins_at = [2, 4]")).is_ok());
     let open =
         "title = \"V\"\n[vee]\nbank_angle = \"phi\"\nthrows = [0]\n[torsion]\ninertias = [1, 1]\nstiffnesses = [1]\n";
     assert!(file::parse_layout("v.toml", open).expect_err("open").to_string().contains("[values]"));

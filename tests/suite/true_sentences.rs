@@ -273,3 +273,13 @@ pub fn checked(layout: &str, says: &str) -> String {
     let output = call(&["check", path.to_str().expect("UTF-8"), "--format", "text"]);
     String::from_utf8_lossy(&output.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
 }
+
+/// A plane in millimetres is one of metres, in a file that has no other position with a unit.
+#[test]
+fn planes_in_millimetres_have_their_unit_in_every_engine() {
+    let output = call(&["remedy", "examples/radial.toml", "--planes", "-30mm,30mm"]);
+    let said = String::from_utf8(output.stdout).expect("a text").split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("at z = −30 mm") && said.contains("at z = 30 mm"), "{said}");
+    let alike = call(&["remedy", "examples/radial.toml", "--planes", "30mm,0.03m"]);
+    assert!(String::from_utf8_lossy(&alike.stderr).contains("both planes are at 30 mm"), "{alike:?}");
+}

@@ -245,3 +245,46 @@ fn a_rod_that_is_given_twice_is_told_with_both_ways_of_writing_it() {
         assert!(reciprocating.contains(words), "{words}: {reciprocating}");
     }
 }
+
+#[test]
+fn metres_that_were_meant_as_millimetres_are_told_of_every_length_along_the_shaft() {
+    let vee = "[vee]\nthrows = [0, 180]\nbank_angle = 60\nspacing = '96 mm'\n";
+    let block = "[block]\nmass = 100\ninertia = [1, 1, 1]\ncentre = [0, 0, 0]\n";
+    let mount = |place| format!("[[mount]]\nstiffness = [1, 1, 1]\nplace = {place}\n");
+    let mounted =
+        block.to_owned() + &["[100, 0, 0]", "[0, 0.3, 0.2]", "[0.1, -0.3, 0.2]", "[0, 0.1, -0.3]"].map(mount).concat();
+    for (text, words) in [
+        (format!("{vee}bank_offset = '20 m'\n"), "bank_offset is read as 20 m"),
+        (format!("reference_plane = '80 m'\n{vee}"), "the reference plane is at 80 m"),
+        (vee.replace("'96", "'-96"), "spacing is below 0"),
+        (vee.replace("'96 mm'", "80") + "[mechanism]\nstroke = '80 mm'\n", "the cylinders reach over 80 m"),
+        (format!("{vee}{mounted}"), "place is read as 100 m"),
+    ] {
+        let told = warnings(&text).join("\n");
+        assert!(told.contains(words), "{text}: {told}");
+    }
+    assert_eq!(warnings(&format!("{vee}bank_offset = '20 mm'\n")), Vec::<String>::new());
+}
+
+#[test]
+fn an_odd_value_of_an_option_or_of_a_shaft_is_told_as_one_of_a_layout_is() {
+    let folder = scratch("odd-options");
+    let path = |name: &str, text: &str| {
+        let path = folder.join(name);
+        std::fs::write(&path, text).expect("a file");
+        path.display().to_string()
+    };
+    let four = path("four.toml", FOUR);
+    let shaft = path("shaft.toml", "[[mass]]\nmass = 1\nradius = 80\nangle = 0\n[[mass]]\nmass = 1\n");
+    for (arguments, words) in [
+        (&["sweep", &four, "--spacing", "80..100:10"][..], "the cylinders reach over 240 m"),
+        (&["remedy", &four, "--balance-factor", "50"], "balance_factor is read as 50"),
+        (&["remedy", &four, "--reciprocating", "50"], "reciprocating is read as 50"),
+        (&["rotor", &shaft], "radius is read as 80 m"),
+    ] {
+        let told = String::from_utf8(call(arguments).stderr).expect("a text");
+        assert!(told.contains(words), "{arguments:?}: {told}");
+    }
+    let told = call(&["sweep", &four, "--spacing", "80..100:10 mm"]);
+    assert!(told.stderr.is_empty(), "{told:?}");
+}

@@ -14,7 +14,7 @@ use super::statement::Statement;
 use super::student::{self, StarTable, Verdict};
 use crate::engine::Engine;
 use crate::file::written::{Table, Text, place, read};
-use crate::file::{LayoutError, units};
+use crate::file::{Kind, LayoutError, units};
 use crate::text::Untrusted;
 
 /// A claims file, every claim read.
@@ -127,7 +127,8 @@ struct NumbersTable {
 /// # Errors
 /// The first mistake, with its place and what would be right.
 pub fn parse_claims(name: &str, source: &str, find: Find) -> Result<Claims, LayoutError> {
-    read::<File>(source).and_then(|file| claims(name, file, find)).map_err(|error| error.in_file(name, source))
+    let file = read::<File>(source).map_err(|error| Kind::Claims.refused(source, error));
+    file.and_then(|file| claims(name, file, find)).map_err(|error| error.in_file(name, source))
 }
 
 fn claims(name: &str, file: File, find: Find) -> Result<Claims, LayoutError> {

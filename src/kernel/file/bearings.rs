@@ -28,7 +28,8 @@ pub(super) fn read(list: &List, unit: &mut LengthUnit, positions_given: bool) ->
     for (index, text) in texts.iter().enumerate() {
         let position = position(text, unit, positions_given)?;
         if let Some(first) = places.insert(position.clone(), index) {
-            let message = format!("main bearings {} and {} are both at {position}", first + 1, index + 1);
+            let at = quantities::shown_position(&position, *unit);
+            let message = format!("main bearings {} and {} are both at {at}", first + 1, index + 1);
             return Err(LayoutError::new(message, "each needs a position of its own", place(text)));
         }
         positions.push(position);
@@ -57,6 +58,7 @@ pub(super) fn check_ends(list: Option<&List>, layout: &Engine) -> Result<(), Lay
     let (Some(list), Some([low, high])) = (list, layout.shaft_ends()) else { return Ok(()) };
     for (index, (at, text)) in layout.bearings().iter().zip(list.get_ref()).enumerate() {
         if *at < low || *at > high {
+            let [at, low, high] = [at, &low, &high].map(|at| quantities::shown_position(at, layout.length_unit()));
             let message = format!("main bearing {} at {at} is beyond the crankshaft", index + 1);
             return Err(LayoutError::new(message, format!("the shaft reaches from {low} to {high}"), place(text)));
         }

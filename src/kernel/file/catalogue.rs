@@ -42,12 +42,12 @@ pub fn is_of_catalogue(name: &str, text: &str) -> bool {
     find(name).is_some_and(|entry| entry.text == text)
 }
 
-/// The entry of this name, in upper or lower case.
+/// The entry of this name, in upper or lower case; spaces around it, or the end of its line, do not count.
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
 /// assert_eq!(crankstar::file::find("v8-CROSSPLANE").unwrap().name, "V8-crossplane");
 /// ```
 pub fn find(name: &str) -> Option<Entry> {
-    ENTRIES.iter().find(|entry| entry.name.eq_ignore_ascii_case(name)).copied()
+    ENTRIES.iter().find(|entry| entry.name.eq_ignore_ascii_case(name.trim())).copied()
 }

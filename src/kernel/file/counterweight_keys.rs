@@ -8,10 +8,9 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
-use super::quantities::{self, each, factor, mass, mass_radius, positive_metres};
-use super::rewritten::exact_number;
+use super::quantities::{self, each, factor, mass, mass_radius, positive_metres, shown_position};
 use super::written::{Column, Table, Text, place};
-use crate::engine::{Counterweight, Engine, LengthUnit, Throw};
+use crate::engine::{Counterweight, Engine, Throw};
 use crate::exact::Turn;
 
 /// `[[counterweight]]`.
@@ -183,15 +182,9 @@ pub(super) fn on_the_shaft(
 ) -> Result<(), LayoutError> {
     match engine.shaft_ends() {
         Some([low, high]) if *position < low || *position > high => {
-            let shown = |position: &BigRational| match engine.length_unit() {
-                LengthUnit::Metre => {
-                    let millimetres = position * BigRational::from_integer(1000.into());
-                    format!("{} mm", exact_number(&millimetres).trim_matches('"'))
-                }
-                LengthUnit::Spacing => position.to_string(),
-            };
-            let message = format!("a counterweight at {} is beyond the crankshaft", shown(position));
-            Err(LayoutError::new(message, format!("the shaft reaches from {} to {}", shown(&low), shown(&high)), span))
+            let [at, low, high] = [position, &low, &high].map(|at| shown_position(at, engine.length_unit()));
+            let message = format!("a counterweight at {at} is beyond the crankshaft");
+            Err(LayoutError::new(message, format!("the shaft reaches from {low} to {high}"), span))
         }
         _ => Ok(()),
     }

@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
+use super::kind::Kind;
 use super::number::parse_number;
 use super::quantities::{List, integer, known_angle, mass, misread, positive, positive_metres, value, whole};
 use super::rewritten::exact_number;
@@ -129,7 +130,8 @@ pub struct Diagram {
 /// # Errors
 /// The first mistake, with its place and what would be right.
 pub fn parse_diagram(name: &str, source: &str) -> Result<Diagram, LayoutError> {
-    read::<File>(source).and_then(|file| file.diagram(name)).map_err(|error| error.in_file(name, source))
+    let file = read::<File>(source).map_err(|error| Kind::Diagram.refused(source, error));
+    file.and_then(|file| file.diagram(name)).map_err(|error| error.in_file(name, source))
 }
 
 /// What the drawing shows per length: torque up, angle along; or work per area.

@@ -25,6 +25,7 @@ use super::gas_keys;
 use super::gas_layers;
 use super::geared_forms;
 use super::geared_keys;
+use super::kind::Kind;
 use super::known_firing;
 use super::mechanism_keys;
 use super::mounting_keys;
@@ -135,7 +136,8 @@ pub fn parse_layout(name: &str, source: &str) -> Result<Layout, LayoutError> {
 /// # Errors
 /// The first mistake, with its place in the file where it is, and what would be right.
 pub fn parse_layout_beside(name: &str, source: &str, beside: FileResolver<'_>) -> Result<Layout, LayoutError> {
-    let layout = read::<File>(source).and_then(|file| layout(name, source, file, beside));
+    let file = read::<File>(source).map_err(|error| Kind::Layout.refused(source, error));
+    let layout = file.and_then(|file| layout(name, source, file, beside));
     layout.map_err(|error| error.in_file(name, source))
 }
 
@@ -146,7 +148,8 @@ pub(super) fn read_layout(
     table: Spanned<DeTable<'_>>,
     beside: FileResolver<'_>,
 ) -> Result<Layout, LayoutError> {
-    let layout = read_table::<File>(table).and_then(|file| layout(name, source, file, beside));
+    let file = read_table::<File>(table).map_err(|error| Kind::Layout.refused(source, error));
+    let layout = file.and_then(|file| layout(name, source, file, beside));
     layout.map_err(|error| error.in_file(name, source))
 }
 

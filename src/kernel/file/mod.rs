@@ -58,7 +58,7 @@ pub use file_resolver::FileResolver;
 pub use kind::Kind;
 pub use layout::{Layout, parse, parse_beside, parse_layout, parse_layout_beside};
 pub use number::{NumberError, parse_number};
-pub use quantities::{parse_angle, parse_length, parse_radius};
+pub use quantities::{parse_angle, parse_length, parse_radius, shown_position};
 pub use replaced::with_value;
 pub use rewritten::{
     balancer_table, comment, counted_from_its_throw, counterweight_in_multiples, counterweight_table, exact_number,
@@ -68,4 +68,6 @@ pub use rotor_keys::{Rotor, RotorMass, parse_rotor};
 pub use schema::{schema, tables};
 pub use template::{Key, Template};
 pub use units::turns_per_unit;
-pub use usual::{LayoutWarning, USUAL_PEAK_BAR, USUAL_PEAK_DEGREES, odd_value, warnings, warnings_of_refused};
+pub use usual::{
+    LayoutWarning, USUAL_PEAK_BAR, USUAL_PEAK_DEGREES, odd_position, odd_value, warnings, warnings_of_values,
+};

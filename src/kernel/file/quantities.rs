@@ -7,6 +7,7 @@ use serde_spanned::Spanned;
 use super::error::LayoutError;
 use super::linear;
 use super::number::parse_number;
+use super::rewritten::exact_number;
 use super::units;
 use super::written::{Column, Text, Values, place};
 use crate::engine::{Cylinder, DELTA, LengthUnit, Linear, MOST_CYLINDERS, PHI, Throw};
@@ -176,8 +177,8 @@ pub(super) fn metres(text: &Text) -> Result<BigRational, LayoutError> {
 
 /// A length in metres above 0.
 pub(super) fn positive_metres(text: &Text) -> Result<BigRational, LayoutError> {
-    let radius = metres(text)?;
-    if radius.is_positive() { Ok(radius) } else { Err(misread(text, "radius", "a length above 0")) }
+    let length = metres(text)?;
+    if length.is_positive() { Ok(length) } else { Err(misread(text, "length", "a length above 0")) }
 }
 
 /// A balance factor, 0 or more.
@@ -206,6 +207,14 @@ pub(super) fn not_too_many(count: usize, what: &str) -> Result<(), LayoutError> 
     match count <= MOST_CYLINDERS {
         true => Ok(()),
         false => Err(LayoutError::new(format!("{count} {what}"), format!("up to {MOST_CYLINDERS} are read"), None)),
+    }
+}
+
+/// A position along the shaft as a person writes it: millimetres where the layout is metric.
+pub fn shown_position(at: &BigRational, unit: LengthUnit) -> String {
+    match unit {
+        LengthUnit::Metre => format!("{} mm", exact_number(&(at * integer(1000))).trim_matches('"')),
+        LengthUnit::Spacing => at.to_string(),
     }
 }
 

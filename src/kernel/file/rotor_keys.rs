@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
+use super::kind::Kind;
 use super::number::parse_number;
 use super::quantities::{known_angle, mass, metres, misread, positive_metres, value};
 use super::units;
@@ -75,7 +76,8 @@ pub struct Rotor {
 /// # Errors
 /// The first mistake, with its place and what would be right.
 pub fn parse_rotor(name: &str, source: &str) -> Result<Rotor, LayoutError> {
-    read::<File>(source).and_then(|file| rotor(name, file)).map_err(|error| error.in_file(name, source))
+    let file = read::<File>(source).map_err(|error| Kind::Shaft.refused(source, error));
+    file.and_then(|file| rotor(name, file)).map_err(|error| error.in_file(name, source))
 }
 
 fn rotor(name: &str, file: File) -> Result<Rotor, LayoutError> {

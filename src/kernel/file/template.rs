@@ -151,6 +151,10 @@ fn set<'a>(table: &mut DeTable<'a>, key: &Key, text: &str) -> Result<(), LayoutE
         let span = place.span();
         let refuse = |message: String, right: &str| Err(LayoutError::new(message, right, Some(span.clone())));
         place = match place.get_mut() {
+            DeValue::Table(_) if part.parse::<usize>().is_ok() => {
+                let right = "write the list into the file, with a value in its place";
+                return refuse(format!("`{key}` leads nowhere: the file has no such list"), right);
+            }
             DeValue::Table(keys) => {
                 let name: Spanned<Cow<'a, str>> = Spanned::new(0..0, Cow::Owned(part.clone()));
                 keys.entry(name).or_insert_with(|| Spanned::new(0..0, new(&rest[at + 1..])))

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
-use super::quantities::{self, List, choice, known_angle, metres, misread, positive, value, whole};
+use super::quantities::{self, List, choice, known_angle, metres, misread, not_negative, positive, value, whole};
 use super::units;
 use super::written::{Table, Text, place};
 use crate::engine::{
@@ -109,8 +109,19 @@ pub(super) fn read(table: &Spanned<Table<Keys>>, engine: &Engine) -> Result<Tors
     match engine.pin_speeds().and_then(|speeds| torsion.check(&speeds)) {
         Ok(()) => Ok(torsion),
         Err(why) => {
-            let right = "inertias = one per disc from the free end on, stiffnesses = one between each two, crankpins_at = the disc of each \
-                         crankpin, [1, 2, …] by default";
+            let right = match &why {
+                NoShaft::Pins { given, pins } if given > pins => {
+                    "a split pin counts once, and so do both pins of a pair of [boxer]; where each of them has a disc, write [[cylinder]] tables, each \
+                     with a position or a pin of its own"
+                }
+                NoShaft::NoDisc { .. } | NoShaft::NoSuchDisc { .. } => {
+                    "there are as many discs as inertias, numbered from 1 in their order"
+                }
+                _ => {
+                    "inertias = one per disc from the free end on, stiffnesses = one between each two, crankpins_at = the disc of each crankpin, \
+                     [1, 2, …] by default"
+                }
+            };
             Err(LayoutError::new(why.to_string(), right, keys.place(&why)))
         }
     }
@@ -201,6 +212,14 @@ impl Keys {
             let tables = tables.as_ref()?;
             tables.get_ref().get(number - 1).map_or_else(|| place(tables), place)
         }
+        fn key<T>(
+            tables: &Tables<T>,
+            number: usize,
+            of: fn(&T) -> Option<std::ops::Range<usize>>,
+        ) -> Option<std::ops::Range<usize>> {
+            let named = tables.as_ref().and_then(|tables| of(&tables.get_ref().get(number - 1)?.get_ref().0));
+            named.or_else(|| table(tables, number))
+        }
         let row = self.stiffnesses.as_ref().map_or(0, |list| list.get_ref().len());
         let shaft = |number: usize| match &self.stiffnesses {
             Some(list) if number <= row => item(list, number),
@@ -212,14 +231,13 @@ impl Keys {
             NoShaft::NotPositive("stiffness", number) | NoShaft::Ring("shaft", number) => shaft(*number),
             NoShaft::NotPositive("moment of inertia", number) => item(&self.inertias, *number),
             NoShaft::Negative("damping", number) => self.dampings.as_ref().and_then(|list| item(list, *number)),
-            NoShaft::Negative("loss factor" | "damping of shaft", _) | NoShaft::Hollow(_) => {
-                self.shaft.as_ref().map_or_else(discs, place)
-            }
+            NoShaft::Hollow(_) => self.shaft.as_ref().map_or_else(discs, place),
             NoShaft::Negative(_, number) | NoShaft::NotPositive(_, number) => table(&self.damper, *number),
-            NoShaft::NoRatio(number) | NoShaft::Ring(_, number) => table(&self.gear, *number),
+            NoShaft::NoRatio(number) => key(&self.gear, *number, |keys| place(&keys.ratio)),
+            NoShaft::Ring(_, number) => table(&self.gear, *number),
             NoShaft::NoDisc { what: ("shaft", number), .. } => shaft(*number),
-            NoShaft::NoDisc { what: ("gear", number), .. } => table(&self.gear, *number),
-            NoShaft::NoDisc { what: (_, number), .. } => table(&self.damper, *number),
+            NoShaft::NoDisc { what: ("gear", number), .. } => key(&self.gear, *number, |keys| place(&keys.between)),
+            NoShaft::NoDisc { what: (_, number), .. } => key(&self.damper, *number, |keys| place(&keys.disc)),
             NoShaft::Apart(number) => item(&self.inertias, *number),
             NoShaft::Discs(_) => discs(),
             NoShaft::Pins { .. } | NoShaft::NoSuchDisc { .. } | NoShaft::Geared { .. } | NoShaft::OfTwoCranks(_) => {
@@ -276,7 +294,7 @@ impl ShaftKeys {
             shaft.loss_factor = factor;
         }
         if let Some(text) = &self.damping {
-            shaft.damping = value(text, "damping", units::torsional_damping)?;
+            shaft.damping = not_negative(value(text, "damping", units::torsional_damping)?, "damping", text)?;
         }
         Ok(())
     }
@@ -317,16 +335,19 @@ fn gear(keys: &GearKeys) -> Result<Gear, LayoutError> {
 }
 
 fn damper(keys: &DamperKeys) -> Result<Damper, LayoutError> {
-    let setting = |text: &Text, what, unit: Unit| match text.get_ref().0.trim() {
+    let setting = |text: &Text, read: &dyn Fn(&Text) -> Result<BigRational, LayoutError>| match text.get_ref().0.trim()
+    {
         "best" => Ok(DamperValue::Best),
-        _ => value(text, what, unit).map(DamperValue::Given),
+        _ => read(text).map(DamperValue::Given),
     };
+    let stiff = |text: &Text| positive(text, "stiffness", units::torsional_stiffness);
+    let damping = |text: &Text| not_negative(value(text, "damping", units::torsional_damping)?, "damping", text);
     let stiffness = keys.stiffness.as_ref();
     Ok(Damper {
         disc: disc(&keys.disc)?,
-        inertia: value(&keys.inertia, "moment of inertia", units::inertia)?,
-        stiffness: stiffness.map(|text| setting(text, "stiffness", units::torsional_stiffness)).transpose()?,
-        damping: setting(&keys.damping, "damping", units::torsional_damping)?,
+        inertia: positive(&keys.inertia, "moment of inertia", units::inertia)?,
+        stiffness: stiffness.map(|text| setting(text, &stiff)).transpose()?,
+        damping: setting(&keys.damping, &damping)?,
     })
 }
 
@@ -337,7 +358,7 @@ fn loss_factor(factor: Option<&Text>, magnifier: Option<&Text>) -> Result<Option
             let right = "one of them: the magnifier is 1 over the loss factor";
             Err(LayoutError::new("a loss factor and a magnifier", right, place(text)))
         }
-        (Some(text), None) => value(text, "loss factor", plain).map(Some),
+        (Some(text), None) => not_negative(value(text, "loss factor", plain)?, "loss factor", text).map(Some),
         (None, Some(text)) => positive(text, "magnifier", plain).map(|magnifier| Some(magnifier.recip())),
         (None, None) => Ok(None),
     }

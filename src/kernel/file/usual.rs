@@ -88,6 +88,10 @@ const USUAL: &[(&str, Kind, i64, i64)] = &[
     ("radius", LENGTH, 0, 5_000),
     ("spacing", OF_SPACING, 2, 10_000),
     ("row_spacing", OF_SPACING, 2, 10_000),
+    ("bank_offset", OF_SPACING, 0, 2_000),
+    ("bank_offsets", OF_SPACING, 0, 2_000),
+    ("stagger", OF_SPACING, 0, 2_000),
+    ("place", LENGTH, 0, 50_000),
     ("distance", OF_SPACING, 2, 20_000),
     ("circumradius", OF_SPACING, 2, 20_000),
     ("mass", MASS, 0, 100_000_000),
@@ -130,8 +134,8 @@ pub fn warnings(name: &str, source: &str, layout: &Layout) -> Vec<LayoutWarning>
     odd.into_iter().map(|odd| LayoutWarning(odd.in_file(name, source))).collect()
 }
 
-/// What is odd about the quantities of a file that is refused: the reason may be a unit.
-pub fn warnings_of_refused(name: &str, source: &str) -> Vec<LayoutWarning> {
+/// What is odd about quantities by themselves: of a file that is refused, for the reason may be a unit, or of one that describes no engine.
+pub fn warnings_of_values(name: &str, source: &str) -> Vec<LayoutWarning> {
     let Ok(table) = written::table(source) else { return Vec::new() };
     odd_quantities(table.get_ref(), false).into_iter().map(|odd| LayoutWarning(odd.in_file(name, source))).collect()
 }
@@ -140,6 +144,12 @@ pub fn warnings_of_refused(name: &str, source: &str) -> Vec<LayoutWarning> {
 pub fn odd_value(key: &str, text: &str) -> Option<String> {
     let name = key.rsplit('.').find(|part| part.parse::<usize>().is_err())?;
     let odd = quantity(name, text, 0..0)?;
+    Some(format!("{}: {}", odd.message(), odd.right()))
+}
+
+/// A position of an engine that is beyond any, in one line.
+pub fn odd_position(engine: &Engine) -> Option<String> {
+    let odd = longest(engine, &DeTable::new())?;
     Some(format!("{}: {}", odd.message(), odd.right()))
 }
 
@@ -185,6 +195,10 @@ fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
         let right = "all throws are then in one plane, and no moment is left: how far are they apart?";
         return Some(LayoutError::new("spacing is 0", right, Some(span)));
     }
+    if key == "spacing" && (LENGTH.read)(text).is_some_and(|length| length.is_negative()) {
+        let right = "the throws then stand in the opposite order along the shaft: is the sign right?";
+        return Some(LayoutError::new("spacing is below 0", right, Some(span)));
+    }
     let name = if key.ends_with(MASS_ENDS) { "mass" } else { key };
     let (_, kind, least, most) = USUAL.iter().find(|(known, ..)| *known == name)?;
     let thousandths = |number: i64| BigRational::new(number.into(), 1000.into());
@@ -208,10 +222,10 @@ fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
 /// What is odd about quantities that are usual by themselves.
 fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
     let dimensions = engine.dimensions();
-    let Some(unit) = &dimensions.crank_radius else { return Vec::new() };
     if let Some(odd) = longest(engine, table).or_else(|| measured(engine, table)) {
         return vec![odd];
     }
+    let Some(unit) = &dimensions.crank_radius else { return Vec::new() };
     let radii = || engine.cylinders().iter().map(|cylinder| &cylinder.crank_radius * unit);
     let mut odd = Vec::new();
     if let (Some(speed), Some(span)) = (&dimensions.speed, place(table, &["speed"])) {
@@ -261,16 +275,25 @@ const LONGEST: i64 = 50;
 /// A position in metres that is beyond any engine.
 fn longest(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
     let most = integer(LONGEST);
-    if engine.length_unit() != LengthUnit::Metre {
+    // A number alone is one of metres beside a crank radius in metres.
+    let is_metric = engine.positions_given() && engine.dimensions().crank_radius.is_some();
+    if engine.length_unit() != LengthUnit::Metre && !is_metric {
         return None;
     }
     let is_far = |at: &&BigRational| at.abs() > most;
-    let bearing = engine.bearings().iter().find(is_far).map(|at| ("a main bearing", at, place(table, &["bearings"])));
+    let bearing =
+        engine.bearings().iter().find(is_far).map(|at| ("a main bearing is at", at, place(table, &["bearings"])));
     let forms = || table.values().filter_map(|value| value.get_ref().as_table());
     let spacing = || forms().find_map(|form| place(form, &["spacing"]));
     let cylinder = || engine.cylinders().iter().map(|cylinder| &cylinder.position).find(is_far);
-    let (what, at, span) = bearing.or_else(|| Some(("a cylinder", cylinder()?, spacing())))?;
-    let message = format!("{what} is at {} m", exact_number(at).trim_matches('"'));
+    let plane = Some(engine.reference_plane()).filter(is_far).filter(|_| engine.reference_plane_given());
+    let plane = || plane.map(|at| ("the reference plane is at", at, place(table, &["reference_plane"])));
+    let found = bearing.or_else(|| Some(("a cylinder is at", cylinder()?, spacing())));
+    let positions = || engine.cylinders().iter().map(|cylinder| &cylinder.position);
+    let apart = positions().max()? - positions().min()?;
+    let reach = (apart > most).then(|| ("the cylinders reach over", &apart, spacing()));
+    let (what, at, span) = reach.or(found).or_else(plane)?;
+    let message = format!("{what} {} m", exact_number(at).trim_matches('"'));
     let right = format!("no engine is longer than {LONGEST} m: is the unit right? such as \"88 mm\"");
     Some(LayoutError::new(message, right, span))
 }

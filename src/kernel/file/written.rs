@@ -208,17 +208,20 @@ fn toml_error(error: toml::de::Error) -> LayoutError {
 /// One slip of the hand for so many letters of a key is one: a letter too many, too few, another, or two exchanged.
 const LETTERS_A_SLIP: usize = 3;
 
-/// What may be meant by an unknown key: one that is nearly it, one of the file as a whole, or any of those that are expected.
+/// What may be meant by an unknown key: one that is nearly it, one of the file as a whole or of the only table that has it, or any of those that are expected.
 fn what_is_known(unknown: &str, expected: &str) -> String {
     let keys: Vec<&str> = expected.split('`').skip(1).step_by(2).collect();
     let near = keys.iter().map(|key| (strsim::osa_distance(unknown, key), key));
     let near = near.filter(|(slips, key)| slips * LETTERS_A_SLIP <= key.len()).min_by_key(|(slips, _)| *slips);
     let has = |is_meant: &dyn Fn(&str, &[&str]) -> bool| tables().any(|(table, own)| is_meant(table, &own));
-    let is_of_a_layout = has(&|table, own| !table.is_empty() && own == keys);
+    let is_of_a_layout = has(&|_, own| own == keys);
     let is_of_the_file = is_of_a_layout && has(&|table, own| table.is_empty() && own.contains(&unknown));
+    let owners: Vec<&str> =
+        tables().filter(|(_, own)| is_of_a_layout && own.contains(&unknown)).map(|(table, _)| table).collect();
     match near {
         Some((_, key)) => format!("did you mean `{key}`?"),
         None if is_of_the_file => format!("`{unknown}` belongs above the first table"),
+        None if owners.len() == 1 => format!("`{unknown}` is a key of `{}`", owners[0]),
         None => format!("expected {expected}"),
     }
 }

@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use num_rational::BigRational;
-
 use crate::loads::Missing;
 
 /// Why there is no remedy.
@@ -11,14 +9,14 @@ use crate::loads::Missing;
 pub enum RemedyError {
     /// What the layout lacks.
     Missing(Missing),
-    /// Both planes are at this position.
-    PlanesCoincide(BigRational),
+    /// Both planes are at this position, as a person writes it.
+    PlanesCoincide(String),
     /// A plane at this position lies beyond the ends of the crankshaft.
-    BeyondTheShaft(BigRational, Box<[BigRational; 2]>),
+    BeyondTheShaft(String, Box<[String; 2]>),
     /// Balance factors where a crankshaft turns otherwise than the first, whose throws they are about.
     Bays,
     /// Balance factors of an engine that has counterweights in other planes than those of its throws, which would stay beside them.
-    Weighted(BigRational),
+    Weighted(String),
     /// A mass at a radius of an engine without masses or a crank radius.
     NoMass,
     /// Neither one value for all nor one per throw.

@@ -39,6 +39,7 @@ pub use weight::Weight;
 
 use crate::engine::{Engine, GearedCrank, throws};
 use crate::exact::Turn;
+use crate::file::shown_position;
 use crate::proof::Sense;
 
 /// Orders that are too small for weights of their own, unless these are asked for.
@@ -193,13 +194,14 @@ pub fn remedy(engine: &Engine, request: &Request) -> Result<Remedy, RemedyError>
     if !request.factors.is_empty() && !engine.geared_cranks().iter().all(turns_as_the_first) {
         return Err(RemedyError::Bays);
     }
+    let shown = |at: &BigRational| shown_position(at, engine.length_unit());
     let planes = match &request.planes {
-        Some([first, second]) if first == second => return Err(RemedyError::PlanesCoincide(first.clone())),
+        Some([first, second]) if first == second => return Err(RemedyError::PlanesCoincide(shown(first))),
         Some(planes) => {
             if let Some(ends) = engine.shaft_ends()
                 && let Some(beyond) = planes.iter().find(|plane| **plane < ends[0] || **plane > ends[1])
             {
-                return Err(RemedyError::BeyondTheShaft(beyond.clone(), Box::new(ends)));
+                return Err(RemedyError::BeyondTheShaft(shown(beyond), Box::new([&ends[0], &ends[1]].map(shown))));
             }
             planes.clone()
         }

@@ -8,6 +8,7 @@ use super::error::RemedyError;
 use super::weight::Weight;
 use crate::engine::{Engine, throws};
 use crate::exact::Term;
+use crate::file::shown_position;
 use crate::order::{self, MassGroup, OrderSum, Source, TurningMass};
 use crate::proof::Sense;
 
@@ -109,7 +110,7 @@ pub(super) fn in_place_of_what_is_there(
 ) -> Result<Vec<Weight>, RemedyError> {
     let takes = |plane: &BigRational| weights.iter().any(|weight| weight.position == *plane);
     if let Some(plane) = planes(subject, 1, Sense::Direct).into_iter().find(|plane| !takes(plane)) {
-        return Err(RemedyError::Weighted(plane));
+        return Err(RemedyError::Weighted(shown_position(&plane, subject.engine().length_unit())));
     }
     let less = |weight: Weight| {
         let (_, there) = there(subject, weight.order, weight.sense, &weight.position);

@@ -1,12 +1,24 @@
 //! How are speeds, parts and torques of a shaft written?
 
 use super::study::TorsionStudy;
-use crate::page::{Piece, Text, Unit};
+use crate::page::{Piece, Setting, Text, Unit};
 
 /// A speed, rounded to what a reader wants to know.
 pub(super) fn rpm(value: f64) -> Text {
     Piece::Quantity(value, Unit::PER_MINUTE).into()
 }
+
+/// Two speeds of a range, in hundredths where they would look alike.
+pub(super) fn range([from, to]: [f64; 2]) -> [Text; 2] {
+    let hundredths = |value| {
+        let value = Piece::Measured(value, Unit::PER_MINUTE, Setting::Fixed(|value| format!("{value:.2}")));
+        Text::from(value).and(Piece::Label("\u{202f}".to_owned())).and(Unit::PER_MINUTE)
+    };
+    if to - from < NARROW * to { [from, to].map(hundredths) } else { [from, to].map(rpm) }
+}
+
+/// A range that is narrower than this part of its speeds is told in hundredths.
+const NARROW: f64 = 0.02;
 
 /// A part of the greatest length, in hundredths.
 pub(super) fn part(value: f64) -> Text {

@@ -1,6 +1,6 @@
 //! Which speeds are barred around a critical one, do stresses hold their limit at the ends of that range, and may it be passed through?
 
-use super::amounts::{rpm, shaft};
+use super::amounts::{range, rpm, shaft};
 use super::study::TorsionStudy;
 use super::vibration::Barred;
 use super::{ResonanceOrder, VibrationOrder};
@@ -70,7 +70,7 @@ pub(super) struct Impassable {
 
 /// The barred range around a critical speed; where it is none that may be passed through, or the stress exceeds the limit at its ends, why.
 pub(super) fn said(study: &TorsionStudy, one: &ResonanceOrder, barred: &Barred) -> Text {
-    let [from, to] = barred.speeds;
+    let [from, to] = range(barred.speeds);
     if let Some(worst) = study.impassable(barred) {
         let stress = |pascals: f64| Text::measured_in(1e-6 * pascals, Unit::MEGAPASCAL);
         return text::no_barred_range_possible(
@@ -83,17 +83,17 @@ pub(super) fn said(study: &TorsionStudy, one: &ResonanceOrder, barred: &Barred) 
         );
     }
     if barred.suffices {
-        return text::barred(rpm(one.rpm), one.order.to_string(), rpm(from), rpm(to));
+        return text::barred(rpm(one.rpm), one.order.to_string(), from, to);
     }
     let excesses = exceeded(study, barred.speeds).into_iter().map(|ends| {
-        let [from, to] = ends.map(rpm);
+        let [from, to] = range(ends);
         phrase!("{} to {}", from, to)
     });
     text::barred_too_little(
         rpm(one.rpm),
         one.order.to_string(),
-        rpm(from),
-        rpm(to),
+        from,
+        to,
         Text::joined(excesses, ", "),
         barred.largest_part.to_string(),
     )

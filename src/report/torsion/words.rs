@@ -1,7 +1,7 @@
 //! What is said first of a shaft that twists, and what it rests on?
 
 use super::super::torque::misfire;
-use super::amounts::{part, rpm, shaft, torque};
+use super::amounts::{part, range, rpm, shaft, torque};
 use super::study::TorsionStudy;
 use super::tables::MOST_MODES;
 use super::{barred, gears};
@@ -134,7 +134,7 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
         ));
     }
     for excess in study.excesses() {
-        let [from, to] = excess.speeds.map(rpm);
+        let [from, to] = range(excess.speeds);
         lines.push(text::excess(shaft(study, excess.shaft), from, to));
     }
     for one in study.resonances() {
