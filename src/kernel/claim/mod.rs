@@ -49,7 +49,7 @@ pub use error::ClaimError;
 pub use file::{Claim, Claims, Published, parse_claims};
 pub use find::Find;
 pub use finding::{Absolute, Agreement, Finding, LargestOf, Term, TermVerdict, Witness};
-pub use formula::{Formula, Letter, Measured, Powers, Series, Wave};
+pub use formula::{Factor, Formula, Letter, Measured, Powers, Series, Wave};
 pub use handwritten::{Agrees, WrittenAngle, WrittenLength};
 pub use provenance::{Provenance, Quote};
 pub use sentence::parse_statement;
