@@ -27,6 +27,7 @@ mod moving_parts;
 mod multiples;
 mod order;
 mod ordinal;
+mod parts;
 mod possible;
 mod provenance;
 mod real;
