@@ -360,14 +360,21 @@ fn a_value_may_name_the_multiples_that_the_program_prints() {
         (
             "first-order moment ≈ 0.4490 ± 0.0001",
             vec![
+                "first-order moment ≈ 0.4490 m r ω² ± 0.0001",
+                "first-order moment ≈ 0.4490 m r w^2 +/- 0.0001 m r w^2",
+            ],
+        ),
+        (
+            "first-order moment ≈ 0.4490 a ± 0.0001",
+            vec![
                 "first-order moment ≈ 0.4490 m r ω² a ± 0.0001",
                 "first-order moment ≈ 0.4490 m r w^2 a ± 0.0001 m r w^2 a",
-                "first-order moment ≈ 0.4490 a ± 0.0001",
+                "first-order moment ≈ 0.4490 ± 0.0001 a",
                 "The first-order moment is ≈ 0.4490 a ± 0.0001.",
             ],
         ),
         (
-            "first-order moment = 0.449",
+            "first-order moment = 0.449 a",
             vec!["M1 = 0.449 m r ω² a", "M₁ = 0.449·mrω²·a", "the first-order moment is 0.449 a"],
         ),
         ("second-order force = 4", vec!["F2 = 4 m r ω² c_2", "F2 = 4 m r ω² c₂", "second-order force is 4 m r ω² c_k"]),
