@@ -71,6 +71,13 @@ fn a_claims_file_that_is_wrong_is_told_with_its_place() {
             "phase",
         ),
         ("[[table]]\nlayout = \"I4\"\norder = 2\nsums = { force_direct = \"√\" }\n", "claims.toml:4", "length"),
+        ("[[table]]\nlayout = \"I4\"\norder = 2\n", "claims.toml:3", "claims nothing"),
+        ("[[table]]\nlayout = \"I4\"\norder = 2\nrows = []\nsums = {}\n", "claims.toml:3", "claims nothing"),
+        (
+            "[[table]]\nlayout = \"I4\"\norder = 2\nrows = [{ cylinder = 1, direct = \"\" }]\n",
+            "claims.toml:3",
+            "claims nothing",
+        ),
         (
             "[[claim]]\nlayout = \"I4\"\nsays = \"second-order force = 3 N\"\nnumbers = { reciprocating_mass = 0, crank_radius = 1, rod_length = 4, speed = 100 }\n",
             "claims.toml:4",

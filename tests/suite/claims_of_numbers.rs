@@ -1,6 +1,6 @@
 //! Are claims in newtons, on torques and on unequal rods answered by what decides them?
 
-use crankstar::claim::{self, Status};
+use crankstar::claim::{self, Condition, Status};
 use crankstar::engine::Engine;
 use crankstar::file;
 
@@ -82,4 +82,192 @@ fn kilonewtons_are_a_thousand_newtons_with_their_digits_and_tolerances() {
         assert_eq!(status(&flat_four(), says), wanted, "{says}");
     }
     assert!(claim::parse_statement("sixth-order moment = 1 kN").is_err());
+}
+
+/// Four in line whose second-order force is 11248 N along 0°, 10999 N by the first term of c_2.
+fn in_line_four() -> Engine {
+    let text = "speed = 6000\nbearings = ['-190 mm', '190 mm']\ninline = { throws = [0, 180, 180, 0], spacing = '96 mm' }\n\
+                [mechanism]\nstroke = '86 mm'\nrod_length = '146 mm'\nreciprocating_mass = '0.55 kg'\n";
+    file::parse("four.toml", text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn catalogued(name: &str) -> Engine {
+    file::find(name).expect("known").engine().expect("reads")
+}
+
+/// Holds only as textbooks take c_k.
+fn by_the_first_term() -> Status {
+    Status::TrueOnlyIf { conditions: vec![Condition::FirstTermAlone], met: true }
+}
+
+#[track_caller]
+fn refused(says: &str) {
+    let told = claim::parse_statement(says).expect_err(says);
+    assert!(!told.message.is_empty() && !told.right.is_empty(), "{says}");
+}
+
+#[test]
+fn a_direction_beside_newtons_is_compared_too() {
+    for (says, wanted) in [
+        ("second-order force = 11248 N at 0°", Status::True),
+        ("second-order force = 11248 N at 180° ± 1°", Status::True),
+        ("second-order force = 11248 N at 90°", Status::False),
+        ("second-order force = 11.2 kN at 1° ± 0.5°", Status::False),
+        ("second-order direct force = 5624 N ± 1 % at 33°", Status::False),
+        ("second-order direct force = 5624 N ± 1 % at 0°", Status::True),
+        ("second-order force = 10999 N at 0°", by_the_first_term()),
+        ("second-order force = 10999 N at 10°", Status::False),
+        // Nothing points nowhere.
+        ("first-order force = 0 N at 10°", Status::False),
+        ("third-order force = 0 N at 10°", Status::False),
+    ] {
+        assert_eq!(status(&in_line_four(), says), wanted, "{says}");
+    }
+}
+
+#[test]
+fn newtons_of_the_first_term_alone_hold_only_if_it_is_taken_alone() {
+    for (says, wanted) in [
+        ("second-order force = 11248 N", Status::True),
+        ("second-order force = 10999 N", by_the_first_term()),
+        ("second-order force ≈ 11.0 kN", by_the_first_term()),
+        // Both are within these.
+        ("second-order force = 11000 N ± 5 %", Status::True),
+        ("second-order force = 11123 N", Status::False),
+    ] {
+        assert_eq!(status(&in_line_four(), says), wanted, "{says}");
+    }
+    let statement = claim::parse_statement("second-order force = 10999 N").expect("a claim");
+    let told = crankstar::report::claim_status(&claim::answer(&in_line_four(), &statement, None));
+    let told = crankstar::page::text_in(&told, crankstar::page::Format::PLAIN);
+    assert!(told.contains("first term"), "{told}");
+}
+
+#[test]
+fn a_unit_behind_a_tolerance_alone_is_that_of_the_value() {
+    for (says, wanted) in [
+        ("second-order force = 100 ± 1 kN", Status::False),
+        ("F2 = 20 ± 1 kN", Status::False),
+        ("F2 = 11 ± 1 kN", Status::True),
+        ("second-order force = 11248 ± 10 N", Status::True),
+        ("second-order force = 11 kN ± 300 N", Status::True),
+        ("largest main-bearing load = 10 ± 1 kN", Status::False),
+        ("second-order force plane 1 ± 2°", Status::True),
+        ("second-order force plane 0.1 ± 0.05 turn", Status::False),
+    ] {
+        assert_eq!(status(&in_line_four(), says), wanted, "{says}");
+    }
+    for says in [
+        "second-order force = 5 N ± 12 kN·m",
+        "second-order force = 5 ± 12 kN·m",
+        "second-order moment = 5 N·m ± 12 N",
+        "second-order force plane 30° ± 1 kN",
+        "second-order force plane 30° ± 1 %",
+        "second-order force plane 30° ± -1°",
+        "second-order force = 11 kN ± 0.1 m r ω² c_2",
+        "second-order moment = 5 N·m ± 0.1 a",
+        "second-order force = 11 kN ± 3 kN %",
+        "crankshaft mass = 4 kg ± 1 kN",
+        "crankshaft mass = 4",
+        "largest main-bearing load = 10 kN ± 1 N·m",
+    ] {
+        refused(says);
+    }
+    assert_eq!(
+        claim::parse_statement("crankshaft mass = 4.08 ± 0.01 kg"),
+        claim::parse_statement("crankshaft mass = 4.08 kg ± 0.01 kg")
+    );
+}
+
+#[test]
+fn a_moment_in_a_counts_the_spacing_whatever_the_positions_are_in() {
+    let two = |positions: &str| {
+        let text = format!(
+            "inline = {{ throws = [0, 180], {positions} }}\n[mechanism]\ncrank_radius = '40 mm'\nreciprocating_mass = ['2 kg', '1 kg']\n"
+        );
+        file::parse("two.toml", &text).unwrap_or_else(|error| panic!("{error}"))
+    };
+    // In metres where nothing is said, 0.075 m of 0.1 m.
+    for (says, wanted) in [
+        ("first-order moment = 0.75 m r ω² a", Status::True),
+        ("first-order moment = 0.075 m r ω² a", Status::False),
+        ("first-order moment = 3/4 a", Status::True),
+        ("M1 ≈ 0.7 ± 0.06 a", Status::True),
+        ("M1 ≈ 0.7 a ± 0.04", Status::False),
+        ("M1 = 0.8 a", Status::TrueAsRounded),
+        ("first-order moment = 0.075", Status::True),
+        ("first-order moment = 0.075 m r ω²", Status::True),
+        ("first-order moment = 0.75", Status::False),
+    ] {
+        assert_eq!(status(&two("spacing = '100 mm'"), says), wanted, "{says}");
+    }
+    for says in ["first-order moment = 0.75 a", "first-order moment = 0.75"] {
+        assert_eq!(status(&two("spacing = 1"), says), Status::True, "{says}");
+    }
+    // Three that are not equally far apart have no a.
+    let text = "inline = { throws = [0, 120, 240], positions = ['0 mm', '100 mm', '250 mm'] }";
+    let uneven = file::parse("three.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(status(&uneven, "first-order moment = 1.732 a"), Status::NotDecided);
+}
+
+#[test]
+fn zero_is_no_rounding_of_what_is_left() {
+    let five = catalogued("I5-12453");
+    for says in ["M1 = 0", "M1 = 0.0", "M1 = 0.0 a", "first-order moment ≈ 0", "first-order moment ≈ 0.0"] {
+        assert_eq!(status(&five, says), Status::False, "{says}");
+    }
+    for says in ["second-order force = 0 N", "second-order force ≈ 0 N", "second-order force = 0.0 kN"] {
+        assert_eq!(status(&in_line_four(), says), Status::False, "{says}");
+    }
+    for says in
+        ["M1 = 0.0", "M1 ≈ 0", "first-order force ≈ 0 N", "third-order force = 0.0", "first-order moment = 0.0 kN·m"]
+    {
+        assert_eq!(status(&in_line_four(), says), Status::True, "{says}");
+    }
+    // What is known in decimals alone is not said to be nothing.
+    assert_eq!(status(&in_line_four(), "largest main-bearing load = 0 N"), Status::NotDecided);
+}
+
+#[test]
+fn a_tolerance_decides_of_zero_as_of_other_values() {
+    for (says, wanted) in [
+        ("second-order force = 0 ± 5", Status::True),
+        ("second-order force = 0 ± 3", Status::False),
+        ("second-order force ≈ 0 N ± 20000 N", Status::True),
+        ("second-order force ≈ 0 N ± 10000 N", Status::False),
+        ("first-order moment ≈ 1 N·m ± 5 N·m", Status::True),
+        ("first-order moment ≈ 6 N·m ± 5 N·m", Status::False),
+        ("first-order force ≈ 0.001 ± 0.01", Status::True),
+        ("third-order force ≈ 0.001 ± 0.01", Status::True),
+        ("third-order force ≈ 0.1 ± 0.01", Status::False),
+        ("third-order force ≈ 1 N ± 5 N", Status::True),
+        ("third-order force ≈ 1 N ± 50 %", Status::False),
+    ] {
+        assert_eq!(status(&in_line_four(), says), wanted, "{says}");
+    }
+}
+
+#[test]
+fn tolerances_and_digits_of_angles_are_in_the_unit_of_the_angle() {
+    // −arctan(1/3), −0.0512082 turn.
+    let eight = catalogued("V8-crossplane");
+    for (angle, wanted) in [
+        ("-0.0512 turn ± 0.0001", Status::True),
+        ("-0.0512 ± 0.0001 turn", Status::True),
+        ("-5.12e-2 turn ± 1e-4", Status::True),
+        ("-0.0512 turn ± 1e-6", Status::False),
+        ("-0.0512 turn ± 0.01°", Status::True),
+        ("-0.0512 turn ± 0.001°", Status::False),
+        ("-0.0512 turn ± 0.000001 turn", Status::False),
+        ("-0.0512 turn", Status::TrueAsRounded),
+        ("-0.0513 turn", Status::False),
+        ("-0.1024 pi rad", Status::TrueAsRounded),
+        ("-18.43°", Status::TrueAsRounded),
+        ("-18.43° ± 0.01", Status::True),
+        ("-18.43° ± 0.00002 turn", Status::True),
+        ("-18.43° ± 0.00001 turn", Status::False),
+        ("−arctan(1/3) ± 0.01°", Status::True),
+    ] {
+        assert_eq!(status(&eight, &format!("first-order moment = √10 at {angle}")), wanted, "{angle}");
+    }
 }

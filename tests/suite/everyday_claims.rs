@@ -77,14 +77,40 @@ fn everyday_sentences_say_what_the_words_of_the_readme_say() {
                 "F1 = F2 = 0",
                 "primary and secondary forces are balanced",
                 "no first- or second-order forces",
+                "no force of orders 1 or 2",
+                "no force of order 1 and no force of order 2",
+                "no first-order and no second-order force",
+                "first-order force and second-order force vanish",
+                "first-order force vanishes and second-order force vanishes",
                 "forces of orders 1 and 2 cancel",
             ],
         ),
         (
             "orders 2 vanish",
-            vec!["F2 = M2 = 0", "second-order forces and moments are balanced", "no secondary force or couple"],
+            vec![
+                "F2 = M2 = 0",
+                "second-order forces and moments are balanced",
+                "no secondary force or couple",
+                "neither a second-order force nor a second-order moment",
+                "at order 2 there is no force or moment",
+                "no force and no moment of order 2",
+            ],
         ),
         ("every order of the force vanishes", vec!["no force of any order", "forces of all orders vanish"]),
+        (
+            "every order of the moment vanishes",
+            vec![
+                "the first, second and all higher orders of the moment vanish",
+                "first and higher orders of the moment vanish",
+                "no moments of first and higher order",
+                "no moment of order 1 or higher",
+                "moments of order 1 and higher vanish",
+            ],
+        ),
+        (
+            "every higher order of the moment vanishes",
+            vec!["no moment of order 2 or higher", "second and higher orders of the moment vanish"],
+        ),
     ] {
         let meant = parse_statement(canonical).expect(canonical);
         for sentence in sentences {
@@ -126,6 +152,86 @@ fn a_sentence_that_may_mean_two_things_is_asked_about_and_others_are_not_read() 
         "forces",
     ] {
         assert!(parse_statement(sentence).is_err(), "{sentence}");
+    }
+}
+
+/// None of these says one thing of all its orders and quantities.
+#[test]
+fn a_sentence_that_says_several_things_is_asked_to_be_divided() {
+    for sentence in [
+        "the engine has no primary force and an unbalanced secondary couple",
+        "no first-order force and a second-order couple",
+        "has no first-order force, a second-order force remains",
+        "unbalanced second-order force and no first-order force",
+        "first-order force exists and second-order force does not exist",
+        "the first-order moment remains, the second-order moment does not",
+        "first-order force vanishes, second-order force does not",
+        "a second-order force without a second-order moment",
+        "there is a second-order force and no second-order moment",
+        "the engine has a second-order force and no moment",
+        "no forces of orders 1, 2 and 4 and a force of order 6",
+        "unbalanced second-order force and balanced first-order force",
+        "no first-order, an unbalanced second-order force",
+        "first and no second-order force",
+        "first-order force and second-order moment vanish",
+        "first-order force vanishes and second-order moment vanishes",
+        "no second-order force and no first-order moment",
+        "no second-order force or first-order moment",
+        "first-order force and higher orders vanish",
+        "every order of the force and the second-order moment vanish",
+        "second-order force and higher moments vanish",
+        "the second-order force and the direct force vanish",
+        "the force and the first-order moment vanish",
+        "primary or secondary forces vanish",
+        "forces of orders 1 or 2 vanish",
+        "second-order force exists or second-order moment exists",
+        "third and higher orders of the force vanish",
+        "the first, fourth and higher orders of the force vanish",
+    ] {
+        let told = parse_statement(sentence).expect_err(sentence);
+        assert!(told.message.contains("two things") && told.right.contains("such as"), "{sentence}: {told:?}");
+    }
+}
+
+#[test]
+fn orders_named_beside_the_higher_ones_are_claimed_too() {
+    // The couple of order 1 is √10, those above it vanish.
+    for says in ["first and higher orders of the moment vanish", "no moment of order 1 or higher"] {
+        assert_eq!(answer("V8-crossplane", says).status, Status::False, "{says}");
+    }
+    assert!(answer("V8-crossplane", "no moment of order 2 or higher").status.holds());
+}
+
+#[test]
+fn numbers_of_a_series_are_as_exact_as_they_are_written() {
+    // c_2 is 0.25088, and 1.0035 for four.
+    let [one, four] = [1, 4].map(|count| format!("mechanism.rod_ratio = 0.247\ninline.throws = {:?}", vec![0; count]));
+    for (layout, number, expected) in [
+        (&one, "1/4", TermVerdict::Wrong),
+        (&one, "0.25", TermVerdict::Rounded),
+        (&one, "0.250", TermVerdict::Wrong),
+        (&one, "0.251", TermVerdict::Rounded),
+        (&one, "0.247", TermVerdict::UpTo(1)),
+        (&one, "λ", TermVerdict::UpTo(1)),
+        (&one, "1.0 λ", TermVerdict::UpTo(1)),
+        (&one, "1.02 λ", TermVerdict::Rounded),
+        (&one, "51/50 λ", TermVerdict::Wrong),
+        (&four, "", TermVerdict::Wrong),
+        (&four, "1", TermVerdict::Wrong),
+        (&four, "1/1", TermVerdict::Wrong),
+        (&four, "1.0", TermVerdict::Rounded),
+        (&four, "1.00", TermVerdict::Rounded),
+        (&four, "1.000", TermVerdict::Wrong),
+        (&four, "1.003", TermVerdict::Wrong),
+        (&four, "1.004", TermVerdict::Rounded),
+        // Rounded to 0.001, and four of them to 0.004.
+        (&four, "4 · 0.250", TermVerdict::Wrong),
+        (&four, "4 · 0.251", TermVerdict::Rounded),
+        (&four, "4 · 0.252", TermVerdict::Wrong),
+        (&four, "4 / 4.0", TermVerdict::Wrong),
+    ] {
+        let says = format!("F = m r ω² ({} cos θ + {number} cos 2θ)", if *layout == one { 1 } else { 4 });
+        assert_eq!(verdicts(&answer(layout, &says))[1].2, expected, "{says}");
     }
 }
 
@@ -254,14 +360,21 @@ fn a_value_may_name_the_multiples_that_the_program_prints() {
         (
             "first-order moment ≈ 0.4490 ± 0.0001",
             vec![
+                "first-order moment ≈ 0.4490 m r ω² ± 0.0001",
+                "first-order moment ≈ 0.4490 m r w^2 +/- 0.0001 m r w^2",
+            ],
+        ),
+        (
+            "first-order moment ≈ 0.4490 a ± 0.0001",
+            vec![
                 "first-order moment ≈ 0.4490 m r ω² a ± 0.0001",
                 "first-order moment ≈ 0.4490 m r w^2 a ± 0.0001 m r w^2 a",
-                "first-order moment ≈ 0.4490 a ± 0.0001",
+                "first-order moment ≈ 0.4490 ± 0.0001 a",
                 "The first-order moment is ≈ 0.4490 a ± 0.0001.",
             ],
         ),
         (
-            "first-order moment = 0.449",
+            "first-order moment = 0.449 a",
             vec!["M1 = 0.449 m r ω² a", "M₁ = 0.449·mrω²·a", "the first-order moment is 0.449 a"],
         ),
         ("second-order force = 4", vec!["F2 = 4 m r ω² c_2", "F2 = 4 m r ω² c₂", "second-order force is 4 m r ω² c_k"]),

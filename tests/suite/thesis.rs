@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use crankstar::claim::{Claims, Provenance, Statement, Status, answer, parse_claims, parse_statement};
+use crankstar::claim::{Claims, Condition, Provenance, Statement, Status, answer, parse_claims, parse_statement};
 use crankstar::engine::{Draft, Engine};
 use crankstar::file;
 use crankstar::loads::{Method, bearing_loads, usual_bearing_orders};
@@ -119,7 +119,10 @@ const AMPLITUDES: [(&str, &str); 22] = [
 fn amplitudes_are_those_of_an_independent_computation() {
     for (name, says) in AMPLITUDES {
         let statement = parse_statement(says).unwrap_or_else(|mistake| panic!("{says}: {mistake:?}"));
-        assert_eq!(answer(&engine(name), &statement, None).status, Status::True, "{name}: {says}");
+        // The thesis takes the first term of c_2.
+        let status = answer(&engine(name), &statement, None).status;
+        let by_the_first_term = Status::TrueOnlyIf { conditions: vec![Condition::FirstTermAlone], met: true };
+        assert!(status == Status::True || status == by_the_first_term, "{name}: {says}: {status:?}");
     }
 }
 

@@ -52,6 +52,8 @@ pub enum Condition {
     NoBankOffset,
     /// The firing order is one of those that are even: the layout names none.
     FiringOrder,
+    /// Of the series of c_k the first term is taken, as textbooks do: c_2 = r/l.
+    FirstTermAlone,
 }
 
 /// What a status rests on.

@@ -161,7 +161,15 @@ pub(super) fn half_width(value: &Value) -> Option<f64> {
         Tolerance::Within(within) => Some(float(within)),
         Tolerance::Part(part) => Some(float(part) * value.form.to_float()),
         Tolerance::Exact { rounding: Some(half) } => Some(float(half)),
-        // A whole number of newtons is a rounded one.
-        Tolerance::Exact { rounding: None } => (value.unit.is_some() && is_whole()).then_some(0.5),
+        // A whole number of newtons is a rounded one; nothing is a rounding of none.
+        Tolerance::Exact { rounding: None } => {
+            (value.unit.is_some() && is_whole() && !is_exact_zero(value)).then_some(0.5)
+        }
     }
+}
+
+/// Whether it is claimed that nothing is left, without a tolerance.
+pub(super) fn is_exact_zero(value: &Value) -> bool {
+    let is_exact = matches!(value.tolerance, Tolerance::Exact { .. });
+    is_exact && value.form.as_rational().is_some_and(|claimed| claimed.is_zero())
 }

@@ -3,6 +3,7 @@
 
 use super::error::{ClaimError, asked};
 use super::ordinal::{order_number, ordinal};
+use super::parts::{Mark, Marks};
 use super::statement::{Orders, Predicate, Statement, Subject};
 use super::symbols;
 use crate::order::Masses;
@@ -11,23 +12,16 @@ use crate::proof::{Quantity, Sense};
 /// What a sentence says, word by word.
 #[derive(Default)]
 struct ParsedClaim {
-    orders: Vec<u32>,
+    marks: Marks,
     /// Whether an ordinal stands without the word order.
     bare: bool,
     has_order_word: bool,
     every: bool,
     higher: bool,
-    quantities: Vec<Quantity>,
     senses: Vec<Sense>,
-    no: usize,
-    not: usize,
     there: bool,
     free: bool,
     inertia: bool,
-    /// That it is left, before what it is said of: "no unbalanced force".
-    adjective: bool,
-    /// That it vanishes, or is left.
-    says: Vec<bool>,
 }
 
 /// That it vanishes.
@@ -38,7 +32,9 @@ const LEFT: &str = "unbalanced nonzero non-zero remain remains remaining left ex
     survives stays acts persists";
 /// Words that say nothing.
 const FILLERS: &str = "the a an its this that is are be being of in at for to on engine crankshaft shaking resultant \
-    resulting total net out both exactly fully completely and or equal equals";
+    resulting total net out both exactly fully completely and equal equals";
+/// Words with which another part of a sentence may begin.
+const BEGINNINGS: &str = "a an there has have leaves produces";
 
 /// Reads everyday words; none where they are no such sentence.
 pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
@@ -46,8 +42,10 @@ pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
         return Some(claim);
     }
     let said = said(words)?;
-    let is_about_something = !said.orders.is_empty() || said.every || said.higher || !said.quantities.is_empty();
-    let says_something = !said.says.is_empty() || said.no > 0 || said.adjective || said.there;
+    let is = |wanted: &[Mark]| said.marks.0.iter().any(|mark| wanted.contains(mark));
+    let is_about_something =
+        said.every || said.higher || !said.marks.orders().is_empty() || said.marks.named().next().is_some();
+    let says_something = said.there || is(&[Mark::No, Mark::Unbalanced, Mark::Vanishes, Mark::Left]);
     // "The second force" is one of several, and of no order.
     let is_of_orders = said.has_order_word || !said.bare;
     (is_about_something && says_something && is_of_orders).then(|| said.statement(words))
@@ -70,44 +68,53 @@ fn said(words: &str) -> Option<ParsedClaim> {
     let mut at = 0;
     while let Some(word) = tokens.get(at) {
         at += 1;
+        let marks = &mut said.marks.0;
+        if is_one_of(BEGINNINGS, word) && !marks.is_empty() {
+            marks.push(Mark::Another);
+        }
         if is_one_of(VANISHES, word) {
-            said.says.push(true);
+            marks.push(Mark::Vanishes);
         } else if is_one_of(LEFT, word) {
-            match said.quantities.is_empty() && said.says.is_empty() {
-                true => said.adjective = true,
-                false => said.says.push(false),
-            }
+            let is_before = |mark: &Mark| !matches!(mark, Mark::Quantity(_) | Mark::Vanishes | Mark::Left);
+            let left = if marks.iter().all(is_before) { Mark::Unbalanced } else { Mark::Left };
+            marks.push(left);
         } else if !is_one_of(FILLERS, word) {
             match *word {
-                "no" | "without" | "neither" => said.no += 1,
-                "nor" => {}
-                "not" | "never" => said.not += 1,
+                "no" | "without" | "neither" => marks.push(Mark::No),
+                // "Order 2 or higher" is both, "no force or moment" neither.
+                "or" if tokens.get(at) == Some(&"higher") => {}
+                "or" | "nor" => marks.push(or(marks)),
+                "not" | "never" => marks.push(Mark::Not),
                 "do" | "does" => {}
                 "there" | "has" | "have" | "leaves" | "produces" => said.there = true,
                 "free" => said.free = true,
                 "inertia" | "inertial" => said.inertia = true,
                 "every" | "all" | "any" => said.every = true,
-                "higher" => said.higher = true,
+                "higher" => {
+                    said.higher = true;
+                    marks.push(Mark::Orders);
+                }
                 "direct" => said.senses.push(Sense::Direct),
                 "reverse" => said.senses.push(Sense::Reverse),
-                "force" | "forces" => said.quantities.push(Quantity::FORCE),
-                "moment" | "moments" | "couple" | "couples" => said.quantities.push(Quantity::MOMENT),
-                "torque" | "torques" => said.quantities.push(Quantity::TORQUE),
-                "primary" => said.orders.push(1),
-                "secondary" => said.orders.push(2),
+                "force" | "forces" => marks.push(Mark::Quantity(Quantity::FORCE)),
+                "moment" | "moments" | "couple" | "couples" => marks.push(Mark::Quantity(Quantity::MOMENT)),
+                "torque" | "torques" => marks.push(Mark::Quantity(Quantity::TORQUE)),
+                "primary" => marks.push(Mark::Order(1)),
+                "secondary" => marks.push(Mark::Order(2)),
                 "=" | "≠" => {
                     // Anything but zero is a value, which the other words of claims have.
                     (tokens.get(at) == Some(&"0")).then_some(())?;
                     at += 1;
-                    said.says.push(*word == "=");
+                    marks.push(if *word == "=" { Mark::Vanishes } else { Mark::Left });
                 }
                 "order" | "orders" | "harmonic" | "harmonics" => {
                     said.has_order_word = true;
-                    at += numbers(&tokens[at..], &mut said.orders)?;
+                    marks.push(Mark::Orders);
+                    at += numbers(&tokens[at..], marks)?;
                 }
                 other => {
                     let plain = other.strip_suffix("-order").or_else(|| other.strip_suffix("-orders"));
-                    said.orders.push(ordinal(plain.unwrap_or(other))?.ok()?);
+                    marks.push(Mark::Order(ordinal(plain.unwrap_or(other))?.ok()?));
                     match plain {
                         Some(_) => said.has_order_word = true,
                         None => said.bare = true,
@@ -116,54 +123,59 @@ fn said(words: &str) -> Option<ParsedClaim> {
             }
         }
     }
-    said.orders.sort_unstable();
-    said.orders.dedup();
-    said.quantities.dedup();
     // "Any order" is every order, "any second-order force" is that force.
-    said.every &= said.orders.is_empty() && said.has_order_word;
+    said.every &= said.marks.orders().is_empty() && said.has_order_word;
     Some(said)
 }
 
 /// The numbers behind the word order, `1`, `1 and 2`; how many words they are.
-fn numbers(tokens: &[&str], orders: &mut Vec<u32>) -> Option<usize> {
+fn numbers(tokens: &[&str], marks: &mut Vec<Mark>) -> Option<usize> {
     let mut read = 0;
     loop {
-        let skipped = usize::from(read > 0 && tokens.get(read).is_some_and(|word| ["and", "or"].contains(word)));
+        let joint = tokens.get(read).filter(|word| read > 0 && ["and", "or"].contains(word));
+        let skipped = usize::from(joint.is_some());
         match tokens.get(read + skipped).filter(|word| word.bytes().all(|digit| digit.is_ascii_digit())) {
-            Some(number) => orders.push(order_number(number).ok()?),
+            Some(number) => {
+                marks.extend(joint.filter(|word| **word == "or").map(|_| or(marks)));
+                marks.push(Mark::Order(order_number(number).ok()?));
+            }
             None => return Some(read),
         }
         read += skipped + 1;
     }
 }
 
+/// "No force or moment" denies both; else one of two is meant, nobody knows which.
+fn or(marks: &[Mark]) -> Mark {
+    if marks.contains(&Mark::No) { Mark::No } else { Mark::Or }
+}
+
 impl ParsedClaim {
-    fn statement(mut self, words: &str) -> Result<Statement, ClaimError> {
+    fn statement(self, words: &str) -> Result<Statement, ClaimError> {
         let vanishes = self.vanishes(words)?;
+        let quantities = self.marks.quantities();
         if self.free {
             let question = "\"no free moment\" says it of all orders, about whichever plane; \"second-order moment vanishes\" of one order, about the reference plane";
             return Err(asked(words, question));
         }
-        if self.quantities.is_empty() {
+        if quantities.is_empty() {
             let question = "is it the force, the moment, or both? such as \"second-order force vanishes\", \"second-order moment vanishes\" or \"orders 2 vanish\"";
             return Err(asked(words, question));
         }
-        if self.quantities.contains(&Quantity::TORQUE) && !self.inertia {
+        if quantities.contains(&Quantity::TORQUE) && !self.inertia {
             return Err(asked(
                 words,
                 "\"order 2 of the gas torque vanishes\" or \"second-order torque vanishes\", the inertia torque",
             ));
         }
-        let orders = match (self.every, self.higher) {
-            (_, true) => Orders::Higher,
-            (true, false) => Orders::Every,
-            (false, false) if self.orders.is_empty() => {
-                let question = "which order is meant? such as \"second-order force vanishes\" or \"every order of the force vanishes\"";
-                return Err(asked(words, question));
-            }
-            (false, false) => Orders::Listed(std::mem::take(&mut self.orders)),
-        };
-        match (&orders, self.quantities.as_slice(), self.senses.as_slice()) {
+        let orders = self.orders(words)?;
+        let is_listed = matches!(orders, Orders::Listed(_)) && self.senses.is_empty();
+        let is_one = self.senses.is_empty() || self.marks.named().count() == 1;
+        if !(is_one && self.marks.say_one_thing(is_listed)) {
+            let question = "write a claim for each thing that it says, such as \"second-order force vanishes\"";
+            return Err(asked(words, question));
+        }
+        match (&orders, quantities.as_slice(), self.senses.as_slice()) {
             (Orders::Listed(list), [quantity], [] | [_]) if list.len() == 1 => {
                 let subject = Subject {
                     order: list[0],
@@ -178,8 +190,8 @@ impl ParsedClaim {
                     _ => Ok(Statement::Order { subject, predicate: Predicate::Vanishes(vanishes) }),
                 }
             }
-            (_, quantities, []) if vanishes && !quantities.contains(&Quantity::TORQUE) => {
-                Ok(Statement::Vanish { orders, quantities: self.quantities })
+            (_, several, []) if vanishes && !several.contains(&Quantity::TORQUE) => {
+                Ok(Statement::Vanish { orders, quantities })
             }
             (_, _, []) => {
                 Err(asked(words, "does none of them vanish, or not all? claim it of one order and one quantity"))
@@ -190,17 +202,44 @@ impl ParsedClaim {
         }
     }
 
+    /// The orders that are named, and with "higher" all above them.
+    fn orders(&self, words: &str) -> Result<Orders, ClaimError> {
+        let named = self.marks.orders();
+        if !self.higher {
+            return match (self.every, named.is_empty()) {
+                (true, _) => Ok(Orders::Every),
+                (false, false) => Ok(Orders::Listed(named)),
+                (false, true) => Err(asked(
+                    words,
+                    "which order is meant? such as \"second-order force vanishes\" or \"every order of the force vanishes\"",
+                )),
+            };
+        }
+        let below = [1].into_iter().chain((2..=named.last().copied().unwrap_or(0)).step_by(2));
+        let left_out: Vec<u32> = below.filter(|order| !named.contains(order)).collect();
+        match left_out.as_slice() {
+            [] => Ok(Orders::Every),
+            [1] => Ok(Orders::Higher),
+            _ => Err(asked(
+                words,
+                "which orders are left out? such as \"every order of the force vanishes\", \"every higher order of the force vanishes\", \
+                 which leaves out the first alone, or \"orders 1, 4 and 6 of the force vanish\"",
+            )),
+        }
+    }
+
     /// Whether it is said to vanish.
     fn vanishes(&self, words: &str) -> Result<bool, ClaimError> {
-        let first = self.says.first().copied();
-        let alike = self.says.iter().all(|says| Some(*says) == first);
+        let [no, not] = [Mark::No, Mark::Not].map(|mark| self.marks.count(mark));
+        let first = self.marks.says().next();
+        let alike = self.marks.says().all(|says| Some(says) == first);
         let unclear = || {
             asked(
                 words,
                 "write it without a second negation, such as \"second-order force vanishes\" or \"… does not vanish\"",
             )
         };
-        match (self.no, self.not, first) {
+        match (no, not, first) {
             _ if !alike => Err(unclear()),
             // No force; no force remains; no unbalanced force.
             (1.., 0, None | Some(false)) => Ok(true),

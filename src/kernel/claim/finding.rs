@@ -62,8 +62,6 @@ pub struct Absolute {
     pub first_term: f64,
     /// With the whole series.
     pub whole: f64,
-    /// Of the two, whether the claim is compared with the first: it is so where that is the nearer one.
-    pub takes_first: bool,
 }
 
 /// How far a formula is off through the cycle.

@@ -68,7 +68,7 @@ fn load(rest: &str) -> Result<Value, ClaimError> {
     let value = value(written.trim(), rest.starts_with('≈'), Quantity::FORCE)?;
     match value.unit {
         Some(Unit::Newton) => Ok(value),
-        Some(Unit::NewtonMetre) | None => Err(ClaimError::new("a load with gas is in N", right)),
+        Some(Unit::NewtonMetre | Unit::Spacing) | None => Err(ClaimError::new("a load with gas is in N", right)),
     }
 }
 

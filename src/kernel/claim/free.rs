@@ -52,7 +52,7 @@ pub(super) fn answer(engine: &Engine) -> Answer {
 fn depends_on_more(condition: &Condition) -> bool {
     match condition {
         Condition::AboutPlane(_) | Condition::NotAboutPlane(_) => false,
-        Condition::NoBankOffset | Condition::FiringOrder => true,
+        Condition::NoBankOffset | Condition::FiringOrder | Condition::FirstTermAlone => true,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::error::ClaimError;
 use super::ordinal::{order_number, ordinal};
-use super::statement::{Orders, Predicate, Statement, Subject};
+use super::statement::{Orders, Predicate, Statement, Subject, Unit, Value};
 use super::written_value::{angle, kilograms, value};
 use super::{forces, gas_torque, multiples, possible, shafts, shaking};
 use crate::order::Masses;
@@ -171,8 +171,19 @@ fn predicate(text: &str, subject: Subject) -> Result<Predicate, ClaimError> {
                 Some((number, direction)) => (number, Some(angle(direction)?)),
                 None => (written, None),
             };
-            let number = multiples::without_unit(number, subject)?;
-            Ok(Predicate::Equals(value(&number, word == "≈", subject.quantity)?, direction))
+            let (number, named) = multiples::without_unit(number, subject)?;
+            let value = value(&number, word == "≈", subject.quantity)?;
+            let unit = match value.unit {
+                Some(_) if named.multiple || named.spacing => {
+                    return Err(ClaimError::new(
+                        format!("`{written}` counts in newtons and in multiples at once"),
+                        "one of both, such as 65.18 N·m or 0.449 m r ω² a",
+                    ));
+                }
+                None if named.spacing => Some(Unit::Spacing),
+                unit => unit,
+            };
+            Ok(Predicate::Equals(Value { unit, ..value }, direction))
         }
         _ => Err(ClaimError::new(format!("`{text}` is not understood"), right)),
     }

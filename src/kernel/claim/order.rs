@@ -1,13 +1,18 @@
 //! Is it true, what is said about one order?
 
+use std::collections::BTreeSet;
+
+use num_rational::BigRational;
+use num_traits::One;
+
 use super::absolute::{self, Numbers};
 use super::answer::{Answer, Condition, Evidence, Status};
 use super::compare::{self, half_of_lengths};
 use super::condition::{self, of_vanishing, plane_of_vanishing, senses};
 use super::finding::Finding;
 use super::masses;
-use super::statement::{Angle, Predicate, Subject, Value};
-use crate::engine::Engine;
+use super::statement::{Angle, Predicate, Subject, Unit, Value};
+use crate::engine::{Engine, LengthUnit};
 use crate::exact::PhasorSum;
 use crate::numbers;
 use crate::proof::{Quantity, Shape};
@@ -60,17 +65,28 @@ pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, n
     }
     let vectors = Vectors::new(&order, subject);
     let mut evidence = vectors.evidence();
+    let mut finding = Finding::Order(Box::new(order.clone()));
     let status = match predicate {
         Predicate::Vanishes(claimed) => vanishing(engine, subject, &order, vectors.vanish(), *claimed),
         Predicate::Is(shape) if vectors.shape == Some(*shape) => Status::True,
         Predicate::Is(_) => Status::False,
         Predicate::Plane(angle) => direction(&vectors, angle, true, &mut evidence),
-        Predicate::Equals(value, _) if value.unit.is_some() => {
-            return absolute::answer(engine, subject, &order, value, numbers, evidence);
+        Predicate::Equals(value, angle) => {
+            let size = match value.unit {
+                None => Ok(largest(&vectors, subject, value)),
+                Some(Unit::Spacing) => in_spacings(engine, value).map(|value| largest(&vectors, subject, &value)),
+                Some(Unit::Newton | Unit::NewtonMetre) => absolute::answer(engine, subject, &order, value, numbers)
+                    .map(|(status, absolute)| {
+                        finding = Finding::Absolute(Box::new(order.clone()), absolute);
+                        (status, Vec::new())
+                    }),
+            };
+            match size {
+                Ok(size) => directed(&vectors, size, angle.as_ref(), &mut evidence),
+                Err(lack) => return Answer::nothing(lack),
+            }
         }
-        Predicate::Equals(value, angle) => sized(&vectors, subject, (value, angle.as_ref()), &mut evidence),
     };
-    let finding = Finding::Order(Box::new(order.clone()));
     Answer { status, finding, evidence }
 }
 
@@ -88,7 +104,9 @@ fn of_torque(engine: &Engine, subject: Subject, predicate: &Predicate) -> Answer
         Predicate::Equals(value, _) if value.unit.is_some() => {
             return Answer::nothing("the inertia torque is compared in multiples of m r² ω², without a unit");
         }
-        Predicate::Equals(value, angle) => sized(&vectors, subject, (value, angle.as_ref()), &mut evidence),
+        Predicate::Equals(value, angle) => {
+            directed(&vectors, largest(&vectors, subject, value), angle.as_ref(), &mut evidence)
+        }
     };
     Answer { status, finding: Finding::Torque(Box::new(torque.clone())), evidence }
 }
@@ -99,7 +117,10 @@ fn missing(predicate: &Predicate) -> Status {
         Predicate::Vanishes(claimed) => *claimed,
         Predicate::Is(shape) => *shape == Shape::Balanced,
         Predicate::Plane(_) | Predicate::Equals(_, Some(_)) => false,
-        Predicate::Equals(value, None) => value.form.to_float() == 0.0,
+        Predicate::Equals(value, None) => {
+            let [empty, zero] = [PhasorSum::new(Vec::new()), PhasorSum::new(Vec::new())];
+            return compare::length(value, [&empty, &zero], None, 0.0).0;
+        }
     })
 }
 
@@ -123,20 +144,42 @@ fn vanishing(engine: &Engine, subject: Subject, order: &OrderBalance, vanishes: 
     }
 }
 
-/// The largest value, and where it holds the direction, if one is claimed.
-fn sized(
+/// The answer on the largest value, and where it holds that on the direction, if one is claimed.
+fn directed(
     vectors: &Vectors,
-    subject: Subject,
-    (value, angle): (&Value, Option<&Angle>),
+    (status, more): (Status, Vec<Evidence>),
+    angle: Option<&Angle>,
     evidence: &mut Vec<Evidence>,
 ) -> Status {
-    let (status, more) = largest(vectors, subject, value);
     evidence.extend(more);
     let Some(angle) = angle.filter(|_| status.holds()) else { return status };
     let is_line = matches!(vectors.shape, Some(Shape::Planar | Shape::Elliptical));
     match (status, direction(vectors, angle, is_line, evidence)) {
         (Status::True, other) | (other, Status::True) => other,
+        // That of the size may depend on more than roundings.
+        (depends @ Status::TrueOnlyIf { .. }, other) if other.holds() => depends,
         (_, other) => other,
+    }
+}
+
+/// A value in spacings, counted in the unit of the positions.
+fn in_spacings(engine: &Engine, value: &Value) -> Result<Value, &'static str> {
+    let spacing = spacing(engine).ok_or(
+        "`a` is the spacing from each cylinder to the next, and those of the layout are not equally far apart: claim the moment in metres, without `a`",
+    )?;
+    Ok(Value { form: value.form.scaled(&spacing), tolerance: value.tolerance.clone().times(&spacing), unit: None })
+}
+
+/// The spacing a in the unit of the positions: in metres what lies between each position and the next, where that is the same.
+fn spacing(engine: &Engine) -> Option<BigRational> {
+    match engine.length_unit() {
+        LengthUnit::Spacing => Some(BigRational::one()),
+        LengthUnit::Metre => {
+            let positions: BTreeSet<&BigRational> = engine.cylinders().iter().map(|one| &one.position).collect();
+            let next = positions.iter().skip(1);
+            let apart: BTreeSet<BigRational> = positions.iter().zip(next).map(|(one, next)| *next - *one).collect();
+            apart.first().filter(|_| apart.len() == 1).cloned()
+        }
     }
 }
 

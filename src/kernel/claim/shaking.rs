@@ -12,7 +12,7 @@ use num_traits::{Pow, Zero};
 use super::answer::{Answer, Status};
 use super::error::ClaimError;
 use super::finding::{Finding, Term, TermVerdict};
-use super::formula::{Formula, Powers, Series, Wave};
+use super::formula::{Factor, Formula, Powers, Series, Wave};
 use super::handwritten::is_within_of;
 use super::statement::{ShakingForce, Statement};
 use crate::engine::{Engine, Rods};
@@ -87,6 +87,7 @@ pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
             let right = exact.get(&wave).unwrap_or(&zero);
             let verdict = judged(&said, right, wave.order, ratio.as_ref());
             let coefficient = coefficient(wave.order, 2);
+            let said = said.into_iter().map(|(powers, factor)| (powers, factor.form)).collect();
             Term { wave, said, right: (numbers::real(right), numbers::evaluate(right).re), coefficient, verdict }
         })
         .collect();
@@ -114,7 +115,7 @@ fn amplitude(engine: &Engine, wave: Wave, across: bool) -> PhasorSum {
     }
 }
 
-fn judged(said: &[(Powers, Form)], right: &PhasorSum, order: u32, ratio: Option<&BigRational>) -> TermVerdict {
+fn judged(said: &[(Powers, Factor)], right: &PhasorSum, order: u32, ratio: Option<&BigRational>) -> TermVerdict {
     if said.is_empty() {
         return TermVerdict::Missing;
     }
@@ -124,15 +125,14 @@ fn judged(said: &[(Powers, Form)], right: &PhasorSum, order: u32, ratio: Option<
     if right.vanishes() {
         return TermVerdict::Wrong;
     }
-    let powers: BTreeMap<i32, &Form> = said.iter().map(|([.., lambda], form)| (*lambda, form)).collect();
+    let powers: BTreeMap<i32, &Factor> = said.iter().map(|([.., lambda], factor)| (*lambda, factor)).collect();
     let series = coefficient(order, POWERS);
     let is_multiple = |form: &Form, by: &BigRational| is_number(form, &right.scaled(by));
     // In powers of λ: as many of the first ones as there are.
     let is_begun = powers.len() <= series.len()
-        && series
-            .iter()
-            .zip(&powers)
-            .all(|((power, number), (said, form))| i64::from(*power) == i64::from(*said) && is_multiple(form, number));
+        && series.iter().zip(&powers).all(|((power, number), (said, factor))| {
+            i64::from(*power) == i64::from(*said) && is_multiple(&factor.form, number)
+        });
     if is_begun {
         return if order == 1 { TermVerdict::Right } else { TermVerdict::UpTo(series[powers.len() - 1].0) };
     }
@@ -146,8 +146,9 @@ fn judged(said: &[(Powers, Form)], right: &PhasorSum, order: u32, ratio: Option<
     if ratio.is_zero() && powers.keys().any(|power| *power < 0) {
         return TermVerdict::Wrong;
     }
-    let value = powers.iter().map(|(power, form)| form.scaled(&at(*power)));
-    let value = value.fold(Form::rational(BigRational::zero()), |sum, part| sum.plus(&part));
+    let parts = powers.iter().map(|(power, factor)| factor.scaled(&at(*power)));
+    let none = Factor::exact(Form::rational(BigRational::zero()));
+    let Factor { form: value, rounding } = parts.fold(none, |sum, part| sum.plus(&part));
     let mut sum = BigRational::zero();
     for (power, number) in &series {
         sum += number * at(*power as i32);
@@ -156,8 +157,8 @@ fn judged(said: &[(Powers, Form)], right: &PhasorSum, order: u32, ratio: Option<
         }
     }
     let whole = coefficient(order, ALL_POWERS).iter().map(|(power, number)| number * at(*power as i32)).sum();
-    match value.as_rational().and_then(|value| Some((half_of_last_place(&value)?, value))) {
-        Some((half, value)) if is_within_of(&right.scaled(&whole), &value, &half) => TermVerdict::Rounded,
+    match value.as_rational().zip(rounding.filter(|rounding| !rounding.is_zero())) {
+        Some((value, half)) if is_within_of(&right.scaled(&whole), &value, &half) => TermVerdict::Rounded,
         _ => TermVerdict::Wrong,
     }
 }
@@ -173,11 +174,4 @@ fn is_number(form: &Form, real: &PhasorSum) -> bool {
 /// The first powers of λ in `c_k` with their numbers.
 fn coefficient(order: u32, count: usize) -> Vec<(u32, BigRational)> {
     motion::series(order, count).terms().to_vec()
-}
-
-/// Half a unit of the last decimal place of a decimal that ends.
-fn half_of_last_place(value: &BigRational) -> Option<BigRational> {
-    let ten = BigRational::from_integer(10.into());
-    let place = (1_usize..12).find(|place| (value * ten.clone().pow(*place)).is_integer())?;
-    Some(BigRational::new(1.into(), 2.into()) / ten.pow(place))
 }

@@ -226,7 +226,7 @@ pub struct Value {
     pub form: Form,
     /// How near it has to be.
     pub tolerance: Tolerance,
-    /// Newtons or newton-metres; none counts in m r ω² c_k and the unit of the positions.
+    /// Newtons, newton-metres or spacings; none counts in m r ω² c_k and the unit of the positions.
     pub unit: Option<Unit>,
 }
 
@@ -269,4 +269,6 @@ pub enum Unit {
     Newton,
     /// N·m.
     NewtonMetre,
+    /// m r ω² c_k a, where a is the spacing of the engine.
+    Spacing,
 }

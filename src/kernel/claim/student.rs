@@ -105,6 +105,10 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
     }
     let order = order(&table.order)?;
     let filled = filled(&layout, table.rows.iter().flatten(), table.sums.as_ref())?;
+    if filled.phases.is_empty() && filled.sums.is_empty() {
+        let right = "rows = [{ cylinder = 1, direct = 0 }], or sums = { force_direct = 4 }: at least one entry";
+        return Err(LayoutError::new("a table without entries claims nothing", right, place(&table.order)));
+    }
     let unread = filled.phases.iter().filter_map(|(_, _, written)| written.as_ref().err());
     let unread = unread.chain(filled.sums.iter().filter_map(|(_, _, written)| written.as_ref().err())).next();
     match unread {

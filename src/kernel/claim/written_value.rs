@@ -1,7 +1,7 @@
 //! Which number or direction is claimed, and how near does it have to be?
 
 use num_rational::BigRational;
-use num_traits::{One, Pow, Signed};
+use num_traits::{One, Pow, Signed, Zero};
 
 use super::error::ClaimError;
 use super::statement::{Angle, Bearing, Tolerance, Unit, Value};
@@ -21,32 +21,38 @@ const UNITS: [(&str, Unit, i32); 8] = [
     ("N", Unit::Newton, 1),
 ];
 
-/// `√3`, `0.449 ± 0.001`, `65.18 N·m ± 1 %`.
+/// `√3`, `0.449 ± 0.001`, `65.18 N·m ± 1 %`, `11 ± 1 kN`: a unit behind the tolerance alone is that of both.
 pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value, ClaimError> {
     let (number, tolerance) = split_tolerance(text);
-    let unit = UNITS.iter().find(|(name, ..)| number.ends_with(name));
-    let number = unit.map_or(number, |(name, ..)| number[..number.len() - name.len()].trim_end());
-    let (unit, size) =
-        (unit.map(|(_, unit, _)| *unit), BigRational::from_integer(unit.map_or(1, |(.., size)| *size).into()));
+    let (number, of_number) = measured(number);
+    let (tolerance, of_tolerance) = tolerance.map(measured).unzip();
+    let of_tolerance = of_tolerance.flatten();
+    let unit = of_number.or(of_tolerance);
     let right = "a number such as 4, 2√3, √(5 − 2√5), 1.732 or 3·cos(40°), 0 or more";
     let form = Form::parse(number).filter(|form| form.to_float() >= 0.0);
     let form = form.ok_or_else(|| ClaimError::new(format!("cannot read the value `{number}`"), right))?;
-    let fits = match unit {
-        None => true,
-        Some(Unit::Newton) => quantity == Quantity::FORCE,
-        Some(Unit::NewtonMetre) => quantity == Quantity::MOMENT,
+    let fits = |unit: Unit| match unit {
+        Unit::Newton => quantity == Quantity::FORCE,
+        Unit::NewtonMetre | Unit::Spacing => quantity == Quantity::MOMENT,
     };
-    if !fits {
+    if ![of_number, of_tolerance].into_iter().flatten().all(|(unit, _)| fits(unit)) {
         return Err(ClaimError::new(
             "this unit belongs to another quantity",
             "a force has N or kN, a moment N·m or kN·m",
         ));
     }
+    let size = |unit: Option<(Unit, i32)>| BigRational::from_integer(unit.map_or(1, |(_, size)| size).into());
     let tolerance = match tolerance {
-        Some(text) => self::tolerance(text, &size)?,
-        None => unstated(number, about).times(&size),
+        Some(text) => self::tolerance(text)?.times(&size(of_tolerance.or(unit))),
+        None => size_unstated(number, about).times(&size(unit)),
     };
-    Ok(Value { form: form.scaled(&size), tolerance, unit })
+    Ok(Value { form: form.scaled(&size(unit)), tolerance, unit: unit.map(|(unit, _)| unit) })
+}
+
+/// A number without its unit, and the unit.
+fn measured(text: &str) -> (&str, Option<(Unit, i32)>) {
+    let unit = UNITS.iter().find_map(|(name, unit, size)| Some((text.strip_suffix(name)?, (*unit, *size))));
+    unit.map_or((text, None), |(number, unit)| (number.trim_end(), Some(unit)))
 }
 
 /// `4.08375 kg`, `4.0837 kg ± 0.0001 kg`.
@@ -54,11 +60,13 @@ pub(super) fn kilograms(text: &str, about: bool) -> Result<Value, ClaimError> {
     let (number, tolerance) = split_tolerance(text);
     let right = "a mass in kilograms, such as 4.08375 kg";
     let mistake = || ClaimError::new(format!("cannot read the mass `{number}`"), right);
-    let number = number.strip_suffix("kg").ok_or_else(mistake)?.trim_end();
+    let (plain, tolerance_plain) = (number.strip_suffix("kg"), tolerance.map(|text| text.strip_suffix("kg")));
+    // A unit behind the tolerance alone is that of both.
+    let number = plain.or(tolerance_plain.flatten().map(|_| number)).ok_or_else(mistake)?.trim_end();
     let mass = parse_number(number).ok().filter(|mass| !mass.is_negative()).ok_or_else(mistake)?;
     let tolerance = match tolerance {
-        Some(text) => self::tolerance(text.trim_end_matches("kg").trim_end(), &BigRational::one())?,
-        None => unstated(number, about),
+        Some(text) => self::tolerance(text.strip_suffix("kg").unwrap_or(text))?,
+        None => size_unstated(number, about),
     };
     Ok(Value { form: Form::rational(mass), tolerance, unit: None })
 }
@@ -71,28 +79,49 @@ pub(super) fn angle(text: &str) -> Result<Angle, ClaimError> {
     let plain = number.replace('−', "-");
     let (sign, positive) = plain.strip_prefix('-').map_or((1, plain.as_str()), |rest| (-1, rest));
     let tangent = positive.trim().strip_prefix("arctan(").and_then(|rest| rest.strip_suffix(')'));
+    // A unit behind one of both is that of the other too; the angle of a tangent has none.
+    let own = if tangent.is_none() { unit_behind(number) } else { "°" };
+    let unit = if own.is_empty() { tolerance.map_or("", unit_behind) } else { own };
+    let turns = |text: &str| {
+        let unit = if unit_behind(text).is_empty() { unit } else { "" };
+        units::angle(&format!("{text} {unit}")).ok()
+    };
     let bearing = match tangent {
         Some(tangent) => {
             let form = Form::parse(tangent).ok_or_else(mistake)?;
             Bearing::Arctangent(form.scaled(&BigRational::from_integer(sign.into())))
         }
-        None => Bearing::Turns(units::angle(number).map_err(|_| mistake())?),
+        None => Bearing::Turns(turns(number).ok_or_else(mistake)?),
     };
+    let full = BigRational::from_integer(360.into());
     let tolerance = match tolerance {
         Some(text) => {
-            self::tolerance(text.trim_end_matches("deg").trim_end_matches('°').trim_end(), &BigRational::one())?
+            let turns = turns(text).filter(|turns| !turns.is_negative());
+            let turns = turns.ok_or_else(|| {
+                ClaimError::new(
+                    format!("cannot read the tolerance `{text}` of an angle"),
+                    "degrees or turns, 0 or more, such as ± 0.01° or ± 0.001 turn",
+                )
+            })?;
+            Tolerance::Within(turns * full)
         }
-        None => unstated(number.trim_end_matches(|letter: char| !letter.is_ascii_digit()), false),
+        None => {
+            let digits = number.trim_end_matches(|letter: char| !letter.is_ascii_digit());
+            let degrees = units::turns_per_unit(unit).map(|turns| turns * full);
+            unstated(digits, false).times(&degrees.unwrap_or_else(BigRational::one))
+        }
     };
-    if matches!(tolerance, Tolerance::Part(_)) {
-        return Err(ClaimError::new("an angle has no tolerance in percent", "a tolerance in degrees, such as ± 0.01°"));
-    }
     Ok(Angle { bearing, tolerance })
+}
+
+/// What is behind a number.
+fn unit_behind(text: &str) -> &str {
+    text.trim_start_matches(|letter: char| letter.is_ascii_digit() || "+-−./eE ".contains(letter))
 }
 
 /// `3 %`, of the largest value of a cycle.
 pub(super) fn part_of_the_largest(text: &str) -> Result<BigRational, ClaimError> {
-    match tolerance(text, &BigRational::one())? {
+    match tolerance(text)? {
         Tolerance::Part(part) => Ok(part),
         Tolerance::Within(_) | Tolerance::Exact { .. } => {
             Err(ClaimError::new(format!("`{text}` is not a part of the largest value"), "percent, such as ± 3 %"))
@@ -107,28 +136,33 @@ fn split_tolerance(text: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// A tolerance, of a value in a unit of this size.
-fn tolerance(text: &str, size: &BigRational) -> Result<Tolerance, ClaimError> {
+/// A tolerance without its unit.
+fn tolerance(text: &str) -> Result<Tolerance, ClaimError> {
     let (number, is_part) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
-    // The tolerance may have a unit of its own.
-    let own = UNITS.iter().find_map(|(name, _, size)| Some((number.strip_suffix(name)?, *size)));
-    let size = own.map_or_else(|| size.clone(), |(_, size)| BigRational::from_integer(size.into()));
-    match parse_number(own.map_or(number, |(number, _)| number)) {
+    match parse_number(number) {
         Ok(value) if value.is_negative() => Err(ClaimError::new("a tolerance is 0 or more", "such as ± 0.01 or ± 1 %")),
         Ok(value) if is_part => Ok(Tolerance::Part(value / BigRational::from_integer(100.into()))),
-        Ok(value) => Ok(Tolerance::Within(value * size)),
+        Ok(value) => Ok(Tolerance::Within(value)),
         Err(_) => Err(ClaimError::new(format!("cannot read the tolerance `{text}`"), "such as ± 0.01 or ± 1 %")),
     }
 }
 
 impl Tolerance {
     /// That of a number this many times as large.
-    fn times(self, size: &BigRational) -> Self {
+    pub(super) fn times(self, size: &BigRational) -> Self {
         match self {
             Tolerance::Exact { rounding } => Tolerance::Exact { rounding: rounding.map(|rounding| rounding * size) },
             Tolerance::Within(within) => Tolerance::Within(within * size),
             Tolerance::Part(part) => Tolerance::Part(part),
         }
+    }
+}
+
+/// The same of a size: zero is no rounding of anything.
+fn size_unstated(number: &str, about: bool) -> Tolerance {
+    match parse_number(number).is_ok_and(|number| number.is_zero()) {
+        true => Tolerance::Exact { rounding: None },
+        false => unstated(number, about),
     }
 }
 

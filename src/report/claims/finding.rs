@@ -22,10 +22,12 @@ pub fn claim_status(answer: &Answer) -> Text {
         Status::NotDecided => "not decided".into(),
         Status::TrueOnlyIf { conditions, met } => {
             let words = Text::joined(conditions.iter().map(condition), " and ");
-            // Where the layout names no firing order there is none to be one of these.
-            match conditions.contains(&Condition::FiringOrder) {
-                true => text::only_if(words),
-                false => text::only_if_here(words, *met),
+            // Where the layout names no firing order there is none to be one of these, and how c_k is taken is not the engine's.
+            let is_here =
+                |condition: &Condition| !matches!(condition, Condition::FiringOrder | Condition::FirstTermAlone);
+            match conditions.iter().all(is_here) {
+                true => text::only_if_here(words, *met),
+                false => text::only_if(words),
             }
         }
     }
@@ -38,6 +40,7 @@ fn condition(condition: &Condition) -> Text {
         }
         Condition::NoBankOffset => text::pins_in_one_plane(),
         Condition::FiringOrder => text::even_firing_order(),
+        Condition::FirstTermAlone => text::first_term_alone(),
     }
 }
 

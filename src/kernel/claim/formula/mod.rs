@@ -5,7 +5,7 @@ mod read;
 mod series;
 
 pub use letter::{Letter, Measured};
-pub use series::{Powers, Series, Wave};
+pub use series::{Factor, Powers, Series, Wave};
 
 use num_rational::BigRational;
 
@@ -14,8 +14,8 @@ use crate::numbers;
 /// A formula in the letters of one cylinder, SI units.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Formula {
-    /// A number, exactly as written.
-    Number(BigRational),
+    /// A number, exactly as written, and half a unit of its last decimal; 0 of a whole number.
+    Number(BigRational, BigRational),
     /// π.
     Pi,
     /// A letter.
@@ -60,7 +60,7 @@ impl Formula {
     /// Its value where the letters are these.
     pub fn value(&self, letter: &impl Fn(Letter) -> f64) -> f64 {
         match self {
-            Formula::Number(number) => numbers::float(number),
+            Formula::Number(number, _) => numbers::float(number),
             Formula::Pi => std::f64::consts::PI,
             Formula::Letter(one) => letter(*one),
             Formula::Negative(one) => -one.value(letter),

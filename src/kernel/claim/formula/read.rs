@@ -1,6 +1,8 @@
 //! Which formula do these signs make? Sums of products of factors; factors may stand side by side, as on paper.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::{Pow, Zero};
 
 use super::{Formula, Function, Letter, Operation};
 use crate::file::parse_number;
@@ -33,6 +35,12 @@ impl Formula {
             more => Err(format!("cannot read the formula at `{more}`")),
         }
     }
+}
+
+/// Half a unit of the last decimal; 0 of a whole number.
+fn half_of_last_place(digits: &str) -> BigRational {
+    let half = |decimals: &str| BigRational::from_integer(10.into()).pow(decimals.len()) * BigInt::from(2);
+    digits.split_once('.').map_or_else(BigRational::zero, |(_, decimals)| half(decimals).recip())
 }
 
 /// What is not read yet.
@@ -103,7 +111,7 @@ impl Rest<'_> {
     fn argument(&mut self) -> Result<Formula, String> {
         let first = self.simple()?;
         let is_number = |formula: &Formula| match formula {
-            Formula::Number(_) => true,
+            Formula::Number(..) => true,
             Formula::Pi
             | Formula::Letter(_)
             | Formula::Negative(_)
@@ -134,10 +142,10 @@ impl Rest<'_> {
             return Ok(match self.sign(&[("°", ())]) {
                 // Angles are in radians.
                 Some(()) => {
-                    let part = Formula::Number(number / BigRational::from_integer(180.into()));
+                    let part = Formula::Number(number / BigRational::from_integer(180.into()), BigRational::zero());
                     Formula::Both(Operation::Times, Box::new((part, Formula::Pi)))
                 }
-                None => Formula::Number(number),
+                None => Formula::Number(number, half_of_last_place(&next[..digits])),
             });
         }
         if self.sign(&[("π", ()), ("pi", ())]).is_some() {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::{Formula, Function, Letter, Operation};
 use crate::exact::Turn;
@@ -21,9 +21,50 @@ pub struct Wave {
 /// How often m, r, ω and λ are factors.
 pub type Powers = [i32; 4];
 
+/// What stands before a product of letters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Factor {
+    /// The number, exactly as written.
+    pub form: Form,
+    /// How far it may be off because decimals in it are rounded; 0 where it has none, nothing where that is not known.
+    pub rounding: Option<BigRational>,
+}
+
+impl Factor {
+    pub(in super::super) fn exact(form: Form) -> Self {
+        Factor { form, rounding: Some(BigRational::zero()) }
+    }
+
+    pub(in super::super) fn scaled(&self, by: &BigRational) -> Self {
+        let rounding = self.rounding.as_ref().map(|rounding| rounding * by.abs());
+        Factor { form: self.form.scaled(by), rounding }
+    }
+
+    pub(in super::super) fn plus(&self, other: &Self) -> Self {
+        let rounding = self.rounding.as_ref().zip(other.rounding.as_ref()).map(|(one, other)| one + other);
+        Factor { form: self.form.plus(&other.form), rounding }
+    }
+
+    fn times(&self, other: &Self) -> Option<Self> {
+        // (x + p)(y + q) is off from x y by up to |x| q + |y| p + p q; a length that is no fraction is not known as a number.
+        let off = |one: &Self, other: &Self| match other.rounding.as_ref()? {
+            none if none.is_zero() => Some(BigRational::zero()),
+            some => Some(one.form.as_rational()?.abs() * some),
+        };
+        let both = self.rounding.as_ref().zip(other.rounding.as_ref()).map(|(one, other)| one * other);
+        let rounding = both.and_then(|both| Some(off(self, other)? + off(other, self)? + both));
+        Some(Factor { form: self.form.times(&other.form)?, rounding })
+    }
+
+    /// That of its form where nothing in it is rounded.
+    fn of_exact(&self, form: Form) -> Self {
+        Factor { form, rounding: self.rounding.clone().filter(Zero::is_zero) }
+    }
+}
+
 /// Σ number · m^a r^b ω^c λ^d · cos kθ or sin kθ, each product once, no number zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Series(BTreeMap<(Wave, Powers), Form>);
+pub struct Series(BTreeMap<(Wave, Powers), Factor>);
 
 /// Higher multiples than this, and more terms, are nobody's series.
 const HIGHEST: u32 = 100;
@@ -38,9 +79,14 @@ impl Series {
     /// What in it is no Fourier series.
     pub fn of(formula: &Formula) -> Result<Self, String> {
         Ok(match formula {
-            Formula::Number(number) => Series::constant(Form::rational(number.clone()), [0; 4]),
+            Formula::Number(number, half) => {
+                let form = Form::rational(number.clone());
+                Series::constant(Factor { form, rounding: Some(half.clone()) }, [0; 4])
+            }
             Formula::Pi => return Err("π is in a series only within a sine or cosine".to_owned()),
-            Formula::Letter(letter) => Series::constant(Form::rational(BigRational::one()), powers(*letter)?),
+            Formula::Letter(letter) => {
+                Series::constant(Factor::exact(Form::rational(BigRational::one())), powers(*letter)?)
+            }
             Formula::Negative(one) => Series::of(one)?.scaled(&-BigRational::one()),
             Formula::Both(operation, pair) => {
                 let [one, other] = [Series::of(&pair.0)?, Series::of(&pair.1)?];
@@ -67,46 +113,48 @@ impl Series {
                     let inside = Series::of(one)?;
                     let number = inside.number().filter(|number| *number >= BigRational::zero());
                     let number = number.ok_or("a root in a series is that of a number, 0 or more")?;
-                    Series::constant(Form::rational(number).square_root(), [0; 4])
+                    let root = Form::rational(number).square_root();
+                    let root = inside.0.values().next().map_or(Factor::exact(root.clone()), |one| one.of_exact(root));
+                    Series::constant(root, [0; 4])
                 }
             },
         })
     }
 
-    fn constant(form: Form, powers: Powers) -> Self {
-        Series::new([((CONSTANT, powers), form)])
+    fn constant(factor: Factor, powers: Powers) -> Self {
+        Series::new([((CONSTANT, powers), factor)])
     }
 
-    fn new(terms: impl IntoIterator<Item = ((Wave, Powers), Form)>) -> Self {
-        let mut all: BTreeMap<(Wave, Powers), Form> = BTreeMap::new();
-        for (key, form) in terms {
-            let sum = all.get(&key).map_or_else(|| form.clone(), |there| there.plus(&form));
+    fn new(terms: impl IntoIterator<Item = ((Wave, Powers), Factor)>) -> Self {
+        let mut all: BTreeMap<(Wave, Powers), Factor> = BTreeMap::new();
+        for (key, factor) in terms {
+            let sum = all.get(&key).map_or_else(|| factor.clone(), |there| there.plus(&factor));
             all.insert(key, sum);
         }
         // The sine of no angle is no wave.
-        all.retain(|(wave, _), form| !form.terms().is_empty() && (wave.order > 0 || !wave.is_sine));
+        all.retain(|(wave, _), factor| !factor.form.terms().is_empty() && (wave.order > 0 || !wave.is_sine));
         Series(all)
     }
 
     fn plus(&self, other: &Self) -> Self {
-        Series::new(self.0.iter().chain(&other.0).map(|(key, form)| (*key, form.clone())))
+        Series::new(self.0.iter().chain(&other.0).map(|(key, factor)| (*key, factor.clone())))
     }
 
     fn scaled(&self, by: &BigRational) -> Self {
-        Series::new(self.0.iter().map(|(key, form)| (*key, form.scaled(by))))
+        Series::new(self.0.iter().map(|(key, factor)| (*key, factor.scaled(by))))
     }
 
     fn times(&self, other: &Self) -> Result<Self, String> {
         let mut terms = Vec::new();
-        for ((wave, powers), form) in &self.0 {
-            for ((other_wave, other_powers), other_form) in &other.0 {
-                let product = form.times(other_form).ok_or("the numbers of the series are too long")?;
+        for ((wave, powers), factor) in &self.0 {
+            for ((other_wave, other_powers), other_factor) in &other.0 {
+                let product = factor.times(other_factor).ok_or("the numbers of the series are too long")?;
                 let powers = [0, 1, 2, 3].map(|at| powers[at] + other_powers[at]);
-                for (wave, factor) in product_of(*wave, *other_wave) {
+                for (wave, half) in product_of(*wave, *other_wave) {
                     if wave.order > HIGHEST || terms.len() > 4 * MOST_TERMS {
                         return Err("the series is too long".to_owned());
                     }
-                    terms.push(((wave, powers), product.scaled(&factor)));
+                    terms.push(((wave, powers), product.scaled(&half)));
                 }
             }
         }
@@ -116,28 +164,29 @@ impl Series {
     /// One over a product of numbers and letters.
     fn inverse(&self) -> Result<Self, String> {
         let no = || "a series is divided by a product of numbers and letters only".to_owned();
-        let [(((wave, powers), form), ())] = self.0.iter().map(|term| (term, ())).collect::<Vec<_>>()[..] else {
+        let [(((wave, powers), factor), ())] = self.0.iter().map(|term| (term, ())).collect::<Vec<_>>()[..] else {
             return Err(no());
         };
-        let number = form.as_rational().filter(|_| *wave == CONSTANT);
+        let number = factor.form.as_rational().filter(|_| *wave == CONSTANT);
         let number = number.filter(|number| !number.is_zero()).ok_or_else(no)?;
-        Ok(Series::constant(Form::rational(number.recip()), powers.map(|power| -power)))
+        let inverse = factor.of_exact(Form::rational(number.recip()));
+        Ok(Series::constant(inverse, powers.map(|power| -power)))
     }
 
     /// The number that it is, where it is one.
     fn number(&self) -> Option<BigRational> {
         match self.0.iter().collect::<Vec<_>>().as_slice() {
             [] => Some(BigRational::zero()),
-            [((wave, powers), form)] if *wave == CONSTANT && *powers == [0; 4] => form.as_rational(),
+            [((wave, powers), factor)] if *wave == CONSTANT && *powers == [0; 4] => factor.form.as_rational(),
             _ => None,
         }
     }
 
     /// Its waves, rising, each with what stands before it: products of letters and their numbers.
-    pub fn waves(&self) -> BTreeMap<Wave, Vec<(Powers, Form)>> {
-        let mut waves: BTreeMap<Wave, Vec<(Powers, Form)>> = BTreeMap::new();
-        for ((wave, powers), form) in &self.0 {
-            waves.entry(*wave).or_default().push((*powers, form.clone()));
+    pub fn waves(&self) -> BTreeMap<Wave, Vec<(Powers, Factor)>> {
+        let mut waves: BTreeMap<Wave, Vec<(Powers, Factor)>> = BTreeMap::new();
+        for ((wave, powers), factor) in &self.0 {
+            waves.entry(*wave).or_default().push((*powers, factor.clone()));
         }
         waves
     }
@@ -206,7 +255,7 @@ fn wave(argument: &Formula, is_sine: bool) -> Result<Series, String> {
         false => [cosine, sign(minus(&sine))],
         true => [sine, sign(cosine)],
     };
-    let term = |is_sine, form| ((Wave { order: k, is_sine }, [0; 4]), form);
+    let term = |is_sine, form| ((Wave { order: k, is_sine }, [0; 4]), Factor::exact(form));
     Ok(Series::new([term(false, of_cosine), term(true, of_sine)]))
 }
 
@@ -217,7 +266,7 @@ fn linear(formula: &Formula) -> Option<(BigRational, BigRational)> {
         Formula::Letter(Letter::Theta) => Some((BigRational::one(), zero())),
         Formula::Pi => Some((zero(), BigRational::new(1.into(), 2.into()))),
         // An angle of 0; other numbers would be radians that are no part of a turn.
-        Formula::Number(number) => number.is_zero().then(|| (zero(), zero())),
+        Formula::Number(number, _) => number.is_zero().then(|| (zero(), zero())),
         Formula::Negative(one) => linear(one).map(|(theta, turns)| (-theta, -turns)),
         Formula::Both(operation @ (Operation::Plus | Operation::Minus), pair) => {
             let (one, other) = (linear(&pair.0)?, linear(&pair.1)?);
