@@ -424,10 +424,14 @@ fn rows(study: &RotorStudy, units: Units) -> Vec<Vec<String>> {
     rows.map(|row| row.split('|').map(|cell| cell.replace(['\u{202f}', '\u{a0}'], " ")).collect()).collect()
 }
 
-/// The last number of a cell: of a closed form its decimal.
+/// The last number of a cell, or fraction: of a closed form its decimal.
 fn last_number(cell: &str) -> Option<f64> {
-    let words = cell.split(|letter: char| !(letter.is_ascii_digit() || ".−".contains(letter)));
-    words.filter_map(|word| word.replace('−', "-").parse().ok()).last()
+    let cell = cell.replace('−', "-").replace(['*', '°'], " ");
+    let number = |word: &str| match word.split_once('/') {
+        Some((above, below)) => Some(above.parse::<f64>().ok()? / below.parse::<f64>().ok()?),
+        None => word.parse().ok(),
+    };
+    cell.split_whitespace().filter_map(number).last()
 }
 
 /// Masses, radii, products, positions, what is left of force, couple, second order, hammer blow, tractive force and swaying couple.
@@ -448,7 +452,9 @@ fn every_number_in_inches_is_that_of_the_si_converted() {
         (Unit::KILOGRAM_METRE, "oz·in"),
         (Unit::KILOGRAM_SQUARE_METRE, "lb·ft²"),
         (Unit::NEWTON, "lbf"),
+        (Unit::KILONEWTON, "lbf"),
         (Unit::NEWTON_METRE, "lbf·ft"),
+        (Unit::KILONEWTON_METRE, "lbf·ft"),
     ];
     for text in files {
         let study = RotorStudy::new(rotor(&text)).expect("it is solved");
@@ -464,7 +470,7 @@ fn every_number_in_inches_is_that_of_the_si_converted() {
             let is_heading = |place: usize| si.get(place + 1).is_some_and(|next| next[1].contains("---"));
             let heading = si[..place].iter().enumerate().rev().find(|(before, _)| is_heading(*before));
             for (column, (own, found)) in row.iter().zip(other).enumerate() {
-                let unit = size(own).or_else(|| size(&heading?.1[column]).filter(|_| !is_heading(place)));
+                let unit = size(own).or_else(|| size(heading?.1.get(column)?).filter(|_| !is_heading(place)));
                 let in_cell = size(own).is_none_or(|(_, inch)| found.trim().ends_with(&format!(" {inch}")));
                 let by = unit.map_or(1.0, |(by, _)| by);
                 let (value, changed) = (last_number(own).unwrap_or(0.0), last_number(found).unwrap_or(0.0));
