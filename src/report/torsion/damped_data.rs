@@ -59,7 +59,7 @@ pub(super) fn response(study: &TorsionStudy) -> Option<Table> {
     table.whole("disc", |(_, disc)| disc + 1);
     table.decimal("twist_zero_to_peak_{unit}", Unit::DEGREE, |(one, disc)| Some(one.twists[*disc].norm().to_degrees()));
     table.decimal("phase_{unit}", Unit::DEGREE, |(one, disc)| {
-        let twist = one.twists[*disc] * excited.from_firing(one.order);
+        let twist = one.twists[*disc] * excited.after_firing(one.order);
         (!excited.is_still(one.order)).then(|| twist.arg().to_degrees())
     });
     Some(table.done())

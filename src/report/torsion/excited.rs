@@ -163,7 +163,7 @@ impl Excited {
     }
 
     /// What turns a value of an order, so that its angle counts from where the first cylinder fires.
-    pub fn from_firing(&self, order: CycleOrder) -> Complex<f64> {
+    pub fn after_firing(&self, order: CycleOrder) -> Complex<f64> {
         numbers::direction(&order.phase(&self.first)).conj()
     }
 
