@@ -37,6 +37,8 @@ pub enum Piece {
     Quantity(f64, Unit),
     /// A decimal whose unit is given elsewhere, as over its column, and how it is set.
     Measured(f64, Unit, Setting),
+    /// An irrational number with its decimals, whose unit is given elsewhere: the form holds in that unit alone.
+    Closed(Form, f64, Unit),
     /// An exact number whose unit is given elsewhere.
     Exactly(BigRational, Unit),
     /// The same in little room: a long number in decimals after ≈.

@@ -3,7 +3,7 @@
 use crankstar::beam::Beam;
 use crankstar::engine::Engine;
 use crankstar::file::parse;
-use crankstar::loads::{BearingLoads, Harmonic, Method, Missing, Waveform, bearing_loads, pin_loads};
+use crankstar::loads::{BearingLoads, Harmonic, Method, Missing, Waveform, bearing_loads, left_out_of_pins, pin_loads};
 use crankstar::motion::SliderCrank;
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -580,4 +580,28 @@ fn a_layout_without_bearings_or_with_unknowns_gets_its_message() {
     let open = "[vee]\nbank_angle = 'phi'\nthrows = [0]";
     assert!(message(open, "bearings-open.toml").contains("[values]"));
     assert!(message("bearings = [1]\ninline.throws = [0]", "bearings-one.toml").contains("1 main bearing"));
+}
+
+/// What is not shown of a crankpin load is bounded: the load of all orders is no further from that of those shown.
+#[test]
+fn the_orders_that_a_crankpin_load_lacks_are_bounded() {
+    let text = "speed = 6000\n[inline]\nthrows = [0, 180]\nspacing = '0.1 m'\n[mechanism]\nstroke = '80 mm'\nrod_length = '90 mm'\n\
+        reciprocating_mass = '0.5 kg'\nrotating_mass = '0.3 kg'\n";
+    let engine = crate::support::written::engine(text);
+    let whole = pin_loads(&engine, &(1..=60).collect::<Vec<_>>()).expect("loads");
+    for orders in [&[1][..], &[1, 2], &[1, 2, 4], &[2], &[1, 2, 3, 4, 5, 6, 7, 8]] {
+        let shown = pin_loads(&engine, orders).expect("loads");
+        let bounds = left_out_of_pins(&engine, &shown).expect("bounds");
+        for ((shown, whole), bound) in shown.pins.iter().zip(&whole.pins).zip(bounds) {
+            let apart = |step: u32| {
+                let theta = f64::from(step).to_radians();
+                (shown.waveform.at(theta) - whole.waveform.at(theta)).norm()
+            };
+            let most = (0..360).map(apart).fold(0.0, f64::max);
+            assert!(most <= bound && bound < 3.0 * most + 1e-9, "{orders:?}: {most} beyond {bound}");
+        }
+    }
+    let yoke = crate::support::written::engine(&text.replace("rod_length = '90 mm'", "rod_ratio = 0"));
+    let shown = pin_loads(&yoke, &[1]).expect("loads");
+    assert_eq!(left_out_of_pins(&yoke, &shown).expect("bounds"), [0.0, 0.0]);
 }

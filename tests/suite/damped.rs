@@ -536,3 +536,76 @@ fn a_mirror_symmetric_crank_is_twisted_by_whole_orders_symmetrically() {
         }
     }
 }
+
+const STILL_RADIAL: &str = "cycle = 'four-stroke'\nfiring_order = '1-3-5-7-9-2-4-6-8'\nspeed = 2200\n[radial]\ncylinders = 9\n[mechanism]\n\
+    stroke = '140 mm'\nrod_length = '270 mm'\nreciprocating_mass = '2.5 kg'\n[gas]\nbore = '140 mm'\nprocess = 'spark-ignition'\n\
+    compression_ratio = 6.5\nmean_pressure = '9 bar'\n[torsion]\ninertias = [0.6, 12]\nstiffnesses = ['130 kN m/rad']\nloss_factor = 0.02\n";
+
+/// A radial excites only orders 4½ and 9: all others are 0 and no roundings.
+#[test]
+fn an_order_that_cancels_on_each_disc_twists_nothing_and_is_no_resonance() {
+    let study = study(STILL_RADIAL);
+    let orders: Vec<String> = study.resonances().iter().map(|one| one.order.to_string()).collect();
+    assert_eq!(orders, ["4½", "9"]);
+    let lives = |order: CycleOrder| order.halves() % 9 == 0;
+    for one in &study.at_speed().expect("a vibration").orders {
+        let values = one.twists.iter().chain(&one.torques);
+        assert!(values.clone().all(|value| lives(one.order) != (value.norm() == 0.0)), "{}", one.order);
+    }
+    for one in &study.modes[0].orders {
+        assert_eq!((one.vanishes, one.star.norm() == 0.0), (!lives(one.order), !lives(one.order)));
+    }
+    let page = pages::text(&study.page(), pages::DOLLARS);
+    assert!(page.contains("| 4 | ≈\u{a0}146.7 | **0** | **0** |"), "{page}");
+    // Up to 400 rpm no order that is left meets the mode.
+    let low = format!("{STILL_RADIAL}speed_range = [100, 400]\n");
+    let answer = pages::text(&self::study(&low).answer(), Format::PLAIN);
+    assert!(
+        answer.contains("No order shown excites the first of them up to 400") && !answer.contains("0 orders of"),
+        "{answer}"
+    );
+    assert!(!answer.contains("strongest resonance"), "{answer}");
+}
+
+/// Two cylinders on discs in mesh: order 1 cancels between them, so that the teeth are loaded and no shaft is.
+#[test]
+fn what_discs_in_mesh_cancel_loads_the_teeth_alone() {
+    let layout = "cycle = 'two-stroke'\nfiring_angles = [0, 180]\nspeed = 3000\n[u]\nsense = 'against'\ndistance = 3\nthrows = [0]\n\
+        phase = 180\n[torsion]\ninertias = [0.02, 0.02, 0.3]\ncrankpins_at = [1, 2]\nloss_factor = 0.02\nstiffnesses = []\n\
+        [[torsion.gear]]\nbetween = [1, 2]\nratio = -1\n[[torsion.shaft]]\nbetween = [2, 3]\nstiffness = 100000\n\
+        [[torsion.harmonic]]\norder = 1\ntorque = 100\n";
+    let geared = study(layout);
+    let one = &geared.at_speed().expect("a vibration").orders[0];
+    assert!(one.twists.iter().chain(&one.torques).all(|value| value.norm() == 0.0));
+    assert!((one.meshes[0].norm() - 100.0).abs() < 1e-9 && geared.resonances().is_empty());
+    assert!(
+        geared.modes.iter().all(|mode| mode.orders.iter().all(|one| one.vanishes == (one.order.halves() % 4 != 0)))
+    );
+    let answer = pages::text(&geared.answer(), Format::PLAIN);
+    assert!(answer.contains("The torque twists nothing") && answer.contains("gear teeth is 100 N"), "{answer}");
+    // Two discs that are no gears twist the shaft between them.
+    let apart = study(&layout.replace("order = 1\n", "order = 2\n"));
+    assert!(!pages::text(&apart.answer(), Format::PLAIN).contains("twists nothing"));
+}
+
+/// The phase counts from where the first cylinder fires, of gas as of harmonics, wherever that is in the layout.
+#[test]
+fn phases_count_from_the_first_firing_however_the_throws_are_drawn() {
+    let layout = |throws: &str| {
+        format!(
+            "speed = 3000\ncycle = 'four-stroke'\nfiring_order = '1-3-4-2'\n[inline]\nthrows = {throws}\n[mechanism]\nstroke = '80 mm'\n\
+             rod_length = '130 mm'\nreciprocating_mass = '0.5 kg'\n[gas]\nbore = '80 mm'\nprocess = 'spark-ignition'\ncompression_ratio = 9\n\
+             mean_pressure = '8 bar'\n[torsion]\ninertias = [0.01, 0.01, 0.01, 0.01, 0.2]\nstiffnesses = [4e5, 4e5, 4e5, 4e5]\nloss_factor = 0.02\n"
+        )
+    };
+    let phases = |throws: &str| -> Vec<f64> {
+        let table = study(&layout(throws)).table("response").expect("a table");
+        let text = crankstar::table::csv(&table);
+        text.lines().skip(1).map(|line| line.rsplit(',').next().expect("a phase").parse().expect("a number")).collect()
+    };
+    let (drawn, turned) = (phases("[0, 180, 180, 0]"), phases("[50, 230, 230, 50]"));
+    for (one, other) in drawn.iter().zip(&turned) {
+        let apart = (one - other + 180.0).rem_euclid(360.0) - 180.0;
+        assert!(apart.abs() < 1e-6, "{one} and {other}");
+    }
+}

@@ -63,8 +63,8 @@ const CYCLES: &[(&str, usize, &[&str])] = &[
     ("[[gas.cylinder]]\ncylinders = ['L2']\nprocess = 'otto'", 12, &["\"spark-ignition\", \"diesel\" or \"compressor\""]),
     ("[flywheel]\ninertia = 0",                  11, &["above 0"]),
     ("[flywheel]\ninertia = '1 kg m'",           11, &["none of kg m²"]),
-    ("[flywheel]\nirregularity = 0",             11, &["such as \"1/50\""]),
-    ("[flywheel]\nirregularity = 50",            11, &["such as \"1/50\""]),
+    ("[flywheel]\nirregularity = 0",             11, &["\"1/50\"", "±1 %"]),
+    ("[flywheel]\nirregularity = 50",            11, &["\"1/50\"", "±1 %"]),
     ("[flywheel]\nmass = 50",                    11, &["unknown key `mass`"]),
 ];
 

@@ -209,3 +209,36 @@ fn inches_pounds_and_ounces_are_read_as_their_size_is_defined() {
     assert_eq!(shaft("12 lb in"), shaft("1 lb ft"));
     assert_eq!(shaft("1 lb in"), shaft("11521.246198 g mm"));
 }
+
+#[test]
+fn every_spelling_of_a_unit_is_read() {
+    let inertia = |size: &str| {
+        let engine = read(&format!("inline.throws = [0, 180]\n[flywheel]\ninertia = '{size}'\n"));
+        engine.flywheel().inertia.clone().expect("an inertia")
+    };
+    let squares =
+        [("kg m", 1.0), ("kg cm", 1e-4), ("g m", 1e-3), ("lb ft", 0.04214011009380480), ("lb in", 2.926396534292e-4)];
+    for (unit, size) in squares {
+        for unit in [unit.to_owned(), unit.replace(' ', "·")] {
+            for square in ["²", "^2", "2"] {
+                for space in ["", " "] {
+                    let found = crankstar::numbers::float(&inertia(&format!("300{space}{unit}{square}")));
+                    assert!((found - 300.0 * size).abs() < 1e-9 * found, "{unit}{square}: {found}");
+                }
+            }
+        }
+    }
+    let weight = |size: &str| {
+        read(&format!(
+            "inline.throws = [0, 180]\n[mechanism]\ncrank_radius = 1\nreciprocating_mass = 1\n[[balancer]]\norder = 2\nsense = 'with'\n\
+             mass_radius = '{size}'\nangle = 0\nposition = 0\n"
+        ))
+        .crankshaft()
+        .balancers[0]
+            .mass_radius
+            .clone()
+    };
+    for unit in ["kg mm", "kg m", "g mm", "g cm", "g m", "oz in", "lb in", "lb ft"] {
+        assert_eq!(weight(&format!("3 {unit}")), weight(&format!("3 {}", unit.replace(' ', "·"))), "{unit}");
+    }
+}

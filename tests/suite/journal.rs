@@ -8,6 +8,7 @@ use std::f64::consts::{PI, TAU};
 use crankstar::engine::Engine;
 use crankstar::journal::{CycleBearing, CycleLoads, cycle_loads};
 use crankstar::loads::Missing;
+use crankstar::report::Question;
 use crankstar::torque::torque;
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -541,4 +542,35 @@ fn the_command_shows_the_gas_only_where_it_is_asked_for() {
         !markdown.contains("Gas force and weight are neglected")
             && markdown.contains("The loads are those of gas and masses")
     );
+}
+
+/// A boxer four whose opposite pins cancel in the middle, all of them or those of the masses alone.
+#[test]
+fn a_bearing_whose_loads_cancel_feels_nothing() {
+    let boxer = |angles: &str| {
+        format!(
+            "cycle = 'four-stroke'\nfiring_angles = {angles}\nspeed = 5000\nbearings = ['130 mm', '52 mm', 0, '-52 mm', '-130 mm']\n\
+             effects = ['gas']\n[boxer]\nthrows = [0, 0]\nstagger = '52 mm'\n[mechanism]\nstroke = '79 mm'\nrod_length = '130 mm'\n\
+             pin_offset = '1 mm'\nreciprocating_mass = '0.55 kg'\nrotating_mass = '0.4 kg'\n[gas]\nbore = '99 mm'\n\
+             dead_centre = 'crank'\nprocess = 'spark-ignition'\ncompression_ratio = 10\nmean_pressure = '9 bar'\n"
+        )
+    };
+    let middle = |angles: &str| {
+        let loads = loads_of(&layout(&boxer(angles)));
+        let both = loads.bearings.as_ref().expect("bearings");
+        both.iter()
+            .for_each(|all| assert!(all.bearings[1].peak.value > 100.0 && all.bearings[1].inertia.value > 100.0));
+        [0, 1].map(|method| {
+            let bearing = &both[method].bearings[2];
+            let still = (0..72).all(|step| loads.course.carried(&bearing.carried, f64::from(step) / 9.0).norm() == 0.0);
+            [bearing.peak.value == 0.0, bearing.inertia.value == 0.0, still]
+        })
+    };
+    assert_eq!(middle("[0, 360, 360, 0]"), [[true; 3]; 2]);
+    assert_eq!(middle("[0, 360, 0, 0]"), [[false, true, false]; 2]);
+    let answer = crate::support::pages::text(
+        &crankstar::report::BearingsStudy::new(&layout(&boxer("[0, 360, 360, 0]")), &[1, 2]).expect("loads").answer(),
+        crate::support::pages::DOLLARS,
+    );
+    assert!(answer.contains("| 3 | 0 | **0** | – | **0** | **0** | **0** |"), "{answer}");
 }

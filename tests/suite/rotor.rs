@@ -3,13 +3,15 @@
 use crankstar::exact::{PhasorSum, Term};
 use crankstar::file::{Rotor, parse_rotor};
 use crankstar::numbers;
-use crankstar::page::{Format, Options};
+use crankstar::numbers::float;
+use crankstar::page::{Document, Figures, Format, Options, Unit, Units};
 use crankstar::report::{Question, RotorStudy};
 use crankstar::rotor::{Answer, Found, Reason, balance, locomotive, secondary};
 use num_complex::Complex;
 use num_rational::BigRational;
 
 use crate::support::dice::Dice;
+use crate::support::pages;
 use crate::support::program::{call, scratch};
 use crate::support::written::{assert_near, fraction};
 
@@ -165,13 +167,15 @@ fn masses_and_planes_in_given_directions_are_exact() {
     }
 }
 
+const LOCOMOTIVE: &str = "speed = 300\nshare = '2/3'\n\
+    [[mass]]\nname = 'left wheel'\nradius = '600 mm'\nposition = '-750 mm'\n\
+    [[mass]]\nmass = '150 kg'\nreciprocating_mass = '180 kg'\nradius = '300 mm'\nangle = 0\nposition = '-350 mm'\n\
+    [[mass]]\nmass = '150 kg'\nreciprocating_mass = '180 kg'\nradius = '300 mm'\nangle = 90\nposition = '350 mm'\n\
+    [[mass]]\nname = 'right wheel'\nradius = '600 mm'\nposition = '750 mm'\n";
+
 #[test]
 fn a_locomotive_has_the_values_of_the_theory() {
-    let text = "speed = 300\nshare = '2/3'\n\
-        [[mass]]\nname = 'left wheel'\nradius = '600 mm'\nposition = '-750 mm'\n\
-        [[mass]]\nmass = '150 kg'\nreciprocating_mass = '180 kg'\nradius = '300 mm'\nangle = 0\nposition = '-350 mm'\n\
-        [[mass]]\nmass = '150 kg'\nreciprocating_mass = '180 kg'\nradius = '300 mm'\nangle = 90\nposition = '350 mm'\n\
-        [[mass]]\nname = 'right wheel'\nradius = '600 mm'\nposition = '750 mm'\n";
+    let text = LOCOMOTIVE;
     let solutions = solved(text);
     assert_near(solutions[0][0].mass_radius.decimal / 0.6, 105.342299196, 1e-9);
     assert_near(solutions[0][0].angle, 199.983106522, 1e-9);
@@ -409,4 +413,80 @@ fn four_cranks_balance_the_secondary_force_where_schlicks_condition_holds() {
     assert!(mixed(&[a, b, ["?", "1", "?", "8"], d]).is_err());
     let both = "secondary = true\nshare = 1\n[[mass]]\nmass = 1\nreciprocating_mass = 1\n";
     assert!(parse_rotor("shaft.toml", both).expect_err("a mistake").to_string().contains("every mass reciprocates"));
+}
+
+/// The rows of the tables of answer and page by their cells; a heading stands before a row of dashes.
+fn rows(study: &RotorStudy, units: Units) -> Vec<Vec<String>> {
+    let options = Options { units, figures: Figures::new(10), ..Options::default() };
+    let text = |document: &Document| crankstar::page::write(document, pages::DOLLARS, &options).remove(0).text;
+    let text = text(&study.answer()) + &text(&study.page());
+    let rows = text.lines().filter(|line| line.starts_with('|'));
+    rows.map(|row| row.split('|').map(|cell| cell.replace(['\u{202f}', '\u{a0}'], " ")).collect()).collect()
+}
+
+/// The last number of a cell, or fraction: of a closed form its decimal.
+fn last_number(cell: &str) -> Option<f64> {
+    let cell = cell.replace('−', "-").replace(['*', '°'], " ");
+    let number = |word: &str| match word.split_once('/') {
+        Some((above, below)) => Some(above.parse::<f64>().ok()? / below.parse::<f64>().ok()?),
+        None => word.parse().ok(),
+    };
+    cell.split_whitespace().filter_map(number).last()
+}
+
+/// Masses, radii, products, positions, what is left of force, couple, second order, hammer blow, tractive force and swaying couple.
+#[test]
+fn every_number_in_inches_is_that_of_the_si_converted() {
+    let known = [["20", "80", "0", "0"], ["10", "80", "0", "100"]];
+    let files = [
+        SHAFT.to_owned(),
+        format!("speed = 600\n{}", file(&known)),
+        format!("secondary = true\nspeed = 600\n{}", file(&known)),
+        file(&[["3", "100", "0", "0"], ["4", "100", "90", "0"], ["?", "100", "?", "0"]]),
+        file(&[["3", "100", "0", "0"], ["4", "100", "0", "300"], ["5", "?", "?", "?"]]),
+        LOCOMOTIVE.to_owned(),
+    ];
+    let sizes = [
+        (Unit::KILOGRAM, "lb"),
+        (Unit::MILLIMETRE, "in"),
+        (Unit::KILOGRAM_METRE, "oz·in"),
+        (Unit::KILOGRAM_SQUARE_METRE, "lb·ft²"),
+        (Unit::NEWTON, "lbf"),
+        (Unit::KILONEWTON, "lbf"),
+        (Unit::NEWTON_METRE, "lbf·ft"),
+        (Unit::KILONEWTON_METRE, "lbf·ft"),
+    ];
+    for text in files {
+        let study = RotorStudy::new(rotor(&text)).expect("it is solved");
+        let (si, inch) = (rows(&study, Units::Si), rows(&study, Units::Inch));
+        assert_eq!(si.len(), inch.len());
+        // What a unit at the end of a cell or of a heading is in the unit of the inch.
+        let size = |cell: &str| {
+            let unit = sizes.iter().find(|(unit, _)| cell.trim().ends_with(&format!(" {}", unit.name)));
+            unit.map(|(unit, inch)| (float(&unit.inch().expect("an inch").1), *inch))
+        };
+        let mut converted = 0;
+        for (place, (row, other)) in si.iter().zip(&inch).enumerate() {
+            let is_heading = |place: usize| si.get(place + 1).is_some_and(|next| next[1].contains("---"));
+            let heading = si[..place].iter().enumerate().rev().find(|(before, _)| is_heading(*before));
+            for (column, (own, found)) in row.iter().zip(other).enumerate() {
+                let unit = size(own).or_else(|| size(heading?.1.get(column)?).filter(|_| !is_heading(place)));
+                let in_cell = size(own).is_none_or(|(_, inch)| found.trim().ends_with(&format!(" {inch}")));
+                let by = unit.map_or(1.0, |(by, _)| by);
+                let (value, changed) = (last_number(own).unwrap_or(0.0), last_number(found).unwrap_or(0.0));
+                assert!(in_cell && (changed * by - value).abs() <= 5e-4 * value.abs(), "{own} is not {found}: {by}");
+                converted += usize::from(unit.is_some());
+            }
+        }
+        assert!(converted > 0, "{text}");
+    }
+}
+
+#[test]
+fn what_may_be_omitted_is_said_as_it_is() {
+    let alone = file(&[["3", "100", "0", "0"], ["?", "100", "?", "?"]]);
+    assert!(balance(&rotor(&alone)).is_ok());
+    let beside = file(&[["3", "100", "0", "0"], ["?", "100", "?", "?"], ["?", "100", "?", "300"]]);
+    let told = balance(&rotor(&beside)).expect_err("too many unknowns").to_string();
+    assert!(told.contains("of one or two masses, and of one that is wanted alone its position too"), "{told}");
 }

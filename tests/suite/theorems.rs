@@ -112,7 +112,9 @@ fn each_kind_of_statement_has_its_sentence() {
         ("I4", format!("- **Force.** Zero at order 1 and at no other. {alike}")),
         (
             "I2-270",
-            format!("- **Force.** Zero exactly at the orders $k$ other than 1 that 4 does not divide ($4 \\nmid k$). {alike}"),
+            format!(
+                "- **Force.** Zero exactly at the orders $k$ other than 1 that 4 does not divide ($4 \\nmid k$). {alike}"
+            ),
         ),
         ("I2-270", format!("- **Moment.** Zero exactly at the orders $k$ that 4 divides ($4 \\mid k$). {alike}")),
         (

@@ -442,3 +442,25 @@ fn a_report_has_the_torque_only_where_it_is_asked_for() {
     assert!(with.contains("# Torque of gas and inertia") && with.contains("(gas-torque.svg)"));
     assert!(!without.contains("Torque of gas") && !without.contains("gas-torque"));
 }
+
+#[test]
+fn the_unevenness_of_a_machine_that_is_driven_is_in_sizes_of_its_mean() {
+    let said = |layout: &str| crate::true_sentences::said("torque", layout, &[]);
+    assert!(said(&four(3000)).contains("times the mean."), "{}", said(&four(3000)));
+    let pump = "cycle = 'two-stroke'\nspeed = 1000\n[inline]\nthrows = [0]\n[mechanism]\nstroke = '80 mm'\nrod_length = '150 mm'\n\
+        reciprocating_mass = '0.5 kg'\n[gas]\nbore = '80 mm'\nprocess = 'compressor'\nintake_pressure = '1 bar'\n\
+        delivery_pressure = '8 bar'\nclearance = 0.05\n";
+    let said = said(pump);
+    assert!(said.contains("The mean is −") && said.contains("times the size of the mean."), "{said}");
+}
+
+#[test]
+fn an_irregularity_of_a_layout_may_be_in_per_cent_of_the_mean() {
+    let delta = |text: &str| {
+        let engine = engine(&four(3000).replace("'1/50'", &format!("'{text}'")));
+        engine.flywheel().irregularity.clone()
+    };
+    for text in ["2 %", "±1 %", "±1%", "± 0.01", "0.02"] {
+        assert_eq!(delta(text), delta("1/50"), "{text}");
+    }
+}

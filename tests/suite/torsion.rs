@@ -211,3 +211,15 @@ fn a_layout_without_a_shaft_or_without_firing_is_told_what_to_add() {
     let engine = file::parse("two.toml", silent).expect("it reads");
     assert!(TorsionStudy::new(&engine, &[]).expect_err("no firing").to_string().contains("firing_order"));
 }
+
+/// A disc takes both pins of a boxer pair; written as cylinders each pin has its own.
+#[test]
+fn a_boxer_pair_counts_as_one_crankpin_and_cylinders_of_their_own_as_two() {
+    let shaft = "[torsion]\ninertias = [1, 1, 3]\nstiffnesses = [1e5, 1e5]\n";
+    let boxer = |at: &str| format!("[boxer]\nthrows = [0]\nstagger = '20 mm'\n{shaft}crankpins_at = {at}\n");
+    assert!(file::parse("boxer.toml", &boxer("[1]")).is_ok());
+    let told = file::parse("boxer.toml", &boxer("[1, 2]")).expect_err("one pin").to_string();
+    assert!(told.contains("2 discs are named for 1 crankpins; name one for each (a boxer pair is one)"), "{told}");
+    let cylinders = "[[cylinder]]\nbank = -90\nthrow = -90\nposition = '10 mm'\n[[cylinder]]\nbank = 90\nthrow = 90\nposition = '-10 mm'\n";
+    assert!(file::parse("two.toml", &format!("{cylinders}{shaft}crankpins_at = [1, 2]\n")).is_ok());
+}

@@ -216,7 +216,7 @@ impl fmt::Display for NoShaft {
             NoShaft::Apart(disc) => write!(f, "no shaft and no gear joins disc {disc} to the first"),
             NoShaft::Hollow(number) => write!(f, "the bore of shaft {number} is not smaller than its outer diameter"),
             NoShaft::Pins { given, pins } => {
-                write!(f, "{given} discs are named for {pins} crankpins; name one for each")
+                write!(f, "{given} discs are named for {pins} crankpins; name one for each (a boxer pair is one)")
             }
             NoShaft::NoSuchDisc { pin, disc, discs } => {
                 write!(f, "crankpin {pin} is on disc {disc}; there are {discs}, numbered from 1")

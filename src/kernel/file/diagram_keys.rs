@@ -1,13 +1,13 @@
 //! How is a turning-moment diagram written? A file of points, triangles, areas or harmonics, with the scales of the drawing.
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
 use super::error::LayoutError;
+use super::flywheel_keys::irregularity;
 use super::kind::Kind;
-use super::number::parse_number;
 use super::quantities::{List, integer, known_angle, mass, misread, positive, positive_metres, value, whole};
 use super::rewritten::exact_number;
 use super::units::{self, Area};
@@ -261,27 +261,6 @@ impl File {
 
 fn optional<T>(text: Option<&Text>, read: impl Fn(&Text) -> Result<T, LayoutError>) -> Result<Option<T>, LayoutError> {
     text.map(read).transpose()
-}
-
-/// Largest speed less smallest, over the mean: ±1 % of the mean is 0.02.
-fn irregularity(text: &Text) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let refuse = |right: String| misread(text, "coefficient of fluctuation", right);
-    let (rest, mut by) = match written.trim().strip_prefix('±') {
-        Some(rest) => (rest, BigRational::from_integer(2.into())),
-        None => (written.trim(), BigRational::one()),
-    };
-    let number = match rest.strip_suffix('%') {
-        Some(rest) => {
-            by /= BigRational::from_integer(100.into());
-            rest
-        }
-        None => rest,
-    };
-    let value = parse_number(number.trim()).map_err(|error| refuse(error.to_string()))? * by;
-    let fits = units::has_a_size(&value) && value.is_positive() && value < BigRational::one();
-    let right = "largest speed less smallest, over the mean: such as 0.02, \"1/50\", \"2 %\" or \"±1 %\"";
-    if fits { Ok(value) } else { Err(refuse(right.to_owned())) }
 }
 
 fn not_too_many<T>(list: &Spanned<Vec<T>>) -> Result<&[T], LayoutError> {

@@ -36,9 +36,23 @@ fn inertia(text: &Text) -> Result<BigRational, LayoutError> {
     if value.is_positive() { Ok(value) } else { Err(misread(text, WHAT, right)) }
 }
 
-fn irregularity(text: &Text) -> Result<BigRational, LayoutError> {
-    let value = parse_number(&text.get_ref().0).map_err(|error| misread(text, "irregularity", error.to_string()))?;
+/// Largest speed less smallest, over the mean: ±1 % of the mean is 0.02.
+pub(super) fn irregularity(text: &Text) -> Result<BigRational, LayoutError> {
+    let written = &text.get_ref().0;
+    let refuse = |right: String| misread(text, "coefficient of fluctuation", right);
+    let (rest, mut by) = match written.trim().strip_prefix('±') {
+        Some(rest) => (rest, BigRational::from_integer(2.into())),
+        None => (written.trim(), BigRational::one()),
+    };
+    let number = match rest.strip_suffix('%') {
+        Some(rest) => {
+            by /= BigRational::from_integer(100.into());
+            rest
+        }
+        None => rest,
+    };
+    let value = parse_number(number.trim()).map_err(|error| refuse(error.to_string()))? * by;
     let fits = units::has_a_size(&value) && value.is_positive() && value < BigRational::one();
-    let right = "largest speed less smallest, over the mean: such as \"1/50\"";
-    if fits { Ok(value) } else { Err(misread(text, "irregularity", right)) }
+    let right = "largest speed less smallest, over the mean: such as 0.02, \"1/50\", \"2 %\" or \"±1 %\"";
+    if fits { Ok(value) } else { Err(refuse(right.to_owned())) }
 }

@@ -42,7 +42,7 @@ fn sized(value: BigRational) -> Result<BigRational, String> {
     }
 }
 
-/// The units of a kind of quantity, by all that one is called, with their size in the base unit as a fraction.
+/// The units of a kind of quantity, by all that one is called ([`before`] has more spellings), with their size in the base unit as a fraction.
 type Units = &'static [(&'static [&'static str], (i64, i64))];
 
 /// Each name, in their order, with the size.
@@ -50,26 +50,31 @@ fn named(units: Units) -> impl Iterator<Item = (&'static str, (i64, i64))> {
     units.iter().flat_map(|(names, size)| names.iter().map(move |name| (*name, *size)))
 }
 
+/// What stands before this unit at the end of a text: `kg m²` may be written `kg·m²`, `kg m^2` or `kg m2`.
+fn before<'t>(text: &'t str, unit: &str) -> Option<&'t str> {
+    unit.chars().rev().try_fold(text, |text, sign| match sign {
+        ' ' => text.strip_suffix([' ', '·']),
+        '²' => ["²", "^2", "2"].into_iter().find_map(|square| text.strip_suffix(square)),
+        other => text.strip_suffix(other),
+    })
+}
+
 const ANGLES: Units =
     &[(&["turns", "turn"], (1, 1)), (&["pi rad", "π rad"], (1, 2)), (&["degrees", "deg", "°"], (1, 360))];
 const LENGTHS: Units =
     &[(&["mm"], (1, 1000)), (&["cm"], (1, 100)), (&["in"], (127, 5000)), (&["ft"], (381, 1250)), (&["m"], (1, 1))];
-const AREAS: Units = &[
-    (&["mm²", "mm^2", "mm2"], (1, 1_000_000)),
-    (&["cm²", "cm^2", "cm2"], (1, 10_000)),
-    (&["in²", "in^2", "in2"], (16_129, 25_000_000)),
-];
+const AREAS: Units = &[(&["mm²"], (1, 1_000_000)), (&["cm²"], (1, 10_000)), (&["in²"], (16_129, 25_000_000))];
 const SPEEDS: Units =
     &[(&["rpm", "RPM", "1/min", "U/min", "rev/min", "min^-1", "min-1", "min⁻¹"], (1, 1)), (&["rev/s", "Hz"], (60, 1))];
 const MASS_RADII: Units = &[
     (&["kg mm"], (1, 1000)),
-    (&["kg m", "kg·m"], (1, 1)),
+    (&["kg m"], (1, 1)),
     (&["g mm"], (1, 1_000_000)),
     (&["g cm"], (1, 100_000)),
     (&["g m"], (1, 1000)),
-    (&["oz in", "oz·in"], (45_359_237 * 127, 1_600_000_000 * 5000)),
-    (&["lb in", "lb·in"], (45_359_237 * 127, 100_000_000 * 5000)),
-    (&["lb ft", "lb·ft"], (45_359_237 * 381, 100_000_000 * 1250)),
+    (&["oz in"], (45_359_237 * 127, 1_600_000_000 * 5000)),
+    (&["lb in"], (45_359_237 * 127, 100_000_000 * 5000)),
+    (&["lb ft"], (45_359_237 * 381, 100_000_000 * 1250)),
 ];
 const PRESSURES: Units = &[
     (&["mbar"], (100, 1)),
@@ -82,19 +87,18 @@ const PRESSURES: Units = &[
 ];
 /// A pound-force on a foot: 4.4482216152605 N times 0.3048 m.
 const FOOT_POUND: (i64, i64) = (8_896_443_230_521 * 381, 2_000_000_000_000 * 1250);
-const ENERGIES: Units =
-    &[(&["MJ"], (1_000_000, 1)), (&["kJ"], (1000, 1)), (&["J"], (1, 1)), (&["ft lbf", "ft·lbf"], FOOT_POUND)];
+const ENERGIES: Units = &[(&["MJ"], (1_000_000, 1)), (&["kJ"], (1000, 1)), (&["J"], (1, 1)), (&["ft lbf"], FOOT_POUND)];
 const INERTIAS: Units = &[
-    (&["kg m²", "kg·m²", "kg m^2", "kg m2"], (1, 1)),
-    (&["kg cm²", "kg cm2"], (1, 10_000)),
-    (&["g m²", "g m2"], (1, 1000)),
-    (&["lb ft²", "lb ft^2"], (45_359_237 * 145_161, 100_000_000 * 1_562_500)),
-    (&["lb in²", "lb in^2"], (45_359_237 * 16_129, 100_000_000 * 25_000_000)),
+    (&["kg m²"], (1, 1)),
+    (&["kg cm²"], (1, 10_000)),
+    (&["g m²"], (1, 1000)),
+    (&["lb ft²"], (45_359_237 * 145_161, 100_000_000 * 1_562_500)),
+    (&["lb in²"], (45_359_237 * 16_129, 100_000_000 * 25_000_000)),
 ];
 const TORSIONAL_STIFFNESSES: Units = &[
     (&["MN m/rad", "MNm/rad"], (1_000_000, 1)),
     (&["kN m/rad", "kNm/rad"], (1000, 1)),
-    (&["N m/rad", "N·m/rad", "Nm/rad"], (1, 1)),
+    (&["N m/rad", "Nm/rad"], (1, 1)),
     (&["ft lbf/rad", "lbf ft/rad"], FOOT_POUND),
 ];
 /// A pound-force on an inch: 4.4482216152605 N over 0.0254 m.
@@ -105,8 +109,7 @@ const STIFFNESSES: Units = &[
     (&["N/m"], (1, 1)),
     (&["lbf/in"], POUND_PER_INCH),
 ];
-const DAMPINGS: Units =
-    &[(&["kN s/m", "N s/mm"], (1000, 1)), (&["N s/m", "N·s/m"], (1, 1)), (&["lbf s/in"], POUND_PER_INCH)];
+const DAMPINGS: Units = &[(&["kN s/m", "N s/mm"], (1000, 1)), (&["N s/m"], (1, 1)), (&["lbf s/in"], POUND_PER_INCH)];
 const TORSIONAL_DAMPINGS: Units = &[
     (&["MN m s/rad"], (1_000_000, 1)),
     (&["kN m s/rad"], (1000, 1)),
@@ -119,12 +122,12 @@ const TORSIONAL_DAMPINGS: Units = &[
 const TORQUES: Units = &[
     (&["MN m"], (1_000_000, 1)),
     (&["kN m", "kNm"], (1000, 1)),
-    (&["N m", "N·m", "Nm"], (1, 1)),
+    (&["N m", "Nm"], (1, 1)),
     (&["ft lbf", "lbf ft"], FOOT_POUND),
 ];
 const STRESSES: Units = &[
     (&["GPa"], (1_000_000_000, 1)),
-    (&["MPa", "N/mm²", "N/mm2"], (1_000_000, 1)),
+    (&["MPa", "N/mm²"], (1_000_000, 1)),
     (&["kPa"], (1000, 1)),
     (&["Pa"], (1, 1)),
     (&["psi"], (44_482_216_152_605, 6_451_600_000)),
@@ -363,15 +366,15 @@ fn in_base_units(number: &BigRational, (numerator, denominator): (i64, i64)) -> 
 
 fn with_unit(text: &str, units: Units, examples: &str) -> Result<(BigRational, Option<(i64, i64)>), String> {
     let text = text.trim();
-    let unit = named(units).find(|(name, _)| text.ends_with(name));
-    let number = unit.map_or(text, |(name, _)| text[..text.len() - name.len()].trim_end());
+    let found = named(units).find_map(|(name, size)| Some((before(text, name)?.trim_end(), size)));
+    let (number, unit) = found.map_or((text, None), |(number, size)| (number, Some(size)));
     let value = parse_number(number).map_err(|error| match unknown_unit(text) {
         Some(word) => {
             format!("`{word}` is none of {}; write, for instance, {examples}", names(units))
         }
         None => format!("{error}; for instance {examples}"),
     })?;
-    Ok((value, unit.map(|(_, size)| size)))
+    Ok((value, unit))
 }
 
 /// What is behind a number.

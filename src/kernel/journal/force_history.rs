@@ -305,17 +305,18 @@ impl ForceHistory {
     pub fn carried_parts(&self, carried: &Carried, theta: f64) -> [Complex<f64>; 2] {
         let shaft = [carried.of_shaft(theta), Complex::new(0.0, 0.0)];
         let loads = carried.parts.iter().enumerate().filter(|(_, part)| **part != 0.0);
-        loads.fold(shaft, |[inertia, gas], (index, part)| {
+        carried.left(loads.fold(shaft, |[inertia, gas], (index, part)| {
             let [of_inertia, of_gas] = self.pin_parts(index, theta);
             [inertia + of_inertia * part, gas + of_gas * part]
-        })
+        }))
     }
 
     /// What it carries of the masses alone.
     pub(super) fn carried_of_inertia(&self, carried: &Carried, theta: f64) -> Complex<f64> {
         let loads = carried.parts.iter().enumerate().filter(|(_, part)| **part != 0.0);
         let shaft = carried.of_shaft(theta);
-        loads.fold(shaft, |sum, (index, part)| sum + self.pin_of_inertia(index, theta) * part)
+        let all = loads.fold(shaft, |sum, (index, part)| sum + self.pin_of_inertia(index, theta) * part);
+        carried.left([all, Complex::default()])[0]
     }
 
     /// What a place carries of all forces.

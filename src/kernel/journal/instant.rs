@@ -186,7 +186,7 @@ impl Instants {
         let bearings = match newtons.filter(|_| !engine.bearings().is_empty()) {
             None => Vec::new(),
             Some(newtons) => {
-                let all = super::carried(engine, Method::Continuous, newtons)?;
+                let all = super::carried(engine, &classes, (Method::Continuous, newtons))?;
                 all.into_iter().map(|(_, carried)| carried).collect()
             }
         };
@@ -233,7 +233,8 @@ impl Instants {
             let is_link = |piston: &PistonAt| self.links.iter().any(|rod| rod.cylinder == piston.cylinder);
             let pins = carried.parts.iter().zip(pistons).filter(|(_, piston)| !is_link(piston));
             let shaft = carried.of_shaft(theta.to_radians());
-            pins.fold(shaft, |sum, (part, piston)| sum + piston.pin.unwrap_or_default() * *part)
+            let all = pins.fold(shaft, |sum, (part, piston)| sum + piston.pin.unwrap_or_default() * *part);
+            if carried.nothing == [true; 2] { Complex::default() } else { all }
         };
         self.bearings.iter().map(felt).collect()
     }

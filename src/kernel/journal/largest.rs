@@ -67,10 +67,10 @@ impl Samples {
     pub fn peaks_of(&self, course: &ForceHistory, carried: &Carried) -> [CyclePeak; 2] {
         let at = |(step, theta): (usize, &f64)| {
             let shaft = [carried.of_shaft(*theta), Complex::new(0.0, 0.0)];
-            carried.parts.iter().zip(&self.pins).fold(shaft, |[inertia, gas], (part, row)| {
+            carried.left(carried.parts.iter().zip(&self.pins).fold(shaft, |[inertia, gas], (part, row)| {
                 let [of_inertia, of_gas] = row[step];
                 [inertia + of_inertia * part, gas + of_gas * part]
-            })
+            }))
         };
         let known: Vec<[Complex<f64>; 2]> = self.grid.iter().enumerate().map(at).collect();
         let of_inertia = |theta: f64| course.carried_of_inertia(carried, theta);

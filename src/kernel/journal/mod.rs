@@ -180,7 +180,11 @@ pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, Missing> {
 }
 
 /// What each main bearing carries of a unit load on each crankpin, and of all forces.
-fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<BigRational>, Carried)>, Missing> {
+fn carried(
+    engine: &Engine,
+    classes: &[Class],
+    (method, newtons): (Method, f64),
+) -> Result<Vec<(Vec<BigRational>, Carried)>, Missing> {
     let shares = Shares::of(engine, method)?;
     let bearing = |crank: usize, index: usize| {
         let part = |position: &BigRational| shares.part(index, position);
@@ -190,7 +194,7 @@ fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<Big
             false => BigRational::zero(),
         });
         let parts: Vec<BigRational> = parts.collect();
-        let carried = carried::carried_by(engine, crank, &parts, part, newtons);
+        let carried = carried::carried_by((engine, classes), crank, &parts, part, newtons);
         (parts, carried)
     };
     let cranks = 0..engine.crankshafts();
@@ -205,8 +209,8 @@ fn carried(engine: &Engine, method: Method, newtons: f64) -> Result<Vec<(Vec<Big
 /// # Errors
 /// What the layout lacks.
 pub fn carried_by_bearings(engine: &Engine) -> Result<Vec<Carried>, Missing> {
-    let (_, scale) = classes(engine)?;
-    let all = carried(engine, Method::Continuous, scale.force())?;
+    let (classes, scale) = classes(engine)?;
+    let all = carried(engine, &classes, (Method::Continuous, scale.force()))?;
     Ok(all.into_iter().map(|(_, carried)| carried).collect())
 }
 
@@ -238,7 +242,7 @@ fn bearings(
 ) -> Result<CycleBearings, Missing> {
     let whole: Vec<u32> = (1..=HIGHEST).collect();
     let moving = bearing_loads(engine, &whole, method)?;
-    let all = carried(engine, method, newtons)?;
+    let all = carried(engine, course.classes(), (method, newtons))?;
     let bearing = |(moving, (parts, carried)): (&loads::BearingLoad, (Vec<BigRational>, Carried))| {
         let inertia = moving.orders.iter().map(|order| (order.order, &order.swing));
         let [peak, inertia_alone] = samples.peaks_of(course, &carried);

@@ -74,7 +74,7 @@ impl Series {
 impl CycleMean {
     /// Gas and masses together.
     pub fn total(&self) -> Complex<f64> {
-        self.gas + self.inertia
+        if self.vanishes { Complex::default() } else { self.gas + self.inertia }
     }
 }
 

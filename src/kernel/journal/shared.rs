@@ -3,10 +3,11 @@
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::Carried;
+use super::carried::{Carried, nothing};
 use super::force_history::ForceHistory;
 use super::largest::{CyclePeak, Samples};
 use crate::engine::{Engine, Throw, throws};
+use crate::numbers;
 
 /// The load of a crankpin that several rods share: the sum of what each of them loads it with.
 #[derive(Clone, Debug)]
@@ -30,9 +31,11 @@ impl SharedPin {
     pub(super) fn of(engine: &Engine, course: &ForceHistory, samples: &Samples) -> Vec<Self> {
         let shared = throws(engine).into_iter().enumerate().filter(|(_, throw)| throw.cylinders.len() > 1);
         let pin = |(index, throw): (usize, Throw)| {
-            let of = |cylinder: usize| if throw.cylinders.contains(&cylinder) { 1.0 } else { 0.0 };
-            let parts = (0..course.cylinders()).map(of).collect();
-            let carried = Carried { parts, shaft: Complex::new(0.0, 0.0), turns: 1.0 };
+            let of = |cylinder: usize| BigRational::from_integer(i32::from(throw.cylinders.contains(&cylinder)).into());
+            let parts: Vec<BigRational> = (0..course.cylinders()).map(of).collect();
+            let nothing = nothing(engine, course.classes(), &parts, &[]);
+            let parts = parts.iter().map(numbers::float).collect();
+            let carried = Carried { parts, shaft: Complex::new(0.0, 0.0), turns: 1.0, nothing };
             let [peak, inertia] = samples.peaks_of(course, &carried);
             SharedPin { throw: index, cylinders: throw.cylinders, position: throw.position, peak, inertia, carried }
         };

@@ -28,7 +28,7 @@ pub use hung_rod::{HungRod, KnuckleLoad, LinkLoads, MasterLoad, link_loads};
 pub use missing::Missing;
 use needed::usual_torque_orders;
 pub use needed::{Bound, LeftOut, Needed, left_out, needed_orders, usual_orders};
-pub use needed_bearings::{bearing_orders, left_out_of_bearings, usual_bearing_orders};
+pub use needed_bearings::{bearing_orders, left_out_of_bearings, left_out_of_pins, usual_bearing_orders};
 pub use order_loads::{OrderLoads, Torque, TorqueOrder};
 use order_loads::{harmonic, swings};
 pub use peak_method::PeakMethod;

@@ -3,10 +3,12 @@
 //! The side forces of the pistons have odd orders that the shaking force does not have, so that these are not the orders of force and
 //! moment.
 
+use num_rational::BigRational;
 use num_traits::Zero;
 
 use super::bearing::{BearingLoads, bearing_loads};
 use super::needed::{Bound, Choice, FOR_THE_REST, usual_orders, with_largest};
+use super::pin::{LoadOrder, PinLoad, PinLoads, pin_loads};
 use super::shares::Method;
 use super::{Missing, Tails};
 use crate::engine::Engine;
@@ -70,19 +72,40 @@ pub fn left_out_of_bearings(engine: &Engine, loads: &BearingLoads) -> Result<Opt
     let dropped: Vec<u32> = (1..=highest).filter(|order| !kept.contains(order)).collect();
     let tails = Tails::new(engine)?;
     let others = bearing_loads(engine, &dropped, loads.method)?;
-    let of_bearing = |index: usize| {
-        let orders = others.bearings[index].orders.iter().filter(|order| order.order > 0);
-        let looked_at: f64 = orders.map(|order| order.swing.largest() + order.swing.doubt()).sum();
-        looked_at + rest(engine, &tails, loads, index, highest)
-    };
+    let of_bearing =
+        |index: usize| looked_at(&others.bearings[index].orders) + rest(engine, &tails, loads, index, highest);
     let most = (0..loads.bearings.len()).map(of_bearing).fold(0.0, f64::max);
     let bound = Bound { most: (most * SLACK).next_up(), peak: (largest(loads) - most * SLACK).max(0.0) };
     Ok((most > 0.0).then_some(bound))
 }
 
+/// What the orders that are not among these add to the load of each crankpin at most, by cylinder.
+///
+/// # Errors
+/// What the layout lacks for numbers.
+pub fn left_out_of_pins(engine: &Engine, loads: &PinLoads) -> Result<Vec<f64>, Missing> {
+    let kept: Vec<u32> = loads.pins.iter().flat_map(|pin| &pin.orders).map(|order| order.order).collect();
+    let highest = kept.iter().copied().max().unwrap_or(0).max(LOOKED_AT[0]);
+    let dropped: Vec<u32> = (1..=highest).filter(|order| !kept.contains(order)).collect();
+    let tails = Tails::new(engine)?;
+    let others = pin_loads(engine, &dropped)?;
+    let of_pin = |(index, pin): (usize, &PinLoad)| {
+        let own: Vec<BigRational> =
+            (0..loads.pins.len()).map(|other| BigRational::from_integer(i32::from(other == index).into())).collect();
+        let most = looked_at(&pin.orders) + tails.of_pins_above(engine, own.iter(), highest);
+        if most > 0.0 { (most * SLACK).next_up() } else { 0.0 }
+    };
+    Ok(others.pins.iter().enumerate().map(of_pin).collect())
+}
+
+/// The largest lengths of these orders together, but for the constant force.
+fn looked_at(orders: &[LoadOrder]) -> f64 {
+    orders.iter().filter(|order| order.order > 0).map(|order| order.swing.largest() + order.swing.doubt()).sum()
+}
+
 /// What the orders of the pistons above this one add to the load of a bearing at most.
 fn rest(engine: &Engine, tails: &Tails, loads: &BearingLoads, bearing: usize, order: u32) -> f64 {
-    let zero = num_rational::BigRational::zero();
+    let zero = BigRational::zero();
     let (crank, place) = (loads.bearings[bearing].crank, bearing % engine.bearings().len());
     // Whatever moves a pin has a part of each bearing of its crankshaft; without one it adds nothing to any order.
     let parts = engine.cylinders().iter().map(|cylinder| match loads.parts.get(&cylinder.position) {

@@ -135,7 +135,7 @@ fn series(orders: &[TorqueOrder], theta: f64) -> f64 {
 }
 
 impl EngineTorque {
-    /// How uneven the torque is: the largest less the smallest, over the mean; none where the mean is zero.
+    /// How uneven the torque is: the largest less the smallest, over the size of the mean; none where the mean is zero.
     pub fn unevenness(&self) -> Option<f64> {
         let part = (self.highest.value - self.lowest.value) / self.mean.abs();
         part.is_finite().then_some(part)

@@ -1,9 +1,11 @@
 //! At which speeds does an order of the firing meet a natural frequency, and how much does it work on the mode?
 
 use num_complex::Complex;
+use num_rational::BigRational;
 
 use super::{Mode, Train, modes};
-use crate::engine::{CycleOrder, Engine, Torsion};
+use crate::engine::{CycleOrder, Engine, Shot, Torsion};
+use crate::exact::{PhasorSum, Term};
 use crate::firing::{NoStar, are_orders_of, firing_of};
 use crate::gas::CylinderGas;
 use crate::numbers;
@@ -18,6 +20,8 @@ pub struct Critical {
     /// `Σ Δ_j r_j e^{−iκφ_j}`: the work of a torque of this order on the mode goes with its length. φ_j counts from where the file's gas does. Of two pistons in a cylinder both count when it
     /// fires, as if neither led the other.
     pub star: Complex<f64>,
+    /// Whether the star is proved to be 0: cylinders that are turned as far in every mode have a star of 0 among themselves.
+    pub vanishes: bool,
 }
 
 /// A mode with the speeds at which it is excited.
@@ -50,12 +54,33 @@ pub fn critical_speeds(
         .map(|index| if engine.has_opposed_pistons() { 0.0 } else { CylinderGas::firing_zero(engine, index) })
         .collect();
     let radius = |cylinder: usize| numbers::float(&engine.cylinders()[cylinder].crank_radius);
+    let disc = |cylinder: &crate::engine::Cylinder| torsion.pins[cylinder.pin];
+    // Firing angles and crank radii of cylinders whose vectors have a common factor in every mode: one node, one speed, gas at one angle.
+    let mut alike: Vec<(_, Vec<(&BigRational, &BigRational)>)> = Vec::new();
+    for shot in &firing.shots {
+        for piston in engine.pistons_of(shot.cylinder) {
+            let (cylinder, zero) = (&engine.cylinders()[piston], zeros[shot.cylinder]);
+            let (node, ratio) = (train.node(disc(cylinder)), train.discs[disc(cylinder)].ratio.abs());
+            let (key, vector) = ((node, ratio, zero), (&shot.angle, &cylinder.crank_radius));
+            match alike.iter_mut().find(|(known, _)| *known == key) {
+                Some((_, vectors)) => vectors.push(vector),
+                None => alike.push((key, vec![vector])),
+            }
+        }
+    }
+    let vanishes = |order: &CycleOrder| {
+        let term = |(fires, radius): &(&BigRational, &BigRational)| Term {
+            angle: order.phase(fires),
+            weight: (*radius).clone(),
+        };
+        alike.iter().all(|(_, vectors)| PhasorSum::new(vectors.iter().map(term).collect()).vanishes())
+    };
+    let zero: Vec<bool> = orders.iter().map(vanishes).collect();
     let of_mode = |mode: Mode| {
-        let disc = |cylinder: &crate::engine::Cylinder| torsion.pins[cylinder.pin];
         let deflection = |cylinder: &crate::engine::Cylinder| mode.shape[disc(cylinder)] * train.sense(disc(cylinder));
         let deflections: Vec<f64> = engine.cylinders().iter().map(deflection).collect();
         let star = |order: CycleOrder| -> Complex<f64> {
-            let vector = |shot: &crate::engine::Shot| {
+            let vector = |shot: &Shot| {
                 let after = zeros[shot.cylinder] * f64::from(order.halves()) / 2.0;
                 let direction = numbers::direction(&order.phase(&shot.angle)) * Complex::from_polar(1.0, -after);
                 let pistons = engine.pistons_of(shot.cylinder);
@@ -63,8 +88,11 @@ pub fn critical_speeds(
             };
             firing.shots.iter().map(vector).sum()
         };
-        let critical = |&order: &CycleOrder| Critical { order, rpm: order.rpm(mode.hertz()), star: star(order) };
-        let orders = orders.iter().map(critical).collect();
+        let critical = |(&order, &vanishes): (&CycleOrder, &bool)| {
+            let star = if vanishes { Complex::default() } else { star(order) };
+            Critical { order, rpm: order.rpm(mode.hertz()), star, vanishes }
+        };
+        let orders = orders.iter().zip(&zero).map(critical).collect();
         let longest = deflections.iter().enumerate().map(|(index, delta)| delta.abs() * radius(index)).sum();
         CriticalSpeeds { orders, longest, deflections, mode }
     };

@@ -182,6 +182,11 @@ impl Train {
         self.discs.iter().map(|disc| nodes[disc.node] * disc.ratio).collect()
     }
 
+    /// Whether two discs are one, or in mesh.
+    pub fn turn_as_one(&self, one: usize, other: usize) -> bool {
+        self.node(one) == self.node(other)
+    }
+
     /// The node of a disc.
     pub(super) fn node(&self, disc: usize) -> usize {
         self.discs[disc].node

@@ -26,6 +26,16 @@ pub(crate) fn given_with(value: &BigRational, unit: Unit) -> Text {
 }
 
 impl Amount {
+    /// As it is shown, in this unit, which is given elsewhere.
+    pub(crate) fn counted_in(&self, unit: Unit) -> Text {
+        match self.number() {
+            Number::Zero => Text::zero(),
+            Number::Exact(value) => given_in(&value, unit),
+            Number::Closed(form, decimal) => Piece::Closed(form, decimal, unit).into(),
+            Number::Decimal(decimal) => Text::measured(decimal, unit),
+        }
+    }
+
     /// Plain text: `4`, `√10 ≈ 3.162`, `≈ 0.1234`.
     pub fn plain(&self) -> String {
         Text::from(self.clone()).plain()

@@ -17,6 +17,7 @@ use super::notation::plain;
 use super::options::Options;
 use super::templates;
 use super::writer::{File, Writer};
+use crate::numbers::float;
 use crate::text;
 
 /// Writes one document.
@@ -301,6 +302,10 @@ impl<'a> Composer<'a> {
                     Setting::Fixed(set) => set(value),
                 })
             }
+            Piece::Closed(form, value, unit) => match self.options.units.instead_of(*unit) {
+                Some((_, size)) => self.numbers(&figures.approximate(value / float(&size))),
+                None => self.piece(&Piece::Number(Number::Closed(form.clone(), *value))),
+            },
             Piece::Exactly(value, unit) => self.numbers(&self.converted(value, *unit, number::number)),
             Piece::Shortly(value, unit) => self.numbers(&self.converted(value, *unit, number::short)),
             Piece::Unit(unit) => {

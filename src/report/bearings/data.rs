@@ -6,7 +6,9 @@ use num_rational::BigRational;
 use super::columns::{components, crankshafts, peak, position_unit};
 use super::{gas_data, links};
 use crate::exact::PhasorSum;
-use crate::loads::{BearingLoad, BearingLoads, Circle, Peak, PinLoads, Swing, left_out_of_bearings, pin_loads};
+use crate::loads::{
+    BearingLoad, BearingLoads, Circle, Peak, PinLoads, Swing, left_out_of_bearings, left_out_of_pins, pin_loads,
+};
 use crate::motion::LinkMass;
 use crate::numbers;
 use crate::order::{Factor, OrderSum};
@@ -212,17 +214,22 @@ fn pins_of(study: &BearingsStudy) -> Option<PinLoads> {
 
 fn pins(study: &BearingsStudy, units: Units) -> Option<Table> {
     let loads = pins_of(study)?;
-    let rows: Vec<_> = study.engine.cylinders().iter().zip(&loads.pins).collect();
+    let left_out = left_out_of_pins(&study.engine, &loads).ok();
+    let pins = study.engine.cylinders().iter().zip(&loads.pins).enumerate();
+    let rows: Vec<_> = pins.map(|(index, (cylinder, pin))| (cylinder, pin, index)).collect();
     let mut table = Filling::new("bearings.pins", &rows);
-    table.person("cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
-    crankshafts(&mut table, &study.engine, |(cylinder, _)| cylinder.crank);
-    table.exact("position_{unit}", position_unit(&study.engine), |(_, pin)| Some(exact_number(&pin.position)));
+    table.person("cylinder", |(cylinder, ..)| Some(Untrusted::new(&*cylinder.name)));
+    crankshafts(&mut table, &study.engine, |(cylinder, ..)| cylinder.crank);
+    table.exact("position_{unit}", position_unit(&study.engine), |(_, pin, _)| Some(exact_number(&pin.position)));
     let force = ["force_zero_to_peak_{unit}", "theta_{unit}"];
-    peak(&mut table, force, units, |(_, pin)| &pin.peak);
+    peak(&mut table, force, units, |(_, pin, _)| &pin.peak);
     let along = ["along_throw_zero_to_peak_{unit}", "along_throw_theta_{unit}"];
-    peak(&mut table, along, units, |(_, pin)| &pin.along);
+    peak(&mut table, along, units, |(_, pin, _)| &pin.along);
     let across = ["across_throw_zero_to_peak_{unit}", "across_throw_theta_{unit}"];
-    peak(&mut table, across, units, |(_, pin)| &pin.across);
+    peak(&mut table, across, units, |(_, pin, _)| &pin.across);
+    table.decimal("left_out_{unit}", units.force, |(.., index)| {
+        left_out.as_ref().map(|bounds| bounds[*index] * units.newtons).filter(|bound| *bound > 0.0)
+    });
     Some(table.done())
 }
 

@@ -58,7 +58,7 @@ const WITHOUT_GAS: [&str; 4] =
 /// A largest load with its crank angle, and its components there.
 fn peak<R>(table: &mut Filling<R>, [size, angle, y, x]: [&'static str; 4], of: impl Fn(&R) -> &CyclePeak) {
     table.decimal(size, Unit::NEWTON, |row| Some(of(row).value));
-    table.decimal(angle, Unit::DEGREE, |row| Some(of(row).angle));
+    table.decimal(angle, Unit::DEGREE, |row| Some(of(row).angle).filter(|_| of(row).value > 0.0));
     table.decimal(y, Unit::NEWTON, |row| Some(of(row).vector.re));
     table.decimal(x, Unit::NEWTON, |row| Some(0.0 - of(row).vector.im));
 }

@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use num_traits::Zero;
 
 use super::super::calculation::Unit;
-use super::super::{residual, table};
+use super::super::{calculation, residual, table};
 use super::amounts;
 use crate::engine::{Engine, Rod};
-use crate::loads::{BearingLoads, PinLoads};
+use crate::loads::{BearingLoads, PinLoads, left_out_of_pins};
 use crate::motion::Enclosure;
 use crate::order::{self, Factor, OrderSum};
 use crate::page::{Number, Table, Text, phrase};
@@ -135,12 +135,20 @@ pub(super) fn numbers(engine: &Engine, loads: &BearingLoads) -> Option<Table> {
 /// The largest load of every crankpin, by cylinder.
 pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Table {
     let unit = Unit::of_force(pins.scale.as_ref());
-    Table::of(engine.cylinders().iter().zip(&pins.pins))
-        .column("Cylinder", |(cylinder, _)| cylinder.name.clone())
-        .column(phrase!("Largest load in {}", unit.label()), |(_, pin)| amounts::size(&pin.peak, unit))
-        .column("at θ", |(_, pin)| amounts::angle(&pin.peak))
-        .column(phrase!("Along the throw in {}", unit.label()), |(_, pin)| amounts::size(&pin.along, unit))
-        .column(phrase!("Across it in {}", unit.label()), |(_, pin)| amounts::size(&pin.across, unit))
+    let left_out = left_out_of_pins(engine, pins).unwrap_or_default();
+    let others = |index: usize| match left_out.get(index) {
+        None => "–".into(),
+        Some(0.0) => Text::zero(),
+        Some(most) => calculation::bound(*most, unit),
+    };
+    let rows = engine.cylinders().iter().zip(&pins.pins);
+    Table::of(rows.enumerate().map(|(index, (cylinder, pin))| (cylinder, pin, index)))
+        .column("Cylinder", |(cylinder, ..)| cylinder.name.clone())
+        .column(phrase!("Largest load in {}", unit.label()), |(_, pin, _)| amounts::size(&pin.peak, unit))
+        .column("at θ", |(_, pin, _)| amounts::angle(&pin.peak))
+        .column(phrase!("Along the throw in {}", unit.label()), |(_, pin, _)| amounts::size(&pin.along, unit))
+        .column(phrase!("Across it in {}", unit.label()), |(_, pin, _)| amounts::size(&pin.across, unit))
+        .column(phrase!("Other orders at most in {}", unit.label()), |(.., index)| others(*index))
         .done()
 }
 

@@ -3,13 +3,18 @@
 use super::super::table;
 use super::super::torque::{angle, names};
 use crate::engine::Engine;
-use crate::journal::{CycleBearings, CycleLoads};
+use crate::journal::{CycleBearings, CycleLoads, CyclePeak};
 use crate::page::{Table, Text, Unit, phrase};
 use crate::torque::Extreme;
 
 /// A force in newtons: 0 where nothing loads.
 fn size(value: f64) -> Text {
     if value == 0.0 { Text::zero() } else { Text::measured(value, Unit::NEWTON) }
+}
+
+/// Where a load is largest; nowhere, where nothing loads.
+fn at_peak(peak: &CyclePeak) -> Text {
+    if peak.value == 0.0 { "–".into() } else { angle(peak.angle) }
 }
 
 /// The largest load of every bearing, with and without gas; the worst are marked.
@@ -22,7 +27,7 @@ pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearin
         .column("Bearing", |(_, bearing)| bearing.name.clone())
         .column(table::position_heading(engine), |(_, bearing)| table::position(engine, &bearing.position))
         .column(phrase!("Largest load in {}", Unit::NEWTON), |(index, _)| marked(continuous, *index))
-        .column("at θ", |(_, bearing)| angle(bearing.peak.angle))
+        .column("at θ", |(_, bearing)| at_peak(&bearing.peak))
         .column(phrase!("Gas component in {}", Unit::NEWTON), |(_, bearing)| size(bearing.peak.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |(_, bearing)| size(bearing.inertia.value))
         .column(phrase!("Determinate in {}", Unit::NEWTON), |(index, _)| marked(determinate, *index))
@@ -34,7 +39,7 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
     Table::of(loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
         .column("Cylinder", |(index, _)| names(engine, &[*index]))
         .column(phrase!("Load of the crankpin in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin.value))
-        .column("at θ", |(_, peaks)| angle(peaks.pin.angle))
+        .column("at θ", |(_, peaks)| at_peak(&peaks.pin))
         .column(phrase!("Gas component in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin_of_inertia.value))
         .done()
@@ -46,7 +51,7 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
         .column("Crankpin", |pin| pin.throw + 1)
         .column("Rods of cylinders", |pin| names(engine, &pin.cylinders))
         .column(phrase!("All rods together in {}", Unit::NEWTON), |pin| size(pin.peak.value))
-        .column("at θ", |pin| angle(pin.peak.angle))
+        .column("at θ", |pin| at_peak(&pin.peak))
         .column(phrase!("Gas component in {}", Unit::NEWTON), |pin| size(pin.peak.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |pin| size(pin.inertia.value))
         .column(phrase!("One rod alone in {}", Unit::NEWTON), |pin| {
@@ -64,7 +69,7 @@ pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Table {
         .column("Link of cylinder", |knuckle| names(engine, &[knuckle.cylinder]))
         .column("Master rod", |knuckle| names(engine, &[knuckle.master]))
         .column(phrase!("Load of the knuckle pin in {}", Unit::NEWTON), |knuckle| size(knuckle.peak.value))
-        .column("at θ", |knuckle| angle(knuckle.peak.angle))
+        .column("at θ", |knuckle| at_peak(&knuckle.peak))
         .column(phrase!("Gas component in {}", Unit::NEWTON), |knuckle| size(knuckle.peak.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |knuckle| size(knuckle.inertia.value))
         .done()

@@ -8,7 +8,7 @@ use super::super::torque::quantity;
 use super::{LeftOver, RotorStudy};
 use crate::exact::PhasorSum;
 use crate::numbers::{self, Direction};
-use crate::page::number::{Amount, Bearing, Number, given_with, turns};
+use crate::page::number::{Amount, Bearing, Number, given_in, given_with, turns};
 use crate::page::{Block, Document, Table, Text, Unit, phrase};
 use crate::report::texts::rotor as text;
 use crate::rotor::{Answer, Found, Real, Reason};
@@ -87,10 +87,10 @@ fn found(study: &RotorStudy) -> Vec<Block> {
     blocks
 }
 
-/// An amount of a real number, `of` this many of it.
-fn amount(real: &Real, of: &BigRational) -> Text {
+/// An amount of a real number, `of` this many of it, in this unit.
+fn amount(real: &Real, of: &BigRational, unit: Unit) -> Text {
     let exact = real.exact.as_ref().map(|form| form.scaled(of));
-    Amount { exact, decimal: real.decimal * numbers::float(of) }.into()
+    Amount { exact, decimal: real.decimal * numbers::float(of) }.counted_in(unit)
 }
 
 /// The direction of a mass that was found: exact where it is a rational angle.
@@ -114,13 +114,15 @@ fn table(study: &RotorStudy, solution: &[Found]) -> Table {
     let has_cosine = solution.iter().any(|one| one.cosine.is_some());
     let thousand = BigRational::from_integer(1000.into());
     let mass = |one: &Found| match (&of(one).mass, &of(one).radius) {
-        (Some(mass), _) => Some(Number::exact(mass).into()),
-        (None, Some(radius)) => Some(amount(&one.mass_radius, &radius.recip())),
+        (Some(mass), _) => Some(given_in(mass, Unit::KILOGRAM)),
+        (None, Some(radius)) => Some(amount(&one.mass_radius, &radius.recip(), Unit::KILOGRAM)),
         (None, None) => None,
     };
     let radius = |one: &Found| match (&of(one).radius, &of(one).mass) {
-        (Some(radius), _) => Some(Number::exact(&(radius * &thousand)).into()),
-        (None, Some(mass)) if mass.is_positive() => Some(amount(&one.mass_radius, &(&thousand / mass))),
+        (Some(radius), _) => Some(given_in(&(radius * &thousand), Unit::MILLIMETRE)),
+        (None, Some(mass)) if mass.is_positive() => {
+            Some(amount(&one.mass_radius, &(&thousand / mass), Unit::MILLIMETRE))
+        }
         (None, _) => None,
     };
     Table::of(solution)
@@ -128,12 +130,12 @@ fn table(study: &RotorStudy, solution: &[Found]) -> Table {
         .column(phrase!("Mass in {}", Unit::KILOGRAM), |one| Text::or_dash(mass(one)))
         .column(phrase!("Radius in {}", Unit::MILLIMETRE), |one| Text::or_dash(radius(one)))
         .column(phrase!("Mass times radius in {}", Unit::KILOGRAM_METRE), |one| {
-            amount(&one.mass_radius, &BigRational::one())
+            amount(&one.mass_radius, &BigRational::one(), Unit::KILOGRAM_METRE)
         })
         .column("Angle", |one| direction(one))
         .column_if(has_cosine, "cos", |one| Text::or_dash(one.cosine.as_ref().map(Number::exact)))
         .column_if(has_position, phrase!("Position in {}", Unit::MILLIMETRE), |one| {
-            Text::or_dash(one.position.as_ref().map(|position| amount(position, &thousand)))
+            Text::or_dash(one.position.as_ref().map(|position| amount(position, &thousand, Unit::MILLIMETRE)))
         })
         .done()
 }
@@ -150,7 +152,7 @@ fn lengths(study: &RotorStudy, rows: &[LeftOver]) -> Table {
         };
         let zero = one.vanishes();
         let modulus = || one.star.map_or(Amount { exact: None, decimal: one.length() }, residual::modulus_of);
-        let length = if zero { Text::zero() } else { phrase!("{} {}", Text::from(modulus()), unit) };
+        let length = if zero { Text::zero() } else { phrase!("{} {}", modulus().counted_in(unit), unit) };
         let bearing =
             || one.star.map_or(Bearing { exact: None, decimal: numbers::degrees(one.sum) }, residual::bearing);
         let towards = if zero { "–".into() } else { bearing().into() };

@@ -41,7 +41,7 @@ pub(super) fn answer(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
         newton_metres(torque.lowest.value),
         angle(torque.lowest.angle),
     ));
-    lines.extend(torque.unevenness().map(|part| text::unevenness(Number::Decimal(part))));
+    lines.extend(torque.unevenness().map(|part| text::unevenness(Number::Decimal(part), torque.mean > 0.0)));
     if let (Some(power), Some(speed)) = (torque.power, &engine.dimensions().speed) {
         let kilowatts = quantity(power.abs() / 1e3, Unit::KILOWATT);
         lines.push(text::power(number::given(speed), power < 0.0, kilowatts));

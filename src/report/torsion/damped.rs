@@ -42,7 +42,10 @@ impl TorsionStudy {
     /// The twists by an order at a speed.
     pub(super) fn twists(&self, train: &Train, order: CycleOrder, speed: f64) -> Option<Vec<Complex<f64>>> {
         let torques = self.excited()?.torques(order, speed)?;
-        Some(forced_twist(train, &Excitation { omega: omega(order, speed), torques }))
+        match self.is_still_at(order) {
+            true => Some(vec![Complex::default(); train.discs.len()]),
+            false => Some(forced_twist(train, &Excitation { omega: omega(order, speed), torques })),
+        }
     }
 
     /// The largest torque of an order in a shaft at a speed.
@@ -62,7 +65,7 @@ impl TorsionStudy {
         let of_order = |order: CycleOrder| {
             let omega = omega(order, speed);
             let excitation = Excitation { omega, torques: excited.torques(order, speed)? };
-            let twists = forced_twist(&self.train, &excitation);
+            let twists = self.twists(&self.train, order, speed)?;
             let torques = shaft_torques(&self.train, omega, &twists);
             let meshes = mesh_torques(&self.train, &excitation, &twists, &torques);
             let heat = heat(&self.train, omega, &twists);
@@ -92,7 +95,7 @@ impl TorsionStudy {
         for (index, speeds) in self.modes.iter().enumerate() {
             for order in excited.orders() {
                 let rpm = order.rpm(speeds.mode.hertz());
-                if (from..=to).contains(&rpm) {
+                if (from..=to).contains(&rpm) && !excited.is_still(order) {
                     rows.extend(self.resonance(index, order, rpm));
                 }
             }
@@ -259,7 +262,8 @@ impl TorsionStudy {
         let range = self.range().unwrap_or([0.0, f64::INFINITY]);
         let work = |order: CycleOrder| {
             let rpm = order.rpm(first.hertz());
-            let torques = excited.torques(order, rpm).filter(|_| (range[0]..=range[1]).contains(&rpm))?;
+            let is_met = (range[0]..=range[1]).contains(&rpm) && !excited.is_still(order);
+            let torques = excited.torques(order, rpm).filter(|_| is_met)?;
             Some((order, resonance(bare, &first, &torques).equilibrium))
         };
         let works = excited.orders().filter_map(work);

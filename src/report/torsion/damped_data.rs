@@ -51,14 +51,17 @@ pub(super) fn resonances(study: &TorsionStudy) -> Option<Table> {
 }
 
 pub(super) fn response(study: &TorsionStudy) -> Option<Table> {
-    let vibration = study.at_speed()?;
+    let (vibration, excited) = (study.at_speed()?, study.excited()?);
     let discs = 0..study.train.discs.len();
     let rows = vibration.orders.iter().flat_map(|order| discs.clone().map(move |disc| (order, disc)));
     let mut table = Filling::new("torsion.response", rows).keyed(2);
     table.exact("order", Unit::NONE, |(one, _)| Some(one.order.exact().to_string()));
     table.whole("disc", |(_, disc)| disc + 1);
     table.decimal("twist_zero_to_peak_{unit}", Unit::DEGREE, |(one, disc)| Some(one.twists[*disc].norm().to_degrees()));
-    table.decimal("phase_{unit}", Unit::DEGREE, |(one, disc)| Some(one.twists[*disc].arg().to_degrees()));
+    table.decimal("phase_{unit}", Unit::DEGREE, |(one, disc)| {
+        let twist = one.twists[*disc] * excited.after_firing(one.order);
+        (!excited.is_still(one.order)).then(|| twist.arg().to_degrees())
+    });
     Some(table.done())
 }
 

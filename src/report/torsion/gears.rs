@@ -53,6 +53,8 @@ pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
     let size = |([first, second], _): Torques| first.max(second);
     let most = |of: fn(&InMesh) -> Option<Torques>| {
         let all = gears.iter().filter_map(|one| Some((one.gear, of(one)?)));
+        // Where nothing twists, teeth may be loaded, or not.
+        let all = all.filter(|(_, torques)| !study.is_still() || size(*torques) > 0.0);
         all.max_by(|one, other| size(one.1).total_cmp(&size(other.1)))
     };
     let disc = |gear: usize, end: usize| study.train.gears[gear][end] + 1;
@@ -91,7 +93,11 @@ pub(super) fn orders(study: &TorsionStudy, vibration: &Vibration) -> page::Table
     let table = page::Table::of(vibration.orders.iter()).column("Order κ", |one| one.order.to_string());
     let of_gears = (0..study.train.gears.len()).fold(table, |table, gear| {
         table.column(phrase!("Gear {} ({})", study.gear(gear), Unit::NEWTON_METRE), move |one| {
-            Text::measured(one.meshes[gear].norm(), Unit::NEWTON_METRE)
+            match one.meshes[gear].norm() {
+                // Where the order twists nothing, and no torque is on the discs behind.
+                0.0 if study.is_still_at(one.order) => Text::zero(),
+                torque => Text::measured(torque, Unit::NEWTON_METRE),
+            }
         })
     });
     of_gears.done()

@@ -17,6 +17,10 @@ pub(super) fn answer(study: &TorsionStudy) -> Document {
     answer_page.push(tables::modes(study, tables::MOST_ROWS));
     let (critical, orders) = tables::strongest(study);
     let shown = critical.rows.len();
+    if shown == 0 {
+        // That none excites the first mode is said above.
+        return answer_page;
+    }
     answer_page.push(critical);
     if shown < orders {
         let command = Text::code("crankstar torsion --output");
@@ -68,12 +72,17 @@ fn forced_twist(study: &TorsionStudy) -> Vec<Block> {
     };
     if let Some(vibration) = study.at_speed() {
         let speed = || amounts::rpm(vibration.speed);
-        section(text::shafts(speed()), damped::shafts(study, vibration));
-        if !study.train.gears.is_empty() {
+        let twists = !study.is_still();
+        if twists {
+            section(text::shafts(speed()), damped::shafts(study, vibration));
+        }
+        if (0..study.train.gears.len()).any(|gear| twists || vibration.mesh(gear) > 0.0) {
             section(text::gears(speed()), gears::gears(study));
             section(text::orders_of_gears(speed()), gears::orders(study, vibration));
         }
-        section(text::discs(speed()), damped::twists(study, vibration));
+        if twists {
+            section(text::discs(speed()), damped::twists(study, vibration));
+        }
         section(text::heat(speed()), damped::heat(study, vibration));
     }
     section(text::resonances(), damped::resonances(study));

@@ -65,7 +65,7 @@ const MOST_SHAFTS: usize = 3;
 /// Amplitude, torque and stress over the range of speeds, where there is damping.
 pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
     let rows = study.over_range();
-    if rows.is_empty() {
+    if rows.is_empty() || study.is_still() {
         return Vec::new();
     }
     let points =

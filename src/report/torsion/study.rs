@@ -10,6 +10,7 @@ use super::excited::Excited;
 use super::vibration::{DamperStudy, Excess, ResonanceOrder, TwistAtSpeed, Vibration};
 use crate::engine::{CycleOrder, ElasticShaft, Engine, Torsion};
 use crate::firing::{self, NoStar};
+use crate::page::{Number, Text, Unit};
 use crate::torsion::{Critical, CriticalSpeeds, Train, critical_speeds};
 
 /// Orders up to this one are shown where none are asked for, in halves.
@@ -122,6 +123,26 @@ impl TorsionStudy {
         self.excited.get_or_init(|| Excited::new(&self.engine, self.torsion(), &self.train)).as_ref()
     }
 
+    /// Whether it is proved that an order of the torque twists nothing.
+    pub(super) fn is_still_at(&self, order: CycleOrder) -> bool {
+        self.excited().is_some_and(|excited| excited.is_still(order))
+    }
+
+    /// Whether that is proved of all orders that are added.
+    pub(super) fn is_still(&self) -> bool {
+        self.excited().is_some_and(|excited| excited.orders().all(|order| excited.is_still(order)))
+    }
+
+    /// A twist by an order, in degrees.
+    pub(super) fn twist_of(&self, order: CycleOrder, value: f64) -> Text {
+        if self.is_still_at(order) { Text::zero() } else { Number::Decimal(value).into() }
+    }
+
+    /// A torque by an order, whose unit is given elsewhere.
+    pub(super) fn torque_of(&self, order: CycleOrder, value: f64) -> Text {
+        if self.is_still_at(order) { Text::zero() } else { Text::measured(value, Unit::NEWTON_METRE) }
+    }
+
     /// The highest speed that matters: the end of the range where one is given, else the speed of the layout.
     pub(super) fn highest_speed(&self) -> Option<f64> {
         self.torsion().speeds.as_ref().and_then(|speeds| speeds[1].to_f64()).or(self.speed)
@@ -134,7 +155,7 @@ impl TorsionStudy {
         let mut orders: Vec<&Critical> = mode.orders.iter().filter(met).collect();
         let in_steps = |critical: &Critical| (critical.star.norm() / mode.longest / ALIKE).round();
         orders.sort_by(|one, other| in_steps(other).total_cmp(&in_steps(one)).then(one.order.cmp(&other.order)));
-        orders.retain(|critical| in_steps(critical) > 0.0);
+        orders.retain(|critical| !critical.vanishes && in_steps(critical) > 0.0);
         orders
     }
 }

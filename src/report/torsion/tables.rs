@@ -57,10 +57,10 @@ pub(super) fn forced(study: &TorsionStudy, orders: &[ForcedTwist]) -> Table {
         .column("Frequency (Hz)", |twist| Number::Decimal(twist.hertz))
         .column("Amplitude at the free end (°)", |twist| match twist.near {
             Some(mode) => phrase!("near mode {}", mode),
-            None => Number::Decimal(twist.free_end).into(),
+            None => study.twist_of(twist.order, twist.free_end),
         })
         .column(phrase!("Torque in the shaft ({})", Unit::NEWTON_METRE), |twist| {
-            far(twist, Text::measured(twist.shaft, Unit::NEWTON_METRE))
+            far(twist, study.torque_of(twist.order, twist.shaft))
         });
     let table = match study.is_row() {
         true => table.column("Behind disc", |twist| far(twist, study.behind(twist).into())),
@@ -94,7 +94,8 @@ fn critical_of(study: &TorsionStudy, is_shown: impl Fn(CycleOrder) -> bool) -> T
         table
             .column(phrase!("Mode {} at (rpm)", index + 1), |(row, _)| Number::Decimal(speeds.orders[*row].rpm))
             .column(phrase!("Star of mode {}", index + 1), |(row, _)| {
-                part(speeds.orders[*row].star.norm() / speeds.longest)
+                let critical = &speeds.orders[*row];
+                if critical.vanishes { Text::zero() } else { part(critical.star.norm() / speeds.longest) }
             })
     });
     with_modes.done()

@@ -106,6 +106,9 @@ fn damping(value: f64) -> Text {
 
 /// The forced vibration with damping: at the speed, at the strongest resonance, stresses, dampers.
 fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
+    if study.torsion().is_damped() && study.is_still() {
+        return std::iter::once(text::still()).chain(gears::answer(study)).collect();
+    }
     let mut lines = Vec::new();
     if let Some(vibration) = study.at_speed() {
         let torques = (0..study.train.shafts).map(|shaft| (shaft, vibration.torque(shaft)));
