@@ -34,7 +34,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("remedy", 1900),
     ("report", 32010),
     ("rotor", 665),
-    ("search", 3785),
+    ("search", 3865),
     ("shard", 670),
     ("stars", 655),
     ("sweep", 2155),
