@@ -123,6 +123,7 @@ pub(super) fn sizes(all: &[Sized], shown: &[Sized]) -> Table {
     add("Cures".into(), &|engine| engine_cells::remedy(&engine.compared.cures));
     if all.iter().any(|engine| engine.compared.bearings.as_ref().err() != Some(&Missing::Bearings)) {
         add("Worst main bearing".into(), &|engine| worst_bearing(engine.compared));
+        add("Its other orders".into(), &|engine| Text::or_dash(other_orders(engine.compared)));
     }
     if all.iter().any(|engine| engine.compared.with_gas.is_some()) {
         add("Worst main bearing with gas".into(), &|engine| worst_with_gas(engine.compared));
@@ -176,6 +177,11 @@ pub(super) fn verdicts(all: &[Sized], shown: &[Sized]) -> Table {
     add("Moment from order".into(), &|engine| first(engine)[1].clone());
     add("All cures".into(), &|engine| engine_cells::remedy(&engine.remedy));
     table
+}
+
+/// What the orders that are not counted add at most to the load of a bearing.
+fn other_orders(engine: &Compared) -> Option<Text> {
+    bearings::left_out_in_short(&engine.engine, engine.bearings.as_ref().ok()?).map(|most| phrase!("at most {}", most))
 }
 
 fn worst_bearing(engine: &Compared) -> Text {
