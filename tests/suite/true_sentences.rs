@@ -133,6 +133,27 @@ fn firing_angles_of_displaced_axes_say_what_they_count_and_how_far_apart_the_dea
     assert_eq!(claim::answer(&alike, &claim, None).status, Status::True);
 }
 
+/// `2 arcsin(12.5/209.15) = 6.853°` less than the splay the dead centres of a pair are apart.
+#[test]
+fn a_sweep_and_a_comparison_of_displaced_axes_say_what_firing_intervals_count() {
+    let told = said("sweep", VR6, &["--set", "vr.pin_splay=15..24:1"]);
+    let moved = "Offsets move the top dead centres: these are most even at 22, ≈ 119.9° to ≈ 120.1° apart.";
+    assert!(told.contains("Firing: even, every 120°, at 15.") && told.contains(moved), "{told}");
+    // Where the offset grows from 0 the dead centres are at first those of the pins.
+    let offsets = VR6.replace("pin_splay = 22", "pin_splay = 15");
+    let told = said("sweep", &offsets, &["--set", "vr.pin_offset=0mm..20mm:5mm"]);
+    assert!(told.contains("these are most even at 0 mm, ≈ 120.0° to ≈ 120.0° apart"), "{told}");
+    // Nor is it silent where the file does not say when the cylinders fire.
+    let unsaid = VR6.replace("firing_order = '1-5-3-6-2-4'\neffects = ['firing']\n", "");
+    let told = said("sweep", &unsaid, &["--set", "vr.pin_splay=15..24:1"]);
+    assert!(told.contains("Offsets move the top dead centres, which come at other intervals."), "{told}");
+    // Without offsets there is nothing to say.
+    let centric = VR6.replace("pin_offset = '12.5 mm'\n", "");
+    assert!(!said("sweep", &centric, &["--set", "vr.pin_splay=15..24:1"]).contains("Offsets move"));
+    let told = said("compare", VR6, &["I6"]);
+    assert!(told.contains("uneven: 113° to 127°; top dead centres: ≈ 119.9° to ≈ 120.1°"), "{told}");
+}
+
 #[test]
 fn the_own_angle_of_a_cylinder_counts_from_the_dead_centre_of_its_gas() {
     let gas = |keys: &str| {
