@@ -122,6 +122,34 @@ fn newtons_and_bearings_stand_where_all_have_numbers() {
     assert_eq!(document["engines"][0]["worst_bearings"]["bearings"], serde_json::json!([3]));
 }
 
+/// The side forces of the pistons have odd orders that force and moment do not have.
+#[test]
+fn the_worst_bearing_is_that_of_the_bearings_whatever_is_compared() {
+    let two = "title = 'two'\nspeed = 6000\nbearings = ['80 mm', '-80 mm']\n[vee]\nbank_angle = 90\nthrows = [0]\n[mechanism]\nstroke = '86 mm'\n\
+               rod_length = '143 mm'\nreciprocating_mass = '0.5 kg'\nrotating_mass = '0.4 kg'\n";
+    let (all, few) = (layout("two-all", two), layout("two-few", &format!("orders = [1, 2]\n{two}")));
+    let peak = |file: &str| {
+        let told = String::from_utf8(call(&["bearings", file, "--json"]).stdout).expect("a text");
+        let told: Value = serde_json::from_str(&told).expect("JSON");
+        told["bearings"][0]["force_zero_to_peak_N"].as_f64().unwrap_or_else(|| panic!("{told}"))
+    };
+    let right = [peak(&all), peak(&few)];
+    assert!(right[0] > 1.005 * right[1], "{right:?}");
+    for orders in [&[][..], &["--orders", "3"]] {
+        let asked = |json| [&[all.as_str(), &few][..], orders, json].concat();
+        let document: Value = serde_json::from_str(&succeeds(&asked(&["--json"]))).expect("JSON");
+        let found =
+            [0, 1].map(|place| document["engines"][place]["worst_bearings"]["peak"].as_f64().expect("a number"));
+        assert_eq!(found, right, "{orders:?}");
+        let others = line(&succeeds(&asked(&[])), "Its other orders");
+        let percent =
+            |cell: &str| cell.strip_prefix("at most ")?.strip_suffix(" % of the largest")?.parse::<f64>().ok();
+        let parts: Vec<f64> = others.split(" | ").skip(1).filter_map(percent).collect();
+        let left = 100.0 * (right[0] / right[1] - 1.0);
+        assert!(matches!(parts[..], [all, few] if all < 0.01 && few > left && few < 4.0), "{others}");
+    }
+}
+
 /// The gas of the four, and when it fires.
 const GAS: &str = "firing_order = '1-3-4-2'\neffects = ['gas']\n";
 const BORE: &str = "[gas]\nbore = '86 mm'\nprocess = 'spark-ignition'\ncompression_ratio = 10\nheat = '1100 J'\nintake_pressure = '0.9 bar'\n";

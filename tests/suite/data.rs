@@ -23,6 +23,7 @@ use crate::support::every_form;
 use crate::support::program::{call, scratch};
 use crate::support::rfc4180;
 use crate::support::tables::{self, Answered, decimals, texts, truths};
+use crate::true_sentences::VR6;
 
 const V8_GAS: &str = include_str!("../../reports/examples/v8-gas/layout.toml");
 const I6_TORSION: &str = include_str!("../../reports/examples/i6-torsion/layout.toml");
@@ -81,6 +82,7 @@ fn answer_all() -> Vec<Answered> {
     all.push(tables::fluctuating(include_str!("../../examples/turning-moment.toml")));
     all.push(tables::swept(V6, &["vee.bank_angle=0..180:20"], &[1, 2], &["1", "3/2"]).1);
     all.push(tables::swept(V8_GAS, &["speed=1000..3000:1000"], &[1], &[]).1);
+    all.push(tables::swept(VR6, &["vr.pin_splay=15..24:9"], &[1], &[]).1);
     let vee = Problem::vee(6, Cycle::FourStroke, Turn::fraction(1, 6), &[1, 2]);
     all.push(tables::searched(&Problem::inline(6, Cycle::FourStroke, &[1, 2]), true).1);
     all.push(tables::searched(&vee, false).1);

@@ -170,17 +170,30 @@ fn a_node_in_the_middle_of_a_six_doubles_the_minor_orders_and_takes_away_the_maj
     assert_lengths("I6", &engine, &delta, &right);
 }
 
-/// In a shape of mixed signs the vectors of the last order of a period are alike in direction, not in sense: it is a minor order.
+/// At the last order of a period all firing phases agree: it is major for a shape of any signs, as for the rigid shaft.
 #[test]
-fn the_strongest_minor_order_may_be_the_last_of_a_period() {
-    let engine = file::find("I6").expect("known").engine().expect("reads");
-    let pattern = pattern(&engine, &shape(&["5", "3", "1", "-1", "1", "6"])).expect("a pattern");
-    let strongest: Vec<CycleOrder> = pattern.strongest_minor().iter().map(|star| star.order).collect();
-    let lengths = |order: CycleOrder| length(&engine, &order.to_string(), &shape(&["5", "3", "1", "-1", "1", "6"])).0;
-    let minor = pattern.left().filter(|order| !order.is_major());
-    let longest = minor.map(|order| lengths(order.order)).fold(0.0, f64::max);
-    assert_eq!(strongest, [pattern.repeats_after()]);
-    assert!((lengths(strongest[0]) - longest).abs() < 1e-9);
+fn major_orders_are_those_of_the_rigid_shaft_in_every_mode_shape() {
+    for (name, values) in [
+        ("I4", &["5", "2", "-1", "2"][..]),
+        ("I4", &["1", "0", "0", "-1"]),
+        ("I6", &["5", "3", "1", "-1", "1", "6"]),
+        ("I6", &["5", "3", "1", "-1", "-3", "-5"]),
+        ("V6-60-even", &["3", "2", "-1", "3", "2", "-1"]),
+        ("V8-crossplane", &["1", "0", "-1", "-2", "1", "0", "-1", "-2"]),
+    ] {
+        let engine = file::find(name).expect("known").engine().expect("reads");
+        let major = |weights: &Weights| {
+            let pattern = pattern(&engine, weights).expect("a pattern");
+            let major = pattern.orders.iter().filter(|order| order.is_major());
+            (major.map(|order| order.order).collect::<Vec<_>>(), pattern)
+        };
+        let (rigid, _) = major(&Weights::Rigid);
+        let (found, pattern) = major(&shape(values));
+        assert_eq!(found, rigid, "{name} {values:?}");
+        let last = CycleOrder::of_halves(engine.cylinders().len() as u32).expect("an order");
+        assert_eq!(found.last(), Some(&last), "{name} fires evenly");
+        assert!(pattern.strongest_minor().iter().all(|order| order.order != last && !order.vanishes()), "{name}");
+    }
 }
 
 /// `theory-gas`, section 3: a linear shape cannot tell the two orders apart, the real first mode can.

@@ -429,6 +429,37 @@ fn each_star_of_the_front_is_a_layout_file_beside_the_page_that_report_reads() {
 }
 
 #[test]
+fn stars_of_a_grid_with_balanced_force_are_counted_as_a_plain_loop_counts_them() {
+    for (cylinders, grid) in [(1, 5), (2, 6), (3, 12), (4, 9), (5, 12), (6, 8), (6, 10), (4, 30), (7, 6)] {
+        let problem = Problem { grid: Some(grid), ..Problem::inline(cylinders, Cycle::TwoStroke, &[1]) };
+        let is_balanced = |index: &u32| {
+            let throw = |place: u32| u64::from(index / grid.pow(place) % grid);
+            let terms: Vec<(u64, i64)> = (0..cylinders).map(|place| (throw(place), 1)).collect();
+            crankstar::exact::vanishes(&u64::from(grid), &terms)
+        };
+        // Those whose first throw is at 0.
+        let count = (0..grid.pow(cylinders)).step_by(grid as usize).filter(is_balanced).count();
+        assert_eq!(found(&problem).balanced, Some(count as u64), "{cylinders} throws on {grid} directions");
+    }
+    assert_eq!(found(&Problem::inline(6, Cycle::TwoStroke, &[1])).balanced, None);
+}
+
+#[test]
+fn an_answer_on_a_grid_tells_that_balanced_stars_alone_are_compared() {
+    let (_, out, _) = crankstar("--cylinders 3 --cycle two-stroke --grid 6 --orders 3");
+    assert!(out.contains("2 of the 2 crank stars are the best"), "{out}");
+    assert!(out.contains("Only crank stars with balanced first-order force are compared: 2 of the 36"), "{out}");
+    let (_, out, _) = crankstar("--cylinders 3 --cycle two-stroke --grid 6 --orders 3 --json");
+    let document: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!((&document["all_stars"], &document["balanced_stars"]), (&"36".into(), &2.into()));
+    let (_, out, _) = crankstar("--cylinders 3 --cycle two-stroke --grid 4");
+    assert!(
+        out.contains("None of the 16 crank stars has balanced first-order force") && !out.contains("Only"),
+        "{out}"
+    );
+}
+
+#[test]
 fn a_front_of_one_star_or_one_order_has_no_picture_of_its_own() {
     for orders in [&[1][..], &[1, 2]] {
         let page = report::search_page(&found(&Problem::inline(4, Cycle::FourStroke, orders)));

@@ -39,6 +39,7 @@ fn agrees(asked: &Asked, problem: &Problem, stars: &[Vec<i64>]) {
         file::parse("star.toml", &star.layout_file(problem)).expect("a layout");
     }
     assert_eq!(found.stars.len(), right.len(), "{problem:?}");
+    assert_eq!(found.compared(), stars.len().into(), "{problem:?}");
     let told = |front: &Front| serde_json::to_string(&document(front).stars).expect("a text");
     assert_eq!(told(&found), told(&by(Way::Walk, problem)), "{problem:?}");
 }
@@ -81,13 +82,6 @@ fn of_grid(pins: usize, directions: i64) -> Vec<Vec<i64>> {
         stars = stars.into_iter().flat_map(longer).collect();
     }
     stars
-}
-
-/// Whether the vectors of all pins add up to nothing: as many as there are of each power of the second root, or of a polygon.
-fn is_balanced(star: &[i64], directions: i64) -> bool {
-    let angle = |throw: &i64| std::f64::consts::TAU * *throw as f64 / directions as f64;
-    let (x, y) = star.iter().map(angle).fold((0.0, 0.0), |(x, y), angle| (x + angle.cos(), y + angle.sin()));
-    x.hypot(y) < 1e-9
 }
 
 #[test]
@@ -201,7 +195,7 @@ fn neighbours_on_a_grid_are_those_of_the_most_even_firing_orders() {
         };
         let problem = Problem { grid: Some(grid as u32), ..problem(&asked, cylinders) };
         let mut stars = of_grid(cylinders as usize, grid);
-        stars.retain(|star| is_balanced(star, grid));
+        stars.retain(|star| asked.is_balanced(star));
         agrees(&asked, &problem, &stars);
     }
 }
@@ -216,6 +210,11 @@ fn a_vee_on_a_grid_is_compared_by_all_its_cylinders_where_its_banks_are_offset()
         (4, 6, 72, 0, "0", true),
         (4, 6, 60, 15, "0.4", false),
         (5, 4, 180, 0, "1", false),
+        // Of a boxer with opposed pins the two banks of every throw balance the force; where just one of both vectors is zero the pins have to.
+        (1, 4, 180, 180, "1/2", false),
+        (3, 4, 180, 180, "1/2", false),
+        (3, 5, 180, 180, "-1/3", true),
+        (3, 6, 90, 180, "1/2", false),
     ] {
         let asked = Asked {
             cycle: Cycle::FourStroke,
@@ -228,7 +227,7 @@ fn a_vee_on_a_grid_is_compared_by_all_its_cylinders_where_its_banks_are_offset()
         };
         let problem = Problem { grid: Some(grid as u32), ..problem(&asked, 2 * pins as u32) };
         let mut stars = of_grid(pins, grid);
-        stars.retain(|star| is_balanced(star, grid));
+        stars.retain(|star| asked.is_balanced(star));
         agrees(&asked, &problem, &stars);
     }
 }

@@ -6,6 +6,7 @@ use crankstar::loads::{Loads, usual_orders};
 use crankstar::page::Format;
 use crankstar::proof::{Axial, read_document};
 use crankstar::remedy::{Request, remedy};
+use crankstar::report::{Question, TorqueStudy};
 use num_rational::BigRational;
 use num_traits::Signed;
 
@@ -104,7 +105,8 @@ fn what_a_cure_leaves_is_rounded_and_not_raised() {
     assert!(!told.contains("34 %"), "{told}");
 }
 
-const VR6: &str = "cycle = 'four-stroke'\nspeed = 6000\nfiring_order = '1-5-3-6-2-4'\neffects = ['firing']\n[vr]\nbank_angle = 15\npin_splay = 22\npin_offset = '12.5 mm'\n\
+/// The axes of its cylinders miss the crankshaft, so that its top dead centres do not come at the firing intervals.
+pub const VR6: &str = "cycle = 'four-stroke'\nspeed = 6000\nfiring_order = '1-5-3-6-2-4'\neffects = ['firing']\n[vr]\nbank_angle = 15\npin_splay = 22\npin_offset = '12.5 mm'\n\
     spacing = '65 mm'\n[mechanism]\nstroke = '90.3 mm'\nrod_length = '164 mm'\nreciprocating_mass = '0.55 kg'\n";
 
 /// `22° − 2 arcsin(12.5/209.15) = 15.147°` are 0.147° more than the banks are apart.
@@ -129,6 +131,61 @@ fn firing_angles_of_displaced_axes_say_what_they_count_and_how_far_apart_the_dea
     let claim = parse_statement("fires evenly").expect("a claim");
     assert_eq!(claim::answer(&engine(VR6), &claim, None).status, Status::NotDecided);
     assert_eq!(claim::answer(&alike, &claim, None).status, Status::True);
+}
+
+/// `2 arcsin(12.5/209.15) = 6.853°` less than the splay the dead centres of a pair are apart.
+#[test]
+fn a_sweep_and_a_comparison_of_displaced_axes_say_what_firing_intervals_count() {
+    let told = said("sweep", VR6, &["--set", "vr.pin_splay=15..24:1"]);
+    let moved = "Offsets move the top dead centres: these are most even at 22, ≈ 119.9° to ≈ 120.1° apart.";
+    assert!(told.contains("Firing: even, every 120°, at 15.") && told.contains(moved), "{told}");
+    // Where the offset grows from 0 the dead centres are at first those of the pins.
+    let offsets = VR6.replace("pin_splay = 22", "pin_splay = 15");
+    let told = said("sweep", &offsets, &["--set", "vr.pin_offset=0mm..20mm:5mm"]);
+    assert!(told.contains("these are most even at 0 mm, ≈ 120.0° to ≈ 120.0° apart"), "{told}");
+    // Nor is it silent where the file does not say when the cylinders fire.
+    let thrown = VR6.replace("[vr]\n", "[vr]\nthrows = [0, 240, 120, 120, 240, 0]\n");
+    let unsaid = thrown.replace("firing_order = '1-5-3-6-2-4'\neffects = ['firing']\n", "");
+    let told = said("sweep", &unsaid, &["--set", "vr.pin_splay=15..24:1"]);
+    assert!(told.contains("Offsets move the top dead centres, which come at other intervals."), "{told}");
+    // Without offsets there is nothing to say.
+    let centric = thrown.replace("pin_offset = '12.5 mm'\n", "");
+    assert!(!said("sweep", &centric, &["--set", "vr.pin_splay=15..24:1"]).contains("Offsets move"));
+    let told = said("compare", VR6, &["I6"]);
+    assert!(told.contains("uneven: 113° to 127°; top dead centres: ≈ 119.9° to ≈ 120.1°"), "{told}");
+}
+
+#[test]
+fn the_own_angle_of_a_cylinder_counts_from_the_dead_centre_of_its_gas() {
+    let gas = |keys: &str| {
+        format!(
+            "[gas]\nbore = '81 mm'\nprocess = 'spark-ignition'\ncompression_ratio = 10\npeak_pressure = '60 bar'\n{keys}"
+        )
+    };
+    let list = |engine: &str, keys: &str| {
+        let engine = self::engine(&format!("{engine}{}", gas(keys)));
+        let page = TorqueStudy::new(&engine).expect("a torque").page();
+        let text = pages::text(&page, Format::GITHUB);
+        let counts = ["its crank points along", "its piston is farthest", "the volume between its two pistons"];
+        let told = counts.map(|words| text.contains(&format!("own angle ψ is 0 where {words}")));
+        (told, text)
+    };
+    let of = |engine: &str, keys: &str| list(engine, keys).0;
+    let centric = "cycle = 'four-stroke'\nfiring_order = '1-3-4-2'\n[inline]\nthrows = [0, 180, 180, 0]\nspacing = '90 mm'\n[mechanism]\n\
+                   stroke = '86 mm'\nrod_length = '143 mm'\n";
+    assert_eq!(of(centric, ""), [true, false, false]);
+    assert_eq!(of(VR6, "dead_centre = 'crank'\n"), [true, false, false]);
+    let opposed = "cycle = 'two-stroke'\n[opposed_piston]\nthrows = [0, 120]\nlead = 11\n[mechanism]\nstroke = '120 mm'\nrod_length = '220 mm'\n";
+    let opposed_gas = "intake_pressure = '1.5 bar'\n";
+    assert_eq!(of(opposed, opposed_gas), [false, false, true]);
+    assert_eq!(of(opposed, &format!("{opposed_gas}dead_centre = 'crank'\n")), [true, false, false]);
+    assert_eq!(of(VR6, "dead_centre = 'piston'\n"), [false, true, false]);
+    let (_, text) = list(VR6, "dead_centre = 'piston'\n");
+    assert!(text.contains("| angles of the gas count from | the piston farthest out | given |"), "{text}");
+    let mixed = "dead_centre = 'piston'\n[[gas.cylinder]]\ncylinders = [2, 4]\ndead_centre = 'crank'\n";
+    let (told, text) = list(VR6, mixed);
+    assert_eq!(told, [true, true, false]);
+    assert!(text.contains("Cylinders 2, 4: ") && text.contains("Cylinders 1, 3, 5, 6: "), "{text}");
 }
 
 #[test]

@@ -269,7 +269,7 @@ impl Engine {
     /// Whether offsets move the top dead centres of cylinders by different angles, so that they are not as far apart as the firing angles.
     pub fn has_dead_centres_apart(&self) -> bool {
         let mut moved = self.rods().map(Rod::highest_after);
-        moved.next().is_some_and(|first| moved.any(|other| other != first))
+        self.has_offset() && moved.next().is_some_and(|first| moved.any(|other| other != first))
     }
 
     /// Whether order 1 of every piston is `cos ψ`, and no other odd order is there: no offset, and no corrected knuckle angle.

@@ -147,13 +147,11 @@ impl StarOrder {
         }
     }
 
-    /// Whether the vectors of all cylinders point the same way, so that each adds its full length.
+    /// Whether the firing phases of all cylinders agree, whatever the weights are: what all add is the sum of these.
     pub fn is_major(&self) -> bool {
-        let mut terms = self.stars.iter().flat_map(|star| star.sum.positive().collected());
-        match terms.next() {
-            None => false,
-            Some(first) => terms.all(|term| term.angle == first.angle),
-        }
+        let mut phases = self.stars.iter().flat_map(|star| star.sum.terms()).map(|term| &term.angle);
+        let first = phases.next();
+        phases.all(|phase| Some(phase) == first)
     }
 }
 

@@ -24,6 +24,8 @@ pub struct Front {
     pub stars: Vec<FoundStar>,
     /// Stars with cylinder 1 at 0 that there are.
     pub all: BigUint,
+    /// How many of them have balanced first-order force, where only these are compared: on a grid.
+    pub balanced: Option<u64>,
     /// Stars judged one by one, up to rotation, mirror and reversal.
     pub judged: u64,
     /// Starts omitted with all their completions.
@@ -36,6 +38,11 @@ pub struct Front {
 }
 
 impl Front {
+    /// Stars with cylinder 1 at 0 that are compared.
+    pub fn compared(&self) -> BigUint {
+        self.balanced.map_or_else(|| self.all.clone(), BigUint::from)
+    }
+
     /// How a star stands to this front: throws as whole multiples of `1 / directions` turn, the first 0.
     ///
     /// # Errors
@@ -136,6 +143,8 @@ pub fn every_value(problem: &Problem) -> Result<Front, ProblemError> {
 pub(super) fn answer(problem: &Problem, space: &Space, mut points: Vec<StarValues>, counts: Counts) -> Front {
     points.sort_by(StarValues::rank);
     let stars = points.iter().map(|point| FoundStar::new(problem, point)).collect();
-    let (all, judged, cut) = (space.count(), counts.judged, counts.cut);
-    Front { problem: problem.clone(), stars, all, judged, cut, limits: Limits::default(), described: None, points }
+    let (all, balanced) = (space.count(), space.count_of_balanced());
+    let Counts { judged, cut } = counts;
+    let (problem, limits) = (problem.clone(), Limits::default());
+    Front { problem, stars, all, balanced, judged, cut, limits, described: None, points }
 }

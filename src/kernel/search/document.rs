@@ -36,6 +36,9 @@ pub struct FrontDocument {
     pub mode_shape: Vec<String>,
     /// Stars with cylinder 1 at 0 that there are.
     pub all_stars: String,
+    /// How many of them have balanced first-order force, where only these are compared.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub balanced_stars: Option<u64>,
     /// Stars judged one by one.
     pub judged: u64,
     /// Starts omitted with all their completions.
@@ -179,6 +182,7 @@ pub fn document(front: &Front) -> FrontDocument {
         bank_offset: problem.bank_offset.as_ref().map(ToString::to_string),
         mode_shape: shape.iter().map(ToString::to_string).collect(),
         all_stars: front.all.to_string(),
+        balanced_stars: front.balanced,
         judged: front.judged,
         cut: front.cut,
         impossible: theorems.never.into_iter().map(|never| never.orders).collect(),

@@ -16,6 +16,7 @@
 #![doc = include_str!("README.md")]
 
 mod answer;
+mod balanced;
 mod best;
 mod clock;
 mod document;

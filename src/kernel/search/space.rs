@@ -2,6 +2,7 @@
 
 use num_bigint::BigUint;
 
+use super::balanced;
 use super::clock::Clock;
 use super::entangled::Entangled;
 use super::problem::{Problem, ProblemError};
@@ -12,8 +13,10 @@ use super::twist::Twist;
 pub(super) struct Space {
     /// How many directions make a turn.
     pub directions: usize,
-    /// How often each direction is taken; `None` as often as it likes, with balanced first-order force.
+    /// How often each direction is taken; `None` as often as it likes, with balanced first-order force of the engine.
     pub supply: Option<usize>,
+    /// Whether the pins have to balance it among themselves: on a grid, unless the banks of every throw do.
+    pub pins_balance: bool,
     /// Number of throws.
     pub places: usize,
     /// Places in the order of filling: the outermost pair first, `0, n−1, 1, n−2, …`, a middle one last.
@@ -62,6 +65,7 @@ impl Space {
         Ok(Space {
             directions: directions as usize,
             supply: supply.map(|supply| supply as usize),
+            pins_balance: supply.is_none() && !problem.banks_cancel(1),
             places,
             sequence,
             weights,
@@ -105,9 +109,14 @@ impl Space {
         throws.len() == self.places && throws[0] == 0 && supplied && self.is_balanced(throws)
     }
 
-    /// Whether the first-order force vanishes, which even stars have by themselves.
+    /// How many of them have balanced first-order force, where not all need to have it.
+    pub fn count_of_balanced(&self) -> Option<u64> {
+        self.pins_balance.then(|| balanced::count(self.directions, self.places))
+    }
+
+    /// Whether the pins balance the first-order force, where they have to.
     pub fn is_balanced(&self, throws: &[u16]) -> bool {
-        if self.supply.is_some() {
+        if !self.pins_balance {
             return true;
         }
         let terms: Vec<(u64, i64)> = throws.iter().map(|&throw| (u64::from(throw), 1)).collect();

@@ -24,7 +24,7 @@ pub(super) struct Tables {
 
 impl Tables {
     pub fn new(space: &Space) -> Self {
-        let force = space.supply.is_none().then_some(1);
+        let force = space.pins_balance.then_some(1);
         let rows: Vec<u32> = space.orders.iter().copied().chain(force).collect();
         let mut projections = Vec::with_capacity(rows.len() * space.directions * AXES);
         for &order in &rows {

@@ -147,7 +147,7 @@ impl Problem {
             }
             if (order.halves() / lowest).is_multiple_of(self.cylinders) {
                 return Err(ProblemError::new(format!(
-                    "order {order} is a major one: all deflections add up for any firing order"
+                    "order {order} is a major one: the firing phases of all cylinders agree, and all deflections add up for any firing order"
                 )));
             }
         }

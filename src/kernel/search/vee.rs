@@ -30,14 +30,18 @@ impl Problem {
         vec![first, Bank { axis: Turn::new(axis), split, offset: -offset }]
     }
 
-    /// Whether the moment of an order is the same in a V whatever its star is: both banks cancel in every pin.
+    /// Whether the moment of an order is the same in a V whatever its star is.
     pub(super) fn is_settled(&self, order: u32) -> bool {
+        self.banks_cancel(order) && !self.is_entangled()
+    }
+
+    /// Whether the forces of an order of both cylinders of a throw add up to nothing, whatever its direction is; else those of the pins have to.
+    pub(super) fn banks_cancel(&self, order: u32) -> bool {
         let banks = self.banks();
         let [first, second] = banks.as_slice() else { return false };
         let phase = |bank: &Bank, sense| order::phase_of(&bank.split, &bank.axis, order, Some(sense));
         let apart = |sense| &phase(second, sense) - &phase(first, sense);
-        let opposite = Sense::BOTH.into_iter().all(|sense| apart(sense) == Turn::fraction(1, 2));
-        opposite && !self.is_entangled()
+        Sense::BOTH.into_iter().all(|sense| apart(sense) == Turn::fraction(1, 2))
     }
 
     /// Whether the moment of the V is no multiple of that of its pins: banks are offset, and forces of the pins may be left (README).

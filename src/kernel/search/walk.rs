@@ -154,7 +154,7 @@ impl<'a, J: Judge> Walk<'a, J> {
             let least = lengths.map(|(sum, bound)| sum.abs() - bound).max().unwrap_or(0) - self.tables.doubt;
             *low = value::square(least.max(0), 0, 0).0;
         }
-        let cannot_balance = self.space.supply.is_none() && {
+        let cannot_balance = self.space.pins_balance && {
             let longest = (self.space.places - 2 * placed) as i64 * ((1 << BITS) + 1);
             self.sums(placed, count).iter().any(|sum| sum.abs() > longest + self.tables.doubt)
         };

@@ -5,8 +5,9 @@ use num_traits::ToPrimitive;
 use smallvec::SmallVec;
 
 use super::integers::IntegerEngine;
-use crate::engine::{Cycle, Engine, Firing};
+use crate::engine::{Cycle, Engine, Firing, Rod, Shot};
 use crate::exact::fraction;
+use crate::numbers::float;
 
 /// The longest and the shortest interval between firings, in turns of the crank.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -74,6 +75,25 @@ pub fn most_even_firings(engine: &Engine, cycle: Option<Cycle>) -> Vec<Firing> {
         Some(even.filter_map(firing).collect())
     };
     firings().unwrap_or_default()
+}
+
+/// The shortest and the longest interval from one top dead centre at which a cylinder fires to the next, in degrees, where offsets move these
+/// apart, so that they are not the intervals of the firing angles; none where they do not, or nothing says when the cylinders fire.
+pub fn dead_centre_intervals(engine: &Engine) -> Option<[f64; 2]> {
+    let firing = engine.firing().filter(|_| engine.has_dead_centres_apart())?;
+    // By how many degrees after its pin is in line with its axis a piston stands highest: `arcsin(e/(r + l))`.
+    let after = |rod: &Rod| float(&rod.highest_after()).asin().to_degrees();
+    let highest = |shot: &Shot| {
+        let rod = engine.cylinders()[shot.cylinder].rod();
+        360.0 * float(&shot.angle) + rod.map_or(0.0, after)
+    };
+    let mut angles: Vec<f64> = firing.shots.iter().map(highest).collect();
+    angles.sort_by(f64::total_cmp);
+    let again = angles.first()? + 360.0 * float(&firing.cycle.turns());
+    let ends = (f64::INFINITY, 0.0_f64);
+    let intervals = angles.iter().skip(1).chain([&again]).zip(&angles).map(|(next, angle)| next - angle);
+    let (least, most) = intervals.fold(ends, |(least, most), one| (least.min(one), most.max(one)));
+    Some([least, most])
 }
 
 /// At which of its top dead centres each cylinder fires: all that a cycle allows.

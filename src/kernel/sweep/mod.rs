@@ -23,7 +23,7 @@ mod zeros;
 pub use amplitude::{Amplitude, Amplitudes};
 pub use counterweight::counterweight;
 pub use envelope::{Envelope, Geometry, envelope};
-pub use evenness::{Evenness, evenness, most_even_firings};
+pub use evenness::{Evenness, dead_centre_intervals, evenness, most_even_firings};
 pub use firing::{FiringSweep, FiringZeros, StarLength};
 pub use observed::{Observed, ObservedSweep, Observer};
 pub use parameter::{Parameter, SHORT_CUTS};

@@ -9,7 +9,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use super::amplitude::{Amplitude, Amplitudes, float};
 use super::counterweight::counterweight_of;
 use super::envelope::{Envelope, Geometry, envelope};
-use super::evenness::{Evenness, evenness_of};
+use super::evenness::{Evenness, dead_centre_intervals, evenness_of};
 use super::integers::{IntegerEngine, KnownWeights, Pair};
 use crate::engine::{self, Cycle, Engine, Rod};
 use crate::loads::{self, Missing};
@@ -52,6 +52,10 @@ pub struct SweptEngine {
     pub kilograms: Option<f64>,
     /// How evenly the cylinders fire, where that is known.
     pub evenness: Option<Evenness>,
+    /// Whether offsets move the top dead centres apart, so that these do not come at the firing intervals.
+    pub dead_centres_apart: bool,
+    /// Then the shortest and the longest interval between those of the file's firing order, in degrees; none without one.
+    pub dead_centres: Option<[f64; 2]>,
     /// Mass-radius, in multiples of m r, of the larger of two counterweights in the outermost throws that cancel what
     /// of order 1 turns with the crank; none where one plane would have to hold a couple.
     pub counterweight: Option<Amplitude>,
@@ -142,6 +146,8 @@ pub(super) fn judge_with(
         newtons: loads::scale(engine).filter(|_| rods_known).map(|scale| scale.force()),
         kilograms: mechanism.mass.as_ref().and_then(|_| engine.unit_mass().to_f64()),
         evenness: evenness_of(engine, cycle, whole.as_ref()),
+        dead_centres_apart: engine.has_dead_centres_apart(),
+        dead_centres: dead_centre_intervals(engine),
         counterweight: counterweight_of(engine, whole.as_ref()),
         envelope: envelope(engine, geometry),
     })

@@ -64,6 +64,17 @@ pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Opti
     Some(if engine.has_links() { text::not_proved(words) } else { words })
 }
 
+/// The same in a cell.
+pub(in crate::report) fn left_out_in_short(engine: &Engine, loads: &BearingLoads) -> Option<Text> {
+    let unit = amounts::unit_of(loads);
+    let bound = left_out_of_bearings(engine, loads).ok()??;
+    let words = match bound.part() {
+        Some(part) => phrase!("{} % of the largest", percent_at_most(part)),
+        None => phrase!("{} {}", calculation::bound(bound.most, unit), unit.label()),
+    };
+    Some(if engine.has_links() { phrase!("{}, not proved", words) } else { words })
+}
+
 /// The short answer: the peaks of every bearing, and the largest value of each order.
 pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Document {
     let mut answer_page = Document::new("bearings", engine.title());

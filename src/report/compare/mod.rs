@@ -38,7 +38,7 @@ pub struct Compared {
     pub cures: Result<Remedy, RemedyError>,
     /// The orders in newtons, where the layout has the numbers.
     pub loads: Result<Loads, Missing>,
-    /// What the main bearings feel, where the layout names them.
+    /// What the main bearings feel, where the layout names them: of the orders that `bearings` counts, whichever are compared.
     pub bearings: Result<BearingLoads, Missing>,
     /// The largest load of each main bearing of gas and masses together, and of the masses alone; none where the layout does not ask for the gas.
     pub with_gas: Option<Result<Vec<[CyclePeak; 2]>, Missing>>,
@@ -63,7 +63,7 @@ impl Compared {
             remedy: cured(orders),
             cures: cured(if low.is_empty() { orders } else { &low }),
             loads: loads::loads(engine, orders),
-            bearings: loads::bearing_loads(engine, &loads::bearing_orders(engine, orders), Method::Continuous),
+            bearings: loads::bearing_loads(engine, &loads::usual_bearing_orders(engine), Method::Continuous),
             // What nobody asks for costs nothing.
             with_gas: engine.effects().gas.then(|| journal::bearing_peaks(engine)),
             guides: match engine.effects().gas {

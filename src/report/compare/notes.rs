@@ -19,6 +19,9 @@ pub(super) fn notes(engines: &[Compared]) -> Vec<Text> {
         notes.push(residual::orders_by_speed());
     }
     notes.extend(engines.iter().filter_map(without_gas));
+    if engines.iter().any(|engine| engine.bearings.is_ok()) {
+        notes.push(text::bearing_orders(Text::code("crankstar bearings")));
+    }
     let moved = names(engines, |engine| engine.engine.firing().is_some() && engine.engine.has_dead_centres_apart());
     if !moved.is_empty() {
         notes.push(text::firing_intervals(moved));

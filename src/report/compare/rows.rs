@@ -4,11 +4,12 @@ use super::super::calculation::percent_at_most;
 use super::super::engine_page::{Rest, Weighed, Weighing, circumstances};
 use super::super::{bearings, engine_cells, residual};
 use super::{Compared, orders_of};
-use crate::engine::LengthUnit;
+use crate::engine::{Engine, LengthUnit};
 use crate::loads::Missing;
 use crate::page::{self, Piece, Table, Text, phrase};
 use crate::proof::{Planar, Quantity};
 use crate::report::texts::compare as text;
+use crate::sweep::dead_centre_intervals;
 use crate::torque::GuideMoments;
 use crate::verdict::OrderVerdict;
 
@@ -116,13 +117,14 @@ pub(super) fn sizes(all: &[Sized], shown: &[Sized]) -> Table {
             add(name.into(), &|engine| guide(engine.compared, of));
         }
     }
-    add("Firing".into(), &|engine| engine_cells::firing(engine.compared.engine.firing()));
+    add("Firing".into(), &|engine| firing(&engine.compared.engine));
     if all.iter().any(|engine| engine.compared.engine.firing().is_some()) {
         add("Firing order".into(), &|engine| engine_cells::firing_order(&engine.compared.engine));
     }
     add("Cures".into(), &|engine| engine_cells::remedy(&engine.compared.cures));
     if all.iter().any(|engine| engine.compared.bearings.as_ref().err() != Some(&Missing::Bearings)) {
         add("Worst main bearing".into(), &|engine| worst_bearing(engine.compared));
+        add("Its other orders".into(), &|engine| Text::or_dash(other_orders(engine.compared)));
     }
     if all.iter().any(|engine| engine.compared.with_gas.is_some()) {
         add("Worst main bearing with gas".into(), &|engine| worst_with_gas(engine.compared));
@@ -176,6 +178,20 @@ pub(super) fn verdicts(all: &[Sized], shown: &[Sized]) -> Table {
     add("Moment from order".into(), &|engine| first(engine)[1].clone());
     add("All cures".into(), &|engine| engine_cells::remedy(&engine.remedy));
     table
+}
+
+/// Firing intervals are those of crankpins in line with their cylinders; where offsets move the top dead centres, theirs are beside them.
+fn firing(engine: &Engine) -> Text {
+    let firing = engine_cells::firing(engine.firing());
+    match dead_centre_intervals(engine).map(|ends| ends.map(Text::figures)) {
+        Some([least, most]) => phrase!("{}; top dead centres: ≈ {}° to ≈ {}°", firing, least, most),
+        None => firing,
+    }
+}
+
+/// What the orders that are not counted add at most to the load of a bearing.
+fn other_orders(engine: &Compared) -> Option<Text> {
+    bearings::left_out_in_short(&engine.engine, engine.bearings.as_ref().ok()?).map(|most| phrase!("at most {}", most))
 }
 
 fn worst_bearing(engine: &Compared) -> Text {

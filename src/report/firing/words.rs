@@ -124,7 +124,7 @@ pub(in crate::report) fn strongest_in_words(orders: &[CycleOrder], length: Amoun
     }
 }
 
-/// The orders at which all vectors point the same way.
+/// The orders at which the firing phases of all cylinders agree.
 pub(super) fn major(pattern: &FiringPattern) -> Option<Text> {
     let majors: Vec<&StarOrder> = pattern.orders.iter().filter(|order| order.is_major()).collect();
     let first = majors.first()?;

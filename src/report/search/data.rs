@@ -101,6 +101,7 @@ fn question(document: &FrontDocument) -> Table {
     table.exact("bank_offset_spacings", Unit::NONE, |asked| asked.bank_offset.clone());
     table.exact("mode_shape", Unit::NONE, |asked| Some(asked.mode_shape.join(" ")).filter(|shape| !shape.is_empty()));
     table.exact("all_stars", Unit::NONE, |asked| Some(asked.all_stars.clone()));
+    table.maybe_whole("balanced_stars", |asked| asked.balanced_stars.and_then(|count| count.try_into().ok()));
     table.whole("evaluated", |asked| asked.judged as usize);
     table.whole("cut", |asked| asked.cut as usize);
     table.done()

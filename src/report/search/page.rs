@@ -65,15 +65,16 @@ fn title(front: &Front) -> Text {
 
 /// How many are best, and the first of them.
 fn best(front: &Front) -> Vec<Text> {
-    let (all, limits) = (number::grouped(&front.all.to_string()), &front.limits.limits);
+    let compared = front.compared();
+    let (all, limits) = (number::grouped(&compared.to_string()), &front.limits.limits);
     let counted = front.stars.iter().map(|star| star.stars).sum::<Option<u64>>();
     let how_many = match front.stars.len() {
         0 if !limits.is_empty() => text::no_star_in_limits(limits_of(front)),
         1 if !limits.is_empty() => text::one_in_limits(front.limits.of, limits_of(front)),
         kept if !limits.is_empty() => text::several_in_limits(kept, front.limits.of, limits_of(front)),
-        0 => text::no_balanced_star(all),
+        0 => text::no_balanced_star(number::grouped(&front.all.to_string())),
         // Where firing orders are compared too, a crank star counts once for each.
-        sets => match (sets, counted.filter(|several| BigUint::from(*several) <= front.all)) {
+        sets => match (sets, counted.filter(|several| BigUint::from(*several) <= compared)) {
             (1, Some(1)) => text::one_best(all),
             (1, Some(several)) => text::alike(number::grouped(&several.to_string()), all),
             (1, None) => text::none_better(all),
@@ -87,10 +88,13 @@ fn best(front: &Front) -> Vec<Text> {
         (None, Some(left)) => text::first_uneven(throws(star), left),
         (None, None) => text::first_uneven_balanced(throws(star)),
     });
+    let condition = front.balanced.filter(|balanced| *balanced > 0).map(|balanced| {
+        text::balanced_alone(number::grouped(&balanced.to_string()), number::grouped(&front.all.to_string()))
+    });
     let orders = text::compared(residual::orders_in_words(&front.problem.orders));
     let minor = number::listed(&front.problem.minor_orders);
     let minor = (!minor.is_empty()).then(|| text::minor_orders_compared(minor));
-    [how_many].into_iter().chain(first).chain([orders]).chain(minor).collect()
+    [how_many].into_iter().chain(first).chain(condition).chain([orders]).chain(minor).collect()
 }
 
 /// `order 2: 30 kN·m`.

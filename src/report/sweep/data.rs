@@ -3,6 +3,7 @@
 use num_rational::BigRational;
 
 use super::amounts::{Side, newtons};
+use super::sentences::dead_centres;
 use super::zero_data::{firing_zeros, zeros};
 use crate::exact::fraction;
 use crate::loads::Arm;
@@ -40,6 +41,11 @@ pub fn points(sweep: &Sweep) -> Table {
     orders().for_each(|((place, order), quantity)| amplitudes(sweep, &mut table, (place, *order), quantity));
     for ([pattern, _], interval) in INTERVALS {
         table.decimal(pattern, Unit::DEGREE, |(_, point)| degrees(point, interval).as_ref().map(float));
+    }
+    if sweep.points.iter().any(|point| point.dead_centres_apart) {
+        for (index, pattern) in DEAD_CENTRES.into_iter().enumerate() {
+            table.decimal(pattern, Unit::DEGREE, |(_, point)| dead_centres(point).map(|ends| ends[index]));
+        }
     }
     counterweights(&mut table);
     for (pattern, side) in SIDES {
@@ -147,6 +153,9 @@ const INTERVALS: [([&str; 2], Interval); 3] = [
     }),
     (["firing_unevenness_{unit}", "firing_unevenness_{unit}_exact"], Evenness::unevenness),
 ];
+
+/// The intervals from one top dead centre to the next, where they are not the firing intervals.
+const DEAD_CENTRES: [&str; 2] = ["shortest_dead_centre_interval_{unit}", "longest_dead_centre_interval_{unit}"];
 
 fn degrees(point: &SweptEngine, interval: Interval) -> Option<BigRational> {
     point.evenness.as_ref().map(|evenness| fraction::times(&interval(evenness), &BigRational::from_integer(360.into())))

@@ -2,7 +2,7 @@
 
 use super::amounts::{counted, in_newtons, unit, value};
 use super::findings::{Finding, findings};
-use super::sentences::{firing_sentence, gone_sentence};
+use super::sentences::{firing_sentences, gone_sentence};
 use super::{firing, observed, plots, tables};
 use crate::loads::Arm;
 use crate::page::{Block, Document, Text};
@@ -91,7 +91,7 @@ fn sentences(sweep: &Sweep, found: &[Finding], gone: &[(Planar, u32)]) -> Vec<Te
     let told = found.iter().take(MOST_SENTENCES).map(|finding| finding.sentence(sweep));
     let rest = (found.len() > MOST_SENTENCES).then(text::other_orders);
     let values = observed::sentences(sweep);
-    told.chain(rest).chain(gone_sentence(gone)).chain(firing_sentence(sweep)).chain(values).collect()
+    told.chain(rest).chain(gone_sentence(gone)).chain(firing_sentences(sweep)).chain(values).collect()
 }
 
 /// All forces and moments in a table, where there are more than the sentences tell.

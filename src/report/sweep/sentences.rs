@@ -1,8 +1,11 @@
 //! What is said of a sweep in sentences? Each order in one, what vanishes in one, the firing in one.
 
+use num_rational::BigRational;
+
 use super::super::residual;
 use super::amounts::{self, in_newtons, place, size, with_unit};
 use super::findings::{Finding, listed};
+use crate::numbers::float;
 use crate::page::{Text, number, phrase};
 use crate::proof::Planar;
 use crate::report::texts::sweep as text;
@@ -62,8 +65,41 @@ pub(super) fn gone_sentence(gone: &[(Planar, u32)]) -> Option<Text> {
     }
 }
 
+/// Where the cylinders fire most evenly; where offsets move the top dead centres, by what that is counted, and where these are most even.
+pub(super) fn firing_sentences(sweep: &Sweep) -> impl Iterator<Item = Text> {
+    let counted = sweep.points.iter().any(|point| point.dead_centres_apart).then(|| match most_even_centres(sweep) {
+        Some((at, [least, most])) => text::firing_beside_dead_centres(at, least, most),
+        None => text::firing_in_line(),
+    });
+    firing_sentence(sweep).into_iter().chain(counted)
+}
+
+/// Decimals that differ by less are one value.
+const ALIKE: f64 = 1e-9;
+
+/// Where the top dead centres in firing order come most evenly, and at which intervals; none where the layout gives no firing order.
+fn most_even_centres(sweep: &Sweep) -> Option<(Text, [Text; 2])> {
+    let known: Vec<(f64, [f64; 2], &SweptEngine)> = sweep
+        .points
+        .iter()
+        .filter_map(|point| dead_centres(point).map(|[least, most]| (most - least, [least, most], point)))
+        .collect();
+    let (uneven, ends, _) = known.iter().min_by(|one, other| one.0.total_cmp(&other.0))?;
+    let best = known.iter().filter(|(other, ..)| other - uneven <= ALIKE);
+    let at: Vec<Text> = best.map(|(.., point)| place(sweep, point)).collect();
+    let at = if at.len() == sweep.points.len() { "every value".into() } else { listed(at) };
+    Some((at, ends.map(Text::figures)))
+}
+
+/// The shortest and the longest interval from one top dead centre to the next in the file's firing order, in degrees.
+pub(super) fn dead_centres(point: &SweptEngine) -> Option<[f64; 2]> {
+    let firing = point.evenness.as_ref().filter(|evenness| evenness.of_the_file && !point.dead_centres_apart);
+    let degrees = |turns: &BigRational| 360.0 * float(turns);
+    point.dead_centres.or_else(|| firing.map(|one| [degrees(&one.shortest), degrees(&one.longest)]))
+}
+
 /// Where the cylinders fire most evenly, in one sentence, where that changes over the sweep.
-pub(super) fn firing_sentence(sweep: &Sweep) -> Option<Text> {
+fn firing_sentence(sweep: &Sweep) -> Option<Text> {
     let known = || sweep.points.iter().filter_map(|point| Some((point.evenness.as_ref()?, point)));
     let best = known().map(|(evenness, _)| evenness).min_by_key(|evenness| evenness.unevenness())?;
     let at: Vec<&SweptEngine> =

@@ -4,6 +4,7 @@ use super::amounts::{self, Side, number_of, place_cells, place_headings, size, u
 use super::findings::Finding;
 use super::observed;
 use super::plots::amplitudes;
+use super::sentences::dead_centres;
 use crate::engine::DOES_NOT_EXIST;
 use crate::page::{Block, Number, Table, Text, Unit, number, phrase};
 use crate::proof::Planar;
@@ -111,6 +112,12 @@ fn others(sweep: &Sweep) -> Table {
         Some(phrase!("{} to {}", number::turns(&evenness.shortest), number::turns(&evenness.longest)))
     });
     add("longest less shortest".into(), &|point| Some(number::turns(&point.evenness.as_ref()?.unevenness()).into()));
+    if sweep.points.iter().any(|point| point.dead_centres_apart) {
+        add("Top dead centres apart by".into(), &|point| {
+            let [least, most] = dead_centres(point)?.map(Text::figures);
+            Some(phrase!("≈ {}° to ≈ {}°", least, most))
+        });
+    }
     match sweep.points.iter().all(|point| point.kilograms.is_some()) {
         true => add(phrase!("Counterweight in {} at the crank radius", Unit::KILOGRAM), &|point| {
             let (part, kilograms) = point.counterweight.zip(point.kilograms)?;

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::words::names;
+use super::words::{OwnZero, names};
 use crate::engine::{Engine, Heat, PressureLaw, Setting};
 use crate::page::{Table, Text, Unit, number};
 use crate::report::texts::torque as text;
@@ -62,6 +62,18 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
             table.push(names.into_iter().chain([name, value, how.into()]).collect());
         };
         row("bore".into(), millimetres(&chamber.bore), false);
+        // Where crank and piston have dead centres of their own the file has to say which.
+        let has_two = |index: &usize| {
+            engine.cylinders()[*index].mechanism.as_ref().is_some_and(|mechanism| !mechanism.is_centric())
+        };
+        if engine.has_links() || group.iter().any(has_two) {
+            let from = match OwnZero::of(engine, group[0]) {
+                OwnZero::Crank => "the crank along the axis",
+                OwnZero::Piston => "the piston farthest out",
+                OwnZero::Volume => "the least volume",
+            };
+            row("angles of the gas count from".into(), from.into(), false);
+        }
         row("pressure in the crankcase".into(), bar(&chamber.crankcase), chamber.crankcase_assumed);
         if let Some(below) = &chamber.below {
             row("diameter of the piston rod".into(), millimetres(&below.rod), false);

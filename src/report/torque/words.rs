@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use crate::engine::{Engine, Heat, PressureLaw};
+use crate::engine::{DeadCentre, Engine, Heat, PressureLaw};
 use crate::gas::Warning;
 use crate::page::{Number, Piece, Setting, Text, Unit, number, phrase};
 use crate::report::texts::torque as text;
@@ -138,6 +138,7 @@ pub(in crate::report) fn names(engine: &Engine, cylinders: &[usize]) -> Text {
 /// What the numbers rest on.
 pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
     let mut list: Vec<Text> = text::assumptions().into();
+    list.extend(own_angles(engine));
     if let Some(sides) = double_acting(engine) {
         list.extend([sides, text::double_acting_mean()]);
     }
@@ -152,6 +153,47 @@ pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
         list.push(text::heat());
     }
     list
+}
+
+/// Where the angle 0 of the gas is in a cylinder.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum OwnZero {
+    Crank,
+    Piston,
+    /// Between two pistons.
+    Volume,
+}
+
+impl OwnZero {
+    /// That of a cylinder, by its index.
+    pub fn of(engine: &Engine, index: usize) -> OwnZero {
+        let zero = engine.gas().map_or(DeadCentre::Crank, |gas| gas.chambers[index].zero);
+        match (zero, engine.cylinders()[index].shared.is_some()) {
+            (DeadCentre::Crank, _) => OwnZero::Crank,
+            (DeadCentre::Piston, false) => OwnZero::Piston,
+            (DeadCentre::Piston, true) => OwnZero::Volume,
+        }
+    }
+}
+
+/// From where the own angles of the cylinders count: a sentence for all, or one for each kind.
+fn own_angles(engine: &Engine) -> Vec<Text> {
+    let of = |zero: OwnZero| -> Vec<usize> {
+        engine.firing_pistons().into_iter().filter(|&index| OwnZero::of(engine, index) == zero).collect()
+    };
+    let kinds = [
+        (OwnZero::Crank, text::own_angle_of_crank as fn() -> Text),
+        (OwnZero::Piston, text::own_angle_of_piston),
+        (OwnZero::Volume, text::own_angle_of_volume),
+    ];
+    let found = kinds.map(|(zero, sentence)| (of(zero), sentence())).into_iter();
+    let found: Vec<(Vec<usize>, Text)> = found.filter(|(cylinders, _)| !cylinders.is_empty()).collect();
+    let is_one = found.len() == 1;
+    let line = |(cylinders, sentence): (Vec<usize>, Text)| match is_one {
+        true => sentence,
+        false => text::of_cylinders(names(engine, &cylinders), sentence),
+    };
+    found.into_iter().map(line).collect()
 }
 
 /// What presses on double-acting pistons.

@@ -49,6 +49,12 @@ impl Asked {
         self.orders.iter().flat_map(of).collect()
     }
 
+    /// Whether the first-order force of all cylinders vanishes.
+    pub fn is_balanced(&self, star: &[i64]) -> bool {
+        let engine = crankstar::file::parse("star.toml", &self.file(star)).expect("a layout");
+        Sense::BOTH.iter().all(|sense| order::star(&engine, Quantity::FORCE, 1, Some(*sense)).vanishes())
+    }
+
     /// Crank angles of top dead centre, bank after bank.
     fn dead_centres(&self, star: &[i64]) -> Vec<i64> {
         let banks = match &self.vee {
