@@ -547,7 +547,7 @@ fn an_order_that_cancels_on_each_disc_twists_nothing_and_is_no_resonance() {
     let study = study(STILL_RADIAL);
     let orders: Vec<String> = study.resonances().iter().map(|one| one.order.to_string()).collect();
     assert_eq!(orders, ["4½", "9"]);
-    let lives = |order: CycleOrder| order.halves() % 9 == 0;
+    let lives = |order: CycleOrder| order.halves().is_multiple_of(9);
     for one in &study.at_speed().expect("a vibration").orders {
         let values = one.twists.iter().chain(&one.torques);
         assert!(values.clone().all(|value| lives(one.order) != (value.norm() == 0.0)), "{}", one.order);

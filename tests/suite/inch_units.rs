@@ -217,7 +217,7 @@ fn every_spelling_of_a_unit_is_read() {
         engine.flywheel().inertia.clone().expect("an inertia")
     };
     let squares =
-        [("kg m", 1.0), ("kg cm", 1e-4), ("g m", 1e-3), ("lb ft", 0.04214011009380480), ("lb in", 2.926396534292e-4)];
+        [("kg m", 1.0), ("kg cm", 1e-4), ("g m", 1e-3), ("lb ft", 0.0421401100938048), ("lb in", 2.926396534292e-4)];
     for (unit, size) in squares {
         for unit in [unit.to_owned(), unit.replace(' ', "·")] {
             for square in ["²", "^2", "2"] {

@@ -431,7 +431,7 @@ fn last_number(cell: &str) -> Option<f64> {
         Some((above, below)) => Some(above.parse::<f64>().ok()? / below.parse::<f64>().ok()?),
         None => word.parse().ok(),
     };
-    cell.split_whitespace().filter_map(number).last()
+    cell.split_whitespace().rev().find_map(number)
 }
 
 /// Masses, radii, products, positions, what is left of force, couple, second order, hammer blow, tractive force and swaying couple.
