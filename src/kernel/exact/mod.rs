@@ -23,6 +23,6 @@ mod words;
 pub use collected::IntegerSum;
 pub use decide::vanishes;
 pub use minimal::{MOST_VECTORS, MinimalStar, StarClass, StarPart, minimal_stars, taken_apart};
-pub use sum::PhasorSum;
+pub use sum::{PhasorSum, vanish_apart};
 pub use term::Term;
 pub use turn::Turn;

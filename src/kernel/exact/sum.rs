@@ -8,11 +8,10 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::collected::IntegerSum;
-use super::decide;
-use super::fraction;
 use super::term::Term;
 use super::turn::Turn;
 use super::words::Words;
+use super::{decide, fraction};
 use crate::proof::Vector;
 
 /// The sum `Σ weight · e^{2πi·angle}`, with its terms as they were given.
@@ -161,4 +160,11 @@ impl PhasorSum {
     fn map(&self, change: impl Fn(&Term) -> Term) -> Self {
         PhasorSum { terms: self.terms.iter().map(change).collect() }
     }
+}
+
+/// Whether the vectors of each group sum to zero: then all of it does, whatever each group is multiplied by.
+pub fn vanish_apart<K: Ord>(vectors: impl IntoIterator<Item = (K, Term)>) -> bool {
+    let mut groups: BTreeMap<K, Vec<Term>> = BTreeMap::new();
+    vectors.into_iter().for_each(|(group, term)| groups.entry(group).or_default().push(term));
+    groups.into_values().all(|terms| PhasorSum::new(terms).vanishes())
 }

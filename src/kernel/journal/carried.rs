@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use crate::engine::Engine;
-use crate::exact::{PhasorSum, Term, Turn};
+use crate::exact::{PhasorSum, Term, Turn, vanish_apart};
 use crate::numbers;
 use crate::order::{self, MassGroup};
 use crate::torque::Class;
@@ -63,7 +63,8 @@ pub(super) fn carried_by(
 /// Whether what is carried of the masses, and of the gas, is 0 at every angle: pistons of a class that are at one place of their motion at one
 /// time have loads that differ by their masses and their axes alone, and what turns has one sum. Nothing is proved of links.
 pub(super) fn nothing(engine: &Engine, classes: &[Class], parts: &[BigRational], shaft: &[Term]) -> [bool; 2] {
-    let (mut gas, mut pistons, mut turning) = (Groups::default(), Groups::default(), shaft.to_vec());
+    // By class, turns of the crank, and when the cylinder fires: a law of the angle.
+    let (mut gas, mut pistons, mut turning) = (Vec::new(), Vec::new(), shaft.to_vec());
     for (index, (cylinder, part)) in engine.cylinders().iter().zip(parts).enumerate().filter(|(_, of)| !of.1.is_zero())
     {
         let found = classes.iter().enumerate().find_map(|(number, class)| {
@@ -77,28 +78,11 @@ pub(super) fn nothing(engine: &Engine, classes: &[Class], parts: &[BigRational],
         };
         let turns = turns_of(engine, cylinder.crank).to_bits();
         let term = |angle: &Turn, weight: BigRational| Term { angle: angle.clone(), weight };
-        gas.add((class, turns, within(revolutions)), term(&cylinder.bank, part.clone()));
-        pistons.add((class, turns, within(1)), term(&cylinder.bank, part * &cylinder.reciprocating_mass));
+        gas.push(((class, turns, within(revolutions)), term(&cylinder.bank, part.clone())));
+        pistons.push(((class, turns, within(1)), term(&cylinder.bank, part * &cylinder.reciprocating_mass)));
         turning.push(term(&engine.pin_angle(cylinder), part * order::big_end(engine, cylinder)));
     }
-    [pistons.vanish() && PhasorSum::new(turning).vanishes(), gas.vanish()]
-}
-
-/// Loads that go with one law of the angle: by class, turns of the crank, and when the cylinder fires.
-#[derive(Default)]
-struct Groups(Vec<((usize, u64, BigRational), Vec<Term>)>);
-
-impl Groups {
-    fn add(&mut self, law: (usize, u64, BigRational), term: Term) {
-        match self.0.iter_mut().find(|(known, _)| *known == law) {
-            Some((_, terms)) => terms.push(term),
-            None => self.0.push((law, vec![term])),
-        }
-    }
-
-    fn vanish(self) -> bool {
-        self.0.into_iter().all(|(_, terms)| PhasorSum::new(terms).vanishes())
-    }
+    [vanish_apart(pistons) && PhasorSum::new(turning).vanishes(), vanish_apart(gas)]
 }
 
 /// How many times a crankshaft turns while the reference turns once; below 0 against it.

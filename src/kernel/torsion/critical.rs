@@ -1,11 +1,10 @@
 //! At which speeds does an order of the firing meet a natural frequency, and how much does it work on the mode?
 
 use num_complex::Complex;
-use num_rational::BigRational;
 
 use super::{Mode, Train, modes};
 use crate::engine::{CycleOrder, Engine, Shot, Torsion};
-use crate::exact::{PhasorSum, Term};
+use crate::exact::{Term, vanish_apart};
 use crate::firing::{NoStar, are_orders_of, firing_of};
 use crate::gas::CylinderGas;
 use crate::numbers;
@@ -55,25 +54,17 @@ pub fn critical_speeds(
         .collect();
     let radius = |cylinder: usize| numbers::float(&engine.cylinders()[cylinder].crank_radius);
     let disc = |cylinder: &crate::engine::Cylinder| torsion.pins[cylinder.pin];
-    // Firing angles and crank radii of cylinders whose vectors have a common factor in every mode: one node, one speed, gas at one angle.
-    let mut alike: Vec<(_, Vec<(&BigRational, &BigRational)>)> = Vec::new();
-    for shot in &firing.shots {
-        for piston in engine.pistons_of(shot.cylinder) {
-            let (cylinder, zero) = (&engine.cylinders()[piston], zeros[shot.cylinder]);
-            let (node, ratio) = (train.node(disc(cylinder)), train.discs[disc(cylinder)].ratio.abs());
-            let (key, vector) = ((node, ratio, zero), (&shot.angle, &cylinder.crank_radius));
-            match alike.iter_mut().find(|(known, _)| *known == key) {
-                Some((_, vectors)) => vectors.push(vector),
-                None => alike.push((key, vec![vector])),
-            }
-        }
-    }
     let vanishes = |order: &CycleOrder| {
-        let term = |(fires, radius): &(&BigRational, &BigRational)| Term {
-            angle: order.phase(fires),
-            weight: (*radius).clone(),
+        // Cylinders have a common factor in every mode that are on one node, at one speed, with gas from one angle on.
+        let of_piston = |shot: &Shot, piston: usize| {
+            let cylinder = &engine.cylinders()[piston];
+            let (node, ratio) = (train.node(disc(cylinder)), train.discs[disc(cylinder)].ratio.abs());
+            let term = Term { angle: order.phase(&shot.angle), weight: cylinder.crank_radius.clone() };
+            ((node, ratio.to_bits(), (zeros[shot.cylinder] + 0.0).to_bits()), term)
         };
-        alike.iter().all(|(_, vectors)| PhasorSum::new(vectors.iter().map(term).collect()).vanishes())
+        let of_shot =
+            |shot: &Shot| engine.pistons_of(shot.cylinder).map(|one| of_piston(shot, one)).collect::<Vec<_>>();
+        vanish_apart(firing.shots.iter().flat_map(of_shot))
     };
     let zero: Vec<bool> = orders.iter().map(vanishes).collect();
     let of_mode = |mode: Mode| {

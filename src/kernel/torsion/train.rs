@@ -182,13 +182,8 @@ impl Train {
         self.discs.iter().map(|disc| nodes[disc.node] * disc.ratio).collect()
     }
 
-    /// Whether two discs are one, or in mesh.
-    pub fn turn_as_one(&self, one: usize, other: usize) -> bool {
-        self.node(one) == self.node(other)
-    }
-
-    /// The node of a disc.
-    pub(super) fn node(&self, disc: usize) -> usize {
+    /// The node of a disc: discs in mesh turn as one, and have one.
+    pub fn node(&self, disc: usize) -> usize {
         self.discs[disc].node
     }
 

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use crate::engine::{CycleOrder, Engine, Shot, Torsion};
-use crate::exact::{PhasorSum, Term, Turn};
+use crate::exact::{PhasorSum, Term, Turn, vanish_apart};
 use crate::firing;
 use crate::numbers::{self, float};
 use crate::torque;
@@ -60,16 +60,20 @@ impl Alike {
 
     /// Whether discs in mesh, which turn as one, have a star of 0 together, and so does every other disc.
     fn is_still(&self, order: CycleOrder, train: &Train) -> bool {
-        self.0.iter().all(|one| {
-            let meshed = self.0.iter().filter(|other| train.turn_as_one(one.disc, other.disc));
-            sum(order, meshed.flat_map(|other| &other.vectors)).vanishes()
-        })
+        let of_disc = |one: &OnDisc| {
+            let node = train.node(one.disc);
+            one.vectors.iter().map(move |vector| (node, term(order, vector))).collect::<Vec<_>>()
+        };
+        vanish_apart(self.0.iter().flat_map(of_disc))
     }
 }
 
 fn sum<'a>(order: CycleOrder, vectors: impl IntoIterator<Item = &'a [BigRational; 2]>) -> PhasorSum {
-    let term = |[fires, part]: &[BigRational; 2]| Term { angle: order.phase(fires), weight: part.clone() };
-    PhasorSum::new(vectors.into_iter().map(term).collect())
+    PhasorSum::new(vectors.into_iter().map(|vector| term(order, vector)).collect())
+}
+
+fn term(order: CycleOrder, [fires, part]: &[BigRational; 2]) -> Term {
+    Term { angle: order.phase(fires), weight: part.clone() }
 }
 
 /// Orders whose star is zero, but not that of the cylinders on some disc.
