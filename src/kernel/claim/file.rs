@@ -13,7 +13,7 @@ use super::sentence::parse_statement;
 use super::statement::Statement;
 use super::student::{self, StarTable, Verdict};
 use crate::engine::Engine;
-use crate::file::written::{Table, Text, place, read};
+use crate::file::written::{Table, Text, place};
 use crate::file::{Kind, LayoutError, units};
 use crate::text::Untrusted;
 
@@ -127,7 +127,7 @@ struct NumbersTable {
 /// # Errors
 /// The first mistake, with its place and what would be right.
 pub fn parse_claims(name: &str, source: &str, find: Find) -> Result<Claims, LayoutError> {
-    let file = read::<File>(source).map_err(|error| Kind::Claims.refused(source, error));
+    let file = Kind::Claims.read::<File>(source);
     file.and_then(|file| claims(name, file, find)).map_err(|error| error.in_file(name, source))
 }
 

@@ -11,7 +11,7 @@ use super::kind::Kind;
 use super::quantities::{List, integer, known_angle, mass, misread, positive, positive_metres, value, whole};
 use super::rewritten::exact_number;
 use super::units::{self, Area};
-use super::written::{Table, Text, place, read};
+use super::written::{Table, Text, place};
 use crate::engine::CycleOrder;
 use crate::text::Untrusted;
 
@@ -130,7 +130,7 @@ pub struct Diagram {
 /// # Errors
 /// The first mistake, with its place and what would be right.
 pub fn parse_diagram(name: &str, source: &str) -> Result<Diagram, LayoutError> {
-    let file = read::<File>(source).map_err(|error| Kind::Diagram.refused(source, error));
+    let file = Kind::Diagram.read::<File>(source);
     file.and_then(|file| file.diagram(name)).map_err(|error| error.in_file(name, source))
 }
 

@@ -1,5 +1,6 @@
 //! Which of the files that questions read is it: a layout, masses on a shaft, a turning-moment diagram, claims?
 
+use serde::de::DeserializeOwned;
 use toml::de::DeValue;
 
 use super::error::LayoutError;
@@ -48,6 +49,11 @@ impl Kind {
             (Kind::Claims, OF_CLAIMS.into_iter().any(is_list)),
         ];
         kinds.into_iter().find_map(|(kind, is_it)| is_it.then_some(kind))
+    }
+
+    /// The keys of a file of this kind, or the first mistake: that it is a file of another kind, if it is.
+    pub(crate) fn read<T: DeserializeOwned>(self, source: &str) -> Result<T, LayoutError> {
+        written::read(source).map_err(|error| self.refused(source, error))
     }
 
     /// Why a file is not read as one of this kind: where it is one of another, that is the reason.

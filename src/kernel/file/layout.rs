@@ -34,7 +34,7 @@ use super::quantities;
 use super::shared_keys::SharedKeys;
 use super::title_block_keys;
 use super::torsion_keys;
-use super::written::{Table, Text, place, read, read_table};
+use super::written::{Table, Text, place, read_table};
 use crate::engine::{Crankshaft, Dimensions, Draft, Effects, Engine, Family, LengthUnit, ReferencePlane};
 use crate::text::Untrusted;
 
@@ -136,7 +136,7 @@ pub fn parse_layout(name: &str, source: &str) -> Result<Layout, LayoutError> {
 /// # Errors
 /// The first mistake, with its place in the file where it is, and what would be right.
 pub fn parse_layout_beside(name: &str, source: &str, beside: FileResolver<'_>) -> Result<Layout, LayoutError> {
-    let file = read::<File>(source).map_err(|error| Kind::Layout.refused(source, error));
+    let file = Kind::Layout.read::<File>(source);
     let layout = file.and_then(|file| layout(name, source, file, beside));
     layout.map_err(|error| error.in_file(name, source))
 }

@@ -10,7 +10,7 @@ use super::kind::Kind;
 use super::number::parse_number;
 use super::quantities::{known_angle, mass, metres, misread, positive_metres, value};
 use super::units;
-use super::written::{Table, Text, place, read};
+use super::written::{Table, Text, place};
 use crate::exact::Turn;
 use crate::text::Untrusted;
 
@@ -76,7 +76,7 @@ pub struct Rotor {
 /// # Errors
 /// The first mistake, with its place and what would be right.
 pub fn parse_rotor(name: &str, source: &str) -> Result<Rotor, LayoutError> {
-    let file = read::<File>(source).map_err(|error| Kind::Shaft.refused(source, error));
+    let file = Kind::Shaft.read::<File>(source);
     file.and_then(|file| rotor(name, file)).map_err(|error| error.in_file(name, source))
 }
 
