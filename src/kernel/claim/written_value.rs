@@ -1,9 +1,10 @@
 //! Which number or direction is claimed, and how near does it have to be?
 
 use num_rational::BigRational;
-use num_traits::{One, Pow, Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::error::ClaimError;
+use super::formula::half_of_place;
 use super::statement::{Angle, Bearing, Tolerance, Unit, Value};
 use crate::file::{parse_number, units};
 use crate::numbers::Form;
@@ -170,9 +171,8 @@ fn size_unstated(number: &str, about: bool) -> Tolerance {
 fn unstated(number: &str, about: bool) -> Tolerance {
     let is_decimal = parse_number(number).is_ok() && !number.contains('/');
     let places = number.split_once('.').map(|(_, places)| places.len());
-    let half = |places: usize| BigRational::new(1.into(), 2.into()) / BigRational::from_integer(10.into()).pow(places);
     match (about && is_decimal, places.filter(|_| is_decimal)) {
-        (true, places) => Tolerance::Within(half(places.unwrap_or(0))),
-        (false, places) => Tolerance::Exact { rounding: places.map(half) },
+        (true, places) => Tolerance::Within(half_of_place(places.unwrap_or(0))),
+        (false, places) => Tolerance::Exact { rounding: places.map(half_of_place) },
     }
 }

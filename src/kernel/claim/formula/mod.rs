@@ -5,6 +5,7 @@ mod read;
 mod series;
 
 pub use letter::{Letter, Measured};
+pub(super) use read::half_of_place;
 pub use series::{Factor, Powers, Series, Wave};
 
 use num_rational::BigRational;

@@ -1,6 +1,5 @@
 //! Which formula do these signs make? Sums of products of factors; factors may stand side by side, as on paper.
 
-use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Pow, Zero};
 
@@ -37,10 +36,9 @@ impl Formula {
     }
 }
 
-/// Half a unit of the last decimal; 0 of a whole number.
-fn half_of_last_place(digits: &str) -> BigRational {
-    let half = |decimals: &str| BigRational::from_integer(10.into()).pow(decimals.len()) * BigInt::from(2);
-    digits.split_once('.').map_or_else(BigRational::zero, |(_, decimals)| half(decimals).recip())
+/// Half a unit of the last of so many decimal places.
+pub fn half_of_place(places: usize) -> BigRational {
+    BigRational::new(1.into(), 2.into()) / BigRational::from_integer(10.into()).pow(places)
 }
 
 /// What is not read yet.
@@ -145,7 +143,10 @@ impl Rest<'_> {
                     let part = Formula::Number(number / BigRational::from_integer(180.into()), BigRational::zero());
                     Formula::Both(Operation::Times, Box::new((part, Formula::Pi)))
                 }
-                None => Formula::Number(number, half_of_last_place(&next[..digits])),
+                None => {
+                    let places = next[..digits].split_once('.').map(|(_, places)| places.len());
+                    Formula::Number(number, places.map_or_else(BigRational::zero, half_of_place))
+                }
             });
         }
         if self.sign(&[("π", ()), ("pi", ())]).is_some() {
