@@ -28,17 +28,15 @@ pub fn write(folder: &Path, files: &[File]) -> Result<(), Failure> {
 /// Writes one file whole, through a link too; `example` is a name that it could have.
 pub fn write_file(path: &Path, content: &[u8], example: &str) -> Result<(), Failure> {
     let fail = |error: io::Error| Failure::new(format!("cannot write `{}`: {error}", shown(path)));
-    if is_device(path) {
-        return fs::write(path, content).map_err(fail);
-    }
-    let linked = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-    let (parent, name) = parts(&linked, example)?;
+    let Some(path) = followed(path) else { return fs::write(path, content).map_err(fail) };
+    let (parent, name) = parts(&path, example)?;
     place(parent, &[(name, content)]).map_err(fail)
 }
 
-/// Whether there is a device or a pipe, which is written to and stays.
-fn is_device(path: &Path) -> bool {
-    path.metadata().is_ok_and(|there| !there.is_file() && !there.is_dir())
+/// The file itself where a link leads to one; none of a device or a pipe, which is written to and stays.
+fn followed(path: &Path) -> Option<PathBuf> {
+    let is_device = path.metadata().is_ok_and(|there| !there.is_file() && !there.is_dir());
+    (!is_device).then(|| path.canonicalize().unwrap_or_else(|_| path.to_owned()))
 }
 
 /// The folder and the name of a file.
@@ -55,11 +53,10 @@ fn parts<'a>(path: &'a Path, example: &str) -> Result<(&'a Path, &'a str), Failu
 /// Writes one file that grows under another name, and has its own when it is whole; `example` is a name that it could have.
 pub fn grow_file(path: &Path, example: &str, fill: impl FnOnce(Handle) -> Result<(), Failure>) -> Result<(), Failure> {
     let fail = |error: io::Error| Failure::new(format!("cannot write `{}`: {error}", shown(path)));
-    if is_device(path) {
+    let Some(path) = followed(path) else {
         return Handle::options().write(true).open(path).map_err(fail).and_then(fill);
-    }
-    let path = &path.canonicalize().unwrap_or_else(|_| path.to_owned());
-    let (parent, name) = parts(path, example)?;
+    };
+    let (parent, name) = parts(&path, example)?;
     fs::create_dir_all(parent).map_err(fail)?;
     clear_abandoned(parent, name);
     let (staging, lock) = staging(parent, name).map_err(fail)?;
@@ -67,7 +64,7 @@ pub fn grow_file(path: &Path, example: &str, fill: impl FnOnce(Handle) -> Result
     let grown = Handle::create_new(&partial).map_err(fail).and_then(fill);
     let placed = grown.and_then(|()| {
         let synced = Handle::options().write(true).open(&partial).and_then(|file| file.sync_all());
-        synced.and_then(|()| fs::rename(&partial, path)).and_then(|()| sync(parent)).map_err(fail)
+        synced.and_then(|()| fs::rename(&partial, &path)).and_then(|()| sync(parent)).map_err(fail)
     });
     // What was staged is of no use to anyone by now; the first error is the one to tell.
     let _ = fs::remove_dir_all(&staging);
