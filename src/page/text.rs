@@ -94,7 +94,12 @@ impl Text {
 
     /// A decimal after ≈ with its unit.
     pub fn measured_in(value: f64, unit: Unit) -> Self {
-        Text::measured(value, unit).and(Piece::Label("\u{202f}".to_owned())).and(unit)
+        Text::set_in(value, unit, Setting::About)
+    }
+
+    /// A decimal that is set so, with its unit.
+    pub fn set_in(value: f64, unit: Unit, setting: Setting) -> Self {
+        Text::from(Piece::Measured(value, unit, setting)).and(Piece::Label("\u{202f}".to_owned())).and(unit)
     }
 
     /// A value of a table; a dash where there is none.

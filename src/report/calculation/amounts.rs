@@ -29,7 +29,7 @@ impl Unit {
 
     /// So many multiples in it, with its name.
     pub fn sized(self, multiples: f64, setting: Setting) -> Text {
-        phrase!("{}\u{202f}{}", Text::from(Piece::Measured(multiples * self.factor, self.unit, setting)), self.label())
+        Text::set_in(multiples * self.factor, self.unit, setting)
     }
 
     /// The same in which a person reads all values of a quantity best: its orders, and what they add up to.

@@ -10,10 +10,7 @@ pub(super) fn rpm(value: f64) -> Text {
 
 /// Two speeds of a range, in hundredths where they would look alike.
 pub(super) fn range([from, to]: [f64; 2]) -> [Text; 2] {
-    let hundredths = |value| {
-        let value = Piece::Measured(value, Unit::PER_MINUTE, Setting::Fixed(|value| format!("{value:.2}")));
-        Text::from(value).and(Piece::Label("\u{202f}".to_owned())).and(Unit::PER_MINUTE)
-    };
+    let hundredths = |value| Text::set_in(value, Unit::PER_MINUTE, Setting::Fixed(|value| format!("{value:.2}")));
     if to - from < NARROW * to { [from, to].map(hundredths) } else { [from, to].map(rpm) }
 }
 
