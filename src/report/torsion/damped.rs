@@ -41,10 +41,19 @@ impl TorsionStudy {
 
     /// The twists by an order at a speed.
     pub(super) fn twists(&self, train: &Train, order: CycleOrder, speed: f64) -> Option<Vec<Complex<f64>>> {
-        let torques = self.excited()?.torques(order, speed)?;
+        Some(self.twists_by(train, order, &self.excitation(order, speed)?))
+    }
+
+    /// What an order excites the discs with at a speed.
+    fn excitation(&self, order: CycleOrder, speed: f64) -> Option<Excitation> {
+        Some(Excitation { omega: omega(order, speed), torques: self.excited()?.torques(order, speed)? })
+    }
+
+    /// The twists by what an order excites the discs with: none where that cancels.
+    fn twists_by(&self, train: &Train, order: CycleOrder, excitation: &Excitation) -> Vec<Complex<f64>> {
         match self.is_still_at(order) {
-            true => Some(vec![Complex::default(); train.discs.len()]),
-            false => Some(forced_twist(train, &Excitation { omega: omega(order, speed), torques })),
+            true => vec![Complex::default(); train.discs.len()],
+            false => forced_twist(train, excitation),
         }
     }
 
@@ -63,9 +72,9 @@ impl TorsionStudy {
     pub fn vibration(&self, speed: f64) -> Option<Vibration> {
         let excited = self.damped().filter(|_| speed > 0.0)?;
         let of_order = |order: CycleOrder| {
-            let omega = omega(order, speed);
-            let excitation = Excitation { omega, torques: excited.torques(order, speed)? };
-            let twists = self.twists(&self.train, order, speed)?;
+            let excitation = self.excitation(order, speed)?;
+            let omega = excitation.omega;
+            let twists = self.twists_by(&self.train, order, &excitation);
             let torques = shaft_torques(&self.train, omega, &twists);
             let meshes = mesh_torques(&self.train, &excitation, &twists, &torques);
             let heat = heat(&self.train, omega, &twists);
