@@ -206,6 +206,9 @@ fn page_code(name: &str, lines: &[Line<'_>]) -> Result<String, Mistake> {
             "title" => {
                 let _ = writeln!(steps, "let mut page = Skeleton::new({name:?}, {text});");
             }
+            "item" | "note" => {
+                let _ = writeln!(steps, "page.{step}s(Items::from([{text}]));");
+            }
             _ => {
                 let _ = writeln!(steps, "page.{step}({text});");
             }

@@ -96,17 +96,9 @@ impl Skeleton {
         }
     }
 
-    pub fn note(&mut self, text: Text) {
-        self.notes(Items(vec![text]));
-    }
-
     pub fn notes(&mut self, notes: Items) {
         let said = notes.0.into_iter().filter(|text| !text.lacks_a_value());
         self.document.blocks.extend(said.map(Block::Note));
-    }
-
-    pub fn item(&mut self, text: Text) {
-        self.items(Items(vec![text]));
     }
 
     /// Items go to the list before them.
