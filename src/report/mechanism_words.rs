@@ -83,6 +83,31 @@ pub(super) fn motion(engine: &Engine) -> Vec<(Text, String)> {
     ]
 }
 
+/// What a page of the torque says of pistons that no rod on the crankpin moves.
+pub(super) fn in_torque(engine: &Engine) -> Option<Text> {
+    engine.has_links().then(text::links_in_torque)
+}
+
+/// The same of guide-force moments.
+pub(super) fn in_guides(engine: &Engine) -> Option<Text> {
+    engine.has_links().then(text::links_in_guides)
+}
+
+/// The same of what excites torsional vibration.
+pub(super) fn in_torsion(engine: &Engine) -> Option<Text> {
+    engine.has_links().then(text::links_in_torsion)
+}
+
+/// The same of values at a crank angle.
+pub(super) fn at_angles(engine: &Engine) -> Option<Text> {
+    engine.has_links().then(text::links_at_angles)
+}
+
+/// The pins that rods and links turn on, above a column of their loads.
+pub(super) fn pin_loads(engine: &Engine) -> &'static str {
+    if engine.has_links() { "Crankpin or knuckle pin in {}" } else { "Crankpin in {}" }
+}
+
 /// Whether cranks and rods are drawn to scale.
 pub(super) fn scale(engine: &Engine, is_shortened: bool) -> Text {
     match engine.all_rods() {

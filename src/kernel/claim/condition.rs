@@ -45,7 +45,9 @@ pub(super) fn of(balance: &crate::verdict::Balance, sense: Sense) -> &crate::ver
 /// of their master and cannot be elsewhere.
 fn takes_offset(engine: &Engine) -> bool {
     let partner = |a: &Cylinder| engine.cylinders().iter().any(|b| b.bank != a.bank && b.position == a.position);
-    matches!(engine.form(), Form::Vee | Form::Flat) && !engine.has_links() && engine.cylinders().iter().all(partner)
+    matches!(engine.form(), Form::Vee | Form::Flat)
+        && engine.only_rods().is_ok()
+        && engine.cylinders().iter().all(partner)
 }
 
 /// What an offset of the banks adds to the moment: the force of one bank less that of the other.

@@ -61,7 +61,7 @@ pub(super) fn carried_by(
 }
 
 /// Whether what is carried of the masses, and of the gas, is 0 at every angle: pistons of a class that are at one place of their motion at one
-/// time have loads that differ by their masses and their axes alone, and what turns has one sum. Nothing is proved of links.
+/// time have loads that differ by their masses and their axes alone, and what turns has one sum. Nothing is proved but of rods.
 pub(super) fn nothing(engine: &Engine, classes: &[Class], parts: &[BigRational], shaft: &[Term]) -> [bool; 2] {
     // By class, turns of the crank, and when the cylinder fires: a law of the angle.
     let (mut gas, mut pistons, mut turning) = (Vec::new(), Vec::new(), shaft.to_vec());
@@ -71,7 +71,7 @@ pub(super) fn nothing(engine: &Engine, classes: &[Class], parts: &[BigRational],
             let place = class.cylinders.iter().position(|one| *one == index)?;
             Some((number, class.gas.revolutions(), &class.fires[place]))
         });
-        let (Some((class, revolutions, fires)), None) = (found, cylinder.link()) else { return [false; 2] };
+        let (Some((class, revolutions, fires)), Some(_)) = (found, cylinder.rod()) else { return [false; 2] };
         let within = |turns: u32| {
             let turns = BigRational::from_integer(turns.into());
             fires - (fires / &turns).floor() * turns

@@ -5,6 +5,7 @@ use super::{AngleStudy, Instant, tables};
 use crate::journal::PistonAt;
 use crate::page::plot::{Axis, Curve, Plot, Rule};
 use crate::page::{Block, Document, Picture, Text, Unit};
+use crate::report::mechanism_words;
 use crate::report::texts::angle as text;
 
 /// The short answer.
@@ -31,7 +32,7 @@ pub(super) fn page(study: &AngleStudy) -> Document {
 fn other_mechanisms_and_signs(study: &AngleStudy) -> impl Iterator<Item = Text> {
     let engine = &study.engine;
     let others = double_acting(engine).into_iter().chain(opposed(engine));
-    let others = others.chain(engine.has_links().then(text::links));
+    let others = others.chain(mechanism_words::at_angles(engine));
     let others = others.chain((!engine.geared_cranks().is_empty()).then(text::geared));
     let has_textbook = study.pistons().any(|(_, piston)| piston.textbook.is_some());
     others.chain([text::signs()]).chain(has_textbook.then(text::textbook))

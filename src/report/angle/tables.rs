@@ -4,6 +4,7 @@ use super::super::torque::angle;
 use super::AngleStudy;
 use crate::journal::PistonAt;
 use crate::page::{Table, Text, Unit, phrase};
+use crate::report::mechanism_words;
 
 /// A page shows this many rows of a table; the data have all.
 pub(super) const MOST_SHOWN: usize = 360;
@@ -55,7 +56,6 @@ pub(super) fn motion(study: &AngleStudy) -> Table {
 
 /// What acts on piston, rod, wall and crankpin.
 pub(super) fn forces(study: &AngleStudy) -> Table {
-    let pin = if study.engine.has_links() { "Crankpin or knuckle pin in {}" } else { "Crankpin in {}" };
     pistons(
         study,
         &[
@@ -65,7 +65,7 @@ pub(super) fn forces(study: &AngleStudy) -> Table {
             ("Piston effort in {}", Unit::NEWTON, &PistonAt::effort),
             ("Rod thrust in {}", Unit::NEWTON, &PistonAt::rod),
             ("Side force in {}", Unit::NEWTON, &PistonAt::side),
-            (pin, Unit::NEWTON, &|piston| piston.pin.map(|pin| pin.norm())),
+            (mechanism_words::pin_loads(&study.engine), Unit::NEWTON, &|piston| piston.pin.map(|pin| pin.norm())),
             ("Torque in {}", Unit::NEWTON_METRE, &PistonAt::torque),
         ],
     )

@@ -60,8 +60,8 @@ pub(in crate::report) fn left_out(engine: &Engine, loads: &BearingLoads) -> Opti
         Some(part) => text::left_out_part(percent_at_most(part)),
         None => text::left_out(calculation::bound(bound.most, unit), unit.label()),
     };
-    // What links add has no bound in closed form.
-    Some(if engine.has_links() { text::not_proved(words) } else { words })
+    // Only what rods add has a bound in closed form.
+    Some(if engine.only_rods().is_err() { text::not_proved(words) } else { words })
 }
 
 /// The same in a cell.
@@ -72,7 +72,7 @@ pub(in crate::report) fn left_out_in_short(engine: &Engine, loads: &BearingLoads
         Some(part) => phrase!("{} % of the largest", percent_at_most(part)),
         None => phrase!("{} {}", calculation::bound(bound.most, unit), unit.label()),
     };
-    Some(if engine.has_links() { phrase!("{}, not proved", words) } else { words })
+    Some(if engine.only_rods().is_err() { phrase!("{}, not proved", words) } else { words })
 }
 
 /// The short answer: the peaks of every bearing, and the largest value of each order.

@@ -137,7 +137,7 @@ pub(super) fn lines(engine: &Engine, loads: &Loads) -> Vec<Line> {
             lines.extend(of_cylinder(engine, index, by_cylinder));
         }
     }
-    if engine.has_links() && engine.cylinders().len() <= MOST_LINES {
+    if engine.cylinders().len() <= MOST_LINES {
         lines.extend(links::lines(engine, by_cylinder));
     }
     if let Some(scale) = &loads.scale {

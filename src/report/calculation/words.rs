@@ -22,7 +22,7 @@ pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
     if !engine.has_offset() {
         lines.push(text::no_offset());
     }
-    let common_axis = engine.form() == crate::engine::Form::Radial && !engine.has_links();
+    let common_axis = engine.form() == crate::engine::Form::Radial && engine.only_rods().is_ok();
     if common_axis {
         lines.push(text::no_articulated_rods());
     }

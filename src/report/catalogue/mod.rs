@@ -116,7 +116,7 @@ impl KnownEngine<'_> {
 
     /// The same of an engine with articulated rods: at the orders that it asks for, or proved to be zero at every order.
     fn first_of_links(&self) -> Option<[Option<FirstOrderLeft>; 2]> {
-        let wanted = self.engine.has_links().then(|| self.engine.orders())?;
+        let wanted = self.engine.only_rods().is_err().then(|| self.engine.orders())?;
         let judged = verdict::classify(self.engine, wanted, Masses::Reciprocating, &[]).ok()?;
         let first = |whole: &dyn Fn(&OrderVerdict) -> WholeOrder| {
             let mut orders = judged.iter().filter(|order| order.exists()).map(|order| (order.order, whole(order)));

@@ -62,7 +62,7 @@ fn first<T>(all: impl IntoIterator<Item = T> + Clone, size: impl Fn(&T) -> f64) 
 
 fn pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     // A link is on a knuckle pin; what the master rod and its links do to the crankpin together is told beside it.
-    if engine.has_links() {
+    if engine.only_rods().is_err() {
         return None;
     }
     let index = first(0..loads.cylinders.len(), |index| loads.cylinders[*index].peaks.pin.value)?;

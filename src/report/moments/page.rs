@@ -5,8 +5,8 @@ use crate::engine::CycleOrder;
 use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, number, phrase};
 use crate::report::calculation::inputs_table;
 use crate::report::engine_cells;
+use crate::report::mechanism_words;
 use crate::report::texts::moments as text;
-use crate::report::texts::torque::linked_guides;
 use crate::torque::GuideMoments;
 
 /// The short answer.
@@ -87,8 +87,8 @@ fn tables(study: &MomentsStudy) -> Vec<Block> {
     let has_guides = study.rows.iter().any(|row| row.guides.is_ok());
     if has_guides {
         blocks.push(text::guides().into());
-        let has_links = study.rows.iter().any(|row| row.engine.has_links());
-        blocks.extend(has_links.then(|| Block::Paragraph(linked_guides())));
+        let of_mechanisms = study.rows.iter().find_map(|row| mechanism_words::in_guides(&row.engine));
+        blocks.extend(of_mechanisms.map(Block::Paragraph));
         blocks.push(guides(study, ("H, {}", LAST_COLUMN), |moments| moments.rocking).into());
         blocks.extend(of_firing(study).map(Block::from));
         blocks.push(guides(study, ("X, {}", LAST_TWISTING), |moments| moments.twisting).into());

@@ -3,6 +3,7 @@
 use super::{TorqueStudy, plots, settings, tables, words};
 use crate::engine::Engine;
 use crate::page::{Block, Document, Fold, phrase};
+use crate::report::mechanism_words;
 use crate::report::texts::torque as text;
 use crate::torque::{EngineTorque, Evenness, guide_moments};
 
@@ -57,7 +58,7 @@ pub(super) fn page(TorqueStudy { engine, torque }: &TorqueStudy) -> Document {
         settings: settings::table(engine, torque).into(),
         flywheel: torque.evenness.as_ref().map_or_else(Vec::new, flywheel).into(),
         guide_moments: guides(engine, torque).into(),
-        links: engine.has_links().then(text::links).into(),
+        links: mechanism_words::in_torque(engine).into(),
         accuracy: tables::accuracy(torque).into(),
         assumptions: words::assumptions(engine).into(),
     }
@@ -77,7 +78,7 @@ fn flywheel(evenness: &Evenness) -> Vec<Block> {
 /// The guide-force moments of several cylinders.
 fn guides(engine: &Engine, torque: &EngineTorque) -> Option<Block> {
     let moments = guide_moments(engine, torque).filter(|_| engine.cylinders().len() > 1)?;
-    let told = std::iter::once(text::guides()).chain(engine.has_links().then(text::linked_guides));
+    let told = std::iter::once(text::guides()).chain(mechanism_words::in_guides(engine));
     let blocks = told.map(Block::from).chain([tables::guides(&moments).into()]);
     Some(Block::folded("Guide-force moments", blocks.collect()))
 }

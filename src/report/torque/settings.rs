@@ -66,7 +66,7 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
         let has_two = |index: &usize| {
             engine.cylinders()[*index].mechanism.as_ref().is_some_and(|mechanism| !mechanism.is_centric())
         };
-        if engine.has_links() || group.iter().any(has_two) {
+        if engine.only_rods().is_err() || group.iter().any(has_two) {
             let from = match OwnZero::of(engine, group[0]) {
                 OwnZero::Crank => "the crank along the axis",
                 OwnZero::Piston => "the piston farthest out",

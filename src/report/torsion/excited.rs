@@ -146,7 +146,7 @@ impl Excited {
         let orders = all.filter(|order| engine.cycle().is_none_or(|cycle| order.exists_in(cycle)));
         let orders: Vec<ExcitedOrder> = orders.map(of_order).collect();
         let twist_alone = match classes.as_slice() {
-            [class] if !engine.has_links() && class.masses.windows(2).all(|pair| pair[0] == pair[1]) => {
+            [class] if engine.only_rods().is_ok() && class.masses.windows(2).all(|pair| pair[0] == pair[1]) => {
                 twisting_alone(&orders, &of_class(class))
             }
             _ => Vec::new(),

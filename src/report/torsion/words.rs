@@ -6,6 +6,7 @@ use super::study::TorsionStudy;
 use super::tables::MOST_MODES;
 use super::{barred, gears};
 use crate::page::{Piece, Text, Unit, phrase};
+use crate::report::mechanism_words;
 use crate::report::texts::torsion as text;
 use crate::torsion::CriticalSpeeds;
 
@@ -23,7 +24,7 @@ pub(super) fn assumed(study: &TorsionStudy) -> Vec<Text> {
         });
     }
     lines.extend(text::always_assumed());
-    lines.extend(study.engine.has_links().then(text::links));
+    lines.extend(mechanism_words::in_torsion(&study.engine));
     lines
 }
 
