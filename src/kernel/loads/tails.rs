@@ -132,17 +132,8 @@ impl Tails {
         let most = |factor: &Factor, order: u32| match factor {
             Factor::One => 1.0,
             Factor::Motion(rod) => 1.0 + self.force(&Law::Rod(rod.clone()), order.saturating_sub(1)),
-            // A shaft is multiplied by none of these.
-            Factor::Torque(_)
-            | Factor::DecimalTorque(_)
-            | Factor::Quadrature(_)
-            | Factor::Side(_)
-            | Factor::Linkage(_)
-            | Factor::Corrected(..)
-            | Factor::OnPin(..)
-            | Factor::Open
-            | Factor::OpenTorque
-            | Factor::Geared(..) => f64::INFINITY,
+            // A shaft is multiplied by no other.
+            _ => f64::INFINITY,
         };
         sums.into_iter().fold([0.0, 0.0], |[force, moment], ((factor, order), sizes)| {
             let [more_force, more_moment] = sizes.map(|size| match rounded_up(&size) {

@@ -253,25 +253,12 @@ fn coefficients(engine: &Engine, factor: &Factor, order: u32) -> Vec<(Option<usi
 /// The cylinder whose coefficient a factor is, and the sign between the two; none for 1.
 fn coefficient(engine: &Engine, factor: &Factor, order: u32) -> (Option<usize>, BigRational) {
     let one = BigRational::from_integer(1.into());
-    match factor {
-        // Weights against what links leave are not written by their terms, and against what faster cranks leave not at all.
-        Factor::One
-        | Factor::Quadrature(_)
-        | Factor::Linkage(_)
-        | Factor::Corrected(..)
-        | Factor::OnPin(..)
-        | Factor::Geared(..) => (None, one),
-        Factor::Motion(_)
-        | Factor::Torque(_)
-        | Factor::DecimalTorque(_)
-        | Factor::Side(_)
-        | Factor::Open
-        | Factor::OpenTorque => {
-            let is_plain = |cylinder: &Cylinder| cylinder.link().is_none() && engine.speed_of(cylinder) == 1;
-            let cylinders = engine.cylinders().iter().enumerate().filter(|(_, cylinder)| is_plain(cylinder));
-            let found = cylinders.map(|(index, cylinder)| (index, Factor::of_rod(cylinder.rod(), order)));
-            let found = found.into_iter().find(|(_, (own, _))| own == factor);
-            found.map_or((None, one), |(index, (_, sign))| (Some(index), sign))
-        }
-    }
+    // Weights against what is left of no rod on a crankpin are not written by its terms, and against what faster cranks leave not at all.
+    let is_plain = |cylinder: &Cylinder| cylinder.mechanism.is_none() || cylinder.rod().is_some();
+    let of_cylinder = |(index, cylinder): (usize, &Cylinder)| {
+        let (own, sign) = Factor::of_rod(cylinder.rod(), order);
+        (is_plain(cylinder) && engine.speed_of(cylinder) == 1 && own == *factor).then_some((index, sign))
+    };
+    let found = engine.cylinders().iter().enumerate().filter(|_| *factor != Factor::One).find_map(of_cylinder);
+    found.map_or((None, one), |(index, sign)| (Some(index), sign))
 }

@@ -63,12 +63,12 @@ pub struct SweptEngine {
     pub envelope: Option<Envelope>,
 }
 
-/// The coefficients of the motion by rod, each computed once, the numbers of links with corrected knuckle angles, and the weights of the
-/// pistons of the engine before.
+/// The coefficients of the motion by rod, each computed once, the numbers of other mechanisms, and the weights of the pistons of the engine
+/// before.
 #[derive(Default)]
 pub(super) struct Motions {
     by_rod: BTreeMap<Rod, Vec<Complex<f64>>>,
-    corrected: Coefficients,
+    others: Coefficients,
     weights: KnownWeights,
 }
 
@@ -84,12 +84,13 @@ impl Motions {
         self.by_rod.get(rod).and_then(|all| all.get(order as usize)).copied().unwrap_or_default()
     }
 
-    fn corrected(&mut self, factor: &Factor, order: u32) -> Complex<f64> {
-        // Nor are those of a sweep over links kept, of which each costs the points of a turn.
-        if self.corrected.computed() > 256 {
-            self.corrected = Coefficients::default();
+    /// A number of what is no rod on the crankpin.
+    fn number(&mut self, factor: &Factor, order: u32) -> Complex<f64> {
+        // Nor are those of a sweep kept, of which each may cost the points of a turn.
+        if self.others.computed() > 256 {
+            self.others = Coefficients::default();
         }
-        self.corrected.of(factor, order).map(|number| number.to_complex()).unwrap_or_default()
+        self.others.of(factor, order).map(|number| number.to_complex()).unwrap_or_default()
     }
 }
 
@@ -230,16 +231,9 @@ fn from_sums(engine: &Engine, quantity: Planar, order: u32, highest: u32, motion
     let mut coefficient = |factor: &Factor| match factor.own(order) {
         (Factor::Motion(rod), order) => motions.coefficient(rod, order, highest),
         (Factor::Quadrature(rod), _) => Complex::new(motions.coefficient(rod, 1, highest).im, 0.0),
-        (Factor::Linkage(linkage), order) => Complex::new(linkage.motion().number(order).to_float(), 0.0),
-        (Factor::Corrected(..), order) => motions.corrected(factor, order),
         // Of rods that are not given, amplitudes are in multiples of c_k.
-        (Factor::One | Factor::Open | Factor::OpenTorque, _) => Complex::new(1.0, 0.0),
-        (
-            Factor::Torque(_) | Factor::DecimalTorque(_) | Factor::Side(_) | Factor::OnPin(..) | Factor::Geared(..),
-            _,
-        ) => {
-            unreachable!("shaking forces have no coefficient of torque or side force, nor a gear of gears")
-        }
+        (Factor::One | Factor::Open, _) => Complex::new(1.0, 0.0),
+        (other, order) => motions.number(other, order),
     };
     let mut value = |sum: &OrderSum| -> Complex<f64> {
         sum.parts().iter().map(|(factor, sum)| coefficient(factor) * float(sum)).sum()
