@@ -43,14 +43,8 @@ pub enum NoOpenStar {
     )]
     RodsDiffer,
     /// No engine of the family has them.
-    #[error("{0}")]
-    NoStar(NoStar),
-}
-
-impl From<NoStar> for NoOpenStar {
-    fn from(why: NoStar) -> Self {
-        NoOpenStar::NoStar(why)
-    }
+    #[error(transparent)]
+    NoStar(#[from] NoStar),
 }
 
 /// Judges the firing stars of these orders.

@@ -13,8 +13,8 @@ pub enum Missing {
     #[error("the layout gives no rods; below [mechanism], give rod_ratio, or rod_length with stroke or crank_radius")]
     Rods,
     /// Masses that are not in one unit.
-    #[error("{0}")]
-    NotComparable(NotComparable),
+    #[error(transparent)]
+    NotComparable(#[from] NotComparable),
     /// Forces that no decimal can hold.
     #[error(
         "m r ω² and m r² ω² have to be below 10^150: mass, crank radius or speed of the layout is too large for decimals"
@@ -30,8 +30,8 @@ pub enum Missing {
     #[error("{0}")]
     Motion(String),
     /// A number that is no order.
-    #[error("{0}")]
-    Order(NotAnOrder),
+    #[error(transparent)]
+    Order(#[from] NotAnOrder),
     /// What is computed of rods on the crankpins alone, in an engine with others.
     #[error("not available for an engine with {0}: {1}")]
     OfRodsAlone(NotARod, &'static str),
@@ -47,8 +47,8 @@ pub enum Missing {
     #[error("{0}")]
     Beam(BeamError),
     /// Numbers of its gas.
-    #[error("{0}")]
-    Gas(NoGas),
+    #[error(transparent)]
+    Gas(#[from] NoGas),
     /// When its cylinders fire.
     #[error("{}", NoStar::NoFiring)]
     Firing,
@@ -69,23 +69,5 @@ impl Missing {
             true => Ok(()),
             false => engine.only_rods().map_err(|with| Missing::OfRodsAlone(with, what)),
         }
-    }
-}
-
-impl From<NotAnOrder> for Missing {
-    fn from(what: NotAnOrder) -> Self {
-        Missing::Order(what)
-    }
-}
-
-impl From<NoGas> for Missing {
-    fn from(lack: NoGas) -> Self {
-        Missing::Gas(lack)
-    }
-}
-
-impl From<NotComparable> for Missing {
-    fn from(what: NotComparable) -> Self {
-        Missing::NotComparable(what)
     }
 }

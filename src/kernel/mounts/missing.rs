@@ -28,12 +28,6 @@ pub enum NoExcitation {
     #[error("the roll moment is not known: {0}")]
     Arm(MissingArm),
     /// What else the layout lacks.
-    #[error("{0}")]
-    Missing(Missing),
-}
-
-impl From<Missing> for NoExcitation {
-    fn from(what: Missing) -> Self {
-        NoExcitation::Missing(what)
-    }
+    #[error(transparent)]
+    Missing(#[from] Missing),
 }

@@ -10,8 +10,8 @@ pub(super) const MOST_POINTS: usize = 200;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OptimiseError {
     /// What the engine lacks for the loads of its bearings.
-    #[error("{0}")]
-    Missing(Missing),
+    #[error(transparent)]
+    Missing(#[from] Missing),
     /// No counterweights, so no planes for them.
     #[error(
         "the layout has no counterweights whose planes and radii could be taken; below [crankshaft], give balance_factor (any), counterweight_radius and web_offset, or list [[counterweight]] tables"
@@ -58,10 +58,4 @@ pub enum OptimiseError {
     /// The layout file is written in a way that its counterweights cannot be replaced in.
     #[error("the counterweights cannot be written into the layout file: {0}")]
     File(String),
-}
-
-impl From<Missing> for OptimiseError {
-    fn from(missing: Missing) -> Self {
-        OptimiseError::Missing(missing)
-    }
 }

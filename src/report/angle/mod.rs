@@ -6,7 +6,7 @@ mod tables;
 
 use num_complex::Complex;
 
-use super::question::question_of_its_room;
+use super::question::question;
 use crate::engine::Engine;
 use crate::journal::{Instants, PistonAt};
 use crate::loads::Missing;
@@ -148,4 +148,4 @@ impl AngleStudy {
     }
 }
 
-question_of_its_room!(AngleStudy, "angle", |study| Some(study.engine.title()));
+question!(AngleStudy, "angle", |study| Some(study.engine.title()));

@@ -6,7 +6,7 @@
 mod data;
 mod page;
 
-use super::question::question_of_its_room;
+use super::question::question;
 use crate::engine::{Crankshaft, CycleOrder, Engine, HIGHEST_ORDER};
 use crate::loads::{self, Arm, Missing, OrderLoads};
 use crate::order;
@@ -185,4 +185,4 @@ pub(super) fn guides(engine: &Engine, highest: u32) -> Result<(Vec<GuideMoments>
     Ok((moments, torque.power))
 }
 
-question_of_its_room!(MomentsStudy, "moments", |_| None);
+question!(MomentsStudy, "moments", |_| None);

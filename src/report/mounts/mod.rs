@@ -9,7 +9,7 @@ mod words;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::question::question_of_its_room;
+use super::question::question;
 use crate::engine::{CycleOrder, Dimensions, Draft, Engine, Mounting};
 use crate::mounts::{
     Body, Excitation, Mode, Motion, NoExcitation, OrderExcitation, Phasors, RollAxis, excitation, roll_axis,
@@ -252,4 +252,4 @@ impl MountsStudy {
     }
 }
 
-question_of_its_room!(MountsStudy, "mounts", |study| Some(study.engine.title()));
+question!(MountsStudy, "mounts", |study| Some(study.engine.title()));
