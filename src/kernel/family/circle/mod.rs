@@ -20,16 +20,16 @@ mod settled;
 pub use arcs::{Arc, Circle, Kind};
 pub use closed::Closed;
 pub use factor::Factor;
-pub use never::Coprime;
 pub use polynomial::Polynomial;
 
 use super::part::Part;
+use crate::proof::CoprimeClaim;
 
 /// What is known of a sum in one unknown.
 #[derive(Clone, Debug)]
 pub(super) enum Solved {
     /// It vanishes nowhere.
-    Never(Box<Coprime>),
+    Never(Box<CoprimeClaim>),
     /// It vanishes at the zeros of its arcs.
     Circle(Box<Circle>),
 }
