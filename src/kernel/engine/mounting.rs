@@ -102,10 +102,7 @@ impl Block {
             let [one, other] = [(axis + 1) % 3, (axis + 2) % 3];
             return Err(NoMounting::Triangle([NAMES[one.min(other)], NAMES[one.max(other)], NAMES[axis]]));
         }
-        match minors(&masses, &self.products).iter().any(Signed::is_negative) {
-            true => Err(NoMounting::Products),
-            false => Ok(()),
-        }
+        if minors(&masses, &self.products).iter().any(Signed::is_negative) { Err(NoMounting::Products) } else { Ok(()) }
     }
 }
 

@@ -51,10 +51,7 @@ pub(super) fn whole(polynomial: Polynomial) -> Circle {
     }
     let Some((factor, polynomial)) = factor::split(&circle.polynomial) else { return circle };
     let of_factor = arcs::cover(polynomial);
-    match of_factor.open().count() < circle.open().count() {
-        true => Circle { factor: Some(factor), ..of_factor },
-        false => circle,
-    }
+    if of_factor.open().count() < circle.open().count() { Circle { factor: Some(factor), ..of_factor } } else { circle }
 }
 
 /// The arcs of a polynomial that is known.
