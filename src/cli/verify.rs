@@ -217,7 +217,9 @@ fn accepted(json: &str) -> Result<Result<(), String>, Failure> {
     let read = match read_document(json.as_bytes()) {
         Ok(read) => read,
         Err(error @ (Unreadable::TooLarge(_) | Unreadable::TooManyDigits(_))) => return Ok(Err(error.to_string())),
-        Err(error @ (Unreadable::NotJson(_) | Unreadable::Format(_) | Unreadable::Malformed(_))) => {
+        Err(
+            error @ (Unreadable::NotJson(_) | Unreadable::NoFormat | Unreadable::Format(_) | Unreadable::Malformed(_)),
+        ) => {
             return Err(fault(&error));
         }
     };
