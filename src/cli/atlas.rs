@@ -30,10 +30,7 @@ pub struct Atlas {
 impl Atlas {
     /// Writes the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let files = match self.poster {
-            true => report::poster(&file::catalogue()?, self.page.language()),
-            false => self.atlas()?,
-        };
+        let files = if self.poster { report::poster(&file::catalogue()?, self.page.language()) } else { self.atlas()? };
         let Some(to) = self.page.folder() else { return Ok(()) };
         folder::write(to, &files)?;
         let pictures = |file: &&File| !file.name.starts_with("stars-");

@@ -208,8 +208,5 @@ fn put(partial: &Path, place: &Path, content: &[u8]) -> io::Result<()> {
 
 /// The names in a folder reach the disk.
 fn sync(folder: &Path) -> io::Result<()> {
-    match cfg!(unix) {
-        true => Handle::open(folder)?.sync_all(),
-        false => Ok(()),
-    }
+    if cfg!(unix) { Handle::open(folder)?.sync_all() } else { Ok(()) }
 }

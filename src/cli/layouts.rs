@@ -130,10 +130,7 @@ pub fn read_text(path: &Path) -> Result<String, Failure> {
 /// A text of a spreadsheet or an old editor, in an encoding of its own.
 pub fn read_any_text(path: &Path) -> Result<String, Failure> {
     let text = decoded(&bytes(path)?);
-    match text.contains('\0') {
-        true => Err(Failure::new(format!("`{}` is not a text", shown(path)))),
-        false => Ok(text),
-    }
+    if text.contains('\0') { Err(Failure::new(format!("`{}` is not a text", shown(path)))) } else { Ok(text) }
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {

@@ -88,10 +88,7 @@ impl Remedy {
             }
             Ok(remedy)
         })?;
-        match self.json || self.answer.is_data() {
-            true => Ok(()),
-            false => write::to_stdout(&written),
-        }
+        if self.json || self.answer.is_data() { Ok(()) } else { write::to_stdout(&written) }
     }
 
     /// Writes the layout file of the corrected engine, which names what lies beside the file that was read.

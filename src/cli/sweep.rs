@@ -80,9 +80,7 @@ impl Sweep {
         self.answer
             .give("sweep", false, || self.ranges.sweep(&self.layout, &self.orders, &self.firing_orders, &self.value))
     }
-}
 
-impl Sweep {
     /// Sweeps for a table of any length, which `then` writes.
     fn streamed(&self, then: impl FnOnce(&Stream, &Question) -> Result<(), Failure>) -> Result<(), Failure> {
         layouts::warn_of(&self.layout);

@@ -47,10 +47,7 @@ impl Verify {
 
     /// What holds of one document.
     fn checked(&self, file: &Path) -> Result<String, Failure> {
-        let name = match file == Path::new("-") {
-            true => "standard input".to_owned(),
-            false => format!("`{}`", file.display()),
-        };
+        let name = if file == Path::new("-") { "standard input".to_owned() } else { format!("`{}`", file.display()) };
         let json = read(file).map_err(|error| Failure::new(format!("cannot read {name}: {error}")))?;
         let is_layout = file.extension().is_some_and(|ending| ending == "toml");
         let document = read_document(&json).map_err(|error| match is_layout {
@@ -220,7 +217,9 @@ fn accepted(json: &str) -> Result<Result<(), String>, Failure> {
     let read = match read_document(json.as_bytes()) {
         Ok(read) => read,
         Err(error @ (Unreadable::TooLarge(_) | Unreadable::TooManyDigits(_))) => return Ok(Err(error.to_string())),
-        Err(error @ (Unreadable::NotJson(_) | Unreadable::Format(_) | Unreadable::Malformed(_))) => {
+        Err(
+            error @ (Unreadable::NotJson(_) | Unreadable::NoFormat | Unreadable::Format(_) | Unreadable::Malformed(_)),
+        ) => {
             return Err(fault(&error));
         }
     };

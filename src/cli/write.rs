@@ -29,10 +29,7 @@ pub fn table_to_stdout() -> Result<impl Write + Send, Failure> {
 
 /// Nothing can be printed where the caller closed standard output.
 fn is_open() -> Result<(), Failure> {
-    match closed::is_closed() {
-        true => Err(Failure::new("cannot write to standard output: it is closed")),
-        false => Ok(()),
-    }
+    if closed::is_closed() { Err(Failure::new("cannot write to standard output: it is closed")) } else { Ok(()) }
 }
 
 /// A reader that may leave.

@@ -96,19 +96,6 @@ pub(super) fn of_order(order: &OrderVerdict) -> Vec<Verdict> {
     [one(Planar::Force, force), one(Planar::Moment, moment)].into_iter().chain(about_the_axis).collect()
 }
 
-/// What is known of an amount.
-#[derive(Default)]
-struct Size {
-    exact: Option<String>,
-    value: Option<f64>,
-}
-
-impl From<Amount> for Size {
-    fn from(amount: Amount) -> Self {
-        Size { exact: amount.exact.map(|form| form.to_string()), value: Some(amount.decimal) }
-    }
-}
-
 impl Verdict {
     fn new(quantity: impl Into<Quantity>, order: u32, exists: bool, text: &Text) -> Self {
         Verdict {
@@ -128,11 +115,11 @@ impl Verdict {
         }
     }
 
-    /// With the largest value; nothing is there of an order that does not exist.
-    fn sized(self, vanishes: Option<bool>, size: impl Into<Size>) -> Self {
-        let (vanishes, size) =
-            if self.exists { (vanishes, size.into()) } else { (Some(true), Size::from(Amount::zero())) };
-        Verdict { vanishes, exact: size.exact, value: size.value, ..self }
+    /// With the largest value, where it is known; nothing is there of an order that does not exist.
+    fn sized(self, vanishes: Option<bool>, size: Option<Amount>) -> Self {
+        let (vanishes, size) = if self.exists { (vanishes, size) } else { (Some(true), Some(Amount::zero())) };
+        let value = size.as_ref().map(|size| size.decimal);
+        Verdict { vanishes, exact: size.and_then(|size| Some(size.exact?.to_string())), value, ..self }
     }
 }
 
@@ -144,8 +131,8 @@ fn whole(order: &OrderVerdict, quantity: Planar, text: Text) -> Verdict {
         several => {
             let whole = order.whole(quantity);
             let vanishes = is_zero(whole);
-            let size = if vanishes == Some(true) { Amount::zero().into() } else { Size::default() };
-            let verdict = Verdict::new(quantity, order.order, order.exists(), &text).sized(vanishes, size);
+            let verdict = Verdict::new(quantity, order.order, order.exists(), &text)
+                .sized(vanishes, (vanishes == Some(true)).then(Amount::zero));
             let parts = several.iter().map(|balance| {
                 let text = match quantity {
                     Planar::Force => report::force_left(balance),
@@ -171,7 +158,7 @@ fn part(order: &OrderBalance, quantity: Planar, text: &Text) -> Verdict {
         shape: Some(report::shape_name(shape).to_owned()),
         is_couple: (quantity == Planar::Moment).then(|| order.moment_is_couple()),
         stars: balance.verdicts().map(Star::new).into(),
-        ..verdict.sized(Some(balance.is_balanced()), report::largest_length(balance))
+        ..verdict.sized(Some(balance.is_balanced()), Some(report::largest_length(balance)))
     }
 }
 
@@ -191,7 +178,7 @@ fn of_torque(order: &OrderVerdict, quantity: Axial, torque: &TorqueVerdict) -> V
     match torque.parts.as_slice() {
         [only] => Verdict {
             stars: vec![Star::new(&only.verdict)],
-            ..verdict.sized(torque.outcome.vanishes(), report::star_length(&only.verdict))
+            ..verdict.sized(torque.outcome.vanishes(), Some(report::star_length(&only.verdict)))
         },
         several => {
             let parts = several.iter().map(|part| {
@@ -200,12 +187,11 @@ fn of_torque(order: &OrderVerdict, quantity: Axial, torque: &TorqueVerdict) -> V
                     of: part.class.as_ref().map(report::class_sources),
                     stars: vec![Star::new(&part.verdict)],
                     ..Verdict::new(Quantity::Axial(quantity), order.order, part.exists, &text)
-                        .sized(Some(part.verdict.vanishes()), report::star_length(&part.verdict))
+                        .sized(Some(part.verdict.vanishes()), Some(report::star_length(&part.verdict)))
                 }
             });
             let vanishes = torque.outcome.vanishes();
-            let size = if vanishes == Some(true) { Amount::zero().into() } else { Size::default() };
-            Verdict { parts: parts.collect(), ..verdict.sized(vanishes, size) }
+            Verdict { parts: parts.collect(), ..verdict.sized(vanishes, (vanishes == Some(true)).then(Amount::zero)) }
         }
     }
 }

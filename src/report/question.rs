@@ -65,9 +65,18 @@ pub trait Question: Send + Sync {
     }
 }
 
-/// The question of a study whose tables are made by `data::table` of its room, the two documents by `page::answer` and `page::page`.
-macro_rules! question_of_its_room {
+/// The table of this name of a question that makes all of them together.
+pub(super) fn one_of_all(question: &impl Question, name: &str) -> Option<Table> {
+    question.tables().into_iter().find(|table| table.name() == name)
+}
+
+/// The question of a study: its command, its title, what makes a table, the short answer and the page, and what it has besides, in braces.
+/// Where nothing else is named, `data::table`, `page::answer` and `page::page` of its room make them.
+macro_rules! question {
     ($study:ty, $command:literal, $title:expr) => {
+        $crate::report::question::question!($study, $command, $title, data::table, page::answer, page::page, {});
+    };
+    ($study:ty, $command:literal, $title:expr, $table:expr, $answer:expr, $page:expr, { $($more:tt)* }) => {
         impl $crate::report::Question for $study {
             fn command(&self) -> &'static str {
                 $command
@@ -79,20 +88,25 @@ macro_rules! question_of_its_room {
             }
 
             fn table(&self, name: &str) -> Option<$crate::table::Table> {
-                data::table(self, name)
+                let table: fn(&Self, &str) -> Option<$crate::table::Table> = $table;
+                table(self, name)
             }
 
             fn answer(&self) -> $crate::page::Document {
-                page::answer(self)
+                let answer: fn(&Self) -> $crate::page::Document = $answer;
+                answer(self)
             }
 
             fn page(&self) -> $crate::page::Document {
-                page::page(self)
+                let page: fn(&Self) -> $crate::page::Document = $page;
+                page(self)
             }
+
+            $($more)*
         }
     };
 }
-pub(super) use question_of_its_room;
+pub(super) use question;
 
 #[derive(Serialize)]
 struct Answer<'a> {

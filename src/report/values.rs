@@ -1,7 +1,7 @@
 //! Which values have these engines? A row an engine, a column a value, and why one has none.
 
 use super::data::{Filling, value_columns};
-use super::question::Question;
+use super::question::question;
 use super::value::{ValueName, values_of};
 use crate::engine::Engine;
 use crate::page::{Block, Document, Number, Piece, Table as Shown, Text, phrase};
@@ -76,6 +76,16 @@ impl ValuesStudy {
         }
     }
 
+    fn named(&self, name: &str) -> Option<Table> {
+        (name == "values").then(|| self.data())
+    }
+
+    fn document(&self) -> Document {
+        let mut document = Document::new("values", "Values");
+        document.blocks.extend(self.blocks());
+        document
+    }
+
     fn data(&self) -> Table {
         let mut table = Filling::new("values.values", &self.rows);
         table.person("engine", |(name, _)| Some(name.clone()));
@@ -110,26 +120,4 @@ impl ValuesStudy {
     }
 }
 
-impl Question for ValuesStudy {
-    fn command(&self) -> &'static str {
-        "values"
-    }
-
-    fn title(&self) -> Option<&Untrusted> {
-        None
-    }
-
-    fn table(&self, name: &str) -> Option<Table> {
-        (name == "values").then(|| self.data())
-    }
-
-    fn answer(&self) -> Document {
-        let mut answer = Document::new("values", "Values");
-        answer.blocks.extend(self.blocks());
-        answer
-    }
-
-    fn page(&self) -> Document {
-        self.answer()
-    }
-}
+question!(ValuesStudy, "values", |_| None, ValuesStudy::named, ValuesStudy::document, ValuesStudy::document, {});

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use crankstar::family::{
-    self, Alternative, Boxes, Circle, Classes, Corner, Meeting, Never, Quadratic, Root, Roots, Shape, When,
+    self, Alternative, Boxes, Circle, Classes, Corner, Meeting, Never, Quadratic, Root, Roots, When,
 };
 use crankstar::file::{self, Layout};
-use crankstar::proof::check_open_document;
+use crankstar::proof::{TriangleShape, check_open_document};
 use crankstar::report;
 use num_rational::BigRational;
 
@@ -284,7 +284,7 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
             if let Some(twist) = &found.twist {
                 told.twists += 1;
                 for sign in &twist.signs {
-                    told.signs[usize::from(matches!(sign, Shape::Two(_)))] += 1;
+                    told.signs[usize::from(matches!(sign, TriangleShape::Two { .. }))] += 1;
                 }
             }
             for (_, roots) in found.rational() {

@@ -59,10 +59,7 @@ pub fn students(list: &str) -> Result<Vec<Student>, String> {
         let is_namesake = !names.insert(name.clone());
         students.push(Student { name: Untrusted::new(name), file, is_namesake });
     }
-    match students.is_empty() {
-        true => Err("the list is empty; one name a line is expected".to_owned()),
-        false => Ok(students),
-    }
+    if students.is_empty() { Err("the list is empty; one name a line is expected".to_owned()) } else { Ok(students) }
 }
 
 /// What files of a student may be called.

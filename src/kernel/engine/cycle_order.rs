@@ -84,20 +84,12 @@ impl fmt::Display for CycleOrder {
 }
 
 /// A text that is no order of a cycle.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "`{}` is not an order; an order is a multiple of 1/2 up to {HIGHEST_ORDER}, such as 2, 1/2 or 1.5",
+    crate::text::harmless(.0)
+)]
 pub struct NotACycleOrder(String);
-
-impl fmt::Display for NotACycleOrder {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let text = crate::text::harmless(&self.0);
-        write!(
-            f,
-            "`{text}` is not an order; an order is a multiple of 1/2 up to {HIGHEST_ORDER}, such as 2, 1/2 or 1.5"
-        )
-    }
-}
-
-impl std::error::Error for NotACycleOrder {}
 
 impl FromStr for CycleOrder {
     type Err = NotACycleOrder;

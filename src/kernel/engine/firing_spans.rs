@@ -5,7 +5,6 @@
 //! exactly where the n_i add to the revolutions of the cycle; they change only where some v_i is whole.
 
 use std::collections::BTreeSet;
-use std::fmt;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -45,33 +44,22 @@ impl FiringSpan {
 }
 
 /// Why it is not known when the cylinders of a family fire.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoSpans {
     /// The layout does not say it.
+    #[error(
+        "half orders depend on which revolution each cylinder fires in; add cycle = \"four-stroke\" with firing_order, or with firing_angles such as [0, \"360 + phi\"]"
+    )]
     NotSaid,
     /// Two angles are open, so that an order holds in a region of the plane.
+    #[error(
+        "two angles are open, and for which of them the firing order can be fired is not solved; give firing_angles, or one of them a value below [values]"
+    )]
     TwoAngles,
     /// The range of the angle holds more changes of the revolutions than are looked at.
+    #[error("the range of the open angle is too wide for a firing order; give firing_angles")]
     TooWide,
 }
-
-impl fmt::Display for NoSpans {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            NoSpans::NotSaid => {
-                "half orders depend on which revolution each cylinder fires in; add cycle = \"four-stroke\" with firing_order, or with \
-                 firing_angles such as [0, \"360 + phi\"]"
-            }
-            NoSpans::TwoAngles => {
-                "two angles are open, and for which of them the firing order can be fired is not solved; give firing_angles, or one of \
-                 them a value below [values]"
-            }
-            NoSpans::TooWide => "the range of the open angle is too wide for a firing order; give firing_angles",
-        })
-    }
-}
-
-impl std::error::Error for NoSpans {}
 
 /// More changes of the revolutions than this are not looked at.
 const MOST_CHANGES: i64 = 2000;

@@ -1,7 +1,5 @@
 //! What presses on the pistons when a cylinder does not fire?
 
-use std::fmt;
-
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -10,9 +8,10 @@ use super::gas::{Gas, Heat, PressureLaw, PressureTable, Setting};
 use super::model::Engine;
 
 /// Why a cylinder cannot be kept from firing.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoMisfire {
     /// No cylinder has this name.
+    #[error("there is no cylinder `{name}` to misfire; the cylinders are {}", .names.join(", "))]
     NoSuchCylinder {
         /// The name.
         name: String,
@@ -20,28 +19,14 @@ pub enum NoMisfire {
         names: Vec<String>,
     },
     /// A stage of a compressor, by the name of its cylinder.
+    #[error("cylinder {0} is a stage of a compressor, in which nothing fires; name one that does")]
     Compressor(String),
     /// Neither gas nor harmonics of the torque.
+    #[error(
+        "the layout does not say what a cylinder does that fires; add [gas], or [[torsion.harmonic]] for the torsion alone"
+    )]
     NothingFires,
 }
-
-impl fmt::Display for NoMisfire {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoMisfire::NoSuchCylinder { name, names } => {
-                write!(f, "there is no cylinder `{name}` to misfire; the cylinders are {}", names.join(", "))
-            }
-            NoMisfire::Compressor(name) => {
-                write!(f, "cylinder {name} is a stage of a compressor, in which nothing fires; name one that does")
-            }
-            NoMisfire::NothingFires => f.write_str(
-                "the layout does not say what a cylinder does that fires; add [gas], or [[torsion.harmonic]] for the torsion alone",
-            ),
-        }
-    }
-}
-
-impl std::error::Error for NoMisfire {}
 
 impl Engine {
     /// The cylinder that was kept from firing, by its index.

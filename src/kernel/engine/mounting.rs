@@ -1,7 +1,5 @@
 //! On what does an engine stand? A rigid body on springs with dampers.
 
-use std::fmt;
-
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -49,53 +47,36 @@ pub struct Mount {
 }
 
 /// Why a body and springs are no engine on its mounts.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoMounting {
     /// No mount, or more than [`MOST_MOUNTS`].
+    #[error("{0} mounts; an engine stands on 1 to {MOST_MOUNTS}")]
     Mounts(usize),
     /// A mass that is not above 0.
+    #[error("the mass of the block is not above 0")]
     Mass,
     /// Moments and products that are no inertia tensor.
+    #[error("the inertia tensor is not positive definite")]
     NotPositiveDefinite,
     /// One moment of inertia is above the sum of the two others, by their letters.
+    #[error("I_{} + I_{} < I_{}: no body has that", .0[0], .0[1], .0[2])]
     Triangle([&'static str; 3]),
     /// Products of inertia that no masses make.
+    #[error("no body has these products of inertia beside these moments")]
     Products,
     /// A stiffness that is not above 0, by the number of the mount from 1.
+    #[error("a stiffness of mount {0} is not above 0")]
     Stiffness(usize),
     /// A damping or a loss factor below 0.
+    #[error("the damping or the loss factor of mount {0} is below 0")]
     Damping(usize),
-    /// The mounts stand on one line, about which the engine turns freely: its direction, none where it is any.
-    Free(Option<Box<[BigRational; 3]>>),
+    /// The mounts are at one place, about which the engine turns freely.
+    #[error("all mounts are at one place: the engine is free to turn about every axis through it")]
+    OnePlace,
+    /// The mounts stand on one line of this direction, about which the engine turns freely.
+    #[error("all mounts lie on one line: the engine is free along the rotation about its direction ({}, {}, {})", .0[0], .0[1], .0[2])]
+    OneLine(Box<[BigRational; 3]>),
 }
-
-impl fmt::Display for NoMounting {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoMounting::Mounts(count) => write!(f, "{count} mounts; an engine stands on 1 to {MOST_MOUNTS}"),
-            NoMounting::Mass => f.write_str("the mass of the block is not above 0"),
-            NoMounting::NotPositiveDefinite => f.write_str("the inertia tensor is not positive definite"),
-            NoMounting::Triangle([one, other, largest]) => {
-                write!(f, "I_{one} + I_{other} < I_{largest}: no body has that")
-            }
-            NoMounting::Products => f.write_str("no body has these products of inertia beside these moments"),
-            NoMounting::Stiffness(mount) => write!(f, "a stiffness of mount {mount} is not above 0"),
-            NoMounting::Damping(mount) => write!(f, "the damping or the loss factor of mount {mount} is below 0"),
-            NoMounting::Free(None) => {
-                f.write_str("all mounts are at one place: the engine is free to turn about every axis through it")
-            }
-            NoMounting::Free(Some(line)) => {
-                let [x, y, z] = &**line;
-                write!(
-                    f,
-                    "all mounts lie on one line: the engine is free along the rotation about its direction ({x}, {y}, {z})"
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for NoMounting {}
 
 impl Block {
     /// The inertia tensor about the centre of gravity, in kg m².
@@ -121,10 +102,7 @@ impl Block {
             let [one, other] = [(axis + 1) % 3, (axis + 2) % 3];
             return Err(NoMounting::Triangle([NAMES[one.min(other)], NAMES[one.max(other)], NAMES[axis]]));
         }
-        match minors(&masses, &self.products).iter().any(Signed::is_negative) {
-            true => Err(NoMounting::Products),
-            false => Ok(()),
-        }
+        if minors(&masses, &self.products).iter().any(Signed::is_negative) { Err(NoMounting::Products) } else { Ok(()) }
     }
 }
 
@@ -163,7 +141,7 @@ impl Mounting {
             std::array::from_fn(|axis| &mount.place[axis] - &self.mounts[0].place[axis])
         };
         let mut apart = self.mounts.iter().map(from_first).filter(|arm| arm.iter().any(|part| !part.is_zero()));
-        let Some(line) = apart.next() else { return Err(NoMounting::Free(None)) };
+        let Some(line) = apart.next() else { return Err(NoMounting::OnePlace) };
         let is_beside = |arm: [BigRational; 3]| {
             (0..3).any(|axis| {
                 let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -174,7 +152,7 @@ impl Mounting {
             return Ok(());
         }
         let longest = line.iter().max_by_key(|part| part.abs()).cloned().unwrap_or_default();
-        Err(NoMounting::Free(Some(Box::new(line.map(|part| part / &longest)))))
+        Err(NoMounting::OneLine(Box::new(line.map(|part| part / &longest))))
     }
 
     /// The planes x = 0, y = 0, z = 0 through the centre of gravity about which body and mounts are symmetric, exactly.

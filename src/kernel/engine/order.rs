@@ -3,7 +3,6 @@
 //! The theorem is that of [`crate::motion`]: order 1 of the force always exists; for λ > 0 the even ones do, and with a pin offset
 //! every one; in the inertia torque every order. A link with a corrected knuckle angle may have every order. An infinitely long rod, λ = 0, has order 1 of the force and order 2 of the torque.
 
-use std::fmt;
 use std::ops::RangeInclusive;
 
 use num_traits::Zero;
@@ -20,16 +19,9 @@ pub const HIGHEST_ORDER: u32 = 1000;
 pub const ORDERS: RangeInclusive<u32> = 1..=HIGHEST_ORDER;
 
 /// A number that is no order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0} is not an order; an order is a whole number from 1 to {HIGHEST_ORDER}")]
 pub struct NotAnOrder(pub u32);
-
-impl fmt::Display for NotAnOrder {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} is not an order; an order is a whole number from 1 to {HIGHEST_ORDER}", self.0)
-    }
-}
-
-impl std::error::Error for NotAnOrder {}
 
 /// Whether every number of a list is an order.
 ///

@@ -1,7 +1,5 @@
 //! What is a crankshaft that twists? Discs with moments of inertia, the shafts and gears between them, and what damps them.
 
-use std::fmt;
-
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -121,11 +119,13 @@ pub struct Harmonic {
 }
 
 /// Why discs and springs are no shaft.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoShaft {
     /// Fewer than two discs, or more than [`MOST_DISCS`].
+    #[error("{0} moments of inertia; a torsional model has 2 to {MOST_DISCS}")]
     Discs(usize),
     /// Not one stiffness fewer than inertias, in a row of discs.
+    #[error("{stiffnesses} stiffnesses for {discs} moments of inertia; between {discs} discs there are {}", .discs - 1)]
     Stiffnesses {
         /// How many discs.
         discs: usize,
@@ -133,6 +133,7 @@ pub enum NoShaft {
         stiffnesses: usize,
     },
     /// Not one damping for each disc.
+    #[error("{dampings} dampings for {discs} moments of inertia; name one for each disc, 0 where there is none")]
     Dampings {
         /// How many discs.
         discs: usize,
@@ -140,12 +141,16 @@ pub enum NoShaft {
         dampings: usize,
     },
     /// An inertia or a stiffness that is not above 0, by its number from 1.
+    #[error("{0} {1} is not above 0")]
     NotPositive(&'static str, usize),
     /// A damping or a loss factor below 0, by its number from 1.
+    #[error("{0} {1} is below 0: it would feed the vibration")]
     Negative(&'static str, usize),
     /// A gear of ratio 0, by its number from 1.
+    #[error("gear {0} has a ratio of 0")]
     NoRatio(usize),
     /// A shaft, a gear or a damper at a disc that is not there.
+    #[error("{} {} is at disc {disc}; there are {discs}, numbered from 1", .what.0, .what.1)]
     NoDisc {
         /// What stands there, by its number from 1.
         what: (&'static str, usize),
@@ -155,12 +160,16 @@ pub enum NoShaft {
         discs: usize,
     },
     /// A shaft or a gear between discs that are joined already.
+    #[error("{0} {1} joins discs that are joined already: branches may close no ring")]
     Ring(&'static str, usize),
     /// Discs that no shaft joins to the first, by the number of one from 1.
+    #[error("no shaft and no gear joins disc {0} to the first")]
     Apart(usize),
     /// A bore that leaves nothing of a shaft, by its number from 1.
+    #[error("the bore of shaft {0} is not smaller than its outer diameter")]
     Hollow(usize),
     /// Not one disc for each crankpin.
+    #[error("{given} discs are named for {pins} crankpins; name one for each (a boxer pair is one)")]
     Pins {
         /// How many are given.
         given: usize,
@@ -168,6 +177,7 @@ pub enum NoShaft {
         pins: usize,
     },
     /// A crankpin on a disc that is not there, both by their numbers from 1.
+    #[error("crankpin {pin} is on disc {disc}; there are {discs}, numbered from 1")]
     NoSuchDisc {
         /// The crankpin.
         pin: usize,
@@ -177,8 +187,12 @@ pub enum NoShaft {
         discs: usize,
     },
     /// A crankpin of two crankshafts, by its number from 1.
+    #[error("crankpin {0} is of two crankshafts; number those of each by themselves")]
     OfTwoCranks(usize),
     /// A crankpin on a disc that gears turn otherwise than its crankshaft, both by their numbers from 1.
+    #[error(
+        "crankpin {pin} is on disc {disc}, which gears turn at another speed, or in another sense, beside the first crankpin than its crankshaft turns"
+    )]
     Geared {
         /// The crankpin.
         pin: usize,
@@ -186,55 +200,6 @@ pub enum NoShaft {
         disc: usize,
     },
 }
-
-impl fmt::Display for NoShaft {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoShaft::Discs(count) => write!(f, "{count} moments of inertia; a torsional model has 2 to {MOST_DISCS}"),
-            NoShaft::Stiffnesses { discs, stiffnesses } => {
-                write!(
-                    f,
-                    "{stiffnesses} stiffnesses for {discs} moments of inertia; between {discs} discs there are {}",
-                    discs - 1
-                )
-            }
-            NoShaft::Dampings { discs, dampings } => {
-                write!(
-                    f,
-                    "{dampings} dampings for {discs} moments of inertia; name one for each disc, 0 where there is none"
-                )
-            }
-            NoShaft::NotPositive(what, number) => write!(f, "{what} {number} is not above 0"),
-            NoShaft::Negative(what, number) => write!(f, "{what} {number} is below 0: it would feed the vibration"),
-            NoShaft::NoRatio(number) => write!(f, "gear {number} has a ratio of 0"),
-            NoShaft::NoDisc { what: (what, number), disc, discs } => {
-                write!(f, "{what} {number} is at disc {disc}; there are {discs}, numbered from 1")
-            }
-            NoShaft::Ring(what, number) => {
-                write!(f, "{what} {number} joins discs that are joined already: branches may close no ring")
-            }
-            NoShaft::Apart(disc) => write!(f, "no shaft and no gear joins disc {disc} to the first"),
-            NoShaft::Hollow(number) => write!(f, "the bore of shaft {number} is not smaller than its outer diameter"),
-            NoShaft::Pins { given, pins } => {
-                write!(f, "{given} discs are named for {pins} crankpins; name one for each (a boxer pair is one)")
-            }
-            NoShaft::NoSuchDisc { pin, disc, discs } => {
-                write!(f, "crankpin {pin} is on disc {disc}; there are {discs}, numbered from 1")
-            }
-            NoShaft::Geared { pin, disc } => {
-                write!(
-                    f,
-                    "crankpin {pin} is on disc {disc}, which gears turn at another speed, or in another sense, beside the first crankpin than its crankshaft turns"
-                )
-            }
-            NoShaft::OfTwoCranks(pin) => {
-                write!(f, "crankpin {pin} is of two crankshafts; number those of each by themselves")
-            }
-        }
-    }
-}
-
-impl std::error::Error for NoShaft {}
 
 impl Torsion {
     /// Whether anything damps it.

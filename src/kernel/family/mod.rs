@@ -21,13 +21,13 @@ mod when;
 mod zeros;
 
 pub use angles::{Alternative, Angles, Condition};
-pub use circle::{Arc, Circle, Closed, Coprime, Factor, Kind, Polynomial};
+pub use circle::{Arc, Circle, Closed, Factor, Kind, Polynomial};
 pub use classify::{classify, phase};
 pub use comparable::{NotComparable, comparable};
 pub use component::{Component, component_zeros};
 pub use firing::{EvenFiring, even_firing, even_firing_lines};
 pub use part::Part;
-pub use plane::{BoxZero, Boxes, Classes, Corner, Meeting, Quadratic, Root, Roots, Shape, Triangle, Twist};
+pub use plane::{BoxZero, Boxes, Classes, Corner, Meeting, Quadratic, Root, Roots, Triangle};
 pub use range::{Place, is_in_range};
 pub use remaining::{Remaining, remaining};
 pub use torque::{NoOpenStar, OpenStar, SpanStar, firing_stars};

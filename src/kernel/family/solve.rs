@@ -11,12 +11,12 @@ use num_traits::{One, Signed, Zero};
 use super::angles::{Angles, alternative};
 use super::circle::{self, Solved};
 use super::part::Part;
-use super::plane::{Shape, boxes, classes, product, quadratic, triangle};
+use super::plane::{boxes, classes, product, quadratic, triangle};
 use super::remaining::ratio;
 use super::when::{Cosine, Never, Product, When};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
-use crate::proof::Certificate;
+use crate::proof::{Certificate, TriangleShape};
 
 /// When the parts sum to zero.
 pub(super) fn when(parts: &[&Part]) -> When {
@@ -43,7 +43,7 @@ fn general(parts: &[&Part]) -> When {
 fn in_plane(parts: &[&Part]) -> Option<When> {
     if let [first, second, third] = parts {
         let found = Box::new(triangle::solve([first, second, third])?);
-        let is_never = matches!(found.shape, Shape::Never(_));
+        let is_never = matches!(found.shape, TriangleShape::Never { .. });
         return Some(if is_never { When::Never(Never::Triangle(found)) } else { When::Triangle(found) });
     }
     if let Some(product) = in_product(parts) {

@@ -4,7 +4,6 @@
 //! φ_j counts modulo a revolution, so that top dead centres are enough; at half orders it counts modulo two.
 
 use std::collections::BTreeSet;
-use std::fmt;
 
 use num_rational::BigRational;
 
@@ -35,32 +34,17 @@ pub struct SpanStar {
 }
 
 /// Why a family has no firing stars.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoOpenStar {
     /// Rods that differ: each kind has a star of its own.
+    #[error(
+        "the rods differ and an angle or a length is open: each kind of rod has a firing star of its own; give all cylinders \
+                 one rod, or the unknowns values below [values]"
+    )]
     RodsDiffer,
     /// No engine of the family has them.
-    NoStar(NoStar),
-}
-
-impl fmt::Display for NoOpenStar {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoOpenStar::RodsDiffer => f.write_str(
-                "the rods differ and an angle or a length is open: each kind of rod has a firing star of its own; give all cylinders \
-                 one rod, or the unknowns values below [values]",
-            ),
-            NoOpenStar::NoStar(why) => why.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for NoOpenStar {}
-
-impl From<NoStar> for NoOpenStar {
-    fn from(why: NoStar) -> Self {
-        NoOpenStar::NoStar(why)
-    }
+    #[error(transparent)]
+    NoStar(#[from] NoStar),
 }
 
 /// Judges the firing stars of these orders.

@@ -3,10 +3,10 @@
 use num_rational::BigRational;
 
 use super::angles::Angles;
-use super::circle::{Circle, Coprime};
+use super::circle::Circle;
 use super::plane::{Boxes, Classes, Quadratic, Triangle};
 use crate::exact::Turn;
-use crate::proof::Certificate;
+use crate::proof::{Certificate, CoprimeClaim};
 
 /// When a sum vanishes.
 #[derive(Clone, Debug)]
@@ -74,7 +74,7 @@ pub enum Never {
     /// Two parts of different length: evidence that `|S_1|² − |S_2|²` is not zero.
     UnequalLengths(Certificate),
     /// Parts in one unknown, which have no zero on the circle: evidence by one prime.
-    Coprime(Box<Coprime>),
+    Coprime(Box<CoprimeClaim>),
     /// Parts in one unknown, whose arcs hold no zero.
     Circle(Box<Circle>),
     /// Three parts in two unknowns, one of them longer than the others together.

@@ -222,10 +222,7 @@ impl File {
             }
             (None, Some(text), Some(radius)) => {
                 let (mass, radius) = (mass(text)?, positive_metres(radius)?);
-                match mass.is_zero() {
-                    true => Err(misread(text, "mass", "above 0")),
-                    false => Ok(Some(mass * &radius * radius)),
-                }
+                if mass.is_zero() { Err(misread(text, "mass", "above 0")) } else { Ok(Some(mass * &radius * radius)) }
             }
             (None, Some(text), None) => Err(LayoutError::new(
                 "a mass without its radius of gyration",

@@ -70,9 +70,7 @@ impl LayoutError {
     pub fn span(&self) -> Option<Range<usize>> {
         self.span.clone()
     }
-}
 
-impl LayoutError {
     /// The message with its line of the file, as an error or a warning.
     pub(super) fn shown(&self, level: &Level<'_>) -> String {
         let (message, right, file) = (harmless(&self.message), harmless(&self.right), harmless(&self.file));

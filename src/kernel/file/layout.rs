@@ -271,10 +271,7 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
         let torsion = Some(torsion_keys::read(table, &engine)?);
         engine = built(Draft { torsion, ..engine.into_draft() }.build())?;
     }
-    let firing = match faster.is_some() {
-        true => None,
-        false => known_firing::read(&above, &values, &engine)?,
-    };
+    let firing = if faster.is_some() { None } else { known_firing::read(&above, &values, &engine)? };
     if let Some(firing) = firing {
         engine = built(Draft { firing: Some(firing), ..engine.into_draft() }.build())?;
     }

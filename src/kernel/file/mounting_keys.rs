@@ -79,14 +79,18 @@ fn right(why: &NoMounting) -> &'static str {
             "a stiffness above 0 along each of the three axes of the mount, such as \"220 kN/m\""
         }
         NoMounting::Damping(_) => "0 or more",
-        NoMounting::Free(_) => "add a mount beside that line: all six motions of the engine have to be held",
+        NoMounting::OnePlace | NoMounting::OneLine(_) => {
+            "add a mount beside that line: all six motions of the engine have to be held"
+        }
     }
 }
 
 fn span(why: &NoMounting, keys: &BlockKeys, mounts: &Mounts) -> Option<Range<usize>> {
     let mount = |number: &usize| &mounts.get_ref()[number - 1].get_ref().0;
     match why {
-        NoMounting::Mounts(_) | NoMounting::Free(_) => mounts.get_ref().first().and_then(place),
+        NoMounting::Mounts(_) | NoMounting::OnePlace | NoMounting::OneLine(_) => {
+            mounts.get_ref().first().and_then(place)
+        }
         NoMounting::Mass => place(&keys.mass),
         NoMounting::NotPositiveDefinite | NoMounting::Triangle(_) => place(&keys.inertia),
         NoMounting::Products => keys

@@ -1,7 +1,6 @@
 //! What number did a person write? Taken exactly: `22.5`, `"3/2"`, `1e-3`.
 
 use std::borrow::Cow;
-use std::fmt;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -15,27 +14,20 @@ const MOST_DIGITS: usize = 200;
 const LARGEST_EXPONENT: i32 = 100;
 
 /// Why a text is not an exact number.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NumberError {
     /// Not of the form `-12.5`, `3/2` or `1e-3`.
+    #[error("not a number; write a decimal such as 22.5 or a fraction such as \"3/2\"")]
     NotANumber,
     /// A comma where the decimal point is.
+    #[error("not a number; write a decimal point, as in 22.5")]
     DecimalComma,
     /// A fraction over 0.
+    #[error("a fraction over 0; its denominator has to be 1 or more")]
     ZeroDenominator,
     /// More than 200 digits, or a power of ten beyond ±100.
+    #[error("out of range; up to 200 digits and powers of ten up to 100 are read")]
     TooLong,
-}
-
-impl fmt::Display for NumberError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            NumberError::NotANumber => "not a number; write a decimal such as 22.5 or a fraction such as \"3/2\"",
-            NumberError::DecimalComma => "not a number; write a decimal point, as in 22.5",
-            NumberError::ZeroDenominator => "a fraction over 0; its denominator has to be 1 or more",
-            NumberError::TooLong => "out of range; up to 200 digits and powers of ten up to 100 are read",
-        })
-    }
 }
 
 /// Reads a decimal or a fraction exactly as written.

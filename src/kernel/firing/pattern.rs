@@ -3,8 +3,6 @@
 //! In each term the order multiplies the firing angle, so where N times every angle times the lowest order is whole the star of
 //! order κ depends on κ only modulo N times the lowest order.
 
-use std::fmt;
-
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
@@ -25,26 +23,15 @@ pub struct FiringPattern {
 }
 
 /// Why there is no pattern.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoPattern {
     /// There is no star either.
+    #[error("{0}")]
     NoStar(NoStar),
     /// The pattern repeats only after this many orders.
+    #[error("the pattern repeats only after {0} orders; at most {LONGEST_PATTERN} are decided")]
     PeriodTooLong(BigInt),
 }
-
-impl fmt::Display for NoPattern {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoPattern::NoStar(why) => why.fmt(f),
-            NoPattern::PeriodTooLong(period) => {
-                write!(f, "the pattern repeats only after {period} orders; at most {LONGEST_PATTERN} are decided")
-            }
-        }
-    }
-}
-
-impl std::error::Error for NoPattern {}
 
 impl FiringPattern {
     /// The star of an order; it is that of the same place in the first period.

@@ -1,7 +1,5 @@
 //! What is the star of one order, and is it zero?
 
-use std::fmt;
-
 use num_rational::BigRational;
 
 use crate::engine::{CycleOrder, Engine, Firing, Mechanism};
@@ -52,19 +50,34 @@ impl Weights {
 }
 
 /// Why there is no firing star.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoStar {
     /// The layout says neither in which order nor when the cylinders fire.
+    #[error(
+        "the layout does not say when the cylinders fire; above the first table, add firing_order = \"1-3-4-2\" with the cylinders in the order of \
+                 their firing, or firing_angles in degrees, one per cylinder; of a two-stroke engine cycle = \"two-stroke\" is enough"
+    )]
     NoFiring,
     /// Two pistons share each cylinder, and what is asked is known only of those alike, with known angles, on a rigid crankshaft.
+    #[error(
+        "firing stars of opposed pistons are decided where the two move alike in all cylinders, of known angles, and without a mode shape; torque gives the orders of any"
+    )]
     OpposedPistons,
     /// Infinitely long rods have several offsets.
+    #[error(
+        "firing stars of infinitely long rods (rod_ratio = 0) are decided where all have one offset; give a rod_ratio above 0"
+    )]
     EndlessRods,
     /// A half order of an engine that fires once per revolution.
+    #[error("order {0} does not exist in a two-stroke engine: its cycle is one revolution; ask for whole orders")]
     HalfOrder(CycleOrder),
     /// A crankshaft turns faster than the reference: how often its cylinders fire in a cycle is not asked.
+    #[error(
+        "when the cylinders of crankshafts of different speeds fire is not decided; firing stars are those of crankshafts that turn equally fast"
+    )]
     FasterCrank,
     /// The mode shape has another number of values than the engine has cylinders.
+    #[error("the mode shape has {values} values for {cylinders} cylinders; one per cylinder is needed")]
     ModeShape {
         /// How many values it has.
         values: usize,
@@ -72,34 +85,6 @@ pub enum NoStar {
         cylinders: usize,
     },
 }
-
-impl fmt::Display for NoStar {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoStar::NoFiring => f.write_str(
-                "the layout does not say when the cylinders fire; above the first table, add firing_order = \"1-3-4-2\" with the cylinders in the order of \
-                 their firing, or firing_angles in degrees, one per cylinder; of a two-stroke engine cycle = \"two-stroke\" is enough",
-            ),
-            NoStar::OpposedPistons => f.write_str(
-                "firing stars of opposed pistons are decided where the two move alike in all cylinders, of known angles, and without a mode shape; torque gives the orders of any",
-            ),
-            NoStar::EndlessRods => f.write_str(
-                "firing stars of infinitely long rods (rod_ratio = 0) are decided where all have one offset; give a rod_ratio above 0",
-            ),
-            NoStar::FasterCrank => f.write_str(
-                "when the cylinders of crankshafts of different speeds fire is not decided; firing stars are those of crankshafts that turn equally fast",
-            ),
-            NoStar::HalfOrder(order) => {
-                write!(f, "order {order} does not exist in a two-stroke engine: its cycle is one revolution; ask for whole orders")
-            }
-            NoStar::ModeShape { values, cylinders } => {
-                write!(f, "the mode shape has {values} values for {cylinders} cylinders; one per cylinder is needed")
-            }
-        }
-    }
-}
-
-impl std::error::Error for NoStar {}
 
 /// One order of the gas torque: a star for each class of cylinders that make the same torque from the same pressure.
 #[derive(Clone, Debug)]

@@ -25,26 +25,17 @@ pub(super) struct Drawn {
 }
 
 /// Why a diagram has no answer.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoFluctuation {
     /// The load takes another work than the engine gives: in N m times turns.
+    #[error(
+        "the load takes another work in a cycle than the engine gives, so that no speed is kept: their means must be equal"
+    )]
     Unequal,
     /// The load is given for another cycle.
+    #[error("the load's points span another angle than the torque's")]
     OtherCycle,
     /// Angles are asked of a diagram that is areas alone.
+    #[error("areas alone do not give the torque at an angle: give points, triangles or harmonics")]
     NoAngles,
 }
-
-impl std::fmt::Display for NoFluctuation {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            NoFluctuation::Unequal => {
-                "the load takes another work in a cycle than the engine gives, so that no speed is kept: their means must be equal"
-            }
-            NoFluctuation::OtherCycle => "the load's points span another angle than the torque's",
-            NoFluctuation::NoAngles => "areas alone do not give the torque at an angle: give points, triangles or harmonics",
-        })
-    }
-}
-
-impl std::error::Error for NoFluctuation {}

@@ -68,10 +68,7 @@ impl CylinderGas {
         }
         let gas = CylinderGas { geometry, sides, crankcase: float(&chamber.crankcase), cycle, heat, zero };
         let is_shown = |value: f64| value.is_finite() && value.abs() < 1e150;
-        match is_shown(gas.work()) && is_shown(gas.peak_pressure().0) {
-            true => Ok(gas),
-            false => Err(NoGas::TooLarge),
-        }
+        if is_shown(gas.work()) && is_shown(gas.peak_pressure().0) { Ok(gas) } else { Err(NoGas::TooLarge) }
     }
 
     /// From which crank angle the firing of a cylinder counts, in radians after its crank is in line with its axis: 0 unless the file counts from

@@ -86,10 +86,7 @@ impl Geometry {
         let outermost = best(-PI, 1.0);
         let innermost = best(outermost, -1.0);
         (both.outermost, both.innermost) = (outermost, innermost);
-        match both.swept() > STILL * alone * sweeps {
-            true => Ok(both),
-            false => Err(NoGas::Still),
-        }
+        if both.swept() > STILL * alone * sweeps { Ok(both) } else { Err(NoGas::Still) }
     }
 
     /// Where the volume stands still, within a step of this place; the place itself where it does not.

@@ -99,9 +99,7 @@ impl Samples {
             },
         ]
     }
-}
 
-impl Samples {
     /// The largest load of the knuckle pin of a link: of all, and of the masses alone; none where the rod is on the crankpin.
     pub fn knuckle_peaks(&self, course: &ForceHistory, index: usize) -> Option<[CyclePeak; 2]> {
         let known = self.grid.iter().map(|&theta| course.knuckle_parts(index, theta));

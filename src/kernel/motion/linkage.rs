@@ -81,10 +81,7 @@ impl Linkage {
 
     /// A bound of |z|, from above.
     pub fn distance(&self) -> BigRational {
-        match self.ratio.is_zero() {
-            true => BigRational::zero(),
-            false => self.ends[1].ratio() / &self.ratio,
-        }
+        if self.ratio.is_zero() { BigRational::zero() } else { self.ends[1].ratio() / &self.ratio }
     }
 
     /// The centric crank whose harmonics, times |z|, the link adds at most.

@@ -5,10 +5,7 @@ pub fn golden_section(mut low: f64, mut high: f64, sections: u32, value: impl Fn
     let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
     for _ in 0..sections {
         let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-        match value(left) < value(right) {
-            true => low = left,
-            false => high = right,
-        }
+        if value(left) < value(right) { low = left } else { high = right }
     }
     (low + high) / 2.0
 }

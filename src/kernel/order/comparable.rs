@@ -1,34 +1,23 @@
 //! Can the masses that turn be compared with those that go to and fro?
 
-use std::fmt;
-
 use num_traits::Zero;
 
 use crate::engine::Engine;
 
 /// What an engine lacks for its masses to be in one sum.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotComparable {
     /// The rotating masses cannot be compared with reciprocating ones that are not given.
+    #[error(
+        "the layout gives rotating masses, on rods, crankshaft or balancer shafts, but no reciprocating ones; below [mechanism], give reciprocating_mass or piston_mass"
+    )]
     Masses,
     /// The radii of webs, counterweights or balancer shafts cannot be compared with a crank radius that is not given.
+    #[error(
+        "the layout gives webs, counterweights or balancer shafts but no crank; below [mechanism], give stroke or crank_radius"
+    )]
     CrankRadius,
 }
-
-impl fmt::Display for NotComparable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            NotComparable::Masses => {
-                "the layout gives rotating masses, on rods, crankshaft or balancer shafts, but no reciprocating ones; below [mechanism], give reciprocating_mass or piston_mass"
-            }
-            NotComparable::CrankRadius => {
-                "the layout gives webs, counterweights or balancer shafts but no crank; below [mechanism], give stroke or crank_radius"
-            }
-        })
-    }
-}
-
-impl std::error::Error for NotComparable {}
 
 /// Whether the masses that turn can be compared with the reciprocating ones.
 ///

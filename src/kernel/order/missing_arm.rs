@@ -11,15 +11,19 @@ use crate::engine::{AxisLeftOut, Engine};
 use crate::exact::{PhasorSum, Term};
 
 /// A length that is not there, and that changes the roll moment.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MissingArm {
     /// The offset of an endless rod: it is no length.
+    #[error("the offset of an endless rod is no length")]
     EndlessRod,
     /// How far apart the crankshafts stand, one above the other.
+    #[error("the distance of the crankshafts is not given")]
     Distance,
     /// Where this crankshaft stands, by its index.
+    #[error("crankshaft {} has no place", .0 + 1)]
     Crankshaft(usize),
     /// Where the axis of this balancer shaft stands, by its index.
+    #[error("balancer shaft {} has neither height nor offset; add them to its table [[balancer]]", .0 + 1)]
     Balancer(usize),
 }
 

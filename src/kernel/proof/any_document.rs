@@ -46,7 +46,7 @@ pub fn read_document(bytes: &[u8]) -> Result<AnyDocument, Unreadable> {
     let format = tree.get("format").cloned();
     let name = format.as_ref().map(Value::to_string);
     let format = format.and_then(|format| serde_json::from_value(format).ok());
-    let format = format.ok_or(Unreadable::Format(name))?;
+    let format = format.ok_or(name.map_or(Unreadable::NoFormat, Unreadable::Format))?;
     match format {
         Format::Classify => typed(&tree).map(AnyDocument::Classify),
         Format::Family => typed(&tree).map(AnyDocument::Family),

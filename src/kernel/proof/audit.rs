@@ -157,7 +157,8 @@ impl fmt::Display for Reason {
 }
 
 /// What is wrong with a document: where, and why.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{place}: {reason}")]
 pub struct Fault {
     /// Which entry, as in `verdicts[3] (force, order 2, direct)`.
     pub place: String,
@@ -170,11 +171,3 @@ impl Fault {
         Fault { place: place.into(), reason: reason.into() }
     }
 }
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.place, self.reason)
-    }
-}
-
-impl std::error::Error for Fault {}

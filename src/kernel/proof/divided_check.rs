@@ -74,10 +74,7 @@ pub(super) fn of_coefficients(coefficients: &[Collected]) -> Unknown<'_> {
 fn read(coefficients: &[Vec<Vector>], audit: &Audit) -> Result<Coefficients, Reason> {
     let one = |terms: &Vec<Vector>| {
         let sum = collected(terms, audit)?;
-        match vectors(sum.clone()) == *terms {
-            true => Ok(sum),
-            false => Err("the terms of a factor are not collected".into()),
-        }
+        if vectors(sum.clone()) == *terms { Ok(sum) } else { Err("the terms of a factor are not collected".into()) }
     };
     coefficients.iter().map(one).collect()
 }
@@ -85,10 +82,7 @@ fn read(coefficients: &[Vec<Vector>], audit: &Audit) -> Result<Coefficients, Rea
 fn monic(coefficients: &[Vec<Vector>], audit: &Audit) -> Result<Coefficients, Reason> {
     let power = read(coefficients, audit)?;
     let one = Collected::from([(BigRational::zero(), BigRational::one())]);
-    match power.last() == Some(&one) {
-        true => Ok(power),
-        false => Err("the leading coefficient of a factor is not 1".into()),
-    }
+    if power.last() == Some(&one) { Ok(power) } else { Err("the leading coefficient of a factor is not 1".into()) }
 }
 
 fn multiplied(a: &[Collected], b: &[Collected], audit: &Audit) -> Result<Coefficients, Reason> {

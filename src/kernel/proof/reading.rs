@@ -15,43 +15,30 @@ use super::fraction::MOST_DIGITS;
 pub const LARGEST_DOCUMENT: usize = 4 << 20;
 
 /// Why a text is no document.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unreadable {
     /// More bytes than are read.
+    #[error("it has {0} bytes; up to {LARGEST_DOCUMENT} (4 MiB) are read")]
     TooLarge(usize),
     /// More digits than are read.
+    #[error("a number has {0} digits; up to {MOST_DIGITS} are read")]
     TooManyDigits(usize),
     /// Not JSON, or a key that stands twice.
+    #[error("{0}")]
     NotJson(String),
-    /// The format that it names, if it names one.
-    Format(Option<String>),
+    /// It names no format.
+    #[error("it names no format; the first key is \"format\", such as \"format\": \"crankstar classify 2\"")]
+    NoFormat,
+    /// The format that it names is none of those that are known.
+    #[error(
+        "the format {0} is not known; known are \"crankstar classify 2\", \"crankstar family 2\", \
+         \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 3\" and \"crankstar compare 3\""
+    )]
+    Format(String),
     /// Not said as the format has it.
+    #[error("{0}")]
     Malformed(String),
 }
-
-impl fmt::Display for Unreadable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Unreadable::TooLarge(bytes) => {
-                write!(f, "it has {bytes} bytes; up to {LARGEST_DOCUMENT} (4 MiB) are read")
-            }
-            Unreadable::TooManyDigits(digits) => {
-                write!(f, "a number has {digits} digits; up to {MOST_DIGITS} are read")
-            }
-            Unreadable::NotJson(error) | Unreadable::Malformed(error) => f.write_str(error),
-            Unreadable::Format(None) => f.write_str(
-                "it names no format; the first key is \"format\", such as \"format\": \"crankstar classify 2\"",
-            ),
-            Unreadable::Format(Some(name)) => write!(
-                f,
-                "the format {name} is not known; known are \"crankstar classify 2\", \"crankstar family 2\", \
-                 \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 3\" and \"crankstar compare 3\""
-            ),
-        }
-    }
-}
-
-impl std::error::Error for Unreadable {}
 
 /// Reads a document that says nothing else and nothing in another way.
 pub(super) fn typed<T: DeserializeOwned + Serialize>(tree: &Value) -> Result<T, Unreadable> {

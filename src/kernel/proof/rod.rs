@@ -82,10 +82,7 @@ impl Strip {
         let one = BigRational::one();
         let s = (&one + &rod.ratio + rod.offset.abs()) / BigRational::from_integer(2.into());
         let cap = BigInt::from(WIDEST) << Q_BITS;
-        let q = match rod.ratio.is_positive() {
-            true => widest(&((&s - rod.offset.abs()) / &rod.ratio)).min(cap),
-            false => cap,
-        };
+        let q = if rod.ratio.is_positive() { widest(&((&s - rod.offset.abs()) / &rod.ratio)).min(cap) } else { cap };
         let exact = BigRational::new(q.clone(), BigInt::one() << Q_BITS);
         let most = &exact * &exact * BigRational::from_integer(2.into()) / (&one - &s * &s);
         Ok(Strip { log: logarithm(&q)?, most: most.ceil().to_integer() })

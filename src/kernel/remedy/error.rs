@@ -1,25 +1,34 @@
 //! Why is there no remedy?
 
-use std::fmt;
-
 use crate::loads::Missing;
 
 /// Why there is no remedy.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RemedyError {
     /// What the layout lacks.
+    #[error("{0}")]
     Missing(Missing),
     /// Both planes are at this position, as a person writes it.
+    #[error("both planes are at {0}: weights in one plane make no couple; give planes at two positions")]
     PlanesCoincide(String),
     /// A plane at this position lies beyond the ends of the crankshaft.
+    #[error("a plane at {0} is beyond the crankshaft, which reaches from {} to {}", .1[0], .1[1])]
     BeyondTheShaft(String, Box<[String; 2]>),
     /// Balance factors where a crankshaft turns otherwise than the first, whose throws they are about.
+    #[error(
+        "balance factors are of crankshafts that all turn as the first one does; leave them out: then weights in two planes are proposed"
+    )]
     Bays,
     /// Balance factors of an engine that has counterweights in other planes than those of its throws, which would stay beside them.
+    #[error(
+        "the file has a counterweight at z = {0}, beside the planes of the throws in which balance factors put theirs: take balance_factor, counterweights and [[counterweight]] out of the file, or ask without factors"
+    )]
     Weighted(String),
     /// A mass at a radius of an engine without masses or a crank radius.
+    #[error("a mass at a radius needs the masses of the engine and its crank radius; give them below [mechanism]")]
     NoMass,
     /// Neither one value for all nor one per throw.
+    #[error("{given} {what} for {throws} throws; give one for all, or one per throw")]
     TooMany {
         /// What is given.
         what: &'static str,
@@ -29,37 +38,3 @@ pub enum RemedyError {
         throws: usize,
     },
 }
-
-impl fmt::Display for RemedyError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            RemedyError::Missing(missing) => missing.fmt(f),
-            RemedyError::PlanesCoincide(position) => write!(
-                f,
-                "both planes are at {position}: weights in one plane make no couple; give planes at two positions"
-            ),
-            RemedyError::BeyondTheShaft(position, ends) => {
-                write!(
-                    f,
-                    "a plane at {position} is beyond the crankshaft, which reaches from {} to {}",
-                    ends[0], ends[1]
-                )
-            }
-            RemedyError::Bays => f.write_str(
-                "balance factors are of crankshafts that all turn as the first one does; leave them out: then weights in two planes are proposed",
-            ),
-            RemedyError::Weighted(position) => write!(
-                f,
-                "the file has a counterweight at z = {position}, beside the planes of the throws in which balance factors put theirs: take balance_factor, counterweights and [[counterweight]] out of the file, or ask without factors"
-            ),
-            RemedyError::NoMass => f.write_str(
-                "a mass at a radius needs the masses of the engine and its crank radius; give them below [mechanism]",
-            ),
-            RemedyError::TooMany { what, given, throws } => {
-                write!(f, "{given} {what} for {throws} throws; give one for all, or one per throw")
-            }
-        }
-    }
-}
-
-impl std::error::Error for RemedyError {}

@@ -4,8 +4,6 @@
 //! a counterweight where it turns with the crank and is a plain number, else a balancer shaft. What is written is read back and
 //! judged anew, so that it is the engine that was promised.
 
-use std::fmt;
-
 use super::rounded::{is_of_link, leaves_little, rounded};
 use super::tables::{Kept, with_tables};
 use super::{Corrected, Remedy, Weight};
@@ -13,44 +11,32 @@ use crate::engine::{Counterweight, Engine};
 use crate::file::{FileResolver, LayoutError, parse_beside};
 use crate::order::{self, Factor};
 
+/// What would be right where the file does not take the weights.
+const RIGHT: &str = "write [crankshaft], [[counterweight]] and [[balancer]] as tables of their own, one key per line";
+
 /// Why no file can be written.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, thiserror::Error)]
 pub enum FileError {
     /// The engine was not read from a layout file.
+    #[error("the engine was not read from a layout file, to which weights could be added")]
     NoFile,
     /// A weight against what links leave cannot be written in decimals that leave little enough.
+    #[error(
+        "shafts against what links on a master rod leave have no exact size, and no decimals leave less than 10^-6 of the load"
+    )]
     OfLinks,
     /// A shaft is multiplied by a number of a crank that turns faster than the reference, which no key of a file names.
+    #[error(
+        "shafts against what pistons of a crankshaft leave that turns faster than the reference are sums with coefficients of its own orders, which a layout file has no key for"
+    )]
     OfFasterCrank,
     /// The file with the weights behind it is not read.
+    #[error("the layout file does not take the weights of the remedy; {RIGHT}: {0}")]
     Layout(Box<LayoutError>),
     /// It is read as an engine that is not the corrected one.
+    #[error("the layout file does not take the weights of the remedy; {RIGHT}")]
     AnotherEngine,
 }
-
-impl fmt::Display for FileError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        const RIGHT: &str =
-            "write [crankshaft], [[counterweight]] and [[balancer]] as tables of their own, one key per line";
-        match self {
-            FileError::NoFile => {
-                f.write_str("the engine was not read from a layout file, to which weights could be added")
-            }
-            FileError::OfLinks => f.write_str(
-                "shafts against what links on a master rod leave have no exact size, and no decimals leave less than 10^-6 of the load",
-            ),
-            FileError::OfFasterCrank => f.write_str(
-                "shafts against what pistons of a crankshaft leave that turns faster than the reference are sums with coefficients of its own orders, which a layout file has no key for",
-            ),
-            FileError::Layout(error) => {
-                write!(f, "the layout file does not take the weights of the remedy; {RIGHT}: {error}")
-            }
-            FileError::AnotherEngine => write!(f, "the layout file does not take the weights of the remedy; {RIGHT}"),
-        }
-    }
-}
-
-impl std::error::Error for FileError {}
 
 /// A layout file with the weights of a remedy.
 #[derive(Clone, Debug, PartialEq, Eq)]

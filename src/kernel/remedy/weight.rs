@@ -40,10 +40,7 @@ impl Weight {
     pub fn direction(&self) -> Option<Direction> {
         let (factor, sum) = self.vector.only()?;
         let half = || sum.turned(&Turn::fraction(1, 2));
-        match factor.is_negative(self.order)? {
-            true => numbers::direction_of(&half()),
-            false => numbers::direction_of(sum),
-        }
+        if factor.is_negative(self.order)? { numbers::direction_of(&half()) } else { numbers::direction_of(sum) }
     }
 
     /// U in multiples of m r and γ in degrees, in decimals; `None` where c_k is not known.

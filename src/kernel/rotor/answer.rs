@@ -59,16 +59,8 @@ pub struct Found {
 }
 
 /// Which unknowns are not solved for.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "these unknowns are not solved for; what may be omitted: mass (or radius) and angle of one or two masses, and of one that is wanted alone its position too; the masses of one or two whose angles are given, with or without their positions; mass and angle of one with the angles of three others, or of two of them, or its mass alone with the angles of all three; with secondary = true the angles of four cranks in planes symmetric about the middle and the masses of the inner two, the outer two being equal"
+)]
 pub struct NotSolved;
-
-impl std::fmt::Display for NotSolved {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(
-            "these unknowns are not solved for; what may be omitted: mass (or radius) and angle of one or two masses, and of one that is wanted alone its position too; the masses of one \
-             or two whose angles are given, with or without their positions; mass and angle of one with the angles of three others, or of two of them, or its mass alone with the angles of all three; with secondary = true the angles of four cranks in planes symmetric about the middle and the masses of the inner two, the outer two being equal",
-        )
-    }
-}
-
-impl std::error::Error for NotSolved {}

@@ -31,9 +31,7 @@ impl Limit {
         let (most, in_newton_metres) = units::moment(most)?;
         if most.is_negative() { Err(right.to_owned()) } else { Ok(Limit { order, most, in_newton_metres }) }
     }
-}
 
-impl Limit {
     /// The order, and the largest moment as it is read again.
     pub fn parts(&self) -> (u32, String) {
         (self.order, format!("{}{}", self.most, if self.in_newton_metres { " N m" } else { "" }))

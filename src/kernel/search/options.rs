@@ -1,6 +1,5 @@
 //! What is asked of a search, and how does it end?
 
-use std::fmt;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -55,15 +54,19 @@ impl Default for Options<'_> {
 }
 
 /// Why a search has no front.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SearchError {
     /// The question makes no sense.
+    #[error("{0}")]
     Problem(ProblemError),
     /// A file of pieces cannot be read or written, or is none of this search.
+    #[error("{0}")]
     Pieces(ShardError),
     /// A piece cannot be put into words.
+    #[error("a piece cannot be written: {0}")]
     NotWritten(String),
     /// A piece is whole, but cannot have come of this search.
+    #[error("`{files}` does not fit this search at piece {piece}; remove it and compute it again")]
     DoesNotFit {
         /// Its number.
         piece: usize,
@@ -71,21 +74,6 @@ pub enum SearchError {
         files: String,
     },
     /// Stopped by the progress callback, or by the flag.
+    #[error("stopped")]
     Stopped,
 }
-
-impl fmt::Display for SearchError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            SearchError::Problem(mistake) => mistake.fmt(f),
-            SearchError::Pieces(error) => error.fmt(f),
-            SearchError::NotWritten(error) => write!(f, "a piece cannot be written: {error}"),
-            SearchError::DoesNotFit { piece, files } => {
-                write!(f, "`{files}` does not fit this search at piece {piece}; remove it and compute it again")
-            }
-            SearchError::Stopped => f.write_str("stopped"),
-        }
-    }
-}
-
-impl std::error::Error for SearchError {}

@@ -1,7 +1,5 @@
 //! Which stars are compared, and by what? The question of a search, and whether it makes sense.
 
-use std::fmt;
-
 use num_rational::BigRational;
 use num_traits::Signed;
 
@@ -65,7 +63,8 @@ pub fn bank_angle(turns: &BigRational) -> Result<Turn, ProblemError> {
 }
 
 /// Why a question has no answer: what is wrong, and what would be right.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
 pub struct ProblemError(String);
 
 impl ProblemError {
@@ -73,14 +72,6 @@ impl ProblemError {
         ProblemError(message.into())
     }
 }
-
-impl fmt::Display for ProblemError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for ProblemError {}
 
 impl Problem {
     /// An in-line engine that fires evenly, compared by the moments of these orders.

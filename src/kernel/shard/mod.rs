@@ -38,7 +38,8 @@ pub struct Question {
 }
 
 /// Why shards cannot be written, read or merged.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
 pub struct ShardError(String);
 
 impl Shard {
@@ -98,11 +99,3 @@ impl ShardError {
         ShardError(format!("cannot write `{}`: {error}", harmless(&path.to_string_lossy())))
     }
 }
-
-impl fmt::Display for ShardError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for ShardError {}

@@ -118,10 +118,7 @@ fn length(engine: &Engine, order: CycleOrder) -> StarLength {
 fn amplitude(sum: &PhasorSum) -> Amplitude {
     let weights = sum.terms().iter().map(|term| term.weight.abs().to_f64().unwrap_or(f64::INFINITY));
     let (value, total) = (float(sum).norm(), weights.sum::<f64>());
-    match value <= total * numbers::ALIKE && sum.vanishes() {
-        true => Amplitude::ZERO,
-        false => Amplitude::decided(value),
-    }
+    if value <= total * numbers::ALIKE && sum.vanishes() { Amplitude::ZERO } else { Amplitude::decided(value) }
 }
 
 /// Where the stars vanish; `None` where the parameter is no angle, or the rods differ.

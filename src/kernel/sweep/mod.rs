@@ -33,12 +33,11 @@ pub use stream::Stream;
 pub use swept_engine::{SweptEngine, SweptOrder, judge};
 pub use zeros::{ZeroSet, Zeros, zeros};
 
-use std::fmt;
-
 use crate::file::LayoutError;
 
 /// Why a sweep is refused.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("{0}")]
 pub struct SweepError(String);
 
 impl SweepError {
@@ -54,11 +53,3 @@ impl SweepError {
         }
     }
 }
-
-impl fmt::Display for SweepError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for SweepError {}

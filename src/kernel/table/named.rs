@@ -84,9 +84,7 @@ impl Single {
     pub fn value(&self) -> Option<Value<'_>> {
         self.values.get(0)
     }
-}
 
-impl Single {
     /// Values of the same name as a column, with the unit and the type of this one; what is of another is omitted.
     pub fn column<'a>(&self, name: &str, all: impl IntoIterator<Item = Option<&'a Single>>) -> Column {
         let mut values = self.values.of_rows(0..0);

@@ -1,29 +1,17 @@
 //! Why can tables not be written?
 
-use std::fmt;
-
 /// Why tables cannot be written.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unwritable {
     /// The program was built without the format: the name of its feature.
+    #[error(
+        "this program was built without {0}; build it with `cargo build --release --features {0}`, or take --format csv"
+    )]
     NotBuilt(&'static str),
     /// The format does not hold it; comma-separated values do.
+    #[error("the tables cannot be written: {0}; take --format csv")]
     Refused(String),
     /// It could not be written in any format: a full disk, rows of other columns.
+    #[error("the tables cannot be written: {0}")]
     Failed(String),
 }
-
-impl fmt::Display for Unwritable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Unwritable::NotBuilt(feature) => write!(
-                f,
-                "this program was built without {feature}; build it with `cargo build --release --features {feature}`, or take --format csv"
-            ),
-            Unwritable::Refused(why) => write!(f, "the tables cannot be written: {why}; take --format csv"),
-            Unwritable::Failed(why) => write!(f, "the tables cannot be written: {why}"),
-        }
-    }
-}
-
-impl std::error::Error for Unwritable {}

@@ -1,7 +1,5 @@
 //! Which verdicts does a reader want of an engine: as it is built, and of its pistons alone?
 
-use std::fmt;
-
 use super::{OrderVerdict, classify};
 use crate::engine::{Engine, NotAnOrder};
 use crate::order::{self, Masses, NotComparable};
@@ -30,24 +28,15 @@ pub fn quantities(engine: &Engine, with_torque: bool) -> Vec<Quantity> {
 }
 
 /// Why an engine is not judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotJudged {
     /// A number that is no order.
+    #[error("{0}")]
     Order(NotAnOrder),
     /// Masses that are not in one unit.
+    #[error("{0}")]
     Masses(NotComparable),
 }
-
-impl fmt::Display for NotJudged {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NotJudged::Order(number) => number.fmt(f),
-            NotJudged::Masses(why) => why.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for NotJudged {}
 
 impl Judgement {
     /// Judges an engine at these orders: as it is built, where the file says enough of its masses.

@@ -3,8 +3,6 @@
 //! In each term the order k multiplies an angle, so where L times every throw and bank is whole the sums of order k
 //! depend on k only modulo L. A centric engine has order 1 and the even ones.
 
-use std::fmt;
-
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
@@ -46,44 +44,30 @@ pub struct EveryOrder {
 pub const LONGEST_SIEVED: u32 = 1_000_000;
 
 /// Why there is no statement on every order.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoTheorem {
     /// The pattern repeats only after this many orders, more than are gone through.
+    #[error("the pattern repeats only after {0} orders; at most {LONGEST_SIEVED} are examined")]
     PeriodTooLong(BigInt),
     /// The pattern repeats only after this many orders, and too many of these may be zero.
+    #[error(
+        "the pattern repeats only after {0} orders, of which more than {MOST_CANDIDATES} may be zero, too many to decide"
+    )]
     TooManyCandidates(u32),
     /// Rods are links, which add sums of other kinds.
+    #[error("the rods differ, so no order is a single sum")]
     RodsDiffer,
     /// A crankshaft turns this many times while the reference turns once: its pistons have other orders.
+    #[error(
+        "a crankshaft turns {0} times while the reference turns once, so that its pistons have other orders than those of the reference"
+    )]
     FasterCrank(u32),
     /// A balancer shaft turns at this order, beside pistons that have another coefficient.
+    #[error(
+        "a balancer shaft turns at order {0}, which is not in the pattern of the cylinders; use the reciprocating masses only (`--masses reciprocating`)"
+    )]
     Shaft(u32),
 }
-
-impl fmt::Display for NoTheorem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoTheorem::PeriodTooLong(period) => {
-                write!(f, "the pattern repeats only after {period} orders; at most {LONGEST_SIEVED} are examined")
-            }
-            NoTheorem::TooManyCandidates(period) => write!(
-                f,
-                "the pattern repeats only after {period} orders, of which more than {MOST_CANDIDATES} may be zero, too many to decide"
-            ),
-            NoTheorem::RodsDiffer => f.write_str("the rods differ, so no order is a single sum"),
-            NoTheorem::FasterCrank(speed) => write!(
-                f,
-                "a crankshaft turns {speed} times while the reference turns once, so that its pistons have other orders than those of the reference"
-            ),
-            NoTheorem::Shaft(order) => write!(
-                f,
-                "a balancer shaft turns at order {order}, which is not in the pattern of the cylinders; use the reciprocating masses only (`--masses reciprocating`)"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for NoTheorem {}
 
 /// The least even number that makes every throw and bank whole: the sums of order k depend on k only modulo it.
 pub fn period(engine: &Engine) -> BigInt {

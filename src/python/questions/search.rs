@@ -32,10 +32,7 @@ pub(in crate::python) fn search(
     if let Some(shape) = &torsion {
         search::mode_shape(problem, shape.clone()).map_err(told)?;
     }
-    let progress = |_| match stop.load(Ordering::Relaxed) {
-        false => ControlFlow::Continue(()),
-        true => ControlFlow::Break(()),
-    };
+    let progress = |_| if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     let threads = threads.map_or(Options::default().threads, usize::from);
     let options = Options { threads, resume, progress: &progress, stop: Some(stop), ..Options::default() };
     let front = search::answer(problem, &options).map_err(told)?.limited(limits, sizes).map_err(told)?;

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use super::super::question::{Unanswered, question_of_its_room};
+use super::super::question::{Unanswered, question};
 use super::{AccuracyCase, data, page};
 use crate::accuracy::{Timing, with_rod_ratio};
 use crate::engine::Engine;
@@ -43,4 +43,4 @@ impl AccuracyStudy {
     }
 }
 
-question_of_its_room!(AccuracyStudy, "accuracy", |study| Some(study.engine.title()));
+question!(AccuracyStudy, "accuracy", |study| Some(study.engine.title()));

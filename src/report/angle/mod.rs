@@ -4,11 +4,9 @@ mod data;
 mod page;
 mod tables;
 
-use std::fmt;
-
 use num_complex::Complex;
 
-use super::question::question_of_its_room;
+use super::question::question;
 use crate::engine::Engine;
 use crate::journal::{Instants, PistonAt};
 use crate::loads::Missing;
@@ -32,38 +30,24 @@ pub struct AnglesAsked {
 }
 
 /// Why there are no values at angles.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoAngles {
     /// An angle that is none.
+    #[error("{0} is no crank angle; write degrees between -1000000 and 1000000, such as 30")]
     Angle(f64),
     /// A step that leads nowhere, or to too many rows.
+    #[error(
+        "{0} is no step between crank angles; write degrees above 0, such as 10, so that angles and cylinders make at most {MOST_ROWS} rows"
+    )]
     Step(f64),
     /// A gravity that is none.
+    #[error("{0} is no gravity; write metres a square second from 0 to 1000, such as 9.81")]
     Gravity(f64),
     /// What the layout lacks.
+    #[error("{0}")]
     Missing(Missing),
 }
-
-impl fmt::Display for NoAngles {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoAngles::Angle(angle) => {
-                write!(f, "{angle} is no crank angle; write degrees between -1000000 and 1000000, such as 30")
-            }
-            NoAngles::Step(step) => write!(
-                f,
-                "{step} is no step between crank angles; write degrees above 0, such as 10, so that angles and cylinders make at most {MOST_ROWS} rows"
-            ),
-            NoAngles::Gravity(value) => {
-                write!(f, "{value} is no gravity; write metres a square second from 0 to 1000, such as 9.81")
-            }
-            NoAngles::Missing(what) => what.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for NoAngles {}
 
 /// The values of an engine at one crank angle.
 #[derive(Clone, Debug)]
@@ -164,4 +148,4 @@ impl AngleStudy {
     }
 }
 
-question_of_its_room!(AngleStudy, "angle", |study| Some(study.engine.title()));
+question!(AngleStudy, "angle", |study| Some(study.engine.title()));

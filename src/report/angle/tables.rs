@@ -88,9 +88,6 @@ pub(super) fn bearings(study: &AngleStudy) -> Table {
         .column(Text::label("θ"), |(theta, ..)| degrees(*theta))
         .column("Main bearing", |(_, number, _)| Text::label(study.bearing_name(*number)))
         .column(phrase!("Force in {}", Unit::NEWTON), |(.., force)| Text::measured(force.norm(), Unit::NEWTON))
-        .column("towards", |(.., force)| match force.norm() == 0.0 {
-            true => "–".into(),
-            false => angle(force.arg().to_degrees()),
-        })
+        .column("towards", |(.., force)| if force.norm() == 0.0 { "–".into() } else { angle(force.arg().to_degrees()) })
         .done()
 }

@@ -23,19 +23,13 @@ pub(super) fn one_side(sum: &PhasorSum, middle: &Turn, within: &Turn) -> Text {
 /// The components along one direction add up to a positive number.
 pub(super) fn component(found: &Component) -> Text {
     let Component { vectors, along, is_mirror_line, size } = found;
-    let line = match is_mirror_line {
-        true => text::mirror_line(angle(along)),
-        false => text::direction(angle(along)),
-    };
+    let line = if *is_mirror_line { text::mirror_line(angle(along)) } else { text::direction(angle(along)) };
     Text::joined([remaining(vectors), line, size_sentence(vectors, along, size)], " ")
 }
 
 /// Which vectors are left.
 fn remaining(left: &[Term]) -> Text {
-    match left.len() <= MOST_IN_LIST {
-        true => text::remaining(vectors(left)),
-        false => text::many_remaining(left.len()),
-    }
+    if left.len() <= MOST_IN_LIST { text::remaining(vectors(left)) } else { text::many_remaining(left.len()) }
 }
 
 /// What the components add up to, and why that is not zero.

@@ -210,8 +210,5 @@ fn added_or_taken(polygon: &Polygon) -> Text {
     let corners = corners(polygon);
     let at = listed(corners.terms().iter().map(|corner| angle(&corner.angle).into()).collect());
     let weight = Number::exact(&polygon.weight.abs());
-    match polygon.weight.is_negative() {
-        false => text::added(weight, at),
-        true => text::taken_away(weight, at),
-    }
+    if polygon.weight.is_negative() { text::taken_away(weight, at) } else { text::added(weight, at) }
 }

@@ -103,10 +103,7 @@ pub(crate) fn largest(swing: &Swing, unit: Unit) -> Text {
     if swing.vanishes() {
         return Text::zero();
     }
-    match is_left(swing) {
-        false => bounded(&[&swing.direct, &swing.reverse], unit),
-        true => amount(swing.largest(), unit),
-    }
+    if is_left(swing) { amount(swing.largest(), unit) } else { bounded(&[&swing.direct, &swing.reverse], unit) }
 }
 
 /// Whether one of its vectors is proved not to be zero.
@@ -126,10 +123,7 @@ fn bounded(vectors: &[&Vector], unit: Unit) -> Text {
 
 /// That only so much is known of a value.
 pub(super) fn undecided(below: f64, unit: Unit) -> Text {
-    match unit.factor == 0.0 {
-        true => Text::zero(),
-        false => phrase!("not decided, below {}", bound(below, unit)),
-    }
+    if unit.factor == 0.0 { Text::zero() } else { phrase!("not decided, below {}", bound(below, unit)) }
 }
 
 /// A vector: zero, or its length and its angle at θ = 0.

@@ -2,14 +2,12 @@
 
 use super::super::engine_page::Weighing;
 use super::super::loads_document::{LoadsDocument, loads_document};
-use super::super::question::Question;
+use super::super::question::{one_of_all, question};
 use super::data;
 use super::{Numbers, loads_answer_weighed, loads_page};
 use crate::engine::Engine;
 use crate::loads::{Missing, Needed};
-use crate::page::Document;
 use crate::table::Table;
-use crate::text::Untrusted;
 
 /// The loads of an engine.
 pub struct LoadsStudy {
@@ -38,40 +36,28 @@ impl LoadsStudy {
     }
 }
 
-impl Question for LoadsStudy {
-    fn command(&self) -> &'static str {
-        "loads"
-    }
+question!(
+    LoadsStudy,
+    "loads",
+    |study| Some(study.engine.title()),
+    one_of_all,
+    |study| loads_answer_weighed(&study.engine, &study.numbers, study.needed.as_ref(), study.weighing.as_ref()),
+    |study| loads_page(&study.engine, &study.numbers, study.needed.as_ref()),
+    {
+        fn tables(&self) -> Vec<Table> {
+            data::tables(&self.engine, &self.numbers, &self.document())
+        }
 
-    fn title(&self) -> Option<&Untrusted> {
-        Some(self.engine.title())
-    }
+        fn json(&self) -> serde_json::Result<String> {
+            serde_json::to_string_pretty(&self.document())
+        }
 
-    fn table(&self, name: &str) -> Option<Table> {
-        self.tables().into_iter().find(|table| table.name() == name)
-    }
+        fn is_certified(&self) -> bool {
+            true
+        }
 
-    fn tables(&self) -> Vec<Table> {
-        data::tables(&self.engine, &self.numbers, &self.document())
+        fn json_without_evidence(&self) -> Option<serde_json::Result<String>> {
+            Some(serde_json::to_string_pretty(&self.document().without_evidence()))
+        }
     }
-
-    fn answer(&self) -> Document {
-        loads_answer_weighed(&self.engine, &self.numbers, self.needed.as_ref(), self.weighing.as_ref())
-    }
-
-    fn page(&self) -> Document {
-        loads_page(&self.engine, &self.numbers, self.needed.as_ref())
-    }
-
-    fn json(&self) -> serde_json::Result<String> {
-        serde_json::to_string_pretty(&self.document())
-    }
-
-    fn is_certified(&self) -> bool {
-        true
-    }
-
-    fn json_without_evidence(&self) -> Option<serde_json::Result<String>> {
-        Some(serde_json::to_string_pretty(&self.document().without_evidence()))
-    }
-}
+);

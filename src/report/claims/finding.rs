@@ -25,10 +25,7 @@ pub fn claim_status(answer: &Answer) -> Text {
             // Where the layout names no firing order there is none to be one of these, and how c_k is taken is not the engine's.
             let is_here =
                 |condition: &Condition| !matches!(condition, Condition::FiringOrder | Condition::FirstTermAlone);
-            match conditions.iter().all(is_here) {
-                true => text::only_if_here(words, *met),
-                false => text::only_if(words),
-            }
+            if conditions.iter().all(is_here) { text::only_if_here(words, *met) } else { text::only_if(words) }
         }
     }
 }

@@ -12,10 +12,7 @@ use crate::report::texts::claims as text;
 
 /// Each term with what is said of it.
 pub(super) fn found(terms: &[Term]) -> Text {
-    match terms.is_empty() {
-        true => text::no_low_order_force(),
-        false => Text::joined(terms.iter().map(sentence), " "),
-    }
+    if terms.is_empty() { text::no_low_order_force() } else { Text::joined(terms.iter().map(sentence), " ") }
 }
 
 fn sentence(term: &Term) -> Text {

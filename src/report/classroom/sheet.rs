@@ -33,10 +33,7 @@ pub(super) fn given(pupil: &Pupil) -> Vec<Block> {
     let engine = &pupil.engine;
     let end = Picture::new("end-view", end_view_caption(engine), end_view(engine));
     let side = Picture::new("side-view", side_view_caption(engine), side_view(engine));
-    let vectors = match engine.has_unit_masses() {
-        true => text::equal_pistons(),
-        false => text::unequal_pistons(),
-    };
+    let vectors = if engine.has_unit_masses() { text::equal_pistons() } else { text::unequal_pistons() };
     let plane = text::moments_about(table::place(engine, engine.reference_plane()));
     vec![
         Block::Heading(1, "Given".into()),

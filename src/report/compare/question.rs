@@ -1,12 +1,11 @@
 //! What is a comparison as an answer? The engines, judged at the same orders.
 
-use super::super::question::Question;
+use super::super::question::{one_of_all, question};
 use super::super::values::ValuesStudy;
 use super::data;
 use super::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
 use crate::page::Document;
 use crate::table::Table;
-use crate::text::Untrusted;
 
 /// Engines side by side.
 pub struct CompareStudy {
@@ -29,43 +28,31 @@ impl CompareStudy {
     }
 }
 
-impl Question for CompareStudy {
-    fn command(&self) -> &'static str {
-        "compare"
-    }
+question!(
+    CompareStudy,
+    "compare",
+    |_| None,
+    one_of_all,
+    |study| study.with_values(compare_answer(&study.engines)),
+    |study| study.with_values(compare_page(&study.engines)),
+    {
+        fn tables(&self) -> Vec<Table> {
+            let mut tables = data::tables(&self.engines);
+            let engines = tables.iter_mut().filter(|table| table.name() == "engines");
+            engines.zip(&self.values).for_each(|(table, values)| values.columns_into(table));
+            tables
+        }
 
-    fn title(&self) -> Option<&Untrusted> {
-        None
-    }
+        fn json(&self) -> serde_json::Result<String> {
+            serde_json::to_string_pretty(&self.document())
+        }
 
-    fn table(&self, name: &str) -> Option<Table> {
-        self.tables().into_iter().find(|table| table.name() == name)
-    }
+        fn is_certified(&self) -> bool {
+            true
+        }
 
-    fn tables(&self) -> Vec<Table> {
-        let mut tables = data::tables(&self.engines);
-        let engines = tables.iter_mut().filter(|table| table.name() == "engines");
-        engines.zip(&self.values).for_each(|(table, values)| values.columns_into(table));
-        tables
+        fn json_without_evidence(&self) -> Option<serde_json::Result<String>> {
+            Some(serde_json::to_string_pretty(&self.document().without_evidence()))
+        }
     }
-
-    fn answer(&self) -> Document {
-        self.with_values(compare_answer(&self.engines))
-    }
-
-    fn page(&self) -> Document {
-        self.with_values(compare_page(&self.engines))
-    }
-
-    fn json(&self) -> serde_json::Result<String> {
-        serde_json::to_string_pretty(&self.document())
-    }
-
-    fn is_certified(&self) -> bool {
-        true
-    }
-
-    fn json_without_evidence(&self) -> Option<serde_json::Result<String>> {
-        Some(serde_json::to_string_pretty(&self.document().without_evidence()))
-    }
-}
+);

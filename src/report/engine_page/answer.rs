@@ -36,10 +36,7 @@ pub(super) fn lines(
 fn pistons(judged: &Judgement, weighed: &WeighedParts) -> Option<Text> {
     let existing: Vec<&OrderVerdict> = judged.pistons.as_ref()?.iter().filter(|order| order.exists()).collect();
     let left = left(&existing, weighed.pistons.as_ref());
-    Some(match left.is_empty() {
-        true => text::pistons_still(),
-        false => text::pistons_alone(Text::joined(left, " ")),
-    })
+    Some(if left.is_empty() { text::pistons_still() } else { text::pistons_alone(Text::joined(left, " ")) })
 }
 
 /// What is left, order by order, at which speed.

@@ -18,10 +18,7 @@ pub(super) fn lines(engine: &Engine) -> Vec<Text> {
 /// About which plane moments are taken.
 pub(in crate::report) fn reference_plane(engine: &Engine) -> Text {
     let plane = table::place(engine, engine.reference_plane());
-    match engine.reference_plane_given() {
-        true => text::plane_given(plane),
-        false => text::plane_in_the_middle(plane),
-    }
+    if engine.reference_plane_given() { text::plane_given(plane) } else { text::plane_in_the_middle(plane) }
 }
 
 /// What the exact tables count in.

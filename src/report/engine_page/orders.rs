@@ -157,10 +157,7 @@ fn moment_left(engine: &Engine, order: &OrderBalance) -> Text {
         true => text::free_couple(),
         false => text::depends_on_plane(table::place(engine, engine.reference_plane())),
     };
-    match order.exists {
-        true => text::moment(sentence(&order.moment), kind()),
-        false => theorem::moment(missing(order)),
-    }
+    if order.exists { text::moment(sentence(&order.moment), kind()) } else { theorem::moment(missing(order)) }
 }
 
 /// `P_2⁺`, `C_2⁻`, `Q_2`.

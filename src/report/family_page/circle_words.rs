@@ -8,10 +8,11 @@ use super::super::typeset;
 use super::unknowns::{NEVER, alternatives, open_angle, unknowns, zero_where};
 use crate::engine::Linear;
 use crate::exact::Turn;
-use crate::family::{Circle, Closed, Coprime, Place, is_in_range};
+use crate::family::{Circle, Closed, Place, is_in_range};
 use crate::numbers;
 use crate::page::number::Bearing;
 use crate::page::{Piece, Text, phrase};
+use crate::proof::CoprimeClaim;
 use crate::report::texts::family as text;
 
 /// `0 where φ ≡ 60°, or φ ≈ 75.52°`, and where it is not known; `never 0` where it has no zero.
@@ -102,7 +103,7 @@ pub(super) fn why(circle: &Circle) -> Text {
 }
 
 /// Why a sum vanishes nowhere, by a prime.
-pub(super) fn coprime(found: &Coprime) -> Text {
+pub(super) fn coprime(found: &CoprimeClaim) -> Text {
     text::coprime(found.prime.to_string(), unknowns(&found.phi, &found.delta))
 }
 

@@ -4,14 +4,13 @@ use super::super::document::vectors;
 use crate::engine::{Cylinder, Family, Linear};
 use crate::exact::PhasorSum;
 use crate::family::{
-    Arc, BoxZero, Boxes, Circle, Classes, Coprime, Corner, Factor, Kind, Meeting, Never, OpenOrder, OpenSum,
-    OpenVerdict, Part, Quadratic, Root, Roots, Shape, Triangle, When,
+    Arc, BoxZero, Boxes, Circle, Classes, Corner, Factor, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part,
+    Quadratic, Root, Roots, Triangle, When,
 };
 use crate::proof::{
-    AlternativeClaim, ArcClaim, BoxZeroClaim, BoxesClaim, CircleClaim, ClassesClaim, ConditionClaim, CoprimeClaim,
-    DividedClaim, Exact, Format, LinearClaim, Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim,
-    PartClaim, ProductClaim, QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, TriangleShape,
-    TwistClaim, WhenClaim,
+    AlternativeClaim, ArcClaim, BoxZeroClaim, BoxesClaim, CircleClaim, ClassesClaim, ConditionClaim, DividedClaim,
+    Exact, Format, LinearClaim, Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
+    ProductClaim, QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -80,7 +79,7 @@ fn when(when: &When) -> WhenClaim {
             cosine: found.cosine.clone(),
             multiples: Box::new(found.multiples.clone()),
         },
-        When::Never(Never::Coprime(found)) => WhenClaim::Coprime(Box::new(coprime(found))),
+        When::Never(Never::Coprime(found)) => WhenClaim::Coprime(found.clone()),
         When::Never(Never::Circle(found)) | When::Circle(found) => WhenClaim::Circle(Box::new(circle(found))),
         When::Never(Never::Triangle(found)) | When::Triangle(found) => WhenClaim::Triangle(Box::new(triangle(found))),
         When::Never(Never::Classes(found)) | When::Classes(found) => WhenClaim::Classes(Box::new(classes(found))),
@@ -113,24 +112,11 @@ fn condition(condition: &crate::family::Condition) -> ConditionClaim {
     ConditionClaim { phi: condition.phi.clone(), delta: condition.delta.clone(), turn: condition.turn.turns().clone() }
 }
 
-fn coprime(found: &Coprime) -> CoprimeClaim {
-    CoprimeClaim {
-        phi: found.phi.clone(),
-        delta: found.delta.clone(),
-        conductor: found.conductor,
-        prime: found.prime,
-        root: found.root,
-        scale: found.scale.clone(),
-        u: found.u.clone(),
-        v: found.v.clone(),
-    }
-}
-
 fn divided(factor: &Factor) -> DividedClaim {
     let coefficients = |of: &[PhasorSum]| of.iter().map(|sum| vectors(sum.terms())).collect();
     DividedClaim {
         without: coefficients(&factor.without),
-        coprime: coprime(&factor.coprime),
+        coprime: factor.coprime.clone(),
         powers: factor.powers.iter().map(|power| coefficients(power)).collect(),
         equalities: factor.equalities.clone(),
     }
@@ -176,15 +162,7 @@ fn triangle(triangle: &Triangle) -> TriangleClaim {
         Corner::Exact(exact) => Some(alternative(exact)),
         Corner::Near(_) => None,
     });
-    TriangleClaim { shape: shape(&triangle.shape), alternatives: exact.collect() }
-}
-
-fn shape(shape: &Shape) -> TriangleShape {
-    match shape {
-        Shape::Never(bits) => TriangleShape::Never { bits: *bits },
-        Shape::Flat(certificate) => TriangleShape::Flat { certificate: certificate.clone() },
-        Shape::Two(bits) => TriangleShape::Two { bits: *bits },
-    }
+    TriangleClaim { shape: triangle.shape.clone(), alternatives: exact.collect() }
 }
 
 fn classes(classes: &Classes) -> ClassesClaim {
@@ -220,7 +198,7 @@ fn quadratic(found: &Quadratic) -> QuadraticClaim {
         Roots::Mirror { lengths, first, shape: found, at } => RootsClaim::Mirror {
             lengths: lengths.clone(),
             first: first.clone(),
-            shape: shape(found),
+            shape: found.clone(),
             at: at.iter().filter_map(root).collect(),
         },
     };
@@ -232,10 +210,7 @@ fn quadratic(found: &Quadratic) -> QuadraticClaim {
         third,
         coefficients: found.coefficients.clone(),
         lengths: found.lengths.clone(),
-        twist: found.twist.as_ref().map(|twist| TwistClaim {
-            coefficients: twist.coefficients.clone(),
-            signs: twist.signs.iter().map(shape).collect(),
-        }),
+        twist: found.twist.clone(),
         circle: found.circle.as_ref().map(circle),
         roots: found.roots.iter().map(roots).collect(),
     }

@@ -77,10 +77,7 @@ fn nearly(unknowns: String, turn: &Turn) -> String {
 
 /// At which bank angles it can fire evenly.
 pub(super) fn even_firing_words(angles: &BTreeSet<Turn>) -> Text {
-    match angles.is_empty() {
-        true => text::fires_unevenly(),
-        false => text::fires_evenly_at(list(angles)),
-    }
+    if angles.is_empty() { text::fires_unevenly() } else { text::fires_evenly_at(list(angles)) }
 }
 
 /// For which bank angles and pin splits together it can.

@@ -6,8 +6,12 @@ use crate::report::data::Filling;
 use crate::report::{FiringStudy, star_length};
 use crate::table::{Table, Unit};
 
-/// The firing stars.
-pub fn table(study: &FiringStudy) -> Table {
+/// The table of this name.
+pub fn table(study: &FiringStudy, name: &str) -> Option<Table> {
+    (name == "orders").then(|| orders(study))
+}
+
+fn orders(study: &FiringStudy) -> Table {
     let stars = study.orders.iter().flat_map(|order| order.stars.iter().map(move |star| (order, star)));
     let mut table = Filling::new("firing.orders", stars.map(|(order, star)| (order, star, star_length(star))));
     table.decimal("order", Unit::NONE, |(order, ..)| order.order.exact().to_f64());

@@ -3,7 +3,7 @@
 mod data;
 mod page;
 
-use super::question::question_of_its_room;
+use super::question::question;
 use crate::file::Diagram;
 use crate::flywheel::{self, Fluctuation, NoFluctuation};
 
@@ -26,4 +26,4 @@ impl FlywheelStudy {
     }
 }
 
-question_of_its_room!(FlywheelStudy, "flywheel", |study| Some(&study.diagram.title));
+question!(FlywheelStudy, "flywheel", |study| Some(&study.diagram.title));

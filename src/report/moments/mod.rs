@@ -6,9 +6,7 @@
 mod data;
 mod page;
 
-use std::fmt;
-
-use super::question::question_of_its_room;
+use super::question::question;
 use crate::engine::{Crankshaft, CycleOrder, Engine, HIGHEST_ORDER};
 use crate::loads::{self, Arm, Missing, OrderLoads};
 use crate::order;
@@ -62,43 +60,28 @@ pub struct MomentsStudy {
     pub rows: Vec<MomentsRow>,
 }
 
+/// The name of an engine in a message.
+fn plain(name: &Untrusted) -> String {
+    name.escaped(text::Format::Plain)
+}
+
 /// Why an engine has no moments in newton-metres.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoMoments {
     /// No engine.
+    #[error("no engine is named whose moments are wanted")]
     Nothing,
     /// No masses, crank radius or speed.
+    #[error("{}: moments in kN·m need a speed above the first table, and reciprocating_mass and crank_radius below [mechanism]", plain(.0))]
     Scale(Untrusted),
     /// No positions in metres.
+    #[error("{}: moments in kN·m need the spacing of the cylinders, such as spacing = \"0.85 m\"", plain(.0))]
     Positions(Untrusted),
     /// What else the layout lacks.
+    #[error("{}: {1}", plain(.0))]
     Missing(Untrusted, Missing),
 }
-
-impl fmt::Display for NoMoments {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = |name: &Untrusted| name.escaped(text::Format::Plain);
-        match self {
-            NoMoments::Nothing => f.write_str("no engine is named whose moments are wanted"),
-            NoMoments::Scale(of) => write!(
-                f,
-                "{}: moments in kN·m need a speed above the first table, and reciprocating_mass and crank_radius below [mechanism]",
-                name(of)
-            ),
-            NoMoments::Positions(of) => {
-                write!(
-                    f,
-                    "{}: moments in kN·m need the spacing of the cylinders, such as spacing = \"0.85 m\"",
-                    name(of)
-                )
-            }
-            NoMoments::Missing(of, what) => write!(f, "{}: {what}", name(of)),
-        }
-    }
-}
-
-impl std::error::Error for NoMoments {}
 
 impl MomentsStudy {
     /// The moments of these engines.
@@ -202,4 +185,4 @@ pub(super) fn guides(engine: &Engine, highest: u32) -> Result<(Vec<GuideMoments>
     Ok((moments, torque.power))
 }
 
-question_of_its_room!(MomentsStudy, "moments", |_| None);
+question!(MomentsStudy, "moments", |_| None);

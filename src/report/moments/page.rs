@@ -107,10 +107,7 @@ fn without_guides(study: &MomentsStudy) -> impl Iterator<Item = Block> {
 }
 
 fn name(row: &MomentsRow) -> Text {
-    match row.is_bare {
-        true => phrase!("{}, without counterweights and shafts", &row.name),
-        false => (&row.name).into(),
-    }
+    if row.is_bare { phrase!("{}, without counterweights and shafts", &row.name) } else { (&row.name).into() }
 }
 
 /// In which order the cylinders fire, where the name of the engine is not that, and how evenly.

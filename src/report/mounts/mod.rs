@@ -6,12 +6,10 @@ mod plots;
 mod tables;
 mod words;
 
-use std::fmt;
-
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::question::question_of_its_room;
+use super::question::question;
 use crate::engine::{CycleOrder, Dimensions, Draft, Engine, Mounting};
 use crate::mounts::{
     Body, Excitation, Mode, Motion, NoExcitation, OrderExcitation, Phasors, RollAxis, excitation, roll_axis,
@@ -41,37 +39,24 @@ pub struct MountsAsked {
 }
 
 /// Why there is no study.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoMounts {
     /// The layout has no mounts.
+    #[error(
+        "the layout gives no mounts; add [block] with mass = \"180 kg\", inertia = [13, 11, 6.5] in kg m² and centre = [0.1, 0, 0] in metres, and a table [[mount]] with place and stiffness for each mount"
+    )]
     Nothing,
     /// A speed that is none.
+    #[error("{0} is no speed; write revolutions a minute above 0 and up to {FASTEST}, such as 3000")]
     Speed(f64),
     /// A range that does not rise.
+    #[error("from {0} to {1} is no range of speeds; its beginning is above 0 and below its end")]
     Range(f64, f64),
     /// What the layout lacks.
+    #[error("{0}")]
     Excitation(NoExcitation),
 }
-
-impl fmt::Display for NoMounts {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoMounts::Nothing => f.write_str(
-                "the layout gives no mounts; add [block] with mass = \"180 kg\", inertia = [13, 11, 6.5] in kg m² and centre = [0.1, 0, 0] in metres, and a table [[mount]] with place and stiffness for each mount",
-            ),
-            NoMounts::Speed(speed) => {
-                write!(f, "{speed} is no speed; write revolutions a minute above 0 and up to {FASTEST}, such as 3000")
-            }
-            NoMounts::Range(from, to) => {
-                write!(f, "from {from} to {to} is no range of speeds; its beginning is above 0 and below its end")
-            }
-            NoMounts::Excitation(why) => why.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for NoMounts {}
 
 /// What one order does at the speed.
 #[derive(Clone, Debug)]
@@ -267,4 +252,4 @@ impl MountsStudy {
     }
 }
 
-question_of_its_room!(MountsStudy, "mounts", |study| Some(study.engine.title()));
+question!(MountsStudy, "mounts", |study| Some(study.engine.title()));

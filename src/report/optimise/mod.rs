@@ -12,34 +12,20 @@ pub use layouts::optimise_layouts;
 pub use page::{optimise_answer, optimise_page};
 pub use study::OptimiseStudy;
 
-use super::question::Question;
-use crate::page::{Document, File};
-use crate::table::Table;
-use crate::text::Untrusted;
+use super::question::question;
+use crate::page::File;
 
-impl Question for OptimiseStudy {
-    fn command(&self) -> &'static str {
-        "optimise"
+question!(
+    OptimiseStudy,
+    "optimise",
+    |study| Some(study.engine.title()),
+    data::table,
+    |study| optimise_answer(&study.engine, &study.front, &study.couple),
+    |study| optimise_page(&study.engine, &study.front, &study.couple),
+    {
+        /// The layout files of the points, and what they name.
+        fn beside(&self) -> serde_json::Result<Vec<File>> {
+            Ok(optimise_layouts(&self.front).into_iter().chain(self.files.iter().cloned()).collect())
+        }
     }
-
-    fn title(&self) -> Option<&Untrusted> {
-        Some(self.engine.title())
-    }
-
-    fn table(&self, name: &str) -> Option<Table> {
-        data::table(self, name)
-    }
-
-    fn answer(&self) -> Document {
-        optimise_answer(&self.engine, &self.front, &self.couple)
-    }
-
-    fn page(&self) -> Document {
-        optimise_page(&self.engine, &self.front, &self.couple)
-    }
-
-    /// The layout files of the points, and what they name.
-    fn beside(&self) -> serde_json::Result<Vec<File>> {
-        Ok(optimise_layouts(&self.front).into_iter().chain(self.files.iter().cloned()).collect())
-    }
-}
+);

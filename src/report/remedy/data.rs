@@ -9,8 +9,16 @@ use crate::report::data::Filling;
 use crate::report::typeset;
 use crate::table::{Table, Unit};
 
-/// The weights of a remedy.
-pub fn table(remedy: &Remedy) -> Table {
+/// The table of this name.
+pub fn table(remedy: &Remedy, name: &str) -> Option<Table> {
+    match name {
+        "weights" => Some(weights(remedy)),
+        "cures" => Some(cures(remedy)),
+        _ => None,
+    }
+}
+
+fn weights(remedy: &Remedy) -> Table {
     let weights = remedy.weights();
     let weights: Vec<(usize, Weight)> =
         weights.iter().filter_map(|weight| remedy.as_built(weight)).enumerate().collect();
@@ -35,7 +43,7 @@ pub fn table(remedy: &Remedy) -> Table {
 }
 
 /// The cures of its orders, those first that remove most for each shaft.
-pub fn cures(remedy: &Remedy) -> Table {
+fn cures(remedy: &Remedy) -> Table {
     let rows: Vec<(usize, Cure)> = remedy::cures(&remedy.subject, &remedy.orders).into_iter().enumerate().collect();
     let is_force = |cure: &Cure| cure.kind == Kind::Force;
     let mut table = Filling::new("remedy.cures", &rows);

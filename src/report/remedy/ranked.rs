@@ -123,10 +123,7 @@ pub(super) fn over_speeds(remedy: &Remedy) -> Vec<Text> {
         ))
     };
     let placed: Vec<Text> = remedy.heights.iter().filter_map(place).collect();
-    match placed.is_empty() && !speeds.is_empty() {
-        true => vec![text::no_pair()],
-        false => placed,
-    }
+    if placed.is_empty() && !speeds.is_empty() { vec![text::no_pair()] } else { placed }
 }
 
 /// A value without what is left of 0 by the roundings of numbers as large as another.

@@ -161,10 +161,7 @@ pub(super) fn coefficients(remedy: &Remedy) -> Option<Text> {
     });
     let sizes: Vec<Text> = sizes.collect();
     let sizes = (!sizes.is_empty()).then(|| Text::joined(sizes, ", "))?;
-    Some(match is_open {
-        true => text::factors_assumed(short(&assumed_ratio()), sizes),
-        false => text::factors(sizes),
-    })
+    Some(if is_open { text::factors_assumed(short(&assumed_ratio()), sizes) } else { text::factors(sizes) })
 }
 
 fn depends(weight: &Weight) -> Text {

@@ -5,7 +5,7 @@ mod page;
 
 use num_complex::Complex;
 
-use super::question::question_of_its_room;
+use super::question::question;
 use crate::exact::PhasorSum;
 use crate::file::Rotor;
 use crate::numbers;
@@ -140,4 +140,4 @@ impl RotorStudy {
     }
 }
 
-question_of_its_room!(RotorStudy, "rotor", |study| Some(&study.rotor.title));
+question!(RotorStudy, "rotor", |study| Some(&study.rotor.title));

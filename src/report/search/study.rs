@@ -1,12 +1,11 @@
 //! What is asked of crank stars? The best of them, and where that is wanted the firing orders that twist the shaft least.
 
-use super::super::question::Question;
+use super::super::question::{one_of_all, question};
 use super::data;
 use super::{search_answer, search_layouts, search_page, search_torsion};
 use crate::page::{Document, File};
 use crate::search::{self, Front, Torsion};
 use crate::table::Table;
-use crate::text::Untrusted;
 
 /// What a search found.
 pub struct SearchStudy {
@@ -23,41 +22,29 @@ impl SearchStudy {
     }
 }
 
-impl Question for SearchStudy {
-    fn command(&self) -> &'static str {
-        "search"
-    }
+question!(
+    SearchStudy,
+    "search",
+    |_| None,
+    one_of_all,
+    |study| study.with_torsion(search_answer(&study.front)),
+    |study| study.with_torsion(search_page(&study.front)),
+    {
+        fn tables(&self) -> Vec<Table> {
+            data::tables(&self.front, self.torsion.as_ref())
+        }
 
-    fn title(&self) -> Option<&Untrusted> {
-        None
-    }
+        /// The stars as layout files.
+        fn beside(&self) -> serde_json::Result<Vec<File>> {
+            Ok(search_layouts(&self.front))
+        }
 
-    fn table(&self, name: &str) -> Option<Table> {
-        self.tables().into_iter().find(|table| table.name() == name)
+        fn json(&self) -> serde_json::Result<String> {
+            let document = search::document(&self.front);
+            serde_json::to_string_pretty(&match &self.torsion {
+                Some(torsion) => document.with_torsion(torsion),
+                None => document,
+            })
+        }
     }
-
-    fn tables(&self) -> Vec<Table> {
-        data::tables(&self.front, self.torsion.as_ref())
-    }
-
-    fn answer(&self) -> Document {
-        self.with_torsion(search_answer(&self.front))
-    }
-
-    fn page(&self) -> Document {
-        self.with_torsion(search_page(&self.front))
-    }
-
-    /// The stars as layout files.
-    fn beside(&self) -> serde_json::Result<Vec<File>> {
-        Ok(search_layouts(&self.front))
-    }
-
-    fn json(&self) -> serde_json::Result<String> {
-        let document = search::document(&self.front);
-        serde_json::to_string_pretty(&match &self.torsion {
-            Some(torsion) => document.with_torsion(torsion),
-            None => document,
-        })
-    }
-}
+);

@@ -10,7 +10,7 @@ mod words;
 pub(super) use page::{has_assumed, torque_section};
 pub(super) use words::{angle, assumptions, double_acting, misfire, names, opposed, quantity, warning};
 
-use super::question::question_of_its_room;
+use super::question::question;
 use crate::engine::Engine;
 use crate::loads::Missing;
 use crate::torque::{EngineTorque, torque};
@@ -33,4 +33,4 @@ impl TorqueStudy {
     }
 }
 
-question_of_its_room!(TorqueStudy, "torque", |study| Some(study.engine.title()));
+question!(TorqueStudy, "torque", |study| Some(study.engine.title()));

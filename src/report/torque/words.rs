@@ -93,10 +93,7 @@ pub(super) fn roll(engine: &Engine, torque: &EngineTorque) -> Text {
     if engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero()) {
         return text::roll_with_knuckle_pins(lowest, highest);
     }
-    match engine.has_offset() {
-        false => text::roll(lowest, highest),
-        true => text::roll_with_offset(lowest, highest),
-    }
+    if engine.has_offset() { text::roll_with_offset(lowest, highest) } else { text::roll(lowest, highest) }
 }
 
 /// What a person should look at, by cylinders.

@@ -24,6 +24,6 @@ pub use vibration::{
     VibrationOrder,
 };
 
-use super::question::question_of_its_room;
+use super::question::question;
 
-question_of_its_room!(TorsionStudy, "torsion", |study| Some(study.engine.title()));
+question!(TorsionStudy, "torsion", |study| Some(study.engine.title()));

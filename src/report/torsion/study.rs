@@ -45,27 +45,18 @@ pub(super) struct Cached {
 }
 
 /// Why there is no study.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoTorsion {
     /// The layout has no table of the shaft.
+    #[error(
+        "the layout does not give the torsional data of the shaft; add a table [torsion] with inertias = [\"0.03 kg m^2\", …], one per disc from the free end on, and stiffnesses = [\"1 MN m/rad\", …], one between each two"
+    )]
     NoShaft,
     /// There are no firing stars.
+    #[error("{0}")]
     NoStar(NoStar),
 }
-
-impl std::fmt::Display for NoTorsion {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            NoTorsion::NoShaft => f.write_str(
-                "the layout does not give the torsional data of the shaft; add a table [torsion] with inertias = [\"0.03 kg m^2\", …], one per disc from the free end on, and stiffnesses = [\"1 MN m/rad\", …], one between each two",
-            ),
-            NoTorsion::NoStar(why) => why.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for NoTorsion {}
 
 impl TorsionStudy {
     /// The modes with the critical speeds of these orders; of those up to 12 where there are none.

@@ -41,10 +41,7 @@ impl Scale {
         };
         let different = 1 + cylinders.windows(2).filter(|pair| pair[1] - pair[0] > span * 1e-6).count();
         let most = LONGEST.max(different as f64 * CROWDED).min(WIDEST);
-        let millimetres = match span > 0.0 {
-            true => (most / span).min(FARTHEST / gap(&throws).min(span)),
-            false => 1.0,
-        };
+        let millimetres = if span > 0.0 { (most / span).min(FARTHEST / gap(&throws).min(span)) } else { 1.0 };
         Scale {
             highest: high,
             millimetres,

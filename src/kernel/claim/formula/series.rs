@@ -251,10 +251,7 @@ fn wave(argument: &Formula, is_sine: bool) -> Result<Series, String> {
     let minus = |form: &Form| form.scaled(&-BigRational::one());
     let sign = |form: Form| if order < 0 { minus(&form) } else { form };
     let k = u32::try_from(order.unsigned_abs()).map_err(|_| no())?;
-    let [of_cosine, of_sine] = match is_sine {
-        false => [cosine, sign(minus(&sine))],
-        true => [sine, sign(cosine)],
-    };
+    let [of_cosine, of_sine] = if is_sine { [sine, sign(cosine)] } else { [cosine, sign(minus(&sine))] };
     let term = |is_sine, form| ((Wave { order: k, is_sine }, [0; 4]), Factor::exact(form));
     Ok(Series::new([term(false, of_cosine), term(true, of_sine)]))
 }

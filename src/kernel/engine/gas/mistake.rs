@@ -1,14 +1,13 @@
 //! What is wrong with a pressure, where, and what would be right?
 
-use std::fmt;
-
 use num_rational::BigRational;
 use num_traits::Signed;
 
 use super::setting::Setting;
 
 /// A pressure that cannot be.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{message}; {right}")]
 pub struct GasMistake {
     /// What is wrong.
     pub message: String,
@@ -32,12 +31,6 @@ pub enum At {
 impl GasMistake {
     pub(super) fn new(message: impl Into<String>, right: impl Into<String>, at: At) -> Self {
         GasMistake { message: message.into(), right: right.into(), at }
-    }
-}
-
-impl fmt::Display for GasMistake {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}; {}", self.message, self.right)
     }
 }
 

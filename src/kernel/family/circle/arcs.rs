@@ -207,10 +207,7 @@ impl Subdivider<'_> {
         if !slope.is_free(ends) {
             return None;
         }
-        match self.side(centred, ends)? {
-            true => whole(Kind::Monotone),
-            false => self.crossing(centred, ends),
-        }
+        if self.side(centred, ends)? { whole(Kind::Monotone) } else { self.crossing(centred, ends) }
     }
 
     /// Whether two turns are on the same side of 0.
@@ -249,10 +246,7 @@ impl Subdivider<'_> {
                 break;
             }
             let between = inside(zero.each_ref());
-            match self.side(centred, [&zero[0], &between])? {
-                true => zero[0] = between,
-                false => zero[1] = between,
-            }
+            if self.side(centred, [&zero[0], &between])? { zero[0] = between } else { zero[1] = between }
         }
         crossed(ends, written?, Kind::Crossing { near: zero }, &self.line.as_ref()?[1])
     }

@@ -9,11 +9,11 @@ use num_traits::ToPrimitive;
 
 use super::field::{Coefficients, Field, root_of_order};
 use super::images::Images;
-use super::never::{self, Coprime};
+use super::never;
 use super::polynomial::Polynomial;
 use crate::exact::PhasorSum;
 use crate::exact::modulo::{power, primes};
-use crate::proof::Certificate;
+use crate::proof::{Certificate, CoprimeClaim};
 
 /// `P = Q F_1 F_2² F_3³ …`; the arcs are about `F_1 F_2 F_3 …`.
 #[derive(Clone, Debug)]
@@ -21,7 +21,7 @@ pub struct Factor {
     /// The coefficients of Q, from the constant one on.
     pub without: Vec<PhasorSum>,
     /// Evidence that Q vanishes nowhere on the circle.
-    pub coprime: Coprime,
+    pub coprime: CoprimeClaim,
     /// Those of each F, the leading one 1.
     pub powers: Vec<Vec<PhasorSum>>,
     /// Evidence for every coefficient of P, from the constant one on, that it is that of the product.

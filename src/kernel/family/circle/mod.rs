@@ -20,16 +20,16 @@ mod settled;
 pub use arcs::{Arc, Circle, Kind};
 pub use closed::Closed;
 pub use factor::Factor;
-pub use never::Coprime;
 pub use polynomial::Polynomial;
 
 use super::part::Part;
+use crate::proof::CoprimeClaim;
 
 /// What is known of a sum in one unknown.
 #[derive(Clone, Debug)]
 pub(super) enum Solved {
     /// It vanishes nowhere.
-    Never(Box<Coprime>),
+    Never(Box<CoprimeClaim>),
     /// It vanishes at the zeros of its arcs.
     Circle(Box<Circle>),
 }
@@ -51,10 +51,7 @@ pub(super) fn whole(polynomial: Polynomial) -> Circle {
     }
     let Some((factor, polynomial)) = factor::split(&circle.polynomial) else { return circle };
     let of_factor = arcs::cover(polynomial);
-    match of_factor.open().count() < circle.open().count() {
-        true => Circle { factor: Some(factor), ..of_factor },
-        false => circle,
-    }
+    if of_factor.open().count() < circle.open().count() { Circle { factor: Some(factor), ..of_factor } } else { circle }
 }
 
 /// The arcs of a polynomial that is known.

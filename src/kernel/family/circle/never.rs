@@ -3,34 +3,12 @@
 //! With `|x| = 1` and `P(x) = 0` also `P*(x) = x^d conj(P(x)) = 0`, so that the resultant of P and P* is zero, and modulo every prime.
 //! Where `UP + VP* ≡ 1` modulo a prime that keeps the leading coefficient of P it is not.
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::field::{Field, root_of_order};
 use super::polynomial::Polynomial;
 use crate::exact::modulo::primes;
-
-/// Evidence that a polynomial and its mirror image have no common zero.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Coprime {
-    /// How many times φ enters u.
-    pub phi: BigRational,
-    /// How many times δ enters u.
-    pub delta: BigRational,
-    /// A common denominator of the angles.
-    pub conductor: u64,
-    /// A prime that is 1 modulo the conductor.
-    pub prime: u64,
-    /// A number whose order modulo the prime is the conductor.
-    pub root: u64,
-    /// A common denominator of the weights.
-    pub scale: BigInt,
-    /// The coefficients of U, from the constant one on.
-    pub u: Vec<u64>,
-    /// The coefficients of V.
-    pub v: Vec<u64>,
-}
+use crate::proof::CoprimeClaim;
 
 /// Longer identities are not written.
 const HIGHEST_DEGREE: i64 = 64;
@@ -41,7 +19,7 @@ const LEAST_PRIME: u64 = 10_000;
 const PRIMES_TRIED: usize = 3;
 
 /// The identity, if one of a few primes has it.
-pub(super) fn prove(polynomial: &Polynomial) -> Option<Coprime> {
+pub(super) fn prove(polynomial: &Polynomial) -> Option<CoprimeClaim> {
     let conductor = polynomial.conductor().to_u64().filter(|conductor| *conductor < LARGEST_CONDUCTOR)?;
     if polynomial.degree() > HIGHEST_DEGREE {
         return None;
@@ -56,6 +34,6 @@ pub(super) fn prove(polynomial: &Polynomial) -> Option<Coprime> {
         }
         let (u, v) = field.bezout(straight, mirrored)?;
         let (phi, delta) = (polynomial.phi.clone(), polynomial.delta.clone());
-        Some(Coprime { phi, delta, conductor, prime, root, scale: scale.clone(), u, v })
+        Some(CoprimeClaim { phi, delta, conductor, prime, root, scale: scale.clone(), u, v })
     })
 }

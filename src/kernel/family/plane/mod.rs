@@ -16,6 +16,6 @@ pub(super) mod triangle;
 
 pub use boxes::{BoxZero, Boxes};
 pub use classes::{Classes, Meeting};
-pub use quadratic::{Quadratic, Twist};
+pub use quadratic::Quadratic;
 pub use roots::{Root, Roots};
-pub use triangle::{Corner, Shape, Triangle};
+pub use triangle::{Corner, Triangle};

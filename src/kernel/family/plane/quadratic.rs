@@ -10,9 +10,9 @@ use super::super::part::Part;
 use super::laurent::{Laurent, conjugate_times, judged, judged_half, less, mirrored_whole, polynomial, value};
 use super::roots::{Roots, mirrored, near, roots};
 use super::split::{Split, three};
-use super::triangle::{Shape, enclosed_sign};
+use super::triangle::enclosed_sign;
 use crate::exact::PhasorSum;
-use crate::proof::Certificate;
+use crate::proof::{Certificate, TwistClaim};
 
 /// The classes A, B and C, and where they cancel.
 #[derive(Clone, Debug)]
@@ -28,22 +28,13 @@ pub struct Quadratic {
     /// On a curve, and where D = 0 throughout, evidence for every coefficient of `D = |A|² − |C|²`, from the constant one on; else none.
     pub lengths: Vec<Certificate>,
     /// Where D = 0 throughout, and `|E|²` is not constant: E in the place of `D² − |E|²`.
-    pub twist: Option<Twist>,
+    pub twist: Option<TwistClaim>,
     /// Where `D² − |E|²` vanishes; none where it is constant.
     pub circle: Option<Circle>,
     /// For which v the sum vanishes at each rational u of the circle, in their order.
     pub roots: Vec<Roots>,
     /// For which v, in degrees, it does at each irrational u, in their order: one where D is not 0, else none or two.
     pub degrees: Vec<Vec<f64>>,
-}
-
-/// What is known of E where A and C are equally long for every u.
-#[derive(Clone, Debug)]
-pub struct Twist {
-    /// Evidence for every coefficient of E, by rising powers.
-    pub coefficients: Vec<Certificate>,
-    /// The sign of `4|A|² − |B|²` at each irrational zero of E, in their order: it keeps it on the arc about that.
-    pub signs: Vec<Shape>,
 }
 
 /// Where the classes cancel; `None` where the parts do not make three equally far apart.
@@ -83,7 +74,7 @@ pub(in super::super) fn solve(parts: &[&Part]) -> Option<Quadratic> {
 }
 
 /// The zeros of E on the circle, with the sign of `4|A|² − |B|²` at the irrational ones; where it is not found the arc is opened.
-fn twisted(u: &[BigRational; 2], [first, second, _]: &[Laurent; 3], twist: Laurent) -> (Circle, Twist) {
+fn twisted(u: &[BigRational; 2], [first, second, _]: &[Laurent; 3], twist: Laurent) -> (Circle, TwistClaim) {
     let (coefficients, left) = judged(twist);
     let circle = circle::whole(polynomial(u, left));
     let four = BigRational::from_integer(4.into());
@@ -91,7 +82,7 @@ fn twisted(u: &[BigRational; 2], [first, second, _]: &[Laurent; 3], twist: Laure
     let number = less(squares, &conjugate_times(second, second));
     let sign = |turn: &BigRational| enclosed_sign(&value(&number, turn));
     let (circle, signs) = circle.settled(&polynomial(u, number.clone().into_iter().collect()), sign);
-    (circle, Twist { coefficients, signs })
+    (circle, TwistClaim { coefficients, signs })
 }
 
 /// D and E.

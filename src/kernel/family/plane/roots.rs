@@ -3,10 +3,10 @@
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::triangle::{Shape, near_turn, sign};
+use super::triangle::{near_turn, sign, signs};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers;
-use crate::proof::Certificate;
+use crate::proof::{Certificate, TriangleShape};
 
 /// The zeros on the circle, where `(|A|² − |C|²)² = |conj(A) B − C conj(B)|²`.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ pub enum Roots {
         /// Evidence that A is not zero.
         first: Certificate,
         /// None, one or two.
-        shape: Shape,
+        shape: TriangleShape,
         /// The zeros.
         at: Vec<Root>,
     },
@@ -87,13 +87,13 @@ pub(super) fn near(sums: &[PhasorSum; 3]) -> f64 {
 /// The x in degrees, where A and C are equally long.
 ///
 /// With `C = A e^{iγ}` the sum is `A e^{iγ/2} x (2 cos(ξ + γ/2) + r)`, ξ the angle of x, and r real.
-pub(super) fn mirrored(sums: &[PhasorSum; 3], shape: &Shape) -> Vec<f64> {
+pub(super) fn mirrored(sums: &[PhasorSum; 3], shape: &TriangleShape) -> Vec<f64> {
     let [a, b, c] = sums.each_ref().map(numbers::evaluate);
     let half = numbers::degrees(c * a.conj()) / 2.0;
     let (sin, cos) = libm::sincos(half.to_radians());
     let ratio = (b / (a * Complex::new(cos, sin))).re;
     let apart = libm::acos((-ratio / 2.0).clamp(-1.0, 1.0)).to_degrees();
-    shape.signs().iter().map(|sign| (sign * apart - half).rem_euclid(360.0)).collect()
+    signs(shape).iter().map(|sign| (sign * apart - half).rem_euclid(360.0)).collect()
 }
 
 /// A rational turn near the degrees at which the sum vanishes exactly, or the degrees.

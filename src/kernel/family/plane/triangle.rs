@@ -11,38 +11,25 @@ use super::super::angles::{Alternative, alternative};
 use super::super::part::Part;
 use crate::exact::{PhasorSum, Turn, fraction};
 use crate::numbers;
-use crate::proof::Certificate;
+use crate::proof::TriangleShape;
 
 /// Three parts that cancel somewhere, or nowhere.
 #[derive(Clone, Debug)]
 pub struct Triangle {
     /// How many triangles have these sides, with evidence.
-    pub shape: Shape,
+    pub shape: TriangleShape,
     /// How many times φ and δ turn second and third part against the first.
     pub multiples: [[BigRational; 2]; 2],
     /// What they come to in each triangle.
     pub corners: Vec<Corner>,
 }
 
-/// The sign of the squared area, or of another number that tells how many solutions there are, with evidence.
-#[derive(Clone, Debug)]
-pub enum Shape {
-    /// None: one side is longer than the others together. Enclosed with this many bits.
-    Never(u32),
-    /// One, which is flat.
-    Flat(Certificate),
-    /// Two, mirror images. Enclosed with this many bits.
-    Two(u32),
-}
-
-impl Shape {
-    /// On which sides the solutions are.
-    pub(super) fn signs(&self) -> &'static [f64] {
-        match self {
-            Shape::Never(_) => &[],
-            Shape::Flat(_) => &[1.0],
-            Shape::Two(_) => &[1.0, -1.0],
-        }
+/// On which sides the solutions are.
+pub(super) fn signs(shape: &TriangleShape) -> &'static [f64] {
+    match shape {
+        TriangleShape::Never { .. } => &[],
+        TriangleShape::Flat { .. } => &[1.0],
+        TriangleShape::Two { .. } => &[1.0, -1.0],
     }
 }
 
@@ -67,12 +54,12 @@ pub(in super::super) fn solve(parts: [&Part; 3]) -> Option<Triangle> {
         return None;
     }
     let shape = shape(parts.map(|part| &part.sum))?;
-    let corners = shape.signs().iter().map(|sign| corner(parts, *sign)).collect();
+    let corners = signs(&shape).iter().map(|sign| corner(parts, *sign)).collect();
     Some(Triangle { shape, multiples, corners })
 }
 
 /// The sign of `2(ab + bc + ca) − a² − b² − c²`, 16 times the squared area (Heron).
-fn shape(sums: [&PhasorSum; 3]) -> Option<Shape> {
+fn shape(sums: [&PhasorSum; 3]) -> Option<TriangleShape> {
     let [a, b, c] = sums.map(PhasorSum::squared_modulus);
     let mixed = a.times(&b).plus(&b.times(&c)).plus(&c.times(&a)).scaled(&BigRational::from_integer(2.into()));
     let area = mixed.minus(&a.times(&a).plus(&b.times(&b)).plus(&c.times(&c)));
@@ -80,22 +67,25 @@ fn shape(sums: [&PhasorSum; 3]) -> Option<Shape> {
 }
 
 /// The sign of a real sum.
-pub(super) fn sign(area: PhasorSum) -> Option<Shape> {
+pub(super) fn sign(area: PhasorSum) -> Option<TriangleShape> {
     let area = area.tidied();
     if area.vanishes() {
-        return Some(Shape::Flat(area.certificate()));
+        return Some(TriangleShape::Flat { certificate: area.certificate() });
     }
     enclosed_sign(&area)
 }
 
 /// The sign of a real sum that has terms, where an enclosure tells it.
-pub(super) fn enclosed_sign(area: &PhasorSum) -> Option<Shape> {
+pub(super) fn enclosed_sign(area: &PhasorSum) -> Option<TriangleShape> {
     let total: BigRational = area.terms().iter().map(|term| term.weight.abs()).sum();
     let area = area.scaled(&total.recip());
     BITS.iter().find_map(|&bits| {
         let [area, _] = numbers::enclose(&area, bits);
-        let shape = if area.sign()? == Ordering::Greater { Shape::Two } else { Shape::Never };
-        Some(shape(bits + SPARE_BITS))
+        let bits = bits + SPARE_BITS;
+        Some(match area.sign()? {
+            Ordering::Greater => TriangleShape::Two { bits },
+            Ordering::Less | Ordering::Equal => TriangleShape::Never { bits },
+        })
     })
 }
 
