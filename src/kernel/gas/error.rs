@@ -11,10 +11,10 @@ pub enum NoGas {
     Rods,
     /// No crank radius.
     Radius,
-    /// No heat gives the wanted highest pressure: without burning it is this, in bar.
-    Peak(f64),
-    /// No heat gives the wanted mean pressure: without burning it is this, in bar.
-    Mean(f64),
+    /// No heat gives the wanted highest pressure: without burning it is the second one, in bar.
+    Peak(f64, f64),
+    /// No heat gives the wanted mean pressure: without burning it is the second one, in bar.
+    Mean(f64, f64),
     /// A stage of a compressor whose piston cannot reach the pressure of delivery, or never takes in.
     Delivery,
     /// Two pistons that face each other and move together, so that the volume between them stays as it is.
@@ -35,13 +35,13 @@ impl fmt::Display for NoGas {
             NoGas::Radius => f.write_str(
                 "the layout gives no crank radius; below [mechanism], give stroke or crank_radius",
             ),
-            NoGas::Peak(bar) => write!(
+            NoGas::Peak(wanted, bar) => write!(
                 f,
-                "no heat gives the wanted peak_pressure: the compression alone reaches {bar:.2} bar; write more than that"
+                "no heat gives peak_pressure = \"{wanted} bar\": the compression alone reaches {bar:.2} bar; write more than that"
             ),
-            NoGas::Mean(bar) => write!(
+            NoGas::Mean(wanted, bar) => write!(
                 f,
-                "no heat gives the wanted mean_pressure: without burning it is {bar:.2} bar; write more than that"
+                "no heat gives mean_pressure = \"{wanted} bar\": without burning it is {bar:.2} bar; write more than that"
             ),
             NoGas::Delivery => f.write_str(
                 "the compressor never delivers: its clearance is too large for the pressure of delivery; make one of them smaller",
