@@ -92,7 +92,7 @@ impl fmt::Display for NotACycleOrder {
         let text = crate::text::harmless(&self.0);
         write!(
             f,
-            "`{text}` is not an order; an order is a multiple of 1/2 up to {HIGHEST_ORDER}, such as 2, 1/2 or 1.5"
+            "`{text}` is not an order; an order is a whole number from 1 to {HIGHEST_ORDER}, or of the gas torque a multiple of 1/2, such as 1/2 or 1.5"
         )
     }
 }
