@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crankstar::claim::{Claim, Claims, TableVerdict, parse_claims};
+use crankstar::claim::{Claim, Claims, TableVerdict, readable_claims};
 use crankstar::engine::Engine;
 use crankstar::file::{self, FileResolver};
 use crankstar::report;
@@ -21,14 +21,14 @@ pub struct Check {
 }
 
 impl Check {
-    /// Prints each claim with its answer, and writes the page into the folder; the exit status is 1 where one does not hold.
+    /// Prints each claim with its answer, and writes the page into the folder; the exit status is 1 where one does not hold or cannot be read.
     pub fn run(&self) -> Result<u8, Failure> {
         let name = layouts::shown(&self.file);
         let text = layouts::read_text(&self.file)?;
         let folder = self.file.parent().unwrap_or(Path::new(""));
-        let claims = parse_claims(&name, &text, &|engine| find(folder, engine))?;
+        let (claims, unread) = readable_claims(&name, &text, &|engine| find(folder, engine))?;
         self.pages.show(&report::claims_answer(&claims), || report::claims_page(&claims))?;
-        Ok(u8::from(!all_hold(&claims)))
+        unread.map_or_else(|| Ok(u8::from(!all_hold(&claims))), |mistakes| Err(mistakes.into()))
     }
 }
 

@@ -240,6 +240,8 @@ fn in_words(told: &str) -> String {
         ("number too large to fit in target type", "this number is too large"),
     ];
     let told = said.iter().fold(told.to_owned(), |told, (said, words)| told.replace(said, words));
+    // No layout is named as an option is.
+    let told = told.split("\n\n").filter(|part| !part.starts_with("  tip: to pass '")).collect::<Vec<_>>().join("\n\n");
     let range = told.split_once(" is not in ").and_then(|(before, after)| Some((before, after.split_once("..=")?)));
     range.map_or(told.clone(), |(before, (least, rest))| format!("{before} is not from {least} to {rest}"))
 }

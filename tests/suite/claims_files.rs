@@ -56,6 +56,24 @@ fn check_ends_with_status_zero_where_all_claims_hold_and_one_where_one_fails() {
 }
 
 #[test]
+fn the_claims_that_can_be_read_are_answered_beside_the_mistakes_of_all_others() {
+    let right = claim("I3", "first-order couple = √3");
+    let wrong = claim("I3", "nonsense") + &claim("I33", "no free moment") + "[[table]]\nlayout = \"I4\"\norder = 0\n";
+    let (status, answers, mistakes) = check("mixed.toml", &(right.clone() + &wrong + &claim("I4", "F2 = 0")));
+    assert_eq!(status, Some(1));
+    assert!(answers.contains("1 of 2 hold") && answers.contains("true.") && answers.contains("false."), "{answers}");
+    for words in ["`nonsense` is not an order", "mixed.toml:6", "/I33`: ", "mixed.toml:8", "cannot read the order `0`"]
+    {
+        assert!(mistakes.contains(words), "{words}: {mistakes}");
+    }
+    assert_eq!(mistakes.matches("error: ").count(), 3, "{mistakes}");
+    // A right claim does not hide that another cannot be read.
+    assert_eq!(check("one.toml", &(right + &claim("I3", "nonsense"))).0, Some(1));
+    let (status, answers, mistakes) = check("none.toml", &wrong);
+    assert_eq!((status, answers.as_str(), mistakes.matches("error: ").count()), (Some(1), "", 3));
+}
+
+#[test]
 fn a_claims_file_that_is_wrong_is_told_with_its_place() {
     for (text, place, keyword) in [
         ("", "", "claims nothing"),

@@ -44,8 +44,12 @@ fn order_one_of_a_radial_with_a_master_rod_is_compared_by_size_and_direction() {
         ("third-order force is balanced", Status::True),
         ("third-order force of all masses vanishes", Status::True),
         // Several sums have no one size.
-        ("second-order force = 0", Status::NotDecided),
+        ("second-order force = 1", Status::NotDecided),
+        ("second-order force = 0", Status::False),
         ("second-order force vanishes", Status::False),
+        ("every order vanishes", Status::False),
+        ("every order of the moment vanishes", Status::True),
+        ("no free moment", Status::True),
     ] {
         assert_eq!(checked(&nine, says).status, expected, "{says}");
     }
@@ -63,6 +67,55 @@ fn order_one_of_unequal_rods_is_compared_too_and_no_order_that_does_not_exist_is
         assert_eq!(checked(&alike, says).status, Status::True, "{says}");
     }
     assert_eq!(checked(&alike, "first-order force of the rotating masses vanishes").status, Status::True);
+}
+
+const UNEQUAL: &str = "[mechanism]\nrod_ratio = ['1/4', '1/4', '2/7', '2/7']\n";
+
+/// Cylinders of throw, bank and position.
+fn cylinders(list: &[[i64; 3]]) -> String {
+    let one = |[throw, bank, at]: &[i64; 3]| format!("[[cylinder]]\nthrow = {throw}\nbank = {bank}\nposition = {at}\n");
+    list.iter().map(one).collect()
+}
+
+#[test]
+fn every_order_of_rods_that_differ_is_decided_as_single_orders_are() {
+    // Two opposed pairs, each of one rod; a row of four with the rods of a mirrored pair alike or not; yokes with slots of several slopes.
+    let pairs = cylinders(&[[0, 0, 0], [180, 180, 0], [90, 0, 1], [270, 180, 1]]);
+    let row = cylinders(&[[0, 0, 0], [180, 0, 1], [180, 0, 2], [0, 0, 3]]);
+    let (mirrored, crossed) = (UNEQUAL.replace("'1/4', '2/7', '2/7'", "'2/7', '2/7', '1/4'"), UNEQUAL);
+    let yokes = "[mechanism]\nrod_ratio = 0\noffset_ratio = ['1/10', '1/5', '1/10', '-1/5']\n";
+    let offset = "[mechanism]\nrod_ratio = '1/4'\noffset_ratio = '1/20'\n";
+    let geared = "[[crankshaft]]\nname = 'A'\nsense = 'with'\n[[crankshaft]]\nname = 'B'\nsense = 'with'\nspeed = 2\n[mechanism]\nrod_ratio = '1/4'\n";
+    let on = |shaft: &str, list: &[[i64; 3]]| {
+        cylinders(list).replace("[[cylinder]]\n", &format!("[[cylinder]]\ncrankshaft = '{shaft}'\n"))
+    };
+    let opposed = [[0, 0, 0], [180, 180, 0]];
+    let geared = format!("{geared}{}{}", on("A", &opposed), on("B", &opposed));
+    let (yes, no, open) = (Status::True, Status::False, Status::NotDecided);
+    for (text, [every, force, higher, moment, free]) in [
+        (format!("{UNEQUAL}{pairs}"), [&yes, &yes, &yes, &yes, &yes]),
+        (format!("{mirrored}{row}"), [&no, &no, &no, &yes, &yes]),
+        (format!("{crossed}{row}"), [&no, &no, &no, &no, &open]),
+        (format!("{yokes}{row}"), [&no, &no, &yes, &no, &open]),
+        (format!("{yokes}{pairs}"), [&no, &no, &yes, &no, &open]),
+        (format!("{offset}{pairs}"), [&yes, &yes, &yes, &yes, &yes]),
+        (format!("{offset}{row}"), [&no, &no, &no, &yes, &yes]),
+        (format!("inline.throws = [0, 120, 240]\n{offset}"), [&no, &no, &no, &no, &no]),
+        (geared, [&yes, &yes, &yes, &yes, &yes]),
+    ] {
+        let engine = read(&text);
+        for (says, expected) in [
+            ("every order vanishes", every),
+            ("every order of the force vanishes", force),
+            ("every higher order of the force vanishes", higher),
+            ("every order of the moment vanishes", moment),
+            ("no free moment", free),
+        ] {
+            let answer = checked(&engine, says);
+            assert_eq!(answer.status == Status::NotDecided, *expected == Status::NotDecided, "{says}: {text}");
+            assert_eq!(answer.status.holds(), expected.holds(), "{says}: {text}");
+        }
+    }
 }
 
 /// A radial whose piston of the master weighs more, perhaps with masses at knuckle pins and at the crankpin.

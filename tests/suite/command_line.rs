@@ -399,3 +399,20 @@ fn remedy_names_small_orders_and_cancels_them_where_they_are_asked_for() {
         assert!(all.contains("shaft 4") && !all.contains("only on request"), "{all}");
     }
 }
+
+#[test]
+fn what_is_no_order_and_what_is_no_option_are_told_without_wrong_tips() {
+    for order in ["0", "1001", "x", "1/3"] {
+        let told = fails(&["classify", "I4", "--orders", order], 2);
+        assert!(
+            told.contains(&format!("`{order}` is not an order; an order is a whole number from 1 to 1000")),
+            "{told}"
+        );
+    }
+    for arguments in [["classify", "-5"], ["torque", "--speed"]] {
+        let told = fails(&arguments, 2);
+        assert!(told.contains(&format!("unexpected argument '{}'", arguments[1])) && told.contains("Usage"), "{told}");
+        assert!(!told.contains("tip") && !told.contains("\n\n\n"), "{told}");
+    }
+    assert!(fails(&["classify", "I4", "--order", "2"], 2).contains("a similar argument exists: '--orders'"));
+}

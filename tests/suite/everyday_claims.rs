@@ -186,6 +186,9 @@ fn a_sentence_that_says_several_things_is_asked_to_be_divided() {
         "forces of orders 1 or 2 vanish",
         "second-order force exists or second-order moment exists",
         "third and higher orders of the force vanish",
+        // Order 3 of a pin offset is in neither.
+        "second, fourth and higher orders of the force vanish",
+        "first, second, fourth and higher orders of the force vanish",
         "the first, fourth and higher orders of the force vanish",
     ] {
         let told = parse_statement(sentence).expect_err(sentence);

@@ -256,6 +256,11 @@ fn metres_that_were_meant_as_millimetres_are_told_of_every_length_along_the_shaf
     for (text, words) in [
         (format!("{vee}bank_offset = '20 m'\n"), "bank_offset is read as 20 m"),
         (format!("reference_plane = '80 m'\n{vee}"), "the reference plane is at 80 m"),
+        (format!("reference_plane = '5 m'\n{vee}"), "the reference plane is at 5 m"),
+        (
+            format!("reference_plane = '-5 m'\n{vee}"),
+            "the cylinders stand from -0.048 m to 0.048 m: is the unit right?",
+        ),
         (vee.replace("'96", "'-96"), "spacing is below 0"),
         (vee.replace("'96 mm'", "80") + "[mechanism]\nstroke = '80 mm'\n", "the cylinders reach over 80 m"),
         (format!("{vee}{mounted}"), "place is read as 100 m"),
@@ -264,6 +269,8 @@ fn metres_that_were_meant_as_millimetres_are_told_of_every_length_along_the_shaf
         assert!(told.contains(words), "{text}: {told}");
     }
     assert_eq!(warnings(&format!("{vee}bank_offset = '20 mm'\n")), Vec::<String>::new());
+    assert_eq!(warnings(&format!("reference_plane = '-500 mm'\n{vee}")), Vec::<String>::new());
+    assert_eq!(warnings(&format!("reference_plane = 50\n{}", vee.replace("'96 mm'", "1"))), Vec::<String>::new());
 }
 
 #[test]

@@ -1,54 +1,31 @@
 //! Is it true of an engine with several kinds of rods, or crankshafts of several speeds, of whose orders but few are single sums?
 
 use super::absolute::Numbers;
-use super::answer::{Answer, Status};
-use super::every::{TORQUE, planar};
+use super::answer::{Answer, Evidence, Status};
+use super::compare::is_exact_zero;
 use super::finding::Finding;
 use super::order;
 use super::shafts::evidence;
-use super::statement::{Orders, Predicate, Statement, Subject};
-use crate::engine::Engine;
+use super::statement::{Orders, Predicate, Subject};
+use crate::engine::{Engine, ORDERS};
+use crate::loads;
 use crate::order::Masses;
 use crate::proof::{Planar, Quantity, Sense, Shape};
 use crate::verdict::{self, OrderVerdict, Outcome, WholeOrder, both_vanish};
 
-/// Answers whether orders vanish and which shape is left; sizes and directions are compared where an order is one sum.
-pub(super) fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
-    match statement {
-        Statement::Order { subject: subject @ Subject { quantity: Quantity::Planar(quantity), .. }, predicate } => {
-            one(engine, *subject, *quantity, predicate, numbers)
-        }
-        Statement::Vanish { orders: Orders::Listed(orders), quantities } => listed(engine, orders, quantities),
-        Statement::Order { .. }
-        | Statement::Vanish { .. }
-        | Statement::NoFreeMoment
-        | Statement::Shafts { .. }
-        | Statement::CanBalance(_)
-        | Statement::CrankshaftMass(_)
-        | Statement::BearingLoad(_)
-        | Statement::WorstBearings(_)
-        | Statement::LargestLoad(..)
-        | Statement::ShakingForce(_)
-        | Statement::Formula(_)
-        | Statement::GasTorque { .. }
-        | Statement::FiresEvenly { .. } => Answer::nothing(match engine.faster_crank() {
-            Some(_) => "a crankshaft turns faster than the reference, so no order is a single sum",
-            None => "the rods of the engine or their offsets differ, so no order is a single sum",
-        }),
-    }
-}
+/// Of a size, a direction or a torque nothing is said then.
+const SEVERAL: &str = "the rods, their offsets or the speeds of the crankshafts differ and this order has a sum for each kind, so that it is not compared";
+
+/// Of many orders of it nothing is said.
+pub(super) const TORQUE: &str = "the inertia torque is decided order by order: claim one order of it at a time";
 
 fn judged(engine: &Engine, order: u32, masses: Masses) -> Option<OrderVerdict> {
     verdict::classify(engine, &[order], masses, &Quantity::PLANAR).ok()?.into_iter().next()
 }
 
-fn one(
-    engine: &Engine,
-    subject: Subject,
-    quantity: Planar,
-    predicate: &Predicate,
-    numbers: Option<&Numbers>,
-) -> Answer {
+/// Answers whether an order vanishes and which shape is left; sizes and directions are compared where it is one sum.
+pub(super) fn one(engine: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
+    let Quantity::Planar(quantity) = subject.quantity else { return Answer::nothing(SEVERAL) };
     let Some(order) = judged(engine, subject.order, subject.masses) else { return Answer::nothing("no order") };
     // Order 1 of centric rods and of links is one sum whatever the rods are, and an order that does not exist is 0.
     let is_single = order.parts.len() == 1 && engine.faster_crank().is_none();
@@ -63,22 +40,67 @@ fn one(
             Shape::NotDecided => None,
             found => Some(found == *shape),
         },
-        (Predicate::Is(_) | Predicate::Equals(..) | Predicate::Plane(_), _) => {
-            return Answer::nothing(match engine.faster_crank() {
-                Some(_) => {
-                    "a crankshaft turns faster than the reference and an order has a sum for each speed, so that its size and direction are not compared"
-                }
-                None => {
-                    "the rods of the engine or their offsets differ and this order has a sum for each kind, so that its size and direction are not compared"
-                }
-            });
-        }
+        (Predicate::Equals(value, None), _) if is_exact_zero(value) => vanishes,
+        (Predicate::Is(_) | Predicate::Equals(..) | Predicate::Plane(_), _) => return Answer::nothing(SEVERAL),
     };
     Answer { status: status(holds), evidence: evidence(&order), finding: Finding::CombinedOrders(vec![order]) }
 }
 
-fn listed(engine: &Engine, orders: &[u32], quantities: &[Quantity]) -> Answer {
+/// Force and moment among these, where they are all that is asked for.
+pub(super) fn planar(quantities: &[Quantity]) -> Option<Vec<Planar>> {
+    quantities.iter().map(|quantity| quantity.planar()).collect()
+}
+
+/// Answers whether orders vanish.
+pub(super) fn many(engine: &Engine, orders: &Orders, quantities: &[Quantity]) -> Answer {
     let Some(quantities) = planar(quantities) else { return Answer::nothing(TORQUE) };
+    match orders {
+        Orders::From(first) => every(engine, *first, &quantities),
+        Orders::Listed(orders) => listed(engine, orders, &quantities),
+    }
+}
+
+/// Answers whether all orders vanish from this one on. They do where the first order of each crank does, and the sums of the pistons that
+/// move alike; of n such sums that do not vanish 2n orders of one crank are left, unless those of another cancel them.
+pub(super) fn every(engine: &Engine, first: u32, quantities: &[Planar]) -> Answer {
+    let firsts = loads::speeds(engine).filter(|order| *order >= first);
+    let firsts: Vec<OrderVerdict> = firsts.filter_map(|order| judged(engine, order, Masses::Reciprocating)).collect();
+    let sums = quantities.iter().flat_map(|one| loads::sums_of_alike(engine, (*one).into()));
+    let mut proofs: Vec<Evidence> = sums.map(|sum| Evidence::comparison("The pistons that move alike", sum)).collect();
+    let is_zero = |order: &OrderVerdict| quantities.iter().all(|one| order.whole(*one).is_balanced());
+    if firsts.iter().all(is_zero) && proofs.iter().all(Evidence::vanishes) {
+        proofs.extend(firsts.iter().flat_map(evidence));
+        return Answer { status: Status::True, finding: Finding::NothingLeft, evidence: proofs };
+    }
+    let is_left = |order: &OrderVerdict| quantities.iter().any(|one| order.whole(*one).is_left());
+    refuted(engine, first, is_left, "whether the sums of different rods cancel at every order is not decided")
+}
+
+/// Answers whether a moment is left that no choice of the reference plane cancels.
+pub(super) fn free(engine: &Engine) -> Answer {
+    let about_the_plane = every(engine, 1, &[Planar::Moment]);
+    let is_free = |order: &OrderVerdict| order.moment.is_left() && order.moment_is_couple();
+    match engine.cylinders().windows(2).all(|pair| pair[0].position == pair[1].position) {
+        true => Answer { status: Status::True, finding: Finding::OnePlane, evidence: Vec::new() },
+        false if about_the_plane.status.holds() => about_the_plane,
+        false => refuted(engine, 1, is_free, "whether it is one force in one plane is not decided where rods differ"),
+    }
+}
+
+/// That a claim on every order is false, by the first order that is so.
+fn refuted(engine: &Engine, first: u32, is_so: impl Fn(&OrderVerdict) -> bool, open: &str) -> Answer {
+    let fastest = loads::speeds(engine).max().unwrap_or(1) as usize;
+    let last = 2 * fastest * (engine.cylinders().len() + 1);
+    let orders = ORDERS.take(last).skip_while(|order| *order < first);
+    match orders.filter_map(|order| judged(engine, order, Masses::Reciprocating)).find(is_so) {
+        None => Answer::nothing(open),
+        Some(order) => {
+            Answer { status: Status::False, evidence: evidence(&order), finding: Finding::CombinedOrders(vec![order]) }
+        }
+    }
+}
+
+fn listed(engine: &Engine, orders: &[u32], quantities: &[Planar]) -> Answer {
     let orders: Vec<OrderVerdict> =
         orders.iter().filter_map(|order| judged(engine, *order, Masses::Reciprocating)).collect();
     let asked = orders.iter().filter(|order| order.exists());

@@ -1,8 +1,9 @@
-//! Do all orders vanish? One period of them decides: a phase depends on the order only modulo the common denominator.
+//! Do all orders vanish? One period of them decides, where each is one sum: a phase depends on the order only modulo the common denominator.
 
 use num_traits::ToPrimitive;
 
 use super::answer::{Answer, Evidence, Status};
+use super::classes::{self, TORQUE, planar};
 use super::condition::{of_vanishing, senses};
 use super::finding::Finding;
 use super::masses;
@@ -11,25 +12,23 @@ use crate::engine::Engine;
 use crate::proof::{Planar, Quantity};
 use crate::verdict::{self, Balance, OrderBalance};
 
-/// Of many orders of it nothing is said.
-pub(super) const TORQUE: &str = "the inertia torque is decided order by order: claim one order of it at a time";
 /// Longer periods than this are not gone through.
 const LONGEST_PERIOD: u32 = 2000;
 
-/// Answers a claim that orders vanish. Without pin offset the orders that exist are 1 and the even ones.
+/// Answers a claim that orders vanish, of an engine whose pistons have one coefficient.
 pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) -> Answer {
     let Some(quantities) = planar(quantities) else { return Answer::nothing(TORQUE) };
-    if !engine.is_centric() && !matches!(orders, Orders::Listed(_)) {
-        return Answer::nothing(match engine.only_rods() {
-            Ok(()) => "with a pin offset every order exists: give the orders",
-            Err(_) => "where a piston has no rod on the crankpin every order may exist: give the orders",
-        });
-    }
     let (judged, period) = match (orders, period(engine)) {
         (Orders::Listed(list), _) => (list.clone(), None),
-        (_, None) => return Answer::nothing("the phases repeat only after more than 2000 orders"),
-        (Orders::Every, Some(period)) => ([1].into_iter().chain((2..=period).step_by(2)).collect(), Some(period)),
-        (Orders::Higher, Some(period)) => ((2..=period).step_by(2).collect(), Some(period)),
+        (Orders::From(_), None) if engine.mechanisms().is_empty() => {
+            return Answer::nothing("the phases repeat only after more than 2000 orders, and the layout names no rods");
+        }
+        (Orders::From(first), None) => return classes::every(engine, *first, &quantities),
+        (Orders::From(first), Some(period)) => {
+            // Without odd ones, 1 and the even ones.
+            let is_there = |order: &u32| *order == 1 || order.is_multiple_of(2) || engine.has_odd_orders();
+            ((*first..=period + 1).filter(is_there).collect(), Some(period))
+        }
     };
     let balances: Vec<OrderBalance> = judged.iter().filter_map(|order| masses::pistons(engine, *order)).collect();
     // With infinitely long rods there are none above 1.
@@ -62,11 +61,6 @@ pub(super) fn answer(engine: &Engine, orders: &Orders, quantities: &[Quantity]) 
 
 fn asked<'a>(order: &'a OrderBalance, quantities: &'a [Planar]) -> impl Iterator<Item = &'a Balance> {
     quantities.iter().map(|quantity| order.balance(*quantity))
-}
-
-/// Force and moment among these, where they are all that is asked for.
-pub(super) fn planar(quantities: &[Quantity]) -> Option<Vec<Planar>> {
-    quantities.iter().map(|quantity| quantity.planar()).collect()
 }
 
 /// The even period of all phases kβ − (k−1)α and −kβ + (k+1)α.

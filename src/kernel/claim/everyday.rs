@@ -207,7 +207,7 @@ impl ParsedClaim {
         let named = self.marks.orders();
         if !self.higher {
             return match (self.every, named.is_empty()) {
-                (true, _) => Ok(Orders::Every),
+                (true, _) => Ok(Orders::From(1)),
                 (false, false) => Ok(Orders::Listed(named)),
                 (false, true) => Err(asked(
                     words,
@@ -215,11 +215,11 @@ impl ParsedClaim {
                 )),
             };
         }
-        let below = [1].into_iter().chain((2..=named.last().copied().unwrap_or(0)).step_by(2));
+        let below = 1..=named.last().copied().unwrap_or(1);
         let left_out: Vec<u32> = below.filter(|order| !named.contains(order)).collect();
         match left_out.as_slice() {
-            [] => Ok(Orders::Every),
-            [1] => Ok(Orders::Higher),
+            [] => Ok(Orders::From(1)),
+            [1] => Ok(Orders::From(2)),
             _ => Err(asked(
                 words,
                 "which orders are left out? such as \"every order of the force vanishes\", \"every higher order of the force vanishes\", \

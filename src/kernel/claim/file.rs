@@ -1,7 +1,6 @@
 //! What does a claims file hold? TOML: claims, published statements with the claims they rest on, students' tables.
 
 use num_rational::BigRational;
-use num_traits::Signed;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
@@ -13,6 +12,7 @@ use super::sentence::parse_statement;
 use super::statement::Statement;
 use super::student::{self, StarTable, Verdict};
 use crate::engine::Engine;
+use crate::file::quantities::positive;
 use crate::file::written::{Table, Text, place};
 use crate::file::{Kind, LayoutError, units};
 use crate::text::Untrusted;
@@ -125,19 +125,30 @@ struct NumbersTable {
 /// Reads a claims file; `name` is the path that messages show, `find` looks up engines.
 ///
 /// # Errors
-/// The first mistake, with its place and what would be right.
+/// Each mistake, with its place and what would be right.
 pub fn parse_claims(name: &str, source: &str, find: Find) -> Result<Claims, LayoutError> {
-    let file = Kind::Claims.read::<File>(source);
-    file.and_then(|file| claims(name, file, find)).map_err(|error| error.in_file(name, source))
+    let (claims, unread) = readable_claims(name, source, find)?;
+    unread.map_or(Ok(claims), Err)
 }
 
-fn claims(name: &str, file: File, find: Find) -> Result<Claims, LayoutError> {
+/// The claims of a file that can be read, and what is wrong with the others.
+///
+/// # Errors
+/// Each mistake, where nothing can be read.
+pub fn readable_claims(name: &str, source: &str, find: Find) -> Result<(Claims, Option<LayoutError>), LayoutError> {
+    let read = Kind::Claims.read::<File>(source).and_then(|file| claims(name, file, find));
+    let in_file = |error: LayoutError| error.in_file(name, source);
+    read.map(|(claims, unread)| (claims, unread.map(in_file))).map_err(in_file)
+}
+
+fn claims(name: &str, file: File, find: Find) -> Result<(Claims, Option<LayoutError>), LayoutError> {
     let whole = Keys { source: file.source.as_ref(), ..Keys::default() };
-    let mut statements = Vec::new();
+    let (mut statements, mut mistakes) = (Vec::new(), Vec::new());
     for table in file.claim.iter().flatten() {
         let table = &table.get_ref().0;
         let source = table.source.as_ref().map(text);
-        statements.push(Published { text: None, source, conclusion: None, claims: vec![claim(table, whole, find)?] });
+        let claims = kept(claim(table, whole, find), &mut mistakes).into_iter().collect();
+        statements.push(Published { text: None, source, conclusion: None, claims });
     }
     for table in file.statement.iter().flatten() {
         let table = &table.get_ref().0;
@@ -147,16 +158,24 @@ fn claims(name: &str, file: File, find: Find) -> Result<Claims, LayoutError> {
             text: Some(text(&table.text)),
             source: around.source.map(text),
             conclusion: table.conclusion.as_ref().map(text),
-            claims: claims.collect::<Result<_, _>>()?,
+            claims: claims.filter_map(|claim| kept(claim, &mut mistakes)).collect(),
         });
     }
     let tables = file.table.iter().flatten().map(|table| student::read(&table.get_ref().0, find));
-    let tables = tables.collect::<Result<Vec<_>, _>>()?;
+    let tables: Vec<StarTable> = tables.filter_map(|table| kept(table, &mut mistakes)).collect();
+    statements.retain(|statement| !statement.claims.is_empty());
+    let mut mistakes = mistakes.into_iter();
+    let unread = mistakes.next().map(|first: LayoutError| first.and(mistakes));
     if statements.is_empty() && tables.is_empty() {
         let right = "add a [[claim]] with layout and says, a [[statement]] or a [[table]]";
-        return Err(LayoutError::new("the file claims nothing", right, None));
+        return Err(unread.unwrap_or_else(|| LayoutError::new("the file claims nothing", right, None)));
     }
-    Ok(Claims { title: file.title.as_ref().map_or_else(|| Untrusted::new(name), text), statements, tables })
+    Ok((Claims { title: file.title.as_ref().map_or_else(|| Untrusted::new(name), text), statements, tables }, unread))
+}
+
+/// What can be read; else what is wrong is put to the other mistakes.
+fn kept<T>(read: Result<T, LayoutError>, mistakes: &mut Vec<LayoutError>) -> Option<T> {
+    read.map_err(|mistake| mistakes.push(mistake)).ok()
 }
 
 fn text(text: &Text) -> Untrusted {
@@ -184,19 +203,6 @@ fn numbers(table: &NumbersTable) -> Result<Numbers, LayoutError> {
         speed: positive(&table.speed, "speed", revolutions)?,
         spacing: table.spacing.as_ref().map(|text| positive(text, "spacing", units::metres)).transpose()?,
     })
-}
-
-fn positive(
-    text: &Text,
-    what: &str,
-    read: impl Fn(&str) -> Result<BigRational, String>,
-) -> Result<BigRational, LayoutError> {
-    let written = &text.get_ref().0;
-    let value = read(written).and_then(|value| match value.is_positive() {
-        true => Ok(value),
-        false => Err("a number above 0".to_owned()),
-    });
-    value.map_err(|right| LayoutError::new(format!("cannot read the {what} `{written}`"), right, place(text)))
 }
 
 /// Revolutions a minute.

@@ -29,6 +29,10 @@ pub enum Finding {
         /// The first that does not vanish.
         first: Option<Box<OrderBalance>>,
     },
+    /// No order is left, of whichever kinds the rods are.
+    NothingLeft,
+    /// All pistons are in one plane.
+    OnePlane,
     /// Firing stars: those asked about, or the strongest of minor orders.
     FiringStars(Vec<StarOrder>),
     /// The firing intervals in turns, where the layout says them.

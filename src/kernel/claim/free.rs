@@ -15,12 +15,13 @@ use crate::verdict::OrderBalance;
 
 /// Answers the claim that no order leaves a free moment.
 pub(super) fn answer(engine: &Engine) -> Answer {
-    let about_the_plane = every::answer(engine, &Orders::Every, &[Quantity::MOMENT]);
+    let about_the_plane = every::answer(engine, &Orders::From(1), &[Quantity::MOMENT]);
     let Answer { status, finding, mut evidence } = about_the_plane;
     match (status, finding) {
         (Status::TrueOnlyIf { conditions, met }, finding) => {
             // Whose force is left and whose moment vanishes about one plane has no free moment about any.
-            let conditions: Vec<Condition> = conditions.into_iter().filter(depends_on_more).collect();
+            let is_plane = |one: &Condition| matches!(one, Condition::AboutPlane(_) | Condition::NotAboutPlane(_));
+            let conditions: Vec<Condition> = conditions.into_iter().filter(|one| !is_plane(one)).collect();
             let status = if conditions.is_empty() { Status::True } else { Status::TrueOnlyIf { conditions, met } };
             Answer { status, finding, evidence }
         }
@@ -46,13 +47,6 @@ pub(super) fn answer(engine: &Engine) -> Answer {
             Answer { status, finding: Finding::Orders { surviving, judged, period, first }, evidence }
         }
         (status, finding) => Answer { status, finding, evidence },
-    }
-}
-
-fn depends_on_more(condition: &Condition) -> bool {
-    match condition {
-        Condition::AboutPlane(_) | Condition::NotAboutPlane(_) => false,
-        Condition::NoBankOffset | Condition::FiringOrder | Condition::FirstTermAlone => true,
     }
 }
 

@@ -61,8 +61,8 @@ fn many(text: &str) -> Result<Statement, ClaimError> {
         Some((rest, word)) => (rest, vec![quantity(word).ok_or_else(no_claim)?]),
     };
     let orders = match rest {
-        "every order" => Orders::Every,
-        "every higher order" => Orders::Higher,
+        "every order" => Orders::From(1),
+        "every higher order" => Orders::From(2),
         _ => {
             let list = rest.strip_prefix("orders ").ok_or_else(no_claim)?.replace(" and ", ",");
             Orders::Listed(list.split(',').map(|word| order_number(word.trim())).collect::<Result<_, _>>()?)

@@ -47,7 +47,7 @@ use crate::proof::Quantity;
 pub use absolute::Numbers;
 pub use answer::{Answer, Condition, Evidence, Status};
 pub use error::ClaimError;
-pub use file::{Claim, Claims, Published, parse_claims};
+pub use file::{Claim, Claims, Published, parse_claims, readable_claims};
 pub use find::Find;
 pub use finding::{Absolute, Agreement, Finding, LargestOf, Term, TermVerdict, Witness};
 pub use formula::{Factor, Formula, Letter, Measured, Powers, Series, Wave};
@@ -70,24 +70,21 @@ pub fn status_of_all_masses(engine: &Engine, statement: &Statement, numbers: Opt
         return None;
     }
     let subject = Subject { masses: Masses::All, ..*subject };
-    Some(classes::answer(engine, &Statement::Order { subject, predicate: predicate.clone() }, numbers).status)
+    Some(classes::one(engine, subject, predicate, numbers).status)
 }
 
 /// Answers a claim about an engine.
 pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
-    let of_orders = match statement.topic() {
-        Topic::Orders | Topic::FreeMoment => true,
-        Topic::Forces | Topic::Other => false,
-    };
-    if of_orders && (engine.mechanisms().len() > 1 || engine.faster_crank().is_some()) {
-        return classes::answer(engine, statement, numbers);
-    }
+    let several = engine.mechanisms().len() > 1 || engine.faster_crank().is_some();
     match statement {
+        Statement::NoFreeMoment if several => classes::free(engine),
         Statement::NoFreeMoment => free::answer(engine),
+        Statement::Order { subject, predicate } if several => classes::one(engine, *subject, predicate, numbers),
+        Statement::Order { subject, predicate } => order::answer(engine, *subject, predicate, numbers),
+        Statement::Vanish { orders, quantities } if several => classes::many(engine, orders, quantities),
+        Statement::Vanish { orders, quantities } => every::answer(engine, orders, quantities),
         Statement::Shafts { order, shafts } => shafts::answer(engine, *order, *shafts),
         Statement::CanBalance(possible) => possible::answer(engine, possible),
-        Statement::Order { subject, predicate } => order::answer(engine, *subject, predicate, numbers),
-        Statement::Vanish { orders, quantities } => every::answer(engine, orders, quantities),
         Statement::CrankshaftMass(mass) => masses::crankshaft(engine, mass),
         Statement::BearingLoad(value) => masses::bearing_load(engine, value),
         Statement::WorstBearings(numbers) => masses::worst_bearings(engine, numbers),

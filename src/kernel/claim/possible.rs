@@ -33,10 +33,8 @@ pub(super) fn parse(text: &str) -> Result<Statement, ClaimError> {
     let plane = |text: &str| units::metres(&text.trim().replace('−', "-"));
     let planes: Result<Vec<BigRational>, String> = planes.split(" and ").map(plane).collect();
     let planes = planes.map_err(|right| ClaimError::new("cannot read the positions of the counterweights", right))?;
-    match planes.as_slice() {
-        [_] => {}
-        [first, second] if first != second => {}
-        _ => return Err(ClaimError::new("counterweights are in one plane or two", right)),
+    if planes.len() > 2 || planes.first() == planes.get(1) {
+        return Err(ClaimError::new("counterweights are in one plane or two", right));
     }
     let (what, mass) = match rest.split_once(" with a crankshaft lighter than ") {
         Some((what, mass)) => (what, Some(mass)),
@@ -90,10 +88,7 @@ pub(super) fn answer(engine: &Engine, claimed: &Possible) -> Answer {
         "The direct force of order 1 with these counterweights",
         "The direct moment of order 1 with these counterweights",
     ];
-    let asked = match claimed.balanced {
-        Balanced::ForceAndMoment => 0..2,
-        Balanced::Moment => 1..2,
-    };
+    let asked = usize::from(claimed.balanced == Balanced::Moment)..2;
     let evidence: Vec<Evidence> = asked.map(|index| Evidence::comparison(names[index], left[index].clone())).collect();
     let balances = evidence.iter().all(Evidence::vanishes);
     let is_light = match (&claimed.lighter_than, engine.crankshaft_mass(), subject.scale()) {
@@ -105,10 +100,7 @@ pub(super) fn answer(engine: &Engine, claimed: &Possible) -> Answer {
         (Some(_), ..) => return Answer::nothing("the mass of the crankshaft needs the masses and the crank radius"),
     };
     // One weight, or two against force and moment, are the only ones; other couples than this one may be lighter.
-    let is_only = match claimed.balanced {
-        Balanced::ForceAndMoment => true,
-        Balanced::Moment => false,
-    };
+    let is_only = claimed.balanced == Balanced::ForceAndMoment;
     let status = match (balances, is_light) {
         (true, Some(true)) => Status::True,
         (false, _) | (true, Some(false)) if is_only => Status::False,

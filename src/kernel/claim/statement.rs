@@ -198,10 +198,8 @@ pub struct Subject {
 /// Which orders a claim about many is about.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Orders {
-    /// 1 and all even ones.
-    Every,
-    /// All even ones.
-    Higher,
+    /// All that exist from this one on: from 1, or from 2.
+    From(u32),
     /// These.
     Listed(Vec<u32>),
 }

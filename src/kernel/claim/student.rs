@@ -9,6 +9,7 @@ use super::star_marks::{self, Filled, Judged, Marked, Place, RightEntry, Star};
 use crate::engine::Engine;
 use crate::exact::Turn;
 use crate::file::LayoutError;
+use crate::file::quantities::misread;
 use crate::file::written::{Table, Text, place};
 use crate::numbers::Form;
 use crate::proof::{Planar, Sense};
@@ -94,8 +95,8 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
     let layout = engine(&table.layout, find)?;
     if layout.faster_crank().is_some() {
         return Err(misread(
-            "layout",
             &table.layout,
+            "layout",
             "an engine whose crankshafts turn equally fast: the others have a star for each speed",
         ));
     }
@@ -117,7 +118,7 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
             let mut cells = table.cells();
             let wrong = cells.find(|(_, text)| *words == text.get_ref().0.as_str());
             let (what, text) = wrong.unwrap_or(("order", &table.order));
-            Err(misread(what, text, right))
+            Err(misread(text, what, right))
         }
     }
 }
@@ -158,7 +159,7 @@ impl Sums {
 /// The order of a table.
 pub(crate) fn order(text: &Text) -> Result<u32, LayoutError> {
     let order = text.get_ref().0.parse().ok().filter(|order| (1..=crate::engine::HIGHEST_ORDER).contains(order));
-    order.ok_or_else(|| misread("order", text, &format!("a whole number from 1 to {}", crate::engine::HIGHEST_ORDER)))
+    order.ok_or_else(|| misread(text, "order", format!("a whole number from 1 to {}", crate::engine::HIGHEST_ORDER)))
 }
 
 /// What is filled in: an entry without words is none, and one that cannot be read is kept as such.
@@ -171,7 +172,7 @@ pub(crate) fn filled<'a>(
     for row in rows.into_iter().map(|row| &row.get_ref().0) {
         let name = &row.cylinder.get_ref().0;
         let index = engine.cylinders().iter().position(|cylinder| cylinder.name == *name);
-        let index = index.ok_or_else(|| misread("cylinder", &row.cylinder, "the name of a cylinder of the engine"))?;
+        let index = index.ok_or_else(|| misread(&row.cylinder, "cylinder", "the name of a cylinder of the engine"))?;
         if filled.phases.iter().any(|(there, ..)| *there == index) {
             let message = format!("cylinder `{name}` has a row before");
             return Err(LayoutError::new(message, "one row per cylinder", place(&row.cylinder)));
@@ -198,10 +199,6 @@ fn entry(text: &Text) -> Option<&str> {
 /// An entry, or its words with what would be right.
 pub(crate) fn kept<T>(words: &str, read: Result<T, String>) -> star_marks::Written<T> {
     read.map_err(|right| (Untrusted::new(words), right))
-}
-
-fn misread(what: &str, text: &Text, right: &str) -> LayoutError {
-    LayoutError::new(format!("cannot read the {what} `{}`", text.get_ref().0), right, place(text))
 }
 
 impl StarTable {

@@ -86,7 +86,7 @@ impl fmt::Display for CycleOrder {
 /// A text that is no order of a cycle.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "`{}` is not an order; an order is a multiple of 1/2 up to {HIGHEST_ORDER}, such as 2, 1/2 or 1.5",
+    "`{}` is not an order; an order is a whole number from 1 to {HIGHEST_ORDER}, or of the gas torque a multiple of 1/2, such as 1/2 or 1.5",
     crate::text::harmless(.0)
 )]
 pub struct NotACycleOrder(String);

@@ -28,7 +28,7 @@ impl LayoutError {
     }
 
     /// Tells others after this one.
-    pub(super) fn and(mut self, others: impl IntoIterator<Item = LayoutError>) -> Self {
+    pub(crate) fn and(mut self, others: impl IntoIterator<Item = LayoutError>) -> Self {
         self.others = self.others.into_iter().chain(others).collect();
         self
     }

@@ -273,9 +273,11 @@ impl Layers<'_> {
     /// A mistake with its place.
     pub fn told(&self, mistake: GasMistake) -> LayoutError {
         let span = match mistake.at {
+            // An event of the cycle that is not written is too early for one before it.
             At::Setting(setting) => {
-                let own = gas_process::KEYS.iter().find(|(name, _)| *name == setting.key());
-                own.and_then(|(_, key)| self.pick(*key)).and_then(place)
+                let before = gas_process::KEYS.iter().rev().skip_while(|(name, _)| *name != setting.key());
+                let mut events = before.take_while(|(name, _)| *name == setting.key() || *name != "wiebe_exponent");
+                events.find_map(|(_, key)| self.pick(*key)).and_then(place)
             }
             At::All | At::Row(_) => None,
         };

@@ -38,7 +38,7 @@ mod number;
 mod numbering;
 mod pin_split;
 mod pressure_csv;
-mod quantities;
+pub(crate) mod quantities;
 mod replaced;
 mod rewritten;
 mod rotor_keys;

@@ -66,7 +66,7 @@ pub(super) fn value(
 }
 
 /// The same above 0.
-pub(super) fn positive(
+pub(crate) fn positive(
     text: &Text,
     what: &str,
     unit: impl Fn(&str) -> Result<BigRational, String>,
@@ -117,7 +117,7 @@ fn is_length_symbol(name: &str) -> bool {
 }
 
 /// A value that cannot be taken as written.
-pub(super) fn misread(text: &Text, what: &str, right: impl Into<String>) -> LayoutError {
+pub(crate) fn misread(text: &Text, what: &str, right: impl Into<String>) -> LayoutError {
     misread_as(&text.get_ref().0, text, what, right)
 }
 

@@ -212,10 +212,8 @@ fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
         true => format!("engines have at most {}", shown(&most)),
         false => format!("engines have {} to {}", shown(&least), shown(&most)),
     };
-    let right = match meant {
-        Some(meant) => format!("{engines}: {} such as \"{meant}\"", kind.asked),
-        None => format!("{engines}: {}", kind.asked),
-    };
+    let such = meant.map_or_else(String::new, |meant| format!(" such as \"{meant}\""));
+    let right = format!("{engines}: {}{such}", kind.asked);
     Some(LayoutError::new(format!("{key} is read as {}", shown(&value)), right, Some(span)))
 }
 
@@ -236,19 +234,15 @@ fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
             let ratio = cylinder.rod().map_or_else(BigRational::zero, |rod| rod.ratio.clone());
             radius * &omega * &omega * (integer(1) + ratio)
         });
-        let accelerated = accelerated.max().unwrap_or_default();
         let right = "are stroke and speed in the units that they are meant in?";
-        if fastest > integer(FASTEST) {
-            let message = format!(
-                "speed makes a mean piston speed of {} m/s, and engines have at most {FASTEST} m/s",
-                fastest.round().to_integer()
-            );
-            odd.push(LayoutError::new(message, right, Some(span)));
-        } else if accelerated > integer(MOST_ACCELERATION) {
-            let message = format!(
-                "speed makes a piston's acceleration {} m/s², and engines have at most {MOST_ACCELERATION} m/s²",
-                accelerated.round().to_integer()
-            );
+        let limits = [
+            ("a mean piston speed of", fastest, FASTEST, "m/s"),
+            ("a piston's acceleration", accelerated.max().unwrap_or_default(), MOST_ACCELERATION, "m/s²"),
+        ];
+        if let Some((what, value, most, unit)) = limits.into_iter().find(|(_, value, most, _)| *value > integer(*most))
+        {
+            let message =
+                format!("speed makes {what} {} {unit}, and engines have at most {most} {unit}", value.round());
             odd.push(LayoutError::new(message, right, Some(span)));
         }
     }
@@ -272,7 +266,7 @@ fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
 /// An engine is no longer than this, in metres.
 const LONGEST: i64 = 50;
 
-/// A position in metres that is beyond any engine.
+/// A position in metres that is beyond any engine, or beyond this one.
 fn longest(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
     let most = integer(LONGEST);
     // A number alone is one of metres beside a crank radius in metres.
@@ -282,20 +276,25 @@ fn longest(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
     }
     let is_far = |at: &&BigRational| at.abs() > most;
     let bearing =
-        engine.bearings().iter().find(is_far).map(|at| ("a main bearing is at", at, place(table, &["bearings"])));
+        || Some(("a main bearing is at", engine.bearings().iter().find(is_far)?, place(table, &["bearings"])));
     let forms = || table.values().filter_map(|value| value.get_ref().as_table());
     let spacing = || forms().find_map(|form| place(form, &["spacing"]));
-    let cylinder = || engine.cylinders().iter().map(|cylinder| &cylinder.position).find(is_far);
-    let plane = Some(engine.reference_plane()).filter(is_far).filter(|_| engine.reference_plane_given());
-    let plane = || plane.map(|at| ("the reference plane is at", at, place(table, &["reference_plane"])));
-    let found = bearing.or_else(|| Some(("a cylinder is at", cylinder()?, spacing())));
     let positions = || engine.cylinders().iter().map(|cylinder| &cylinder.position);
-    let apart = positions().max()? - positions().min()?;
-    let reach = (apart > most).then(|| ("the cylinders reach over", &apart, spacing()));
-    let (what, at, span) = reach.or(found).or_else(plane)?;
-    let message = format!("{what} {} m", exact_number(at).trim_matches('"'));
-    let right = format!("no engine is longer than {LONGEST} m: is the unit right? such as \"88 mm\"");
-    Some(LayoutError::new(message, right, span))
+    let found = bearing().or_else(|| Some(("a cylinder is at", positions().find(is_far)?, spacing())));
+    let (first, last) = (positions().min()?, positions().max()?);
+    let apart = last - first;
+    let shown = |metres: &BigRational| exact_number(metres).trim_matches('"').to_owned();
+    if let Some((what, at, span)) = (apart > most).then(|| ("the cylinders reach over", &apart, spacing())).or(found) {
+        let right = format!("no engine is longer than {LONGEST} m: is the unit right? such as \"88 mm\"");
+        return Some(LayoutError::new(format!("{what} {} m", shown(at)), right, span));
+    }
+    // Moments are taken about no plane that is farther from the engine than ten of its lengths.
+    let farthest = if apart.is_zero() { most } else { most.min(&apart * integer(10)) };
+    let plane = Some(engine.reference_plane()).filter(|_| engine.reference_plane_given())?;
+    let right = format!("the cylinders stand from {} m to {} m: is the unit right?", shown(first), shown(last));
+    let message = format!("the reference plane is at {} m", shown(plane));
+    let odd = LayoutError::new(message, right, place(table, &["reference_plane"]));
+    ((plane - last).max(first - plane) > farthest).then_some(odd)
 }
 
 /// What is odd about a table of pressures: its largest one, or where that is. Steam and pumps, double-acting as a rule, have theirs elsewhere.

@@ -12,12 +12,12 @@ pub enum NoGas {
     /// No crank radius.
     #[error("the layout gives no crank radius; below [mechanism], give stroke or crank_radius")]
     Radius,
-    /// No heat gives the wanted highest pressure: without burning it is this, in bar.
-    #[error("no heat gives the wanted peak_pressure: the compression alone reaches {0:.2} bar; write more than that")]
-    Peak(f64),
-    /// No heat gives the wanted mean pressure: without burning it is this, in bar.
-    #[error("no heat gives the wanted mean_pressure: without burning it is {0:.2} bar; write more than that")]
-    Mean(f64),
+    /// No heat gives the wanted highest pressure: without burning it is the second one, in bar.
+    #[error("no heat gives peak_pressure = \"{0} bar\": the compression alone reaches {1:.2} bar; write more than that")]
+    Peak(f64, f64),
+    /// No heat gives the wanted mean pressure: without burning it is the second one, in bar.
+    #[error("no heat gives mean_pressure = \"{0} bar\": without burning it is {1:.2} bar; write more than that")]
+    Mean(f64, f64),
     /// A stage of a compressor whose piston cannot reach the pressure of delivery, or never takes in.
     #[error(
         "the compressor never delivers: its clearance is too large for the pressure of delivery; make one of them smaller"

@@ -23,7 +23,7 @@ pub(super) fn cycle(ideal: &IdealCycle, geometry: &Geometry, cycle: Cycle, zero:
             let (without, with) = (mean(0.0), mean(unit));
             let heat = (float(wanted) - without) / (with - without) * unit;
             if heat.is_nan() || heat < 0.0 {
-                return Err(NoGas::Mean(without / BAR));
+                return Err(NoGas::Mean(float(wanted) / BAR, without / BAR));
             }
             heat
         }
@@ -37,7 +37,7 @@ fn with_peak(wanted: f64, geometry: &Geometry, law: impl Fn(f64) -> Law) -> Resu
     let cold = law(0.0);
     let (lowest, _) = cold.peak(geometry);
     if wanted <= lowest {
-        return Err(NoGas::Peak(lowest / BAR));
+        return Err(NoGas::Peak(wanted / BAR, lowest / BAR));
     }
     let pressure = |law: &Law, psi: f64| {
         let (piece, psi) = law.at(psi);
@@ -50,7 +50,7 @@ fn with_peak(wanted: f64, geometry: &Geometry, law: impl Fn(f64) -> Law) -> Resu
         let slope = (peak - pressure(&cold, psi)) / heat;
         let next = heat - (peak - wanted) / slope;
         if !(next.is_finite() && next > 0.0) {
-            return Err(NoGas::Peak(lowest / BAR));
+            return Err(NoGas::Peak(wanted / BAR, lowest / BAR));
         }
         let is_there = (next - heat).abs() <= 1e-14 * heat;
         heat = next;

@@ -37,17 +37,17 @@ pub fn vanishes_at_every_order(engine: &Engine, quantity: Quantity) -> bool {
             speeds(engine).chain(shafts).all(|k| vanishes(k, Sense::Direct) && vanishes(k, Sense::Reverse))
         }
     };
-    alone && groups(engine, quantity).values().all(PhasorSum::vanishes)
+    alone && sums_of_alike(engine, quantity).iter().all(PhasorSum::vanishes)
 }
 
 /// How many times the reference turns, and each crankshaft: what is decided by itself of a crank is its own first order.
-fn speeds(engine: &Engine) -> impl Iterator<Item = u32> {
+pub fn speeds(engine: &Engine) -> impl Iterator<Item = u32> {
     let cranks = engine.geared_cranks().iter().map(|crank| crank.speed);
     [1].into_iter().chain(cranks.filter(|speed| *speed != 1))
 }
 
-/// The sums of the groups of pistons that have orders above 1 of the force, above 2 of the torque.
-fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<Moving, PhasorSum> {
+/// The sums of the groups of pistons that have orders above 1 of the force, above 2 of the torque: those orders vanish where these do.
+pub fn sums_of_alike(engine: &Engine, quantity: Quantity) -> Vec<PhasorSum> {
     let mut groups: BTreeMap<Moving, Vec<Term>> = BTreeMap::new();
     for (cylinder, mechanism) in engine.moved() {
         let (speed, own) = (engine.speed_of(cylinder), &cylinder.throw - &cylinder.bank);
@@ -69,5 +69,5 @@ fn groups(engine: &Engine, quantity: Quantity) -> BTreeMap<Moving, PhasorSum> {
             }
         }
     }
-    groups.into_iter().map(|(group, terms)| (group, PhasorSum::new(terms))).collect()
+    groups.into_values().map(PhasorSum::new).collect()
 }

@@ -21,7 +21,7 @@ mod tails;
 mod vector;
 mod waveform;
 
-pub use always::vanishes_at_every_order;
+pub use always::{speeds, sums_of_alike, vanishes_at_every_order};
 pub use bearing::{BearingLoad, BearingLoads, bearing_loads};
 use coefficients::Motion;
 pub use hung_rod::{HungRod, KnuckleLoad, LinkLoads, MasterLoad, link_loads};

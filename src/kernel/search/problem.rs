@@ -203,8 +203,9 @@ impl Problem {
                 self.orders.len()
             )));
         }
-        if self.orders.iter().any(|order| !ORDERS.contains(order)) {
-            return Err(ProblemError::new(format!("orders from 1 to {} are compared", ORDERS.end())));
+        if let Some(order) = self.orders.iter().find(|order| !ORDERS.contains(order)) {
+            let right = format!("orders from 1 to {} are compared", ORDERS.end());
+            return Err(ProblemError::new(format!("order {order} is none; {right}")));
         }
         if self.orders.windows(2).any(|pair| pair[0] >= pair[1]) {
             return Err(ProblemError::new("orders are given rising, each once"));

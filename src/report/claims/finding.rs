@@ -4,7 +4,7 @@ use super::super::residual;
 use super::super::typeset::{self, Amount};
 use super::orders::Asked;
 use super::{counterweights, forces, gas_torque, shaking};
-use crate::claim::{self, Absolute, Answer, Condition, Finding, Numbers, Statement, Status, Subject};
+use crate::claim::{self, Absolute, Answer, Condition, Finding, Numbers, Statement, Status, Subject, Topic};
 use crate::engine::{Engine, WHY_NOT};
 use crate::order::Masses;
 use crate::page::{Text, Unit, number, phrase};
@@ -70,6 +70,8 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         (Finding::Orders { surviving, judged, period, first }, _) => {
             Asked { surviving, judged: *judged, period: *period, first: first.as_deref() }.finding(statement)
         }
+        (Finding::NothingLeft, _) => text::nothing_left(statement.topic() == Topic::FreeMoment),
+        (Finding::OnePlane, _) => text::one_plane(),
         (Finding::FiringStars(orders), _) => gas_torque::found(orders, statement),
         (Finding::Firing(None), _) => text::no_firing_order(),
         (Finding::Firing(Some(intervals)), _) => {

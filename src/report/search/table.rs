@@ -78,5 +78,5 @@ pub(super) fn firing_order(star: &FoundStar) -> Option<Text> {
 /// The angles of the throws along the shaft, in degrees without their sign.
 pub(super) fn throws(star: &FoundStar) -> Text {
     let angles = star.throws.iter().map(|throw| number::number(&throw.degrees()));
-    angles.collect::<Vec<_>>().join(" ").into()
+    angles.collect::<Vec<_>>().join(", ").into()
 }

@@ -64,7 +64,7 @@ pub(super) fn best(best: &[BestStar], has_files: bool) -> Table {
             best.stars.as_ref().map_or_else(|| "not known".into(), |stars| Text::from(grouped(stars)))
         })
         .column("Least of order 2 beside it", |best| Amount::of(&best.moments[1]))
-        .column("A star", |best| best.star.throws().iter().map(u32::to_string).collect::<Vec<_>>().join(" "))
+        .column("A star", |best| best.star.throws().iter().map(u32::to_string).collect::<Vec<_>>().join(", "))
         .column_if(has_files, "Layout file", |best| Text::link(Text::label(best_name(best)), best_name(best)))
         .done()
 }

@@ -165,7 +165,9 @@ impl IdealCycle {
             return refuse(Setting::CombustionStarts, "it burns before the intake closes at", &self.intake_closes);
         }
         if self.exhaust_opens < burnt {
-            return refuse(Setting::ExhaustOpens, "the exhaust opens before the charge is burnt, at", &burnt);
+            let words =
+                format!("the exhaust opens at {}°, before the charge is burnt, at", degrees(&self.exhaust_opens));
+            return refuse(Setting::ExhaustOpens, &words, &burnt);
         }
         if open > even {
             return refuse(Setting::Blowdown, "the blowdown ends after the burnt gas has to be out, at", &even);
