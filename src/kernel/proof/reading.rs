@@ -45,7 +45,7 @@ impl fmt::Display for Unreadable {
             Unreadable::Format(Some(name)) => write!(
                 f,
                 "the format {name} is not known; known are \"crankstar classify 2\", \"crankstar family 2\", \
-                 \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 3\" and \"crankstar compare 3\""
+                 \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 4\" and \"crankstar compare 4\""
             ),
         }
     }
