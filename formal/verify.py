@@ -335,7 +335,7 @@ def verify(path, references):
     try:
         beside(file).check(tree, notes) if file else check_classify(tree, notes)
         if references:
-            beside("reference").compare(tree, references)
+            beside("reference").compare(tree, references, notes)
         else:
             notes.add("whether the engine is yours; --engine compares it")
     except (KeyError, IndexError, TypeError, AttributeError, ValueError, ArithmeticError) as error:

@@ -18,7 +18,7 @@ use super::loads_check::{check_loads, check_scale};
 use super::motion::Motion;
 use super::outside::{COMPARE_NOT_CHECKED, Compared, Comparison, Loads};
 use super::quantity::Quantity;
-use super::reading::{Unreadable, typed};
+use super::reading::{Difference, Unreadable, difference, typed};
 use super::sizes::{Length, Swing};
 
 /// Numbers with verdicts as their evidence: the JSON document of `loads` or `compare`.
@@ -67,6 +67,15 @@ impl EvidenceDocument {
     pub(super) fn title(&self) -> &str {
         let own = self.tree.get("title").and_then(Value::as_str);
         own.or_else(|| self.evidence.first().map(|document| document.title.as_str())).unwrap_or_default()
+    }
+
+    /// Where what is said of one of the engines beside the verdicts is not what a layout has, and what both say there.
+    pub fn numbers_difference(&self, index: usize, right: &Value) -> Option<Difference> {
+        let own = self.tree.get("engines").map_or(&self.tree, |engines| &engines[index]);
+        // Where a comparison has no newtons it says nothing of the scale.
+        let is_said = |key: &&str| own.get(*key).is_some_and(|said| !said.is_null() || own.get("newtons").is_none_or(|_| *key != "scale"));
+        let keys = ["scale", "units", "position_unit", "firing"].into_iter().filter(is_said);
+        keys.into_iter().find_map(|key| difference(key, &own[key], &right[key]))
     }
 
     /// Checks the evidence, and what the rest says beside it.

@@ -3,12 +3,13 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 use serde::Serialize;
+use serde_json::{Value, json};
 
-use super::super::loads_document::{ScaleEntry, size};
+use super::super::loads_document::{ScaleEntry, size, units};
 use super::super::{document, engine_cells, residual};
 use super::{Compared, orders_of};
-use crate::engine::LengthUnit;
-use crate::loads::{BearingLoads, Loads, OrderLoads, Scale, Swing};
+use crate::engine::{Engine, LengthUnit};
+use crate::loads::{self, BearingLoads, Loads, OrderLoads, Scale, Swing};
 use crate::numbers;
 use crate::proof::{COMPARE_NOT_CHECKED, Document, Format, Quantity, Shape};
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, WholeOrder};
@@ -144,19 +145,11 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
 fn engine(engine: &Compared) -> EngineEntry {
     let first_left = engine_cells::first_left(&engine.engine, &engine.theorem);
     let [first_force_left, first_moment_left] = first_left.map(|text| text.plain());
-    let full = BigRational::from_integer(360.into());
-    let firing = engine.engine.firing().map(|firing| Firing {
-        even: firing.is_even(),
-        intervals_deg: firing.intervals().iter().map(|turns| numbers::float(&(turns * &full))).collect(),
-    });
     EngineEntry {
         title: engine.engine.title().written().to_owned(),
         cylinders: engine.engine.cylinders().len(),
-        position_unit: match engine.engine.length_unit() {
-            LengthUnit::Metre => "m",
-            LengthUnit::Spacing => "spacing",
-        },
-        firing,
+        position_unit: position_unit(&engine.engine),
+        firing: firing(&engine.engine),
         orders: engine.judged.orders.iter().map(order).collect(),
         first_force_left,
         first_moment_left,
@@ -170,6 +163,26 @@ fn engine(engine: &Compared) -> EngineEntry {
             unit: "N",
         }),
     }
+}
+
+fn position_unit(engine: &Engine) -> &'static str {
+    match engine.length_unit() {
+        LengthUnit::Metre => "m",
+        LengthUnit::Spacing => "spacing",
+    }
+}
+
+fn firing(engine: &Engine) -> Option<Firing> {
+    let degrees = |turns: &BigRational| numbers::float(&(turns * BigRational::from_integer(360.into())));
+    let intervals = |firing: &crate::engine::Firing| firing.intervals().iter().map(degrees).collect();
+    engine.firing().map(|firing| Firing { even: firing.is_even(), intervals_deg: intervals(firing) })
+}
+
+/// What loads and comparisons say of a layout beside its verdicts, for the comparison of a document with it.
+pub fn numbers_of(engine: &Engine) -> Value {
+    let scale = loads::scale(engine);
+    let units = units(engine, scale.as_ref());
+    json!({ "scale": scale.as_ref().map(ScaleEntry::of), "units": units, "position_unit": position_unit(engine), "firing": firing(engine) })
 }
 
 /// An order of an engine, as data.
