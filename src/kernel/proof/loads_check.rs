@@ -58,9 +58,11 @@ pub(super) fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged],
         let has_none = if vanish.contains(&Some(true)) { Some(true) } else { vanish[0].and(vanish[1]) };
         swing.axis.points(&at("direction_deg"), entry.direction_deg, 180, has_none, audit)?;
         let [along, across] = &swing.parts;
-        for (key, size, right) in
-            [("smallest", entry.smallest, &swing.smallest), ("along", entry.along, along), ("across", entry.across, across)]
-        {
+        for (key, size, right) in [
+            ("smallest", entry.smallest, &swing.smallest),
+            ("along", entry.along, along),
+            ("across", entry.across, across),
+        ] {
             is_near(&at(key), size.shown(), &(right * &force), &(&swing.largest.slack * &force))?;
         }
         if !is_zero {
@@ -102,7 +104,12 @@ pub(super) fn check_scale(place: &str, scale: &Scale) -> Result<[BigRational; 2]
     let one = BigRational::one();
     // 2π/60, to 20 digits.
     let a_minute = BigRational::new(10_471_975_511_965_977_462_u128.into(), 100_000_000_000_000_000_000_u128.into());
-    Length::of(a_minute * speed, BigRational::zero()).is_size(&at("angular_speed_rad_s"), omega, &one, scale.speed_rpm.is_nothing())?;
+    Length::of(a_minute * speed, BigRational::zero()).is_size(
+        &at("angular_speed_rad_s"),
+        omega,
+        &one,
+        scale.speed_rpm.is_nothing(),
+    )?;
     let omega = exact(omega);
     let right = Length::of(&mass * &radius * &omega * omega, BigRational::zero());
     right.is_size(&at("m_r_omega_squared_n"), force, &one, scale.speed_rpm.is_nothing())?;

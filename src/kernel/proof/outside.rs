@@ -8,7 +8,8 @@ use super::format::Format;
 use super::quantity::Quantity;
 
 /// The numbers of `loads` that nothing is compared with; the document names them itself.
-pub const LOADS_NOT_CHECKED: [&str; 6] = ["units.moment", "largest", "left_out", "peaks", "coefficients_computed", "auto"];
+pub const LOADS_NOT_CHECKED: [&str; 6] =
+    ["units.moment", "largest", "left_out", "peaks", "coefficients_computed", "auto"];
 /// The same of `compare`.
 pub const COMPARE_NOT_CHECKED: [&str; 4] = ["position_unit", "firing", "worst_bearings", "worst_bearing_with_gas"];
 
