@@ -1,6 +1,10 @@
 """The second checker, verify.py: loads and comparisons, numbers with verdicts as their evidence (src/kernel/proof/README.md)."""
+from fractions import Fraction
+
+import verify
 from enclosures import exact
-from verify import check_classify, demand, each, equal, read, types
+from sizes import Swing, check_scale, is_near, of_rod, of_vector, slack_of
+from verify import check_classify, demand, each, equal, read, rod_of, types
 
 # Beside the evidence of loads and comparisons stand numbers with their labels: no word of what is zero, and no truth.
 types("""amplitudes = zero-to-peak; force-unit = N m_r_ω²; moment-unit = N_m N_a m_r_ω²_·_1_m m_r_ω²_a; torque-unit = N_m m_r²_ω²;
@@ -16,12 +20,17 @@ types("""amplitudes = zero-to-peak; force-unit = N m_r_ω²; moment-unit = N_m N
     peak: value=size crank_angle_deg=decimal? effects=[(effect,decimal)]; peaks: force=peak moment=peak torque?=peak;
     auto: accuracy=size kept=[count] dropped=[count] torque_kept=[count] torque_dropped=[count] looked_at=count;
     loads: format=text title=text amplitudes units scale=scale? effects=[effect] coefficients=[load-coefficient] orders=[load-order]
-        torque=[load-torque] roll?=[load-torque] largest=largest-loads left_out=left-out-loads peaks coefficients_computed=count auto? evidence=[document];
+        torque=[load-torque] roll?=[load-torque] largest=largest-loads left_out=left-out-loads peaks coefficients_computed=count auto? not_checked=[text] evidence=[document];
     position-unit = m spacing; intervals: intervals_deg=[size]; amount: largest=size?; compared-order: order=count force=amount moment=amount;
     newtons: order=count force=size moment=size; worst: bearings=[count] peak=size unit=force-unit;
-    compared: title=text position_unit=position-unit firing=intervals? orders=[compared-order] newtons=[newtons]? worst_bearings=worst?
+    compared: title=text position_unit=position-unit firing=intervals? orders=[compared-order] scale=scale? newtons=[newtons]? worst_bearings=worst?
         worst_bearing_with_gas?=worst;
-    comparison: format=text orders=[count] amplitudes engines=[compared] evidence=[document]""")
+    comparison: format=text orders=[count] amplitudes engines=[compared] not_checked=[text] evidence=[document]""")
+
+
+# What nothing is compared with, but whether it is 0: the document names it itself.
+NOT_CHECKED = {"loads": ["units.moment", "largest", "left_out", "peaks", "coefficients_computed", "auto"],
+               "compare": ["position_unit", "firing", "worst_bearings", "worst_bearing_with_gas"]}
 
 
 def check(tree, notes):
@@ -30,15 +39,17 @@ def check(tree, notes):
     document = read(tree, {"loads": "loads", "compare": "comparison"}[kind])
     for one in each("evidence", evidence):
         demand(one["format"] == "crankstar classify 2", "it is no document of verdicts")
-        proved.append(check_classify(one, notes))
+        found = check_classify(one, notes)
+        proved.append((read(one, "classify"), *found))
     demand(proved and (kind != "loads" or len(proved) == 1), "there is no evidence, or too much")
-    notes.add("the numbers outside of `evidence`, but whether the size of an order is 0")
+    equal(document, not_checked=NOT_CHECKED[kind])
+    notes.add("the numbers that the document names in `not_checked`, but whether a size is 0")
     if kind == "loads":
-        check_loads(document, evidence[0], proved[0][0])
+        check_loads(document, *proved[0])
     if kind == "compare":
-        for (one, (_, shapes)), engine in each("engines", document.engines, list(zip(evidence, proved))):
-            demand(document.orders == one["orders"], "these are not the orders of the evidence")
-            check_compared(engine, one, shapes)
+        for (one, found), engine in each("engines", document.engines, [(one[0], one) for one in proved]):
+            demand(document.orders == one.orders, "these are not the orders of the evidence")
+            check_compared(engine, *found)
 
 
 def is_nothing(size):
@@ -50,35 +61,48 @@ def agrees(size, is_zero):
     demand(is_nothing(size) is is_zero, "the evidence differs")
 
 
-def check_loads(document, evidence, judged):
+def is_size(size, length, unit, is_zero):
+    """A length in this unit, 0 exactly where the evidence proves it, and at rest."""
+    agrees(size, is_zero or unit == 0)
+    is_near(size, length.value * unit, length.slack * unit)
+
+
+def check_loads(document, evidence, judged, _, left_of):
     equal(document, title=evidence["title"])
     scale, effects, peaks = document.scale, document.effects, document.peaks
     demand(all(unit.startswith("N") == (scale is not None) for unit in document.units.values()), "newtons need a scale")
     # In newtons all is 0 of an engine at rest, in multiples of m r ω² it is not.
-    at_rest = scale is not None and is_nothing(scale.speed_rpm)
-    for key, size in (scale or {}).items():
-        demand(is_nothing(size) is (at_rest and key not in ("mass_kg", "crank_radius_m")), f"{key}: no speed makes no force, and nothing else is 0")
+    force, of_torque = check_scale(scale) if scale else (Fraction(1), Fraction(1))
+    at_rest = force == 0
     left = {"force": [], "moment": [], "torque": [], "roll": []}  # is anything left in the orders that are listed?
     for entry in each("orders", document.orders):
-        zeros = judged[entry.quantity, entry.order]
-        for vector, is_zero in zip((entry.direct, entry.reverse), zeros):
-            agrees(vector.amplitude, is_zero is True or at_rest)
-            demand(is_zero is not True or vector.angle_deg is None, "what is zero has no direction")
+        about = entry.quantity, entry.order
+        zeros, swing = judged[about], Swing(*about, left_of)
+        demand(len(zeros) == 2, "it has no sense")
+        for vector, is_zero, shown in zip((entry.direct, entry.reverse), zeros, swing.sums):
+            is_size(vector.amplitude, shown.length, force, is_zero is True)
+            shown.points(vector.angle_deg, 360, is_zero)
             demand(vector.below is None or is_zero is None and is_nothing(vector.below) is at_rest, "what is decided has no bound")
-        agrees(entry.largest, zeros == [True, True] or at_rest)
-        agrees(entry.dimensionless, zeros == [True, True])
-        parts = [entry.smallest, entry.along, entry.across]
-        demand(zeros != [True, True] and not at_rest or all(map(is_nothing, parts)), "the evidence differs")
-        demand(zeros != [True, True] or entry.direction_deg is None, "what is zero has no direction")
-        demand(scale is not None or exact(entry.largest) == exact(entry.dimensionless), "without a scale it is the same multiple")
-        left[entry.quantity].append(zeros != [True, True])
+        is_zero = zeros == [True, True]
+        is_size(entry.largest, swing.largest, force, is_zero)
+        is_size(entry.dimensionless, swing.largest, 1, is_zero)
+        swing.axis.points(entry.direction_deg, 180, True if True in zeros else None if None in zeros else False)
+        for size, right in zip((entry.smallest, entry.along, entry.across), (swing.smallest, swing.along, swing.across)):
+            is_near(size, right * force, swing.largest.slack * force)
+        left[entry.quantity].append(not is_zero)
     for quantity, entries in (("torque", document.torque), ("roll", document.roll or [])):
         for entry in each(quantity, entries):
-            is_zero = judged[quantity, entry.order] == [True]
-            agrees(entry.amplitude, is_zero or at_rest)
-            agrees(entry.dimensionless, is_zero)
-            demand(not is_zero or entry.phase_deg is None, "what is zero has no phase")
-            left[quantity].append(not is_zero)
+            is_zero, shown = judged[quantity, entry.order][0], of_vector(quantity, entry.order, None, left_of)
+            is_size(entry.amplitude, shown.length, of_torque, is_zero is True)
+            is_size(entry.dimensionless, shown.length, 1, is_zero is True)
+            shown.points(entry.phase_deg, 360, is_zero)
+            left[quantity].append(is_zero is not True)
+    rods = {(repr(c.rod), c.speed) for c in evidence.cylinders}
+    for entry in each("coefficients", document.coefficients):
+        c = evidence.cylinders[0]
+        demand(len(rods) == 1 and "known" in c.rod and c.speed is None, "the cylinders have no number in common")
+        demand(not verify.of_rod(rod_of(c.rod), entry.order)[1], "the motion has no such order")
+        of_rod(c.rod.known, entry.order).has_parts(entry.re, entry.im)
     for quantity, largest in (("force", "force"), ("moment", "moment"), ("torque", "inertia_torque")):
         demand((quantity in peaks) == (quantity in evidence["quantities"]) and (quantity in peaks or largest not in document.largest), "another quantity")
         if quantity in peaks:
@@ -102,17 +126,23 @@ def check_loads(document, evidence, judged):
     demand(auto is None or not {*auto.dropped} & {*shaking} and not {*auto.torque_dropped} & {*torque}, "an order is kept and dropped")
 
 
-def check_compared(engine, evidence, shapes):
+def check_compared(engine, evidence, judged, _, left_of):
     equal(engine, title=evidence["title"])
+    force = check_scale(engine.scale)[0] if engine.scale else 0
+    demand((engine.newtons is not None) is (force > 0), "newtons are those of an engine that moves")
     for entries in [engine.orders] if engine.newtons is None else [engine.orders, engine.newtons]:
         demand([entry.order for entry in entries] == evidence["orders"], "these are not the orders of the evidence")
-    is_zero = {about: shape in ("balanced", "does-not-exist") for about, shape in shapes.items()}
-    several = {(whole["quantity"], whole["order"]) for whole in evidence["wholes"]}
+    several = {(whole.quantity, whole.order) for whole in evidence.wholes}
     for entry in each("orders", engine.orders):
         for quantity in ("force", "moment"):
             about, largest = (quantity, entry.order), entry[quantity].largest
-            demand((largest is None) == (about in several and not is_zero[about]), "several sums have no length, and one has")
-            agrees(largest, is_zero[about])
+            is_zero = judged[about] == [True, True]
+            demand((largest is None) == (about in several and not is_zero), "several sums have no length, and one has")
+            if largest is not None:
+                moduli = [exact(one.modulus) for one in evidence.verdicts if (one.quantity, one.order) == about and not is_zero]
+                agrees(largest, is_zero)
+                is_near(largest, sum(moduli) / 2, slack_of(sum(moduli) / 2))
     for entry in each("newtons", engine.newtons or []):
         for quantity in ("force", "moment"):
-            agrees(entry[quantity], is_zero[quantity, entry.order])
+            about = quantity, entry.order
+            is_size(entry[quantity], Swing(*about, left_of).largest, force, judged[about] == [True, True])

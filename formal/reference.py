@@ -4,7 +4,8 @@
 
 A layout file is not read here: forms, units and shorthands are the program's. What it reads from one is in any document of the
 same engine; compare its cylinders with your drawing once, and let every other document be compared with it. A document of the same kind
-is compared entry by entry; one on all masses does for verdicts on the pistons and for a remedy besides.
+is compared entry by entry; one on all masses does for verdicts on the pistons and for a remedy besides. Loads and comparisons are best
+compared with a document of `loads`, whose masses in kilograms, speed and units are then compared too.
 """
 from verify import beside, demand, demand_document, each, opened, read
 
@@ -28,13 +29,21 @@ def without(entries, *keys):
     return [{key: value for key, value in entry.items() if key not in keys} for entry in entries]
 
 
-def compare(tree, paths):
-    """A document with evidence has one engine for each document of it."""
-    trees = tree["evidence"] if tree["format"][10:] not in KINDS else [tree]
+def compare(tree, paths, notes):
+    """A document with evidence has one engine for each document of it, and says of each how fast it turns and what is as heavy as 1."""
+    has_evidence = tree["format"][10:] not in KINDS
+    trees = tree["evidence"] if has_evidence else [tree]
     demand_document(len(trees) == len(paths), f"{len(paths)} engines are named by --engine, and {len(trees)} are compared")
-    for own, path in zip(trees, paths):
+    for index, (own, path) in enumerate(zip(trees, paths)):
+        reference = opened(path)
+        if reference["format"][10:] == "loads 4":
+            if has_evidence:
+                same_numbers(tree["engines"][index] if "engines" in tree else tree, reference)
+            reference = reference["evidence"][0]
+        elif has_evidence:
+            notes.add("masses in kilograms, the speed and units: --engine compares them with those of a document of `loads`")
         kind, found = engine_of(own)
-        due = due_of(kind, found, *engine_of(opened(path)))
+        due = due_of(kind, found, *engine_of(reference))
         for key in ENGINE:
             if key in due:
                 same(key, found[key], due[key])
@@ -57,6 +66,14 @@ def due_of(kind, found, reference, of):
         return {"reference_plane": of.reference_plane, "cylinders": weighed, "turning_masses": without(of.turning_masses, "name", "axis")}
     demand_document(kind == reference, f"the engine is taken from a document of another kind, {reference}, which does not tell that of {kind}")
     return of
+
+
+def same_numbers(own, due):
+    """Without a scale a comparison says nothing of it, and loads say that there is none."""
+    for key in ("scale", "units"):
+        if key in own and (own[key] is not None or "newtons" not in own):
+            found, right = ({inner: getattr(one, "text", one) for inner, one in (of[key] or {}).items()} for of in (own, due))
+            demand(found == right, f"the engine is another one: {key} is {found}, and {right} is due")
 
 
 def same(key, found, due):

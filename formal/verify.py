@@ -218,7 +218,7 @@ def plain(terms):
 # ---- 4. Verdicts on an engine ----------------------------------------------------------------------------------------------
 
 def check_classify(tree, notes):
-    """Returns {(quantity, order): [whether it is zero, per sense; None if that is not decided]}, and the shapes."""
+    """Returns {(quantity, order): [whether it is zero, per sense; None if that is not decided]}, the shapes, and what is left."""
     if tree.get("all_orders"):
         beside("every_order")
     document = read(tree, "classify")
@@ -258,7 +258,7 @@ def check_classify(tree, notes):
         demand(not document.theorems and not document.recurrences, "nothing was asked of every order")
     # An order whose numbers are all zero is zero, whatever its sums are.
     whole = {about: [True] * len(zero) if all(is_zero for is_zero, _ in plan[about].values()) else zero for about, zero in judged.items()}
-    return whole, {(entry.quantity, entry.order): entry.shape for entry in document.shapes}
+    return whole, {(entry.quantity, entry.order): entry.shape for entry in document.shapes}, left
 
 def check_asked(document, allowed):
     orders, quantities = document.orders, document.quantities
@@ -304,7 +304,7 @@ def beside(name):
 
 LARGEST = 4 << 20  # bytes
 CHECKS = {"classify 2": None, "family 2": "families", "remedy 2": "remedies", "firing 1": "firing",
-          "loads 3": "evidence", "compare 3": "evidence"}
+          "loads 4": "evidence", "compare 4": "evidence"}
 
 def integer_of(text):
     return Decimal(text) if text == "-0" else int(text)
@@ -335,7 +335,7 @@ def verify(path, references):
     try:
         beside(file).check(tree, notes) if file else check_classify(tree, notes)
         if references:
-            beside("reference").compare(tree, references)
+            beside("reference").compare(tree, references, notes)
         else:
             notes.add("whether the engine is yours; --engine compares it")
     except (KeyError, IndexError, TypeError, AttributeError, ValueError, ArithmeticError) as error:

@@ -61,7 +61,7 @@ impl Verify {
         let engine = match self.engine.as_slice() {
             [] => "the engine: the document's own; --engine LAYOUT compares it with one that you trust".to_owned(),
             layouts => {
-                compare_each(&name, document.clone(), layouts)?;
+                compare_each(&name, &document, layouts)?;
                 let shown: Vec<String> = layouts.iter().map(|layout| layouts::shown(layout)).collect();
                 format!("the engine: that of {}", shown.join(", "))
             }
@@ -91,10 +91,10 @@ fn unreadable(name: &str, error: &Unreadable) -> Failure {
 }
 
 /// Refuses a document whose engines are not those of the layouts, one each.
-fn compare_each(name: &str, document: AnyDocument, layouts: &[PathBuf]) -> Result<(), Failure> {
+fn compare_each(name: &str, document: &AnyDocument, layouts: &[PathBuf]) -> Result<(), Failure> {
     let engines = match document {
-        AnyDocument::Evidence(document) => document.evidence.into_iter().map(AnyDocument::Classify).collect(),
-        own => vec![own],
+        AnyDocument::Evidence(document) => document.evidence.iter().cloned().map(AnyDocument::Classify).collect(),
+        own => vec![own.clone()],
     };
     if engines.len() != layouts.len() {
         let count = if engines.len() == 1 { "1 engine".to_owned() } else { format!("{} engines", engines.len()) };
@@ -103,15 +103,20 @@ fn compare_each(name: &str, document: AnyDocument, layouts: &[PathBuf]) -> Resul
             layouts.len()
         )));
     }
-    engines.iter().zip(layouts).try_for_each(|(engine, layout)| compare(name, engine, layout))
+    let mut each = engines.iter().zip(layouts).enumerate();
+    each.try_for_each(|(index, (engine, layout))| compare(name, engine, layout, (document, index)))
 }
 
-/// Refuses a document whose engine is not that of the layout.
-fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Failure> {
+/// Refuses a document whose engine is not that of the layout, nor what is said of it beside the verdicts.
+fn compare(name: &str, engine: &AnyDocument, layout: &Path, beside: (&AnyDocument, usize)) -> Result<(), Failure> {
     let shown = layouts::shown(layout);
     let other = |kind: &str| Failure::new(format!("{name} is about {kind}, and {shown} is not"));
-    let right = match (document, layouts::read(layout)?) {
+    let mut beside_differs = None;
+    let right = match (engine, layouts::read(layout)?) {
         (AnyDocument::Classify(own), Layout::Known(layout, _)) => {
+            if let (AnyDocument::Evidence(document), index) = beside {
+                beside_differs = document.numbers_difference(index, &report::numbers_of(&layout));
+            }
             AnyDocument::Classify(report::document(&layout, own.masses, &[], &own.quantities, None))
         }
         (AnyDocument::Remedy(_), Layout::Known(layout, _)) => {
@@ -123,11 +128,9 @@ fn compare(name: &str, document: &AnyDocument, layout: &Path) -> Result<(), Fail
         (AnyDocument::Family(_), Layout::Open(family)) => AnyDocument::Family(report::open_document(&family, &[])),
         (AnyDocument::Evidence(_), _) => unreachable!("each engine of the evidence is compared by itself"),
         (AnyDocument::Family(_), Layout::Known(..)) => return Err(other("a family with open angles or lengths")),
-        (AnyDocument::Classify(_) | AnyDocument::Remedy(_) | AnyDocument::Firing(_), Layout::Open(_)) => {
-            return Err(other("an engine without unknowns"));
-        }
+        (_, Layout::Open(_)) => return Err(other("an engine without unknowns")),
     };
-    match document.engine_difference(&right) {
+    match engine.engine_difference(&right).or(beside_differs) {
         None => Ok(()),
         Some(Difference { place, found, right }) => {
             let said = |value: Option<Value>| value.map_or("nothing".to_owned(), |value| value.to_string());

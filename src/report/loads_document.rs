@@ -9,7 +9,7 @@ use crate::accuracy::Largest;
 use crate::engine::Engine;
 use crate::loads::{Arm, Bound, GroupLoads, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Torque, Vector, Waveform};
 use crate::order::{self, MassGroup};
-use crate::proof::{Document, Format, Planar, Quantity};
+use crate::proof::{Document, Format, LOADS_NOT_CHECKED, Planar, Quantity};
 use crate::{numbers, verdict};
 
 /// The loads of an engine as data.
@@ -37,6 +37,8 @@ pub struct LoadsDocument {
     coefficients_computed: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     auto: Option<AutoEntry>,
+    /// The numbers that nothing is compared with.
+    not_checked: [&'static str; LOADS_NOT_CHECKED.len()],
     /// The verdicts on the same masses and orders, with their certificates.
     evidence: Vec<Document>,
 }
@@ -50,12 +52,24 @@ pub(super) struct Units {
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct ScaleEntry {
+pub(in crate::report) struct ScaleEntry {
     mass_kg: f64,
     crank_radius_m: f64,
     speed_rpm: f64,
     angular_speed_rad_s: f64,
     m_r_omega_squared_n: f64,
+}
+
+impl ScaleEntry {
+    pub(in crate::report) fn of(scale: &Scale) -> Self {
+        ScaleEntry {
+            mass_kg: numbers::float(&scale.mass),
+            crank_radius_m: numbers::float(&scale.crank_radius),
+            speed_rpm: numbers::float(&scale.speed),
+            angular_speed_rad_s: scale.omega(),
+            m_r_omega_squared_n: scale.force(),
+        }
+    }
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -224,17 +238,12 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
     };
     LoadsDocument {
         format: Format::Loads,
+        not_checked: LOADS_NOT_CHECKED,
         evidence: vec![evidence(engine, loads)],
         title: engine.title().written().to_owned(),
         amplitudes: "zero-to-peak",
         units: units(engine, loads.scale.as_ref()),
-        scale: loads.scale.as_ref().map(|scale| ScaleEntry {
-            mass_kg: numbers::float(&scale.mass),
-            crank_radius_m: numbers::float(&scale.crank_radius),
-            speed_rpm: numbers::float(&scale.speed),
-            angular_speed_rad_s: scale.omega(),
-            m_r_omega_squared_n: scale.force(),
-        }),
+        scale: loads.scale.as_ref().map(ScaleEntry::of),
         effects: loads.groups.iter().map(|group| effect_name(group.group)).collect(),
         coefficients: loads.orders.iter().filter_map(coefficient).collect(),
         orders: rows.collect(),

@@ -80,7 +80,9 @@ pub use claims::{
     table_finding,
 };
 pub use classroom::{exercise_sheet, exercise_solutions, marked_page, marks_answer, marks_page};
-pub use compare::{CompareDocument, CompareStudy, Compared, compare_answer, compare_document, compare_page};
+pub use compare::{
+    CompareDocument, CompareStudy, Compared, compare_answer, compare_document, compare_page, numbers_of,
+};
 pub use coq::{NotStated, coq_file, coq_file_of_firing};
 pub use document::document;
 pub use engine_cells::firing as firing_cell;

@@ -1,10 +1,10 @@
-//! Does a document of loads or of a comparison say nothing that is not checked, but numbers? Every field outside of the evidence is
-//! changed, and both checkers say the same of it.
+//! Does a document of loads or of a comparison say nothing that is not checked, but what it names itself? Every field outside of the
+//! evidence is changed, and both checkers say the same of it.
 
 use std::fs;
 use std::path::PathBuf;
 
-use crankstar::proof::read_document;
+use crankstar::proof::{COMPARE_NOT_CHECKED, LOADS_NOT_CHECKED, read_document};
 use serde_json::{Value, json};
 
 use crate::support::mutations::{Step, at, changes, walk, written};
@@ -32,54 +32,40 @@ fn accepts(tree: &Value) -> bool {
 
 /// The parts that are numbers and no more: a part may be left out, and of a list any of them.
 const PARTS: [&str; 3] = ["inertia_torque", "auto", "worst_bearing_with_gas"];
-const LISTS: [&str; 3] = ["coefficients", "intervals_deg", "bearings"];
+const LISTS: [&str; 2] = ["intervals_deg", "bearings"];
 /// Where there may be no number.
-const NONE: [&str; 12] = [
-    "angle_deg",
-    "direction_deg",
-    "phase_deg",
-    "theta_deg",
-    "crank_angle_deg",
-    "part",
-    "below",
-    "firing",
-    "newtons",
-    "worst_bearings",
-    "force",
-    "inertia_torque",
-];
+const NONE: [&str; 7] = ["theta_deg", "crank_angle_deg", "part", "firing", "worst_bearings", "force", "inertia_torque"];
 /// The numbers that may be below 0; all others are sizes.
-const SIGNED: [&str; 9] =
-    ["re", "im", "angle_deg", "direction_deg", "phase_deg", "theta_deg", "crank_angle_deg", "effects", "looked_at"];
+const SIGNED: [&str; 4] = ["theta_deg", "crank_angle_deg", "effects", "looked_at"];
 
-/// Whether a change is one of numbers that say nothing of zero, of which nothing is checked.
+/// Whether the document itself says that this is not checked.
+fn is_named(path: &str) -> bool {
+    let inside = |root: &str, names: &[&str]| names.iter().any(|name| path.starts_with(&format!("{root}.{name}")));
+    inside("", &LOADS_NOT_CHECKED) || inside(".engines[]", &COMPARE_NOT_CHECKED)
+}
+
+/// Whether a change may be accepted: of what the document names as not checked, and of digits that no decimal has.
 fn is_of_numbers(path: &str, before: &Value, after: &Value) -> bool {
     let key = path.trim_end_matches("[]").rsplit('.').next().expect("a key");
     let is_nothing = |value: &Value| value.as_f64() == Some(0.0);
     let is_left_out = path.starts_with(".left_out");
-    let is_of_an_order = path.starts_with(".orders[]")
-        || path.starts_with(".torque[]")
-        || path.starts_with(".roll[]")
-        || path.starts_with(".engines[].orders[]")
-        || path.starts_with(".engines[].newtons[]");
-    let is_size = is_of_an_order && ["amplitude", "largest", "dimensionless", "force", "moment"].contains(&key)
-        || path.starts_with(".scale")
-        || path.starts_with(".peaks") && key == "value";
+    let is_size = path.starts_with(".peaks") && key == "value";
     let may_be_null = NONE.contains(&key) && (key != "force" || is_left_out) || is_left_out && key == "moment";
     match (before, after) {
-        (_, Value::Null) => may_be_null && !is_size,
-        (Value::Null, Value::Number(_)) => may_be_null && !is_size,
+        (Value::Number(one), Value::Number(other)) if !is_named(path) => {
+            let apart = one.as_f64().zip(other.as_f64()).map(|(one, other)| (one - other).abs());
+            apart.is_some_and(|apart| apart < 1e-9) && one.is_f64()
+        }
         (Value::Number(_), Value::Number(after_it)) => {
             !(is_size && is_nothing(before) != is_nothing(after))
                 && (SIGNED.contains(&key) || after_it.as_f64().is_some_and(|size| size >= 0.0))
-                && !(key == "order" && is_of_an_order)
-                && path != ".orders[]"
         }
+        (_, Value::Null) | (Value::Null, Value::Number(_)) => is_named(path) && may_be_null && !is_size,
         // The evidence is about the orders of force and torque together: an order of one may be left out where the other has it.
-        (Value::Array(before), Value::Array(after)) if [".orders", ".torque"].contains(&path) => {
+        (Value::Array(before), Value::Array(after)) if [".orders", ".torque", ".coefficients"].contains(&path) => {
             after.len() < before.len()
         }
-        (Value::Array(_), Value::Array(_)) => LISTS.contains(&key) && !path.ends_with("[]"),
+        (Value::Array(_), Value::Array(_)) => is_named(path) && LISTS.contains(&key) && !path.ends_with("[]"),
         (Value::Object(before), Value::Object(after)) => {
             before.keys().filter(|key| !after.contains_key(*key)).all(|key| PARTS.contains(&key.as_str()))
                 && after.keys().all(|key| before.contains_key(key))
@@ -173,6 +159,7 @@ fn documents_of_numbers_say_nothing_that_the_evidence_says() {
             let is_label = ["format", "title", "amplitudes", "quantity", "unit", "position_unit"]
                 .contains(&told.rsplit('.').next().expect("a key"))
                 || told.starts_with(".units")
+                || told == ".not_checked[]"
                 || told.contains("effects[]");
             assert!(!value.is_string() || is_label, "{told}: {value}");
         }
@@ -275,6 +262,105 @@ fn no_size_is_0_and_no_bound_or_direction_stands_where_the_evidence_says_otherwi
     );
 }
 
+/// A rod with an offset, whose number has two parts; another mass of one piston; balancer shafts turn at order 2.
+const OFFSET: &str = "speed = '3000 rpm'\neffects = ['torque']\nvee = { bank_angle = 60, throws = [0, 130], spacing = '0.1 m' }\n\
+                      [mechanism]\nrod_ratio = 0.28\noffset_ratio = '-0.1'\nreciprocating_mass = ['1 kg', '1.1 kg', '1 kg', '1 kg']\ncrank_radius = '40 mm'\n";
+const LINKS: &str = "radial.cylinders = 3\n[mechanism]\nrod_ratio = '1/4'\nreciprocating_mass = [2, 1, 1]\n\
+                     [articulated]\nmaster = 1\nknuckle_ratio = '1/5'\nknuckle_mass = '1/3'\n";
+
+#[test]
+fn sizes_and_directions_are_those_of_the_sums_in_the_evidence() {
+    for (name, text) in [("numbers-offset", OFFSET), ("numbers-links", LINKS), ("numbers-newtons", IN_NEWTONS)] {
+        let genuine = document(name, text, &["loads", "FILE", "--orders", "1,2,3", "--json"]);
+        let mut cheats = Vec::new();
+        for list in ["orders", "torque", "roll", "coefficients"] {
+            for index in 0..genuine[list].as_array().map_or(0, Vec::len) {
+                for key in [
+                    "direct/amplitude",
+                    "direct/angle_deg",
+                    "reverse/amplitude",
+                    "reverse/angle_deg",
+                    "largest",
+                    "smallest",
+                    "along",
+                    "across",
+                    "direction_deg",
+                    "dimensionless",
+                    "amplitude",
+                    "phase_deg",
+                    "re",
+                    "im",
+                ] {
+                    let place = format!("/{list}/{index}/{key}");
+                    let Some(number) = genuine.pointer(&place).and_then(Value::as_f64) else { continue };
+                    cheats.push((place.clone(), json!(number * (1.0 + 1e-6) + 1e-6)));
+                    cheats.push((place, Value::Null));
+                }
+            }
+        }
+        let cheats: Vec<(&str, [(&str, Value); 1])> =
+            cheats.iter().map(|(place, value)| (place.as_str(), [(place.as_str(), value.clone())])).collect();
+        let cheats: Vec<(&str, &[(&str, Value)])> =
+            cheats.iter().map(|(name, changes)| (*name, &changes[..])).collect();
+        assert!(cheats.len() > 40, "{}", cheats.len());
+        assert_refused(&genuine, &cheats);
+    }
+}
+
+/// Each number of a scale follows from the others, and the newtons from it.
+#[test]
+fn a_scale_of_another_engine_is_refused() {
+    let compare = document("scale-compare", OFFSET, &["compare", "FILE", "I4", "--orders", "1,2", "--json"]);
+    let loads = document("scale-loads", OFFSET, &["loads", "FILE", "--orders", "1,2", "--json"]);
+    for (genuine, root) in [(&compare, "/engines/0/scale"), (&loads, "/scale")] {
+        let keys = ["mass_kg", "crank_radius_m", "speed_rpm", "angular_speed_rad_s", "m_r_omega_squared_n"];
+        let places = keys.map(|key| format!("{root}/{key}"));
+        let twice = |place: &String| {
+            (place.clone(), json!(2.0 * genuine.pointer(place).and_then(Value::as_f64).expect("a number")))
+        };
+        let changed = places.each_ref().map(twice);
+        let mut cheats: Vec<[(&str, Value); 1]> = Vec::new();
+        cheats.extend(changed.iter().map(|(place, value)| [(place.as_str(), value.clone())]));
+        cheats.push([(root, Value::Null)]);
+        let cheats: Vec<(&str, &[(&str, Value)])> = cheats.iter().map(|one| (one[0].0, &one[..])).collect();
+        assert_refused(genuine, &cheats);
+        // Twice the mass, and all that follows from it, but the newtons.
+        let heavier = [&changed[0], &changed[4]].map(|(place, value)| (place.as_str(), value.clone()));
+        assert_refused(genuine, &[("twice the mass", &heavier)]);
+    }
+    let places = ["orders/0/force/largest", "orders/1/moment/largest", "newtons/0/force", "newtons/1/moment"];
+    let places = places.map(|place| format!("/engines/0/{place}"));
+    let more = places.each_ref().map(|place| {
+        let size = compare.pointer(place).and_then(Value::as_f64).expect("a size");
+        [(place.as_str(), json!(size * (1.0 + 1e-6)))]
+    });
+    let cheats: Vec<(&str, &[(&str, Value)])> = more.iter().map(|one| (one[0].0, &one[..])).collect();
+    assert_refused(&compare, &cheats);
+}
+
+/// High orders, whose numbers are small, endless rods, and rods that differ: what the program writes, both checkers take.
+#[test]
+fn decimals_of_every_kind_of_engine_are_accepted() {
+    let row = |rods: &str| {
+        format!("inline = {{ throws = [0, 90, 200], spacing = 1 }}\n[mechanism]\n{rods}\nreciprocating_mass = 1\n")
+    };
+    let texts = [
+        (row("rod_ratio = 0.25"), "2,40,80"),
+        (row("rod_ratio = '1/1000'"), "1,2,60"),
+        (row("rod_ratio = 0"), "1,2"),
+        (row("rod_ratio = [0.25, 0.3, 0.6]\noffset_ratio = [0, 0.1, '-0.1']"), "1,2,3,4"),
+        ("radial.cylinders = 3\n[mechanism]\nrod_ratio = '1/4'\n[articulated]\nmaster = 1\nknuckle_ratio = '1/5'\nknuckle_correction = [3, -3]".to_owned(), "1,2,3"),
+    ];
+    let of = |(index, (text, orders)): (usize, &(String, &str))| {
+        let name = format!("decimals-{index}");
+        let loads = document(&name, text, &["loads", "FILE", "--orders", orders, "--json"]);
+        [loads, document(&name, text, &["compare", "FILE", "I3", "--orders", orders, "--json"])]
+    };
+    let documents: Vec<Value> = texts.iter().enumerate().flat_map(of).collect();
+    assert!(documents.iter().all(accepts));
+    second::accepts(&documents, &[]);
+}
+
 #[test]
 fn a_comparison_says_neither_more_nor_less_of_zero_than_its_evidence() {
     // Of rods that differ an order has several sums.
@@ -358,8 +444,35 @@ fn the_engine_of_a_document_of_numbers_is_compared_with_a_layout() {
     let layout = layout.to_str().expect("UTF-8");
     let loads = file("loads.json", &["loads", layout, "--json"]);
     let compare = file("compare.json", &["compare", "I4", "V8-crossplane", "--json"]);
-    let holds: [&[&str]; 2] =
-        [&["verify", &loads, "--engine", layout], &["verify", &compare, "--engine", "I4", "--engine", "V8-crossplane"]];
+    let other = |name: &str, from: &str, to: &str| {
+        let path = folder.join(name);
+        fs::write(&path, if from.is_empty() { IN_NEWTONS.to_owned() } else { IN_NEWTONS.replace(from, to) })
+            .expect("written");
+        path.to_str().expect("UTF-8").to_owned()
+    };
+    let newtons = other("newtons.toml", "", "");
+    let heavier = other("heavier.toml", "0.6 kg", "0.7 kg");
+    let faster = other("faster.toml", "6000 rpm", "6001 rpm");
+    let of_none = other("none.toml", "speed = '6000 rpm'", "");
+    let in_newtons = file("newtons.json", &["loads", &newtons, "--json"]);
+    let compared = file("compared.json", &["compare", &newtons, "I4", "--json"]);
+    for (other, words) in [(&heavier, "scale.m"), (&faster, "scale."), (&of_none, "it is null")] {
+        let loads = call(&["verify", &in_newtons, "--engine", other]);
+        let compare = call(&["verify", &compared, "--engine", other, "--engine", "I4"]);
+        for output in [loads, compare] {
+            let error = String::from_utf8_lossy(&output.stderr);
+            assert!(
+                !output.status.success() && error.contains("the engine is not that of") && error.contains(words),
+                "{error}"
+            );
+        }
+    }
+    let holds: [&[&str]; 4] = [
+        &["verify", &in_newtons, "--engine", &newtons],
+        &["verify", &compared, "--engine", &newtons, "--engine", "I4"],
+        &["verify", &loads, "--engine", layout],
+        &["verify", &compare, "--engine", "I4", "--engine", "V8-crossplane"],
+    ];
     for arguments in holds {
         let output = call(arguments);
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

@@ -26,6 +26,10 @@ impl Size {
     pub(super) fn is_nothing(self) -> bool {
         self.0 == 0.0
     }
+
+    pub(super) fn shown(self) -> Decimal {
+        self.0
+    }
 }
 
 impl TryFrom<Decimal> for Size {

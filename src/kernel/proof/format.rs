@@ -18,9 +18,9 @@ pub enum Format {
     #[serde(rename = "crankstar firing 1")]
     Firing,
     /// Numbers of one engine, with the verdicts on it.
-    #[serde(rename = "crankstar loads 3")]
+    #[serde(rename = "crankstar loads 4")]
     Loads,
     /// Engines side by side, with the verdicts on each.
-    #[serde(rename = "crankstar compare 3")]
+    #[serde(rename = "crankstar compare 4")]
     Compare,
 }

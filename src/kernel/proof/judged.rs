@@ -37,11 +37,6 @@ impl Judged {
         self.groups.iter().filter(|group| !group.is_zero && !group.sums[sense].1).collect()
     }
 
-    /// The place of a sense among those of the quantity.
-    pub fn place(&self, sense: Option<Sense>) -> Option<usize> {
-        self.quantity.senses().iter().position(|one| *one == sense)
-    }
-
     /// Whether some source has the order, before a coefficient that is not zero.
     pub fn exists(&self) -> bool {
         self.groups.iter().any(|group| !group.is_zero)

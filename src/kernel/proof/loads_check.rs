@@ -2,46 +2,68 @@
 
 use std::collections::BTreeSet;
 
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
 use super::agreement::{agrees, check_title};
-use super::audit::{Fault, refuse_if};
-use super::decimals::{Decimal, Size};
+use super::audit::{Audit, Fault, demand, refuse_if};
+use super::decimals::Size;
 use super::document::Document;
 use super::engine::Masses;
 use super::judged::Judged;
-use super::outside::{Effect, Loads, LoadsTorque, Vector};
+use super::motion::Motion;
+use super::outside::{Effect, LOADS_NOT_CHECKED, Loads, LoadsTorque, Scale};
 use super::quantity::{Quantity, Sense};
+use super::sizes::{Length, Shown, Swing, is_near, of_rod};
 
 /// Every order of the evidence has its numbers: those of the force, the same of the moment, those of the torque.
-pub(super) fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged]) -> Result<(), Fault> {
+pub(super) fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged], audit: &Audit) -> Result<(), Fault> {
     check_title("title", &loads.title, evidence)?;
-    let is_at_rest = check_scale(loads)?;
-    let find = |quantity: Quantity, order: u32| {
+    demand(loads.not_checked == LOADS_NOT_CHECKED, Fault::new("not_checked", "these are not all, or more"))?;
+    let why = "they are newtons where there is a scale, and multiples where there is none";
+    demand(loads.units.are_newtons() == Some(loads.scale.is_some()), Fault::new("units", why))?;
+    let one = BigRational::one();
+    let scale = loads.scale.as_ref().map(|scale| check_scale("scale", scale)).transpose()?;
+    let [force, of_torque] = scale.unwrap_or_else(|| [one.clone(), one.clone()]);
+    let is_at_rest = force.is_zero();
+    let motion = Motion::new(audit);
+    let find = |at: &str, quantity: Quantity, order: u32| {
         let found = judged.iter().find(|one| (one.quantity, one.order) == (quantity, order));
-        found.ok_or("the evidence says nothing of it")
+        found.ok_or_else(|| Fault::new(at, "the evidence says nothing of it"))
     };
     // The quantities of which something is left in the orders that are listed.
     let mut left = BTreeSet::new();
     for (index, entry) in loads.orders.iter().enumerate() {
         let at = |key: &str| format!("orders[{index}].{key}");
-        let found = find(entry.quantity, entry.order).map_err(|why| Fault::new(at("order"), why))?;
-        let mut is_zero = true;
-        for (key, sense, vector) in
-            [("direct", Sense::Direct, &entry.direct), ("reverse", Sense::Reverse, &entry.reverse)]
-        {
-            let place = found.place(Some(sense)).ok_or_else(|| Fault::new(at(key), "it has no sense"))?;
-            check_vector(&at(key), vector, found.vanishes(place), is_at_rest)?;
-            is_zero &= found.vanishes(place) == Some(true);
+        let found = find(&at("order"), entry.quantity, entry.order)?;
+        if found.wholes.len() != 2 {
+            return Err(Fault::new(at("quantity"), "it has no sense"));
         }
-        agrees(&at("largest"), entry.largest, is_zero || is_at_rest)?;
-        agrees(&at("dimensionless"), entry.dimensionless, is_zero)?;
-        has_no_direction(&at("direction_deg"), is_zero, entry.direction_deg)?;
-        for (key, part) in [("smallest", entry.smallest), ("along", entry.along), ("across", entry.across)] {
-            if (is_zero || is_at_rest) && !part.is_nothing() {
-                return Err(Fault::new(at(key), "it is not what the evidence says"));
+        let swing = Swing::of(found, &motion).map_err(|reason| Fault { place: at("order"), reason })?;
+        let vanish = [0, 1].map(|sense| found.vanishes(sense));
+        for (sense, vector) in [&entry.direct, &entry.reverse].into_iter().enumerate() {
+            let at = |key: &str| at(&format!("{}.{key}", Sense::BOTH[sense].name()));
+            let (sum, vanishes) = (&swing.sums[sense], vanish[sense]);
+            sum.length.is_size(&at("amplitude"), vector.amplitude, &force, vanishes == Some(true))?;
+            sum.points(&at("angle_deg"), vector.angle_deg, 360, vanishes, audit)?;
+            if let Some(below) = vector.below {
+                refuse_if(vanishes.is_some(), Fault::new(at("below"), "what is decided has no bound"))?;
+                agrees(&at("below"), below, is_at_rest)?;
             }
         }
-        if loads.scale.is_none() && entry.largest != entry.dimensionless {
-            return Err(Fault::new(at("largest"), "without a scale it is the same multiple"));
+        let is_zero = vanish == [Some(true); 2];
+        swing.largest.is_size(&at("largest"), entry.largest, &force, is_zero)?;
+        swing.largest.is_size(&at("dimensionless"), entry.dimensionless, &one, is_zero)?;
+        // It is a circle where one is zero, and has an axis where neither is.
+        let has_none = if vanish.contains(&Some(true)) { Some(true) } else { vanish[0].and(vanish[1]) };
+        swing.axis.points(&at("direction_deg"), entry.direction_deg, 180, has_none, audit)?;
+        let [along, across] = &swing.parts;
+        for (key, size, right) in [
+            ("smallest", entry.smallest, &swing.smallest),
+            ("along", entry.along, along),
+            ("across", entry.across, across),
+        ] {
+            is_near(&at(key), size.shown(), &(right * &force), &(&swing.largest.slack * &force))?;
         }
         if !is_zero {
             left.insert(entry.quantity);
@@ -52,11 +74,12 @@ pub(super) fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged])
     {
         for (index, entry) in entries.iter().enumerate() {
             let at = |key: &str| format!("{name}[{index}].{key}");
-            let found = find(quantity, entry.order).map_err(|why| Fault::new(at("order"), why))?;
+            let found = find(&at("order"), quantity, entry.order)?;
+            let sum = Shown::of(found, 0, &motion).map_err(|reason| Fault { place: at("order"), reason })?;
             let is_zero = found.vanishes(0) == Some(true);
-            agrees(&at("amplitude"), entry.amplitude, is_zero || is_at_rest)?;
-            agrees(&at("dimensionless"), entry.dimensionless, is_zero)?;
-            has_no_direction(&at("phase_deg"), is_zero, entry.phase_deg)?;
+            sum.length.is_size(&at("amplitude"), entry.amplitude, &of_torque, is_zero)?;
+            sum.length.is_size(&at("dimensionless"), entry.dimensionless, &one, is_zero)?;
+            sum.points(&at("phase_deg"), entry.phase_deg, 360, found.vanishes(0), audit)?;
             if !is_zero {
                 left.insert(quantity);
             }
@@ -66,38 +89,46 @@ pub(super) fn check_loads(loads: &Loads, evidence: &Document, judged: &[Judged])
     let is_left = |one: &&Judged| !(0..one.wholes.len()).all(|sense| one.vanishes(sense) == Some(true));
     let of_all: BTreeSet<Quantity> = judged.iter().filter(is_left).map(|one| one.quantity).collect();
     check_peaks(loads, evidence, is_at_rest, [&left, &of_all])?;
+    check_coefficients(loads, evidence, &motion)?;
     check_orders(loads, evidence)
 }
 
-/// Newtons need a scale, in which all is 0 of an engine at rest; in multiples of m r ω² it is not. Returns whether it is at rest.
-fn check_scale(loads: &Loads) -> Result<bool, Fault> {
-    if loads.units.are_newtons() != Some(loads.scale.is_some()) {
-        return Err(Fault::new("units", "they are newtons where there is a scale, and multiples where there is none"));
-    }
-    let Some(scale) = &loads.scale else { return Ok(false) };
-    let is_at_rest = scale.speed_rpm.is_nothing();
-    agrees("scale.mass_kg", scale.mass_kg, false)?;
-    agrees("scale.crank_radius_m", scale.crank_radius_m, false)?;
-    agrees("scale.angular_speed_rad_s", scale.angular_speed_rad_s, is_at_rest)?;
-    agrees("scale.m_r_omega_squared_n", scale.m_r_omega_squared_n, is_at_rest)?;
-    Ok(is_at_rest)
-}
-
-/// What is zero has no direction, and what is decided no bound.
-fn check_vector(place: &str, vector: &Vector, vanishes: Option<bool>, is_at_rest: bool) -> Result<(), Fault> {
+/// Checks a scale; returns m r ω² and m r² ω², which are 0 of an engine at rest.
+pub(super) fn check_scale(place: &str, scale: &Scale) -> Result<[BigRational; 2], Fault> {
     let at = |key: &str| format!("{place}.{key}");
-    let is_zero = vanishes == Some(true);
-    agrees(&at("amplitude"), vector.amplitude, is_zero || is_at_rest)?;
-    has_no_direction(&at("angle_deg"), is_zero, vector.angle_deg)?;
-    match vector.below {
-        None => Ok(()),
-        Some(below) if vanishes.is_none() => agrees(&at("below"), below, is_at_rest),
-        Some(_) => Err(Fault::new(at("below"), "what is decided has no bound")),
-    }
+    let exact = |size: Size| BigRational::from_float(size.shown()).unwrap_or_default();
+    let [mass, radius, speed] = [scale.mass_kg, scale.crank_radius_m, scale.speed_rpm].map(exact);
+    agrees(&at("mass_kg"), scale.mass_kg, false)?;
+    agrees(&at("crank_radius_m"), scale.crank_radius_m, false)?;
+    let (omega, force) = (scale.angular_speed_rad_s, scale.m_r_omega_squared_n);
+    let one = BigRational::one();
+    // 2π/60, to 20 digits.
+    let a_minute = BigRational::new(10_471_975_511_965_977_462_u128.into(), 100_000_000_000_000_000_000_u128.into());
+    Length::of(a_minute * speed, BigRational::zero()).is_size(
+        &at("angular_speed_rad_s"),
+        omega,
+        &one,
+        scale.speed_rpm.is_nothing(),
+    )?;
+    let omega = exact(omega);
+    let right = Length::of(&mass * &radius * &omega * omega, BigRational::zero());
+    right.is_size(&at("m_r_omega_squared_n"), force, &one, scale.speed_rpm.is_nothing())?;
+    let force = exact(force);
+    Ok([force.clone(), force * radius])
 }
 
-fn has_no_direction(place: &str, is_zero: bool, angle: Option<Decimal>) -> Result<(), Fault> {
-    if is_zero && angle.is_some() { Err(Fault::new(place, "what is zero has no direction")) } else { Ok(()) }
+/// The number of the motion that all cylinders have: of a rod that all have, on cranks that turn equally fast.
+fn check_coefficients(loads: &Loads, evidence: &Document, motion: &Motion<'_>) -> Result<(), Fault> {
+    for (index, entry) in loads.coefficients.iter().enumerate() {
+        let at = format!("coefficients[{index}]");
+        let first = &evidence.cylinders[0];
+        let is_common = evidence.cylinders.iter().all(|one| (&one.rod, one.speed) == (&first.rod, 1));
+        let rod = first.rod.on_the_pin().filter(|_| is_common);
+        let rod = rod.ok_or_else(|| Fault::new(at.as_str(), "the cylinders have no number in common"))?;
+        let number = of_rod(rod, entry.order, motion).map_err(|reason| Fault { place: at.clone(), reason })?;
+        number.has_parts(&at, [entry.re, entry.im])?;
+    }
+    Ok(())
 }
 
 /// The peaks are those of the listed orders, and the largest of all orders: neither is 0 where something is left in these, of an engine

@@ -57,6 +57,7 @@ mod remedy_check;
 mod rod;
 mod roll;
 mod shape;
+mod sizes;
 mod source;
 mod splitting;
 mod theorem;
@@ -94,6 +95,7 @@ pub use open::{
     Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, SumClaim, WhenClaim,
 };
 pub use open_check::check_open_document;
+pub use outside::{COMPARE_NOT_CHECKED, LOADS_NOT_CHECKED};
 pub use plane::{ClassesClaim, MeetingClaim, TriangleClaim, TriangleShape};
 pub use quadratic::{QuadraticClaim, RootClaim, RootsClaim, TwistClaim};
 pub use quantity::{Axial, Planar, Quantity, Sense};

@@ -7,6 +7,12 @@ use super::decimals::{Decimal, Size};
 use super::format::Format;
 use super::quantity::Quantity;
 
+/// The numbers of `loads` that nothing is compared with; the document names them itself.
+pub const LOADS_NOT_CHECKED: [&str; 6] =
+    ["units.moment", "largest", "left_out", "peaks", "coefficients_computed", "auto"];
+/// The same of `compare`.
+pub const COMPARE_NOT_CHECKED: [&str; 4] = ["position_unit", "firing", "worst_bearings", "worst_bearing_with_gas"];
+
 /// The document of `loads`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Loads {
@@ -27,6 +33,7 @@ pub(super) struct Loads {
     coefficients_computed: u32,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub auto: Option<Auto>,
+    pub not_checked: Vec<String>,
     /// Read and checked by itself.
     evidence: Value,
 }
@@ -105,8 +112,8 @@ pub(super) enum Effect {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Coefficient {
     pub order: u32,
-    re: Decimal,
-    im: Decimal,
+    pub re: Decimal,
+    pub im: Decimal,
 }
 
 /// One order of force or moment in `loads`.
@@ -200,6 +207,7 @@ pub(super) struct Comparison {
     pub orders: Vec<u32>,
     amplitudes: Amplitudes,
     pub engines: Vec<Compared>,
+    pub not_checked: Vec<String>,
     /// Read and checked by itself.
     evidence: Value,
 }
@@ -211,6 +219,7 @@ pub(super) struct Compared {
     position_unit: PositionUnit,
     firing: Option<Firing>,
     pub orders: Vec<ComparedOrder>,
+    pub scale: Option<Scale>,
     pub newtons: Option<Vec<Newtons>>,
     worst_bearings: Option<Worst>,
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -32,7 +32,7 @@ pub enum Unreadable {
     /// The format that it names is none of those that are known.
     #[error(
         "the format {0} is not known; known are \"crankstar classify 2\", \"crankstar family 2\", \
-         \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 3\" and \"crankstar compare 3\""
+         \"crankstar remedy 2\", \"crankstar firing 1\", \"crankstar loads 4\" and \"crankstar compare 4\""
     )]
     Format(String),
     /// Not said as the format has it.

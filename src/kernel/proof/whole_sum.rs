@@ -16,6 +16,8 @@ use super::refusal::Refusal;
 
 /// The bits that what is not decided is enclosed with.
 const BITS_OF_DOUBT: u32 = 256;
+/// The bits that decimals are compared with.
+const BITS_OF_DECIMALS: u32 = 128;
 /// Bits beyond those that are asked for.
 const GUARD: u64 = 64;
 /// What is not decided is below `10^−DIGITS_OF_DOUBT` of its terms.
@@ -126,6 +128,14 @@ pub(super) fn longest(judged: &Judged, sense: usize, motion: &Motion<'_>) -> Res
     let whole = Enclosure::of_bits(judged, &[sense], BITS_OF_DOUBT, motion)?;
     let sum = whole.sum(judged, sense, motion)?;
     Ok(BigRational::new(sum.longest(), whole.scale << whole.bits))
+}
+
+/// The whole in one sense, for the decimals beside it: its real and its imaginary part, and its terms end to end.
+pub(super) fn value(judged: &Judged, sense: usize, motion: &Motion<'_>) -> Result<[BigRational; 3], Reason> {
+    let whole = Enclosure::of_bits(judged, &[sense], BITS_OF_DECIMALS, motion)?;
+    let sum = whole.sum(judged, sense, motion)?;
+    let part = |middle: BigInt| BigRational::new(middle, &whole.scale << whole.bits);
+    Ok([part(sum.re.middle), part(sum.im.middle), whole.largest(judged, &[sense])])
 }
 
 /// Whether an enclosure tells `|direct|²` from `|reverse|²`.

@@ -3,14 +3,15 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 use serde::Serialize;
+use serde_json::{Value, json};
 
-use super::super::loads_document::size;
+use super::super::loads_document::{ScaleEntry, size, units};
 use super::super::{document, engine_cells, residual};
 use super::{Compared, orders_of};
-use crate::engine::LengthUnit;
-use crate::loads::{BearingLoads, OrderLoads, Swing};
+use crate::engine::{Engine, LengthUnit};
+use crate::loads::{self, BearingLoads, Loads, OrderLoads, Scale, Swing};
 use crate::numbers;
-use crate::proof::{Document, Format, Quantity, Shape};
+use crate::proof::{COMPARE_NOT_CHECKED, Document, Format, Quantity, Shape};
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, WholeOrder};
 
 /// Engines side by side, as data. In JSON it holds the verdicts once, with their certificates, and numbers beside them; what else is said of
@@ -22,6 +23,8 @@ pub struct CompareDocument {
     orders: Vec<u32>,
     amplitudes: &'static str,
     pub(in crate::report) engines: Vec<EngineEntry>,
+    /// The numbers that nothing is compared with.
+    not_checked: [&'static str; COMPARE_NOT_CHECKED.len()],
     /// The verdicts on each engine, with their certificates.
     evidence: Vec<Document>,
 }
@@ -41,6 +44,8 @@ pub(in crate::report) struct EngineEntry {
     pub(in crate::report) first_moment_left: String,
     #[serde(skip)]
     pub(in crate::report) remedy: String,
+    /// What `newtons` are counted with.
+    scale: Option<ScaleEntry>,
     /// Forces in N and moments in N·m; null where the layout lacks numbers.
     pub(in crate::report) newtons: Option<Vec<Newtons>>,
     pub(in crate::report) worst_bearings: Option<Worst>,
@@ -131,6 +136,7 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
         format: Format::Compare,
         orders: orders_of(engines),
         amplitudes: "zero-to-peak",
+        not_checked: COMPARE_NOT_CHECKED,
         engines: engines.iter().map(engine).collect(),
         evidence: engines.iter().map(evidence).collect(),
     }
@@ -139,23 +145,16 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
 fn engine(engine: &Compared) -> EngineEntry {
     let first_left = engine_cells::first_left(&engine.engine, &engine.theorem);
     let [first_force_left, first_moment_left] = first_left.map(|text| text.plain());
-    let full = BigRational::from_integer(360.into());
-    let firing = engine.engine.firing().map(|firing| Firing {
-        even: firing.is_even(),
-        intervals_deg: firing.intervals().iter().map(|turns| numbers::float(&(turns * &full))).collect(),
-    });
     EngineEntry {
         title: engine.engine.title().written().to_owned(),
         cylinders: engine.engine.cylinders().len(),
-        position_unit: match engine.engine.length_unit() {
-            LengthUnit::Metre => "m",
-            LengthUnit::Spacing => "spacing",
-        },
-        firing,
+        position_unit: position_unit(&engine.engine),
+        firing: firing(&engine.engine),
         orders: engine.judged.orders.iter().map(order).collect(),
         first_force_left,
         first_moment_left,
         remedy: engine_cells::remedy(&engine.remedy).plain(),
+        scale: moving(engine).map(|(_, scale)| ScaleEntry::of(scale)),
         newtons: newtons(engine),
         worst_bearings: engine.bearings.as_ref().ok().map(worst),
         worst_bearing_with_gas: engine.worst_with_gas().map(|(worst, peak)| Worst {
@@ -164,6 +163,26 @@ fn engine(engine: &Compared) -> EngineEntry {
             unit: "N",
         }),
     }
+}
+
+fn position_unit(engine: &Engine) -> &'static str {
+    match engine.length_unit() {
+        LengthUnit::Metre => "m",
+        LengthUnit::Spacing => "spacing",
+    }
+}
+
+fn firing(engine: &Engine) -> Option<Firing> {
+    let degrees = |turns: &BigRational| numbers::float(&(turns * BigRational::from_integer(360.into())));
+    let intervals = |firing: &crate::engine::Firing| firing.intervals().iter().map(degrees).collect();
+    engine.firing().map(|firing| Firing { even: firing.is_even(), intervals_deg: intervals(firing) })
+}
+
+/// What loads and comparisons say of a layout beside its verdicts, for the comparison of a document with it.
+pub fn numbers_of(engine: &Engine) -> Value {
+    let scale = loads::scale(engine);
+    let units = units(engine, scale.as_ref());
+    json!({ "scale": scale.as_ref().map(ScaleEntry::of), "units": units, "position_unit": position_unit(engine), "firing": firing(engine) })
 }
 
 /// An order of an engine, as data.
@@ -198,10 +217,15 @@ fn amount(balance: &Balance) -> Amount {
     Amount { shape: balance.shape, largest: Some(largest.decimal), exact }
 }
 
-/// None at rest: all of them would be 0, whatever the engine is.
-fn newtons(engine: &Compared) -> Option<Vec<Newtons>> {
+/// None at rest: all newtons would be 0, whatever the engine is.
+fn moving(engine: &Compared) -> Option<(&Loads, &Scale)> {
     let loads = engine.loads.as_ref().ok()?;
-    let unit = loads.scale.as_ref().filter(|scale| !scale.speed.is_zero())?.force();
+    Some((loads, loads.scale.as_ref().filter(|scale| !scale.speed.is_zero())?))
+}
+
+fn newtons(engine: &Compared) -> Option<Vec<Newtons>> {
+    let (loads, scale) = moving(engine)?;
+    let unit = scale.force();
     let newtons = |swing: &Swing| size(swing.largest(), unit, swing.direct.vanishes() && swing.reverse.vanishes());
     let order = |order: &OrderLoads| Newtons {
         order: order.order,

@@ -7,7 +7,7 @@ mod page;
 mod question;
 mod rows;
 
-pub use document::{CompareDocument, compare_document};
+pub use document::{CompareDocument, compare_document, numbers_of};
 pub use page::{compare_answer, compare_page};
 pub use question::CompareStudy;
 
