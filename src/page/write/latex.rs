@@ -8,6 +8,10 @@ use super::templates;
 use super::writer::{File, Writer};
 use crate::text::{self, Format, Untrusted};
 
+/// `m r ω²` and `m r² ω²` in letters of words: they are formulas.
+const FORCE: &str = "m r $\\omega$\\textsuperscript{2}";
+const TORQUE: &str = "m r\\textsuperscript{2} $\\omega$\\textsuperscript{2}";
+
 /// LaTeX for pdflatex.
 pub(super) struct Latex;
 
@@ -25,7 +29,8 @@ impl Writer for Latex {
     }
 
     fn words(&self, words: &str) -> String {
-        text::latex(words)
+        let set = text::latex(words).replace(FORCE, "$m\\,r\\,\\omega^2$").replace(TORQUE, "$m\\,r^2\\,\\omega^2$");
+        set.strip_suffix("\\omega^2$ a").map(|set| format!("{set}\\omega^2\\,a$")).unwrap_or(set)
     }
 
     /// Fonts of text lack most letters of formulas.
