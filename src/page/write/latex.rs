@@ -8,10 +8,6 @@ use super::templates;
 use super::writer::{File, Writer};
 use crate::text::{self, Format, Untrusted};
 
-/// `m r ω²` and `m r² ω²` in letters of words: they are formulas.
-const FORCE: &str = "m r $\\omega$\\textsuperscript{2}";
-const TORQUE: &str = "m r\\textsuperscript{2} $\\omega$\\textsuperscript{2}";
-
 /// LaTeX for pdflatex.
 pub(super) struct Latex;
 
@@ -29,7 +25,7 @@ impl Writer for Latex {
     }
 
     fn words(&self, words: &str) -> String {
-        let set = text::latex(words).replace(FORCE, "$m\\,r\\,\\omega^2$").replace(TORQUE, "$m\\,r^2\\,\\omega^2$");
+        let set = text::latex(words);
         set.strip_suffix("\\omega^2$ a").map(|set| format!("{set}\\omega^2\\,a$")).unwrap_or(set)
     }
 
