@@ -119,6 +119,8 @@ pub(super) struct TorqueEntry {
     pub(super) amplitude: f64,
     pub(super) phase_deg: Option<f64>,
     dimensionless: f64,
+    #[serde(skip)]
+    pub(super) below: Option<f64>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -222,19 +224,21 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
             amplitude: amplitude(&order.vector, torque_factor),
             phase_deg: angle(&order.vector),
             dimensionless: amplitude(&order.vector, 1.0),
+            below: below(&order.vector).map(|below| size(below, torque_factor, false)),
         });
         orders.collect()
     };
-    let entry = |peak: Peak, effects, factor: f64, is_zero: bool| PeakEntry {
-        value: size(peak.value, factor, is_zero),
+    // Where nothing is decided, the middle between nothing and the bound.
+    let entry = |peak: Peak, doubt: f64, effects, factor: f64, is_zero: bool| PeakEntry {
+        value: size(peak.value.max(doubt / 4.0), factor, is_zero),
         crank_angle_deg: peak.angle,
         effects,
     };
     let planar = |quantity: Planar, waveform: &Waveform, part: fn(&GroupLoads) -> &Waveform| {
         let peak = waveform.peak();
         let shares = loads.groups.iter().map(|group| (effect_name(group.group), share(part(group), &peak) * factor));
-        let effects = shares.collect();
-        entry(peak, effects, factor, loads.orders.iter().all(|order| order.swing(quantity).vanishes()))
+        let doubt = loads.orders.iter().map(|order| order.swing(quantity).doubt()).sum();
+        entry(peak, doubt, shares.collect(), factor, loads.orders.iter().all(|order| order.swing(quantity).vanishes()))
     };
     LoadsDocument {
         format: Format::Loads,
@@ -264,7 +268,8 @@ pub fn loads_document(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
             moment: planar(Planar::Moment, &loads.moment, |group| &group.moment),
             torque: loads.torque.as_ref().map(|torque| {
                 let is_zero = torque.orders.iter().all(|order| order.vector.vanishes());
-                entry(torque.waveform.real_peak(), Vec::new(), torque_factor, is_zero)
+                let doubt = torque.orders.iter().map(|order| order.vector.doubt()).sum();
+                entry(torque.waveform.real_peak(), doubt, Vec::new(), torque_factor, is_zero)
             }),
         },
         coefficients_computed: loads.coefficients,
@@ -311,31 +316,38 @@ fn order_entry(quantity: Planar, order: &OrderLoads, engine: &Engine, factor: f6
         amplitude: amplitude(vector, factor / 2.0),
         angle_deg: angle(vector),
         vanishes: vector.outcome.vanishes(),
-        below: match vector.outcome {
-            Outcome::Undecided { below } => Some(size(below / 2.0, factor, false)),
-            Outcome::Zero | Outcome::NotZero | Outcome::Computed => None,
-        },
+        below: below(vector).map(|below| size(below / 2.0, factor, false)),
     };
     let (direct, reverse) = (vector(&swing.direct), vector(&swing.reverse));
     let is_zero = [&direct, &reverse].into_iter().all(|one| one.vanishes == Some(true));
+    let largest = (length(&swing.direct) + length(&swing.reverse)) / 2.0;
     OrderEntry {
         quantity: quantity.name(),
         order: order.order,
         exists: order.exists(engine),
         vanishes: verdict::both_vanish(direct.vanishes, reverse.vanishes),
-        largest: size(swing.largest(), factor, is_zero),
+        largest: size(largest, factor, is_zero),
         direct,
         reverse,
         smallest: if swing.path.is_line { 0.0 } else { swing.smallest() * factor },
         direction_deg: swing.direction(),
         along: if swing.path.nothing_along { 0.0 } else { swing.along() * factor },
         across: if swing.path.nothing_across { 0.0 } else { swing.across() * factor },
-        dimensionless: size(swing.largest(), 1.0, is_zero),
+        dimensionless: size(largest, 1.0, is_zero),
     }
 }
 
 fn amplitude(vector: &Vector, factor: f64) -> f64 {
-    size(vector.value.norm(), factor, vector.vanishes())
+    size(length(vector), factor, vector.vanishes())
+}
+
+/// The length; of one that is not decided the middle between nothing and its bound.
+fn length(vector: &Vector) -> f64 {
+    below(vector).map_or(vector.value.norm(), |below| below / 2.0)
+}
+
+fn below(vector: &Vector) -> Option<f64> {
+    if let Outcome::Undecided { below } = vector.outcome { Some(below) } else { None }
 }
 
 /// 0 says that it is proved to be zero, or that the engine is at rest: all else has a decimal above it, however small it is.

@@ -209,7 +209,8 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
     }
     let k = i64::from(order.order);
     let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != Turn::zero());
-    let pistons_alone = order.force.verdicts().iter().all(|verdict| verdict.sources.iter().all(is_piston));
+    let pistons_alone =
+        order.force.verdicts().iter().all(|verdict| verdict.sources.iter().all(|one| one.piston().is_some()));
     // As the sums have it: an offset below 0 changes the sign of odd orders.
     let direct = &order.force.direct;
     let weights: BTreeMap<Source, &BigRational> =
@@ -222,7 +223,7 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
     let mut header: Vec<Text> = vec![of.into(), "Throw β".into()];
     header.extend(has_banks.then(|| "Bank α".into()));
     header.push(arm_heading(engine));
-    header.extend(with_mass.then(|| "Weight m r".into()));
+    header.extend(with_mass.then(|| "Weight in m r".into()));
     header.extend([phrase!("Direct phase {}", direct), phrase!("Reverse phase {}", reverse)]);
     let mut table = Table::new(header);
     let mut add = |[name, throw, bank]: [Text; 3], arm: &BigRational, weight: Text, phases: [String; 2]| {
@@ -268,7 +269,7 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
 /// The same where a cylinder may have several vectors: each term of both sums.
 fn term_by_term(engine: &Engine, order: &OrderBalance) -> Table {
     let mut table =
-        Table::new(["Source".into(), arm_heading(engine), "Sense".into(), "Weight m r".into(), "Phase".into()]);
+        Table::new(["Source".into(), arm_heading(engine), "Sense".into(), "Weight in m r".into(), "Phase".into()]);
     for (balance, sense) in [(&order.force.direct, "direct"), (&order.force.reverse, "reverse")] {
         for (source, term) in balance.sources.iter().zip(balance.sum.terms()) {
             let arm = source.position(engine).map(|at| position(engine, &(at - engine.reference_plane())));
@@ -325,10 +326,6 @@ fn sources(order: &OrderBalance) -> Vec<Source> {
     sources.sort_unstable();
     sources.dedup();
     sources
-}
-
-fn is_piston(source: &Source) -> bool {
-    source.piston().is_some()
 }
 
 fn angle_cell(verdict: &Verdict) -> Text {

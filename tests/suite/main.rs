@@ -115,6 +115,7 @@ mod opposed_gas;
 mod optimise;
 mod optimise_geared;
 mod output_folder;
+mod page_blemishes;
 mod page_texts;
 mod plane_cheats;
 mod plots;

@@ -99,6 +99,23 @@ fn every_answer_fits_eighty_columns() {
     assert!(questions().all(|question| answered.contains(question)), "only {answered:?}");
 }
 
+/// Words that are longer than half a line, in the head and beside it.
+#[test]
+fn tables_of_values_fit_eighty_columns_though_names_are_long() {
+    let mut names = Vec::new();
+    for order in [1, 2, 4, 6, 8, 10] {
+        names.extend(["force", "moment", "force_direct_zero_to_peak"].map(|it| format!("loads.orders.{order}.{it}")));
+    }
+    let asked = ["reports/examples/v8-gas/layout.toml", "I4"].into_iter();
+    let asked = asked.chain(names.iter().flat_map(|name| ["--value", name]));
+    for command in ["values", "compare"] {
+        let answer = printed(&[command].into_iter().chain(asked.clone()).collect::<Vec<_>>()).expect("an answer");
+        for line in answer.lines() {
+            assert!(width(line) <= 80, "{} columns: {line}", width(line));
+        }
+    }
+}
+
 /// The cells of the row that begins with this name and order.
 fn row(answer: &str, name: &str, order: &str) -> Vec<String> {
     let cells = |line: &str| -> Vec<String> {

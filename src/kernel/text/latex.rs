@@ -92,5 +92,7 @@ pub fn latex(text: &str) -> String {
         };
         out.push_str(sign);
     }
-    out
+    // Products of symbols are formulas.
+    out.replace("m r $\\omega$\\textsuperscript{2}", "$m\\,r\\,\\omega^2$")
+        .replace("m r\\textsuperscript{2} $\\omega$\\textsuperscript{2}", "$m\\,r^2\\,\\omega^2$")
 }

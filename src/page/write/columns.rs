@@ -243,8 +243,9 @@ fn lines_in(row: &[Letters], columns: &[usize], widths: &[usize]) -> impl Iterat
     columns.iter().zip(widths).map(|(&column, &width)| row[column].all.div_ceil(width.max(1)))
 }
 
-/// The room shared out: what is narrow stays whole, the rest is broken at one width, none below its longest word.
+/// The room shared out: what is narrow stays whole, the rest is broken at one width, none below its longest word if those fit.
 fn shared(natural: &[usize], least: &[usize], room: usize) -> Vec<usize> {
+    let least = if least.iter().sum::<usize>() <= room { least } else { &vec![1; least.len()] };
     let at = |level: usize| -> Vec<usize> {
         natural.iter().zip(least).map(|(&natural, &least)| natural.min(level.max(least))).collect()
     };

@@ -209,7 +209,10 @@ impl<'a> Composer<'a> {
         for picture in pictures {
             let picture = &picture.counted_in(self.options.units);
             let renamed = self.options.symbols.in_picture(&self.options.language.picture(picture));
-            let (body, file) = self.writer.picture(&renamed, first_sentence(&self.plain(&picture.caption)));
+            // Where it is not seen it is called by the first sentence.
+            let called = self.plain(&picture.caption);
+            let called = called.split_inclusive(". ").next().unwrap_or(&called).trim_end();
+            let (body, file) = self.writer.picture(&renamed, called);
             // A picture that stands twice is one file.
             self.files.extend(file.filter(|file| self.files.iter().all(|other| other.name != file.name)));
             let label = self.labels.label("fig", &picture.name);
@@ -365,8 +368,3 @@ impl<'a> Composer<'a> {
 const IN_SI: &str = "Numbers are put into the formulas in SI units.";
 /// Between values in English.
 const COMMA: &str = ", ";
-
-/// What a picture is called where it is not seen.
-fn first_sentence(caption: &str) -> &str {
-    caption.split_inclusive(". ").next().unwrap_or(caption).trim_end()
-}

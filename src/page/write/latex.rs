@@ -25,7 +25,8 @@ impl Writer for Latex {
     }
 
     fn words(&self, words: &str) -> String {
-        text::latex(words)
+        let set = text::latex(words);
+        set.strip_suffix("\\omega^2$ a").map(|set| format!("{set}\\omega^2\\,a$")).unwrap_or(set)
     }
 
     /// Fonts of text lack most letters of formulas.

@@ -27,7 +27,7 @@ pub(in crate::report) fn peaks(engine: &Engine, continuous: &BearingLoads, deter
         .column("at θ", |(_, bearing)| amounts::angle(&bearing.peak))
         .column(phrase!("Peak of y in {}", unit.label()), |(_, bearing)| amounts::size(&bearing.along, unit))
         .column(phrase!("Peak of x in {}", unit.label()), |(_, bearing)| amounts::size(&bearing.across, unit))
-        .column(phrase!("Determinate R in {}", unit.label()), |(index, _)| marked(determinate, *index))
+        .column(phrase!("Stat. determinate R in {}", unit.label()), |(index, _)| marked(determinate, *index))
         .done()
 }
 

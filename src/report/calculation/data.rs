@@ -93,6 +93,7 @@ fn torque(path: &'static str, entries: &[TorqueEntry], units: Units) -> Table {
     table.truth("vanishes", |entry| entry.vanishes);
     table.decimal("zero_to_peak_{unit}", units.torque, |entry| Some(entry.amplitude));
     table.decimal("phase_{unit}", Unit::DEGREE, |entry| entry.phase_deg);
+    table.decimal("below_{unit}", units.torque, |entry| entry.below);
     table.done()
 }
 

@@ -44,7 +44,7 @@ fn of_order(engine: &Engine, loads: &Loads, order: &OrderLoads) -> Option<Group>
         lines.extend(extremes(engine, loads, order.order, quantity, swing));
         lines.extend(textbook(engine, loads, order, quantity, swing));
     }
-    Some(Group { heading: phrase!("Order {}", order.order), lines })
+    Some(Group { heading: phrase!("Order {}, line by line", order.order), lines })
 }
 
 /// `c_2 = λ + λ³/4 + …` of equal centric cranks; the value alone where the series is long or the crank offset.
@@ -296,5 +296,5 @@ pub(super) fn torque(engine: &Engine, loads: &Loads) -> Option<Group> {
         let symbol = format!("\\hat T_{{{k}}}");
         lines.push(Line { symbol, expression: Expression::Product(factors), unit: unit.unit.tex });
     }
-    Some(Group { heading: "Inertia torque".into(), lines })
+    Some(Group { heading: "Inertia torque, line by line".into(), lines })
 }

@@ -26,7 +26,7 @@ pub(super) fn roll_lines(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Vec
 pub(super) fn turning(engine: &Engine, loads: &Loads) -> Vec<Block> {
     let torque = loads.torque.iter().flat_map(|torque| {
         let table = tables::about_the_axis(engine, loads, Axial::Torque, torque);
-        [Block::Heading(2, "Inertia torque".into()), table.into()]
+        [Block::Heading(2, "Orders of the inertia torque".into()), table.into()]
     });
     torque.chain(roll_section(engine, loads)).collect()
 }
@@ -39,5 +39,5 @@ fn roll_section(engine: &Engine, loads: &Loads) -> Vec<Block> {
     }
     let said = Block::Paragraph(Text::joined(lines, " "));
     let table = loads.roll.as_ref().map(|roll| tables::about_the_axis(engine, loads, Axial::Roll, roll).into());
-    [Block::Heading(2, "Roll moment".into()), said].into_iter().chain(table).collect()
+    [Block::Heading(2, "Orders of the roll moment".into()), said].into_iter().chain(table).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::super::residual;
 use crate::claim::{Statement, Topic};
-use crate::page::{Text, phrase};
+use crate::page::{Choice, Text, phrase};
 use crate::proof::Quantity;
 use crate::report::texts::claims as text;
 use crate::verdict::OrderBalance;
@@ -38,8 +38,7 @@ impl Asked<'_> {
         match self.period {
             Some(period) if of_free_moment => text::no_free_moment(period),
             Some(period) => text::all_vanish(period),
-            None if self.judged == 2 => text::both_asked_vanish(),
-            None => text::all_asked_vanish(self.judged),
+            None => text::all_asked_vanish(Choice::one_or_more(self.judged)),
         }
     }
 }

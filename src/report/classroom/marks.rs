@@ -20,7 +20,7 @@ pub fn marks_answer(results: &[StudentResult], scheme: &Scheme) -> Document {
     page.push(table(results));
     page.blocks.extend(Distribution::of(results).map(|points| Block::Paragraph(spread(&points))));
     page.blocks.extend(remarks(results, scheme));
-    page.push(Block::Note(text::scheme(shown(scheme))));
+    page.push(Block::Note(text::scheme(Text::code(scheme.to_toml().trim_end().replace('\n', ", ")))));
     page
 }
 
@@ -35,11 +35,6 @@ pub fn marks_page(exercise: &Exercise, results: &[StudentResult], scheme: &Schem
         scheme: Block::Verbatim("toml", Untrusted::new(scheme.to_toml())).into(),
     }
     .document()
-}
-
-/// `phase = 1, sum = 2, …`.
-fn shown(scheme: &Scheme) -> Text {
-    Text::code(scheme.to_toml().trim_end().replace('\n', ", "))
 }
 
 fn marked<'a>(results: &'a [StudentResult]) -> impl Iterator<Item = &'a MarkedSheet> {

@@ -73,7 +73,9 @@ pub(super) fn check(document: &Document) -> Result<(), NotStated> {
     let is_odd = |order: u32| order > 1 && order % 2 == 1;
     let has_odd = document.verdicts.iter().any(|verdict| is_odd(verdict.order))
         || document.recurrences.iter().any(|claim| !claim.odd.is_empty());
-    if let Some(cylinder) = document.cylinders.iter().find(|cylinder| has_odd && is_below(cylinder)) {
+    // Its axis passes the crankshaft on the side that counts as negative.
+    let is_below = |one: &&Cylinder| one.rod.on_the_pin().is_some_and(|rod| rod.offset.is_negative());
+    if let Some(cylinder) = document.cylinders.iter().find(is_below).filter(|_| has_odd) {
         return Err(NotStated::Reversed(cylinder.name.clone()));
     }
     if document.quantities.contains(&Quantity::ROLL) {
@@ -83,11 +85,6 @@ pub(super) fn check(document: &Document) -> Result<(), NotStated> {
         return Err(NotStated::SizedByRod(shaft.name.clone()));
     }
     Ok(())
-}
-
-/// Whether its axis passes the crankshaft on the side that counts as negative.
-fn is_below(cylinder: &Cylinder) -> bool {
-    cylinder.rod.on_the_pin().is_some_and(|rod| rod.offset.is_negative())
 }
 
 fn check_cylinder(cylinder: &Cylinder) -> Result<(), NotStated> {

@@ -199,7 +199,8 @@ fn pistons_alone(engine: &Engine, judged: &Judgement, weighed: &WeighedParts) ->
 /// The sums of the orders that are made of several, with why they are.
 fn exact_sums(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     let of_pistons = judged.pistons.iter().filter_map(|pistons| table::sums(pistons));
-    let sums: Vec<Block> = table::sums(&judged.orders).into_iter().chain(of_pistons).map(Block::Table).collect();
+    let of_pistons = of_pistons.flat_map(|table| [text::of_pistons().into(), Block::Table(table)]);
+    let sums: Vec<Block> = table::sums(&judged.orders).into_iter().map(Block::Table).chain(of_pistons).collect();
     if sums.is_empty() {
         return Vec::new();
     }

@@ -75,9 +75,8 @@ impl<'a> StarOf<'a> {
     }
 }
 
-const FORCE: &str =
-    "F_k(\\theta) = \\tfrac12\\, r\\, \\omega^2 c_k \\left( P_k^{+} e^{ik\\theta} + P_k^{-} e^{-ik\\theta} \\right)";
-const PHASES: &str = "P_k^{+} = \\sum_j m_j\\, e^{i(k\\beta_j - (k-1)\\alpha_j)}, \\qquad P_k^{-} = \\sum_j m_j\\, e^{i(-k\\beta_j + (k+1)\\alpha_j)}";
+const FORCE: &str = "F_k(\\theta) = \\tfrac12\\, m\\, r\\, \\omega^2 c_k \\left( P_k^{+} e^{ik\\theta} + P_k^{-} e^{-ik\\theta} \\right)";
+const PHASES: &str = "P_k^{+} = \\sum_j w_j\\, e^{i(k\\beta_j - (k-1)\\alpha_j)}, \\qquad P_k^{-} = \\sum_j w_j\\, e^{i(-k\\beta_j + (k+1)\\alpha_j)}";
 fn has_offset_below_zero(engine: &Engine) -> bool {
     engine.mechanisms().iter().filter_map(|mechanism| mechanism.rod()).any(|rod| rod.offset.is_negative())
 }
@@ -131,7 +130,8 @@ fn proof(engine: &Engine, star: &StarOf) -> Vec<Block> {
 /// The terms of one exact sum, and why it is zero or not.
 fn sum_proved(engine: &Engine, order: &OrderBalance) -> Vec<Block> {
     let mut blocks = vec![table::vector_star(engine, order).into()];
-    for (balance, left) in [(&order.force, force_left(order)), (&order.moment, moment_left(engine, order))] {
+    let force_left = theorem::force(if order.exists { sentence(&order.force) } else { missing(order) });
+    for (balance, left) in [(&order.force, force_left), (&order.moment, moment_left(engine, order))] {
         blocks.push(Block::Paragraph(left));
         blocks.push(Block::List(balance.verdicts().map(|verdict| argued(engine, verdict)).into()));
     }
@@ -140,10 +140,6 @@ fn sum_proved(engine: &Engine, order: &OrderBalance) -> Vec<Block> {
 
 fn certificates(order: &OrderBalance) -> Block {
     Block::List([&order.force, &order.moment].into_iter().flat_map(Balance::verdicts).map(certified).collect())
-}
-
-fn force_left(order: &OrderBalance) -> Text {
-    theorem::force(if order.exists { sentence(&order.force) } else { missing(order) })
 }
 
 /// Of a star without an order.

@@ -8,7 +8,7 @@ use super::orders::{certified, value};
 use crate::engine::{Engine, WHY_NOT};
 use crate::page::{Block, Fold, Picture, Table, Text};
 use crate::report::texts::{engine as text, residual as of_residual};
-use crate::verdict::{self, JudgedStar, Judgement, TorquePart};
+use crate::verdict::{self, JudgedStar, Judgement, OrderVerdict, TorquePart};
 
 const ROLL: &str = "R_k = \\sum_j \\left( c_k\\, m_j r_j\\, a_j - s_j\\, t_k\\, m_j r_j^2 \\right) e^{ik(\\beta_j - \\alpha_j)}, \\qquad a_j = \\sum d \\sin(\\alpha_j - \\eta) - s_j\\, e_j";
 const TORQUE: &str = "Q_k = \\sum_j m_j\\, r_j^2\\, e^{ik(\\beta_j - \\alpha_j)}";
@@ -63,13 +63,21 @@ fn proofs<'a>(
     [Block::List(parts.map(argued).collect()), Block::Folded(folded)]
 }
 
+/// The orders of force and moment, and the first of the torque: some exist of it alone.
+fn about_the_axis(engine: &Engine, judged: &Judgement) -> Vec<OrderVerdict> {
+    let orders = verdict::torque_orders(&judged.orders.iter().map(|order| order.order).collect::<Vec<_>>());
+    let judged = verdict::classify(engine, &orders, judged.masses, &verdict::quantities(engine, true));
+    judged.unwrap_or_else(|number| unreachable!("these orders were examined: {number}"))
+}
+
 /// Torque and roll moment of crankshafts that are geared together, order by order; nothing where there is one.
 pub(super) fn results(engine: &Engine, judged: &Judgement) -> Vec<Block> {
     if engine.geared_cranks().is_empty() {
         return Vec::new();
     }
-    let has_roll = judged.orders.iter().any(|order| order.roll.is_some());
-    let torques = judged.orders.iter().filter_map(|order| Some((order, order.torque.as_ref()?)));
+    let orders = about_the_axis(engine, judged);
+    let has_roll = orders.iter().any(|order| order.roll.is_some());
+    let torques = orders.iter().filter_map(|order| Some((order, order.torque.as_ref()?)));
     let table = Table::of(torques)
         .column("Order", |(order, _)| order.order)
         .column("Torque", |(_, torque)| residual::torque(torque))
@@ -84,8 +92,9 @@ pub(super) fn results(engine: &Engine, judged: &Judgement) -> Vec<Block> {
 
 /// The proofs of the roll moment; none where there is one crankshaft.
 pub(super) fn roll_section(engine: &Engine, judged: &Judgement) -> Vec<Block> {
+    let orders = about_the_axis(engine, judged);
     let parts: Vec<&TorquePart> =
-        judged.orders.iter().filter_map(|order| order.roll.as_ref()).flat_map(|roll| &roll.parts).collect();
+        orders.iter().filter_map(|order| order.roll.as_ref()).flat_map(|roll| &roll.parts).collect();
     if parts.is_empty() {
         return Vec::new();
     }

@@ -52,7 +52,8 @@ pub(super) fn open_angle(angle: &Linear) -> String {
 /// The same with its known part as it is written there.
 pub(in crate::report) fn written(angle: &Linear, known: String) -> String {
     let symbols = angle.minus(&Linear::constant(angle.known().clone()));
-    match (symbols == Linear::default(), angle.known().is_zero()) {
+    // Whole turns are written as none.
+    match (symbols == Linear::default(), angle.known().is_zero() || known == "0°") {
         (true, _) => known,
         (false, true) => greek(&symbols),
         (false, false) => format!("{known} + {}", greek(&symbols)).replace("+ −", "− "),

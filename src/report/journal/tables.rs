@@ -30,7 +30,7 @@ pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearin
         .column("at θ", |(_, bearing)| at_peak(&bearing.peak))
         .column(phrase!("Gas component in {}", Unit::NEWTON), |(_, bearing)| size(bearing.peak.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |(_, bearing)| size(bearing.inertia.value))
-        .column(phrase!("Determinate in {}", Unit::NEWTON), |(index, _)| marked(determinate, *index))
+        .column(phrase!("Statically determinate in {}", Unit::NEWTON), |(index, _)| marked(determinate, *index))
         .done()
 }
 

@@ -29,10 +29,6 @@ fn ends(study: &MountsStudy) -> Option<(f64, f64)> {
     Some((study.range.first()?.rpm, study.range.last()?.rpm))
 }
 
-fn name(order: usize, study: &MountsStudy) -> String {
-    study.orders[order].excitation.order.to_string()
-}
-
 /// The response above the line of each order, over the speed, with a dot where the order meets a mode.
 fn map(study: &MountsStudy) -> Option<Picture> {
     let (from, to) = ends(study)?;
@@ -87,7 +83,11 @@ fn speeds(study: &MountsStudy) -> Option<Picture> {
     let mut plot = Plot::new("Velocity over the speed", x, y);
     for (number, &order) in strongest.iter().enumerate() {
         let points = of_order(study, order).map(|at| (at.rpm, at.velocity.map_or(f64::NAN, |velocity| velocity * 1e3)));
-        plot.curves.push(Curve::new(number, format!("order {}", name(order, study)), points.collect()));
+        plot.curves.push(Curve::new(
+            number,
+            format!("order {}", study.orders[order].excitation.order),
+            points.collect(),
+        ));
     }
     let caption = text::velocity_curves(study.watched() == Place::Point);
     Some(Picture::new("velocity", caption, plot.figure()))

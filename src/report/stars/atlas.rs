@@ -54,7 +54,9 @@ impl StarAtlas {
         let judged = verdict::classify(engine, &ORDERS, Masses::Reciprocating, &Quantity::PLANAR).unwrap_or_default();
         let parts = judged.iter().flat_map(|order| &order.parts).filter(|part| part.exists);
         let verdicts = parts.flat_map(|part| [part.force.verdicts(), part.moment.verdicts()]).flatten();
-        for verdict in verdicts.filter(|verdict| has_zero_vectors(verdict)) {
+        // Zero, and with vectors when like directions are added.
+        let has_vectors = |verdict: &&Verdict| !verdict.sum.positive().collected().is_empty();
+        for verdict in verdicts.filter(|verdict| verdict.vanishes()).filter(has_vectors) {
             let Some(parts) = taken_apart(&verdict.sum, &self.stars) else {
                 self.sums[1] += 1;
                 continue;
@@ -171,11 +173,6 @@ impl StarAtlas {
         }
         table
     }
-}
-
-/// Whether a sum is zero, and has vectors when like directions are added.
-fn has_zero_vectors(verdict: &Verdict) -> bool {
-    verdict.vanishes() && !verdict.sum.positive().collected().is_empty()
 }
 
 fn occurrences(engines: &[&(String, Vec<String>)]) -> Table {

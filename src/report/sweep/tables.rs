@@ -149,6 +149,6 @@ fn others(sweep: &Sweep) -> Table {
 /// The sides of what an engine fits into.
 const SIDES: [(&str, &str, Side); 3] = [
     ("Length in {}", "Length in $r$", |envelope| envelope.length),
-    ("Breadth in {}", "Breadth in $r$", |envelope| Some(envelope.breadth)),
+    ("Width in {}", "Width in $r$", |envelope| Some(envelope.breadth)),
     ("Height in {}", "Height in $r$", |envelope| Some(envelope.height)),
 ];

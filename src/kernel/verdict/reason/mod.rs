@@ -57,12 +57,16 @@ pub fn drawn_polygons<'a>(star: impl Into<JudgedStar<'a>>) -> Vec<Polygon> {
     let mut shown: Vec<Polygon> = Vec::new();
     // Pairs are counted anew, from what is left.
     for polygon in polygons.iter().filter(|polygon| polygon.sides != 2) {
-        shown.push(if polygon.weight.is_negative() { turned(polygon) } else { polygon.clone() });
+        let one = if polygon.weight.is_negative() { turned(polygon) } else { polygon.clone() };
+        // One that is turned may have the corners of another: they are one polygon.
+        match shown.iter_mut().find(|other| (other.sides, &other.rotation) == (one.sides, &one.rotation)) {
+            Some(other) => other.weight += one.weight,
+            None => shown.push(one),
+        }
     }
     let left = shown.iter().fold(drawn.clone(), |left, polygon| left.minus(&corners(polygon)));
     // What is left is equal in opposite directions.
-    let half = Turn::fraction(1, 2);
-    let pairs = left.collected().into_iter().filter(|term| term.angle < half);
+    let pairs = left.collected().into_iter().filter(|term| term.angle < Turn::fraction(1, 2));
     let pair = |term: Term| Polygon { sides: 2, rotation: term.angle.turns().clone(), weight: term.weight };
     let (positive, negative): (Vec<Polygon>, Vec<Polygon>) =
         pairs.map(pair).partition(|pair| pair.weight.is_positive());
@@ -78,10 +82,9 @@ pub fn drawn_polygons<'a>(star: impl Into<JudgedStar<'a>>) -> Vec<Polygon> {
 
 /// A polygon of an odd number of sides with the sign of its weight changed.
 fn turned(polygon: &Polygon) -> Polygon {
-    let step = Turn::new(&polygon.rotation + Turn::fraction(1, 2).turns());
     // The least of its corners, as in every list of polygons.
     let sides = num_rational::BigRational::from_integer(polygon.sides.into());
-    let rotation = Turn::new(step.turns() * &sides).turns() / &sides;
+    let rotation = Turn::new((&polygon.rotation + Turn::fraction(1, 2).turns()) * &sides).turns() / &sides;
     Polygon { sides: polygon.sides, rotation, weight: -&polygon.weight }
 }
 

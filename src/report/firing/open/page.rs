@@ -106,7 +106,8 @@ fn argued(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Vec<Text> {
     let name = || star.order.to_string();
     let line = |part: &SpanStar| {
         let (value, argument) = (words::of_span(study, part), argument(&part.sum));
-        match words::label(study, &part.span).filter(|_| is_of_an_order(study)) {
+        let is_of_an_order = matches!(study.family.open_firing(), Some(OpenFiring::Order(_)));
+        match words::label(study, &part.span).filter(|_| is_of_an_order) {
             Some(label) => phrase!("**Order {}, where {}:** {}. {}", name(), label, value, argument),
             None => phrase!("**Order {}:** {}. {}", name(), value, argument),
         }
@@ -115,8 +116,4 @@ fn argued(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Vec<Text> {
         Ok(spans) if !spans.is_empty() => spans.iter().map(line).collect(),
         Ok(_) | Err(_) => vec![phrase!("**Order {}:** {}.", name(), words::summary(study, star))],
     }
-}
-
-fn is_of_an_order(study: &OpenFiringStudy<'_>) -> bool {
-    matches!(study.family.open_firing(), Some(OpenFiring::Order(_)))
 }

@@ -1,0 +1,102 @@
+//! What was printed badly once: is each thing said once, under a heading of its own, and in the form in which a reader expects it?
+
+use std::collections::BTreeSet;
+
+use super::true_sentences::{printed, said, written};
+use crate::support::program::{call, scratch};
+
+/// What the program prints, on its own lines.
+fn lines(arguments: &[&str]) -> String {
+    let output = call(arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("a text")
+}
+
+const OPPOSED: &str = "opposed_piston = { throws = [0, 240, 120], lead = 0, distance = 12 }";
+const ALL_EFFECTS: &str = "reports/examples/thesis-i3/layout.toml";
+
+#[test]
+fn headings_of_a_page_differ() {
+    let geared = written(&format!(
+        "speed = 3000\neffects = [\"torque\"]\n{OPPOSED}\nmechanism = {{ reciprocating_mass = 1, rod_ratio = 0.25, crank_radius = \"50 mm\" }}"
+    ));
+    for layout in [ALL_EFFECTS, "reports/examples/v8-gas/layout.toml", "radial-9-master", &geared] {
+        for question in ["report", "loads"] {
+            let page = lines(&[question, layout, "--format", "markdown"]);
+            let headings: Vec<&str> = page.lines().filter(|line| line.starts_with('#')).collect();
+            let mut known = BTreeSet::new();
+            for heading in headings {
+                assert!(known.insert(heading.trim_start_matches('#').trim()), "{question} {layout}: {heading} twice");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_polygon_is_listed_once_with_its_whole_weight() {
+    let page = printed(&["report", "radial-14", "--format", "text"]);
+    for list in page.split("sums to zero: ").skip(1).filter_map(|rest| rest.split_once('.')) {
+        let polygons: Vec<&str> = list.0.split("; ").collect();
+        let apart: BTreeSet<&&str> = polygons.iter().collect();
+        assert_eq!(apart.len(), polygons.len(), "{}", list.0);
+    }
+    assert!(!page.contains("taken 0.5 long each"));
+}
+
+#[test]
+fn a_phase_of_a_family_has_no_zero_before_its_unknown() {
+    for banks in ["[\"-phi/2\", \"phi/2\"]", "[\"-phi\", 0, \"phi\"]"] {
+        let page =
+            said("report", &format!("fan = {{ banks = {banks}, throws = [0, 120, 240] }}"), &["--format", "text"]);
+        assert!(page.contains("φ") && !page.contains(" 0° + ") && !page.contains(" 0° − "), "{page}");
+    }
+}
+
+#[test]
+fn an_order_of_the_roll_moment_that_is_named_first_is_in_its_table() {
+    let page = lines(&["report", &written(OPPOSED), "--format", "text"]);
+    assert!(page.contains("(order 3)"), "{page}");
+    let table = page.split("Order   Torque   Roll").nth(1).expect("a table");
+    let row = table.lines().find(|line| line.trim_start().starts_with("3 ")).expect("a row of order 3");
+    assert!(row.contains("torque"), "{row}");
+}
+
+#[test]
+fn a_claim_of_one_order_is_answered_of_one() {
+    let answer = |says: &str| {
+        let path = scratch("one-order").join("claims.toml");
+        std::fs::write(&path, format!("title = \"x\"\n[[claim]]\nlayout = \"I4\"\nsays = \"{says}\"")).expect("claims");
+        printed(&["check", path.to_str().expect("UTF-8")])
+    };
+    for says in ["orders 1 of the moment vanish", "order 1 of force and moment vanish"] {
+        let answer = answer(says);
+        assert!(answer.contains("It vanishes.") && !answer.contains("of them"), "{answer}");
+    }
+    assert!(answer("orders 1 and 2 of the moment vanish").contains("All of them vanish."));
+}
+
+/// Rods that differ by less than is computed: order 2 of torque and force may be zero.
+#[test]
+fn what_is_not_decided_has_its_bound_and_no_smallest_decimal_of_the_machine() {
+    let less = format!("\"0.24{}\"", "9".repeat(58));
+    let layout = written(&format!(
+        "effects = [\"torque\"]\ninline = {{ throws = [0, 0, 90, 90], spacing = 1 }}\nmechanism = {{ rod_ratio = [0.25, 0.25, {less}, {less}], reciprocating_mass = 1 }}"
+    ));
+    let table = lines(&["loads", &layout, "--orders", "2", "--table", "torque", "--format", "csv"]);
+    let row: Vec<&str> = table.lines().find(|line| line.starts_with("2,")).expect("order 2").split(',').collect();
+    let [size, below] = [row[2], row[4]].map(|cell| cell.parse::<f64>().expect("a decimal"));
+    assert!(row[1].is_empty() && below > 0.0 && below < 1e-18 && size > 1e-300 && size < below, "{row:?}");
+    for more in [&["--format", "csv"][..], &["--json"]] {
+        let all = lines(&[&["loads", layout.as_str(), "--orders", "2"], more].concat());
+        assert!(!all.contains("e-308"), "{all}");
+    }
+}
+
+#[test]
+fn the_unit_of_forces_is_a_formula_in_latex() {
+    for layout in ["I4", "V6-60-even", ALL_EFFECTS] {
+        let page = lines(&["report", layout, "--format", "latex"]);
+        let unit = page.find("$m\\,r\\,\\omega^2$").is_some();
+        assert!(unit && !page.contains("m r $\\omega$") && !page.contains("m r\\textsuperscript"), "{layout}");
+    }
+}
