@@ -75,9 +75,6 @@ fn rod_words(rod: &Rod) -> String {
 fn class_words(class: &Class, order: u32) -> String {
     let (factor, own_order) = class.factor.own(order);
     let rod = match factor {
-        Factor::Motion(rod) | Factor::Side(rod) => rod_words(rod),
-        Factor::Torque(rod) => rod_words(rod),
-        Factor::DecimalTorque(_) => String::new(),
         Factor::Quadrature(rod) => {
             let size = equals(&rod.offset);
             let size = size.strip_prefix("= ").map_or_else(|| size.clone(), |value| format!("= ±{value}"));
@@ -93,7 +90,7 @@ fn class_words(class: &Class, order: u32) -> String {
             };
             format!(", Δ = ±{apart}, ε = ±{correction}, {part}")
         }
-        Factor::One | Factor::OnPin(..) | Factor::Open | Factor::OpenTorque | Factor::Geared(..) => String::new(),
+        other => other.rod().map(rod_words).unwrap_or_default(),
     };
     let own = (own_order != order).then(|| format!("order {own_order} of its own crankshaft"));
     let named: Vec<String> = [class_sources(class)].into_iter().chain(own).collect();

@@ -13,7 +13,9 @@ pub enum NoGas {
     #[error("the layout gives no crank radius; below [mechanism], give stroke or crank_radius")]
     Radius,
     /// No heat gives the wanted highest pressure: without burning it is the second one, in bar.
-    #[error("no heat gives peak_pressure = \"{0} bar\": the compression alone reaches {1:.2} bar; write more than that")]
+    #[error(
+        "no heat gives peak_pressure = \"{0} bar\": the compression alone reaches {1:.2} bar; write more than that"
+    )]
     Peak(f64, f64),
     /// No heat gives the wanted mean pressure: without burning it is the second one, in bar.
     #[error("no heat gives mean_pressure = \"{0} bar\": without burning it is {1:.2} bar; write more than that")]

@@ -104,6 +104,37 @@ impl Factor {
         matches!(self, Factor::Geared(..))
     }
 
+    /// The rod on a crankpin whose motion it is a number of.
+    pub fn rod(&self) -> Option<&Rod> {
+        match self {
+            Factor::Motion(rod) | Factor::Torque(rod) | Factor::Side(rod) | Factor::Quadrature(rod) => Some(rod),
+            Factor::Geared(_, own) => own.rod(),
+            Factor::One
+            | Factor::Open
+            | Factor::OpenTorque
+            | Factor::DecimalTorque(_)
+            | Factor::Linkage(_)
+            | Factor::Corrected(..)
+            | Factor::OnPin(..) => None,
+        }
+    }
+
+    /// The letter of its symbol; none for 1. Of a side force without an offset it is that of all there is in an odd order.
+    pub fn letter(&self) -> Option<char> {
+        match self {
+            Factor::One => None,
+            Factor::Motion(_) | Factor::Open | Factor::OpenTorque => Some('c'),
+            Factor::Quadrature(_) => Some('y'),
+            Factor::Torque(_) | Factor::DecimalTorque(_) => Some('t'),
+            Factor::Side(rod) if rod.is_centric() => Some('n'),
+            Factor::Side(_) => Some('u'),
+            Factor::Linkage(_) => Some('g'),
+            Factor::Corrected(..) => Some('h'),
+            Factor::OnPin(..) => Some('p'),
+            Factor::Geared(_, own) => own.letter(),
+        }
+    }
+
     /// Whether it is a number of a link on a master rod.
     pub fn is_of_link(&self) -> bool {
         matches!(self, Factor::Linkage(_) | Factor::Corrected(..))

@@ -13,7 +13,7 @@ use crate::motion::LinkMass;
 use crate::numbers;
 use crate::order::{Factor, OrderSum};
 use crate::report::BearingsStudy;
-use crate::report::bearings::{before, orders_of};
+use crate::report::bearings::orders_of;
 use crate::report::calculation::data::Units;
 use crate::report::data::{Filling, exact_number};
 use crate::table::{Table, Unit};
@@ -134,7 +134,7 @@ fn lengths(sum: &OrderSum, order: u32) -> Option<String> {
     if sum.vanishes() {
         return Some("0".to_owned());
     }
-    let letters: Vec<Option<char>> = sum.parts().keys().map(before).collect();
+    let letters: Vec<Option<char>> = sum.parts().keys().map(Factor::letter).collect();
     let differ = letters.iter().enumerate().any(|(index, letter)| letters[..index].contains(letter));
     let part = |(letter, sum): (&Option<char>, &PhasorSum)| {
         let length = numbers::modulus(sum)?;

@@ -19,4 +19,4 @@ pub(super) use page::{
 };
 pub(super) use plots::{drawings, farthest, largest_at, over_crank_angle, path, style, tip};
 pub use study::BearingsStudy;
-pub(super) use tables::{before, orders, peaks};
+pub(super) use tables::{orders, peaks};

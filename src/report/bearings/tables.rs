@@ -67,49 +67,18 @@ fn exact(sum: &OrderSum, order: u32) -> Text {
     if sum.parts().keys().any(Factor::is_decimal) {
         return "decimal only".into();
     }
-    let rods: BTreeSet<&Rod> = sum.parts().keys().filter_map(rod).collect();
+    let rods: BTreeSet<&Rod> = sum.parts().keys().filter_map(Factor::rod).collect();
     if rods.len() > 1 {
         return "rods differ".into();
     }
     let parts = sum.parts().iter().map(|(factor, sum)| {
         let length = residual::modulus_of(sum);
-        match before(factor) {
+        match factor.letter() {
             None => length.into(),
             Some(letter) => phrase!("{} {}", length, Text::formula(format!("{letter}_{{{order}}}"))),
         }
     });
     Text::joined(parts, ", ")
-}
-
-/// The rod whose motion a sum is multiplied by.
-fn rod(factor: &Factor) -> Option<&Rod> {
-    match factor {
-        Factor::One
-        | Factor::Open
-        | Factor::OpenTorque
-        | Factor::DecimalTorque(_)
-        | Factor::Linkage(_)
-        | Factor::Corrected(..)
-        | Factor::OnPin(..) => None,
-        Factor::Motion(rod) | Factor::Torque(rod) | Factor::Side(rod) | Factor::Quadrature(rod) => Some(rod),
-        Factor::Geared(_, own) => rod(own),
-    }
-}
-
-/// What a sum is multiplied by; none for 1.
-pub(in crate::report) fn before(factor: &Factor) -> Option<char> {
-    match factor {
-        Factor::One => None,
-        Factor::Motion(_) | Factor::Open | Factor::OpenTorque => Some('c'),
-        Factor::Quadrature(_) => Some('y'),
-        Factor::Torque(_) | Factor::DecimalTorque(_) => Some('t'),
-        Factor::Side(rod) if rod.is_centric() => Some('n'),
-        Factor::Side(_) => Some('u'),
-        Factor::Linkage(_) => Some('g'),
-        Factor::Geared(_, own) => before(own),
-        Factor::Corrected(..) => Some('h'),
-        Factor::OnPin(..) => Some('p'),
-    }
 }
 
 /// The numbers of the motion that the sums of these orders are multiplied by, where all pistons move alike and without an offset.

@@ -114,21 +114,15 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
                 phrase!("{} {}", amount.clone(), Text::formula(format!("m\\,r\\,\\lvert {letter}_{{{order}}}\\rvert")))
             };
             match own {
-                Factor::One => phrase!("{} $m\\,r$", amount),
-                Factor::Linkage(_) => times('g'),
                 Factor::Quadrature(_) => phrase!("{} $m\\,r\\,\\lvert \\mathrm{Im}\\, c_1 \\rvert$", amount),
                 Factor::Corrected(..) => match weight.decimals(&remedy.subject) {
                     Some([size, _]) => phrase!("{} $m\\,r$", Number::Decimal(size)),
                     None => depends(weight),
                 },
-                Factor::Motion(_)
-                | Factor::Torque(_)
-                | Factor::DecimalTorque(_)
-                | Factor::Side(_)
-                | Factor::OnPin(..)
-                | Factor::Open
-                | Factor::OpenTorque
-                | Factor::Geared(..) => times('c'),
+                other => match other.letter() {
+                    Some(letter) => times(letter),
+                    None => phrase!("{} $m\\,r$", amount),
+                },
             }
         }
         (None, Some([size, _])) => phrase!("{} $m\\,r$", amount(size)),
