@@ -270,7 +270,7 @@ fn the_roll_moment_of_several_crankshafts_is_on_the_page_as_in_the_document() {
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let (si, inch) = (written(Units::Si), written(Units::Inch));
-    for words in ["Roll moment", "The roll moment is that on the frame about the origin of the layout"] {
+    for words in ["Orders of the roll moment", "The roll moment is that on the frame about the origin of the layout"] {
         assert!(si.contains(words) && inch.contains(words), "{words}: {si}");
     }
     let numbers = numbers(&engine, &usual_orders(&engine));

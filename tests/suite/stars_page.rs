@@ -237,7 +237,7 @@ fn the_best_stars_are_those_of_a_plain_loop() {
         let name = format!("best-{}.toml", row[0]);
         let text = fs::read_to_string(golden::reports().join("stars").join(&name)).expect("a layout file");
         let engine = file::parse(&name, &text).expect("it reads");
-        let turns = row[4].split(' ').map(|step| Turn::fraction(whole(step) as i64, whole(&row[0]) as i64));
+        let turns = row[4].split(", ").map(|step| Turn::fraction(whole(step) as i64, whole(&row[0]) as i64));
         assert!(turns.eq(engine.cylinders().iter().map(|cylinder| cylinder.throw.clone())), "{row:?}");
         let judged = verdict::classify(&engine, &[1, 2], Masses::Reciprocating, &Quantity::PLANAR).expect("verdicts");
         for (order, cell) in judged.iter().zip([1, 3]) {

@@ -121,9 +121,9 @@ pub(super) fn check_scale(place: &str, scale: &Scale) -> Result<[BigRational; 2]
 fn check_coefficients(loads: &Loads, evidence: &Document, motion: &Motion<'_>) -> Result<(), Fault> {
     for (index, entry) in loads.coefficients.iter().enumerate() {
         let at = format!("coefficients[{index}]");
-        let first = &evidence.cylinders[0];
-        let is_common = evidence.cylinders.iter().all(|one| (&one.rod, one.speed) == (&first.rod, 1));
-        let rod = first.rod.on_the_pin().filter(|_| is_common);
+        let mut cylinders = evidence.cylinders.iter().map(|one| (&one.rod, one.speed));
+        let common = cylinders.next().filter(|first| first.1 == 1 && cylinders.all(|other| other == *first));
+        let rod = common.and_then(|(rod, _)| rod.on_the_pin());
         let rod = rod.ok_or_else(|| Fault::new(at.as_str(), "the cylinders have no number in common"))?;
         let number = of_rod(rod, entry.order, motion).map_err(|reason| Fault { place: at.clone(), reason })?;
         number.has_parts(&at, [entry.re, entry.im])?;
