@@ -172,6 +172,7 @@ fn direction([re, im]: &[Ball; 2], degrees: &BigRational, circle: &Circle) -> An
     }
 }
 
-fn power_of_two(minus: u32) -> BigRational {
+/// `2^−minus`.
+pub(super) fn power_of_two(minus: u32) -> BigRational {
     BigRational::new(BigInt::one(), BigInt::one() << minus)
 }

@@ -8,7 +8,7 @@ use super::agreement::agrees;
 use super::audit::{Audit, Fault, Reason, demand, refuse_if};
 use super::ball::Ball;
 use super::coefficient::{Coefficient, Factor};
-use super::decimals::{Decimal, Size};
+use super::decimals::{Decimal, Size, power_of_two};
 use super::judged::Judged;
 use super::motion::{Motion, smallness};
 use super::rod::RodClaim;
@@ -151,8 +151,4 @@ pub(super) fn is_near(at: &str, stated: Decimal, right: &BigRational, slack: &Bi
 
 fn half() -> BigRational {
     BigRational::new(1.into(), 2.into())
-}
-
-fn power_of_two(minus: u32) -> BigRational {
-    BigRational::new(BigInt::one(), BigInt::one() << minus)
 }
