@@ -108,6 +108,24 @@ macro_rules! question {
 }
 pub(super) use question;
 
+/// The JSON of a study whose `document` has numbers beside evidence, for the braces of [`question!`].
+macro_rules! json_with_evidence {
+    () => {
+        fn json(&self) -> serde_json::Result<String> {
+            serde_json::to_string_pretty(&self.document())
+        }
+
+        fn is_certified(&self) -> bool {
+            true
+        }
+
+        fn json_without_evidence(&self) -> Option<serde_json::Result<String>> {
+            Some(serde_json::to_string_pretty(&self.document().without_evidence()))
+        }
+    };
+}
+pub(super) use json_with_evidence;
+
 #[derive(Serialize)]
 struct Answer<'a> {
     format: String,

@@ -2,7 +2,7 @@
 
 use super::super::engine_page::Weighing;
 use super::super::loads_document::{LoadsDocument, loads_document};
-use super::super::question::{one_of_all, question};
+use super::super::question::{json_with_evidence, one_of_all, question};
 use super::data;
 use super::{Numbers, loads_answer_weighed, loads_page};
 use crate::engine::Engine;
@@ -48,16 +48,6 @@ question!(
             data::tables(&self.engine, &self.numbers, &self.document())
         }
 
-        fn json(&self) -> serde_json::Result<String> {
-            serde_json::to_string_pretty(&self.document())
-        }
-
-        fn is_certified(&self) -> bool {
-            true
-        }
-
-        fn json_without_evidence(&self) -> Option<serde_json::Result<String>> {
-            Some(serde_json::to_string_pretty(&self.document().without_evidence()))
-        }
+        json_with_evidence!();
     }
 );

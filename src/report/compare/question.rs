@@ -1,6 +1,6 @@
 //! What is a comparison as an answer? The engines, judged at the same orders.
 
-use super::super::question::{one_of_all, question};
+use super::super::question::{json_with_evidence, one_of_all, question};
 use super::super::values::ValuesStudy;
 use super::data;
 use super::{CompareDocument, Compared, compare_answer, compare_document, compare_page};
@@ -43,16 +43,6 @@ question!(
             tables
         }
 
-        fn json(&self) -> serde_json::Result<String> {
-            serde_json::to_string_pretty(&self.document())
-        }
-
-        fn is_certified(&self) -> bool {
-            true
-        }
-
-        fn json_without_evidence(&self) -> Option<serde_json::Result<String>> {
-            Some(serde_json::to_string_pretty(&self.document().without_evidence()))
-        }
+        json_with_evidence!();
     }
 );
