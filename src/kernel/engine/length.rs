@@ -17,6 +17,16 @@ pub enum LengthUnit {
     Metre,
 }
 
+impl LengthUnit {
+    /// What it is called in data.
+    pub fn name(self) -> &'static str {
+        match self {
+            LengthUnit::Spacing => "spacing",
+            LengthUnit::Metre => "m",
+        }
+    }
+}
+
 /// A position along the crankshaft, or a difference of two.
 pub trait Length: Clone + Debug + PartialEq {
     /// The first less the second.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::super::residual::shape_name;
 use super::entry::{EngineRow, Origin, Remaining};
-use crate::engine::{Cycle, LengthUnit};
+use crate::engine::Cycle;
 use crate::page::Text;
 use crate::proof::Shape;
 use crate::text::{self, Format};
@@ -24,10 +24,6 @@ pub(super) fn csv(all: &[EngineRow]) -> String {
             };
             let ties = engine.ties.as_ref().map(|ties| [ties.stars.to_string(), ties.all.to_string()]);
             let [stars, all] = ties.unwrap_or_default();
-            let unit = match engine.unit {
-                LengthUnit::Spacing => "spacing",
-                LengthUnit::Metre => "m",
-            };
             let mut fields = vec![
                 origin.to_owned(),
                 engine.name.clone(),
@@ -36,7 +32,7 @@ pub(super) fn csv(all: &[EngineRow]) -> String {
                 engine.firing_order.clone(),
                 stars,
                 all,
-                unit.to_owned(),
+                engine.unit.name().to_owned(),
                 order.order.to_string(),
             ];
             fields.extend(amount(&order.force));

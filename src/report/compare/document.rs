@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::super::loads_document::{ScaleEntry, size, units};
 use super::super::{document, engine_cells, residual};
 use super::{Compared, orders_of};
-use crate::engine::{Engine, LengthUnit};
+use crate::engine::Engine;
 use crate::loads::{self, BearingLoads, Loads, OrderLoads, Scale, Swing};
 use crate::numbers;
 use crate::proof::{COMPARE_NOT_CHECKED, Document, Format, Quantity, Shape};
@@ -148,7 +148,7 @@ fn engine(engine: &Compared) -> EngineEntry {
     EngineEntry {
         title: engine.engine.title().written().to_owned(),
         cylinders: engine.engine.cylinders().len(),
-        position_unit: position_unit(&engine.engine),
+        position_unit: engine.engine.length_unit().name(),
         firing: firing(&engine.engine),
         orders: engine.judged.orders.iter().map(order).collect(),
         first_force_left,
@@ -165,13 +165,6 @@ fn engine(engine: &Compared) -> EngineEntry {
     }
 }
 
-fn position_unit(engine: &Engine) -> &'static str {
-    match engine.length_unit() {
-        LengthUnit::Metre => "m",
-        LengthUnit::Spacing => "spacing",
-    }
-}
-
 fn firing(engine: &Engine) -> Option<Firing> {
     let degrees = |turns: &BigRational| numbers::float(&(turns * BigRational::from_integer(360.into())));
     let intervals = |firing: &crate::engine::Firing| firing.intervals().iter().map(degrees).collect();
@@ -182,7 +175,7 @@ fn firing(engine: &Engine) -> Option<Firing> {
 pub fn numbers_of(engine: &Engine) -> Value {
     let scale = loads::scale(engine);
     let units = units(engine, scale.as_ref());
-    json!({ "scale": scale.as_ref().map(ScaleEntry::of), "units": units, "position_unit": position_unit(engine), "firing": firing(engine) })
+    json!({ "scale": scale.as_ref().map(ScaleEntry::of), "units": units, "position_unit": engine.length_unit().name(), "firing": firing(engine) })
 }
 
 /// An order of an engine, as data.
