@@ -78,13 +78,15 @@ pub(super) fn every(engine: &Engine, first: u32, quantities: &[Planar]) -> Answe
 
 /// Answers whether a moment is left that no choice of the reference plane cancels.
 pub(super) fn free(engine: &Engine) -> Answer {
-    let about_the_plane = every(engine, 1, &[Planar::Moment]);
-    let is_free = |order: &OrderVerdict| order.moment.is_left() && order.moment_is_couple();
-    match engine.cylinders().windows(2).all(|pair| pair[0].position == pair[1].position) {
-        true => Answer { status: Status::True, finding: Finding::OnePlane, evidence: Vec::new() },
-        false if about_the_plane.status.holds() => about_the_plane,
-        false => refuted(engine, 1, is_free, "whether it is one force in one plane is not decided where rods differ"),
+    if engine.cylinders().windows(2).all(|pair| pair[0].position == pair[1].position) {
+        return Answer { status: Status::True, finding: Finding::OnePlane, evidence: Vec::new() };
     }
+    let about_the_plane = every(engine, 1, &[Planar::Moment]);
+    if about_the_plane.status.holds() {
+        return about_the_plane;
+    }
+    let is_free = |order: &OrderVerdict| order.moment.is_left() && order.moment_is_couple();
+    refuted(engine, 1, is_free, "whether it is one force in one plane is not decided where rods differ")
 }
 
 /// That a claim on every order is false, by the first order that is so.
