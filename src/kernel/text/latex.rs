@@ -21,8 +21,17 @@ pub const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '�
 /// Letters beyond ÿ that the fonts of the encoding T1 have.
 const OF_T1: &str = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŊŋŐőŒœŔŕŘřŚśŞşŠšŢţŤťŮůŰűŸŹźŻżŽž";
 
-/// Plain text for pdflatex: its special characters, and the signs that the reports use.
+/// Products of symbols, which are formulas in a text.
+const FORMULAS: [(&str, &str); 2] = [("m r ω²", "$m\\,r\\,\\omega^2$"), ("m r² ω²", "$m\\,r^2\\,\\omega^2$")];
+
+/// Plain text for pdflatex: its special characters, the signs that the reports use, and its formulas.
 pub fn latex(text: &str) -> String {
+    let [(force, set_force), (torque, set_torque)] = FORMULAS;
+    let of_torques = |text: &str| text.split(torque).map(signs).collect::<Vec<_>>().join(set_torque);
+    text.split(force).map(of_torques).collect::<Vec<_>>().join(set_force)
+}
+
+fn signs(text: &str) -> String {
     let mut out = String::new();
     for letter in text.chars() {
         if let Some(digit) = SUPERSCRIPTS.iter().position(|sign| *sign == letter) {
@@ -92,7 +101,5 @@ pub fn latex(text: &str) -> String {
         };
         out.push_str(sign);
     }
-    // Products of symbols are formulas.
-    out.replace("m r $\\omega$\\textsuperscript{2}", "$m\\,r\\,\\omega^2$")
-        .replace("m r\\textsuperscript{2} $\\omega$\\textsuperscript{2}", "$m\\,r^2\\,\\omega^2$")
+    out
 }

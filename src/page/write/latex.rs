@@ -25,8 +25,11 @@ impl Writer for Latex {
     }
 
     fn words(&self, words: &str) -> String {
-        let set = text::latex(words);
-        set.strip_suffix("\\omega^2$ a").map(|set| format!("{set}\\omega^2\\,a$")).unwrap_or(set)
+        // Elsewhere an `a` behind it may be a word.
+        match words.strip_suffix("m r ω² a") {
+            Some(before) => text::latex(before) + "$m\\,r\\,\\omega^2\\,a$",
+            None => text::latex(words),
+        }
     }
 
     /// Fonts of text lack most letters of formulas.
