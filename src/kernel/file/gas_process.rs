@@ -33,6 +33,9 @@ pub(super) const KEYS: [(&str, Key); 16] = [
     ("blowdown", |keys| &keys.blowdown),
 ];
 
+/// From here on they are of the events of a cycle, one after the other.
+pub(super) const FIRST_EVENT: usize = 11;
+
 /// Keys of combustion that a compressor does not have.
 const OF_COMBUSTION: [&str; 11] = [
     "compression_ratio",
