@@ -62,6 +62,7 @@ fn the_claims_that_can_be_read_are_answered_beside_the_mistakes_of_all_others() 
     let (status, answers, mistakes) = check("mixed.toml", &(right.clone() + &wrong + &claim("I4", "F2 = 0")));
     assert_eq!(status, Some(1));
     assert!(answers.contains("1 of 2 hold") && answers.contains("true.") && answers.contains("false."), "{answers}");
+    assert!(answers.contains("and are not counted: 3."), "{answers}");
     for words in ["`nonsense` is not an order", "mixed.toml:6", "/I33`: ", "mixed.toml:8", "cannot read the order `0`"]
     {
         assert!(mistakes.contains(words), "{words}: {mistakes}");

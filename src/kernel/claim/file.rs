@@ -17,7 +17,7 @@ use crate::file::written::{Table, Text, place};
 use crate::file::{Kind, LayoutError, units};
 use crate::text::Untrusted;
 
-/// A claims file, every claim read.
+/// A claims file.
 #[derive(Clone, Debug)]
 pub struct Claims {
     /// Title of the page.
@@ -26,6 +26,8 @@ pub struct Claims {
     pub statements: Vec<Published>,
     /// Students' vector-star tables.
     pub tables: Vec<StarTable>,
+    /// How many claims and tables of the file cannot be read.
+    pub unread: usize,
 }
 
 /// A statement as it was published, and what has to hold for it.
@@ -100,18 +102,6 @@ struct ClaimTable {
     numbers: Option<Table<NumbersTable>>,
 }
 
-impl StatementTable {
-    fn keys(&self) -> Keys<'_> {
-        Keys::of([&self.kind, &self.source, &self.place, &self.words])
-    }
-}
-
-impl ClaimTable {
-    fn keys(&self) -> Keys<'_> {
-        Keys::of([&self.kind, &self.source, &self.place, &self.words])
-    }
-}
-
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct NumbersTable {
@@ -152,7 +142,7 @@ fn claims(name: &str, file: File, find: Find) -> Result<(Claims, Option<LayoutEr
     }
     for table in file.statement.iter().flatten() {
         let table = &table.get_ref().0;
-        let around = table.keys().within(whole);
+        let around = Keys::of([&table.kind, &table.source, &table.place, &table.words]).within(whole);
         let claims = table.claim.iter().map(|table| claim(&table.get_ref().0, around, find));
         statements.push(Published {
             text: Some(text(&table.text)),
@@ -164,13 +154,15 @@ fn claims(name: &str, file: File, find: Find) -> Result<(Claims, Option<LayoutEr
     let tables = file.table.iter().flatten().map(|table| student::read(&table.get_ref().0, find));
     let tables: Vec<StarTable> = tables.filter_map(|table| kept(table, &mut mistakes)).collect();
     statements.retain(|statement| !statement.claims.is_empty());
+    let unread = mistakes.len();
     let mut mistakes = mistakes.into_iter();
-    let unread = mistakes.next().map(|first: LayoutError| first.and(mistakes));
+    let mistakes = mistakes.next().map(|first: LayoutError| first.and(mistakes));
     if statements.is_empty() && tables.is_empty() {
         let right = "add a [[claim]] with layout and says, a [[statement]] or a [[table]]";
-        return Err(unread.unwrap_or_else(|| LayoutError::new("the file claims nothing", right, None)));
+        return Err(mistakes.unwrap_or_else(|| LayoutError::new("the file claims nothing", right, None)));
     }
-    Ok((Claims { title: file.title.as_ref().map_or_else(|| Untrusted::new(name), text), statements, tables }, unread))
+    let title = file.title.as_ref().map_or_else(|| Untrusted::new(name), text);
+    Ok((Claims { title, statements, tables, unread }, mistakes))
 }
 
 /// What can be read; else what is wrong is put to the other mistakes.
@@ -188,7 +180,7 @@ fn claim(table: &ClaimTable, around: Keys, find: Find) -> Result<Claim, LayoutEr
     Ok(Claim {
         engine: text(&table.layout),
         layout: engine(&table.layout, find)?,
-        provenance: table.keys().within(around).provenance()?,
+        provenance: Keys::of([&table.kind, &table.source, &table.place, &table.words]).within(around).provenance()?,
         statement: parse_statement(says.written()).map_err(mistake)?,
         says,
         numbers: table.numbers.as_ref().map(|table| numbers(&table.0)).transpose()?,

@@ -106,7 +106,8 @@ fn counts(claims: &Claims) -> Vec<Text> {
         told(own, text::own_checks),
         told(tables, text::tables_right),
     ];
-    told.into_iter().flatten().collect()
+    let not_read = (claims.unread > 0).then(|| text::not_read(claims.unread));
+    told.into_iter().flatten().chain(not_read).collect()
 }
 
 /// A statement with its claims, each place that is quoted with its words above them.
