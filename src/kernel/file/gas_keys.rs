@@ -275,9 +275,8 @@ impl Layers<'_> {
         let span = match mistake.at {
             // An event of the cycle that is not written is too early for one before it.
             At::Setting(setting) => {
-                let keys = &gas_process::KEYS;
-                let at = keys.iter().position(|(name, _)| *name == setting.key());
-                let written = |at: usize| keys[at.min(gas_process::FIRST_EVENT)..=at].iter().rev();
+                let at = gas_process::KEYS.iter().position(|(name, _)| *name == setting.key());
+                let written = |at: usize| gas_process::KEYS[at.min(gas_process::FIRST_EVENT)..=at].iter().rev();
                 at.and_then(|at| written(at).find_map(|(_, key)| self.pick(*key))).and_then(place)
             }
             At::All | At::Row(_) => None,

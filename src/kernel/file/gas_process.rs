@@ -202,11 +202,8 @@ impl Settings<'_> {
 
     /// Keys that say nothing of this kind of process.
     fn without(&self, names: &[&str], of: &str) -> Result<(), LayoutError> {
-        let found = KEYS
-            .iter()
-            .filter(|(name, _)| names.contains(name))
-            .find_map(|(name, key)| Some((name, self.0.pick(*key)?)));
-        match found {
+        let mut named = KEYS.iter().filter(|(name, _)| names.contains(name));
+        match named.find_map(|(name, key)| Some((name, self.0.pick(*key)?))) {
             None => Ok(()),
             Some((name, text)) => Err(LayoutError::new(format!("{name} in {of}"), "leave it out", place(text))),
         }
