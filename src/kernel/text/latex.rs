@@ -81,15 +81,10 @@ fn signs(text: &str) -> String {
             '∥' => "$\\parallel$",
             '⊥' => "$\\perp$",
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
-                out.push('\\');
-                out.push(letter);
+                out.extend(['\\', letter]);
                 continue;
             }
-            _ if letter.is_ascii_graphic()
-                || letter == ' '
-                || ('¡'..='ÿ').contains(&letter)
-                || OF_T1.contains(letter) =>
-            {
+            _ if matches!(letter, ' '..='~' | '¡'..='ÿ') || OF_T1.contains(letter) => {
                 out.push(letter);
                 continue;
             }
