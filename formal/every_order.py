@@ -34,8 +34,8 @@ def check_theorem(entry, quantity, sense, engine, cylinders, rods):
     demand(period > 0 and period % 2 == 0, "the period is positive and even")
     demand(all((angle * period).denominator == 1 for c in cylinders for angle in (c.throw, c.bank)), "an angle is not whole in it")
     demand(2 * len(entry.verdicts) == period + 2, "there is not one verdict for each order of the period")
-    modulus, residues = entry.survivors.modulus, entry.survivors.residues
-    check_residues(period, modulus, residues, 0)
+    modulus, residues = entry.survivors.modulus, set(entry.survivors.residues)
+    check_residues(period, modulus, entry.survivors.residues, 0)
     for k, verdict in each("verdicts", entry.verdicts, [1, *range(2, int(period) + 1, 2)]):
         equal(verdict, order=k)
         is_left = entry.survivors.order_one if k == 1 else k % modulus in residues
@@ -46,9 +46,10 @@ def check_theorem(entry, quantity, sense, engine, cylinders, rods):
 
 def check_residues(period, modulus, residues, parity):
     demand(modulus >= 2 and modulus % 2 == 0 and period % modulus == 0, "the modulus is no even divisor of the period")
-    demand(residues == [r for r in range(parity, modulus, 2) if r in residues], f"residues are {['even', 'odd'][parity]} numbers below the modulus, rising")
+    there = set(residues)
+    demand(residues == [r for r in range(parity, modulus, 2) if r in there], f"residues are {['even', 'odd'][parity]} numbers below the modulus, rising")
     for q in primes_of(modulus // 2):
-        demand({(r + modulus // q) % modulus for r in residues} != set(residues), "a smaller modulus says the same")
+        demand({(r + modulus // q) % modulus for r in residues} != there, "a smaller modulus says the same")
 
 
 def check_recurrence(entry, quantity, sense, engine):
@@ -108,8 +109,8 @@ def check_factor(factor, parity, first):
                 if r.denominator == 1:
                     partners.add((q, int(-r) * pow((R * (s - u)).numerator, -1, q) % q))
             due = [k for k in due if any(k % q == r for q, r in partners)]
-    zeros, modulus, residues = [], factor.zeros.modulus, factor.zeros.residues
-    check_residues(period, modulus, residues, parity)
+    zeros, modulus, residues = [], factor.zeros.modulus, set(factor.zeros.residues)
+    check_residues(period, modulus, factor.zeros.residues, parity)
     for k, one in each("judged", factor.judged, list(due)):
         equal(one, order=k)
         demand(one.vanishes is (k % modulus in residues), "the statement contradicts the verdict")

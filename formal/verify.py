@@ -307,6 +307,8 @@ CHECKS = {"classify 2": None, "family 2": "families", "remedy 2": "remedies", "f
           "loads 4": "evidence", "compare 4": "evidence"}
 
 def integer_of(text):
+    if len(text) > 5000:
+        raise ValueError("a whole number has more than 5,000 digits")
     return Decimal(text) if text == "-0" else int(text)
 
 def opened(path):

@@ -125,3 +125,63 @@ fn a_conductor_that_takes_long_to_factorise_is_refused() {
     let document = one_verdict(&["0".to_owned()], false, residue);
     assert!(reason(&document).to_string().contains("the conductor 999999999989 is not in 1..=1000000"));
 }
+
+/// Three tenths or nearly, in this many digits and as many again.
+fn three_tenths(digits: usize) -> Value {
+    json!(format!("3{}/1{}1", "0".repeat(digits - 1), "0".repeat(digits - 1)))
+}
+
+#[test]
+fn long_masses_are_paid_for_where_they_add_nothing() {
+    let none = json!({ "kind": "polygons", "polygons": [] });
+    let cylinder = json!({ "name": "", "throw": "0", "bank": "0", "position": "0", "reciprocating_mass": three_tenths(2400),
+        "crank_radius": "1", "rod": "unknown" });
+    let cylinders: Vec<Value> = (0..200).map(|name| with(&cylinder, "name", json!(name.to_string()))).collect();
+    let terms = vec![json!({ "angle": "0", "weight": "0" }); cylinders.len()];
+    let verdict = |sense: &str| {
+        json!({ "quantity": "moment", "order": 1, "sense": sense, "vanishes": true, "terms": terms, "modulus": 0.0,
+            "angle_deg": null, "certificate": none })
+    };
+    let document = json!({ "format": "crankstar classify 2", "title": "", "masses": "reciprocating", "orders": [1],
+        "quantities": ["moment"], "all_orders": false, "reference_plane": "0", "cylinders": cylinders, "turning_masses": [], "wholes": [],
+        "shapes": [{ "quantity": "moment", "order": 1, "shape": "balanced" }], "theorems": [],
+        "verdicts": [verdict("direct"), verdict("reverse")] });
+    assert_eq!(reason(&document), Reason::TooManySteps);
+
+    let cylinder =
+        json!({ "throw": "0", "bank": "0", "position": "0", "weight": three_tenths(2400), "rod": "unknown" });
+    let sum = |quantity: &str, sense: &str| json!({ "quantity": quantity, "order": 3, "sense": sense, "coefficient": "one", "terms": [], "certificate": none });
+    let of_quantity = |quantity| [sum(quantity, "direct"), sum(quantity, "reverse")];
+    let sums = [of_quantity("force"), of_quantity("moment")].concat();
+    let remedy = |cylinders: usize| {
+        json!({ "format": "crankstar remedy 2", "title": "", "masses": "all", "orders": [3], "quantities": ["force", "moment"],
+            "reference_plane": "0", "cylinders": vec![cylinder.clone(); cylinders], "turning_masses": [], "weights": [],
+            "sums": sums })
+    };
+    assert_eq!(reason(&remedy(200)), Reason::TooManySteps);
+    assert!(read_document(remedy(1).to_string().as_bytes()).expect("it reads").check().is_ok());
+}
+
+fn with(value: &Value, key: &str, to: Value) -> Value {
+    let mut value = value.clone();
+    value[key] = to;
+    value
+}
+
+#[test]
+fn long_lengths_of_rods_and_links_are_paid_for_at_every_point() {
+    let rods = "inline = { throws = [0, 0] }\nmechanism = { rod_ratio = [0.25, 0.3] }";
+    let link = "vee = { bank_angle = 60, throws = [0] }\nmechanism = { rod_ratio = 0.25 }\n\
+        articulated = { knuckle_ratio = 0.25, link_ratio = 0.3 }";
+    for (layout, order, place) in [(rods, 4, "/known/ratio"), (link, 100, "/link/ratio")] {
+        let layout = file::parse("engine", layout).expect("a layout");
+        let orders = judged(&layout, &[order], false);
+        let mut document = serde_json::to_value(document(&layout, &orders, false, None)).expect("JSON");
+        assert!(read_document(document.to_string().as_bytes()).expect("it reads").check().is_ok(), "{place}");
+        let cylinders = document["cylinders"].as_array_mut().expect("a list");
+        let rods = cylinders.iter_mut().map(|cylinder| &mut cylinder["rod"]);
+        let ratio = rods.filter_map(|rod| rod.pointer_mut(place)).next_back().expect("a ratio");
+        *ratio = three_tenths(2400);
+        assert_eq!(reason(&document), Reason::TooManySteps, "{place}");
+    }
+}

@@ -91,6 +91,11 @@ pub(super) fn steps_of(number: &BigRational) -> u64 {
     squared_words(number.numer()) + squared_words(number.denom())
 }
 
+/// Steps of a product of numbers: those of the longest.
+pub(super) fn steps_of_product<'a>(numbers: impl IntoIterator<Item = &'a BigRational>) -> u64 {
+    numbers.into_iter().map(steps_of).max().unwrap_or(1)
+}
+
 /// The square of the number of machine words.
 pub(super) fn squared_words(number: &BigInt) -> u64 {
     let words = number.bits() / 64 + 1;

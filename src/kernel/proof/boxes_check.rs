@@ -33,7 +33,7 @@ pub(super) fn check_boxes(claim: &BoxesClaim, left: &[Part<'_>], audit: &Audit) 
         let about = || format!("the zero about ({}, {})", zero.s, zero.t);
         torus.check_zero(zero).map_err(|reason| reason.within(about()))?;
         for other in &claim.zeros[..place] {
-            audit.spend(4)?;
+            audit.spend(steps_of_box(zero) + steps_of_box(other))?;
             let widths = &zero.reach + &other.reach;
             if apart(&zero.s, &other.s) <= widths && apart(&zero.t, &other.t) <= widths {
                 return Err("the boxes of two zeros meet".into());
@@ -143,7 +143,7 @@ impl<'a> Torus<'a> {
 
     fn demand_within(&self, place: &Place, zeros: &[BoxZeroClaim]) -> Result<(), Reason> {
         let (middle, half) = place.about();
-        self.audit.spend(4 * zeros.len() as u64)?;
+        self.audit.spend(zeros.iter().map(steps_of_box).sum())?;
         let is_within = |zero: &BoxZeroClaim| {
             let each = [&zero.s, &zero.t].into_iter().zip(&middle).zip(&half);
             each.into_iter().all(|((zero_at, here), half)| apart(zero_at, here) + half <= zero.reach)
@@ -243,6 +243,10 @@ fn multiples(left: &[Part<'_>], axis: usize, unit: &BigRational, audit: &Audit) 
 fn whole(vector: &Complex, times: i64) -> Complex {
     let part = |ball: &Ball| Ball { middle: &ball.middle * times, doubt: &ball.doubt * times.abs() };
     Complex { re: part(&vector.re), im: part(&vector.im) }
+}
+
+fn steps_of_box(zero: &BoxZeroClaim) -> u64 {
+    steps_of(&zero.s) + steps_of(&zero.t) + steps_of(&zero.reach)
 }
 
 /// How far two numbers of turns are from each other, modulo a turn.

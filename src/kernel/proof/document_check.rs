@@ -127,9 +127,9 @@ fn check_verdicts(document: &Document, audit: &Audit) -> Result<Vec<Judged>, Fau
     let mut judged = Vec::new();
     for &order in &document.orders {
         for &quantity in &document.quantities {
-            let sources = (document.cylinders.len() + document.turning_masses.len()) as u64;
-            let steps = sources.saturating_add(document.steps_of_links(order));
-            audit.spend(steps).map_err(|refusal| Fault::new(format!("order {order}"), refusal))?;
+            audit
+                .spend(document.steps_of_terms(order))
+                .map_err(|refusal| Fault::new(format!("order {order}"), refusal))?;
             let groups = document.groups(quantity, order);
             let is_alone = groups.len() == 1;
             let mut sums = Vec::new();

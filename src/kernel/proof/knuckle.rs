@@ -17,7 +17,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 use serde::{Deserialize, Serialize};
 
-use super::audit::Audit;
+use super::audit::{Audit, steps_of};
 use super::ball::{Ball, Complex};
 use super::enclosure::Circle;
 use super::fraction;
@@ -109,7 +109,7 @@ impl KnuckleClaim {
     /// The widest strip, about, where the root is analytic.
     fn strip(&self, audit: &Audit) -> Result<Strip, Refusal> {
         let circle = audit.circle(BITS);
-        audit.spend(u64::from(HALVINGS) * 2 * (circle.steps() + 64))?;
+        audit.spend(u64::from(HALVINGS) * 2 * (circle.steps() + 64 + self.steps()))?;
         let (mut inside, mut outside) = (BigRational::one(), self.master.recip());
         let grain = BigRational::from_integer(BigInt::one() << (2 * HALVINGS));
         for _ in 0..HALVINGS {
@@ -120,6 +120,11 @@ impl KnuckleClaim {
             if is_inside { inside = half } else { outside = half }
         }
         Strip::to(&inside)
+    }
+
+    /// Steps that its lengths take at a point.
+    fn steps(&self) -> u64 {
+        [&self.ratio, &self.knuckle, &self.master].into_iter().map(steps_of).sum()
     }
 
     /// `2k² L/r`.
@@ -148,7 +153,7 @@ impl KnuckleClaim {
         let (count, circle) = (2 * half, audit.circle(fine));
         let words = u64::from(fine / 64 + 1);
         audit.spend((half + 1).saturating_mul(circle.steps()))?;
-        audit.spend(count.saturating_mul(2 * words * words + 8))?;
+        audit.spend(count.saturating_mul(2 * words * words + self.steps()))?;
         let place = |j: u64| circle.direction(&BigRational::new(j.into(), count.into()));
         let table: Vec<Complex> = (0..=half).map(place).collect();
         let Complex { re: ahead, im: aside } = circle.direction(&self.apart);

@@ -9,14 +9,15 @@ use std::collections::BTreeSet;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
-use super::audit::{Audit, Fault, Reason};
+use super::audit::{Audit, Fault, Reason, steps_of};
 use super::coefficient::Coefficient;
 use super::collected::Collected;
 use super::judged::{Judged, JudgedGroup};
 use super::motion::Motion;
 use super::quantity::{Quantity, Sense};
+use super::refusal::Refusal;
 use super::remedy::RemedyDocument;
 use super::whole_sum::longest;
 
@@ -43,10 +44,13 @@ pub(super) fn check_left_out(document: &RemedyDocument, left: &[LeftOut], audit:
     if named.len() < document.left_out.len() || named != found {
         return Err(Fault::new("left_out", "it names orders and senses without a residual, or one of them twice"));
     }
-    let load: BigRational = document.cylinders.iter().map(|cylinder| &cylinder.weight).sum();
     let orders: BTreeSet<u32> = named.into_iter().map(|(order, _)| order).collect();
+    if orders.is_empty() {
+        return Ok(());
+    }
+    let loads = loads(document, audit).map_err(|refusal| Fault::new("left_out", refusal))?;
     for order in orders {
-        for (quantity, unit) in [(Quantity::FORCE, load.clone()), (Quantity::MOMENT, load_of_moment(document))] {
+        for (quantity, unit) in [Quantity::FORCE, Quantity::MOMENT].into_iter().zip(&loads) {
             let place = || format!("left_out (order {order}, {})", quantity.name());
             let of_order = left.iter().filter(|one| (one.quantity, one.order) == (quantity, order));
             let of_order: Vec<&LeftOut> = of_order.collect();
@@ -62,15 +66,22 @@ pub(super) fn check_left_out(document: &RemedyDocument, left: &[LeftOut], audit:
     Ok(())
 }
 
-/// The force of each piston times its distance from their centre of mass.
-fn load_of_moment(document: &RemedyDocument) -> BigRational {
-    let load: BigRational = document.cylinders.iter().map(|cylinder| &cylinder.weight).sum();
+/// The force of all pistons, and that of each times its distance from their centre of mass.
+fn loads(document: &RemedyDocument, audit: &Audit) -> Result<[BigRational; 2], Refusal> {
+    let sum = |arm: &dyn Fn(&BigRational) -> BigRational| {
+        document.cylinders.iter().try_fold(BigRational::zero(), |sum, cylinder| {
+            audit.spend(steps_of(&sum) + steps_of(&cylinder.weight) + steps_of(&cylinder.position))?;
+            Ok(sum + &cylinder.weight * arm(&cylinder.position))
+        })
+    };
+    let load = sum(&|_| BigRational::one())?;
     if load.is_zero() {
-        return load;
+        return Ok([load.clone(), load]);
     }
-    let first: BigRational = document.cylinders.iter().map(|cylinder| &cylinder.weight * &cylinder.position).sum();
-    let centre = first / load;
-    document.cylinders.iter().map(|cylinder| &cylinder.weight * (&cylinder.position - &centre).abs()).sum()
+    let centre = sum(&BigRational::clone)? / &load;
+    audit.spend((document.cylinders.len() as u64).saturating_mul(steps_of(&centre)))?;
+    let moment = sum(&|position| (position - &centre).abs())?;
+    Ok([load, moment])
 }
 
 /// The lengths of the vectors of both senses, added.

@@ -12,14 +12,14 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde::{Deserialize, Serialize};
 
-use super::audit::{Audit, squared_words};
+use super::audit::{Audit, steps_of};
 use super::ball::Ball;
 use super::collected::turn;
 use super::enclosure::Circle;
 use super::fraction;
 use super::knuckle::{KnuckleClaim, Part};
 use super::refusal::Refusal;
-use super::rod::RodClaim;
+use super::rod::{MOST_BITS, RodClaim};
 use super::vector::Vector;
 
 /// Bits that tell whether a link lets the crank turn round.
@@ -28,8 +28,6 @@ const BITS_OF_REACH: u32 = 128;
 const BITS_OF_SIZE: u32 = 64;
 /// Bits beyond those that are answered for.
 const GUARD: u32 = 64;
-/// More bits are not computed.
-const MOST_BITS: u64 = 8192;
 
 /// A link on a master rod without offset, whose knuckle pin is at the angle of its cylinder, or by a correction ahead of it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -97,9 +95,8 @@ impl LinkClaim {
 
     /// The steps that the terms of an order cost.
     pub(super) fn steps(&self, order: u32) -> u64 {
-        let bits = self.knuckle.numer().bits() + self.knuckle.denom().bits() + 1;
-        let words = u64::from(order).saturating_mul(bits) / 64 + 1;
-        words.saturating_mul(words).saturating_mul(u64::from(order) + 1)
+        let powers = steps_of_power(&self.knuckle, order).saturating_add(steps_of(&self.angle));
+        powers.saturating_mul(u64::from(order) + 1)
     }
 
     /// What the vector of its piston before the master's c_k is multiplied by.
@@ -173,6 +170,12 @@ pub(super) fn unsigned(angle: &BigRational) -> BigRational {
     if &part + &part > BigRational::one() { BigRational::one() - part } else { part }
 }
 
+/// Steps of a number to this power.
+fn steps_of_power(number: &BigRational, power: u32) -> u64 {
+    let words = u64::from(power).saturating_mul(number.numer().bits() + number.denom().bits() + 1) / 64 + 1;
+    words.saturating_mul(words)
+}
+
 impl LinkageClaim {
     /// Whether g_k is zero.
     pub(super) fn lacks(&self, order: u32) -> bool {
@@ -188,22 +191,19 @@ impl LinkageClaim {
         Ball::rational(&squares, bits).minus(&cos.scaled(&twice)).scaled(&ratio)
     }
 
-    /// `(r/L)^{k−1} d_m`, which g_k begins with.
-    fn first(&self, order: u32) -> BigRational {
-        let whole = |number: u32| BigRational::from_integer(number.into());
-        let mut first = whole(2) * whole(order) * whole(order) * &self.ratio;
-        for j in 1..=order / 2 {
-            // C(½,j) from C(½,j−1), over 4; and two more powers of r/L, of which there are k − 1 in all.
-            first *= (BigRational::new(3.into(), 2.into()) - whole(j)) / whole(4 * j);
-            if j > 1 {
-                first *= &self.ratio * &self.ratio;
-            }
-        }
-        first
+    /// `(r/L)^{k−1} d_m`, which g_k begins with: `C(½,m) = −(−1)^m C(2m,m) / (4^m (2m−1))`.
+    fn first(&self, order: u32, audit: &Audit) -> Result<BigRational, Refusal> {
+        audit.spend(steps_of_power(&self.ratio, order).saturating_add(u64::from(order).pow(2) / 64))?;
+        let m = order / 2;
+        let central = (1..=m).fold(BigInt::one(), |central, j| central * (4 * j - 2) / j);
+        let signed = if m % 2 == 1 { central } else { -central };
+        let of_series = BigRational::new(signed * order * order * 2, (BigInt::one() << (4 * m)) * (order - 1));
+        Ok(of_series * num_traits::pow(self.ratio.clone(), order as usize - 1))
     }
 
     /// The sum in brackets, in units of `2^−bits`.
     fn brackets(&self, order: u32, bits: u32, audit: &Audit) -> Result<Ball, Refusal> {
+        audit.spend(steps_of_power(&self.ratio, 4).saturating_add(steps_of_power(&self.knuckle, 4)))?;
         let (one, m) = (BigInt::one() << bits, BigInt::from(order / 2));
         let words = u64::from(bits / 64 + 1);
         let reach = self.reach(&audit.circle(bits), bits);
@@ -235,7 +235,7 @@ impl LinkageClaim {
             return Ok(0);
         }
         let brackets = self.brackets(order, BITS_OF_SIZE, audit)?;
-        let first = self.first(order).abs();
+        let first = self.first(order, audit)?.abs();
         let most = (brackets.middle + brackets.doubt).bits() + first.numer().bits() + 1;
         Ok((first.denom().bits() + u64::from(BITS_OF_SIZE)).saturating_sub(most))
     }
@@ -245,8 +245,7 @@ impl LinkageClaim {
         if self.lacks(order) {
             return Ok(Ball::exact(BigInt::zero()));
         }
-        let first = self.first(order);
-        audit.spend(squared_words(first.numer()) + squared_words(first.denom()))?;
+        let first = self.first(order, audit)?;
         let fine = u64::from(bits) + u64::from(GUARD) + first.ceil().to_integer().bits();
         let fine = u32::try_from(fine).ok().filter(|_| fine <= MOST_BITS).ok_or(Refusal::TooManySteps)?;
         Ok(self.brackets(order, fine, audit)?.scaled(&first).rounded(fine - bits))

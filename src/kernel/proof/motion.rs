@@ -80,8 +80,8 @@ pub fn coefficient_bounds(
 /// About how many bits below 1 a coefficient stands: enclosures start from there, and nothing rests on it.
 pub(super) fn smallness(coefficient: &Coefficient, order: u32, audit: &Audit) -> Result<u64, Refusal> {
     let strip = match coefficient {
-        Coefficient::Rod(rod) if rod.ratio.is_positive() => Strip::of_root(rod),
-        Coefficient::Torque(rod) if rod.ratio.is_positive() => Strip::of_velocity(rod),
+        Coefficient::Rod(rod) if rod.ratio.is_positive() => Strip::of_root(rod, audit),
+        Coefficient::Torque(rod) if rod.ratio.is_positive() => Strip::of_velocity(rod, audit),
         Coefficient::Linkage(linkage) => return linkage.smallness(order, audit),
         Coefficient::Geared(geared) => return smallness(&geared.of, geared.own_order(order), audit),
         Coefficient::Corrected(linkage) => return linkage.smallness(order, audit),
@@ -99,7 +99,7 @@ fn one(bits: u32) -> Complex {
 fn force(rod: &RodClaim, order: u32, bits: u32, audit: &Audit) -> Result<Complex, Refusal> {
     let (unit, k) = (BigRational::one(), BigInt::from(order));
     let harmonic = if rod.ratio.is_positive() {
-        let strip = Strip::of_root(rod)?;
+        let strip = Strip::of_root(rod, audit)?;
         let factor = BigRational::from_integer(&k * &k * 2) / &rod.ratio;
         let fine = finer(bits, &factor)?;
         let root = |cos: &Ball, _: &Ball| {
@@ -124,7 +124,7 @@ fn force(rod: &RodClaim, order: u32, bits: u32, audit: &Audit) -> Result<Complex
 
 /// t_k.
 fn torque(rod: &RodClaim, order: u32, bits: u32, audit: &Audit) -> Result<Complex, Refusal> {
-    let strip = Strip::of_velocity(rod)?;
+    let strip = Strip::of_velocity(rod, audit)?;
     let k = BigRational::from_integer(order.into());
     let fine = finer(bits, &(&k * BigRational::from_integer(strip.most.clone())))?;
     let square = |cos: &Ball, sin: &Ball| {

@@ -7,7 +7,6 @@
 //! are left, A not being 0, and where `4|A|² < |B|²` none, be A zero or not.
 
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
 
 use super::audit::{Audit, Reason, refuse_if, steps_of};
 use super::certificate::Certificate;
@@ -16,33 +15,35 @@ use super::circle::CircleClaim;
 use super::circle_check::check_whole;
 use super::classes_check::check_circle;
 use super::collected::{Collected, collect, difference_of_squares};
-use super::laurent::{Laurent, combined, doubled, left_of, of_powers, twice, value};
+use super::laurent::{self, Laurent, combined, doubled, left_of, of_powers, split, twice, value};
 use super::part::Part;
 use super::quadratic::{QuadraticClaim, RootClaim, RootsClaim};
 use super::triangle_check::check_count;
 use super::twist_check::check_signs;
-use super::unknown::{NOT_WHOLE, check_positive, whole_times};
 
 /// u may enter this many times in one class.
 const HIGHEST_TIMES: i64 = 512;
 
 /// Checks that the parts make these classes, and where they cancel.
 pub(super) fn check_quadratic(claim: &QuadraticClaim, left: &[Part<'_>], audit: &Audit) -> Result<(), Reason> {
-    let classes = classes(claim, left, audit)?;
-    let [difference, twist, polynomial] = polynomials(&classes, audit)?;
-    let coefficients = left_of(half(polynomial), &claim.coefficients, audit)?;
+    let u = [&claim.phi, &claim.delta];
+    let others = [&claim.second[..], &claim.third];
+    let (first, [second, third]) = split(others, u, left, -HIGHEST_TIMES..=HIGHEST_TIMES, audit)?;
+    let classes = [first, second, third];
+    let [mut difference, twist, polynomial] = polynomials(&classes, audit)?;
+    let coefficients = left_of(polynomial.into_iter(), &claim.coefficients, audit)?;
     let is_constant = coefficients.iter().all(|(power, _)| *power == 0);
     refuse_if(is_constant && claim.twist.is_some(), "the polynomial is constant, so that no twist belongs here")?;
     if coefficients.is_empty() {
         // The certificates say of each coefficient of D whether it is zero; D + E x = 0 says the rest.
-        left_of(half(difference), &claim.lengths, audit)?;
+        left_of(difference.split_off(&0).into_iter(), &claim.lengths, audit)?;
         return match claim.circle.is_none() && claim.roots.is_empty() {
             true => Ok(()),
             false => Err("there is no circle, and there are no roots, where every coefficient is zero".into()),
         };
     }
     if claim.twist.is_some() {
-        if !left_of(half(difference), &claim.lengths, audit)?.is_empty() {
+        if !left_of(difference.split_off(&0).into_iter(), &claim.lengths, audit)?.is_empty() {
             return Err("first and third class are not equally long for every angle".into());
         }
     } else if !claim.lengths.is_empty() {
@@ -54,7 +55,6 @@ pub(super) fn check_quadratic(claim: &QuadraticClaim, left: &[Part<'_>], audit: 
         None => Err("where the polynomial vanishes is not said".into()),
         Some(_) if is_constant => Err("there is no circle where the polynomial is constant".into()),
         Some(circle) => {
-            let u = [&claim.phi, &claim.delta];
             match &claim.twist {
                 None => check_circle(u, circle, coefficients, audit)?,
                 Some(claim) => {
@@ -70,53 +70,11 @@ pub(super) fn check_quadratic(claim: &QuadraticClaim, left: &[Part<'_>], audit: 
     }
 }
 
-/// A, B and C.
-fn classes(claim: &QuadraticClaim, left: &[Part<'_>], audit: &Audit) -> Result<[Laurent; 3], Reason> {
-    let u = [&claim.phi, &claim.delta];
-    check_positive(u)?;
-    for class in [&claim.second, &claim.third] {
-        if !class.iter().all(|place| *place < left.len()) || !class.is_sorted_by(|a, b| a < b) {
-            return Err("a class is not a rising list of places of parts that do not vanish".into());
-        }
-    }
-    refuse_if(claim.second.iter().any(|place| claim.third.contains(place)), "a part is in two classes")?;
-    let is_first = |place: &usize| !claim.second.contains(place) && !claim.third.contains(place);
-    let first: Vec<usize> = (0..left.len()).filter(is_first).collect();
-    let (Some(&start), Some(&other), Some(_)) = (first.first(), claim.second.first(), claim.third.first()) else {
-        return Err("a class is empty".into());
-    };
-    let v = left[other].turned_against(&left[start]);
-    refuse_if(&v[0] * u[1] == &v[1] * u[0], "the classes are not turned against each other by an angle on its own")?;
-    let of_class = |places: &[usize], turns: i64| -> Result<Laurent, Reason> {
-        let mut class = Laurent::new();
-        let turns = BigRational::from_integer(turns.into());
-        for &place in places {
-            let apart = left[place].turned_against(&left[start]);
-            audit.spend(steps_of(&apart[0]) + steps_of(&apart[1]))?;
-            let against = [0, 1].map(|axis: usize| &apart[axis] - &v[axis] * &turns);
-            let times = whole_times(&against, u).ok_or(NOT_WHOLE)?;
-            let times = times.to_i64().filter(|times| times.abs() <= HIGHEST_TIMES);
-            let times = times.ok_or_else(|| format!("u enters more than {HIGHEST_TIMES} times"))?;
-            if class.insert(times, left[place].sum().clone()).is_some() {
-                return Err("two parts of a class are turned alike".into());
-            }
-        }
-        Ok(class)
-    };
-    Ok([of_class(&first, 0)?, of_class(&claim.second, 1)?, of_class(&claim.third, 2)?])
-}
-
-/// The coefficients of `y^m` in a real polynomial, m from 0 on.
-fn half(polynomial: Laurent) -> impl ExactSizeIterator<Item = (i64, Collected)> {
-    let half: Vec<(i64, Collected)> = polynomial.into_iter().filter(|(power, _)| *power >= 0).collect();
-    half.into_iter()
-}
-
 /// D, E and `D² − |E|²`.
 fn polynomials([first, second, third]: &[Laurent; 3], audit: &Audit) -> Result<[Laurent; 3], Reason> {
     let difference = combined([(first, first), (third, third)], audit)?;
     let twist = combined([(first, second), (second, third)], audit)?;
-    let polynomial = combined([(&difference, &difference), (&twist, &twist)], audit)?;
+    let polynomial = laurent::difference(&difference, &twist, audit)?;
     Ok([difference, twist, polynomial])
 }
 

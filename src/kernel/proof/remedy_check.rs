@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::audit::{Audit, Fault, Reason, refuse_if};
+use super::audit::{Audit, Fault, Reason, refuse_if, steps_of_product};
 use super::check::certify;
 use super::checked::Checked;
 use super::coefficient::{Coefficient, Factor};
@@ -154,7 +154,11 @@ impl RemedyDocument {
             let vectors = parts.iter().map(|part| turned(angle, weight, part, Some(sense)));
             vectors.map(|vector| (vector.angle, vector.weight)).collect()
         };
-        audit.spend((self.cylinders.len() + self.turning_masses.len() + self.weights.len()) as u64)?;
+        let cylinders = self.cylinders.iter().map(|one| [&one.weight, &one.knuckle_weight, &one.position]);
+        let turning = self.turning_masses.iter().map(|one| [&one.mass_radius, &one.position]);
+        let weights = self.weights.iter().map(|one| steps_of_product([&one.position]));
+        let sources = cylinders.map(steps_of_product).chain(turning.map(steps_of_product)).chain(weights);
+        audit.spend(sources.fold(0, u64::saturating_add))?;
         let do_rods_differ = differ(self.cylinders.iter().map(|cylinder| &cylinder.rod));
         for cylinder in &self.cylinders {
             let Some(own) = own_order(cylinder.speed, order) else { continue };
@@ -189,6 +193,7 @@ impl RemedyDocument {
         for weight in self.weights.iter().filter(|weight| (weight.order, weight.sense) == (order, sense)) {
             let share = &double * arm(&weight.position);
             for part in &weight.parts {
+                audit.spend(part.terms.iter().map(|term| steps_of_product([&term.weight, &share])).sum())?;
                 let terms = part.terms.iter().map(|term| (term.angle.clone(), &term.weight * &share));
                 sums.entry(part.coefficient.clone()).or_default().extend(terms);
             }

@@ -13,7 +13,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 use serde::{Deserialize, Serialize};
 
-use super::audit::Audit;
+use super::audit::{Audit, steps_of};
 use super::ball::{Ball, Complex};
 use super::fraction;
 use super::refusal::Refusal;
@@ -25,7 +25,7 @@ const LOG_BITS: u32 = 40;
 /// Bits that are computed beyond those that are answered for.
 const GUARD: u64 = 32;
 /// More bits are not computed.
-const MOST_BITS: u64 = 8192;
+pub(super) const MOST_BITS: u64 = 8192;
 /// A wider strip than to this q makes the bound of the velocity large and saves nothing.
 const WIDEST: u32 = 256;
 
@@ -41,6 +41,14 @@ pub struct RodClaim {
     pub offset: BigRational,
 }
 
+impl RodClaim {
+    /// Steps that its lengths take once, which are spent.
+    fn steps(&self, audit: &Audit) -> Result<u64, Refusal> {
+        let steps = steps_of(&self.ratio) + steps_of(&self.offset);
+        audit.spend(steps).map(|()| steps)
+    }
+}
+
 /// The bits that a factor of this size takes from those that are asked for.
 pub(super) fn finer(bits: u32, factor: &BigRational) -> Result<u32, Refusal> {
     let fine = u64::from(bits) + GUARD + factor.ceil().to_integer().bits();
@@ -53,17 +61,20 @@ pub(super) struct Strip {
     log: u64,
     /// M.
     pub most: BigInt,
+    /// Steps that the lengths of the rod take at a point.
+    steps: u64,
 }
 
 impl Strip {
     /// Of the root: `λ cosh η + |δ| ≤ 1`.
-    pub fn of_root(rod: &RodClaim) -> Result<Self, Refusal> {
-        Strip::to(&((BigRational::one() - rod.offset.abs()) / &rod.ratio))
+    pub fn of_root(rod: &RodClaim, audit: &Audit) -> Result<Self, Refusal> {
+        let steps = rod.steps(audit)?;
+        Ok(Strip { steps, ..Strip::to(&((BigRational::one() - rod.offset.abs()) / &rod.ratio))? })
     }
 
     /// To this cosh η, where the function is a root whose radicand keeps to the right half plane and is at most 2 in size.
     pub fn to(cosh: &BigRational) -> Result<Self, Refusal> {
-        Ok(Strip { log: logarithm(&widest(cosh))?, most: 2.into() })
+        Ok(Strip { log: logarithm(&widest(cosh))?, most: 2.into(), steps: 0 })
     }
 
     /// What the mean over as many points misses of a harmonic, in units of the bits that they were counted for.
@@ -78,14 +89,15 @@ impl Strip {
     }
 
     /// Of the velocity: `λ cosh η + |δ| ≤ s`, half-way between the most on the axis and 1.
-    pub fn of_velocity(rod: &RodClaim) -> Result<Self, Refusal> {
+    pub fn of_velocity(rod: &RodClaim, audit: &Audit) -> Result<Self, Refusal> {
+        let steps = rod.steps(audit)?;
         let one = BigRational::one();
         let s = (&one + &rod.ratio + rod.offset.abs()) / BigRational::from_integer(2.into());
         let cap = BigInt::from(WIDEST) << Q_BITS;
         let q = if rod.ratio.is_positive() { widest(&((&s - rod.offset.abs()) / &rod.ratio)).min(cap) } else { cap };
         let exact = BigRational::new(q.clone(), BigInt::one() << Q_BITS);
         let most = &exact * &exact * BigRational::from_integer(2.into()) / (&one - &s * &s);
-        Ok(Strip { log: logarithm(&q)?, most: most.ceil().to_integer() })
+        Ok(Strip { log: logarithm(&q)?, most: most.ceil().to_integer(), steps })
     }
 
     /// `log₂ q^k`, or a little less.
@@ -105,7 +117,7 @@ impl Strip {
         let half = self.half_of_points(order, bits);
         let (count, circle) = (2 * half, audit.circle(bits));
         let words = u64::from(bits / 64 + 1);
-        audit.spend((half + 1).saturating_mul(circle.steps() + words * words / 2 + 4))?;
+        audit.spend((half + 1).saturating_mul(circle.steps() + words * words / 2 + self.steps))?;
         let place = |j: u64| circle.direction(&BigRational::new(j.into(), count.into()));
         let table: Vec<Complex> = (0..=half).map(place).collect();
         let mut sums = [Ball::exact(0.into()), Ball::exact(0.into())];

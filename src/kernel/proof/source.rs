@@ -6,6 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use super::audit::steps_of_product;
 use super::coefficient::{Coefficient, Factor};
 use super::document::Document;
 use super::engine::{Cylinder, Masses, RodStatement, TurningMassClaim};
@@ -157,10 +158,16 @@ impl Document {
         heavy.filter_map(|cylinder| Some((cylinder, cylinder.rod.link()?)))
     }
 
-    /// The steps that the terms of all links cost in an order.
-    pub(super) fn steps_of_links(&self, order: u32) -> u64 {
-        let links = self.cylinders.iter().filter_map(|cylinder| cylinder.rod.link());
-        links.fold(0, |steps, link| link.steps(order).saturating_add(steps))
+    /// The steps that the terms of an order cost in all, be they zero or not.
+    pub(super) fn steps_of_terms(&self, order: u32) -> u64 {
+        let of_cylinder = |one: &Cylinder| {
+            let of_link = one.rod.link().map_or(0, |link| link.steps(order));
+            let numbers = [&one.reciprocating_mass, &one.knuckle_weight, &one.crank_radius, &one.position];
+            steps_of_product(numbers).saturating_add(of_link)
+        };
+        let cylinders = self.cylinders.iter().map(of_cylinder);
+        let turning = self.turning_masses.iter().map(|one| steps_of_product([&one.mass_radius, &one.position]));
+        cylinders.chain(turning).fold(0, u64::saturating_add)
     }
 }
 

@@ -23,6 +23,7 @@ pub(super) fn check_theorem(document: &Document, claim: &TheoremClaim, audit: &A
         let (quantity, order) = (claim.quantity, verdict.order);
         let groups = document.groups(quantity, order);
         let [group] = &groups[..] else { return Err(format!("order {order} has {} sums", groups.len()).into()) };
+        audit.spend(document.steps_of_terms(order))?;
         let terms = document.terms(group, quantity, order, Some(claim.sense));
         let sum = collect(terms.into_iter().map(|(_, term)| (term.angle, term.weight)), audit)?;
         certify(&sum, verdict.vanishes, &verdict.certificate, audit)

@@ -13,6 +13,7 @@ use super::judged::{Judged, JudgedGroup};
 use super::motion::{Motion, smallness};
 use super::quantity::{Quantity, Sense};
 use super::refusal::Refusal;
+use super::rod::MOST_BITS;
 
 /// The bits that what is not decided is enclosed with.
 const BITS_OF_DOUBT: u32 = 256;
@@ -169,7 +170,8 @@ impl Enclosure {
             .map(|(group, _)| smallness(&group.coefficient, judged.order, motion.audit()))
             .collect::<Result<_, Refusal>>()?;
         let below_one = smallness.into_iter().min().unwrap_or_default();
-        let bits = below_one.checked_add(u64::from(bits) + GUARD).and_then(|bits| u32::try_from(bits).ok());
+        let bits = below_one.checked_add(u64::from(bits) + GUARD).filter(|bits| *bits <= MOST_BITS);
+        let bits = bits.and_then(|bits| u32::try_from(bits).ok());
         let sums = left.iter().map(|(group, sense)| &group.sums[*sense].0);
         Ok(Enclosure { bits: bits.ok_or(Reason::TooManySteps)?, scale: scale(sums, motion.audit())?, below_one })
     }
