@@ -1,8 +1,10 @@
 //! Are claims in newtons, on torques and on unequal rods answered by what decides them?
 
 use crankstar::claim::{self, Condition, Status};
-use crankstar::engine::Engine;
-use crankstar::file;
+use crankstar::engine::{Engine, Rod};
+use crankstar::{file, loads};
+use num_rational::BigRational;
+use num_traits::Zero;
 
 fn status(layout: &Engine, says: &str) -> Status {
     claim::answer(layout, &claim::parse_statement(says).unwrap_or_else(|_| panic!("not read: {says}")), None).status
@@ -271,4 +273,71 @@ fn tolerances_and_digits_of_angles_are_in_the_unit_of_the_angle() {
     ] {
         assert_eq!(status(&eight, &format!("first-order moment = √10 at {angle}")), wanted, "{angle}");
     }
+}
+
+/// One to three in line of 0.4 kg and 40 mm, their rods as given.
+fn of_rods(throws: &str, rods: &str) -> Engine {
+    let text = format!(
+        "speed = 5000\ninline = {{ throws = {throws}, spacing = '90 mm' }}\n[mechanism]\ncrank_radius = '40 mm'\n\
+         reciprocating_mass = '0.4 kg'\n{rods}\n"
+    );
+    file::parse("rods.toml", &text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn newtons_of_offset_and_endless_rods_are_those_of_their_loads() {
+    for throws in ["[0]", "[0, 180]", "[0, 120, 240]"] {
+        for rods in [
+            "rod_length = '140 mm'\npin_offset = '12.5 mm'",
+            "rod_length = '140 mm'\npin_offset = '-30 mm'",
+            "rod_length = '140 mm'",
+            "scotch_yoke = true",
+        ] {
+            let engine = of_rods(throws, rods);
+            let loads = loads::loads(&engine, &[1, 2, 3, 4]).expect("numbers");
+            let unit = loads::scale(&engine).expect("a scale").force();
+            for order in &loads.orders {
+                for (name, unit_name, swing) in [("force", "N", &order.force), ("moment", "N·m", &order.moment)] {
+                    let size = swing.largest() * unit;
+                    let says = |size: f64| format!("order {} {name} = {size:.4} {unit_name}", order.order);
+                    assert_eq!(status(&engine, &says(size)), Status::True, "{rods} {throws}: {}", says(size));
+                    assert_eq!(status(&engine, &says(size + 3.0)), Status::False, "{rods} {throws}: {}", says(size));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn numbers_of_a_claim_which_know_no_offset_decide_nothing_of_offset_rods() {
+    let numbers = || claim::Numbers {
+        reciprocating_mass: BigRational::new(2.into(), 5.into()),
+        crank_radius: BigRational::new(1.into(), 25.into()),
+        rod: Rod { ratio: BigRational::new(2.into(), 7.into()), offset: BigRational::zero() },
+        speed: BigRational::from_integer(5000.into()),
+        spacing: None,
+    };
+    let answer = |rods: &str, says: &str| {
+        let statement = claim::parse_statement(says).expect("a claim");
+        claim::answer(&of_rods("[0]", rods), &statement, Some(&numbers())).status
+    };
+    let centric = "order 1 force = 4386.5 N";
+    assert_eq!(answer("rod_length = '140 mm'", centric), Status::True);
+    assert_eq!(answer("rod_length = '140 mm'\npin_offset = '30 mm'", centric), Status::NotDecided);
+}
+
+#[test]
+fn a_multiple_of_m_r_omega_squared_alone_is_no_multiple_of_the_c_1_of_an_offset_rod() {
+    let offset = "rod_length = '140 mm'\npin_offset = '30 mm'";
+    for (rods, says, wanted) in [
+        (offset, "first-order force = 1 m r ω²", Status::NotDecided),
+        (offset, "first-order direct force = 1/2 m r ω²", Status::NotDecided),
+        (offset, "first-order force = 1 m r ω² c_1", Status::True),
+        ("rod_length = '140 mm'", "first-order force = 1 m r ω²", Status::True),
+        ("rod_length = '140 mm'", "first-order direct force = 1/2 m r ω²", Status::True),
+    ] {
+        assert_eq!(status(&of_rods("[0]", rods), says), wanted, "{rods}: {says}");
+    }
+    // Nothing is nothing in every multiple.
+    assert_eq!(status(&of_rods("[0, 180]", offset), "first-order force = 0 m r ω²"), Status::True);
 }

@@ -172,8 +172,8 @@ fn with(value: &Value, key: &str, to: Value) -> Value {
 fn long_lengths_of_rods_and_links_are_paid_for_at_every_point() {
     let rods = "inline = { throws = [0, 0] }\nmechanism = { rod_ratio = [0.25, 0.3] }";
     let link = "vee = { bank_angle = 60, throws = [0] }\nmechanism = { rod_ratio = 0.25 }\n\
-        articulated = { knuckle_ratio = 0.25, link_ratio = 0.3 }";
-    for (layout, order, place) in [(rods, 4, "/known/ratio"), (link, 100, "/link/ratio")] {
+        articulated = { master = 1, knuckle_ratio = 0.25, link_ratio = 0.3 }";
+    for (layout, order, place) in [(rods, 200, "/known/ratio"), (link, 100, "/link/ratio")] {
         let layout = file::parse("engine", layout).expect("a layout");
         let orders = judged(&layout, &[order], false);
         let mut document = serde_json::to_value(document(&layout, &orders, false, None)).expect("JSON");

@@ -1,6 +1,7 @@
 //! What does a claims file hold? TOML: claims, published statements with the claims they rest on, students' tables.
 
 use num_rational::BigRational;
+use num_traits::Zero;
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
@@ -11,7 +12,7 @@ use super::provenance::{Keys, Provenance};
 use super::sentence::parse_statement;
 use super::statement::Statement;
 use super::student::{self, StarTable, Verdict};
-use crate::engine::Engine;
+use crate::engine::{Engine, Rod};
 use crate::file::quantities::positive;
 use crate::file::written::{Table, Text, place};
 use crate::file::{Kind, LayoutError, units};
@@ -188,10 +189,12 @@ fn claim(table: &ClaimTable, around: Keys, find: Find) -> Result<Claim, LayoutEr
 }
 
 fn numbers(table: &NumbersTable) -> Result<Numbers, LayoutError> {
+    let crank_radius = positive(&table.crank_radius, "crank radius", units::metres)?;
+    let ratio = &crank_radius / positive(&table.rod_length, "rod length", units::metres)?;
     Ok(Numbers {
+        rod: Rod { ratio, offset: BigRational::zero() },
+        crank_radius,
         reciprocating_mass: positive(&table.reciprocating_mass, "mass", units::mass)?,
-        crank_radius: positive(&table.crank_radius, "crank radius", units::metres)?,
-        rod_length: positive(&table.rod_length, "rod length", units::metres)?,
         speed: positive(&table.speed, "speed", revolutions)?,
         spacing: table.spacing.as_ref().map(|text| positive(text, "spacing", units::metres)).transpose()?,
     })

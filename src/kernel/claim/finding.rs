@@ -62,8 +62,8 @@ pub enum Finding {
 /// A largest value in newtons or newton-metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Absolute {
-    /// With the first term of the series of c_k alone, as textbooks take it: c_2 = r/l.
-    pub first_term: f64,
+    /// With the first term of the series of c_k alone, as textbooks take it: c_2 = r/l; none in order 1, nor with an offset.
+    pub first_term: Option<f64>,
     /// With the whole series.
     pub whole: f64,
 }

@@ -183,7 +183,7 @@ fn predicate(text: &str, subject: Subject) -> Result<Predicate, ClaimError> {
                 None if named.spacing => Some(Unit::Spacing),
                 unit => unit,
             };
-            Ok(Predicate::Equals(Value { unit, ..value }, direction))
+            Ok(Predicate::Equals(Value { unit, is_bare: named.is_bare, ..value }, direction))
         }
         _ => Err(ClaimError::new(format!("`{text}` is not understood"), right)),
     }

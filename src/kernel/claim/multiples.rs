@@ -14,6 +14,8 @@ pub(super) struct Named {
     pub multiple: bool,
     /// The spacing a.
     pub spacing: bool,
+    /// m r ω² without c_k.
+    pub is_bare: bool,
 }
 
 /// The value with its tolerance, without the names of the multiples that values are counted in, and which they were.
@@ -40,6 +42,7 @@ fn plain<'a>(text: &'a str, subject: Subject, named: &mut Named) -> Result<&'a s
     let force = FORCES.iter().find_map(|force| behind(left, force));
     named.spacing |= arm.is_some();
     named.multiple |= force.or(coefficient).is_some();
+    named.is_bare |= force.is_some() && coefficient.is_none();
     match force {
         // What is printed in m r ω² alone has its coefficient in the number, which the rod decides.
         Some(_) if coefficient.is_none() && subject.order > 1 => Err(ClaimError::new(

@@ -15,7 +15,7 @@ use super::statement::{Angle, Predicate, Subject, Unit, Value};
 use crate::engine::{Engine, LengthUnit};
 use crate::exact::PhasorSum;
 use crate::numbers;
-use crate::proof::{Quantity, Shape};
+use crate::proof::{Masses, Quantity, Shape};
 use crate::verdict::{self, Balance, OrderBalance, Verdict};
 
 /// The vectors that a claim is about: both, or one and nothing.
@@ -51,6 +51,8 @@ impl<'a> Vectors<'a> {
     }
 }
 
+const BARE: &str = "`m r ω²` leaves c_1 to the pin offset: claim the multiple of m r ω² c_1, or newtons";
+
 /// Answers a claim about one order.
 pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
     if subject.quantity == Quantity::TORQUE {
@@ -72,12 +74,16 @@ pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, n
         Predicate::Is(_) => Status::False,
         Predicate::Plane(angle) => direction(&vectors, angle, true, &mut evidence),
         Predicate::Equals(value, angle) => {
+            let is_of_pistons = matches!(subject.masses, Masses::Reciprocating | Masses::All);
             let size = match value.unit {
+                _ if value.is_bare && is_of_pistons && !engine.is_centric() && !vectors.vanish() => Err(BARE),
                 None => Ok(largest(&vectors, subject, value)),
                 Some(Unit::Spacing) => in_spacings(engine, value).map(|value| largest(&vectors, subject, &value)),
                 Some(Unit::Newton | Unit::NewtonMetre) => absolute::answer(engine, subject, &order, value, numbers)
                     .map(|(status, absolute)| {
-                        finding = Finding::Absolute(Box::new(order.clone()), absolute);
+                        if !vectors.vanish() {
+                            finding = Finding::Absolute(Box::new(order.clone()), absolute);
+                        }
                         (status, Vec::new())
                     }),
             };
@@ -167,7 +173,8 @@ fn in_spacings(engine: &Engine, value: &Value) -> Result<Value, &'static str> {
     let spacing = spacing(engine).ok_or(
         "`a` is the spacing from each cylinder to the next, and those of the layout are not equally far apart: claim the moment in metres, without `a`",
     )?;
-    Ok(Value { form: value.form.scaled(&spacing), tolerance: value.tolerance.clone().times(&spacing), unit: None })
+    let tolerance = value.tolerance.clone().times(&spacing);
+    Ok(Value { form: value.form.scaled(&spacing), tolerance, unit: None, ..*value })
 }
 
 /// The spacing a in the unit of the positions: in metres what lies between each position and the next, where that is the same.

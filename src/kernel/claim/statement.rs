@@ -226,6 +226,8 @@ pub struct Value {
     pub tolerance: Tolerance,
     /// Newtons, newton-metres or spacings; none counts in m r ω² c_k and the unit of the positions.
     pub unit: Option<Unit>,
+    /// Whether m r ω² is named without c_1.
+    pub is_bare: bool,
 }
 
 /// A direction as claimed.

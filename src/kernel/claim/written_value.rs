@@ -47,7 +47,7 @@ pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value
         Some(text) => self::tolerance(text)?.times(&size(of_tolerance.or(unit))),
         None => size_unstated(number, about).times(&size(unit)),
     };
-    Ok(Value { form: form.scaled(&size(unit)), tolerance, unit: unit.map(|(unit, _)| unit) })
+    Ok(Value { form: form.scaled(&size(unit)), tolerance, unit: unit.map(|(unit, _)| unit), is_bare: false })
 }
 
 /// A number without its unit, and the unit.
@@ -69,7 +69,7 @@ pub(super) fn kilograms(text: &str, about: bool) -> Result<Value, ClaimError> {
         Some(text) => self::tolerance(text.strip_suffix("kg").unwrap_or(text))?,
         None => size_unstated(number, about),
     };
-    Ok(Value { form: Form::rational(mass), tolerance, unit: None })
+    Ok(Value { form: Form::rational(mass), tolerance, unit: None, is_bare: false })
 }
 
 /// `30°`, `-18.43° ± 0.01°`, `1/12 turn`, `-arctan(1/3)`.

@@ -176,8 +176,9 @@ fn sense(verdict: &Verdict) -> &'static str {
 fn in_newtons(subject: Subject, absolute: &Absolute) -> Text {
     let unit = if subject.quantity == Quantity::MOMENT { Unit::NEWTON_METRE } else { Unit::NEWTON };
     let value = |value: f64| Text::measured_in(value, unit);
-    match subject.order {
-        1 => text::in_newtons(value(absolute.whole)),
-        _ => text::by_first_term(value(absolute.first_term), value(absolute.whole)),
+    let whole = value(absolute.whole);
+    match absolute.first_term {
+        None => text::in_newtons(whole),
+        Some(first) => text::by_first_term(value(first), whole),
     }
 }
