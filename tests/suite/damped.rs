@@ -409,6 +409,20 @@ fn half_the_range_of_orders_is_that_of_their_sum() {
 }
 
 #[test]
+fn half_the_range_is_found_where_many_tops_are_nearly_alike() {
+    for [first, second] in [[-117.0_f64, 124.0], [30.0, 75.0], [0.0, 10.0], [200.0, 303.0], [77.0, -12.0]] {
+        // Orders 12 and 23/2 beat once in two turns: their tops near each other are nearly alike.
+        let [v, w] = [first, second].map(|degrees| 100.0 * Complex::cis(degrees.to_radians()));
+        let both = [(order(24), v), (order(23), w)];
+        let sum = |half: f64| (v * Complex::cis(24.0 * half) + w * Complex::cis(23.0 * half)).re;
+        let values = (0..200_000).map(|index| sum(f64::from(index) * std::f64::consts::TAU / 200_000.0));
+        let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
+        let range = half_range(&both);
+        assert!((range - 0.5 * (high - low)).abs() < 1e-4, "{first} {second}: {range} {}", 0.5 * (high - low));
+    }
+}
+
+#[test]
 fn modes_of_random_trees_satisfy_their_equations() {
     let mut dice = Dice::new(31);
     for _ in 0..40 {
