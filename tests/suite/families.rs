@@ -321,3 +321,22 @@ fn three_parts_of_which_two_are_mirror_images_vanish_where_a_cosine_says_so() {
         }
     }
 }
+
+#[test]
+fn an_order_that_no_piston_has_is_said_to_be_missing_and_is_nowhere_large() {
+    let text = |rods: &str| {
+        let layout = format!("vee = {{ bank_angle = \"phi\", throws = [0, 120, 240] }}\nmechanism = {{ {rods} }}\n");
+        let family = open(&layout);
+        let orders = family::classify(&family, &[1, 3, 4]).expect("orders");
+        let told = pages::text(&report::family_answer(&family, &orders), Format::PLAIN);
+        (orders, told)
+    };
+    for rods in ["rod_ratio = 0.3", "scotch_yoke = true"] {
+        let (orders, told) = text(rods);
+        assert!(orders[1].force.iter().chain(&orders[1].moment).all(OpenVerdict::always), "{rods}");
+        assert_eq!(told.matches("does not exist").count(), if rods.contains("yoke") { 8 } else { 4 }, "{rods}: {told}");
+        assert!(!told.contains("at order 3") && !told.contains("(order 3)"), "{rods}: {told}");
+    }
+    let (orders, told) = text("crank_radius = 1, rod_length = 4, pin_offset = 0.5");
+    assert!(!orders[1].force[0].always() && !told.contains("does not exist"), "{told}");
+}

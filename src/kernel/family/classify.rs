@@ -31,7 +31,8 @@ fn verdict(family: &Family, quantity: Planar, order: u32, sense: Sense) -> OpenV
         .iter()
         .map(|cylinder| (phase(cylinder, order, sense), weight(family, cylinder, quantity)))
         .collect();
-    OpenVerdict { quantity, order, sense, sums: sums_of(&terms) }
+    let exists = family.pistons_have_order(quantity.into(), order);
+    OpenVerdict { quantity, order, sense, sums: sums_of(&terms), exists }
 }
 
 /// What a cylinder's vector weighs.

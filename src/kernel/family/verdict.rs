@@ -33,17 +33,19 @@ pub struct OpenVerdict {
     pub sense: Sense,
     /// One sum per length; none where no term has a weight.
     pub sums: Vec<OpenSum>,
+    /// Whether some piston has the order: it is 0 else, whatever its sums are.
+    pub exists: bool,
 }
 
 impl OpenVerdict {
     /// Whether it vanishes for all angles and lengths.
     pub fn always(&self) -> bool {
-        self.sums.iter().all(|sum| matches!(sum.when, When::Always))
+        !self.exists || self.sums.iter().all(|sum| matches!(sum.when, When::Always))
     }
 
     /// Whether it vanishes for no angle, whatever the lengths are.
     pub fn never(&self) -> bool {
-        self.sums.iter().any(|sum| matches!(sum.when, When::Never(_)))
+        self.exists && self.sums.iter().any(|sum| matches!(sum.when, When::Never(_)))
     }
 }
 

@@ -20,7 +20,7 @@ pub(super) use words::{argument, condition_of, summary};
 
 use super::convention::{differs, seen};
 use super::moving;
-use crate::engine::{DELTA, Family, PHI};
+use crate::engine::{DELTA, Family, PHI, WHY_NOT};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
 use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::Planar;
@@ -164,6 +164,7 @@ pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
             return Some(text::vanishes_at(verdict.sense, verdict.quantity, verdict.order, words::list(&angles)));
         }
         let [OpenSum { when, .. }] = verdict.sums.as_slice() else { return None };
+        verdict.exists.then_some(())?;
         let zeros = match when {
             When::Cosine(found) => words::cosine(found),
             When::Circle(circle) if circle.is_complete() => circle_words::zeros(circle)?,
@@ -178,6 +179,9 @@ pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
 
 /// Each vector of an order with its argument, and the certificates.
 fn proofs(order: &OpenOrder) -> Vec<Block> {
+    if !order.force[0].exists {
+        return vec![Block::Paragraph(WHY_NOT.into())];
+    }
     let argued = order.force.iter().chain(&order.moment).map(|verdict| {
         let none = verdict.sums.is_empty().then(text::no_weight);
         let sums = verdict.sums.iter().map(words::argument).chain(none).chain(words::left_sentence(verdict));

@@ -52,12 +52,12 @@ fn angles(orders: &[OpenOrder]) -> Option<BTreeSet<Turn>> {
     }
 }
 
-/// What remains of order 2 at an angle; none where lengths are open besides.
+/// What remains of order 2 at an angle; none where lengths are open besides, or no piston has the order.
 fn remains(family: &Family, angle: &Turn) -> Option<Text> {
     let values = BTreeMap::from([(PHI.to_owned(), angle.turns().clone())]);
     let member = family.with(&values).ok()?.only()?.ok()?;
     let judged = Judgement::new(&member, &[2], &[Quantity::FORCE, Quantity::MOMENT]).ok()?;
-    let second = judged.orders.first().filter(|order| order.parts.len() == 1)?;
+    let second = judged.orders.first().filter(|order| matches!(&order.parts[..], [only] if only.exists))?;
     let [force, moment] = residual::whole(second);
     Some(match (force.is_zero(), moment.is_zero()) {
         (true, true) => text::second_balanced(),

@@ -8,7 +8,7 @@ use num_traits::{One, Signed, Zero};
 use super::super::{argument, residual, typeset};
 use super::unknowns::{NEVER, alternatives, exactly, together_by, unknowns};
 use super::{boxes_words, circle_words, plane_words, quadratic_words};
-use crate::engine::Linear;
+use crate::engine::{DOES_NOT_EXIST, Linear};
 use crate::exact::Turn;
 use crate::family::{self, Angles, Cosine, EvenFiring, Never, OpenSum, OpenVerdict, Part, Product, Remaining, When};
 use crate::numbers::{Form, float};
@@ -18,6 +18,9 @@ use crate::report::texts::family as text;
 
 /// When a verdict vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`, `2√10 (2a + b + 2c)`.
 pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
+    if !verdict.exists {
+        return DOES_NOT_EXIST.into();
+    }
     if verdict.always() {
         return Text::zero();
     }
