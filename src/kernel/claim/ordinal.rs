@@ -14,7 +14,7 @@ pub(super) fn ordinal(word: &str) -> Option<Result<u32, ClaimError>> {
         return Some(Ok(index as u32 + 1));
     }
     let number = ["st", "nd", "rd", "th"].iter().find_map(|ending| word.strip_suffix(ending))?;
-    Some(order_number(number))
+    number.ends_with(|end: char| end.is_ascii_digit()).then(|| order_number(number))
 }
 
 /// A whole number that is an order.
