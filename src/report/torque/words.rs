@@ -90,10 +90,16 @@ pub(super) fn roll(engine: &Engine, torque: &EngineTorque) -> Text {
     if !engine.geared_cranks().is_empty() {
         return text::roll_of_crankshafts(lowest, highest);
     }
-    if engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero()) {
-        return text::roll_with_knuckle_pins(lowest, highest);
+    let knuckles = engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero());
+    let told = match (knuckles, engine.has_offset()) {
+        (true, _) => text::roll_with_knuckle_pins(lowest, highest),
+        (false, true) => text::roll_with_offset(lowest, highest),
+        (false, false) => text::roll(lowest, highest),
+    };
+    match engine.crankshaft().balancers.is_empty() {
+        true => told,
+        false => told.and(" ").and(text::without_balancer_shafts()),
     }
-    if engine.has_offset() { text::roll_with_offset(lowest, highest) } else { text::roll(lowest, highest) }
 }
 
 /// What a person should look at, by cylinders.
