@@ -3,6 +3,8 @@
 //! A new mechanism has its sentences in `templates/pages/mechanism.md` and its choices among them here; where they stand on a page is not
 //! its matter.
 
+use num_traits::Zero;
+
 use crate::engine::{Cylinder, Engine, Rods};
 use crate::page::Text;
 use crate::report::texts::mechanism as text;
@@ -112,6 +114,7 @@ pub(super) fn pin_loads(engine: &Engine) -> &'static str {
 pub(super) fn scale(engine: &Engine, is_shortened: bool) -> Text {
     match engine.all_rods() {
         Rods::Unknown => text::no_rods(),
+        Rods::Alike(rod) if rod.ratio.is_zero() => text::yokes_as_rods(),
         _ if is_shortened => text::rods_shortened(),
         _ if engine.has_offset() => text::offset_to_scale(),
         Rods::Alike(_) | Rods::Differ | Rods::Without(_) => text::rods_to_scale(),

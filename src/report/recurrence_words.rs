@@ -102,6 +102,9 @@ pub(super) fn why(all: &Recurrences) -> Vec<Text> {
     let classes = || all.force.iter().chain(&all.moment).flat_map(|one| one.even.iter().chain(&one.odd));
     let factors = || classes().flat_map(|class| class.stars.factors());
     let verdicts: usize = factors().map(|factor| factor.judged.len()).sum();
+    if verdicts == 0 {
+        return Vec::new();
+    }
     let mut paragraphs = vec![text::period_alone(verdicts, Text::code("classify --json --all-orders"))];
     if classes().any(|class| matches!(class.stars, Stars::Banks { .. })) {
         paragraphs.push(text::banks_alike());

@@ -32,7 +32,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("proof", 8955),
     ("python", 2660),
     ("remedy", 1860),
-    ("report", 32065),
+    ("report", 32080),
     ("rotor", 660),
     ("search", 3845),
     ("shard", 665),

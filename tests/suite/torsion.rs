@@ -142,7 +142,7 @@ fn what_is_no_shaft_is_refused_at_its_place() {
     let head = "title = \"Two\"\n[inline]\nthrows = [0, 180]\n[torsion]\n";
     for (keys, words) in [
         ("inertias = [1]\nstiffnesses = []\n", "2 to 200"),
-        ("inertias = [1, 1]\nstiffnesses = [1, 1]\n", "between 2 discs there are 1"),
+        ("inertias = [1, 1]\nstiffnesses = [1, 1]\n", "2 discs in a row need 1"),
         ("inertias = [1, 0]\nstiffnesses = [1]\n", "moment of inertia 2 is not above 0"),
         ("inertias = [1, 1, 1]\nstiffnesses = [1, -1]\n", "stiffness 2 is not above 0"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1]\n", "1 discs are named for 2 crankpins"),

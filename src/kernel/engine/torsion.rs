@@ -125,7 +125,7 @@ pub enum NoShaft {
     #[error("{0} moments of inertia; a torsional model has 2 to {MOST_DISCS}")]
     Discs(usize),
     /// Not one stiffness fewer than inertias, in a row of discs.
-    #[error("{stiffnesses} stiffnesses for {discs} moments of inertia; between {discs} discs there are {}", .discs - 1)]
+    #[error("{stiffnesses} stiffnesses for {discs} moments of inertia; {discs} discs in a row need {}", .discs - 1)]
     Stiffnesses {
         /// How many discs.
         discs: usize,

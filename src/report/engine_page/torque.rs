@@ -34,7 +34,7 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
     if parts.is_empty() {
         return Vec::new();
     }
-    let verdicts: Vec<_> = parts.iter().map(|part| &part.verdict).collect();
+    let verdicts: Vec<_> = parts.iter().filter(|part| part.exists).map(|part| &part.verdict).collect();
     let judged: Vec<JudgedStar> = verdicts.iter().map(|verdict| JudgedStar::from(*verdict)).collect();
     let stars = Picture {
         name: "torque-stars".to_owned(),
@@ -124,6 +124,7 @@ fn argued(engine: &Engine, part: &TorquePart) -> Text {
     let verdict = &part.verdict;
     let argument = argument::argument(engine, verdict);
     match &part.class {
+        _ if !part.exists => text::torque_missing(verdict.order, WHY_NOT),
         None => text::torque_of_order(verdict.order, value(verdict), argument),
         Some(class) => text::torque_of_class(verdict.order, residual::class_sources(class), value(verdict), argument),
     }

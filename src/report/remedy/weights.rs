@@ -68,10 +68,19 @@ fn position_of(engine: &Engine, weight: &Weight) -> Text {
     }
 }
 
+/// The same with its unit.
+fn place_of(remedy: &Remedy, weight: &Weight) -> Text {
+    let engine = remedy.subject.engine();
+    match engine.length_unit() {
+        LengthUnit::Metre => phrase!("{} {}", position_of(engine, weight), Unit::MILLIMETRE),
+        LengthUnit::Spacing => position_of(engine, weight),
+    }
+}
+
 /// What the engine has in a plane, and what it becomes: `at z = 0 from 0.3 m r at 180° to 0.25 m r at 180°`.
 pub(super) fn resized(remedy: &Remedy, plane: &Built) -> Text {
     let turns = turns(&plane.was);
-    let at = position_of(remedy.subject.engine(), &plane.was);
+    let at = place_of(remedy, &plane.was);
     let size = |weight: &Weight| match weight.vector.vanishes() {
         true => "nothing".into(),
         false => phrase!("{} at {}", in_short(remedy, weight), direction(remedy, weight)),
@@ -82,14 +91,7 @@ pub(super) fn resized(remedy: &Remedy, plane: &Built) -> Text {
 /// Weights in a row: how large, and where.
 pub(super) fn listed(remedy: &Remedy, weights: &[Weight]) -> Text {
     let weights: Vec<Weight> = weights.iter().filter_map(|weight| remedy.as_built(weight)).collect();
-    let one = |weight: &Weight| {
-        let size = in_short(remedy, weight);
-        let at = position_of(remedy.subject.engine(), weight);
-        match remedy.subject.engine().length_unit() {
-            LengthUnit::Metre => phrase!("{} at z = {} {}", size, at, Unit::MILLIMETRE),
-            LengthUnit::Spacing => phrase!("{} at z = {}", size, at),
-        }
-    };
+    let one = |weight: &Weight| phrase!("{} at z = {}", in_short(remedy, weight), place_of(remedy, weight));
     Text::joined(weights.iter().map(one), ", ")
 }
 

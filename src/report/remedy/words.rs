@@ -116,10 +116,10 @@ fn proof(remedy: &Remedy) -> Text {
     if !remedy.holds() {
         return text::not_vanishing(left);
     }
-    if left > 0 {
-        return text::nearly_vanishing(orders(remedy), sums, left);
-    }
     let number = Choice::one_or_more(remedy.orders.len());
+    if left > 0 {
+        return text::nearly_vanishing(number, orders(remedy), sums, left);
+    }
     match remedy.weights().is_empty() {
         true => text::no_weight(number, orders(remedy)),
         false => text::vanishing(number, orders(remedy), sums),

@@ -75,6 +75,7 @@ fn best(front: &Front) -> Vec<Text> {
         0 => text::no_balanced_star(number::grouped(&front.all.to_string())),
         // Where firing orders are compared too, a crank star counts once for each.
         sets => match (sets, counted.filter(|several| BigUint::from(*several) <= compared)) {
+            (1, Some(1)) if compared == BigUint::from(1_u8) => text::only_star(),
             (1, Some(1)) => text::one_best(all),
             (1, Some(several)) => text::alike(number::grouped(&several.to_string()), all),
             (1, None) => text::none_better(all),
