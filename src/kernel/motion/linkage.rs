@@ -15,8 +15,9 @@
 //! h grows with λ², which turns bounds of |z| into bounds of g_k.
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Pow, Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::ball::Ball;
 use super::circle::cosine;
@@ -67,13 +68,13 @@ impl Linkage {
         if !self.exists(order) {
             return Enclosure::zero();
         }
-        let [low, high] = self.ends.each_ref().map(|crank| {
-            let coefficient = crank.coefficient(order).re;
-            let scale: BigRational = Pow::pow(&self.ratio / crank.ratio(), order - 1);
-            [coefficient.low * &scale, coefficient.high * scale]
-        });
-        // All four have one sign, and the sizes of the second pair are not below those of the first.
-        let all = [low, high].concat();
+        // All have one sign, and the sizes of the second end are not below those of the first.
+        let of_end = |crank: &SliderCrank| {
+            let Enclosure { low, high } = crank.coefficient(order).re;
+            let scales = [false, true].map(|up| power(&(&self.ratio / crank.ratio()), order - 1, up));
+            scales.into_iter().flat_map(move |scale| [&low * &scale, &high * scale])
+        };
+        let all: Vec<BigRational> = self.ends.iter().flat_map(of_end).collect();
         let least = all.iter().min().cloned().unwrap_or_else(BigRational::zero);
         let most = all.into_iter().max().unwrap_or_else(BigRational::zero);
         Enclosure { low: rounded(&least, false), high: rounded(&most, true) }
@@ -90,11 +91,19 @@ impl Linkage {
     }
 }
 
+/// A power of a number above 0, no step of which has more than [`KEPT_BITS`] bits, rounded up or down.
+fn power(number: &BigRational, exponent: u32, up: bool) -> BigRational {
+    (0..u32::BITS - exponent.leading_zeros()).rev().fold(BigRational::one(), |power, bit| {
+        let square = rounded(&(&power * &power), up);
+        if exponent >> bit & 1 == 1 { rounded(&(square * number), up) } else { square }
+    })
+}
+
 /// The number with [`KEPT_BITS`] bits, rounded up or down.
 fn rounded(number: &BigRational, up: bool) -> BigRational {
     let shift = KEPT_BITS - number.numer().bits() as i64 + number.denom().bits() as i64;
-    let unit = BigRational::from_integer(BigInt::one() << shift.unsigned_abs());
-    let unit = if shift < 0 { unit.recip() } else { unit };
-    let scaled = number * &unit;
-    (if up { scaled.ceil() } else { scaled.floor() }) / unit
+    let [finer, coarser] = [shift.max(0), (-shift).max(0)].map(|bits| BigInt::one() << bits);
+    let (above, below) = (number.numer() * &finer, number.denom() * &coarser);
+    let whole = if up { above.div_ceil(&below) } else { above.div_floor(&below) };
+    BigRational::new(whole * coarser, finer)
 }
