@@ -1,6 +1,6 @@
 //! Are everyday sentences and Fourier series read as they are meant, and asked about where they may mean two things?
 
-use crankstar::claim::{self, Answer, Finding, Status, TermVerdict, parse_statement};
+use crankstar::claim::{self, Answer, Finding, Predicate, Statement, Status, TermVerdict, Value, parse_statement};
 use crankstar::engine::Engine;
 use crankstar::file;
 use crankstar::page::{Language, Text};
@@ -357,6 +357,17 @@ fn a_claim_that_no_force_remains_is_answered_with_its_orders() {
     assert!(told.contains("orders 1 and 2"), "{told}");
 }
 
+/// The statement, be its value named m r ω² or not.
+fn without_its_name(says: &str) -> Statement {
+    match parse_statement(says).expect(says) {
+        Statement::Order { subject, predicate: Predicate::Equals(value, angle) } => {
+            let predicate = Predicate::Equals(Value { is_bare: false, ..value }, angle);
+            Statement::Order { subject, predicate }
+        }
+        other => other,
+    }
+}
+
 #[test]
 fn a_value_may_name_the_multiples_that_the_program_prints() {
     for (canonical, sentences) in [
@@ -384,8 +395,7 @@ fn a_value_may_name_the_multiples_that_the_program_prints() {
         ("second-order moment is planar", vec!["the second-order moment is planar"]),
     ] {
         for says in sentences {
-            assert_eq!(parse_statement(says), parse_statement(canonical), "{says}");
-            assert!(parse_statement(says).is_ok(), "{says}");
+            assert_eq!(without_its_name(says), without_its_name(canonical), "{says}");
         }
     }
     assert_eq!(answer("I5-12453", "M1 ≈ 0.449 m r ω² a").status, Status::True);
