@@ -85,7 +85,7 @@ fn unreadable(name: &str, error: &Unreadable) -> Failure {
     match error {
         Unreadable::TooLarge(_) => Failure::new(format!("{name} is larger than 4 MiB, the limit")),
         error => Failure::new(format!(
-            "{name} is not an output of `classify --json`, `remedy --json`, `loads --json`, `compare --json` or `classify --firing --json`: {error}"
+            "{name} is not an output of `classify --json`, `remedy --json`, `loads --json`, `compare --json` or `firing --format json`: {error}"
         )),
     }
 }

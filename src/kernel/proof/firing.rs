@@ -10,7 +10,7 @@ use super::format::Format;
 use super::fraction;
 use super::vector::Vector;
 
-/// The firing stars of one engine, each with its certificate: the JSON document of `classify --firing --json`.
+/// The firing stars of one engine, each with its certificate: the JSON document of `firing --format json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FiringDocument {

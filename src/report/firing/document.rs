@@ -1,4 +1,4 @@
-//! What does `classify --firing --json` hold? Every star with its terms and its certificate.
+//! What does `firing --format json` hold? Every star with its terms and its certificate.
 
 use num_rational::BigRational;
 
