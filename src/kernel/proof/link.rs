@@ -179,7 +179,7 @@ fn steps_of_power(number: &BigRational, power: u32) -> u64 {
 impl LinkageClaim {
     /// Whether g_k is zero.
     pub(super) fn lacks(&self, order: u32) -> bool {
-        order % 2 == 1 || self.ratio.is_zero()
+        order == 0 || order % 2 == 1 || self.ratio.is_zero()
     }
 
     /// X, in units of `2^−bits`.
