@@ -11,7 +11,7 @@ use crate::support::rooms;
 const BUDGET: [(&str, usize); 35] = [
     ("accuracy", 1665),
     ("beam", 330),
-    ("claim", 5380),
+    ("claim", 5400),
     ("classroom", 1740),
     ("cli", 5060),
     ("engine", 4225),

@@ -341,3 +341,13 @@ fn a_multiple_of_m_r_omega_squared_alone_is_no_multiple_of_the_c_1_of_an_offset_
     // Nothing is nothing in every multiple.
     assert_eq!(status(&of_rods("[0, 180]", offset), "first-order force = 0 m r ω²"), Status::True);
 }
+
+#[test]
+fn newtons_of_masses_that_turn_know_no_coefficient_of_the_rods() {
+    let turning = 0.3 * 0.04 * (5000.0 * std::f64::consts::PI / 30.0_f64).powi(2);
+    for rods in ["rod_length = '140 mm'\npin_offset = '30 mm'", "rod_length = '140 mm'", "scotch_yoke = true"] {
+        let engine = of_rods("[0]", &format!("{rods}\nrotating_mass = '0.3 kg'"));
+        let says = format!("first-order force of the rotating masses = {turning:.1} N");
+        assert_eq!(status(&engine, &says), Status::True, "{rods}: {says}");
+    }
+}
