@@ -11,7 +11,7 @@ use crate::support::rooms;
 const BUDGET: [(&str, usize); 35] = [
     ("accuracy", 1665),
     ("beam", 330),
-    ("claim", 5400),
+    ("claim", 5390),
     ("classroom", 1740),
     ("cli", 5060),
     ("engine", 4225),
@@ -42,7 +42,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("text", 475),
     ("torque", 1230),
     ("torsion", 925),
-    ("verdict", 1875),
+    ("verdict", 1880),
     ("web", 885),
 ];
 

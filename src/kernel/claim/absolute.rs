@@ -10,8 +10,8 @@ use super::statement::{Subject, Value};
 use crate::engine::{Engine, LengthUnit, Rod};
 use crate::motion::{self, SliderCrank};
 use crate::numbers;
-use crate::order::{Factor, Group, Sources};
-use crate::proof::{Planar, Quantity, Sense};
+use crate::order::Factor;
+use crate::proof::Quantity;
 use crate::verdict::OrderBalance;
 
 const NO_NUMBERS: &str = "a value in N or N·m needs the mass, the crank radius, the rods and the speed: in the layout, the rods alike, or as \
@@ -88,11 +88,10 @@ pub(super) fn answer(
         * omega
         * omega
         * arm;
-    let (first, whole) = match factor(engine, subject) {
-        // Of masses that turn.
-        Some(Factor::One) => (None, 1.0),
-        Some(factor) => coefficient(factor.own(subject.order).1, &numbers.rod)?,
-        None => (None, 0.0),
+    let (first, whole) = match order.factor.own(subject.order) {
+        // Of masses that turn, or in order 1 of centric rods.
+        (Factor::One, _) => (None, 1.0),
+        (_, own_order) => coefficient(own_order, &numbers.rod)?,
     };
     let absolute = Absolute { first_term: first.map(|first| scale * first), whole: scale * whole };
     if is_exact_zero(value) {
@@ -107,17 +106,6 @@ pub(super) fn answer(
         (false, false) => Status::False,
     };
     Ok((status, absolute))
-}
-
-/// What the sums of an order are multiplied by: that of the only group with terms; none where nothing is left.
-fn factor(engine: &Engine, subject: Subject) -> Option<Factor> {
-    let terms = Sources::new(engine, subject.masses).force_terms(subject.order);
-    let vectors = Planar::BOTH.map(|quantity| Sense::BOTH.map(|sense| (Quantity::from(quantity), Some(sense))));
-    let has_terms = |group: &&Group| {
-        let sums = vectors.as_flattened().iter().map(|(quantity, sense)| terms.sum(group, *quantity, *sense).1);
-        group.exists && sums.into_iter().any(|sum| !sum.collected().is_empty())
-    };
-    terms.groups().iter().find(has_terms).map(|group| group.factor.clone())
 }
 
 /// The size of c_k: by the first term of its series, above order 1 of a centric crank, and in all (theory, section 2).

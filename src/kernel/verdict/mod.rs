@@ -22,7 +22,7 @@ pub use theorem::{EveryOrder, LONGEST_PERIOD, LONGEST_SIEVED, NoTheorem, Theorem
 pub use whole::{Outcome, WholeOrder, both_vanish};
 
 use crate::engine::{Engine, NotAnOrder, are_orders};
-use crate::order::{Coefficients, Group, Masses, Sources};
+use crate::order::{Coefficients, Factor, Group, Masses, Sources};
 use crate::proof::{Axial, Planar, Quantity, ShapeEvidence};
 use whole::Part;
 
@@ -50,6 +50,8 @@ pub struct OrderVerdict {
 pub struct OrderBalance {
     /// The order k.
     pub order: u32,
+    /// The number.
+    pub factor: Factor,
     /// Whether the number is not zero; else force and moment are 0 whatever the sums are.
     pub exists: bool,
     /// Which sources it is about; none where it is about all, before the number of this order.
@@ -157,6 +159,7 @@ fn of_order(sources: &Sources, order: u32, quantities: &[Quantity], known: &Coef
     let class = |group: &Group| Class::of(sources, group, groups.len(), order);
     let part = |group: &Group| OrderBalance {
         order,
+        factor: group.factor.clone(),
         exists: group.exists,
         class: class(group),
         force: Balance::new(&terms, group, Planar::Force),
