@@ -398,13 +398,18 @@ fn random_trees_vibrate_as_their_integration_in_time() {
     }
 }
 
+/// Half of the largest less the smallest of many values through a cycle.
+fn half_range_of(sum: impl Fn(f64) -> f64) -> f64 {
+    let values = (0..200_000).map(|index| sum(f64::from(index) * std::f64::consts::TAU / 200_000.0));
+    let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
+    0.5 * (high - low)
+}
+
 #[test]
 fn half_the_range_of_orders_is_that_of_their_sum() {
     let both = [(order(2), Complex::from(3.0)), (order(4), Complex::new(0.0, 2.0))];
     let sum = |theta: f64| 3.0 * theta.cos() - 2.0 * (2.0 * theta).sin();
-    let values = (0..200_000).map(|index| sum(f64::from(index) * std::f64::consts::TAU / 200_000.0));
-    let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
-    assert!((half_range(&both) - 0.5 * (high - low)).abs() < 1e-8);
+    assert!((half_range(&both) - half_range_of(sum)).abs() < 1e-8);
     assert_eq!(half_range(&[(order(3), Complex::new(3.0, 4.0))]), 5.0);
 }
 
@@ -415,10 +420,8 @@ fn half_the_range_is_found_where_many_tops_are_nearly_alike() {
         let [v, w] = [first, second].map(|degrees| 100.0 * Complex::cis(degrees.to_radians()));
         let both = [(order(24), v), (order(23), w)];
         let sum = |half: f64| (v * Complex::cis(24.0 * half) + w * Complex::cis(23.0 * half)).re;
-        let values = (0..200_000).map(|index| sum(f64::from(index) * std::f64::consts::TAU / 200_000.0));
-        let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
-        let range = half_range(&both);
-        assert!((range - 0.5 * (high - low)).abs() < 1e-4, "{first} {second}: {range} {}", 0.5 * (high - low));
+        let (range, right) = (half_range(&both), half_range_of(sum));
+        assert!((range - right).abs() < 1e-4, "{first} {second}: {range} {right}");
     }
 }
 

@@ -4,16 +4,16 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use super::highest;
+use super::damper::highest_beside;
 use crate::engine::CycleOrder;
 
 /// Points of a cycle between which the largest and the smallest value are looked for: this many in each period of the highest order.
 const POINTS: usize = 20;
 /// But this many at least.
 const LEAST: usize = 480;
-/// A top of the points that is lower than the highest by more than this part of the range is no largest value: with so many points the
-/// largest is less than an eightieth above the highest of them (Bernstein).
-const LOWER: f64 = 0.0125;
+/// A top of the points that is lower than the highest by more than this part of their range is no largest value: with so many points no value
+/// is farther above the nearest of them than an eighty-first of the largest size (Bernstein).
+const LOWER: f64 = 0.013;
 
 /// Half of the largest less the smallest value of `Σ Re(v_κ e^{iκθ})`, as class rules count the stress of all orders together.
 pub fn half_range(orders: &[(CycleOrder, Complex<f64>)]) -> f64 {
@@ -36,20 +36,11 @@ pub fn half_range(orders: &[(CycleOrder, Complex<f64>)]) -> f64 {
         };
         orders.iter().map(one).sum()
     };
-    let samples: Vec<f64> = (0..points).map(sample).collect();
-    let range = [1.0, -1.0].map(|sign| samples.iter().map(|sample| sign * sample).fold(f64::NEG_INFINITY, f64::max));
-    let step = TAU / points as f64;
-    let extreme = |sign: f64, most: f64| {
-        let value = |index: usize| sign * samples[index % points];
-        let is_top = |&index: &usize| {
-            let own = value(index);
-            own >= value(index + points - 1) && own >= value(index + 1) && own >= most - LOWER * (range[0] + range[1])
-        };
-        let top = |index: usize| {
-            let (low, high) = ((index as f64 - 1.0) * step, (index as f64 + 1.0) * step);
-            highest(low, high, 2, &|angle| sign * at(angle)).1
-        };
-        (0..points).filter(is_top).map(top).fold(most, f64::max)
-    };
-    0.5 * (extreme(1.0, range[0]) + extreme(-1.0, range[1]))
+    // The last point is the first of the next cycle.
+    let samples: Vec<f64> = (0..=points).map(sample).collect();
+    let opposite: Vec<f64> = samples.iter().map(|sample| -sample).collect();
+    let [most, least] = [&samples, &opposite].map(|all| all.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+    let within = LOWER * (most + least);
+    let highest = highest_beside([0.0, TAU], &samples, most - within, &at).1;
+    0.5 * (highest + highest_beside([0.0, TAU], &opposite, least - within, &|angle| -at(angle)).1)
 }
