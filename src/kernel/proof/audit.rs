@@ -91,8 +91,8 @@ pub(super) fn steps_of(number: &BigRational) -> u64 {
     squared_words(number.numer()) + squared_words(number.denom())
 }
 
-/// Steps of a product of numbers: those of the longest.
-pub(super) fn steps_of_product<'a>(numbers: impl IntoIterator<Item = &'a BigRational>) -> u64 {
+/// Steps of what is computed with some numbers: those of the longest.
+pub(super) fn steps_of_longest<'a>(numbers: impl IntoIterator<Item = &'a BigRational>) -> u64 {
     numbers.into_iter().map(steps_of).max().unwrap_or(1)
 }
 

@@ -7,7 +7,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::audit::{Audit, steps_of};
+use super::audit::{Audit, steps_of_longest};
 use super::refusal::Refusal;
 use super::vector::Vector;
 
@@ -32,7 +32,7 @@ pub(super) fn collect(
     let mut collected = Collected::new();
     for (angle, weight) in vectors {
         let sum = collected.entry(turn(&angle)).or_insert_with(BigRational::zero);
-        audit.spend(steps_of(&angle).max(steps_of(&weight)).max(steps_of(sum)))?;
+        audit.spend(steps_of_longest([&angle, &weight, sum]))?;
         *sum += weight;
     }
     collected.retain(|_, weight| !weight.is_zero());
@@ -51,10 +51,9 @@ pub(super) fn vectors(sum: Collected) -> Vec<Vector> {
 
 /// `|A|² − |B|²`, where `|S|² = Σ_j Σ_l w_j w_l e^{2πi(t_j − t_l)}`.
 pub(super) fn difference_of_squares(a: &Collected, b: &Collected, audit: &Audit) -> Result<Collected, Refusal> {
-    let largest = |sum: &Collected| sum.iter().map(|(t, w)| steps_of(t).max(steps_of(w))).max().unwrap_or(1);
     for sum in [a, b] {
         let pairs = (sum.len() as u64).saturating_mul(sum.len() as u64);
-        audit.spend(pairs.saturating_mul(largest(sum)))?;
+        audit.spend(pairs.saturating_mul(steps_of_longest(sum.iter().flat_map(|(t, w)| [t, w]))))?;
     }
     let products = |sum: &'_ Collected, sign: i64| -> Vec<(BigRational, BigRational)> {
         let sign = BigRational::from_integer(sign.into());

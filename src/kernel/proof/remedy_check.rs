@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::audit::{Audit, Fault, Reason, refuse_if, steps_of_product};
+use super::audit::{Audit, Fault, Reason, refuse_if, steps_of_longest};
 use super::check::certify;
 use super::checked::Checked;
 use super::coefficient::{Coefficient, Factor};
@@ -156,8 +156,8 @@ impl RemedyDocument {
         };
         let cylinders = self.cylinders.iter().map(|one| [&one.weight, &one.knuckle_weight, &one.position]);
         let turning = self.turning_masses.iter().map(|one| [&one.mass_radius, &one.position]);
-        let weights = self.weights.iter().map(|one| steps_of_product([&one.position]));
-        let sources = cylinders.map(steps_of_product).chain(turning.map(steps_of_product)).chain(weights);
+        let weights = self.weights.iter().map(|one| steps_of_longest([&one.position]));
+        let sources = cylinders.map(steps_of_longest).chain(turning.map(steps_of_longest)).chain(weights);
         audit.spend(sources.fold(0, u64::saturating_add))?;
         let do_rods_differ = differ(self.cylinders.iter().map(|cylinder| &cylinder.rod));
         for cylinder in &self.cylinders {
@@ -193,7 +193,7 @@ impl RemedyDocument {
         for weight in self.weights.iter().filter(|weight| (weight.order, weight.sense) == (order, sense)) {
             let share = &double * arm(&weight.position);
             for part in &weight.parts {
-                audit.spend(part.terms.iter().map(|term| steps_of_product([&term.weight, &share])).sum())?;
+                audit.spend(part.terms.iter().map(|term| steps_of_longest([&term.weight, &share])).sum())?;
                 let terms = part.terms.iter().map(|term| (term.angle.clone(), &term.weight * &share));
                 sums.entry(part.coefficient.clone()).or_default().extend(terms);
             }

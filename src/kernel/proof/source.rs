@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::audit::steps_of_product;
+use super::audit::steps_of_longest;
 use super::coefficient::{Coefficient, Factor};
 use super::document::Document;
 use super::engine::{Cylinder, Masses, RodStatement, TurningMassClaim};
@@ -163,10 +163,10 @@ impl Document {
         let of_cylinder = |one: &Cylinder| {
             let of_link = one.rod.link().map_or(0, |link| link.steps(order));
             let numbers = [&one.reciprocating_mass, &one.knuckle_weight, &one.crank_radius, &one.position];
-            steps_of_product(numbers).saturating_add(of_link)
+            steps_of_longest(numbers).saturating_add(of_link)
         };
         let cylinders = self.cylinders.iter().map(of_cylinder);
-        let turning = self.turning_masses.iter().map(|one| steps_of_product([&one.mass_radius, &one.position]));
+        let turning = self.turning_masses.iter().map(|one| steps_of_longest([&one.mass_radius, &one.position]));
         cylinders.chain(turning).fold(0, u64::saturating_add)
     }
 }
