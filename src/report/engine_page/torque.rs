@@ -122,9 +122,11 @@ fn roll_argued(engine: &Engine, part: &TorquePart) -> Text {
 
 fn argued(engine: &Engine, part: &TorquePart) -> Text {
     let verdict = &part.verdict;
+    if !part.exists {
+        return text::torque_missing(verdict.order, WHY_NOT);
+    }
     let argument = argument::argument(engine, verdict);
     match &part.class {
-        _ if !part.exists => text::torque_missing(verdict.order, WHY_NOT),
         None => text::torque_of_order(verdict.order, value(verdict), argument),
         Some(class) => text::torque_of_class(verdict.order, residual::class_sources(class), value(verdict), argument),
     }

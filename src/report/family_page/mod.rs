@@ -159,12 +159,11 @@ fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
 pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
     let verdicts = orders.iter().flat_map(|order| order.force.iter().chain(&order.moment));
     let sentence = |verdict: &OpenVerdict| {
-        let listed = verdict.bank_angles().filter(|angles| !angles.is_empty() && !verdict.always());
+        let listed = verdict.bank_angles().filter(|angles| !angles.is_empty());
         if let Some(angles) = listed {
             return Some(text::vanishes_at(verdict.sense, verdict.quantity, verdict.order, words::list(&angles)));
         }
         let [OpenSum { when, .. }] = verdict.sums.as_slice() else { return None };
-        verdict.exists.then_some(())?;
         let zeros = match when {
             When::Cosine(found) => words::cosine(found),
             When::Circle(circle) if circle.is_complete() => circle_words::zeros(circle)?,
@@ -174,7 +173,7 @@ pub fn exact_angles(orders: &[OpenOrder]) -> Vec<Text> {
         };
         Some(text::vanishes_where(verdict.sense, verdict.quantity, verdict.order, zeros))
     };
-    verdicts.filter_map(sentence).collect()
+    verdicts.filter(|verdict| !verdict.always()).filter_map(sentence).collect()
 }
 
 /// Each vector of an order with its argument, and the certificates.
