@@ -71,7 +71,8 @@ impl Linkage {
         // All have one sign, and the sizes of the second end are not below those of the first.
         let of_end = |crank: &SliderCrank| {
             let Enclosure { low, high } = crank.coefficient(order).re;
-            let scales = [false, true].map(|up| power(&(&self.ratio / crank.ratio()), order - 1, up));
+            let scale = &self.ratio / crank.ratio();
+            let scales = [false, true].map(|up| power(&scale, order - 1, up));
             scales.into_iter().flat_map(move |scale| [&low * &scale, &high * scale])
         };
         let all: Vec<BigRational> = self.ends.iter().flat_map(of_end).collect();
