@@ -595,3 +595,25 @@ fn irrational_zeros_are_listed_with_decimals_and_drawn_as_such() {
     assert!(markdown.contains("≈ 75.52°, ≈ 284.5°"), "{markdown}");
     assert!(svg.contains("one vector zero, irrational") && svg.contains("≈ 75.52°"), "{svg}");
 }
+
+#[test]
+fn a_vector_that_the_angle_does_not_turn_is_never_zero_or_always_beside_masses_that_turn() {
+    let pistons = "[vee]\nbank_angle = 60\nthrows = [0, 180]\n[mechanism]\nreciprocating_mass = 2\nrod_ratio = 0.25\n";
+    let set = |masses: &str, quantity, of| {
+        let sweep = good(&format!("{pistons}{masses}"), &["vee.bank_angle=0..180:30"], &[1]);
+        let sets = sweep.zeros.expect("an angle");
+        sets.into_iter().find(|set| set.quantity == quantity && set.of == of).expect("it is asked for")
+    };
+    let unlike = "rotating_mass = [0.5, 0.25, 0.5, 0.25]\n";
+    for of in [Zeros::Direct, Zeros::Largest] {
+        for quantity in [Planar::Force, Planar::Moment] {
+            let set = set(unlike, quantity, of);
+            assert!(set.complete && set.at.is_empty() && !set.everywhere, "{set:?}");
+        }
+    }
+    // Counterweights that cancel the moment of the direct vector do it at every bank angle.
+    let balanced =
+        "rotating_mass = 0.5\ncrank_radius = 0.05\n[crankshaft]\nbalance_factor = 1\ncounterweight_radius = 0.1\n";
+    let direct = set(balanced, Planar::Moment, Zeros::Direct);
+    assert!(direct.everywhere && direct.complete, "{direct:?}");
+}

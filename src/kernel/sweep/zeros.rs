@@ -83,6 +83,11 @@ impl ZeroSet {
         }
     }
 
+    /// Whether it vanishes nowhere in the range, proved.
+    fn is_never(&self) -> bool {
+        self.complete && self.exists && !self.everywhere && self.at.is_empty() && self.irrational.is_empty()
+    }
+
     /// Takes in the points of a grid at which it is proved to vanish: what is zero there is in the list, even where nothing is proved
     /// of what lies between.
     pub(super) fn take_from(&mut self, points: &[SweptEngine]) {
@@ -161,11 +166,7 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
                     let mut places = distinct(&open, order.order, &per_unit);
                     places.len() > 0 && places.all(|value| is_so(&value))
                 };
-                let is_everywhere = match &found {
-                    family::Zeros::Everywhere if turns => true,
-                    family::Zeros::Everywhere | family::Zeros::NotSolved => !turns && by_points(),
-                    family::Zeros::At(_) => false,
-                };
+                let is_everywhere = if turns { found == family::Zeros::Everywhere } else { by_points() };
                 if is_everywhere {
                     sets.push(ZeroSet::everywhere(quantity, order.order, of));
                     continue;
@@ -179,6 +180,9 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
                     // Masses that turn beside the pistons may cancel what is not zero.
                     family::Zeros::At(found) => (Solutions { irrational: Vec::new(), ..found }, false),
                 };
+                let own = |set: &ZeroSet| set.quantity == quantity && set.order == order.order;
+                let one_never = of == Zeros::Largest && sets.iter().any(|set| own(set) && set.is_never());
+                let complete = complete || one_never || is_fixed(&open, order.order, of);
                 let value = |turns: &BigRational| turns / &per_unit;
                 let at = found.exact.iter().map(value).filter(is_so).collect();
                 let irrational = found.irrational.iter().map(|ends| ends.each_ref().map(value)).collect();
@@ -188,6 +192,16 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
         }
     }
     Some(sets)
+}
+
+/// Whether the parameter turns no term of this vector, so that it is one at every value.
+fn is_fixed(open: &Family, order: u32, of: Zeros) -> bool {
+    let sense = match of {
+        Zeros::Direct => Sense::Direct,
+        Zeros::Reverse => Sense::Reverse,
+        Zeros::Largest | Zeros::Along | Zeros::Across => return false,
+    };
+    open.cylinders().iter().all(|cylinder| family::phase(cylinder, order, sense).coefficient(PHI).is_zero())
 }
 
 /// More values than this are not tried.
