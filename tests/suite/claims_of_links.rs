@@ -198,3 +198,27 @@ fn a_claim_on_a_linked_engine_shows_the_order_that_decides_it() {
     assert!(matches!(answer.finding, Finding::Order(_)));
     assert!(!answer.evidence.is_empty());
 }
+
+#[test]
+fn masses_beside_offset_rods_are_two_sums_of_which_vanishing_and_shape_are_decided() {
+    let text = |masses: &str| {
+        let rods = "rod_ratio = 0.25, offset_ratio = 0.1, reciprocating_mass = 1";
+        read(&format!("inline = {{ throws = [0, 180] }}\nmechanism = {{ {rods}, rotating_mass = {masses} }}"))
+    };
+    let (unlike, alike) = (text("[0.5, 0.25]"), text("0.5"));
+    for (engine, says, expected) in [
+        (&unlike, "first-order force of all masses vanishes", Status::False),
+        (&unlike, "first-order force of all masses does not vanish", Status::True),
+        (&unlike, "first-order force of all masses is rotating", Status::True),
+        (&unlike, "first-order force of all masses is elliptical", Status::False),
+        (&unlike, "first-order direct force of all masses = 0", Status::False),
+        (&unlike, "first-order reverse force of all masses = 0", Status::True),
+        (&unlike, "first-order moment of all masses is elliptical", Status::True),
+        (&unlike, "first-order moment of all masses = 2", Status::NotDecided),
+        (&alike, "first-order force of all masses vanishes", Status::True),
+        (&alike, "first-order moment of all masses vanishes", Status::False),
+        (&alike, "second-order force of all masses = 2", Status::True),
+    ] {
+        assert_eq!(checked(engine, says).status, expected, "{says}");
+    }
+}

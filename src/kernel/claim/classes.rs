@@ -1,10 +1,8 @@
-//! Is it true of an engine with several kinds of rods, or crankshafts of several speeds, of whose orders but few are single sums?
+//! Is it true of orders that are several sums: of several kinds of rods, of crankshafts of several speeds, of masses beside offset rods?
 
-use super::absolute::Numbers;
 use super::answer::{Answer, Evidence, Status};
 use super::compare::is_exact_zero;
 use super::finding::Finding;
-use super::order;
 use super::shafts::evidence;
 use super::statement::{Orders, Predicate, Subject};
 use crate::engine::{Engine, ORDERS};
@@ -14,24 +12,24 @@ use crate::proof::{Planar, Quantity, Sense, Shape};
 use crate::verdict::{self, OrderVerdict, Outcome, WholeOrder, both_vanish};
 
 /// Of a size, a direction or a torque nothing is said then.
-const SEVERAL: &str = "the rods, their offsets or the speeds of the crankshafts differ and this order has a sum for each kind, so that it is not compared";
+pub(super) const SEVERAL: &str =
+    "this order is several sums, each with a coefficient of its own, so that it is not compared";
 
 /// Of many orders of it nothing is said.
 pub(super) const TORQUE: &str = "the inertia torque is decided order by order: claim one order of it at a time";
+
+/// Whether the rods, their offsets or the speeds of the crankshafts differ.
+pub(super) fn has_several(engine: &Engine) -> bool {
+    engine.mechanisms().len() > 1 || engine.faster_crank().is_some()
+}
 
 fn judged(engine: &Engine, order: u32, masses: Masses) -> Option<OrderVerdict> {
     verdict::classify(engine, &[order], masses, &Quantity::PLANAR).ok()?.into_iter().next()
 }
 
-/// Answers whether an order vanishes and which shape is left; sizes and directions are compared where it is one sum.
-pub(super) fn one(engine: &Engine, subject: Subject, predicate: &Predicate, numbers: Option<&Numbers>) -> Answer {
+/// Answers of several sums whether the order vanishes and which shape is left; sizes and directions are not compared.
+pub(super) fn one(order: OrderVerdict, subject: Subject, predicate: &Predicate) -> Answer {
     let Quantity::Planar(quantity) = subject.quantity else { return Answer::nothing(SEVERAL) };
-    let Some(order) = judged(engine, subject.order, subject.masses) else { return Answer::nothing("no order") };
-    // Order 1 of centric rods and of links is one sum whatever the rods are, and an order that does not exist is 0.
-    let is_single = order.parts.len() == 1 && engine.faster_crank().is_none();
-    if is_single || !order.exists() {
-        return order::answer(engine, subject, predicate, numbers);
-    }
     let whole = order.whole(quantity);
     let vanishes = vanish(whole, subject.sense);
     let holds = match (predicate, subject.sense) {

@@ -10,47 +10,61 @@ use crate::engine::Engine;
 use crate::loads::{self, BearingLoads, Method};
 use crate::order::{self, Masses};
 use crate::proof::Quantity;
-use crate::verdict::{self, Balance, OrderBalance};
+use crate::verdict::{self, Balance, OrderBalance, OrderVerdict};
 
 /// Peaks that differ by less than this part are alike: the roundings of their decimals could not tell them apart.
 const ALIKE: f64 = 1e-12;
 
-/// One order of the force and the moment: of the pistons, which all have one coefficient, or of other masses.
-pub(super) fn balance_of(engine: &Engine, order: u32, masses: Masses) -> Result<OrderBalance, String> {
-    match masses {
-        Masses::Reciprocating => pistons(engine, order).ok_or_else(|| "no order".to_owned()),
-        Masses::Rotating | Masses::Counterweights | Masses::All => balance(engine, order, masses),
+/// What an order of the force and the moment is.
+pub(super) enum Sums {
+    /// One sum, with one coefficient.
+    One(Box<OrderBalance>),
+    /// Several, each with its own.
+    Several(Box<OrderVerdict>),
+}
+
+/// One order of these masses, the sums of other masses in multiples of m r c_k as those of the pistons.
+pub(super) fn sums_of(engine: &Engine, order: u32, masses: Masses) -> Result<Sums, String> {
+    if masses != Masses::Reciprocating {
+        order::comparable(engine).map_err(|missing| missing.to_string())?;
+    }
+    let judged = verdict::classify(engine, &[order], masses, &Quantity::PLANAR).map_err(|number| number.to_string())?;
+    let whole = judged.into_iter().next().ok_or("no order")?;
+    let has_speeds = engine.faster_crank().is_some();
+    let one = match masses {
+        // Order 1 of centric rods and of links is one sum whatever the rods are, and an order that does not exist is 0.
+        Masses::Reciprocating => {
+            let is_one = whole.parts.len() == 1 && !has_speeds;
+            (is_one || !whole.exists()).then(|| whole.parts.first().cloned()).flatten()
+        }
+        Masses::Rotating | Masses::Counterweights | Masses::All if has_speeds && whole.exists() => None,
+        Masses::Rotating | Masses::Counterweights | Masses::All => only(&whole.parts),
+    };
+    Ok(one.map_or_else(|| Sums::Several(Box::new(whole)), |one| Sums::One(Box::new(one))))
+}
+
+/// The only part that has terms; what nothing is left of counts for nothing in the others, and so does a multiple of 0.
+fn only(parts: &[OrderBalance]) -> Option<OrderBalance> {
+    let has_terms = |part: &OrderBalance| {
+        let verdicts = [&part.force, &part.moment].into_iter().flat_map(Balance::verdicts);
+        verdicts.into_iter().any(|verdict| !verdict.sum.collected().is_empty())
+    };
+    let (with, without): (Vec<_>, Vec<_>) = parts.iter().partition(|part| part.exists && has_terms(part));
+    match with.as_slice() {
+        [only] => Some(OrderBalance { class: None, ..(*only).clone() }),
+        [] => {
+            let nothing = without.into_iter().max_by_key(|part| !has_terms(part))?;
+            Some(OrderBalance { exists: nothing.exists || !has_terms(nothing), class: None, ..nothing.clone() })
+        }
+        _ => None,
     }
 }
 
 /// One order of the pistons, which have one coefficient.
 pub(super) fn pistons(engine: &Engine, order: u32) -> Option<OrderBalance> {
-    let quantities = [Quantity::FORCE, Quantity::MOMENT];
-    let judged = verdict::classify(engine, &[order], Masses::Reciprocating, &quantities).ok()?;
-    judged.into_iter().flat_map(|verdict| verdict.parts).next()
-}
-
-/// One order of the force and the moment of these masses, in multiples of m r c_k as that of the pistons.
-fn balance(engine: &Engine, order: u32, masses: Masses) -> Result<OrderBalance, String> {
-    order::comparable(engine).map_err(|missing| missing.to_string())?;
-    let judged = verdict::classify(engine, &[order], masses, &Quantity::PLANAR);
-    let judged = judged.map_err(|number| number.to_string())?;
-    let parts = judged.into_iter().flat_map(|verdict| verdict.parts);
-    let has_terms = |part: &OrderBalance| {
-        let verdicts = [&part.force, &part.moment].into_iter().flat_map(Balance::verdicts);
-        verdicts.into_iter().any(|verdict| !verdict.sum.collected().is_empty())
-    };
-    // What nothing is left of counts for nothing in the others, and so does what stands before 0.
-    let counts = |part: &OrderBalance| part.exists && has_terms(part);
-    let (mut with, without): (Vec<OrderBalance>, Vec<OrderBalance>) = parts.partition(counts);
-    match (with.pop(), with.is_empty()) {
-        (Some(only), true) => Ok(OrderBalance { class: None, ..only }),
-        (None, _) => {
-            let nothing = without.into_iter().max_by_key(|part| !has_terms(part));
-            let exists = |part: &OrderBalance| part.exists || !has_terms(part);
-            nothing.map(|part| OrderBalance { exists: exists(&part), class: None, ..part }).ok_or("no order".into())
-        }
-        _ => Err("the masses have more than one coefficient".to_owned()),
+    match sums_of(engine, order, Masses::Reciprocating).ok()? {
+        Sums::One(order) => Some(*order),
+        Sums::Several(_) => None,
     }
 }
 

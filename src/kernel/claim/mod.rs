@@ -70,16 +70,15 @@ pub fn status_of_all_masses(engine: &Engine, statement: &Statement, numbers: Opt
         return None;
     }
     let subject = Subject { masses: Masses::All, ..*subject };
-    Some(classes::one(engine, subject, predicate, numbers).status)
+    Some(order::answer(engine, subject, predicate, numbers).status)
 }
 
 /// Answers a claim about an engine.
 pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>) -> Answer {
-    let several = engine.mechanisms().len() > 1 || engine.faster_crank().is_some();
+    let several = classes::has_several(engine);
     match statement {
         Statement::NoFreeMoment if several => classes::free(engine),
         Statement::NoFreeMoment => free::answer(engine),
-        Statement::Order { subject, predicate } if several => classes::one(engine, *subject, predicate, numbers),
         Statement::Order { subject, predicate } => order::answer(engine, *subject, predicate, numbers),
         Statement::Vanish { orders, quantities } if several => classes::many(engine, orders, quantities),
         Statement::Vanish { orders, quantities } => every::answer(engine, orders, quantities),

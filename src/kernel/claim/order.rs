@@ -7,10 +7,11 @@ use num_traits::One;
 
 use super::absolute::{self, Numbers};
 use super::answer::{Answer, Condition, Evidence, Status};
+use super::classes::{self, SEVERAL};
 use super::compare::{self, half_of_lengths};
 use super::condition::{self, of_vanishing, plane_of_vanishing, senses};
 use super::finding::Finding;
-use super::masses;
+use super::masses::{self, Sums};
 use super::statement::{Angle, Predicate, Subject, Unit, Value};
 use crate::engine::{Engine, LengthUnit};
 use crate::exact::PhasorSum;
@@ -58,8 +59,9 @@ pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, n
     if subject.quantity == Quantity::TORQUE {
         return of_torque(engine, subject, predicate);
     }
-    let order = match masses::balance_of(engine, subject.order, subject.masses) {
-        Ok(order) => order,
+    let order = match masses::sums_of(engine, subject.order, subject.masses) {
+        Ok(Sums::One(order)) => *order,
+        Ok(Sums::Several(order)) => return classes::one(*order, subject, predicate),
         Err(reason) => return Answer::nothing(&reason),
     };
     if !order.exists {
@@ -98,6 +100,9 @@ pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, n
 
 /// Answers a claim about one order of the inertia torque.
 fn of_torque(engine: &Engine, subject: Subject, predicate: &Predicate) -> Answer {
+    if classes::has_several(engine) {
+        return Answer::nothing(SEVERAL);
+    }
     let judged = verdict::torque(engine, &[subject.order]).into_iter().flatten().flat_map(|torque| torque.parts).next();
     let Some(torque) = judged else { return Answer::nothing("no order") };
     let vectors = Vectors { verdicts: vec![&torque.verdict], shape: None, comparison: None };
