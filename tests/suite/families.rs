@@ -7,7 +7,7 @@ use crankstar::exact::Turn;
 use crankstar::family::{self, NotComparable, OpenVerdict, Remaining, When};
 use crankstar::file::{self, Layout};
 use crankstar::numbers::Form;
-use crankstar::page::Format;
+use crankstar::page::{Format, Math};
 use crankstar::proof::{Planar, Quantity};
 use crankstar::{order, report};
 use num_rational::BigRational;
@@ -339,4 +339,62 @@ fn an_order_that_no_piston_has_is_said_to_be_missing_and_is_nowhere_large() {
     }
     let (orders, told) = text("crank_radius = 1, rod_length = 4, pin_offset = 0.5");
     assert!(!orders[1].force[0].always() && !told.contains("does not exist"), "{told}");
+}
+
+#[test]
+fn a_moment_of_several_lengths_vanishes_in_words_only_where_the_moment_of_any_lengths_does() {
+    let throws = ["0, 90, 120", "0, 180", "0, 120, 240", "0, 90, 270, 180", "0"];
+    let mut joined = 0;
+    for text in throws.map(|throws| {
+        format!("vee = {{ bank_angle = 60, pin_split = \"delta\", throws = [{throws}], bank_offset = \"b\" }}")
+    }) {
+        let family = open(&text);
+        let orders = family::classify(&family, &[1, 2, 4, 6]).expect("orders");
+        for verdict in orders.iter().flat_map(|order| order.moment.iter()) {
+            let lengths = [(1, 7), (3, 5)].map(|(over, under)| ("b", fraction(over, under)));
+            let zeros = (0..360).map(|degrees| fraction(degrees, 360)).filter(|delta| {
+                let both = |(name, length): &(&str, BigRational)| {
+                    vanishes_at(&family, verdict, &at(&[(*name, length.clone()), (DELTA, delta.clone())]))
+                };
+                lengths.iter().all(both)
+            });
+            let zeros: BTreeSet<Turn> = zeros.map(Turn::new).collect();
+            joined += usize::from(verdict.sums.len() > 1 && !zeros.is_empty());
+            assert_eq!(verdict.always(), zeros.len() == 360, "{text} order {}", verdict.order);
+            let never = verdict.never() || verdict.meeting().is_some_and(|met| met.is_empty());
+            assert_eq!(never, zeros.is_empty(), "{text} order {}", verdict.order);
+        }
+        let told = pages::text(&report::family_answer(&family, &orders), Format::PLAIN);
+        assert!(!told.contains("; and 0"), "{told}");
+    }
+    assert!(joined > 2, "{joined}");
+}
+
+#[test]
+fn conditions_on_both_angles_that_exclude_each_other_are_never_met() {
+    // The force of two lengths: 2φ − δ ≡ 180° of one, 2φ − δ ≡ 0° of the other.
+    let text = "cylinder = [
+        { throw = 0, bank = '-phi', position = 'a' }, { throw = 'delta', bank = 'phi', position = 'a' },
+        { throw = 0, bank = '-phi', position = 'b' }, { throw = 'delta + 180', bank = 'phi', position = 'b' },
+        { throw = 0, bank = 0, position = 0 }]
+        reference_plane = 0";
+    let family = open(text);
+    let orders = family::classify(&family, &[1]).expect("an order");
+    for verdict in &orders[0].moment {
+        assert_eq!(verdict.meeting(), Some(Vec::new()), "{:?}", verdict.sums);
+    }
+    let page = pages::text(&report::family_page(&family, &orders, false), Format::Markdown(Math::Dollars));
+    assert!(page.contains("No angles meet the conditions of all lengths at once."), "{page}");
+}
+
+#[test]
+fn a_family_with_masses_that_turn_says_that_it_is_about_the_pistons() {
+    let told = |masses: &str| {
+        let family = open(&format!("{V4}\nmechanism = {{ reciprocating_mass = 1{masses} }}"));
+        let orders = family::classify(&family, &[1, 2]).expect("orders");
+        pages::text(&report::family_answer(&family, &orders), Format::PLAIN)
+    };
+    let says = "The pistons alone.";
+    assert!(!told("").contains(says) && !told(", rotating_mass = 0").contains(says));
+    assert!(told(", rotating_mass = [0, 0, 0, '1/3']").contains(says));
 }

@@ -7,7 +7,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use super::angles::{Alternative, Condition};
+use super::angles::Condition;
 use crate::exact::Turn;
 
 /// That a multiple of φ and one of δ come to an angle between these ends, in turns, modulo a turn.
@@ -84,20 +84,18 @@ fn sum([a, b]: &[BigRational; 2], [c, d]: &[BigRational; 2]) -> [BigRational; 2]
     [a + c, b + d]
 }
 
-impl Alternative {
-    /// Its conditions without what others imply: those on multiples of one angle are one on the greatest common divisor of the multiples.
-    /// None where they contradict each other, or hold for no φ and δ from 0° to 360°.
-    pub fn in_range(&self) -> Option<Vec<Condition>> {
-        let mut found: Vec<Condition> = Vec::new();
-        for condition in &self.conditions {
-            match found.iter_mut().find(|known| known.is_parallel_to(condition)) {
-                Some(known) => *known = known.with(condition)?,
-                None => found.push(condition.clone()),
-            }
+/// Conditions without what others imply: those on multiples of one angle are one on the greatest common divisor of the multiples.
+/// None where they contradict each other, or hold for no φ and δ from 0° to 360°.
+pub fn in_range(conditions: &[Condition]) -> Option<Vec<Condition>> {
+    let mut found: Vec<Condition> = Vec::new();
+    for condition in conditions {
+        match found.iter_mut().find(|known| known.is_parallel_to(condition)) {
+            Some(known) => *known = known.with(condition)?,
+            None => found.push(condition.clone()),
         }
-        let place = |one: &Condition| Place::exact(&[one.phi.clone(), one.delta.clone()], one.turn.turns());
-        is_in_range(&found.iter().map(place).collect::<Vec<_>>()).then_some(found)
     }
+    let place = |one: &Condition| Place::exact(&[one.phi.clone(), one.delta.clone()], one.turn.turns());
+    is_in_range(&found.iter().map(place).collect::<Vec<_>>()).then_some(found)
 }
 
 impl Condition {

@@ -1,6 +1,8 @@
 //! What is known of an order with open angles and lengths?
 
+use super::angles::{Angles, Condition};
 use super::part::Part;
+use super::range::in_range;
 use super::when::When;
 use crate::proof::{Planar, Sense};
 
@@ -19,6 +21,14 @@ impl OpenSum {
     /// The parts that do not vanish.
     pub fn left(&self) -> impl Iterator<Item = &Part> {
         self.parts.iter().filter(|part| !part.certificate.claims_zero())
+    }
+
+    /// The angles, where they are conditions of rational turns.
+    pub fn angles(&self) -> Option<&Angles> {
+        match &self.when {
+            When::Where(angles) => Some(angles),
+            _ => None,
+        }
     }
 }
 
@@ -47,6 +57,23 @@ impl OpenVerdict {
     pub fn never(&self) -> bool {
         self.exists && self.sums.iter().any(|sum| matches!(sum.when, When::Never(_)))
     }
+
+    /// The conditions under which the sums of all lengths vanish at once: alternatives, none where they contradict each other or hold for no angles
+    /// in the range. None where a sum vanishes by something else than such conditions.
+    pub fn meeting(&self) -> Option<Vec<Vec<Condition>>> {
+        let mut met: Vec<Vec<Condition>> = vec![Vec::new()];
+        for sum in self.sums.iter().filter(|sum| !matches!(sum.when, When::Always)) {
+            let alternatives = &sum.angles()?.alternatives;
+            let mut both = Vec::new();
+            for conditions in
+                met.iter().flat_map(|known| alternatives.iter().map(move |one| [&known[..], &one.conditions].concat()))
+            {
+                both.extend(in_range(&conditions).filter(|conditions| !both.contains(conditions)));
+            }
+            met = both;
+        }
+        Some(met)
+    }
 }
 
 /// The verdicts on one order.
@@ -58,4 +85,14 @@ pub struct OpenOrder {
     pub force: [OpenVerdict; 2],
     /// Moment, direct and reverse.
     pub moment: [OpenVerdict; 2],
+}
+
+impl OpenOrder {
+    /// The verdicts on both vectors of the force or the moment.
+    pub fn verdicts(&self, quantity: Planar) -> &[OpenVerdict; 2] {
+        match quantity {
+            Planar::Force => &self.force,
+            Planar::Moment => &self.moment,
+        }
+    }
 }

@@ -3,10 +3,10 @@
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use super::super::typeset;
 use super::circle_words::about;
-use super::unknowns::{NEVER, alternatives, near, unknowns, zero_where};
-use crate::family::{BoxZero, Boxes, Place, is_in_range};
+use super::coordinate::{self, Coordinate};
+use super::unknowns::{self, NEVER, zero_where};
+use crate::family::{BoxZero, Boxes};
 use crate::page::Text;
 use crate::report::texts::family as text;
 
@@ -18,27 +18,12 @@ pub(super) fn condition(found: &Boxes) -> Text {
 
 /// The zeros; none where no zero is known.
 fn zeros(found: &Boxes) -> Option<Text> {
-    let names = names(found);
-    let zero = |zero: &BoxZero| match zero.exact() {
-        Some(turns) => {
-            let each = names.iter().zip(&turns);
-            Text::joined(each.map(|(name, turn)| Text::label(format!("{name} ≡ {}", typeset::angle(turn)))), " and ")
-        }
-        None => Text::joined(names.iter().zip(zero.near).map(|(name, turns)| near(name, 360.0 * turns)), " and "),
+    let times = times(found);
+    let coordinates = |zero: &BoxZero| match zero.exact() {
+        Some(turns) => times.iter().zip(&turns).map(|(times, turn)| Coordinate::exact(times, turn)).collect(),
+        None => times.iter().zip(zero.near).map(|(times, turns)| Coordinate::near(times, 360.0 * turns)).collect(),
     };
-    let is_meant = |zero: &&BoxZero| {
-        let times = [0, 1].map(|place| {
-            let mut times = [BigRational::zero(), BigRational::zero()];
-            times[place] = found.times[place].clone();
-            times
-        });
-        let places = match zero.exact() {
-            Some(turns) => [0, 1].map(|place| Place::exact(&times[place], turns[place].turns())),
-            None => [0, 1].map(|place| Place::near(&times[place], 360.0 * zero.near[place])),
-        };
-        is_in_range(&places)
-    };
-    alternatives(found.zeros.iter().filter(is_meant).map(zero))
+    coordinate::in_words(found.zeros.iter().map(coordinates))
 }
 
 /// Where it is not known.
@@ -65,6 +50,11 @@ pub(super) fn why(found: &Boxes) -> Text {
 
 /// s and t.
 fn names(found: &Boxes) -> [String; 2] {
-    let none = BigRational::zero();
-    [unknowns(&found.times[0], &none), unknowns(&none, &found.times[1])]
+    unknowns::names(times(found).each_ref())
+}
+
+/// How many times φ and δ enter each.
+fn times(found: &Boxes) -> [[BigRational; 2]; 2] {
+    let [s, t] = found.times.clone();
+    [[s, BigRational::zero()], [BigRational::zero(), t]]
 }

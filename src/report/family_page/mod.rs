@@ -2,6 +2,7 @@
 
 mod boxes_words;
 mod circle_words;
+mod coordinate;
 mod document;
 mod map;
 mod picture;
@@ -17,6 +18,8 @@ pub use document::open_document;
 pub use picture::{amplitudes, amplitudes_caption};
 pub(super) use picture::{axis_name, which_angle};
 pub(super) use words::{argument, condition_of, summary};
+
+use num_traits::Zero;
 
 use super::convention::{differs, seen};
 use super::moving;
@@ -72,8 +75,12 @@ pub fn family_proofs(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
 }
 
 /// What a report of a member says of all lengths and angles.
-pub(super) fn section(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
-    let mut blocks = vec![Block::Heading(1, "For all lengths".into()), Block::Paragraph(left_open(family))];
+///
+/// `has_others`: whether the member has masses that its family knows nothing of.
+pub(super) fn section(family: &Family, orders: &[OpenOrder], has_others: bool) -> Vec<Block> {
+    let mut blocks = vec![Block::Heading(1, "For all lengths".into())];
+    blocks.extend(has_others.then(|| text::pistons_alone().into()));
+    blocks.push(Block::Paragraph(left_open(family)));
     blocks.extend([tables::summary(orders).into(), Block::Note(text::legend())]);
     blocks.extend(amplitude_picture(family, orders));
     for order in orders {
@@ -115,7 +122,7 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     let mut told = Vec::new();
     for quantity in Planar::BOTH {
         let Some(unit) = picture::unit(family, Some(&sizes), quantity) else {
-            let of = orders.iter().filter(|order| !sizes::verdicts(order, quantity).iter().all(OpenVerdict::always));
+            let of = orders.iter().filter(|order| !order.verdicts(quantity).iter().all(OpenVerdict::always));
             let of: Vec<u32> = of.map(|order| order.order).collect();
             told.extend((!of.is_empty()).then(|| text::depends_on_lengths(super::residual::orders_in_words(&of))));
             continue;
@@ -136,7 +143,9 @@ fn most(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
 
 /// What is open, and where each order vanishes.
 fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
-    let mut lines: Vec<Text> = most(family, orders).into_iter().collect();
+    let turns = family.cylinders().iter().any(|cylinder| !cylinder.rotating_mass.is_zero());
+    let mut lines: Vec<Text> = turns.then(text::pistons_alone).into_iter().collect();
+    lines.extend(most(family, orders));
     lines.extend(special_angles::sentences(family, orders));
     let always = |verdicts: &[OpenVerdict; 2]| verdicts.iter().all(OpenVerdict::always);
     let list = |is_meant: &dyn Fn(&OpenOrder) -> bool| -> Vec<u32> {
@@ -184,6 +193,9 @@ fn proofs(order: &OpenOrder) -> Vec<Block> {
     let argued = order.force.iter().chain(&order.moment).map(|verdict| {
         let none = verdict.sums.is_empty().then(text::no_weight);
         let sums = verdict.sums.iter().map(words::argument).chain(none).chain(words::left_sentence(verdict));
+        let sums = sums.chain(
+            (verdict.sums.len() > 1 && verdict.meeting().is_some_and(|met| met.is_empty())).then(text::contradictory),
+        );
         text::argument(verdict.quantity, verdict.sense, words::summary(verdict), Text::joined(sums, " "))
     });
     vec![Block::List(argued.collect())]

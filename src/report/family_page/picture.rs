@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::super::typeset;
-use super::sizes::{Sizes, verdicts};
+use super::sizes::Sizes;
 use crate::engine::{DELTA, Family, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{OpenOrder, OpenVerdict, Solutions, Zeros, phase};
@@ -134,7 +134,7 @@ fn open_angle(family: &Family) -> Option<&'static str> {
 type OfOrder<'a> = (u32, &'a [OpenVerdict; 2]);
 
 fn of_quantity(orders: &[OpenOrder], quantity: Planar) -> Vec<OfOrder<'_>> {
-    orders.iter().map(|order| (order.order, verdicts(order, quantity))).collect()
+    orders.iter().map(|order| (order.order, order.verdicts(quantity))).collect()
 }
 
 fn sizes<'a>(family: &'a Family, orders: &[OpenOrder]) -> Option<Sizes<'a>> {

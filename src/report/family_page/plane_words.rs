@@ -2,12 +2,11 @@
 
 use num_rational::BigRational;
 
-use super::super::typeset;
 use super::circle_words::{self, none_of};
-use super::unknowns::{NEVER, alternatives, names, near, together, unknowns, zero_where};
+use super::coordinate::{self, Coordinate};
+use super::unknowns::{NEVER, alternatives, exactly, names, together, zero_where};
 use crate::exact::Turn;
-use crate::family::{Circle, Classes, Corner, Meeting, Place, Triangle, is_in_range};
-use crate::page::number::Bearing;
+use crate::family::{Circle, Classes, Corner, Meeting, Triangle};
 use crate::page::{Text, phrase};
 use crate::report::texts::family as text;
 
@@ -23,42 +22,25 @@ pub(super) fn condition(classes: &Classes) -> Text {
 
 /// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero in the range is known.
 fn zeros(classes: &Classes) -> Option<Text> {
-    let [u, v] = names([&classes.u, &classes.v]);
-    let rational = classes.rational().filter(|(at, meeting)| {
-        let own = Place::exact(&classes.u, at);
-        is_in_range(&match meeting {
-            Meeting::All(_) => vec![own],
-            Meeting::Rational { turn, .. } => vec![own, Place::exact(&classes.v, turn.turns())],
-            Meeting::Once { degrees, .. } => vec![own, Place::near(&classes.v, *degrees)],
-        })
-    });
-    let rational = rational.map(|(at, meeting)| {
-        let at = Text::label(format!("{u} ≡ {}", typeset::angle(&Turn::new(at.clone()))));
-        let v = match meeting {
-            Meeting::All(_) => return at,
-            Meeting::Rational { turn, .. } => Text::label(format!("{v} ≡ {}", typeset::angle(turn))),
-            Meeting::Once { exact: Some(exact), degrees, .. } => {
-                phrase!("{} ≡ {}", v.clone(), Bearing { exact: Some(exact.clone()), decimal: *degrees })
-            }
-            Meeting::Once { exact: None, degrees, .. } => near(&v, degrees.rem_euclid(360.0)),
+    let [u, v] = [&classes.u, &classes.v];
+    let rational = classes.rational().map(|(at, meeting)| {
+        let other = match meeting {
+            Meeting::All(_) => None,
+            Meeting::Rational { turn, .. } => Some(Coordinate::exact(v, turn)),
+            Meeting::Once { exact: Some(exact), degrees, .. } => Some(Coordinate::closed(v, exact.clone(), *degrees)),
+            Meeting::Once { exact: None, degrees, .. } => Some(Coordinate::near(v, degrees.rem_euclid(360.0))),
         };
-        Text::joined([at, v], " and ")
+        [Coordinate::exact(u, &Turn::new(at.clone()))].into_iter().chain(other).collect()
     });
-    alternatives(rational.chain(irrational(classes.irrational(), [&classes.u, &classes.v])))
+    coordinate::in_words(rational.chain(irrational(classes.irrational(), [u, v])))
 }
 
-/// `φ ≈ 12.5° and δ ≈ 75.52°`: zeros at no rational turn of the first unknown, those in the range.
+/// `φ ≈ 12.5° and δ ≈ 75.52°`: zeros at no rational turn of the first unknown.
 pub(super) fn irrational<'a>(
     zeros: impl Iterator<Item = ([&'a BigRational; 2], f64)>,
     [u, v]: [&'a [BigRational; 2]; 2],
-) -> impl Iterator<Item = Text> {
-    let is_meant = move |(ends, degrees): &([&BigRational; 2], f64)| {
-        let own = Place { times: u.clone(), ends: ends.map(Clone::clone) };
-        is_in_range(&[own, Place::near(v, *degrees)])
-    };
-    let [u_name, v_name] = names([u, v]);
-    let told = move |(ends, degrees)| [near(&u_name, circle_words::middle(ends)), near(&v_name, degrees)];
-    zeros.filter(is_meant).map(move |zero| Text::joined(told(zero), " and "))
+) -> impl Iterator<Item = Vec<Coordinate>> {
+    zeros.map(move |(ends, degrees)| vec![Coordinate::between(u, ends), Coordinate::near(v, degrees)])
 }
 
 /// Why it vanishes there, and nowhere else.
@@ -103,13 +85,10 @@ pub(super) fn triangle_condition(triangle: &Triangle) -> Text {
 
 fn corners(triangle: &Triangle) -> Option<Text> {
     let corner = |corner: &Corner| match corner {
-        Corner::Exact(exact) => together(exact),
+        Corner::Exact(exact) => together(&exact.conditions, exactly),
         Corner::Near(degrees) => {
-            let each = || triangle.multiples.iter().zip(degrees);
-            let places: Vec<Place> = each().map(|(times, degrees)| Place::near(times, *degrees)).collect();
-            is_in_range(&places).then(|| {
-                Text::joined(each().map(|([phi, delta], degrees)| near(&unknowns(phi, delta), *degrees)), " and ")
-            })
+            let each = triangle.multiples.iter().zip(degrees);
+            coordinate::in_words([each.map(|(times, degrees)| Coordinate::near(times, *degrees)).collect()])
         }
     };
     alternatives(triangle.corners.iter().filter_map(corner))

@@ -1,11 +1,11 @@
 //! How is it put for which φ and δ three classes of parts cancel?
 
-use super::super::typeset;
 use super::circle_words::{self, none_of};
+use super::coordinate::{self, Coordinate};
 use super::plane_words::{irrational, so};
-use super::unknowns::{alternatives, names, near, zero_where};
+use super::unknowns::{names, zero_where};
 use crate::exact::Turn;
-use crate::family::{Place, Quadratic, Root, Roots, is_in_range};
+use crate::family::{Quadratic, Root, Roots};
 use crate::page::Text;
 use crate::report::texts::family as text;
 
@@ -24,33 +24,21 @@ pub(super) fn condition(found: &Quadratic) -> Text {
 
 /// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero is known.
 fn zeros(found: &Quadratic) -> Option<Text> {
-    let [u, v] = names([&found.u, &found.v]);
+    let [u, v] = [&found.u, &found.v];
     let rational = found.rational().flat_map(|(at, roots)| {
-        let own = Place::exact(&found.u, at);
-        let is_meant = |root: &&Root| {
-            let other = match root {
-                Root::Exact(turn, _) => Place::exact(&found.v, turn.turns()),
-                Root::Near(degrees) => Place::near(&found.v, *degrees),
-            };
-            is_in_range(&[own.clone(), other])
-        };
-        let at = Text::label(format!("{u} ≡ {}", typeset::angle(&Turn::new(at.clone()))));
-        let with = |root: &Root| {
-            let v = match root {
-                Root::Exact(turn, _) => Text::label(format!("{v} ≡ {}", typeset::angle(turn))),
-                Root::Near(degrees) => near(&v, *degrees),
-            };
-            Text::joined([at.clone(), v], " and ")
+        let own = || Coordinate::exact(u, &Turn::new(at.clone()));
+        let with = |root: &Root| match root {
+            Root::Exact(turn, _) => vec![own(), Coordinate::exact(v, turn)],
+            Root::Near(degrees) => vec![own(), Coordinate::near(v, *degrees)],
         };
         match roots {
-            Roots::All(_) if is_in_range(std::slice::from_ref(&own)) => vec![at.clone()],
-            Roots::All(_) => Vec::new(),
+            Roots::All(_) => vec![vec![own()]],
             Roots::None(_) => Vec::new(),
-            Roots::One { at, .. } => [at].into_iter().filter(is_meant).map(with).collect(),
-            Roots::Mirror { at, .. } => at.iter().filter(is_meant).map(with).collect(),
+            Roots::One { at, .. } => vec![with(at)],
+            Roots::Mirror { at, .. } => at.iter().map(with).collect(),
         }
     });
-    alternatives(rational.chain(irrational(found.irrational(), [&found.u, &found.v])))
+    coordinate::in_words(rational.chain(irrational(found.irrational(), [u, v])))
 }
 
 /// Why it vanishes there, and nowhere else.

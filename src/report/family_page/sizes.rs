@@ -62,7 +62,7 @@ impl<'a> Sizes<'a> {
 
     /// The orders of a quantity that are at least a hundredth of the largest one, or of one piston's force, with the largest value of each over all angles, and the others.
     pub fn told(&self, quantity: Planar, orders: &[OpenOrder]) -> (Vec<(u32, f64)>, Vec<u32>) {
-        let is_left = |order: &&OpenOrder| !verdicts(order, quantity).iter().all(OpenVerdict::always);
+        let is_left = |order: &&OpenOrder| !order.verdicts(quantity).iter().all(OpenVerdict::always);
         let left = orders.iter().filter(is_left).map(|order| (order.order, self.most(quantity, order.order)));
         let left: Vec<(u32, f64)> = left.collect();
         // A force is beside that of one piston, too.
@@ -125,13 +125,5 @@ impl<'a> Sizes<'a> {
             }
         }
         size(best)
-    }
-}
-
-/// The verdicts on both vectors of a quantity.
-pub(super) fn verdicts(order: &OpenOrder, quantity: Planar) -> &[OpenVerdict; 2] {
-    match quantity {
-        Planar::Force => &order.force,
-        Planar::Moment => &order.moment,
     }
 }

@@ -6,7 +6,7 @@ use num_traits::{Signed, Zero};
 use super::super::typeset;
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
-use crate::family::{Alternative, Condition};
+use crate::family::{Condition, in_range};
 use crate::page::{Text, phrase};
 
 /// `2φ − δ ≡ 180°`.
@@ -18,11 +18,7 @@ pub(super) fn exactly(unknowns: String, turn: &Turn) -> String {
 pub(super) const NEVER: &str = "never 0 in (0°, 360°)";
 
 /// `φ ≡ 60° and δ ≡ 90°`; none where no φ and δ in the range make it.
-pub(super) fn together(alternative: &Alternative) -> Option<Text> {
-    together_by(alternative, exactly)
-}
-
-pub(super) fn together_by(alternative: &Alternative, shown: fn(String, &Turn) -> String) -> Option<Text> {
+pub(super) fn together(conditions: &[Condition], shown: fn(String, &Turn) -> String) -> Option<Text> {
     let one = |condition: &Condition| {
         // φ, or else δ, is shown entering positively.
         let Condition { phi, delta, turn } = condition;
@@ -31,7 +27,7 @@ pub(super) fn together_by(alternative: &Alternative, shown: fn(String, &Turn) ->
             false => shown(unknowns(phi, delta), turn),
         })
     };
-    alternative.in_range().map(|conditions| Text::joined(conditions.iter().map(one), " and "))
+    in_range(conditions).map(|conditions| Text::joined(conditions.iter().map(one), " and "))
 }
 
 /// `2φ − δ`.
@@ -87,7 +83,11 @@ pub(super) fn zero_where(zeros: Option<Text>, open: impl IntoIterator<Item = Tex
 
 /// The names of two unknowns.
 pub(super) fn names(both: [&[BigRational; 2]; 2]) -> [String; 2] {
-    both.map(|[phi, delta]| unknowns(phi, delta))
+    both.map(name)
+}
+
+pub(super) fn name([phi, delta]: &[BigRational; 2]) -> String {
+    unknowns(phi, delta)
 }
 
 pub(super) fn near(name: &str, degrees: f64) -> Text {

@@ -6,11 +6,13 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::super::{argument, residual, typeset};
-use super::unknowns::{NEVER, alternatives, exactly, together_by, unknowns};
+use super::unknowns::{NEVER, alternatives, exactly, together, unknowns};
 use super::{boxes_words, circle_words, plane_words, quadratic_words};
 use crate::engine::{DOES_NOT_EXIST, Linear};
 use crate::exact::Turn;
-use crate::family::{self, Angles, Cosine, EvenFiring, Never, OpenSum, OpenVerdict, Part, Product, Remaining, When};
+use crate::family::{
+    self, Angles, Condition, Cosine, EvenFiring, Never, OpenSum, OpenVerdict, Part, Product, Remaining, When,
+};
 use crate::numbers::{Form, float};
 use crate::page::number::Bearing;
 use crate::page::{Piece, Setting, Text, Unit, phrase};
@@ -33,13 +35,22 @@ pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
     match verdict.bank_angles() {
         Some(angles) if angles.is_empty() => NEVER.into(),
         Some(angles) => phrase!("0 at φ = {}", list(&angles)),
-        None => Text::joined(verdict.sums.iter().filter_map(condition_of), "; and "),
+        None => match verdict.meeting() {
+            Some(met) => zero_where(&met, exactly),
+            None => Text::joined(verdict.sums.iter().filter_map(condition_of), " and at once "),
+        },
     }
+}
+
+/// `0 where 2φ − δ ≡ 180°`: where one of these alternatives holds.
+fn zero_where(met: &[Vec<Condition>], shown: fn(String, &Turn) -> String) -> Text {
+    let told = alternatives(met.iter().filter_map(|one| together(one, shown)));
+    told.map_or_else(|| NEVER.into(), |told| phrase!("0 where {}", told))
 }
 
 /// The same for a table: angles that are no round number of degrees as decimals, since the proofs have them exactly.
 pub(super) fn cell(verdict: &OpenVerdict) -> Text {
-    match (verdict.bank_angles(), verdict.sums.as_slice()) {
+    match (verdict.bank_angles(), verdict.meeting()) {
         _ if verdict.always() || verdict.never() => summary(verdict),
         (Some(angles), _) if angles.iter().any(is_fractional) => {
             let (near, exact): (Vec<&Turn>, Vec<&Turn>) = angles.iter().partition(|angle| is_fractional(angle));
@@ -51,9 +62,7 @@ pub(super) fn cell(verdict: &OpenVerdict) -> Text {
                 }
             }
         }
-        (None, [OpenSum { when: When::Where(angles), .. }]) => {
-            conditions(angles, nearly).map_or_else(|| summary(verdict), |shown| phrase!("0 where {}", shown))
-        }
+        (None, Some(met)) => zero_where(&met, nearly),
         (Some(_) | None, _) => summary(verdict),
     }
 }
@@ -105,7 +114,7 @@ pub(super) fn told(when: &When) -> Option<Text> {
     match when {
         When::Always => None,
         When::Never(_) => Some("never 0".into()),
-        When::Where(angles) => Some(match conditions(angles, exactly) {
+        When::Where(angles) => Some(match conditions(angles) {
             Some(conditions) => phrase!("0 where {}", conditions),
             None => NEVER.into(),
         }),
@@ -124,17 +133,14 @@ pub(super) fn told(when: &When) -> Option<Text> {
     }
 }
 
-/// Where a vector of one sum vanishes: `2φ − δ ≡ 180°`; none where no such condition says it.
+/// Where a vector vanishes: `2φ − δ ≡ 180°`; none where no such condition says it.
 pub(super) fn conditions_of(verdict: &OpenVerdict) -> Option<Text> {
-    match verdict.sums.as_slice() {
-        [OpenSum { when: When::Where(angles), .. }] => conditions(angles, exactly),
-        _ => None,
-    }
+    alternatives(verdict.meeting()?.iter().filter_map(|one| together(one, exactly)))
 }
 
 /// `2φ − δ ≡ 180°`, alternatives in the range joined by "or"; none where there is none.
-fn conditions(angles: &Angles, shown: fn(String, &Turn) -> String) -> Option<Text> {
-    alternatives(angles.alternatives.iter().filter_map(|one| together_by(one, shown)))
+fn conditions(angles: &Angles) -> Option<Text> {
+    alternatives(angles.alternatives.iter().filter_map(|one| together(&one.conditions, exactly)))
 }
 
 /// `cos(φ) = 0.25, φ ≈ ±75.52°`.
@@ -196,7 +202,7 @@ pub(super) fn why(when: &When) -> Text {
         When::Never(Never::Quadratic(found)) | When::Quadratic(found) => quadratic_words::why(found),
         When::Never(Never::Product(product)) | When::Product(product) => product_why(product),
         When::Never(Never::Boxes(found)) | When::Boxes(found) => boxes_words::why(found),
-        When::Where(angles) => match conditions(angles, exactly) {
+        When::Where(angles) => match conditions(angles) {
             Some(conditions) => text::cancel_where(angles.alternatives.len() == 1, conditions),
             None => text::cannot_cancel(),
         },

@@ -122,10 +122,7 @@ impl<'a> OpenAngle<'a> {
     /// The verdict of the family on the same sum; none where it was not judged at its order.
     fn open_verdict(&self, verdict: &Verdict) -> Option<&'a OpenVerdict> {
         let order = self.orders.iter().find(|order| order.order == verdict.order)?;
-        let [direct, reverse] = match verdict.quantity.planar()? {
-            Planar::Force => &order.force,
-            Planar::Moment => &order.moment,
-        };
+        let [direct, reverse] = order.verdicts(verdict.quantity.planar()?);
         Some(match verdict.sense? {
             Sense::Direct => direct,
             Sense::Reverse => reverse,
