@@ -92,10 +92,12 @@ pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> Text {
         Err(RemedyError::Missing(_)) => return "not stated: masses cannot be compared".into(),
         Err(_) => return text::not_stated(),
     };
-    let mut words: Vec<Text> = remedy.crankshaft.iter().map(counterweights).collect();
-    let mut shafts = remedy.shafts.iter().peekable();
+    let on_the_crankshaft = remedy.crankshaft.iter().filter(|shaft| remedy.stays(&shaft.weights));
+    let mut words: Vec<Text> = on_the_crankshaft.map(counterweights).collect();
+    let mut shafts = remedy.shafts_built().peekable();
     while let Some(shaft) = shafts.next() {
-        let partner = shafts.next_if(|next| next.order == shaft.order);
+        let is_one = |of: &Shaft| remedy.crank_of(of).is_none();
+        let partner = shafts.next_if(|next| next.order == shaft.order && is_one(shaft) && is_one(next));
         let order = shaft.order;
         words.push(match (partner, remedy.crank_of(shaft)) {
             (Some(_), _) if shaft.lanchester => phrase!("Lanchester pair ±{}", order),
@@ -105,6 +107,8 @@ pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> Text {
             (None, None) => text::shaft(shaft.sense, order, kind(shaft)),
         });
     }
+    let taken_away = remedy.shafts.iter().filter(|shaft| !remedy.stays(&shaft.weights));
+    words.extend(taken_away.map(|shaft| text::taken_away(shaft.sense, shaft.order)));
     if words.is_empty() { "none needed".into() } else { Text::joined(words, "; ") }
 }
 

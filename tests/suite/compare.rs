@@ -311,3 +311,24 @@ fn a_comparison_of_layouts_with_gas_says_how_to_get_what_the_gas_adds() {
     assert!(told(&paths[0], &paths[1]).contains(&format!("{note}: silent.")));
     assert!(!told("I4", "I4").contains(note));
 }
+
+#[test]
+fn a_cure_names_the_counterweights_of_a_faster_crankshaft_and_the_shaft_that_is_taken_away() {
+    let folder = scratch("compare-cures");
+    let mechanism = "[mechanism]\ncrank_radius = '40 mm'\nrod_length = '140 mm'\nreciprocating_mass = '1 kg'\n";
+    let crankshafts = "crankshaft = [{ name = 'slow', sense = 'with' }, { name = 'fast', sense = 'with', speed = 2 }]\ncylinder = [{ crankshaft = 'slow', throw = 0, bank = 0, position = '0 m' }, { crankshaft = 'fast', throw = 0, bank = 0, position = '0 m' }]\n";
+    let shaft = "[[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '0.001 kg m'\nangle = 0\nposition = '0 m'\n";
+    let four = "inline = { throws = [0, 180, 180, 0], spacing = '0.1 m' }\n";
+    let path = |name: &str, text: String| {
+        let path = folder.join(name);
+        fs::write(&path, text).expect("a layout");
+        path.to_string_lossy().into_owned()
+    };
+    let faster = path("faster.toml", format!("speed = 3000\n{crankshafts}{mechanism}"));
+    let needless = path("needless.toml", format!("speed = 3000\n{four}{mechanism}{shaft}"));
+    let cures = |one: &str, other: &str| line(&succeeds(&[one, other, "--orders", "1,2"]), "Cures");
+    let row = cures(&faster, &needless);
+    assert!(row.contains("on crankshaft fast") && row.contains("shaft −2"), "{row}");
+    let row = cures(&needless, &faster);
+    assert!(row.contains("Lanchester pair ±2; the engine's shaft −1 taken away"), "{row}");
+}

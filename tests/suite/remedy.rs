@@ -1,6 +1,7 @@
 //! Do the proposed weights balance the engine, exactly, and are they those of theory and thesis?
 use std::f64::consts::TAU;
 
+use crankstar::claim::{self, Status};
 use crankstar::exact::{PhasorSum, Term, Turn};
 use crankstar::file::{catalogue, parse};
 use crankstar::loads::{Outcome, loads};
@@ -628,4 +629,34 @@ fn a_shaft_rolls_the_engine_with_its_force_times_its_distance() {
     };
     let grown = (roll("2 m") - roll("1 m")).norm();
     assert!((grown - force).abs() < 1e-6 * force, "{grown} instead of {force}");
+}
+
+/// A four whose only remainder of order 1 is the shaft itself.
+#[test]
+fn a_shaft_of_the_engine_that_is_not_needed_is_taken_away_and_counts_as_none() {
+    let four = "speed = 3000\ninline = { throws = [0, 180, 180, 0], spacing = '0.1 m' }\n[mechanism]\ncrank_radius = '40 mm'\nrod_length = '140 mm'\nreciprocating_mass = '1 kg'\n";
+    let shaft = "[[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '0.001 kg m'\nangle = 0\nposition = '0 m'\n";
+    let [bare, with] = [read(four), read(&format!("{four}{shaft}"))].map(|engine| {
+        let remedy = remedy(&engine, &request(&[1, 2])).expect("a remedy");
+        assert_balanced("the four", &remedy);
+        let told = report::remedy_cures(&remedy).iter().map(page::Text::plain).collect::<Vec<_>>().join(" ");
+        (engine, remedy, told)
+    });
+    assert_eq!(bare.1.shafts_built().count(), 2);
+    assert_eq!(with.1.shafts_built().count(), 2, "{:?}", with.1.shafts);
+    assert!(!bare.2.contains("now nothing") && with.2.contains("now nothing"), "{}", with.2);
+    let alone = remedy(&with.0, &request(&[1])).expect("a remedy");
+    let told = report::remedy_cures(&alone).iter().map(page::Text::plain).collect::<Vec<_>>().join(" ");
+    assert!(alone.shafts_built().next().is_none() && !told.contains("these shafts"), "{told}");
+    // What it needs beside a shaft that is to go is said in no such words.
+    for (says, of_bare) in [
+        ("order 1 needs nothing", Status::True),
+        ("order 1 needs one balancer shaft against the crank", Status::False),
+        ("order 2 needs a Lanchester pair", Status::True),
+    ] {
+        let statement = claim::parse_statement(says).expect("a claim");
+        assert_eq!(claim::answer(&bare.0, &statement, None).status, of_bare, "{says}");
+        let of_with = if says.starts_with("order 1") { Status::NotDecided } else { of_bare };
+        assert_eq!(claim::answer(&with.0, &statement, None).status, of_with, "{says}");
+    }
 }

@@ -23,6 +23,9 @@ const NEEDS: [(&str, Shafts); 9] = [
     ("a lanchester pair", Shafts::Lanchester),
 ];
 
+const OWN: &str =
+    "the engine has weights of this order, which the remedy resizes or takes away: claim what it needs without them";
+
 /// `order 2 needs a Lanchester pair`; none where the words are of another claim.
 pub(super) fn parse(text: &str) -> Option<Result<Statement, ClaimError>> {
     let (order, needs) = text.strip_prefix("order ")?.split_once(" needs ")?;
@@ -55,6 +58,9 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
         Ok(remedy) => remedy,
         Err(refused) => return Answer::nothing(&refused.to_string()),
     };
+    if remedy.resized().iter().any(|plane| !plane.becomes.is_on_the_crank() || plane.becomes.vector.vanishes()) {
+        return Answer::nothing(OWN);
+    }
     // Counterweights on a crankshaft are the shaft that turns as it does.
     let with = direct && !engine.has_crank_turning(order, Sense::Direct);
     let against = reverse && !engine.has_crank_turning(order, Sense::Reverse);

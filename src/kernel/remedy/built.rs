@@ -5,6 +5,7 @@
 
 use super::Remedy;
 use super::planes::{Built, there};
+use super::shafts::Shaft;
 use super::weight::Weight;
 
 impl Remedy {
@@ -39,6 +40,16 @@ impl Remedy {
             None => plane.becomes,
         };
         (!shown.vector.vanishes()).then_some(shown)
+    }
+
+    /// Whether any of these weights is there when the remedy is built: those of a shaft that is not needed are taken away.
+    pub fn stays(&self, weights: &[Weight]) -> bool {
+        weights.iter().any(|weight| self.as_built(weight).is_some())
+    }
+
+    /// The balancer shafts that the remedy leaves the engine with at its orders.
+    pub fn shafts_built(&self) -> impl Iterator<Item = &Shaft> {
+        self.shafts.iter().filter(|shaft| self.stays(&shaft.weights))
     }
 
     /// Whether the engine has a weight where this one belongs, which is resized.

@@ -99,8 +99,8 @@ fn of_several_rods(order: &OrderVerdict) -> Text {
 /// What takes an order away, in a word or two.
 pub fn needs(remedy: &Remedy) -> Text {
     let order = remedy.orders.first().copied().unwrap_or_default();
-    let shafts: Vec<&Shaft> = remedy.shafts.iter().filter(|shaft| remedy.crank_of(shaft).is_none()).collect();
-    let weights = remedy.crankshaft.is_some() || shafts.len() < remedy.shafts.len();
+    let shafts: Vec<&Shaft> = remedy.shafts_built().filter(|shaft| remedy.crank_of(shaft).is_none()).collect();
+    let weights = remedy.crankshaft.is_some() || shafts.len() < remedy.shafts_built().count();
     match shafts.as_slice() {
         [] if weights => text::counterweights_alone(order),
         [] => text::nothing_needed(order),

@@ -33,7 +33,7 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
     remedy.bays.iter().for_each(|weight| add("counterweight by balance factor".into(), weight));
     let on_the_crankshaft = remedy.crankshaft.iter().flat_map(|shaft| &shaft.weights);
     on_the_crankshaft.for_each(|weight| add("counterweight".into(), weight));
-    for (index, shaft) in remedy.shafts.iter().enumerate() {
+    for (index, shaft) in remedy.shafts_built().enumerate() {
         shaft.weights.iter().for_each(|weight| add(phrase!("shaft {}", index + 1), weight));
     }
     let is_any = !rows.is_empty();

@@ -9,7 +9,7 @@ use super::super::typeset;
 use super::{ranked, weights};
 use crate::numbers::float;
 use crate::page::{Choice, Number, Piece, Text, Unit};
-use crate::remedy::{Kind, PairHeight, Remedy, Shaft, Weight};
+use crate::remedy::{Kind, PairHeight, Remedy, Shaft};
 use crate::report::texts::remedy as text;
 
 /// For a place such as `{force|couple|force and moment}`.
@@ -29,13 +29,12 @@ fn orders(remedy: &Remedy) -> String {
 /// What cancels what, a sentence each, and the proof of it: the answer to what cures an engine.
 pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
     let mut lines = resized(remedy);
-    let stays = |weights: &[Weight]| weights.iter().any(|weight| remedy.as_built(weight).is_some());
-    if stays(&remedy.bays) {
+    if remedy.stays(&remedy.bays) {
         lines.push(text::by_factors(weights::listed(remedy, &remedy.bays)));
     }
-    let crankshaft = remedy.crankshaft.iter().filter(|shaft| stays(&shaft.weights));
+    let crankshaft = remedy.crankshaft.iter().filter(|shaft| remedy.stays(&shaft.weights));
     lines.extend(crankshaft.map(|shaft| on_the_crankshaft(remedy, shaft)));
-    let mut shafts = remedy.shafts.iter().filter(|shaft| stays(&shaft.weights)).peekable();
+    let mut shafts = remedy.shafts_built().peekable();
     while let Some(shaft) = shafts.next() {
         let partner = shafts.next_if(|next| next.order == shaft.order && next.kind == shaft.kind);
         lines.push(match partner {
@@ -59,7 +58,7 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
                 lines.push(text::only_own_order());
             }
         }
-        None if remedy.shafts.is_empty() => {}
+        None if remedy.shafts_built().next().is_none() => {}
         None => lines.push(text::only_order_1()),
     }
     lines
@@ -74,10 +73,10 @@ fn resized(remedy: &Remedy) -> Vec<Text> {
 
 /// Which shafts may be counterweights on a crankshaft that turns as they do, where crankshafts turn at different speeds.
 fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
-    let on_crank = remedy.shafts.iter().filter_map(|shaft| Some((shaft, remedy.crank_of(shaft)?)));
+    let on_crank = remedy.shafts_built().filter_map(|shaft| Some((shaft, remedy.crank_of(shaft)?)));
     let mut lines: Vec<Text> =
         on_crank.map(|(shaft, crank)| text::on_crankshaft(shaft.order, shaft.sense, crank.name.clone())).collect();
-    if lines.len() < remedy.shafts.len() {
+    if lines.len() < remedy.shafts_built().count() {
         lines.push(text::only_own_crankshaft(lines.is_empty()));
     }
     lines
@@ -85,8 +84,8 @@ fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
 
 /// The first crankshaft that turns against the reference, where a shaft of the remedy turns as it does, and how many other shafts there are.
 fn on_a_crankshaft(remedy: &Remedy) -> Option<(Text, usize)> {
-    let crank = remedy.shafts.iter().find_map(|shaft| remedy.crank_of(shaft))?;
-    Some((crank.name.clone().into(), remedy.shafts.len() - 1))
+    let crank = remedy.shafts_built().find_map(|shaft| remedy.crank_of(shaft))?;
+    Some((crank.name.clone().into(), remedy.shafts_built().count() - 1))
 }
 
 fn on_the_crankshaft(remedy: &Remedy, shaft: &Shaft) -> Text {
@@ -129,7 +128,7 @@ fn proof(remedy: &Remedy) -> Text {
 /// What is good to know besides: fewest shafts, heights of pairs, masses.
 pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let on_a_crankshaft = on_a_crankshaft(remedy).map(|(_, others)| others);
-    let fewest = match on_a_crankshaft.unwrap_or(remedy.shafts.len()) {
+    let fewest = match on_a_crankshaft.unwrap_or_else(|| remedy.shafts_built().count()) {
         0 => None,
         count if on_a_crankshaft.is_some() => Some(text::shafts_beside_crankshaft(count)),
         1 => Some(text::one_is_fewest()),
@@ -146,7 +145,7 @@ pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
     let (usual, optional): (Vec<u32>, Vec<u32>) =
         remedy.orders.iter().partition(|order| is_usually_cured(engine, **order));
     let optional: Vec<u32> =
-        optional.into_iter().filter(|order| remedy.shafts.iter().any(|of| of.order == *order)).collect();
+        optional.into_iter().filter(|order| remedy.shafts_built().any(|of| of.order == *order)).collect();
     let optional = (!usual.is_empty() && !optional.is_empty())
         .then(|| text::usually_left(Choice::one_or_more(optional.len()), typeset::listed(&optional)));
     let half_speed = fewest.is_some().then(text::half_speed);
