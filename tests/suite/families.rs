@@ -398,3 +398,25 @@ fn a_family_with_masses_that_turn_says_that_it_is_about_the_pistons() {
     assert!(!told("").contains(says) && !told(", rotating_mass = 0").contains(says));
     assert!(told(", rotating_mass = [0, 0, 0, '1/3']").contains(says));
 }
+
+#[test]
+fn the_largest_value_is_that_of_angles_in_the_range_where_fractions_of_them_enter() {
+    let banks = |splits: &str| {
+        format!(
+            "fan = {{ banks = ['-phi/2', 0, 'phi/2'], pin_splits = [{splits}], throws = [0] }}\nmechanism = {{ rod_ratio = 0.25 }}"
+        )
+    };
+    let quarter = "reference_plane = 0\nmechanism = { rod_ratio = 0.25 }\ncylinder = [{ throw = 0, bank = 0, position = 0 }, { throw = '90 + phi/4', bank = 0, position = 1 }]";
+    for (text, order, largest) in [
+        // At 0° and at 360°: c₂ = 0.254 of two vectors of length 2.
+        (banks("30, 0, -30"), 2, "0.508 m r ω² (order 2)"),
+        (banks("60, 0, -60"), 2, "0.508 m r ω² (order 2)"),
+        // √2, at 0°: beyond it the two throws come opposite.
+        (quarter.to_owned(), 1, "1.41 m r ω² (order 1)"),
+    ] {
+        let family = open(&text);
+        let orders = family::classify(&family, &[order]).expect("an order");
+        let told = pages::text(&report::family_answer(&family, &orders), Format::PLAIN).replace('\n', " ");
+        assert!(told.contains(largest), "{told}");
+    }
+}

@@ -101,7 +101,7 @@ impl<'a> Sizes<'a> {
         }
     }
 
-    /// The largest of all angles: the best point of a grid, then ever smaller steps from it.
+    /// The largest for angles from 0° to 360°: the best point of a grid, then ever smaller steps from it.
     pub fn most(&self, quantity: Planar, order: u32) -> f64 {
         let unknowns = self.family.unknowns();
         let is_open = [PHI, DELTA].map(|unknown| unknowns.contains(unknown));
@@ -109,17 +109,18 @@ impl<'a> Sizes<'a> {
             [true, true] => STEPS,
             _ => i32::try_from(8 * (order + 1)).unwrap_or(MOST_STEPS).clamp(STEPS, MOST_STEPS),
         };
-        let steps = is_open.map(|is_open| if is_open { count } else { 1 });
+        // Both ends: where half of an angle enters they are two engines.
+        let steps = is_open.map(|is_open| if is_open { count } else { 0 });
         let size = self.size(quantity, order);
         let place = |step: i32| f64::from(step) / f64::from(count);
-        let grid = (0..steps[0]).flat_map(|one| (0..steps[1]).map(move |other| [place(one), place(other)]));
+        let grid = (0..=steps[0]).flat_map(|one| (0..=steps[1]).map(move |other| [place(one), place(other)]));
         let Some(mut best) = grid.max_by(|one, other| size(*one).total_cmp(&size(*other))) else { return 0.0 };
         let mut step = 1.0 / f64::from(count);
         while step > FINEST {
             let [one, other] = best;
             let around = [[one - step, other], [one + step, other], [one, other - step], [one, other + step]];
-            let around = around.into_iter().zip([0, 0, 1, 1]).filter(|(_, of)| steps[*of] > 1).map(|(at, _)| at);
-            match around.max_by(|one, other| size(*one).total_cmp(&size(*other))) {
+            let is_meant = |at: &[f64; 2]| [0, 1].iter().all(|of| (0.0..=place(steps[*of])).contains(&at[*of]));
+            match around.into_iter().filter(is_meant).max_by(|one, other| size(*one).total_cmp(&size(*other))) {
                 Some(next) if size(next) > size(best) => best = next,
                 _ => step /= 2.0,
             }
