@@ -3,13 +3,14 @@
 use super::answer::{Answer, Evidence, Status};
 use super::compare::is_exact_zero;
 use super::finding::Finding;
+use super::masses;
 use super::shafts::evidence;
 use super::statement::{Orders, Predicate, Subject};
 use crate::engine::{Engine, ORDERS};
 use crate::loads;
 use crate::order::Masses;
 use crate::proof::{Planar, Quantity, Sense, Shape};
-use crate::verdict::{self, OrderVerdict, Outcome, WholeOrder, both_vanish};
+use crate::verdict::{OrderVerdict, Outcome, WholeOrder, both_vanish};
 
 /// Of a size, a direction or a torque nothing is said then.
 pub(super) const SEVERAL: &str =
@@ -23,8 +24,8 @@ pub(super) fn has_several(engine: &Engine) -> bool {
     engine.mechanisms().len() > 1 || engine.faster_crank().is_some()
 }
 
-fn judged(engine: &Engine, order: u32, masses: Masses) -> Option<OrderVerdict> {
-    verdict::classify(engine, &[order], masses, &Quantity::PLANAR).ok()?.into_iter().next()
+fn judged(engine: &Engine, order: u32) -> Option<OrderVerdict> {
+    masses::judged(engine, order, Masses::Reciprocating).ok()
 }
 
 /// Answers of several sums whether the order vanishes and which shape is left; sizes and directions are not compared.
@@ -62,7 +63,7 @@ pub(super) fn many(engine: &Engine, orders: &Orders, quantities: &[Quantity]) ->
 /// move alike; of n such sums that do not vanish 2n orders of one crank are left, unless those of another cancel them.
 pub(super) fn every(engine: &Engine, first: u32, quantities: &[Planar]) -> Answer {
     let firsts = loads::speeds(engine).filter(|order| *order >= first);
-    let firsts: Vec<OrderVerdict> = firsts.filter_map(|order| judged(engine, order, Masses::Reciprocating)).collect();
+    let firsts: Vec<OrderVerdict> = firsts.filter_map(|order| judged(engine, order)).collect();
     let sums = quantities.iter().flat_map(|one| loads::sums_of_alike(engine, (*one).into()));
     let mut proofs: Vec<Evidence> = sums.map(|sum| Evidence::comparison("The pistons that move alike", sum)).collect();
     let is_zero = |order: &OrderVerdict| quantities.iter().all(|one| order.whole(*one).is_balanced());
@@ -92,7 +93,7 @@ fn refuted(engine: &Engine, first: u32, is_so: impl Fn(&OrderVerdict) -> bool, o
     let fastest = loads::speeds(engine).max().unwrap_or(1) as usize;
     let last = 2 * fastest * (engine.cylinders().len() + 1);
     let orders = ORDERS.take(last).skip_while(|order| *order < first);
-    match orders.filter_map(|order| judged(engine, order, Masses::Reciprocating)).find(is_so) {
+    match orders.filter_map(|order| judged(engine, order)).find(is_so) {
         None => Answer::nothing(open),
         Some(order) => {
             Answer { status: Status::False, evidence: evidence(&order), finding: Finding::CombinedOrders(vec![order]) }
@@ -101,16 +102,10 @@ fn refuted(engine: &Engine, first: u32, is_so: impl Fn(&OrderVerdict) -> bool, o
 }
 
 fn listed(engine: &Engine, orders: &[u32], quantities: &[Planar]) -> Answer {
-    let orders: Vec<OrderVerdict> =
-        orders.iter().filter_map(|order| judged(engine, *order, Masses::Reciprocating)).collect();
+    let orders: Vec<OrderVerdict> = orders.iter().filter_map(|order| judged(engine, *order)).collect();
     let asked = orders.iter().filter(|order| order.exists());
-    let outcomes: Vec<Option<bool>> =
-        asked.flat_map(|order| quantities.iter().map(|quantity| vanish(order.whole(*quantity), None))).collect();
-    let holds = match (outcomes.contains(&Some(false)), outcomes.contains(&None)) {
-        (true, _) => Some(false),
-        (false, true) => None,
-        (false, false) => Some(true),
-    };
+    let outcomes = asked.flat_map(|order| quantities.iter().map(|quantity| vanish(order.whole(*quantity), None)));
+    let holds = outcomes.fold(Some(true), both_vanish);
     let evidence = orders.iter().flat_map(evidence).collect();
     Answer { status: status(holds), finding: Finding::CombinedOrders(orders), evidence }
 }

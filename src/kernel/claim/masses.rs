@@ -10,44 +10,35 @@ use crate::engine::Engine;
 use crate::loads::{self, BearingLoads, Method};
 use crate::order::{self, Masses};
 use crate::proof::Quantity;
-use crate::verdict::{self, Balance, OrderBalance, OrderVerdict};
+use crate::verdict::{self, OrderBalance, OrderVerdict};
 
 /// Peaks that differ by less than this part are alike: the roundings of their decimals could not tell them apart.
 const ALIKE: f64 = 1e-12;
 
-/// What an order of the force and the moment is.
-pub(super) enum Sums {
-    /// One sum, with one coefficient.
-    One(Box<OrderBalance>),
-    /// Several, each with its own.
-    Several(Box<OrderVerdict>),
-}
-
 /// One order of these masses, the sums of other masses in multiples of m r c_k as those of the pistons.
-pub(super) fn sums_of(engine: &Engine, order: u32, masses: Masses) -> Result<Sums, String> {
+pub(super) fn judged(engine: &Engine, order: u32, masses: Masses) -> Result<OrderVerdict, String> {
     if masses != Masses::Reciprocating {
         order::comparable(engine).map_err(|missing| missing.to_string())?;
     }
     let judged = verdict::classify(engine, &[order], masses, &Quantity::PLANAR).map_err(|number| number.to_string())?;
-    let whole = judged.into_iter().next().ok_or("no order")?;
-    let has_speeds = engine.faster_crank().is_some();
-    let one = match masses {
-        // Order 1 of centric rods and of links is one sum whatever the rods are, and an order that does not exist is 0.
-        Masses::Reciprocating => {
-            let is_one = whole.parts.len() == 1 && !has_speeds;
-            (is_one || !whole.exists()).then(|| whole.parts.first().cloned()).flatten()
-        }
-        Masses::Rotating | Masses::Counterweights | Masses::All if has_speeds && whole.exists() => None,
+    judged.into_iter().next().ok_or("no order".to_owned())
+}
+
+/// The one sum that the order is, where it is one. Order 1 of centric rods and of links is, whatever the rods are, and an order that does not exist.
+pub(super) fn one_sum(engine: &Engine, whole: &OrderVerdict, masses: Masses) -> Option<OrderBalance> {
+    match masses {
+        _ if engine.faster_crank().is_some() && whole.exists() => None,
+        Masses::Reciprocating if whole.parts.len() > 1 && whole.exists() => None,
+        Masses::Reciprocating => whole.parts.first().cloned(),
         Masses::Rotating | Masses::Counterweights | Masses::All => only(&whole.parts),
-    };
-    Ok(one.map_or_else(|| Sums::Several(Box::new(whole)), |one| Sums::One(Box::new(one))))
+    }
 }
 
 /// The only part that has terms; what nothing is left of counts for nothing in the others, and so does a multiple of 0.
 fn only(parts: &[OrderBalance]) -> Option<OrderBalance> {
     let has_terms = |part: &OrderBalance| {
-        let verdicts = [&part.force, &part.moment].into_iter().flat_map(Balance::verdicts);
-        verdicts.into_iter().any(|verdict| !verdict.sum.collected().is_empty())
+        let verdicts = [part.force.verdicts(), part.moment.verdicts()].concat();
+        verdicts.iter().any(|verdict| !verdict.sum.collected().is_empty())
     };
     let (with, without): (Vec<_>, Vec<_>) = parts.iter().partition(|part| part.exists && has_terms(part));
     match with.as_slice() {
@@ -62,10 +53,7 @@ fn only(parts: &[OrderBalance]) -> Option<OrderBalance> {
 
 /// One order of the pistons, which have one coefficient.
 pub(super) fn pistons(engine: &Engine, order: u32) -> Option<OrderBalance> {
-    match sums_of(engine, order, Masses::Reciprocating).ok()? {
-        Sums::One(order) => Some(*order),
-        Sums::Several(_) => None,
-    }
+    one_sum(engine, &judged(engine, order, Masses::Reciprocating).ok()?, Masses::Reciprocating)
 }
 
 /// Answers a claim about the crankshaft's mass.

@@ -11,7 +11,7 @@ use super::classes::{self, SEVERAL};
 use super::compare::{self, half_of_lengths};
 use super::condition::{self, of_vanishing, plane_of_vanishing, senses};
 use super::finding::Finding;
-use super::masses::{self, Sums};
+use super::masses;
 use super::statement::{Angle, Predicate, Subject, Unit, Value};
 use crate::engine::{Engine, LengthUnit};
 use crate::exact::PhasorSum;
@@ -59,10 +59,12 @@ pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, n
     if subject.quantity == Quantity::TORQUE {
         return of_torque(engine, subject, predicate);
     }
-    let order = match masses::sums_of(engine, subject.order, subject.masses) {
-        Ok(Sums::One(order)) => *order,
-        Ok(Sums::Several(order)) => return classes::one(*order, subject, predicate),
+    let whole = match masses::judged(engine, subject.order, subject.masses) {
+        Ok(whole) => whole,
         Err(reason) => return Answer::nothing(&reason),
+    };
+    let Some(order) = masses::one_sum(engine, &whole, subject.masses) else {
+        return classes::one(whole, subject, predicate);
     };
     if !order.exists {
         return Answer { status: missing(predicate), finding: Finding::Order(Box::new(order)), evidence: Vec::new() };

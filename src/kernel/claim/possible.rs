@@ -62,7 +62,7 @@ pub(super) fn answer(engine: &Engine, claimed: &Possible) -> Answer {
     let plane = engine.reference_plane();
     let [force, moment] = Planar::BOTH.map(|quantity| order::all_masses(engine, quantity, 1, Sense::Direct));
     let [Some(force), Some(moment)] = [&force, &moment].map(plain) else {
-        return Answer::nothing("with a pin offset the first order has a coefficient");
+        return Answer::nothing("the first order of these rods has a coefficient of its own");
     };
     let arms: Vec<BigRational> = claimed.planes.iter().map(|position| position - plane).collect();
     let vectors = match (arms.as_slice(), claimed.balanced) {
