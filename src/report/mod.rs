@@ -39,6 +39,7 @@ mod poster;
 mod question;
 mod recurrence_claims;
 mod recurrence_words;
+mod remaining;
 mod remedy;
 mod residual;
 mod residual_words;

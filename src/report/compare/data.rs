@@ -1,9 +1,10 @@
 //! Which columns hold a comparison? A row an engine and order, and a row an engine.
 
-use crate::report::compare::document::{CompareDocument, EngineEntry, Firing, Newtons, Order};
+use crate::report::compare::document::{CompareDocument, EngineEntry, Firing, Newtons};
 use crate::report::compare::{Compared, compare_document};
 use crate::report::data::Filling;
 use crate::report::data::{of_orders, units};
+use crate::report::remaining::RemainingOrder;
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
 
@@ -11,7 +12,7 @@ use crate::text::Untrusted;
 struct Row<'a> {
     name: &'a Untrusted,
     entry: &'a EngineEntry,
-    order: &'a Order,
+    order: &'a RemainingOrder,
     moment: Unit,
 }
 

@@ -6,13 +6,13 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::super::loads_document::{ScaleEntry, size, units};
-use super::super::{document, engine_cells, residual};
+use super::super::remaining::RemainingOrder;
+use super::super::{document, engine_cells};
 use super::{Compared, orders_of};
 use crate::engine::Engine;
 use crate::loads::{self, BearingLoads, Loads, OrderLoads, Scale, Swing};
 use crate::numbers;
-use crate::proof::{COMPARE_NOT_CHECKED, Document, Format, Quantity, Shape};
-use crate::verdict::{Balance, OrderBalance, OrderVerdict, WholeOrder};
+use crate::proof::{COMPARE_NOT_CHECKED, Document, Format, Quantity};
 
 /// Engines side by side, as data. In JSON it holds the verdicts once, with their certificates, and numbers beside them; what else is said of
 /// an engine here is in tables.
@@ -36,7 +36,7 @@ pub(in crate::report) struct EngineEntry {
     pub(in crate::report) cylinders: usize,
     pub(in crate::report) position_unit: &'static str,
     pub(in crate::report) firing: Option<Firing>,
-    pub(in crate::report) orders: Vec<Order>,
+    pub(in crate::report) orders: Vec<RemainingOrder>,
     /// Lowest order of force and moment that is left, in words.
     #[serde(skip)]
     pub(in crate::report) first_force_left: String,
@@ -61,41 +61,6 @@ pub(in crate::report) struct Firing {
     pub(in crate::report) intervals_deg: Vec<f64>,
 }
 
-/// An order of an engine as it is built.
-#[derive(Clone, Debug, Serialize)]
-pub(in crate::report) struct Order {
-    pub(in crate::report) order: u32,
-    /// Whether some mass has the order: centric cranks have order 1 and the even ones.
-    #[serde(skip)]
-    pub(in crate::report) exists: bool,
-    pub(in crate::report) force: Amount,
-    pub(in crate::report) moment: Amount,
-    #[serde(skip)]
-    pub(in crate::report) moment_is_couple: bool,
-    /// Its sums, where what they are multiplied by differs.
-    #[serde(skip)]
-    pub(in crate::report) parts: Vec<Part>,
-}
-
-/// One sum of an order.
-#[derive(Clone, Debug)]
-pub(in crate::report) struct Part {
-    pub(in crate::report) of: String,
-    pub(in crate::report) exists: bool,
-    pub(in crate::report) force: Amount,
-    pub(in crate::report) moment: Amount,
-}
-
-#[derive(Clone, Debug, Serialize)]
-pub(in crate::report) struct Amount {
-    #[serde(skip)]
-    pub(in crate::report) shape: Shape,
-    /// In m r ω² c_k, moments times the unit of the positions; 0 is exact; null where several sums make up the order.
-    pub(in crate::report) largest: Option<f64>,
-    #[serde(skip)]
-    pub(in crate::report) exact: Option<String>,
-}
-
 #[derive(Clone, Debug, Serialize)]
 pub(in crate::report) struct Newtons {
     pub(in crate::report) order: u32,
@@ -109,13 +74,6 @@ pub(in crate::report) struct Worst {
     pub(in crate::report) bearings: Vec<usize>,
     pub(in crate::report) peak: f64,
     pub(in crate::report) unit: &'static str,
-}
-
-impl Amount {
-    /// Of an order that does not exist, whatever its sums are.
-    fn of_none() -> Self {
-        Amount { shape: Shape::DoesNotExist, largest: Some(0.0), exact: Some("0".to_owned()) }
-    }
 }
 
 impl CompareDocument {
@@ -150,7 +108,7 @@ fn engine(engine: &Compared) -> EngineEntry {
         cylinders: engine.engine.cylinders().len(),
         position_unit: engine.engine.length_unit().name(),
         firing: firing(&engine.engine),
-        orders: engine.judged.orders.iter().map(order).collect(),
+        orders: engine.judged.orders.iter().map(RemainingOrder::new).collect(),
         first_force_left,
         first_moment_left,
         remedy: engine_cells::remedy(&engine.remedy).plain(),
@@ -176,38 +134,6 @@ pub fn numbers_of(engine: &Engine) -> Value {
     let scale = loads::scale(engine);
     let units = units(engine, scale.as_ref());
     json!({ "scale": scale.as_ref().map(ScaleEntry::of), "units": units, "position_unit": engine.length_unit().name(), "firing": firing(engine) })
-}
-
-/// An order of an engine, as data.
-pub(in crate::report) fn order(order: &OrderVerdict) -> Order {
-    let part = |part: &OrderBalance| {
-        let of = part.class.as_ref().map(residual::class_sources)?;
-        let amount = |balance| if part.exists { amount(balance) } else { Amount::of_none() };
-        Some(Part { of, exists: part.exists, force: amount(&part.force), moment: amount(&part.moment) })
-    };
-    let whole = |whole: &WholeOrder, balance: fn(&OrderBalance) -> &Balance| match order.parts.as_slice() {
-        _ if !order.exists() => Amount::of_none(),
-        [only] => amount(balance(only)),
-        _ => Amount {
-            shape: whole.shape,
-            largest: whole.is_balanced().then_some(0.0),
-            exact: whole.is_balanced().then(|| "0".to_owned()),
-        },
-    };
-    Order {
-        order: order.order,
-        exists: order.exists(),
-        force: whole(&order.force, |part| &part.force),
-        moment: whole(&order.moment, |part| &part.moment),
-        moment_is_couple: order.moment_is_couple(),
-        parts: order.parts.iter().filter_map(part).collect(),
-    }
-}
-
-fn amount(balance: &Balance) -> Amount {
-    let largest = residual::largest(balance);
-    let exact = largest.exact.as_ref().map(ToString::to_string);
-    Amount { shape: balance.shape, largest: Some(largest.decimal), exact }
 }
 
 /// None at rest: all newtons would be 0, whatever the engine is.

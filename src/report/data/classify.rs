@@ -1,10 +1,10 @@
 //! Which columns hold the verdicts of `classify`? A row an order, and a row a sum with its kind of evidence.
 
-use super::super::compare::document::{Order, Part, order as order_entry};
+use super::super::remaining::RemainingOrder;
 use super::super::typeset::signed_degrees;
 use super::cells::exact_number;
 use super::filling::Filling;
-use super::verdicts::{of_orders, part_as_order, units};
+use super::verdicts::{of_orders, units};
 use crate::engine::Engine;
 use crate::exact::{PhasorSum, Term, Turn};
 use crate::loads::Arm;
@@ -13,13 +13,6 @@ use crate::order::Masses;
 use crate::proof::{Certificate, Document, Quantity, VerdictClaim};
 use crate::table::{Table, Unit};
 use crate::verdict::Judgement;
-
-/// An order, of all its masses or of those of one of its sums.
-struct Row {
-    masses: &'static str,
-    of: Option<String>,
-    order: Order,
-}
 
 /// The tables of the verdicts: the orders, the sums that they are made of, those of torque and roll moment where they are asked for.
 pub fn classify(engine: &Engine, judged: &Judgement, document: &Document) -> Vec<Table> {
@@ -39,17 +32,16 @@ fn orders(engine: &Engine, judged: &Judgement) -> Table {
     let pistons = judged.pistons.iter().flatten().map(|order| (masses_name(Masses::Reciprocating), order));
     let all = judged.orders.iter().map(|order| (masses_name(judged.masses), order)).chain(pistons);
     let rows = all.flat_map(|(masses, verdict)| {
-        let whole = order_entry(verdict);
-        let part = |part: &Part| Row { masses, of: Some(part.of.clone()), order: part_as_order(&whole, part) };
-        let parts: Vec<Row> = whole.parts.iter().map(part).collect();
-        [Row { masses, of: None, order: whole }].into_iter().chain(parts)
+        let order = RemainingOrder::new(verdict);
+        let parts = order.parts.clone();
+        [order].into_iter().chain(parts).map(move |order| (masses, order))
     });
     let [_, moment] = units(engine);
     let mut table = Filling::new("classify.orders", rows);
-    table.whole("order", |row| row.order.order as usize);
-    table.words("masses", |row| Some(row.masses.to_owned()));
-    table.words("of", |row| row.of.clone());
-    of_orders(&mut table, |row| &row.order, &[moment], |_| moment);
+    table.whole("order", |(_, order)| order.order as usize);
+    table.words("masses", |(masses, _)| Some((*masses).to_owned()));
+    table.words("of", |(_, order)| order.of.clone());
+    of_orders(&mut table, |(_, order)| order, &[moment], |_| moment);
     table.done()
 }
 

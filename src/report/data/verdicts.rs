@@ -1,6 +1,6 @@
 //! Which columns hold verdicts, of one engine or of several? A row an order: whether force and moment vanish, what is left, exactly.
 
-use super::super::compare::document::{Amount, Order, Part};
+use super::super::remaining::{Remaining, RemainingOrder};
 use super::super::residual::shape_name;
 use super::filling::Filling;
 use crate::engine::Engine;
@@ -19,27 +19,26 @@ pub fn units(engine: &Engine) -> [Unit; 2] {
 /// Adds to the number of an order what is left of force and moment, in moments of this unit; those of other rows are omitted.
 pub fn of_orders<R>(
     table: &mut Filling<R>,
-    order: impl Fn(&R) -> &Order,
+    order: impl Fn(&R) -> &RemainingOrder,
     moment_units: &[Unit],
     moment_unit: impl Fn(&R) -> Unit,
 ) {
     table.truth("exists", |row| Some(order(row).exists));
-    let force = |row: &R| order(row).force.clone();
-    let moment = |row: &R| order(row).moment.clone();
-    amount(table, "force", force);
-    table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::OPEN, |row| force(row).largest);
-    table.exact(("{quantity}_exact", "force"), Unit::NONE, |row| force(row).exact);
-    amount(table, "moment", moment);
+    remaining(table, "force", |row| &order(row).force);
+    let largest = |remaining: &Remaining| remaining.largest.as_ref().map(|largest| largest.decimal);
+    table.decimal(("{quantity}_zero_to_peak_{unit}", "force"), Unit::OPEN, |row| largest(&order(row).force));
+    table.exact(("{quantity}_exact", "force"), Unit::NONE, |row| order(row).force.exact());
+    remaining(table, "moment", |row| &order(row).moment);
     for unit in moment_units {
         table.decimal(("{quantity}_zero_to_peak_{unit}", "moment"), *unit, |row| {
-            moment(row).largest.filter(|_| moment_unit(row) == *unit)
+            largest(&order(row).moment).filter(|_| moment_unit(row) == *unit)
         });
     }
-    table.exact(("{quantity}_exact", "moment"), Unit::NONE, |row| moment(row).exact);
+    table.exact(("{quantity}_exact", "moment"), Unit::NONE, |row| order(row).moment.exact());
     table.truth("moment_is_couple", |row| Some(order(row).moment_is_couple));
 }
 
-fn amount<R>(table: &mut Filling<R>, quantity: &'static str, of: impl Fn(&R) -> Amount) {
+fn remaining<R>(table: &mut Filling<R>, quantity: &'static str, of: impl Fn(&R) -> &Remaining) {
     table.truth(("{quantity}_vanishes", quantity), |row| vanishes(of(row).shape));
     table.words(("{quantity}_shape", quantity), |row| Some(shape_name(of(row).shape).to_owned()));
 }
@@ -50,17 +49,5 @@ fn vanishes(shape: Shape) -> Option<bool> {
         Shape::Balanced | Shape::DoesNotExist => Some(true),
         Shape::Rotating | Shape::CounterRotating | Shape::Planar | Shape::Elliptical => Some(false),
         Shape::NotDecided => None,
-    }
-}
-
-/// One sum of an order as an order of its own.
-pub fn part_as_order(order: &Order, part: &Part) -> Order {
-    Order {
-        order: order.order,
-        exists: part.exists,
-        force: part.force.clone(),
-        moment: part.moment.clone(),
-        moment_is_couple: order.moment_is_couple,
-        parts: Vec::new(),
     }
 }
