@@ -1,5 +1,6 @@
 //! What is said of cures that was false of engines that can be written: is it true of these now?
 
+use crankstar::loads::loads;
 use crankstar::page::Format;
 use crankstar::report::engine_answer;
 
@@ -114,4 +115,43 @@ fn an_order_that_does_not_exist_is_neither_robust_nor_accidental() {
     );
     assert!(page.contains("| force, order 1 |") && !page.contains("| force, order 3 |"), "{page}");
     assert!(!page.contains("| moment, order 3 |"), "{page}");
+}
+
+/// What the first shaft of order 2 leaves is the vector that turns the other way: of the force one part, of the moment another.
+#[test]
+fn the_first_of_two_shafts_leaves_its_own_part_of_the_force_and_of_the_moment() {
+    let mut unlike = 0;
+    for (bank, split, offset) in [(90, 45, 30), (60, 30, 20), (72, 18, 25), (120, 40, 10)] {
+        let text = format!(
+            "[vee]\nbank_angle = {bank}\npin_split = {split}\nthrows = [0]\nbank_offset = '{offset} mm'\nspacing = '0.1 m'\n[mechanism]\nrod_ratio = 0.3\n"
+        );
+        let loads = loads(&engine(&text), &[2]).expect("loads");
+        let of = [&loads.orders[0].force, &loads.orders[0].moment].map(|swing| {
+            let [direct, reverse] = [&swing.direct, &swing.reverse].map(|vector| vector.value.norm());
+            [direct / (direct + reverse), reverse / (direct + reverse)]
+        });
+        let told = answer(&text).replace('\u{a0}', " ");
+        let sense = usize::from(told.contains("Order 2: a shaft at twice crank speed with the crank"));
+        let percents = of.map(|parts| format!("{:.0} %", 100.0 * parts[sense]));
+        let [force, moment] = &percents;
+        unlike += usize::from(force != moment);
+        let both =
+            if force == moment { force.clone() } else { format!("{force} of the force and {moment} of the moment") };
+        assert!(told.contains(&format!(") leaves {both}; with one the other way")), "{both}: {told}");
+    }
+    assert!(unlike > 2);
+}
+
+#[test]
+fn weights_stand_apart_in_millimetres_where_masses_are_in_kilograms() {
+    let layout = |spacing: &str, masses: &str| {
+        answer(&format!(
+            "speed = 3000\n[mechanism]\nstroke = '90 mm'\nrod_length = '150 mm'\n{masses}[inline]\nthrows = [0, 240, 120]\nspacing = {spacing}\n"
+        ))
+    };
+    for spacing in ["0.1", "'0.1 m'", "'100 mm'"] {
+        let told = layout(spacing, "reciprocating_mass = '0.6 kg'\n");
+        assert!(told.replace('\u{a0}', " ").contains("200 mm apart"), "{spacing}: {told}");
+    }
+    assert!(layout("0.1", "").contains("0.2 a apart"));
 }

@@ -16,7 +16,7 @@ use crate::loads::{self, Missing};
 use crate::motion::coefficients_fast;
 use crate::numbers;
 use crate::order::{self, Coefficients, Factor, OrderSum, Path};
-use crate::proof::{Planar, Sense};
+use crate::proof::{Planar, Quantity, Sense};
 
 /// One order.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,7 +131,12 @@ pub(super) fn judge_with(
     }
     let whole = IntegerEngine::new(engine, &mut motions.weights);
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
+    let rods_known = !engine.mechanisms().is_empty();
     let judged = orders.iter().map(|&order| {
+        // The coefficients of rods that are known say so themselves.
+        if !rods_known && !has_order(engine, order) {
+            return SweptOrder { order, force: no_order(), moment: no_order() };
+        }
         let [force, moment] = match whole.as_ref().filter(|whole| whole.knows(order)) {
             Some(whole) => from_words(engine, whole, order, highest, motions),
             None => Planar::BOTH.map(|quantity| from_sums(engine, quantity, order, highest, motions)),
@@ -140,7 +145,6 @@ pub(super) fn judge_with(
     });
     let orders: Vec<SweptOrder> = judged.collect();
     let mechanism = engine.dimensions();
-    let rods_known = !engine.mechanisms().is_empty();
     Ok(SweptEngine {
         values: Vec::new(),
         orders,
@@ -152,6 +156,13 @@ pub(super) fn judge_with(
         counterweight: counterweight_of(engine, whole.as_ref()),
         envelope: envelope(engine, geometry),
     })
+}
+
+/// Whether the engine has the order: odd ones of centric rods have the coefficient 0, but for balancer shafts.
+pub(super) fn has_order(engine: &Engine, order: u32) -> bool {
+    let balanced = engine.crankshaft().balancers.iter().any(|shaft| shaft.order == order);
+    let geared = engine.geared_cranks().iter().any(|crank| crank.speed == order);
+    balanced || geared || engine.pistons_have_order(Quantity::FORCE, order)
 }
 
 fn from_words(

@@ -9,13 +9,13 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::parameter::Parameter;
 use super::reader::Reader;
-use super::swept_engine::SweptEngine;
+use super::swept_engine::{SweptEngine, has_order};
 use crate::engine::{Engine, Family, PHI};
 use crate::exact::fraction;
 use crate::family::{self, Component, OpenVerdict, Solutions, component_zeros};
 use crate::file::{self, Layout, Template};
 use crate::order::{self, Path};
-use crate::proof::{Planar, Quantity, Sense};
+use crate::proof::{Planar, Sense};
 
 /// What vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -252,13 +252,6 @@ fn range(parameter: &Parameter, per_unit: &BigRational) -> Option<([BigRational;
     let last = &low + BigRational::from_integer(MOST_TURNS.into());
     let is_whole = high <= last;
     Some(([low, if is_whole { high } else { last }], is_whole))
-}
-
-/// Whether the engine has the order: odd ones of centric rods have the coefficient 0, but for balancer shafts.
-fn has_order(engine: &Engine, order: u32) -> bool {
-    let balanced = engine.crankshaft().balancers.iter().any(|shaft| shaft.order == order);
-    let geared = engine.geared_cranks().iter().any(|crank| crank.speed == order);
-    balanced || geared || engine.pistons_have_order(Quantity::FORCE, order)
 }
 
 /// Whether masses that turn enter this vector beside the pistons.

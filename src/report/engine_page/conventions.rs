@@ -26,7 +26,7 @@ pub(super) fn units(engine: &Engine) -> Text {
     let forces = if engine.has_unit_masses() { text::force_unit() } else { text::force_unit_of_cylinder() };
     let moments = match engine.length_unit() {
         LengthUnit::Metre => text::moment_unit_metres(),
-        LengthUnit::Spacing => text::moment_unit_spacing(),
+        LengthUnit::Spacing => text::moment_unit_spacing(engine.positions_given()),
     };
     let signs = [forces, text::largest_value(), moments, text::exact_or_decimal()];
     let speeds = engine.faster_crank().map(|_| residual::orders_by_speed());

@@ -9,6 +9,7 @@ use super::super::typeset::short;
 use super::left::{is_as_built, left_vectors};
 use super::weighing::{Weighed, Weighing};
 use crate::engine::{Engine, LengthUnit};
+use crate::loads::Arm;
 use crate::order;
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::proof::{Planar, Sense};
@@ -201,8 +202,7 @@ impl Cure<'_> {
             [(Means::Shaft(sense), kept), ..] => {
                 let other = if sense == Sense::Direct { Sense::Reverse } else { Sense::Direct };
                 let [first, second] = [sense, other].map(|sense| self.size(sense).unwrap_or_default());
-                let percent = percent(self.decimal_left(kept));
-                text::two_shafts(order, times(order), sense, first, percent, second)
+                text::two_shafts(order, times(order), sense, first, leaves(kept), second)
             }
             [(Means::Pair, _), ..] => text::pair_leaves(order, self.named(Means::Pair)),
             [(Means::Counterweights, _), ..] | [] => return None,
@@ -318,19 +318,17 @@ impl Cure<'_> {
         let positions = || weights.iter().map(|weight| &weight.position);
         let apart = positions().max().zip(positions().min()).map(|(last, first)| last - first).unwrap_or_default();
         let mut told = self.told.borrow_mut();
-        match (told.contains(&apart), remedy.subject.engine().length_unit()) {
-            (true, _) => sizes,
-            (false, unit) => {
-                told.push(apart.clone());
-                match unit {
-                    LengthUnit::Metre => {
-                        let in_millimetres =
-                            Piece::Shortly(apart * BigRational::from_integer(1000.into()), Unit::MILLIMETRE);
-                        phrase!("{}, {} {} apart", sizes, in_millimetres, Unit::MILLIMETRE)
-                    }
-                    LengthUnit::Spacing => phrase!("{}, {} a apart", sizes, short(&apart)),
-                }
+        if told.contains(&apart) {
+            return sizes;
+        }
+        told.push(apart.clone());
+        // Where masses are in kilograms, positions without a unit are in metres, as moments are.
+        match Arm::of(remedy.subject.engine()) {
+            Arm::Metre if remedy.subject.scale().is_some() || self.engine.length_unit() == LengthUnit::Metre => {
+                let in_millimetres = Piece::Shortly(apart * BigRational::from_integer(1000.into()), Unit::MILLIMETRE);
+                phrase!("{}, {} {} apart", sizes, in_millimetres, Unit::MILLIMETRE)
             }
+            Arm::Metre | Arm::Spacing => phrase!("{}, {} a apart", sizes, short(&apart)),
         }
     }
 }
