@@ -200,33 +200,33 @@ fn a_cosine_that_its_parts_do_not_have_is_refused() {
     let with =
         |change: fn(&mut WhenClaim)| refused(V5, |document| change(&mut document.open_verdicts[REVERSE].sums[0].when));
     let other_value = with(|when| {
-        let WhenClaim::Cosine { cosine, .. } = when else { panic!("{when:?}") };
-        *cosine = fraction(1, 5);
+        let WhenClaim::Cosine(claim) = when else { panic!("{when:?}") };
+        claim.cosine = fraction(1, 5);
     });
     assert!(other_value.contains("collect to"), "{other_value}");
     let turned = with(|when| {
-        let WhenClaim::Cosine { turn, .. } = when else { panic!("{when:?}") };
-        *turn = fraction(1, 6);
+        let WhenClaim::Cosine(claim) = when else { panic!("{when:?}") };
+        claim.turn = fraction(1, 6);
     });
     assert!(turned.contains("collect to"), "{turned}");
     for value in [fraction(0, 1), fraction(1, 1), fraction(-7, 5)] {
         let reason = refused(V5, |document| {
             let when = &mut document.open_verdicts[REVERSE].sums[0].when;
-            let WhenClaim::Cosine { cosine, .. } = when else { panic!("{when:?}") };
-            *cosine = value;
+            let WhenClaim::Cosine(claim) = when else { panic!("{when:?}") };
+            claim.cosine = value;
         });
         assert_eq!(reason, "the cosine is not between -1 and 1, or is 0");
     }
     let doubled = with(|when| {
-        let WhenClaim::Cosine { phi, .. } = when else { panic!("{when:?}") };
-        *phi = fraction(2, 1);
+        let WhenClaim::Cosine(claim) = when else { panic!("{when:?}") };
+        claim.phi = fraction(2, 1);
     });
     assert_eq!(doubled, "the parts do not turn against the middle one as the condition says");
     let middle = |index: usize| {
         refused(V5, |document| {
             let when = &mut document.open_verdicts[REVERSE].sums[0].when;
-            let WhenClaim::Cosine { middle, .. } = when else { panic!("{when:?}") };
-            *middle = index;
+            let WhenClaim::Cosine(claim) = when else { panic!("{when:?}") };
+            claim.middle = index;
         })
     };
     assert_eq!(middle(0), "the parts do not turn against the middle one as the condition says");

@@ -2,11 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use crankstar::family::{
-    self, Alternative, Boxes, Circle, Classes, Corner, Meeting, Never, Quadratic, Root, Roots, When,
-};
+use crankstar::family::{self, Boxes, Circle, Classes, Corner, Meeting, Never, Quadratic, Root, Roots, When};
 use crankstar::file::{self, Layout};
-use crankstar::proof::{TriangleShape, check_open_document};
+use crankstar::proof::{AlternativeClaim, TriangleShape, check_open_document};
 use crankstar::report;
 use num_rational::BigRational;
 
@@ -81,10 +79,11 @@ fn from_points(points: &[(f64, Option<f64>)], circle: Option<&Circle>, [u, v]: [
     (distance <= 1e-3 || !is_open).then_some(distance)
 }
 
-fn of_alternative(alternative: &Alternative, at: [f64; 2]) -> f64 {
-    let each = alternative.conditions.iter().map(|condition| {
-        apart(times(&[condition.phi.clone(), condition.delta.clone()], at), float(condition.turn.turns()))
-    });
+fn of_alternative(alternative: &AlternativeClaim, at: [f64; 2]) -> f64 {
+    let each = alternative
+        .conditions
+        .iter()
+        .map(|condition| apart(times(&[condition.phi.clone(), condition.delta.clone()], at), float(&condition.turn)));
     each.fold(0.0, f64::max)
 }
 
@@ -96,7 +95,7 @@ fn from_told(when: &When, at: [f64; 2]) -> Option<f64> {
         When::Never(_) => f64::INFINITY,
         When::Where(angles) => least(&mut angles.alternatives.iter().map(|one| of_alternative(one, at))),
         When::Cosine(found) => {
-            let x = times(&[found.phi.clone(), found.delta.clone()], at) + float(found.turn.turns());
+            let x = times(&[found.phi.clone(), found.delta.clone()], at) + float(&found.turn);
             ((TAU * x).cos() - float(&found.cosine)).abs()
         }
         When::Circle(circle) => {
@@ -236,7 +235,7 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
         When::Where(angles) => {
             for alternative in &angles.alternatives {
                 if let [only] = alternative.conditions.as_slice() {
-                    vanishes(&[only.phi.clone(), only.delta.clone()], float(only.turn.turns()));
+                    vanishes(&[only.phi.clone(), only.delta.clone()], float(&only.turn));
                 }
             }
         }
@@ -256,7 +255,7 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
             let [one, other] = triangle.multiples.each_ref();
             for corner in &triangle.corners {
                 let turns = match corner {
-                    Corner::Exact(exact) => [0, 1].map(|at: usize| float(exact.conditions[at].turn.turns())),
+                    Corner::Exact(exact) => [0, 1].map(|at: usize| float(&exact.conditions[at].turn)),
                     Corner::Near(degrees) => degrees.map(|degrees| degrees / 360.0),
                 };
                 let at = solved([one, other], turns);

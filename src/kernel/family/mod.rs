@@ -20,7 +20,7 @@ mod verdict;
 mod when;
 mod zeros;
 
-pub use angles::{Alternative, Angles, Condition};
+pub use angles::Angles;
 pub use circle::{Arc, Circle, Closed, Factor, Kind, Polynomial};
 pub use classify::{classify, phase};
 pub use comparable::{NotComparable, comparable};
@@ -32,5 +32,5 @@ pub use range::{Place, in_range, is_in_range};
 pub use remaining::{Remaining, remaining};
 pub use torque::{NoOpenStar, OpenStar, SpanStar, firing_stars};
 pub use verdict::{OpenOrder, OpenSum, OpenVerdict};
-pub use when::{Cosine, Never, Product, When};
+pub use when::{Never, Product, When};
 pub use zeros::{Solutions, Zeros};

@@ -7,8 +7,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
-use super::angles::Condition;
 use crate::exact::Turn;
+use crate::proof::ConditionClaim;
 
 /// That a multiple of φ and one of δ come to an angle between these ends, in turns, modulo a turn.
 #[derive(Clone, Debug)]
@@ -86,38 +86,36 @@ fn sum([a, b]: &[BigRational; 2], [c, d]: &[BigRational; 2]) -> [BigRational; 2]
 
 /// Conditions without what others imply: those on multiples of one angle are one on the greatest common divisor of the multiples.
 /// None where they contradict each other, or hold for no φ and δ from 0° to 360°.
-pub fn in_range(conditions: &[Condition]) -> Option<Vec<Condition>> {
-    let mut found: Vec<Condition> = Vec::new();
+pub fn in_range(conditions: &[ConditionClaim]) -> Option<Vec<ConditionClaim>> {
+    let mut found: Vec<ConditionClaim> = Vec::new();
     for condition in conditions {
-        match found.iter_mut().find(|known| known.is_parallel_to(condition)) {
-            Some(known) => *known = known.with(condition)?,
+        match found.iter_mut().find(|known| are_parallel(known, condition)) {
+            Some(known) => *known = both(known, condition)?,
             None => found.push(condition.clone()),
         }
     }
-    let place = |one: &Condition| Place::exact(&[one.phi.clone(), one.delta.clone()], one.turn.turns());
+    let place = |one: &ConditionClaim| Place::exact(&[one.phi.clone(), one.delta.clone()], &one.turn);
     is_in_range(&found.iter().map(place).collect::<Vec<_>>()).then_some(found)
 }
 
-impl Condition {
-    fn is_parallel_to(&self, other: &Condition) -> bool {
-        &self.phi * &other.delta == &self.delta * &other.phi
-    }
+fn are_parallel(one: &ConditionClaim, other: &ConditionClaim) -> bool {
+    &one.phi * &other.delta == &one.delta * &other.phi
+}
 
-    /// This condition and one on another multiple of the same angle, as one on the greatest common divisor; none where both do not hold together.
-    fn with(&self, other: &Condition) -> Option<Condition> {
-        let own = if self.phi.is_zero() { &self.delta } else { &self.phi };
-        let their = if self.phi.is_zero() { &other.delta } else { &other.phi };
-        // As whole numbers p, q without common divisor: 1 = a p + b q.
-        let ratio = own / their;
-        let euclid = num_integer::Integer::extended_gcd(ratio.numer(), ratio.denom());
-        let [a, b] = [euclid.x, euclid.y].map(BigRational::from_integer);
-        let turn = Turn::new(&a * self.turn.turns() + &b * other.turn.turns());
-        let [p, q] = [ratio.numer(), ratio.denom()].map(|number| BigRational::from_integer(number.clone()));
-        let holds = |times: &BigRational, right: &Turn| Turn::new(turn.turns() * times) == *right;
-        (holds(&p, &self.turn) && holds(&q, &other.turn)).then(|| Condition {
-            phi: &self.phi / &p,
-            delta: &self.delta / &p,
-            turn: turn.clone(),
-        })
-    }
+/// Two conditions on multiples of the same angle, as one on the greatest common divisor; none where both do not hold together.
+fn both(one: &ConditionClaim, other: &ConditionClaim) -> Option<ConditionClaim> {
+    let own = if one.phi.is_zero() { &one.delta } else { &one.phi };
+    let their = if one.phi.is_zero() { &other.delta } else { &other.phi };
+    // As whole numbers p, q without common divisor: 1 = a p + b q.
+    let ratio = own / their;
+    let euclid = num_integer::Integer::extended_gcd(ratio.numer(), ratio.denom());
+    let [a, b] = [euclid.x, euclid.y].map(BigRational::from_integer);
+    let turn = Turn::new(&a * &one.turn + &b * &other.turn).turns().clone();
+    let [p, q] = [ratio.numer(), ratio.denom()].map(|number| BigRational::from_integer(number.clone()));
+    let holds = |times: &BigRational, right: &BigRational| (&turn * times - right).is_integer();
+    (holds(&p, &one.turn) && holds(&q, &other.turn)).then(|| ConditionClaim {
+        phi: &one.phi / &p,
+        delta: &one.delta / &p,
+        turn: turn.clone(),
+    })
 }

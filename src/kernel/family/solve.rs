@@ -13,10 +13,10 @@ use super::circle::{self, Solved};
 use super::part::Part;
 use super::plane::{boxes, classes, product, quadratic, triangle};
 use super::remaining::ratio;
-use super::when::{Cosine, Never, Product, When};
+use super::when::{Never, Product, When};
 use crate::exact::{PhasorSum, Turn};
 use crate::numbers::{self, Direction};
-use crate::proof::{Certificate, TriangleShape};
+use crate::proof::{Certificate, CosineClaim, TriangleShape};
 
 /// When the parts sum to zero.
 pub(super) fn when(parts: &[&Part]) -> When {
@@ -125,7 +125,7 @@ fn three(first: &Part, second: &Part, third: &Part) -> When {
 }
 
 /// Two parts that turn against the one in the middle by opposite angles, and are mirror images about it: `S (1 + 2q cos x)`.
-fn mirrored(at: usize, middle: &Part, [one, other]: [&Part; 2]) -> Option<Cosine> {
+fn mirrored(at: usize, middle: &Part, [one, other]: [&Part; 2]) -> Option<CosineClaim> {
     let (phi, delta) = (&one.phi - &middle.phi, &one.delta - &middle.delta);
     if &other.phi - &middle.phi != -&phi || &other.delta - &middle.delta != -&delta {
         return None;
@@ -146,5 +146,5 @@ fn mirrored(at: usize, middle: &Part, [one, other]: [&Part; 2]) -> Option<Cosine
     }
     let scaled = middle.sum.scaled(&multiple);
     let multiples = [forward, backward].map(|sum| sum.minus(&scaled).tidied().certificate());
-    Some(Cosine { middle: at, phi, delta, turn, cosine, multiples })
+    Some(CosineClaim { middle: at, phi, delta, turn: turn.turns().clone(), cosine, multiples })
 }

@@ -1,10 +1,10 @@
 //! What is known of an order with open angles and lengths?
 
-use super::angles::{Angles, Condition};
+use super::angles::Angles;
 use super::part::Part;
 use super::range::in_range;
 use super::when::When;
-use crate::proof::{Planar, Sense};
+use crate::proof::{ConditionClaim, Planar, Sense};
 
 /// The part of a sum that one length multiplies.
 #[derive(Clone, Debug)]
@@ -60,8 +60,8 @@ impl OpenVerdict {
 
     /// The conditions under which the sums of all lengths vanish at once: alternatives, none where they contradict each other or hold for no angles
     /// in the range. None where a sum vanishes by something else than such conditions.
-    pub fn meeting(&self) -> Option<Vec<Vec<Condition>>> {
-        let mut met: Vec<Vec<Condition>> = vec![Vec::new()];
+    pub fn meeting(&self) -> Option<Vec<Vec<ConditionClaim>>> {
+        let mut met: Vec<Vec<ConditionClaim>> = vec![Vec::new()];
         for sum in self.sums.iter().filter(|sum| !matches!(sum.when, When::Always)) {
             let alternatives = &sum.angles()?.alternatives;
             let mut both = Vec::new();

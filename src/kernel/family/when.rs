@@ -5,8 +5,7 @@ use num_rational::BigRational;
 use super::angles::Angles;
 use super::circle::Circle;
 use super::plane::{Boxes, Classes, Quadratic, Triangle};
-use crate::exact::Turn;
-use crate::proof::{Certificate, CoprimeClaim};
+use crate::proof::{Certificate, CoprimeClaim, CosineClaim};
 
 /// When a sum vanishes.
 #[derive(Clone, Debug)]
@@ -18,7 +17,7 @@ pub enum When {
     /// Exactly where one of these conditions holds.
     Where(Angles),
     /// Exactly where a cosine has a value that no rational turn gives.
-    Cosine(Box<Cosine>),
+    Cosine(Box<CosineClaim>),
     /// Exactly at the zeros on the arcs of a circle, where it is [complete](Circle::is_complete).
     Circle(Box<Circle>),
     /// Exactly where `phi·φ + delta·δ` is an angle, in degrees, for which no rational turn was found: two parts of which the
@@ -47,23 +46,6 @@ pub enum When {
     /// This many parts in two unknowns of more than three classes, or of three that are not equally far apart, which vanish on more than a few
     /// small boxes, or an unknown that enters too many times.
     NotSolved(usize),
-}
-
-/// Three parts, the second and third mirror images about the first: `S_1 (1 − cos(phi·φ + delta·δ + turn) / cosine)`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Cosine {
-    /// Which of the parts that are left is the one in the middle.
-    pub middle: usize,
-    /// How many times φ enters.
-    pub phi: BigRational,
-    /// How many times δ enters.
-    pub delta: BigRational,
-    /// What is added to them.
-    pub turn: Turn,
-    /// The value at which the sum vanishes: between −1 and 1, none of 0, ±1/2, ±1, whose angles are rational turns.
-    pub cosine: BigRational,
-    /// Evidence that the others are `−1/(2 cosine)` of the middle one, turned by `turn` and back.
-    pub multiples: [Certificate; 2],
 }
 
 /// Why a sum never vanishes.

@@ -92,7 +92,8 @@ pub use knuckle::{KnuckleClaim, Part};
 pub use link::{LinkClaim, LinkageClaim};
 pub use motion::coefficient_bounds;
 pub use open::{
-    Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, SumClaim, WhenClaim,
+    CosineClaim, Exact, LinearClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, SumClaim,
+    WhenClaim,
 };
 pub use open_check::check_open_document;
 pub use outside::{COMPARE_NOT_CHECKED, LOADS_NOT_CHECKED};

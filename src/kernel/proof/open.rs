@@ -130,26 +130,8 @@ pub enum WhenClaim {
         /// For three parts: evidence that `|S_1|² − |S_j|²` is zero; for two there is none, as the alternative shows it.
         equal_lengths: Vec<Certificate>,
     },
-    /// Exactly where `cos(phi·φ + delta·δ + turn)` is `cosine`: of three parts two are `−1/(2 cosine)` of the one in the middle,
-    /// turned by `turn` and back.
-    Cosine {
-        /// Which of the parts that do not vanish is the one in the middle.
-        middle: usize,
-        /// How many times φ enters.
-        #[serde(with = "fraction")]
-        phi: BigRational,
-        /// How many times δ enters.
-        #[serde(with = "fraction")]
-        delta: BigRational,
-        /// What is added to them, in turns.
-        #[serde(with = "fraction")]
-        turn: BigRational,
-        /// The value of the cosine.
-        #[serde(with = "fraction")]
-        cosine: BigRational,
-        /// Evidence for the other two parts, in their order.
-        multiples: Box<[Certificate; 2]>,
-    },
+    /// Exactly where a cosine has a value.
+    Cosine(Box<CosineClaim>),
     /// For no angle: parts in one unknown, which have no zero on the circle.
     Coprime(Box<CoprimeClaim>),
     /// Where the arcs say so: parts in one unknown.
@@ -171,6 +153,29 @@ pub enum WhenClaim {
     },
     /// No claim: two unknowns that enter in another way, or one too many times.
     NotSolved,
+}
+
+/// Exactly where `cos(phi·φ + delta·δ + turn)` is `cosine`: of three parts two are `−1/(2 cosine)` of the one in the middle,
+/// turned by `turn` and back.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CosineClaim {
+    /// Which of the parts that do not vanish is the one in the middle.
+    pub middle: usize,
+    /// How many times φ enters.
+    #[serde(with = "fraction")]
+    pub phi: BigRational,
+    /// How many times δ enters.
+    #[serde(with = "fraction")]
+    pub delta: BigRational,
+    /// What is added to them, in turns.
+    #[serde(with = "fraction")]
+    pub turn: BigRational,
+    /// The value of the cosine.
+    #[serde(with = "fraction")]
+    pub cosine: BigRational,
+    /// Evidence for the other two parts, in their order.
+    pub multiples: [Certificate; 2],
 }
 
 /// All parts in groups that are multiples of each other: the sum is that of one group, times that of the first parts of all, up to a

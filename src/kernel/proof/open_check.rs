@@ -57,7 +57,7 @@ fn is_solved(when: &WhenClaim) -> bool {
         | WhenClaim::Never
         | WhenClaim::UnequalLengths { .. }
         | WhenClaim::Where { .. }
-        | WhenClaim::Cosine { .. }
+        | WhenClaim::Cosine(_)
         | WhenClaim::Coprime(_)
         | WhenClaim::Triangle(_) => true,
         WhenClaim::Circle(claim) => claim.is_complete(),

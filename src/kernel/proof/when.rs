@@ -12,7 +12,7 @@ use super::circle_check::check_circle;
 use super::classes_check::check_classes;
 use super::collected::{collect, difference_of_squares};
 use super::coprime_check::check_coprime;
-use super::open::{ProductClaim, WhenClaim};
+use super::open::{CosineClaim, ProductClaim, WhenClaim};
 use super::part::{Part, check_alternative};
 use super::quadratic_check::check_quadratic;
 use super::triangle_check::check_triangle;
@@ -49,16 +49,13 @@ pub(super) fn check_when(when: &WhenClaim, left: &[Part<'_>], audit: &Audit) -> 
         WhenClaim::Quadratic(claim) => check_quadratic(claim, left, audit),
         WhenClaim::Boxes(claim) => check_boxes(claim, left, audit),
         WhenClaim::Product(claim) => check_product(claim, left, audit),
-        WhenClaim::Cosine { middle, phi, delta, turn, cosine, multiples } => {
-            let condition = CosineCondition { phi, delta, turn, cosine };
-            match (left, middle) {
-                ([first, second, third], 0) => mirrored(first, [second, third], &condition, multiples, audit),
-                ([first, second, third], 1) => mirrored(second, [first, third], &condition, multiples, audit),
-                ([first, second, third], 2) => mirrored(third, [first, second], &condition, multiples, audit),
-                ([_, _, _], _) => Err("there are three parts, so that 0, 1 or 2 is the middle one".into()),
-                _ => contradiction(),
-            }
-        }
+        WhenClaim::Cosine(claim) => match (left, claim.middle) {
+            ([first, second, third], 0) => mirrored(first, [second, third], claim, audit),
+            ([first, second, third], 1) => mirrored(second, [first, third], claim, audit),
+            ([first, second, third], 2) => mirrored(third, [first, second], claim, audit),
+            ([_, _, _], _) => Err("there are three parts, so that 0, 1 or 2 is the middle one".into()),
+            _ => contradiction(),
+        },
         WhenClaim::Where { alternatives, equal_lengths } => match left {
             [first, second] => two(first, second, alternatives, equal_lengths, audit),
             [first, second, third] => three([first, second, third], alternatives, equal_lengths, audit),
@@ -104,34 +101,20 @@ fn three(
     }
 }
 
-/// `cos(phi·φ + delta·δ + turn) = cosine`.
-struct CosineCondition<'a> {
-    phi: &'a BigRational,
-    delta: &'a BigRational,
-    turn: &'a BigRational,
-    cosine: &'a BigRational,
-}
-
 /// `S + q S (e^{ix} + e^{−ix}) = S (1 + 2q cos x)` with `q = −1/(2 cosine)`: zero exactly where `cos x` is the cosine.
-fn mirrored(
-    middle: &Part<'_>,
-    others: [&Part<'_>; 2],
-    claim: &CosineCondition<'_>,
-    multiples: &[Certificate; 2],
-    audit: &Audit,
-) -> Result<(), Reason> {
+fn mirrored(middle: &Part<'_>, others: [&Part<'_>; 2], claim: &CosineClaim, audit: &Audit) -> Result<(), Reason> {
     if claim.cosine.is_zero() || claim.cosine.abs() >= BigRational::one() {
         return Err("the cosine is not between -1 and 1, or is 0".into());
     }
-    let multiple = (claim.cosine + claim.cosine).recip();
+    let multiple = (&claim.cosine + &claim.cosine).recip();
     let one = BigRational::one();
-    for ((part, sign), certificate) in others.into_iter().zip([one.clone(), -one]).zip(multiples) {
+    for ((part, sign), certificate) in others.into_iter().zip([one.clone(), -one]).zip(&claim.multiples) {
         let [phi, delta] = [&part.claim.phi - &middle.claim.phi, &part.claim.delta - &middle.claim.delta];
-        if phi != claim.phi * &sign || delta != claim.delta * &sign {
+        if phi != &claim.phi * &sign || delta != &claim.delta * &sign {
             return Err("the parts do not turn against the middle one as the condition says".into());
         }
         // The part turned back, less q of the middle one.
-        let back = claim.turn * &sign;
+        let back = &claim.turn * &sign;
         audit.spend(steps_of(&back).max(steps_of(&multiple)))?;
         let turned = part.sum.iter().map(|(angle, weight)| (angle - &back, weight.clone()));
         let less = middle.sum.iter().map(|(angle, weight)| (angle.clone(), weight * &multiple));

@@ -1,6 +1,5 @@
 //! What does `classify --json` hold for a family? Every part with its certificate, and when they cancel.
 
-use super::super::document::vectors;
 use crate::engine::{Cylinder, Family, Linear};
 use crate::exact::PhasorSum;
 use crate::family::{
@@ -8,9 +7,9 @@ use crate::family::{
     Quadratic, Root, Roots, Triangle, When,
 };
 use crate::proof::{
-    AlternativeClaim, ArcClaim, BoxZeroClaim, BoxesClaim, CircleClaim, ClassesClaim, ConditionClaim, DividedClaim,
-    Exact, Format, LinearClaim, Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
-    ProductClaim, QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, WhenClaim,
+    ArcClaim, BoxZeroClaim, BoxesClaim, CircleClaim, ClassesClaim, DividedClaim, Exact, Format, LinearClaim, Masses,
+    MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, QuadraticClaim, Quantity,
+    RootClaim, RootsClaim, SumClaim, TriangleClaim, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -58,7 +57,7 @@ fn part(part: &Part) -> PartClaim {
     PartClaim {
         phi: part.phi.clone(),
         delta: part.delta.clone(),
-        terms: vectors(part.sum.terms()),
+        terms: part.sum.vectors(),
         certificate: part.certificate.clone(),
     }
 }
@@ -71,14 +70,7 @@ fn when(when: &When) -> WhenClaim {
             WhenClaim::UnequalLengths { certificate: certificate.clone() }
         }
         When::Irrational { equal_lengths, .. } => WhenClaim::EqualLengths { certificate: equal_lengths.clone() },
-        When::Cosine(found) => WhenClaim::Cosine {
-            middle: found.middle,
-            phi: found.phi.clone(),
-            delta: found.delta.clone(),
-            turn: found.turn.turns().clone(),
-            cosine: found.cosine.clone(),
-            multiples: Box::new(found.multiples.clone()),
-        },
+        When::Cosine(found) => WhenClaim::Cosine(found.clone()),
         When::Never(Never::Coprime(found)) => WhenClaim::Coprime(found.clone()),
         When::Never(Never::Circle(found)) | When::Circle(found) => WhenClaim::Circle(Box::new(circle(found))),
         When::Never(Never::Triangle(found)) | When::Triangle(found) => WhenClaim::Triangle(Box::new(triangle(found))),
@@ -94,26 +86,14 @@ fn when(when: &When) -> WhenClaim {
         })),
         When::Never(Never::Boxes(found)) | When::Boxes(found) => WhenClaim::Boxes(Box::new(boxes(found))),
         When::NotSolved(_) => WhenClaim::NotSolved,
-        When::Where(angles) => WhenClaim::Where {
-            alternatives: angles.alternatives.iter().map(alternative).collect(),
-            equal_lengths: angles.equal_lengths.clone(),
-        },
+        When::Where(angles) => {
+            WhenClaim::Where { alternatives: angles.alternatives.clone(), equal_lengths: angles.equal_lengths.clone() }
+        }
     }
-}
-
-fn alternative(alternative: &crate::family::Alternative) -> AlternativeClaim {
-    AlternativeClaim {
-        conditions: alternative.conditions.iter().map(condition).collect(),
-        certificate: alternative.certificate.clone(),
-    }
-}
-
-fn condition(condition: &crate::family::Condition) -> ConditionClaim {
-    ConditionClaim { phi: condition.phi.clone(), delta: condition.delta.clone(), turn: condition.turn.turns().clone() }
 }
 
 fn divided(factor: &Factor) -> DividedClaim {
-    let coefficients = |of: &[PhasorSum]| of.iter().map(|sum| vectors(sum.terms())).collect();
+    let coefficients = |of: &[PhasorSum]| of.iter().map(PhasorSum::vectors).collect();
     DividedClaim {
         without: coefficients(&factor.without),
         coprime: factor.coprime.clone(),
@@ -159,7 +139,7 @@ fn boxes(found: &Boxes) -> BoxesClaim {
 
 fn triangle(triangle: &Triangle) -> TriangleClaim {
     let exact = triangle.corners.iter().filter_map(|corner| match corner {
-        Corner::Exact(exact) => Some(alternative(exact)),
+        Corner::Exact(exact) => Some(exact.clone()),
         Corner::Near(_) => None,
     });
     TriangleClaim { shape: triangle.shape.clone(), alternatives: exact.collect() }

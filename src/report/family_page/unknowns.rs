@@ -6,8 +6,9 @@ use num_traits::{Signed, Zero};
 use super::super::typeset;
 use crate::engine::{DELTA, Linear, PHI};
 use crate::exact::Turn;
-use crate::family::{Condition, in_range};
+use crate::family::in_range;
 use crate::page::{Text, phrase};
+use crate::proof::ConditionClaim;
 
 /// `2φ − δ ≡ 180°`.
 pub(super) fn exactly(unknowns: String, turn: &Turn) -> String {
@@ -18,13 +19,13 @@ pub(super) fn exactly(unknowns: String, turn: &Turn) -> String {
 pub(super) const NEVER: &str = "never 0 in (0°, 360°)";
 
 /// `φ ≡ 60° and δ ≡ 90°`; none where no φ and δ in the range make it.
-pub(super) fn together(conditions: &[Condition], shown: fn(String, &Turn) -> String) -> Option<Text> {
-    let one = |condition: &Condition| {
+pub(super) fn together(conditions: &[ConditionClaim], shown: fn(String, &Turn) -> String) -> Option<Text> {
+    let one = |ConditionClaim { phi, delta, turn }: &ConditionClaim| {
+        let turn = Turn::new(turn.clone());
         // φ, or else δ, is shown entering positively.
-        let Condition { phi, delta, turn } = condition;
         Text::label(match phi.is_negative() || phi.is_zero() && delta.is_negative() {
-            true => shown(unknowns(&-phi, &-delta), &-turn),
-            false => shown(unknowns(phi, delta), turn),
+            true => shown(unknowns(&-phi, &-delta), &-&turn),
+            false => shown(unknowns(phi, delta), &turn),
         })
     };
     in_range(conditions).map(|conditions| Text::joined(conditions.iter().map(one), " and "))

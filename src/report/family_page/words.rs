@@ -10,12 +10,11 @@ use super::unknowns::{NEVER, alternatives, exactly, together, unknowns};
 use super::{boxes_words, circle_words, plane_words, quadratic_words};
 use crate::engine::{DOES_NOT_EXIST, Linear};
 use crate::exact::Turn;
-use crate::family::{
-    self, Angles, Condition, Cosine, EvenFiring, Never, OpenSum, OpenVerdict, Part, Product, Remaining, When,
-};
+use crate::family::{self, Angles, EvenFiring, Never, OpenSum, OpenVerdict, Part, Product, Remaining, When};
 use crate::numbers::{Form, float};
 use crate::page::number::Bearing;
 use crate::page::{Piece, Setting, Text, Unit, phrase};
+use crate::proof::{ConditionClaim, CosineClaim};
 use crate::report::texts::family as text;
 
 /// When a verdict vanishes, in a few words: zero, `never 0`, `0 at φ = 90°, 270°`, `2√10 (2a + b + 2c)`.
@@ -43,7 +42,7 @@ pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
 }
 
 /// `0 where 2φ − δ ≡ 180°`: where one of these alternatives holds.
-fn zero_where(met: &[Vec<Condition>], shown: fn(String, &Turn) -> String) -> Text {
+fn zero_where(met: &[Vec<ConditionClaim>], shown: fn(String, &Turn) -> String) -> Text {
     let told = alternatives(met.iter().filter_map(|one| together(one, shown)));
     told.map_or_else(|| NEVER.into(), |told| phrase!("0 where {}", told))
 }
@@ -144,7 +143,7 @@ fn conditions(angles: &Angles) -> Option<Text> {
 }
 
 /// `cos(φ) = 0.25, φ ≈ ±75.52°`.
-pub(super) fn cosine(found: &Cosine) -> Text {
+pub(super) fn cosine(found: &CosineClaim) -> Text {
     let degrees = float(&found.cosine).acos().to_degrees();
     let (argument, value) = (argument_of(found), typeset::number(&found.cosine));
     let (phi, delta, turn) = entering_positively(found);
@@ -153,7 +152,7 @@ pub(super) fn cosine(found: &Cosine) -> Text {
 }
 
 /// `φ`, `2φ + 30°`: what the cosine is of.
-fn argument_of(found: &Cosine) -> String {
+fn argument_of(found: &CosineClaim) -> String {
     let (phi, delta, turn) = entering_positively(found);
     match turn == Turn::zero() {
         true => unknowns(&phi, &delta),
@@ -163,10 +162,11 @@ fn argument_of(found: &Cosine) -> String {
 }
 
 /// A cosine is even: φ, or else δ, is shown entering positively.
-fn entering_positively(found: &Cosine) -> (BigRational, BigRational, Turn) {
+fn entering_positively(found: &CosineClaim) -> (BigRational, BigRational, Turn) {
+    let turn = Turn::new(found.turn.clone());
     match found.phi.is_negative() || found.phi.is_zero() && found.delta.is_negative() {
-        true => (-&found.phi, -&found.delta, -&found.turn),
-        false => (found.phi.clone(), found.delta.clone(), found.turn.clone()),
+        true => (-&found.phi, -&found.delta, -&turn),
+        false => (found.phi.clone(), found.delta.clone(), turn),
     }
 }
 

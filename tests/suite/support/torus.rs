@@ -44,7 +44,7 @@ pub fn line(verdict: &OpenVerdict) -> Option<Line> {
     let When::Where(angles) = &sum.when else { panic!("a line: {:?}", sum.when) };
     let [alternative] = angles.alternatives.as_slice() else { panic!("one line: {angles:?}") };
     let [only] = alternative.conditions.as_slice() else { panic!("one condition: {alternative:?}") };
-    Some(Line { phi: only.phi.clone(), delta: only.delta.clone(), turn: only.turn.turns().clone() })
+    Some(Line { phi: only.phi.clone(), delta: only.delta.clone(), turn: only.turn.clone() })
 }
 
 /// Where two lines cross, all of their windings.

@@ -7,11 +7,11 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
-use super::super::angles::{Alternative, alternative};
+use super::super::angles::alternative;
 use super::super::part::Part;
 use crate::exact::{PhasorSum, Turn, fraction};
 use crate::numbers;
-use crate::proof::TriangleShape;
+use crate::proof::{AlternativeClaim, TriangleShape};
 
 /// Three parts that cancel somewhere, or nowhere.
 #[derive(Clone, Debug)]
@@ -37,7 +37,7 @@ pub(super) fn signs(shape: &TriangleShape) -> &'static [f64] {
 #[derive(Clone, Debug)]
 pub enum Corner {
     /// Rational turns.
-    Exact(Alternative),
+    Exact(AlternativeClaim),
     /// In degrees from 0 to 360; no rational turns were found.
     Near([f64; 2]),
 }

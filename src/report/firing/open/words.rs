@@ -10,6 +10,7 @@ use super::super::super::residual;
 use super::super::super::typeset::{self, Amount};
 use super::OpenFiringStudy;
 use crate::engine::{FiringSpan, Linear, NoSpans, PHI};
+use crate::exact::Turn;
 use crate::family::{OpenStar, SpanStar, When};
 use crate::page::{Piece, Text, phrase};
 use crate::report::texts::open_firing as text;
@@ -106,7 +107,7 @@ fn length_of_span(star: &SpanStar) -> Option<Text> {
     let sign =
         if turning.phi.is_negative() || turning.phi.is_zero() && turning.delta.is_negative() { -&half } else { half };
     let x = unknowns(&(&turning.phi * &sign), &(&turning.delta * &sign));
-    let offset = typeset::signed_degrees(&turning.turn) * &sign;
+    let offset = typeset::signed_degrees(&Turn::new(turning.turn.clone())) * &sign;
     let quarter = BigRational::from_integer(90.into());
     let factor = match (offset.is_zero(), offset.abs() == quarter, offset.is_negative()) {
         (true, ..) => format!("|sin({x})|"),
