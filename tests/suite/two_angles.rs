@@ -133,7 +133,7 @@ fn from_told(when: &When, at: [f64; 2]) -> Option<f64> {
             }
         }
         When::Boxes(found) => {
-            let distance = least(&mut found.zeros.iter().map(|zero| far(zero.near, of_boxes(found, at))));
+            let distance = least(&mut found.near.iter().map(|zero| far(*zero, of_boxes(found, at))));
             return (distance < 1e-3 || !is_open(found, at)).then_some(distance);
         }
         When::NotSolved(_) => return None,
@@ -142,7 +142,8 @@ fn from_told(when: &When, at: [f64; 2]) -> Option<f64> {
 
 /// s and t.
 fn of_boxes(found: &Boxes, at: [f64; 2]) -> [f64; 2] {
-    [0, 1].map(|axis: usize| float(&found.times[axis]) * at[axis])
+    let [s, t] = [&found.claim.phi, &found.claim.delta].map(float);
+    [s * at[0], t * at[1]]
 }
 
 fn far(one: [f64; 2], other: [f64; 2]) -> f64 {
@@ -298,10 +299,10 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
         When::Boxes(found) => {
             told.boxes += 1;
             told.open += usize::from(!found.is_complete());
-            for zero in &found.zeros {
+            for (zero, near) in found.claim.zeros.iter().zip(&found.near) {
                 told.points += 1;
-                told.exact += usize::from(zero.exact().is_some());
-                let at = [0, 1].map(|axis: usize| zero.near[axis] / float(&found.times[axis]));
+                told.exact += usize::from(zero.certificate.is_some());
+                let at = [near[0] / float(&found.claim.phi), near[1] / float(&found.claim.delta)];
                 assert!(star.length(at) < 1e-8, "{place}: {zero:?}");
             }
         }

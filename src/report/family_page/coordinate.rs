@@ -17,8 +17,9 @@ pub(super) struct Coordinate {
 }
 
 impl Coordinate {
-    pub fn exact(times: &[BigRational; 2], turn: &Turn) -> Self {
-        Coordinate { place: Place::exact(times, turn.turns()), told: Text::label(exactly(name(times), turn)) }
+    pub fn exact(times: &[BigRational; 2], turns: &BigRational) -> Self {
+        let told = exactly(name(times), &Turn::new(turns.clone()));
+        Coordinate { place: Place::exact(times, turns), told: Text::label(told) }
     }
 
     pub fn near(times: &[BigRational; 2], degrees: f64) -> Self {

@@ -3,13 +3,13 @@
 use crate::engine::{Cylinder, Family, Linear};
 use crate::exact::PhasorSum;
 use crate::family::{
-    Arc, BoxZero, Boxes, Circle, Classes, Corner, Factor, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part,
-    Quadratic, Root, Roots, Triangle, When,
+    Arc, Circle, Classes, Corner, Factor, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part, Quadratic, Root,
+    Roots, Triangle, When,
 };
 use crate::proof::{
-    ArcClaim, BoxZeroClaim, BoxesClaim, CircleClaim, ClassesClaim, DividedClaim, Exact, Format, LinearClaim, Masses,
-    MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, QuadraticClaim, Quantity,
-    RootClaim, RootsClaim, SumClaim, TriangleClaim, WhenClaim,
+    ArcClaim, CircleClaim, ClassesClaim, DividedClaim, Exact, Format, LinearClaim, Masses, MeetingClaim, OpenCylinder,
+    OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim,
+    TriangleClaim, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -84,7 +84,7 @@ fn when(when: &When) -> WhenClaim {
             group: self::when(&found.group),
             firsts: self::when(&found.firsts),
         })),
-        When::Never(Never::Boxes(found)) | When::Boxes(found) => WhenClaim::Boxes(Box::new(boxes(found))),
+        When::Never(Never::Boxes(found)) | When::Boxes(found) => WhenClaim::Boxes(Box::new(found.claim.clone())),
         When::NotSolved(_) => WhenClaim::NotSolved,
         When::Where(angles) => {
             WhenClaim::Where { alternatives: angles.alternatives.clone(), equal_lengths: angles.equal_lengths.clone() }
@@ -124,17 +124,6 @@ fn circle(circle: &Circle) -> CircleClaim {
         from: circle.from.clone(),
         arcs: circle.arcs.iter().map(arc).collect(),
     }
-}
-
-fn boxes(found: &Boxes) -> BoxesClaim {
-    let zero = |BoxZero { middle: [s, t], reach, certificate, .. }: &BoxZero| BoxZeroClaim {
-        s: s.clone(),
-        t: t.clone(),
-        reach: reach.clone(),
-        certificate: certificate.clone(),
-    };
-    let [phi, delta] = found.times.clone();
-    BoxesClaim { phi, delta, tree: found.tree.clone(), zeros: found.zeros.iter().map(zero).collect() }
 }
 
 fn triangle(triangle: &Triangle) -> TriangleClaim {

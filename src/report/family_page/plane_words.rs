@@ -5,7 +5,6 @@ use num_rational::BigRational;
 use super::circle_words::{self, none_of};
 use super::coordinate::{self, Coordinate};
 use super::unknowns::{NEVER, alternatives, exactly, names, together, zero_where};
-use crate::exact::Turn;
 use crate::family::{Circle, Classes, Corner, Meeting, Triangle};
 use crate::page::{Text, phrase};
 use crate::report::texts::family as text;
@@ -26,11 +25,11 @@ fn zeros(classes: &Classes) -> Option<Text> {
     let rational = classes.rational().map(|(at, meeting)| {
         let other = match meeting {
             Meeting::All(_) => None,
-            Meeting::Rational { turn, .. } => Some(Coordinate::exact(v, turn)),
+            Meeting::Rational { turn, .. } => Some(Coordinate::exact(v, turn.turns())),
             Meeting::Once { exact: Some(exact), degrees, .. } => Some(Coordinate::closed(v, exact.clone(), *degrees)),
             Meeting::Once { exact: None, degrees, .. } => Some(Coordinate::near(v, degrees.rem_euclid(360.0))),
         };
-        [Coordinate::exact(u, &Turn::new(at.clone()))].into_iter().chain(other).collect()
+        [Coordinate::exact(u, at)].into_iter().chain(other).collect()
     });
     coordinate::in_words(rational.chain(irrational(classes.irrational(), [u, v])))
 }

@@ -4,7 +4,6 @@ use super::circle_words::{self, none_of};
 use super::coordinate::{self, Coordinate};
 use super::plane_words::{irrational, so};
 use super::unknowns::{names, zero_where};
-use crate::exact::Turn;
 use crate::family::{Quadratic, Root, Roots};
 use crate::page::Text;
 use crate::report::texts::family as text;
@@ -26,9 +25,9 @@ pub(super) fn condition(found: &Quadratic) -> Text {
 fn zeros(found: &Quadratic) -> Option<Text> {
     let [u, v] = [&found.u, &found.v];
     let rational = found.rational().flat_map(|(at, roots)| {
-        let own = || Coordinate::exact(u, &Turn::new(at.clone()));
+        let own = || Coordinate::exact(u, at);
         let with = |root: &Root| match root {
-            Root::Exact(turn, _) => vec![own(), Coordinate::exact(v, turn)],
+            Root::Exact(turn, _) => vec![own(), Coordinate::exact(v, turn.turns())],
             Root::Near(degrees) => vec![own(), Coordinate::near(v, *degrees)],
         };
         match roots {

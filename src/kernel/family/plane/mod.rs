@@ -14,7 +14,7 @@ mod roots;
 mod split;
 pub(super) mod triangle;
 
-pub use boxes::{BoxZero, Boxes};
+pub use boxes::Boxes;
 pub use classes::{Classes, Meeting};
 pub use quadratic::Quadratic;
 pub use roots::{Root, Roots};

@@ -7,10 +7,11 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::super::super::part::Part;
+use super::Boxes;
 use super::evaluator::{Evaluator, FINEST, dyadic};
 use super::torus::Torus;
-use super::{BoxZero, Boxes};
 use crate::exact::PhasorSum;
+use crate::proof::{BoxZeroClaim, BoxesClaim};
 
 /// More boxes are not looked at for one sum.
 const MOST_BOXES: usize = 2000;
@@ -75,7 +76,7 @@ pub(in super::super::super) fn solve(parts: &[&Part]) -> Option<Boxes> {
 
 /// Cuts the torus.
 fn cut(ground: &Evaluator, torus: &Torus) -> Boxes {
-    let mut subdivider = Subdivider { ground, torus, zeros: Vec::new(), failed: Vec::new() };
+    let mut subdivider = Subdivider { ground, torus, zeros: Vec::new(), near: Vec::new(), failed: Vec::new() };
     let mut places = vec![Place { index: [0, 0], level: [0, 0] }];
     let mut known = vec![Known::Open];
     let mut waiting = VecDeque::from([0]);
@@ -108,7 +109,9 @@ fn cut(ground: &Evaluator, torus: &Torus) -> Boxes {
     }
     let open = places.iter().zip(&known).filter(|(_, known)| matches!(known, Known::Open));
     let open = joined(open.map(|(place, _)| place.ends()).collect());
-    Boxes { times: torus.times.clone(), tree: written(&known), zeros: subdivider.zeros, open }
+    let [phi, delta] = torus.times.clone();
+    let claim = BoxesClaim { phi, delta, tree: written(&known), zeros: subdivider.zeros };
+    Boxes { claim, near: subdivider.near, open }
 }
 
 /// In the order in which the boxes are cut.
@@ -151,7 +154,9 @@ fn joined(boxes: Vec<[[BigRational; 2]; 2]>) -> Vec<[[BigRational; 2]; 2]> {
 struct Subdivider<'a> {
     ground: &'a Evaluator,
     torus: &'a Torus,
-    zeros: Vec<BoxZero>,
+    zeros: Vec<BoxZeroClaim>,
+    /// The same in decimals.
+    near: Vec<[f64; 2]>,
     /// Where decimals have a zero, and no box about it holds one alone.
     failed: Vec<[f64; 2]>,
 }
@@ -173,8 +178,8 @@ impl Subdivider<'_> {
         let of = |[low, high]: &[BigRational; 2]| ((low + high) / &two, (high - low) / &two);
         let ends = place.ends();
         let near = place.middle().map(|middle| middle as f64 / (1_u64 << (FINEST + 1)) as f64);
-        self.zeros.iter().filter(|zero| far(zero.near, near) < 0.26).any(|zero| {
-            ends.iter().zip(&zero.middle).all(|(ends, middle)| {
+        self.zeros.iter().zip(&self.near).filter(|(_, zero)| far(**zero, near) < 0.26).any(|(zero, _)| {
+            ends.iter().zip([&zero.s, &zero.t]).all(|(ends, middle)| {
                 let (here, half) = of(ends);
                 apart(&here, middle) + half <= zero.reach
             })
@@ -187,7 +192,7 @@ impl Subdivider<'_> {
         let Some(zero) = self.torus.newton(near).map(|zero| zero.map(|turns| turns.rem_euclid(1.0))) else { return };
         let wide = f64::from(1_u32 << place.level[0].min(place.level[1])).recip();
         let is_new = |other: &[f64; 2]| far(*other, zero) > SAME;
-        if far(zero, near) > 2.0 * wide || !self.zeros.iter().map(|zero| &zero.near).chain(&self.failed).all(is_new) {
+        if far(zero, near) > 2.0 * wide || !self.near.iter().chain(&self.failed).all(is_new) {
             return;
         }
         let exact = self.torus.rational(zero);
@@ -197,10 +202,12 @@ impl Subdivider<'_> {
             let reach = BigRational::new(BigInt::one(), BigInt::one() << half);
             let is_apart = self.zeros.iter().all(|other| {
                 let widths = &other.reach + &reach;
-                other.middle.iter().zip(&middle).any(|(a, b)| apart(a, b) > widths)
+                [&other.s, &other.t].into_iter().zip(&middle).any(|(a, b)| apart(a, b) > widths)
             });
             if is_apart && self.ground.holds_one(&middle, half, certificate.is_some()) {
-                self.zeros.push(BoxZero { middle, reach, certificate, near: zero });
+                let [s, t] = middle;
+                self.zeros.push(BoxZeroClaim { s, t, reach, certificate });
+                self.near.push(zero);
                 return;
             }
         }
