@@ -168,7 +168,7 @@ fn products_with_factors_off_the_circle_and_squares_are_solved_as_a_dense_search
         for (one, other) in found.zeros.iter().zip(&searched) {
             assert!((one - other).abs() < 1e-6 && value(&decimals(&whole), *one).norm() < 1e-9, "{place}");
         }
-        divided += usize::from(found.circle.factor.is_some());
+        divided += usize::from(found.circle.claim.divided.is_some());
         irrational += found.circle.irrational().count();
     }
     assert!(divided > 20 && irrational > 40, "{divided} divided, {irrational} irrational zeros");

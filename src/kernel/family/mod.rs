@@ -21,7 +21,7 @@ mod when;
 mod zeros;
 
 pub use angles::Angles;
-pub use circle::{Arc, Circle, Closed, Factor, Kind, Polynomial};
+pub use circle::{Circle, Closed, Polynomial};
 pub use classify::{classify, phase};
 pub use comparable::{NotComparable, comparable};
 pub use component::{Component, component_zeros};

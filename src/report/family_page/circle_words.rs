@@ -75,14 +75,14 @@ pub(super) fn signed(times: &[BigRational; 2], turn: &Turn, degrees: f64) -> Str
 
 /// Why it vanishes there, and nowhere else.
 pub(super) fn why(circle: &Circle) -> Text {
-    let (unknown, count) = (unknown(circle), circle.arcs.len());
-    let sum = match &circle.factor {
+    let (unknown, count) = (unknown(circle), circle.claim.arcs.len());
+    let sum = match &circle.claim.divided {
         None => text::polynomial(circle.polynomial.degree().to_string(), unknown),
-        Some(factor) => text::common_polynomial(
-            factor.equalities.len().saturating_sub(1).to_string(),
+        Some(divided) => text::common_polynomial(
+            divided.equalities.len().saturating_sub(1).to_string(),
             unknown,
             circle.polynomial.degree().to_string(),
-            factor.coprime.prime.to_string(),
+            divided.coprime.prime.to_string(),
         ),
     };
     let arcs = match (zeros(circle), circle.is_complete()) {

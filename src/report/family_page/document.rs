@@ -1,15 +1,12 @@
 //! What does `classify --json` hold for a family? Every part with its certificate, and when they cancel.
 
 use crate::engine::{Cylinder, Family, Linear};
-use crate::exact::PhasorSum;
 use crate::family::{
-    Arc, Circle, Classes, Corner, Factor, Kind, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part, Quadratic, Root,
-    Roots, Triangle, When,
+    Classes, Corner, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part, Quadratic, Root, Roots, Triangle, When,
 };
 use crate::proof::{
-    ArcClaim, CircleClaim, ClassesClaim, DividedClaim, Exact, Format, LinearClaim, Masses, MeetingClaim, OpenCylinder,
-    OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim, QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim,
-    TriangleClaim, WhenClaim,
+    ClassesClaim, Exact, Format, LinearClaim, Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim,
+    PartClaim, ProductClaim, QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -72,7 +69,7 @@ fn when(when: &When) -> WhenClaim {
         When::Irrational { equal_lengths, .. } => WhenClaim::EqualLengths { certificate: equal_lengths.clone() },
         When::Cosine(found) => WhenClaim::Cosine(found.clone()),
         When::Never(Never::Coprime(found)) => WhenClaim::Coprime(found.clone()),
-        When::Never(Never::Circle(found)) | When::Circle(found) => WhenClaim::Circle(Box::new(circle(found))),
+        When::Never(Never::Circle(found)) | When::Circle(found) => WhenClaim::Circle(Box::new(found.claim.clone())),
         When::Never(Never::Triangle(found)) | When::Triangle(found) => WhenClaim::Triangle(Box::new(triangle(found))),
         When::Never(Never::Classes(found)) | When::Classes(found) => WhenClaim::Classes(Box::new(classes(found))),
         When::Never(Never::Quadratic(found)) | When::Quadratic(found) => {
@@ -89,40 +86,6 @@ fn when(when: &When) -> WhenClaim {
         When::Where(angles) => {
             WhenClaim::Where { alternatives: angles.alternatives.clone(), equal_lengths: angles.equal_lengths.clone() }
         }
-    }
-}
-
-fn divided(factor: &Factor) -> DividedClaim {
-    let coefficients = |of: &[PhasorSum]| of.iter().map(PhasorSum::vectors).collect();
-    DividedClaim {
-        without: coefficients(&factor.without),
-        coprime: factor.coprime.clone(),
-        powers: factor.powers.iter().map(|power| coefficients(power)).collect(),
-        equalities: factor.equalities.clone(),
-    }
-}
-
-fn circle(circle: &Circle) -> CircleClaim {
-    let arc = |Arc { to, kind }: &Arc| {
-        let to = to.clone();
-        match kind {
-            Kind::Free => ArcClaim::Free { to },
-            Kind::Monotone => ArcClaim::Monotone { to },
-            Kind::Crossing { .. } => ArcClaim::Crossing { to },
-            Kind::Rational { at, certificates } => {
-                ArcClaim::Rational { to, at: at.clone(), certificates: certificates.clone() }
-            }
-            Kind::Open => ArcClaim::Open { to },
-        }
-    };
-    CircleClaim {
-        phi: circle.polynomial.phi.clone(),
-        delta: circle.polynomial.delta.clone(),
-        divided: circle.factor.as_ref().map(divided),
-        bits: circle.bits,
-        mirrored: circle.mirrored.clone(),
-        from: circle.from.clone(),
-        arcs: circle.arcs.iter().map(arc).collect(),
     }
 }
 
@@ -148,7 +111,7 @@ fn classes(classes: &Classes) -> ClassesClaim {
         delta,
         second: classes.second.clone(),
         squares: classes.squares.clone(),
-        circle: classes.circle.as_ref().map(circle),
+        circle: classes.circle.as_ref().map(|circle| circle.claim.clone()),
         meetings: classes.meetings.iter().map(meeting).collect(),
     }
 }
@@ -180,7 +143,7 @@ fn quadratic(found: &Quadratic) -> QuadraticClaim {
         coefficients: found.coefficients.clone(),
         lengths: found.lengths.clone(),
         twist: found.twist.clone(),
-        circle: found.circle.as_ref().map(circle),
+        circle: found.circle.as_ref().map(|circle| circle.claim.clone()),
         roots: found.roots.iter().map(roots).collect(),
     }
 }

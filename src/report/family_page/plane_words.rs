@@ -51,7 +51,7 @@ pub(super) fn why(classes: &Classes) -> Text {
         (None, false) => text::never_equal(),
         (Some(circle), false) => {
             let degree = (circle.polynomial.degree() / 2).to_string();
-            let difference = text::difference(degree, u.clone(), circle.arcs.len());
+            let difference = text::difference(degree, u.clone(), circle.claim.arcs.len());
             Text::joined([difference, so(circle, zeros(classes), &u)], " ")
         }
     };

@@ -54,8 +54,8 @@ pub(super) fn why(found: &Quadratic) -> Text {
         return Text::joined([lead, text::never_cancel()], " ");
     };
     let arcs = match found.twist {
-        Some(_) => text::twisted(u.clone(), circle.arcs.len(), v),
-        None => text::resultant((circle.polynomial.degree() / 2).to_string(), u.clone(), circle.arcs.len(), v),
+        Some(_) => text::twisted(u.clone(), circle.claim.arcs.len(), v),
+        None => text::resultant((circle.polynomial.degree() / 2).to_string(), u.clone(), circle.claim.arcs.len(), v),
     };
     Text::joined([lead, arcs, so(circle, zeros(found), &u)], " ")
 }

@@ -2,16 +2,11 @@
 
 use num_rational::BigRational;
 
-use super::arcs::{Circle, Kind};
+use super::arcs::Circle;
 use crate::exact::Turn;
+use crate::proof::ArcClaim;
 
 impl Circle {
-    /// The arcs with both of their ends.
-    pub fn pieces(&self) -> impl Iterator<Item = ([&BigRational; 2], &Kind)> {
-        let starts = [&self.from].into_iter().chain(self.arcs.iter().map(|arc| &arc.to));
-        starts.zip(&self.arcs).map(|(from, arc)| ([from, &arc.to], &arc.kind))
-    }
-
     /// Whether every arc is known.
     pub fn is_complete(&self) -> bool {
         self.open().next().is_none()
@@ -19,9 +14,14 @@ impl Circle {
 
     /// The arcs that are not known, in turns of u.
     pub fn open(&self) -> impl Iterator<Item = [&BigRational; 2]> {
-        self.pieces().filter_map(|(ends, kind)| match kind {
-            Kind::Open => Some(ends),
-            Kind::Free | Kind::Monotone | Kind::Crossing { .. } | Kind::Rational { .. } => None,
+        let arcs = &self.claim.arcs;
+        let starts = [&self.claim.from].into_iter().chain(arcs.iter().map(ArcClaim::to));
+        starts.zip(arcs).filter_map(|(from, arc)| match arc {
+            ArcClaim::Open { to } => Some([from, to]),
+            ArcClaim::Free { .. }
+            | ArcClaim::Monotone { .. }
+            | ArcClaim::Crossing { .. }
+            | ArcClaim::Rational { .. } => None,
         })
     }
 
@@ -32,25 +32,24 @@ impl Circle {
 
     /// The same as they follow each other on the arcs.
     pub(in super::super) fn rational_in_order(&self) -> impl Iterator<Item = &BigRational> {
-        self.arcs.iter().filter_map(|arc| match &arc.kind {
-            Kind::Rational { at, .. } => Some(at),
-            Kind::Free | Kind::Monotone | Kind::Crossing { .. } | Kind::Open => None,
+        self.claim.arcs.iter().filter_map(|arc| match arc {
+            ArcClaim::Rational { at, .. } => Some(at),
+            ArcClaim::Free { .. } | ArcClaim::Monotone { .. } | ArcClaim::Crossing { .. } | ArcClaim::Open { .. } => {
+                None
+            }
         })
     }
 
     /// Between which turns of u each irrational zero is, narrowly.
     pub fn irrational(&self) -> impl Iterator<Item = [&BigRational; 2]> {
-        self.pieces().filter_map(|(_, kind)| match kind {
-            Kind::Crossing { near } => Some(near.each_ref()),
-            Kind::Free | Kind::Monotone | Kind::Rational { .. } | Kind::Open => None,
-        })
+        self.near.iter().map(|ends| ends.each_ref())
     }
 
     /// Whether it is shown to vanish nowhere.
     pub fn is_free(&self) -> bool {
-        self.pieces().all(|(_, kind)| match kind {
-            Kind::Free | Kind::Monotone => true,
-            Kind::Crossing { .. } | Kind::Rational { .. } | Kind::Open => false,
+        self.claim.arcs.iter().all(|arc| match arc {
+            ArcClaim::Free { .. } | ArcClaim::Monotone { .. } => true,
+            ArcClaim::Crossing { .. } | ArcClaim::Rational { .. } | ArcClaim::Open { .. } => false,
         })
     }
 }

@@ -7,60 +7,21 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::curve::{Curve, Evaluator, inside, multiples};
-use super::factor::Factor;
 use super::polynomial::Polynomial;
 use super::rational::{self, multiplicity};
 use crate::exact::Turn;
 use crate::numbers;
-use crate::proof::Certificate;
+use crate::proof::{ArcClaim, CircleClaim};
 
 /// A sum over the whole circle.
 #[derive(Clone, Debug)]
 pub struct Circle {
     /// What the arcs are about: the sum, or a factor of it.
     pub polynomial: Polynomial,
-    /// Evidence that the sum vanishes where that factor does; none where the arcs are about the sum.
-    pub factor: Option<Factor>,
-    /// Enclosures with this many bits decide.
-    pub bits: u32,
-    /// Evidence that the sum, centred, stays on one line; none where no arc needs it.
-    pub mirrored: Vec<Certificate>,
-    /// Where the first arc begins, in turns of u.
-    pub from: BigRational,
     /// The arcs, one after another, over one turn.
-    pub arcs: Vec<Arc>,
-}
-
-/// From where the one before ends.
-#[derive(Clone, Debug)]
-pub struct Arc {
-    /// Where it ends, in turns of u.
-    pub to: BigRational,
-    /// What is known of it.
-    pub kind: Kind,
-}
-
-/// How often the sum vanishes on an arc.
-#[derive(Clone, Debug)]
-pub enum Kind {
-    /// Never: it keeps away from 0.
-    Free,
-    /// Never: on its line it moves one way, and does not change its side.
-    Monotone,
-    /// Once, at no rational turn: on its line it moves one way, and changes its side.
-    Crossing {
-        /// The zero is between these.
-        near: [BigRational; 2],
-    },
-    /// At this turn alone, as many times as there are certificates.
-    Rational {
-        /// The turn.
-        at: BigRational,
-        /// Evidence that the sum and its first derivatives vanish there.
-        certificates: Vec<Certificate>,
-    },
-    /// Not known: the count of enclosed values ended here.
-    Open,
+    pub claim: CircleClaim,
+    /// Between which turns the zero of each crossing is.
+    pub near: Vec<[BigRational; 2]>,
 }
 
 /// More values are not enclosed for one sum.
@@ -88,32 +49,38 @@ pub(super) fn cover(polynomial: Polynomial) -> Circle {
         ground: &ground,
         polynomial: &polynomial,
     };
-    let mut found: Vec<Arc> = Vec::new();
+    let (mut found, mut near) = (Vec::new(), Vec::new());
     let rational = cutter.around_rational_zeros();
-    let from = rational.first().map_or_else(BigRational::zero, |first| first.ends[0].clone());
+    let from = rational.first().map_or_else(BigRational::zero, |first| first.from.clone());
     let end = &from + BigRational::one();
     let mut at = from.clone();
     for zero in rational {
-        cutter.cut([at, zero.ends[0].clone()], &mut found);
-        at = zero.ends[1].clone();
-        found.push(Arc { to: at.clone(), kind: zero.kind });
+        cutter.cut([at, zero.from], &mut found, &mut near);
+        at = zero.arc.to().clone();
+        found.push(zero.arc);
     }
-    cutter.cut([at, end], &mut found);
-    let on_line = |arc: &Arc| match arc.kind {
-        Kind::Monotone | Kind::Crossing { .. } => true,
-        Kind::Free | Kind::Rational { .. } | Kind::Open => false,
-    };
-    let mirrored = mirrored.filter(|_| found.iter().any(on_line)).unwrap_or_default();
-    Circle { factor: None, bits, mirrored, from, arcs: joined(found), polynomial }
+    cutter.cut([at, end], &mut found, &mut near);
+    let mirrored = mirrored.filter(|_| found.iter().any(rests_on_line)).unwrap_or_default();
+    let (phi, delta) = (polynomial.phi.clone(), polynomial.delta.clone());
+    let claim = CircleClaim { phi, delta, divided: None, bits, mirrored, from, arcs: joined(found) };
+    Circle { polynomial, claim, near }
+}
+
+/// Whether what an arc says is of a sum that stays on a line.
+pub(super) fn rests_on_line(arc: &ArcClaim) -> bool {
+    match arc {
+        ArcClaim::Monotone { .. } | ArcClaim::Crossing { .. } => true,
+        ArcClaim::Free { .. } | ArcClaim::Rational { .. } | ArcClaim::Open { .. } => false,
+    }
 }
 
 /// Open arcs that touch as one.
-pub(super) fn joined(arcs: Vec<Arc>) -> Vec<Arc> {
-    let mut joined: Vec<Arc> = Vec::new();
+pub(super) fn joined(arcs: Vec<ArcClaim>) -> Vec<ArcClaim> {
+    let mut joined: Vec<ArcClaim> = Vec::new();
     for arc in arcs {
-        match (joined.last_mut(), &arc.kind) {
-            (Some(Arc { to, kind: Kind::Open }), Kind::Open) => *to = arc.to,
-            _ => joined.push(arc),
+        match (joined.last_mut(), arc) {
+            (Some(ArcClaim::Open { to }), ArcClaim::Open { to: next }) => *to = next,
+            (_, arc) => joined.push(arc),
         }
     }
     joined
@@ -121,8 +88,8 @@ pub(super) fn joined(arcs: Vec<Arc>) -> Vec<Arc> {
 
 /// A rational zero with the arc about it.
 struct Rational {
-    ends: [BigRational; 2],
-    kind: Kind,
+    from: BigRational,
+    arc: ArcClaim,
 }
 
 struct Subdivider<'a> {
@@ -150,7 +117,8 @@ impl Subdivider<'_> {
             while half > self.narrowest {
                 let ends = [turn.turns() - &half, turn.turns() + &half];
                 if numbers::float(&half) < nearest / 2.0 && top.is_free(ends.each_ref()) {
-                    return Some(Rational { ends, kind: self.rational(turn.turns(), *times) });
+                    let [from, to] = ends;
+                    return Some(Rational { from, arc: self.rational(to, turn.turns().clone(), *times) });
                 }
                 half /= BigRational::from_integer(2.into());
             }
@@ -159,8 +127,8 @@ impl Subdivider<'_> {
         let mut kept: Vec<Rational> = Vec::new();
         let one = BigRational::one();
         for zero in zeros.iter().filter_map(about) {
-            let is_apart = kept.last().is_none_or(|last: &Rational| last.ends[1] <= zero.ends[0])
-                && kept.first().is_none_or(|first: &Rational| zero.ends[1] <= &first.ends[0] + &one);
+            let is_apart = kept.last().is_none_or(|last: &Rational| *last.arc.to() <= zero.from)
+                && kept.first().is_none_or(|first: &Rational| *zero.arc.to() <= &first.from + &one);
             if is_apart {
                 kept.push(zero);
             }
@@ -168,24 +136,24 @@ impl Subdivider<'_> {
         kept
     }
 
-    fn rational(&self, at: &BigRational, times: u32) -> Kind {
-        let certificates = (0..times).map(|i| self.polynomial.derivative(i, at).certificate()).collect();
-        Kind::Rational { at: at.clone(), certificates }
+    fn rational(&self, to: BigRational, at: BigRational, times: u32) -> ArcClaim {
+        let certificates = (0..times).map(|i| self.polynomial.derivative(i, &at).certificate()).collect();
+        ArcClaim::Rational { to, at, certificates }
     }
 
     /// Cuts an arc until each piece is known, or the count ends.
-    fn cut(&self, ends: [BigRational; 2], found: &mut Vec<Arc>) {
+    fn cut(&self, ends: [BigRational; 2], found: &mut Vec<ArcClaim>, near: &mut Vec<[BigRational; 2]>) {
         let mut waiting = vec![ends];
         while let Some([low, high]) = waiting.pop() {
             if low >= high {
                 continue;
             }
-            if let Some(known) = self.known([&low, &high]) {
+            if let Some(known) = self.known([&low, &high], near) {
                 found.extend(known);
                 continue;
             }
             if &high - &low <= self.narrowest || self.ground.spent.get() > MOST_VALUES {
-                found.push(Arc { to: high, kind: Kind::Open });
+                found.push(ArcClaim::Open { to: high });
                 continue;
             }
             let between = inside([&low, &high]);
@@ -195,19 +163,24 @@ impl Subdivider<'_> {
     }
 
     /// What is known of a whole arc.
-    fn known(&self, ends: [&BigRational; 2]) -> Option<Vec<Arc>> {
-        let whole = |kind: Kind| Some(vec![Arc { to: ends[1].clone(), kind }]);
+    fn known(&self, ends: [&BigRational; 2], near: &mut Vec<[BigRational; 2]>) -> Option<Vec<ArcClaim>> {
+        let to = || ends[1].clone();
         if self.plain.is_free(ends) {
-            return whole(Kind::Free);
+            return Some(vec![ArcClaim::Free { to: to() }]);
         }
-        if let Some(kind) = self.overlooked(ends) {
-            return whole(kind);
+        if let Some(arc) = self.overlooked(ends) {
+            return Some(vec![arc]);
         }
         let [centred, slope] = self.line.as_ref()?;
         if !slope.is_free(ends) {
             return None;
         }
-        if self.side(centred, ends)? { whole(Kind::Monotone) } else { self.crossing(centred, ends) }
+        if self.side(centred, ends)? {
+            return Some(vec![ArcClaim::Monotone { to: to() }]);
+        }
+        let (arcs, zero) = self.crossing(centred, ends)?;
+        near.push(zero);
+        Some(arcs)
     }
 
     /// Whether two turns are on the same side of 0.
@@ -216,7 +189,7 @@ impl Subdivider<'_> {
     }
 
     /// A rational zero in an arc so narrow that each modulus has one candidate at most.
-    fn overlooked(&self, ends: [&BigRational; 2]) -> Option<Kind> {
+    fn overlooked(&self, ends: [&BigRational; 2]) -> Option<ArcClaim> {
         let moduli = self.polynomial.moduli();
         let within: Vec<([BigInt; 2], &BigInt)> =
             moduli.iter().filter_map(|modulus| Some((multiples(ends, modulus)?, modulus))).collect();
@@ -226,12 +199,12 @@ impl Subdivider<'_> {
         within.into_iter().find_map(|([first, _], modulus)| {
             let at = BigRational::new(first, modulus.clone());
             let times = multiplicity(self.polynomial, &at)?;
-            self.ground.derivative(times).is_free(ends).then(|| self.rational(&at, times))
+            self.ground.derivative(times).is_free(ends).then(|| self.rational(ends[1].clone(), at, times))
         })
     }
 
-    /// Where the centred sum changes its side and moves one way: halved until no candidate is inside.
-    fn crossing(&self, centred: &Curve<'_>, ends: [&BigRational; 2]) -> Option<Vec<Arc>> {
+    /// Where the centred sum changes its side and moves one way: halved until no candidate is inside, with the zero more narrowly.
+    fn crossing(&self, centred: &Curve<'_>, ends: [&BigRational; 2]) -> Option<(Vec<ArcClaim>, [BigRational; 2])> {
         let moduli = self.polynomial.moduli();
         let below = |digits: u32| BigRational::new(BigInt::one(), BigInt::one() << digits);
         let (widest, refined) = (below(WIDEST_CROSSING), below(REFINED).max(self.narrowest.clone()));
@@ -248,7 +221,7 @@ impl Subdivider<'_> {
             let between = inside(zero.each_ref());
             if self.side(centred, [&zero[0], &between])? { zero[0] = between } else { zero[1] = between }
         }
-        crossed(ends, written?, Kind::Crossing { near: zero }, &self.line.as_ref()?[1])
+        Some((crossed(ends, written?, &self.line.as_ref()?[1])?, zero))
     }
 }
 
@@ -256,14 +229,13 @@ impl Subdivider<'_> {
 pub(super) fn crossed(
     [from, to]: [&BigRational; 2],
     [low, high]: [BigRational; 2],
-    crossing: Kind,
     slope: &Curve<'_>,
-) -> Option<Vec<Arc>> {
+) -> Option<Vec<ArcClaim>> {
     let pieces = [
-        (from.clone(), low.clone(), Kind::Monotone),
-        (low, high.clone(), crossing),
-        (high, to.clone(), Kind::Monotone),
+        (from.clone(), ArcClaim::Monotone { to: low.clone() }),
+        (low, ArcClaim::Crossing { to: high.clone() }),
+        (high, ArcClaim::Monotone { to: to.clone() }),
     ];
-    let arcs = pieces.into_iter().filter(|(from, to, _)| from < to);
-    arcs.map(|(from, to, kind)| slope.is_free([&from, &to]).then_some(Arc { to, kind })).collect()
+    let arcs = pieces.into_iter().filter(|(from, arc)| from < arc.to());
+    arcs.map(|(from, arc)| slope.is_free([&from, arc.to()]).then_some(arc)).collect()
 }

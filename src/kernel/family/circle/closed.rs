@@ -30,7 +30,7 @@ impl Circle {
                 let quotient = first.times(&second.conjugate()).turned(&Turn::fraction(1, 2));
                 numbers::direction_of(&quotient).map(Closed::Argument)
             }
-            ([0, 1, 2], [_, middle, last]) if !self.mirrored.is_empty() => cosine(middle, last),
+            ([0, 1, 2], [_, middle, last]) if !self.claim.mirrored.is_empty() => cosine(middle, last),
             _ => None,
         }
     }

@@ -13,20 +13,7 @@ use super::never;
 use super::polynomial::Polynomial;
 use crate::exact::PhasorSum;
 use crate::exact::modulo::{power, primes};
-use crate::proof::{Certificate, CoprimeClaim};
-
-/// `P = Q F_1 F_2² F_3³ …`; the arcs are about `F_1 F_2 F_3 …`.
-#[derive(Clone, Debug)]
-pub struct Factor {
-    /// The coefficients of Q, from the constant one on.
-    pub without: Vec<PhasorSum>,
-    /// Evidence that Q vanishes nowhere on the circle.
-    pub coprime: CoprimeClaim,
-    /// Those of each F, the leading one 1.
-    pub powers: Vec<Vec<PhasorSum>>,
-    /// Evidence for every coefficient of P, from the constant one on, that it is that of the product.
-    pub equalities: Vec<Certificate>,
-}
+use crate::proof::DividedClaim;
 
 /// So many products of terms may multiplying out take, about.
 const MOST_PRODUCTS: u64 = 400_000;
@@ -36,7 +23,7 @@ const LEAST_PRIME: u64 = 1 << 31;
 const MOST_PRIMES: usize = 64;
 
 /// The factors, and `F_1 F_2 F_3 …`; `None` where there are none, or they are too large.
-pub(super) fn split(polynomial: &Polynomial) -> Option<(Factor, Polynomial)> {
+pub(super) fn split(polynomial: &Polynomial) -> Option<(DividedClaim, Polynomial)> {
     let most = MOST_PRODUCTS.isqrt();
     let conductor = polynomial.conductor().to_u64().filter(|conductor| *conductor <= most)?;
     let units: Vec<u64> = (1..=conductor).filter(|a| a.gcd(&conductor) == 1).collect();
@@ -93,7 +80,7 @@ fn factors(field: &Field<'_>, polynomial: &Polynomial) -> Option<Vec<Coefficient
 }
 
 /// Decides whether these are the factors, Q still times what made the weights whole.
-fn multiplied_out(polynomial: &Polynomial, found: Vec<Vec<PhasorSum>>) -> Option<(Factor, Polynomial)> {
+fn multiplied_out(polynomial: &Polynomial, found: Vec<Vec<PhasorSum>>) -> Option<(DividedClaim, Polynomial)> {
     let (scaled, powers) = found.split_first()?;
     let scale = BigRational::from_integer(polynomial.scale()).recip();
     let without: Vec<PhasorSum> = scaled.iter().map(|sum| sum.scaled(&scale)).collect();
@@ -112,7 +99,9 @@ fn multiplied_out(polynomial: &Polynomial, found: Vec<Vec<PhasorSum>>) -> Option
     let equalities = differences.iter().map(|sum| sum.tidied().certificate()).collect();
     let of = |coefficients: &[PhasorSum]| of_coefficients(polynomial, coefficients);
     let coprime = never::prove(&of(&without))?;
-    Some((Factor { without, coprime, powers: powers.to_vec(), equalities }, of(&once)))
+    let vectors = |coefficients: &[PhasorSum]| coefficients.iter().map(PhasorSum::vectors).collect();
+    let powers = powers.iter().map(|power| vectors(power)).collect();
+    Some((DividedClaim { without: vectors(&without), coprime, powers, equalities }, of(&once)))
 }
 
 fn of_coefficients(polynomial: &Polynomial, coefficients: &[PhasorSum]) -> Polynomial {

@@ -17,9 +17,8 @@ mod polynomial;
 mod rational;
 mod settled;
 
-pub use arcs::{Arc, Circle, Kind};
+pub use arcs::Circle;
 pub use closed::Closed;
-pub use factor::Factor;
 pub use polynomial::Polynomial;
 
 use super::part::Part;
@@ -49,9 +48,10 @@ pub(super) fn whole(polynomial: Polynomial) -> Circle {
     if circle.is_complete() {
         return circle;
     }
-    let Some((factor, polynomial)) = factor::split(&circle.polynomial) else { return circle };
-    let of_factor = arcs::cover(polynomial);
-    if of_factor.open().count() < circle.open().count() { Circle { factor: Some(factor), ..of_factor } } else { circle }
+    let Some((divided, polynomial)) = factor::split(&circle.polynomial) else { return circle };
+    let mut of_factor = arcs::cover(polynomial);
+    of_factor.claim.divided = Some(divided);
+    if of_factor.open().count() < circle.open().count() { of_factor } else { circle }
 }
 
 /// The arcs of a polynomial that is known.

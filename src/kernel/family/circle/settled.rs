@@ -1,10 +1,12 @@
 //! At each irrational zero of a circle, which sign has a real polynomial? Where it is free on the arc, one end tells.
 
-use super::arcs::{Arc, Circle, Kind, crossed, joined};
-use super::curve::Evaluator;
-use super::polynomial::Polynomial;
 use num_rational::BigRational;
 use num_traits::Zero;
+
+use super::arcs::{Circle, crossed, joined, rests_on_line};
+use super::curve::Evaluator;
+use super::polynomial::Polynomial;
+use crate::proof::ArcClaim;
 
 impl Circle {
     /// With a sign for every crossing, in their order; a crossing on which the polynomial may vanish is opened.
@@ -15,35 +17,34 @@ impl Circle {
         number: &Polynomial,
         sign: impl Fn(&BigRational) -> Option<S>,
     ) -> (Circle, Vec<S>) {
-        let line = Evaluator::new(&self.polynomial, self.bits);
+        let line = Evaluator::new(&self.polynomial, self.claim.bits);
         let slope = line.slope();
-        let ground = (!number.total().is_zero()).then(|| Evaluator::new(number, self.bits));
+        let ground = (!number.total().is_zero()).then(|| Evaluator::new(number, self.claim.bits));
         let curve = ground.as_ref().map(|ground| ground.derivative(0));
         let known = |ends: [&BigRational; 2]| curve.as_ref().filter(|curve| curve.is_free(ends)).and(sign(ends[0]));
-        let mut from = self.from.clone();
+        let (mut from, mut near) = (self.claim.from.clone(), std::mem::take(&mut self.near).into_iter());
         let (mut arcs, mut signs) = (Vec::new(), Vec::new());
-        for arc in std::mem::take(&mut self.arcs) {
-            let ends = [std::mem::replace(&mut from, arc.to.clone()), arc.to.clone()];
-            let Kind::Crossing { near } = &arc.kind else {
+        for arc in std::mem::take(&mut self.claim.arcs) {
+            let ends = [std::mem::replace(&mut from, arc.to().clone()), arc.to().clone()];
+            let is_crossing = matches!(arc, ArcClaim::Crossing { .. });
+            let Some(zero) = is_crossing.then(|| near.next()).flatten() else {
                 arcs.push(arc);
                 continue;
             };
-            if let Some(sign) = known(ends.each_ref()) {
-                arcs.push(arc);
-                signs.push(sign);
-            } else if let Some((pieces, sign)) =
-                crossed(ends.each_ref(), near.clone(), arc.kind.clone(), &slope).zip(known(near.each_ref()))
-            {
-                arcs.extend(pieces);
-                signs.push(sign);
-            } else {
-                arcs.push(Arc { kind: Kind::Open, ..arc });
+            let cut = || crossed(ends.each_ref(), zero.clone(), &slope).zip(known(zero.each_ref()));
+            match known(ends.each_ref()).map(|sign| (vec![arc], sign)).or_else(cut) {
+                Some((pieces, sign)) => {
+                    arcs.extend(pieces);
+                    signs.push(sign);
+                    self.near.push(zero);
+                }
+                None => arcs.push(ArcClaim::Open { to: from.clone() }),
             }
         }
-        let rests = |arc: &Arc| matches!(arc.kind, Kind::Monotone | Kind::Crossing { .. });
-        if !arcs.iter().any(rests) {
-            self.mirrored.clear();
+        if !arcs.iter().any(rests_on_line) {
+            self.claim.mirrored.clear();
         }
-        (Circle { arcs: joined(arcs), ..self }, signs)
+        self.claim.arcs = joined(arcs);
+        (self, signs)
     }
 }
