@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use crankstar::family::{self, Boxes, Circle, Classes, Corner, Meeting, Never, Quadratic, Root, Roots, When};
+use crankstar::family::{self, Boxes, Circle, Corner, Never, Root, When};
 use crankstar::file::{self, Layout};
-use crankstar::proof::{AlternativeClaim, TriangleShape, check_open_document};
+use crankstar::proof::{AlternativeClaim, RootsClaim, TriangleShape, check_open_document};
 use crankstar::report;
 use num_rational::BigRational;
 
@@ -33,38 +33,19 @@ fn solved([one, other]: [&[BigRational; 2]; 2], [u, v]: [f64; 2]) -> [f64; 2] {
     [(d * u - b * v) / determinant, (a * v - c * u) / determinant]
 }
 
-/// The points `[u, v]` of two classes, v none where all of a line vanishes.
-fn meetings(classes: &Classes) -> Vec<(f64, Option<f64>)> {
-    let rational = classes.rational().map(|(at, meeting)| {
-        let v = match meeting {
-            Meeting::All(_) => None,
-            Meeting::Rational { turn, .. } => Some(float(turn.turns())),
-            Meeting::Once { degrees, .. } => Some(degrees / 360.0),
-        };
-        (float(at), v)
-    });
-    let irrational =
-        classes.irrational().map(|([low, high], degrees)| ((float(low) + float(high)) / 2.0, Some(degrees / 360.0)));
-    rational.chain(irrational).collect()
-}
-
-/// The points `[u, v]` of three classes, v none where all of a line vanishes.
-fn roots(found: &Quadratic) -> Vec<(f64, Option<f64>)> {
-    let turns = |root: &Root| match root {
-        Root::Exact(turn, _) => float(turn.turns()),
-        Root::Near(degrees) => degrees / 360.0,
-    };
-    let rational = found.rational().flat_map(|(at, roots)| {
+/// The points `[u, v]` of two classes or three, v none where all of a line vanishes.
+fn points<'a>(
+    rational: impl Iterator<Item = (&'a BigRational, &'a Option<Vec<Root>>)>,
+    irrational: impl Iterator<Item = ([&'a BigRational; 2], f64)>,
+) -> Vec<(f64, Option<f64>)> {
+    let rational = rational.flat_map(|(at, roots)| {
         let v = match roots {
-            Roots::All(_) => vec![None],
-            Roots::None(_) => Vec::new(),
-            Roots::One { at, .. } => vec![Some(turns(at))],
-            Roots::Mirror { at, .. } => at.iter().map(|root| Some(turns(root))).collect(),
+            None => vec![None],
+            Some(roots) => roots.iter().map(|root| Some(root.degrees / 360.0)).collect(),
         };
         v.into_iter().map(move |v| (float(at), v))
     });
-    let irrational =
-        found.irrational().map(|([low, high], degrees)| ((float(low) + float(high)) / 2.0, Some(degrees / 360.0)));
+    let irrational = irrational.map(|([low, high], degrees)| ((float(low) + float(high)) / 2.0, Some(degrees / 360.0)));
     rational.chain(irrational).collect()
 }
 
@@ -118,12 +99,12 @@ fn from_told(when: &When, at: [f64; 2]) -> Option<f64> {
         When::Classes(classes) if classes.is_curve() => 0.0,
         When::Classes(classes) => {
             let place = [times(&classes.u, at), times(&classes.v, at)];
-            return from_points(&meetings(classes), classes.circle.as_ref(), place);
+            return from_points(&points(classes.rational(), classes.irrational()), classes.circle.as_ref(), place);
         }
         When::Quadratic(found) if found.is_curve() => 0.0,
         When::Quadratic(found) => {
             let place = [times(&found.u, at), times(&found.v, at)];
-            return from_points(&roots(found), found.circle.as_ref(), place);
+            return from_points(&points(found.rational(), found.irrational()), found.circle.as_ref(), place);
         }
         When::Product(product) => {
             let [one, other] = [&product.group, &product.firsts].map(|factor| from_told(factor, at));
@@ -269,7 +250,7 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
                 told.curves += 1;
                 check_curve(star, at, 1, place);
             }
-            check_points(star, &meetings(classes), at, told, place);
+            check_points(star, &points(classes.rational(), classes.irrational()), at, told, place);
             told.open += usize::from(classes.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
         }
         When::Quadratic(found) => {
@@ -279,7 +260,7 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
                 told.curves += 1;
                 check_curve(star, at, 1 + usize::from(found.is_mirrored()), place);
             }
-            check_points(star, &roots(found), at, told, place);
+            check_points(star, &points(found.rational(), found.irrational()), at, told, place);
             told.open += usize::from(found.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
             if let Some(twist) = &found.twist {
                 told.twists += 1;
@@ -287,12 +268,12 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
                     told.signs[usize::from(matches!(sign, TriangleShape::Two { .. }))] += 1;
                 }
             }
-            for (_, roots) in found.rational() {
+            for (roots, at) in found.roots.iter().zip(&found.at) {
                 told.roots[match roots {
-                    Roots::All(_) => 0,
-                    Roots::None(_) => 1,
-                    Roots::One { .. } => 2,
-                    Roots::Mirror { at, .. } => 3 + at.len(),
+                    RootsClaim::All { .. } => 0,
+                    RootsClaim::None { .. } => 1,
+                    RootsClaim::One { .. } => 2,
+                    RootsClaim::Mirror { .. } => 3 + at.iter().flatten().count(),
                 }] += 1;
             }
         }

@@ -27,7 +27,7 @@ pub use comparable::{NotComparable, comparable};
 pub use component::{Component, component_zeros};
 pub use firing::{EvenFiring, even_firing, even_firing_lines};
 pub use part::Part;
-pub use plane::{Boxes, Classes, Corner, Meeting, Quadratic, Root, Roots, Triangle};
+pub use plane::{Boxes, Classes, Corner, Quadratic, Root, Triangle};
 pub use range::{Place, in_range, is_in_range};
 pub use remaining::{Remaining, remaining};
 pub use torque::{NoOpenStar, OpenStar, SpanStar, firing_stars};

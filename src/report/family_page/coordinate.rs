@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::circle_words::middle;
 use super::unknowns::{alternatives, exactly, name, near};
 use crate::exact::Turn;
-use crate::family::{Place, is_in_range};
+use crate::family::{Place, Root, is_in_range};
 use crate::numbers::Direction;
 use crate::page::number::Bearing;
 use crate::page::{Text, phrase};
@@ -32,9 +32,15 @@ impl Coordinate {
         Coordinate { place: Place { times: times.clone(), ends: ends.map(Clone::clone) }, told }
     }
 
-    pub fn closed(times: &[BigRational; 2], exact: Direction, degrees: f64) -> Self {
-        let told = phrase!("{} ≡ {}", name(times), Bearing { exact: Some(exact), decimal: degrees });
-        Coordinate { place: Place::near(times, degrees), told }
+    pub fn of(times: &[BigRational; 2], Root { exact, degrees }: &Root) -> Self {
+        match exact {
+            Some(Direction::Turn(turn)) => Coordinate::exact(times, turn.turns()),
+            None => Coordinate::near(times, degrees.rem_euclid(360.0)),
+            Some(_) => {
+                let told = phrase!("{} ≡ {}", name(times), Bearing { exact: exact.clone(), decimal: *degrees });
+                Coordinate { place: Place::near(times, *degrees), told }
+            }
+        }
     }
 }
 

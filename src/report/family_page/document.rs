@@ -1,12 +1,10 @@
 //! What does `classify --json` hold for a family? Every part with its certificate, and when they cancel.
 
 use crate::engine::{Cylinder, Family, Linear};
-use crate::family::{
-    Classes, Corner, Meeting, Never, OpenOrder, OpenSum, OpenVerdict, Part, Quadratic, Root, Roots, Triangle, When,
-};
+use crate::family::{Classes, Corner, Never, OpenOrder, OpenSum, OpenVerdict, Part, Quadratic, Triangle, When};
 use crate::proof::{
-    ClassesClaim, Exact, Format, LinearClaim, Masses, MeetingClaim, OpenCylinder, OpenDocument, OpenVerdictClaim,
-    PartClaim, ProductClaim, QuadraticClaim, Quantity, RootClaim, RootsClaim, SumClaim, TriangleClaim, WhenClaim,
+    ClassesClaim, Exact, Format, LinearClaim, Masses, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
+    ProductClaim, QuadraticClaim, Quantity, SumClaim, TriangleClaim, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -99,41 +97,17 @@ fn triangle(triangle: &Triangle) -> TriangleClaim {
 
 fn classes(classes: &Classes) -> ClassesClaim {
     let [phi, delta] = classes.u.clone();
-    let meeting = |meeting: &Meeting| match meeting.clone() {
-        Meeting::All(certificates) => MeetingClaim::All { certificates },
-        Meeting::Rational { first, turn, certificate } => {
-            MeetingClaim::Rational { first, turn: turn.turns().clone(), certificate }
-        }
-        Meeting::Once { first, .. } => MeetingClaim::Once { first },
-    };
     ClassesClaim {
         phi,
         delta,
         second: classes.second.clone(),
         squares: classes.squares.clone(),
         circle: classes.circle.as_ref().map(|circle| circle.claim.clone()),
-        meetings: classes.meetings.iter().map(meeting).collect(),
+        meetings: classes.meetings.clone(),
     }
 }
 
 fn quadratic(found: &Quadratic) -> QuadraticClaim {
-    let root = |root: &Root| match root {
-        Root::Exact(turn, certificate) => {
-            Some(RootClaim { turn: turn.turns().clone(), certificate: (**certificate).clone() })
-        }
-        Root::Near(_) => None,
-    };
-    let roots = |roots: &Roots| match roots {
-        Roots::All(certificates) => RootsClaim::All { certificates: certificates.clone() },
-        Roots::None(certificates) => RootsClaim::None { certificates: certificates.clone() },
-        Roots::One { lengths, at } => RootsClaim::One { lengths: lengths.clone(), at: root(at).into_iter().collect() },
-        Roots::Mirror { lengths, first, shape: found, at } => RootsClaim::Mirror {
-            lengths: lengths.clone(),
-            first: first.clone(),
-            shape: found.clone(),
-            at: at.iter().filter_map(root).collect(),
-        },
-    };
     let ([phi, delta], [second, third]) = (found.u.clone(), found.classes.clone());
     QuadraticClaim {
         phi,
@@ -144,6 +118,6 @@ fn quadratic(found: &Quadratic) -> QuadraticClaim {
         lengths: found.lengths.clone(),
         twist: found.twist.clone(),
         circle: found.circle.as_ref().map(|circle| circle.claim.clone()),
-        roots: found.roots.iter().map(roots).collect(),
+        roots: found.roots.clone(),
     }
 }

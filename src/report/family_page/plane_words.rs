@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::circle_words::{self, none_of};
 use super::coordinate::{self, Coordinate};
 use super::unknowns::{NEVER, alternatives, exactly, names, together, zero_where};
-use crate::family::{Circle, Classes, Corner, Meeting, Triangle};
+use crate::family::{Circle, Classes, Corner, Root, Triangle};
 use crate::page::{Text, phrase};
 use crate::report::texts::family as text;
 
@@ -21,17 +21,22 @@ pub(super) fn condition(classes: &Classes) -> Text {
 
 /// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero in the range is known.
 fn zeros(classes: &Classes) -> Option<Text> {
-    let [u, v] = [&classes.u, &classes.v];
-    let rational = classes.rational().map(|(at, meeting)| {
-        let other = match meeting {
-            Meeting::All(_) => None,
-            Meeting::Rational { turn, .. } => Some(Coordinate::exact(v, turn.turns())),
-            Meeting::Once { exact: Some(exact), degrees, .. } => Some(Coordinate::closed(v, exact.clone(), *degrees)),
-            Meeting::Once { exact: None, degrees, .. } => Some(Coordinate::near(v, degrees.rem_euclid(360.0))),
-        };
-        [Coordinate::exact(u, at)].into_iter().chain(other).collect()
-    });
-    coordinate::in_words(rational.chain(irrational(classes.irrational(), [u, v])))
+    let both = [&classes.u, &classes.v];
+    coordinate::in_words(rational(classes.rational(), both).chain(irrational(classes.irrational(), both)))
+}
+
+/// `δ ≡ 90° and φ ≡ 60°`, or `δ ≡ 180°`: zeros at rational turns of the first unknown.
+pub(super) fn rational<'a>(
+    zeros: impl Iterator<Item = (&'a BigRational, &'a Option<Vec<Root>>)>,
+    [u, v]: [&'a [BigRational; 2]; 2],
+) -> impl Iterator<Item = Vec<Coordinate>> {
+    zeros.flat_map(move |(at, roots)| {
+        let own = || Coordinate::exact(u, at);
+        match roots {
+            None => vec![vec![own()]],
+            Some(roots) => roots.iter().map(|root| vec![own(), Coordinate::of(v, root)]).collect(),
+        }
+    })
 }
 
 /// `φ ≈ 12.5° and δ ≈ 75.52°`: zeros at no rational turn of the first unknown.

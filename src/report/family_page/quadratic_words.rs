@@ -1,10 +1,10 @@
 //! How is it put for which φ and δ three classes of parts cancel?
 
 use super::circle_words::{self, none_of};
-use super::coordinate::{self, Coordinate};
-use super::plane_words::{irrational, so};
+use super::coordinate;
+use super::plane_words::{irrational, rational, so};
 use super::unknowns::{names, zero_where};
-use crate::family::{Quadratic, Root, Roots};
+use crate::family::Quadratic;
 use crate::page::Text;
 use crate::report::texts::family as text;
 
@@ -23,21 +23,8 @@ pub(super) fn condition(found: &Quadratic) -> Text {
 
 /// `δ ≡ 90° and φ ≡ 60°, or δ ≡ 180°`; none where no zero is known.
 fn zeros(found: &Quadratic) -> Option<Text> {
-    let [u, v] = [&found.u, &found.v];
-    let rational = found.rational().flat_map(|(at, roots)| {
-        let own = || Coordinate::exact(u, at);
-        let with = |root: &Root| match root {
-            Root::Exact(turn, _) => vec![own(), Coordinate::exact(v, turn.turns())],
-            Root::Near(degrees) => vec![own(), Coordinate::near(v, *degrees)],
-        };
-        match roots {
-            Roots::All(_) => vec![vec![own()]],
-            Roots::None(_) => Vec::new(),
-            Roots::One { at, .. } => vec![with(at)],
-            Roots::Mirror { at, .. } => at.iter().map(with).collect(),
-        }
-    });
-    coordinate::in_words(rational.chain(irrational(found.irrational(), [u, v])))
+    let both = [&found.u, &found.v];
+    coordinate::in_words(rational(found.rational(), both).chain(irrational(found.irrational(), both)))
 }
 
 /// Why it vanishes there, and nowhere else.

@@ -38,7 +38,7 @@ impl Circle {
                     signs.push(sign);
                     self.near.push(zero);
                 }
-                None => arcs.push(ArcClaim::Open { to: from.clone() }),
+                None => arcs.push(ArcClaim::Open { to: ends[1].clone() }),
             }
         }
         if !arcs.iter().any(rests_on_line) {

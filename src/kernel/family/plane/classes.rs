@@ -5,10 +5,11 @@ use num_rational::BigRational;
 use super::super::circle::{self, Circle};
 use super::super::part::Part;
 use super::laurent::{Laurent, conjugate_times, judged_half, less, mirrored_whole, value};
+use super::roots::Root;
 use super::split::{Split, split};
 use crate::exact::Turn;
 use crate::numbers::{self, Direction};
-use crate::proof::Certificate;
+use crate::proof::{Certificate, MeetingClaim};
 
 /// The classes A and B, and where they are equally long.
 #[derive(Clone, Debug)]
@@ -23,35 +24,12 @@ pub struct Classes {
     pub squares: Vec<Certificate>,
     /// Where `|A|² − |B|²` vanishes; none where it is constant.
     pub circle: Option<Circle>,
-    /// For which v the sum vanishes at each rational u of the circle, in their order.
-    pub meetings: Vec<Meeting>,
+    /// What is said of the v at which the sum vanishes at each rational u of the circle, in their order.
+    pub meetings: Vec<MeetingClaim>,
+    /// These v, one each; none where it vanishes for all.
+    pub at: Vec<Option<Vec<Root>>>,
     /// For which v, in degrees, it does at each irrational u, in their order: one, for A = B = 0 makes a double zero.
     pub degrees: Vec<f64>,
-}
-
-/// For which v the sum vanishes at a rational u at which A and B are equally long.
-#[derive(Clone, Debug)]
-pub enum Meeting {
-    /// For all: A = B = 0, with evidence.
-    All(Box<[Certificate; 2]>),
-    /// For one rational turn.
-    Rational {
-        /// Evidence that A is not zero.
-        first: Certificate,
-        /// The turn.
-        turn: Turn,
-        /// Evidence that the sum vanishes there.
-        certificate: Box<Certificate>,
-    },
-    /// For one, for which no rational turn was found.
-    Once {
-        /// Evidence that A is not zero.
-        first: Certificate,
-        /// The closed form, where it has one.
-        exact: Option<Direction>,
-        /// In degrees.
-        degrees: f64,
-    },
 }
 
 /// Where the classes cancel; `None` where the parts do not make two.
@@ -65,27 +43,33 @@ pub(in super::super) fn solve(parts: &[&Part]) -> Option<Classes> {
     let (squares, left) = judged_half(whole);
     let has_zeros = left.last().is_some_and(|(degree, _)| *degree > 0);
     let circle = has_zeros.then(|| circle::arcs_of_polynomial(mirrored_whole(&u, left)));
-    let meetings = circle.iter().flat_map(Circle::rational_in_order).map(|at| meeting(&classes, at)).collect();
+    let rational = circle.iter().flat_map(Circle::rational_in_order);
+    let (meetings, at) = rational.map(|at| meeting(&classes, at)).unzip();
     let middle = |[low, high]: [&BigRational; 2]| (low + high) / BigRational::from_integer(2.into());
     let degrees = circle.iter().flat_map(Circle::irrational).map(|ends| near(&classes, &middle(ends))).collect();
-    Some(Classes { u, v, second, squares, circle, meetings, degrees })
+    Some(Classes { u, v, second, squares, circle, meetings, at, degrees })
 }
 
-/// `e^{iv} = −A/B`, along `−A·conj(B)`.
-fn meeting(classes: &[Laurent; 2], at: &BigRational) -> Meeting {
+/// `e^{iv} = −A/B`, along `−A·conj(B)`; none where all v are.
+fn meeting(classes: &[Laurent; 2], at: &BigRational) -> (MeetingClaim, Option<Vec<Root>>) {
     let [first, second] = classes.each_ref().map(|class| value(class, at));
     if first.vanishes() {
-        return Meeting::All(Box::new([first, second].map(|sum| sum.certificate())));
+        let certificates = Box::new([first, second].map(|sum| sum.certificate()));
+        return (MeetingClaim::All { certificates }, None);
     }
     let quotient = first.times(&second.conjugate()).turned(&Turn::fraction(1, 2));
     let evidence = first.certificate();
-    match numbers::direction_of(&quotient) {
+    let (claim, root) = match numbers::direction_of(&quotient) {
         Some(Direction::Turn(turn)) => {
             let certificate = Box::new(first.plus(&second.turned(&turn)).certificate());
-            Meeting::Rational { first: evidence, turn, certificate }
+            (MeetingClaim::Rational { first: evidence, turn: turn.turns().clone(), certificate }, Root::at(turn))
         }
-        exact => Meeting::Once { first: evidence, exact, degrees: numbers::degrees(numbers::evaluate(&quotient)) },
-    }
+        exact => {
+            let degrees = numbers::degrees(numbers::evaluate(&quotient));
+            (MeetingClaim::Once { first: evidence }, Root { exact, degrees })
+        }
+    };
+    (claim, Some(vec![root]))
 }
 
 /// v in degrees from 0 to 360, in decimals.
@@ -108,9 +92,9 @@ impl Classes {
         self.squares.iter().all(Certificate::claims_zero)
     }
 
-    /// The rational turns of u at which the classes are equally long, each with its v.
-    pub fn rational(&self) -> impl Iterator<Item = (&BigRational, &Meeting)> {
-        self.circle.iter().flat_map(Circle::rational_in_order).zip(&self.meetings)
+    /// The rational turns of u at which the classes are equally long, each with its v; none where all are.
+    pub fn rational(&self) -> impl Iterator<Item = (&BigRational, &Option<Vec<Root>>)> {
+        self.circle.iter().flat_map(Circle::rational_in_order).zip(&self.at)
     }
 
     /// Between which turns each irrational u is, narrowly, with its v in degrees.

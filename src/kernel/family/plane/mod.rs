@@ -15,7 +15,7 @@ mod split;
 pub(super) mod triangle;
 
 pub use boxes::Boxes;
-pub use classes::{Classes, Meeting};
+pub use classes::Classes;
 pub use quadratic::Quadratic;
-pub use roots::{Root, Roots};
+pub use roots::Root;
 pub use triangle::{Corner, Triangle};

@@ -8,11 +8,11 @@ use num_rational::BigRational;
 use super::super::circle::{self, Circle};
 use super::super::part::Part;
 use super::laurent::{Laurent, conjugate_times, judged, judged_half, less, mirrored_whole, polynomial, value};
-use super::roots::{Roots, mirrored, near, roots};
+use super::roots::{Root, mirrored, near, roots};
 use super::split::{Split, three};
 use super::triangle::enclosed_sign;
 use crate::exact::PhasorSum;
-use crate::proof::{Certificate, TwistClaim};
+use crate::proof::{Certificate, RootsClaim, TwistClaim};
 
 /// The classes A, B and C, and where they cancel.
 #[derive(Clone, Debug)]
@@ -31,8 +31,10 @@ pub struct Quadratic {
     pub twist: Option<TwistClaim>,
     /// Where `D² − |E|²` vanishes; none where it is constant.
     pub circle: Option<Circle>,
-    /// For which v the sum vanishes at each rational u of the circle, in their order.
-    pub roots: Vec<Roots>,
+    /// What is said of the v at which the sum vanishes at each rational u of the circle, in their order.
+    pub roots: Vec<RootsClaim>,
+    /// These v; none where it vanishes for all.
+    pub at: Vec<Option<Vec<Root>>>,
     /// For which v, in degrees, it does at each irrational u, in their order: one where D is not 0, else none or two.
     pub degrees: Vec<Vec<f64>>,
 }
@@ -62,7 +64,8 @@ pub(in super::super) fn solve(parts: &[&Part]) -> Option<Quadratic> {
     };
     let at = |turn: &BigRational| polynomials.each_ref().map(|polynomial| value(polynomial, turn));
     let rational = circle.iter().flat_map(Circle::rational_in_order);
-    let roots = rational.map(|turn| roots(&at(turn))).collect::<Option<Vec<_>>>()?;
+    let roots: Option<Vec<_>> = rational.map(|turn| roots(&at(turn))).collect();
+    let (roots, zeros) = roots?.into_iter().unzip();
     let middle = |[low, high]: [&BigRational; 2]| (low + high) / BigRational::from_integer(2.into());
     let irrational = circle.iter().flat_map(Circle::irrational).map(|ends| at(&middle(ends)));
     let degrees = match &twist {
@@ -70,7 +73,7 @@ pub(in super::super) fn solve(parts: &[&Part]) -> Option<Quadratic> {
         Some(twist) => irrational.zip(&twist.signs).map(|(sums, sign)| mirrored(&sums, sign)).collect(),
     };
     let [_, second, third] = classes.map(|class| class.into_iter().map(|(_, place)| place).collect());
-    Some(Quadratic { u, v, classes: [second, third], coefficients, lengths, twist, circle, roots, degrees })
+    Some(Quadratic { u, v, classes: [second, third], coefficients, lengths, twist, circle, roots, at: zeros, degrees })
 }
 
 /// The zeros of E on the circle, with the sign of `4|A|² − |B|²` at the irrational ones; where it is not found the arc is opened.
@@ -96,7 +99,8 @@ impl Quadratic {
     /// Whether they cancel nowhere.
     pub(in super::super) fn is_never(&self) -> bool {
         let Some(circle) = &self.circle else { return !self.is_curve() };
-        circle.is_complete() && self.degrees.iter().all(Vec::is_empty) && self.roots.iter().all(Roots::is_none)
+        let is_none = |at: &Option<Vec<Root>>| at.as_ref().is_some_and(Vec::is_empty);
+        circle.is_complete() && self.degrees.iter().all(Vec::is_empty) && self.at.iter().all(is_none)
     }
 
     /// Whether `D² = |E|²` for every u, so that the classes cancel along a curve.
@@ -109,9 +113,9 @@ impl Quadratic {
         self.is_curve() && self.lengths.iter().all(Certificate::claims_zero)
     }
 
-    /// The rational turns of u at which the classes may cancel, each with its v.
-    pub fn rational(&self) -> impl Iterator<Item = (&BigRational, &Roots)> {
-        self.circle.iter().flat_map(Circle::rational_in_order).zip(&self.roots)
+    /// The rational turns of u at which the classes may cancel, each with its v; none where all are.
+    pub fn rational(&self) -> impl Iterator<Item = (&BigRational, &Option<Vec<Root>>)> {
+        self.circle.iter().flat_map(Circle::rational_in_order).zip(&self.at)
     }
 
     /// Between which turns each irrational u is, narrowly, with each of its v in degrees.

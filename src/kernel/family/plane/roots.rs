@@ -5,75 +5,49 @@ use num_rational::BigRational;
 
 use super::triangle::{near_turn, sign, signs};
 use crate::exact::{PhasorSum, Turn};
-use crate::numbers;
-use crate::proof::{Certificate, TriangleShape};
-
-/// The zeros on the circle, where `(|A|² − |C|²)² = |conj(A) B − C conj(B)|²`.
-#[derive(Clone, Debug)]
-#[allow(clippy::large_enum_variant, reason = "there are few of them")]
-pub enum Roots {
-    /// All: A = B = C = 0, with evidence.
-    All(Box<[Certificate; 3]>),
-    /// None: A = C = 0, and B is not, with evidence.
-    None(Box<[Certificate; 3]>),
-    /// One: A and C are not equally long.
-    One {
-        /// Evidence that they are not.
-        lengths: Certificate,
-        /// The zero.
-        at: Root,
-    },
-    /// As many as `4|A|² − |B|²` says: A and C are equally long.
-    Mirror {
-        /// Evidence that they are.
-        lengths: Certificate,
-        /// Evidence that A is not zero.
-        first: Certificate,
-        /// None, one or two.
-        shape: TriangleShape,
-        /// The zeros.
-        at: Vec<Root>,
-    },
-}
+use crate::numbers::{self, Direction};
+use crate::proof::{RootClaim, RootsClaim, TriangleShape};
 
 /// A zero on the circle.
 #[derive(Clone, Debug)]
-pub enum Root {
-    /// A rational turn, with evidence that the sum vanishes there.
-    Exact(Turn, Box<Certificate>),
-    /// In degrees from 0 to 360; no rational turn was found.
-    Near(f64),
+pub struct Root {
+    /// The closed form, where it has one.
+    pub exact: Option<Direction>,
+    /// In degrees.
+    pub degrees: f64,
 }
 
-impl Roots {
-    /// Whether there is no zero.
-    pub(super) fn is_none(&self) -> bool {
-        match self {
-            Roots::None(_) => true,
-            Roots::Mirror { at, .. } => at.is_empty(),
-            Roots::All(_) | Roots::One { .. } => false,
-        }
+impl Root {
+    /// At a rational turn.
+    pub(super) fn at(turn: Turn) -> Self {
+        Root { degrees: numbers::float(&turn.degrees()), exact: Some(Direction::Turn(turn)) }
     }
 }
 
-/// The zeros; `None` where the sign of `4|A|² − |B|²` is not found.
-pub(super) fn roots(sums: &[PhasorSum; 3]) -> Option<Roots> {
+/// What is said of the zeros, and the zeros, where not all x are; `None` where the sign of `4|A|² − |B|²` is not found.
+pub(super) fn roots(sums: &[PhasorSum; 3]) -> Option<(RootsClaim, Option<Vec<Root>>)> {
     let [first, second, third] = sums;
     let lengths = first.squared_modulus().minus(&third.squared_modulus()).tidied().certificate();
     if !lengths.claims_zero() {
-        return Some(Roots::One { lengths, at: root(sums, near(sums)) });
+        let (root, at) = root(sums, near(sums));
+        return Some((RootsClaim::One { lengths, at: at.into_iter().collect() }, Some(vec![root])));
     }
     let evidence = first.certificate();
     if evidence.claims_zero() {
         let middle = second.certificate();
         let is_zero = middle.claims_zero();
-        let all = Box::new([evidence, middle, third.certificate()]);
-        return Some(if is_zero { Roots::All(all) } else { Roots::None(all) });
+        let certificates = Box::new([evidence, middle, third.certificate()]);
+        return Some(match is_zero {
+            true => (RootsClaim::All { certificates }, None),
+            false => (RootsClaim::None { certificates }, Some(Vec::new())),
+        });
     }
     let four = BigRational::from_integer(4.into());
     let shape = sign(first.squared_modulus().scaled(&four).minus(&second.squared_modulus()))?;
-    let at = mirrored(sums, &shape).into_iter().map(|degrees| root(sums, degrees)).collect();
-    Some(Roots::Mirror { lengths, first: evidence, shape, at })
+    let found = mirrored(sums, &shape).into_iter().map(|degrees| root(sums, degrees));
+    let (roots, at): (Vec<Root>, Vec<Option<RootClaim>>) = found.unzip();
+    let at = at.into_iter().flatten().collect();
+    Some((RootsClaim::Mirror { lengths, first: evidence, shape, at }, Some(roots)))
 }
 
 /// `x = −D/E`, in degrees.
@@ -97,12 +71,13 @@ pub(super) fn mirrored(sums: &[PhasorSum; 3], shape: &TriangleShape) -> Vec<f64>
 }
 
 /// A rational turn near the degrees at which the sum vanishes exactly, or the degrees.
-fn root([first, second, third]: &[PhasorSum; 3], degrees: f64) -> Root {
+fn root([first, second, third]: &[PhasorSum; 3], degrees: f64) -> (Root, Option<RootClaim>) {
     // x² is beside x.
     let exact = near_turn([first, second, third], 2, degrees).and_then(|turn| {
         let sum = first.plus(&second.turned(&turn)).plus(&third.turned(&turn.times(2)));
         let certificate = sum.certificate();
-        certificate.claims_zero().then(|| Root::Exact(turn, Box::new(certificate)))
+        let claim = RootClaim { turn: turn.turns().clone(), certificate };
+        claim.certificate.claims_zero().then(|| (Root::at(turn), Some(claim)))
     });
-    exact.unwrap_or(Root::Near(degrees))
+    exact.unwrap_or((Root { exact: None, degrees }, None))
 }
