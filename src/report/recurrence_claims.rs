@@ -4,10 +4,8 @@ use num_traits::ToPrimitive;
 
 use crate::engine::Engine;
 use crate::order::Source;
-use crate::proof::{
-    ClassClaim, FactorClaim, FirstOrderClaim, OrderClaim, RayClaim, RecurrenceClaim, Sense, SumVerdict, WholeOutcome,
-};
-use crate::verdict::{ClassPattern, FactorPattern, OrderBalance, Outcome, Ray, Recurrence, Recurrences};
+use crate::proof::{ClassClaim, FirstOrderClaim, RecurrenceClaim, Sense, SumVerdict, WholeOutcome};
+use crate::verdict::{ClassPattern, OrderBalance, Outcome, Recurrence, Recurrences};
 
 /// One claim for each quantity and sense, with the verdicts that prove it.
 pub(super) fn claims(engine: &Engine, all: &Recurrences) -> Vec<RecurrenceClaim> {
@@ -39,28 +37,7 @@ fn class_claim(engine: &Engine, class: &ClassPattern) -> ClassClaim {
     let name = |source: &Source| source.name(engine);
     ClassClaim {
         of: class.sources.iter().map(name).collect(),
-        factors: class.stars.factors().into_iter().map(factor_claim).collect(),
-    }
-}
-
-fn factor_claim(factor: &FactorPattern) -> FactorClaim {
-    let mut rays: Vec<&Ray> = factor.rays.iter().collect();
-    rays.sort_by_key(|ray| (&ray.per_order, &ray.fixed));
-    let rays = rays.into_iter().map(|ray| RayClaim {
-        per_order: ray.per_order.turns().clone(),
-        fixed: ray.fixed.turns().clone(),
-        weight: ray.weight.clone(),
-    });
-    let judged = factor.judged.iter().map(|judged| OrderClaim {
-        order: judged.order,
-        vanishes: judged.vanishes(),
-        certificate: judged.certificate.clone(),
-    });
-    FactorClaim {
-        terms: rays.collect(),
-        period: factor.period.into(),
-        judged: judged.collect(),
-        zeros: factor.zeros().clone(),
+        factors: class.stars.factors().into_iter().map(|factor| factor.claim.clone()).collect(),
     }
 }
 

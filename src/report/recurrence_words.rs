@@ -44,8 +44,9 @@ fn parity(engine: &Engine, [direct, reverse]: [&[ClassPattern]; 2], orders: &Tex
             [only] => phrase!("{}, cylinder {}", orders.clone(), (*only).to_owned()),
             several => phrase!("{}, cylinders {}", orders.clone(), typeset::names(several)),
         };
-        let stated =
-            |class: &ClassPattern| class.stars.factors().into_iter().map(|of| of.zeros().clone()).collect::<Vec<_>>();
+        let stated = |class: &ClassPattern| {
+            class.stars.factors().into_iter().map(|of| of.claim.zeros.clone()).collect::<Vec<_>>()
+        };
         match stated(of_direct) == stated(of_reverse) {
             true => sentences.push(text::both_vectors(subject, zeros(&of_direct.stars))),
             false => {
@@ -83,7 +84,7 @@ enum Set {
 }
 
 fn set(factor: &FactorPattern) -> Set {
-    let zeros = factor.zeros();
+    let zeros = &factor.claim.zeros;
     if factor.vanishes_always() {
         return Set::All;
     }
@@ -101,7 +102,7 @@ fn set(factor: &FactorPattern) -> Set {
 pub(super) fn why(all: &Recurrences) -> Vec<Text> {
     let classes = || all.force.iter().chain(&all.moment).flat_map(|one| one.even.iter().chain(&one.odd));
     let factors = || classes().flat_map(|class| class.stars.factors());
-    let verdicts: usize = factors().map(|factor| factor.judged.len()).sum();
+    let verdicts: usize = factors().map(|factor| factor.claim.judged.len()).sum();
     if verdicts == 0 {
         return Vec::new();
     }
@@ -109,7 +110,7 @@ pub(super) fn why(all: &Recurrences) -> Vec<Text> {
     if classes().any(|class| matches!(class.stars, Stars::Banks { .. })) {
         paragraphs.push(text::banks_alike());
     }
-    if let Some(longest) = factors().filter(|factor| factor.others_left).map(|factor| factor.period).max() {
+    if let Some(longest) = factors().filter_map(|factor| factor.sieved).max() {
         paragraphs.push(text::few_decided(longest));
     }
     if all.force.iter().any(|one| one.even.len() > 1 || one.odd.len() > 1) {

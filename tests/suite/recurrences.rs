@@ -176,8 +176,8 @@ fn a_v_whose_angles_have_no_common_divisor_is_judged_by_its_bank_and_its_banks()
     let [direct, _] = &all.force;
     let [class] = direct.even.as_slice() else { panic!("one class") };
     let Stars::Banks { bank, banks } = &class.stars else { panic!("the banks are alike") };
-    assert_eq!((bank.period, banks.period), (14, 360));
-    assert_eq!(bank.zeros(), &Zeros { modulus: 14, residues: vec![2, 4, 6, 8, 10, 12] });
+    assert_eq!((&bank.claim.period, &banks.claim.period), (&14.into(), &360.into()));
+    assert_eq!(bank.claim.zeros, Zeros { modulus: 14, residues: vec![2, 4, 6, 8, 10, 12] });
     let counts = agrees("V14", &engine, &all, (2..=300).step_by(2));
     assert!(counts[0] > 200 && counts[1] > 50 && counts[2] == 0, "{counts:?}");
     verified(&engine);
@@ -198,7 +198,7 @@ fn a_long_pattern_is_judged_where_it_may_be_zero_and_left_elsewhere() {
                 Ok(EveryOrderTheorem::Recurrences(all)) => all,
                 other => panic!("{other:?}"),
             };
-            let sieved = all.force[0].even.iter().flat_map(|class| class.stars.factors()).all(|of| of.others_left);
+            let sieved = all.force[0].even.iter().flat_map(|class| class.stars.factors()).all(|of| of.sieved.is_some());
             assert!(sieved, "{text}");
             agrees(&text, &engine, &all, (2..=40).chain((41..=1000).step_by(17)));
             verified(&engine);

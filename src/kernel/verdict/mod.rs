@@ -15,8 +15,8 @@ pub use reason::{
     Component, Reason, Size, corners, drawn_polygons, mirror_axis, mirror_partners, opposed_partners, reason,
 };
 pub use recurrence::{
-    AtOrder, ClassPattern, EveryOrderTheorem, FactorPattern, FirstLeft, JudgedOrder, MOST_CANDIDATES, NextLeft, Ray,
-    Recurrence, Recurrences, Stars, every_order,
+    AtOrder, ClassPattern, EveryOrderTheorem, FactorPattern, FirstLeft, MOST_CANDIDATES, NextLeft, Recurrence,
+    Recurrences, Stars, every_order,
 };
 pub use theorem::{EveryOrder, LONGEST_PERIOD, LONGEST_SIEVED, NoTheorem, Theorem, period, survivors};
 pub use whole::{Outcome, WholeOrder, both_vanish};

@@ -17,10 +17,9 @@ use crate::order::{Coefficients, Factor, Masses, Source, Sources, multiples};
 use crate::proof::{Planar, Sense};
 
 pub use candidates::MOST_CANDIDATES;
-pub use factor::{FactorPattern, JudgedOrder};
+pub use factor::FactorPattern;
 pub use next::{FirstLeft, NextLeft};
-use rays::Factors;
-pub use rays::Ray;
+use rays::{Factors, Ray};
 
 /// What is true of every order: one statement where every order is a single sum of a short pattern, else one for each class.
 #[derive(Clone, Debug)]
@@ -115,7 +114,7 @@ pub enum AtOrder {
 impl ClassPattern {
     /// Whether the sum is zero at an order of its parity.
     pub fn vanishes(&self, order: u32) -> bool {
-        self.stars.factors().iter().any(|factor| factor.zeros().contains(order))
+        self.stars.factors().iter().any(|factor| factor.claim.zeros.contains(order))
     }
 }
 

@@ -6,10 +6,10 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use crate::exact::{Term, Turn};
+use crate::proof::RayClaim;
 
 /// A term that turns on by the same angle from order to order: at order k it is at `k·per_order + fixed`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Ray {
+pub(super) struct Ray {
     /// `β − α` in direct sums, `α − β` in reverse ones.
     pub per_order: Turn,
     /// The bank angle α.
@@ -19,6 +19,12 @@ pub struct Ray {
 }
 
 impl Ray {
+    /// The same as data.
+    pub(super) fn claim(self) -> RayClaim {
+        let [per_order, fixed] = [self.per_order, self.fixed].map(|turn| turn.turns().clone());
+        RayClaim { per_order, fixed, weight: self.weight }
+    }
+
     /// The term of an order.
     pub(super) fn at(&self, order: u32) -> Term {
         Term { angle: &self.per_order.times(order.into()) + &self.fixed, weight: self.weight.clone() }
