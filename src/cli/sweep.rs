@@ -1,13 +1,13 @@
 //! `sweep`: how does the balance change with a value of the layout file?
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
-use crankstar::engine::{CycleOrder, Engine};
+use crankstar::engine::CycleOrder;
 use crankstar::file::{self, Layout, Template};
-use crankstar::report::{ValueName, values_of};
+use crankstar::report::{ValueName, observer};
 use crankstar::shard::Question;
-use crankstar::sweep::{self, Geometry, Observer, Parameter, Stream};
+use crankstar::sweep::{self, Geometry, Parameter, Stream};
 
 use super::answer::Answer;
 use super::failure::Failure;
@@ -83,26 +83,9 @@ impl Sweep {
 
     /// Sweeps for a table of any length, which `then` writes.
     fn streamed(&self, then: impl FnOnce(&Stream, &Question) -> Result<(), Failure>) -> Result<(), Failure> {
-        layouts::warn_of(&self.layout);
-        let (name, text) = layouts::source(&self.layout)?;
-        let read = |path: &str| layouts::beside(&self.layout, path);
-        let template = Template::new(&name, &text)?.with_beside(layouts::resolver(&self.layout, &read));
-        let parameters = self.ranges.parameters(&template)?;
-        let (orders, firing) = (rising(&self.orders), rising(&self.firing_orders));
-        let stream = Stream::new(&template, &parameters, &orders, &firing, &Geometry::default());
-        let (names, find) = (named(&self.value), |engine: &Engine| values_of(engine, &self.value));
-        let stream = stream.and_then(|stream| match self.value.is_empty() {
-            true => Ok(stream),
-            false => stream.observing(Observer { names: &names, find: &find }),
-        });
-        let stream = stream.map_err(Failure::new)?;
-        then(&stream, &stream.question(&text))
+        let then = |stream: &Stream, text: &str| then(stream, &stream.question(text));
+        self.ranges.streamed(&self.layout, &self.orders, &self.firing_orders, &self.value, then)
     }
-}
-
-/// What these values are called.
-fn named(values: &[ValueName]) -> Vec<String> {
-    values.iter().map(ValueName::to_string).collect()
 }
 
 impl Ranges {
@@ -119,26 +102,29 @@ impl Ranges {
         firing: &[CycleOrder],
         values: &[ValueName],
     ) -> Result<sweep::Sweep, Failure> {
+        self.streamed(layout, orders, firing, values, |stream, _| {
+            progress::doing("sweeping");
+            stream.whole(&AtomicBool::new(false)).map_err(Failure::new)
+        })
+    }
+
+    /// What `then` makes of the sweep and of the text of its layout.
+    fn streamed<T>(
+        &self,
+        layout: &Path,
+        orders: &[u32],
+        firing: &[CycleOrder],
+        values: &[ValueName],
+        then: impl FnOnce(&Stream, &str) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
         layouts::warn_of(layout);
         let (name, text) = layouts::source(layout)?;
         let read = |path: &str| layouts::beside(layout, path);
         let template = Template::new(&name, &text)?.with_beside(layouts::resolver(layout, &read));
         let parameters = self.parameters(&template)?;
-        let orders = rising(orders);
-        progress::doing("sweeping");
-        let sweep = sweep::sweep(&template, &parameters, &orders, &Geometry::default());
-        let sweep = sweep.and_then(|mut sweep| {
-            let firing = rising(firing);
-            if !firing.is_empty() {
-                sweep.firing = Some(sweep::firing_stars(&template, &sweep, &firing)?);
-            }
-            if !values.is_empty() {
-                let (names, find) = (named(values), |engine: &Engine| values_of(engine, values));
-                sweep.observed = Some(sweep::observed(&template, &sweep, &Observer { names: &names, find: &find })?);
-            }
-            Ok(sweep)
-        });
-        sweep.map_err(Failure::new)
+        let stream = Stream::new(&template, &parameters, orders, firing, &Geometry::default());
+        let stream = stream.and_then(|stream| stream.observing(observer(values)));
+        then(&stream.map_err(Failure::new)?, &text)
     }
 
     fn flags(&self) -> [(&'static str, Option<&String>); 6] {
@@ -172,9 +158,4 @@ impl Ranges {
         }
         Ok(parameters)
     }
-}
-
-/// Each once.
-fn rising<T: Ord + Copy>(all: &[T]) -> Vec<T> {
-    all.iter().copied().collect::<BTreeSet<T>>().into_iter().collect()
 }

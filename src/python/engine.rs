@@ -401,7 +401,7 @@ impl Engine {
         let (orders, firing) = (asked::orders(orders)?, asked::cycle_orders(firing_orders)?);
         let values = asked::value_names("values", &values.unwrap_or_default())?;
         let asked = self.asked("sweep", &ranges.keywords(orders.as_deref(), &firing, &values));
-        let (source, orders) = (self.source.clone(), asked::rising(orders.unwrap_or_default()));
+        let (source, orders) = (self.source.clone(), orders.unwrap_or_default());
         let question =
             interruptible(py, move |stop| questions::sweep(&source, &ranges, &orders, &firing, &values, stop))?;
         Ok(Answer::new(asked, question))

@@ -130,5 +130,5 @@ pub use torsion::{
     Barred, DamperStudy, Excess, ForcedTwist, FoundDamper, HeatPlace, LargestTorque, NoTorsion, ResonanceOrder,
     TorsionStudy, TwistAtSpeed, Vibration, VibrationOrder,
 };
-pub use value::{ValueName, Valued, values_of};
+pub use value::{ValueName, Valued, observer, values_of};
 pub use values::ValuesStudy;

@@ -14,6 +14,7 @@ use super::{AngleStudy, AnglesAsked, FlywheelStudy, RotorStudy, document};
 use crate::engine::{CycleOrder, Engine};
 use crate::file::{Kind, parse_diagram, parse_number, parse_rotor};
 use crate::loads::usual_orders;
+use crate::sweep::Observer;
 use crate::table::{NotNamed, Single, Table};
 use crate::text::{Untrusted, harmless};
 use crate::verdict::{self, Judgement};
@@ -122,6 +123,12 @@ impl Valued<'_> {
 /// The values of an engine, or why it has none.
 pub fn values_of(engine: &Engine, names: &[ValueName]) -> Vec<Result<Single, String>> {
     Valued::Engine(engine).values(names)
+}
+
+/// What looks for these values at each point of a sweep, where there are some.
+pub fn observer(values: &[ValueName]) -> Option<Observer<'_>> {
+    let find = Box::new(|engine: &Engine| values_of(engine, values));
+    (!values.is_empty()).then(|| Observer { names: values.iter().map(ValueName::to_string).collect(), find })
 }
 
 /// What a name asks for that is not among what a question tells by itself.

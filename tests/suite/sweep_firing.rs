@@ -1,13 +1,14 @@
 //! Are the firing stars of a sweep as long as sums in doubles, and zero exactly where these are?
 
 use std::f64::consts::TAU;
+use std::sync::atomic::AtomicBool;
 
 use crankstar::engine::{CycleOrder, Engine};
 use crankstar::file::{self, Template};
 use crankstar::firing;
 use crankstar::page::{self, Format, Language, Options};
 use crankstar::report;
-use crankstar::sweep::{self, Geometry, Parameter, Sweep};
+use crankstar::sweep::{self, Geometry, Parameter, Stream, Sweep};
 use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -25,9 +26,8 @@ fn swept(text: &str, parameters: &[&str], orders: &[&str]) -> Result<Sweep, Stri
     let template = Template::new("layout.toml", text).expect("TOML");
     let parameters: Vec<Parameter> = parameters.iter().map(|text| Parameter::parse(text).expect("a range")).collect();
     let orders: Vec<CycleOrder> = orders.iter().map(|order| order.parse().expect("an order")).collect();
-    let mut sweep = sweep::sweep(&template, &parameters, &[1], &Geometry::default()).expect("a sweep");
-    sweep.firing = Some(sweep::firing_stars(&template, &sweep, &orders).map_err(|error| error.to_string())?);
-    Ok(sweep)
+    let stream = Stream::new(&template, &parameters, &[1], &orders, &Geometry::default());
+    stream.map(|stream| stream.whole(&AtomicBool::new(false)).expect("a sweep")).map_err(|error| error.to_string())
 }
 
 fn zeros(sweep: &Sweep) -> Vec<Vec<String>> {

@@ -10,7 +10,6 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::amplitude::{Amplitude, float};
 use super::parameter::Parameter;
-use super::reader::Reader;
 use super::{SweepError, zeros};
 use crate::engine::{CycleOrder, Engine, NoSpans};
 use crate::exact::PhasorSum;
@@ -94,13 +93,8 @@ pub(super) fn can_be_judged(template: &Template, orders: &[CycleOrder]) -> Resul
 }
 
 /// The stars of these orders at one point.
-pub(super) fn lengths(
-    reader: &Reader,
-    values: &[BigRational],
-    orders: &[CycleOrder],
-) -> Result<Vec<StarLength>, SweepError> {
-    let engine = reader.engine(values)?;
-    Ok(orders.iter().map(|order| length(&engine, *order)).collect())
+pub(super) fn lengths(engine: &Engine, orders: &[CycleOrder]) -> Vec<StarLength> {
+    orders.iter().map(|order| length(engine, *order)).collect()
 }
 
 fn length(engine: &Engine, order: CycleOrder) -> StarLength {

@@ -8,12 +8,11 @@ use crate::table::Single;
 pub type Observed = Vec<Result<Single, String>>;
 
 /// What is looked for at each point.
-#[derive(Clone, Copy)]
 pub struct Observer<'a> {
     /// What the values are called.
-    pub names: &'a [String],
+    pub names: Vec<String>,
     /// Finds them.
-    pub find: &'a (dyn Fn(&Engine) -> Observed + Sync),
+    pub find: Box<dyn Fn(&Engine) -> Observed + Sync + 'a>,
 }
 
 /// Values beside the points of a sweep.
@@ -35,7 +34,7 @@ impl ObservedSweep {
             value.map_err(|why| SweepError::new(format!("the first point of the sweep has no {name}: {why}")))
         });
         Ok(ObservedSweep {
-            names: observer.names.to_vec(),
+            names: observer.names.clone(),
             first: first.collect::<Result<_, SweepError>>()?,
             points: Vec::new(),
         })

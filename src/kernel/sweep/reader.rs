@@ -7,15 +7,13 @@ use std::thread;
 use num_rational::BigRational;
 
 use super::SweepError;
-use super::envelope::Geometry;
 use super::parameter::Parameter;
-use super::swept_engine::{Motions, SweptEngine, judge_with};
 use crate::engine::Engine;
 use crate::file::{Key, Layout, Template};
 
 /// Reads the engines of a sweep.
 pub(super) struct Reader<'a> {
-    template: Template<'a>,
+    pub template: Template<'a>,
     /// The file without a firing order, for values whose throws cannot fire in it.
     unfired: Option<Template<'a>>,
     parameters: &'a [Parameter],
@@ -61,19 +59,6 @@ impl<'a> Reader<'a> {
                 Err(SweepError::new(message))
             }
         }
-    }
-
-    pub fn point(
-        &self,
-        values: &[BigRational],
-        orders: &[u32],
-        geometry: &Geometry,
-        motions: &mut Motions,
-    ) -> Result<SweptEngine, SweepError> {
-        let engine = self.engine(values)?;
-        let judged = judge_with(&engine, self.template.cycle(), orders, geometry, motions);
-        let judged = judged.map_err(|missing| SweepError::new(missing.to_string()))?;
-        Ok(SweptEngine { values: values.to_vec(), ..judged })
     }
 }
 

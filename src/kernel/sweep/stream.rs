@@ -1,13 +1,18 @@
-//! How is a sweep of a million points computed? Piece by piece, each by itself, so that no more than a few are in memory.
+//! How is a point of a sweep computed, and how a million of them? Piece by piece, each by itself, so that no more than a few are in memory.
 
-use super::firing::{FiringSweep, can_be_judged, lengths};
-use super::observed::{ObservedSweep, Observer};
+use std::collections::BTreeSet;
+
+use num_rational::BigRational;
+
+use super::firing::{FiringSweep, StarLength, can_be_judged, lengths};
+use super::observed::{Observed, ObservedSweep, Observer};
 use super::parameter::Parameter;
+use super::range::MOST_COUNTED;
 use super::reader::Reader;
-use super::run::{Sweep, count};
-use super::swept_engine::Motions;
+use super::record::Sweep;
+use super::swept_engine::{Motions, SweptEngine, judge_with};
 use super::{Geometry, SweepError};
-use crate::engine::CycleOrder;
+use crate::engine::{CycleOrder, Engine};
 use crate::file::Template;
 use crate::loads;
 use crate::shard::Question;
@@ -19,10 +24,11 @@ const PIECES: usize = 64;
 /// What the words of a question begin with: another number where a piece changes.
 const VERSION: &str = concat!("sweep 1 of crankstar ", env!("CARGO_PKG_VERSION"));
 
-/// A sweep that is computed in pieces.
+/// What a sweep asks, to be computed in pieces or whole.
 pub struct Stream<'a> {
-    reader: Reader<'a>,
-    parameters: &'a [Parameter],
+    pub(super) template: Template<'a>,
+    pub(super) reader: Reader<'a>,
+    pub(super) parameters: &'a [Parameter],
     firing: Vec<CycleOrder>,
     observer: Option<Observer<'a>>,
     count: usize,
@@ -33,7 +39,7 @@ pub struct Stream<'a> {
 }
 
 impl<'a> Stream<'a> {
-    /// A sweep over one or two parameters at these orders, rising; at those of the file where none are given. The firing stars of these
+    /// A sweep over one or two parameters at these orders; at those of the file where none are given. The firing stars of these
     /// orders of the cycle are evaluated beside them.
     ///
     /// # Errors
@@ -49,21 +55,24 @@ impl<'a> Stream<'a> {
         can_be_judged(template, firing)?;
         let reader = Reader::new(template, parameters);
         let first = reader.engine(&reader.values(0))?;
-        let orders = if orders.is_empty() { loads::usual_orders(&first) } else { orders.to_vec() };
-        let star = FiringSweep { orders: firing.to_vec(), points: Vec::new(), curve: Vec::new(), zeros: None };
+        let orders = if orders.is_empty() { loads::usual_orders(&first) } else { rising(orders) };
+        let firing = rising(firing);
+        let star = FiringSweep { orders: firing.clone(), points: Vec::new(), curve: Vec::new(), zeros: None };
         let empty = Sweep::without_points(&first, parameters, orders, geometry);
         let empty = Sweep { firing: (!firing.is_empty()).then_some(star), ..empty };
         let points = count.div_ceil(PIECES).clamp(FEWEST, MOST);
-        Ok(Stream { reader, parameters, firing: firing.to_vec(), observer: None, count, points, empty })
+        Ok(Stream { template: template.clone(), reader, parameters, firing, observer: None, count, points, empty })
     }
 
-    /// The same with values of other questions beside each point.
+    /// The same with values of other questions beside each point, where they are asked for.
     ///
     /// # Errors
     /// A first point that lacks one.
-    pub fn observing(mut self, observer: Observer<'a>) -> Result<Self, SweepError> {
-        self.empty.observed = Some(ObservedSweep::new(&observer, &self.reader.engine(&self.reader.values(0))?)?);
-        self.observer = Some(observer);
+    pub fn observing(mut self, observer: Option<Observer<'a>>) -> Result<Self, SweepError> {
+        if let Some(observer) = &observer {
+            self.empty.observed = Some(ObservedSweep::new(observer, &self.reader.engine(&self.reader.values(0))?)?);
+        }
+        self.observer = observer;
         Ok(self)
     }
 
@@ -90,8 +99,7 @@ impl<'a> Stream<'a> {
         let firing: Vec<String> = self.firing.iter().map(ToString::to_string).collect();
         let (orders, geometry) = (&self.empty.orders, &self.empty.geometry);
         let (ranges, firing, points) = (ranges.join("; "), firing.join(","), self.points);
-        let values =
-            self.observer.map_or_else(String::new, |observer| format!("values {}; ", observer.names.join(", ")));
+        let values = self.observer.as_ref().map_or_else(String::new, |of| format!("values {}; ", of.names.join(", ")));
         let words = format!(
             "{VERSION}: {ranges}; orders {orders:?}; firing orders {firing}; {values}{points} points a piece; {geometry:?}; {file}"
         );
@@ -117,19 +125,75 @@ impl<'a> Stream<'a> {
 
     fn between(&self, from: usize, to: usize) -> Result<Sweep, SweepError> {
         let mut motions = Motions::default();
+        Ok(self.of((from..to).map(|index| self.point(index, &mut motions)).collect::<Result<_, SweepError>>()?))
+    }
+
+    /// How many points a core has at least: values of other questions take long.
+    pub(super) fn fewest(&self) -> usize {
+        if self.observer.is_some() { 1 } else { 64 }
+    }
+
+    /// The balance with these values, and the engine that has it.
+    pub(super) fn swept(
+        &self,
+        values: Vec<BigRational>,
+        motions: &mut Motions,
+    ) -> Result<(SweptEngine, Engine), SweepError> {
+        let Sweep { orders, geometry, .. } = &self.empty;
+        let engine = self.reader.engine(&values)?;
+        let judged = judge_with(&engine, self.reader.template.cycle(), orders, geometry, motions);
+        let judged = judged.map_err(|missing| SweepError::new(missing.to_string()))?;
+        Ok((SweptEngine { values, ..judged }, engine))
+    }
+
+    /// All that is asked of one point.
+    pub(super) fn point(&self, index: usize, motions: &mut Motions) -> Result<Point, SweepError> {
+        let (swept, engine) = self.swept(self.reader.values(index), motions)?;
+        let observed = self.observer.as_ref().map_or_else(Vec::new, |observer| (observer.find)(&engine));
+        Ok(Point { swept, stars: lengths(&engine, &self.firing), observed })
+    }
+
+    /// The sweep with these points.
+    pub(super) fn of(&self, points: Vec<Point>) -> Sweep {
         let mut sweep = self.empty.clone();
-        sweep.points.reserve(to - from);
-        for index in from..to {
-            let values = self.reader.values(index);
-            let point = self.reader.point(&values, &sweep.orders, &sweep.geometry, &mut motions)?;
+        for Point { swept, stars, observed } in points {
+            sweep.points.push(swept);
             if let Some(firing) = &mut sweep.firing {
-                firing.points.push(lengths(&self.reader, &values, &self.firing)?);
+                firing.points.push(stars);
             }
-            if let (Some(observed), Some(observer)) = (&mut sweep.observed, self.observer) {
-                observed.points.push((observer.find)(&self.reader.engine(&values)?));
+            if let Some(all) = &mut sweep.observed {
+                all.points.push(observed);
             }
-            sweep.points.push(point);
         }
-        Ok(sweep)
+        sweep
+    }
+}
+
+/// What is known of a point.
+pub(super) struct Point {
+    swept: SweptEngine,
+    stars: Vec<StarLength>,
+    observed: Observed,
+}
+
+/// Each once.
+fn rising<T: Ord + Copy>(all: &[T]) -> Vec<T> {
+    all.iter().copied().collect::<BTreeSet<T>>().into_iter().collect()
+}
+
+/// How many points a sweep over these parameters has.
+fn count(parameters: &[Parameter]) -> Result<usize, SweepError> {
+    let too_many = || SweepError::new(format!("the map has more than {MOST_COUNTED} points; take larger steps"));
+    match parameters {
+        [] => Err(SweepError::new("nothing is swept; give --bank-angle 0..180:10 or --set KEY=FROM..TO:STEP")),
+        [one] => Ok(one.range.count()),
+        [one, other] if one.key == other.key => {
+            Err(SweepError::new(format!("`{}` is swept twice; two different keys make a map", one.key)))
+        }
+        [one, other] => {
+            let count = one.range.count().checked_mul(other.range.count());
+            count.filter(|count| *count <= MOST_COUNTED).ok_or_else(too_many)
+        }
+        several => Err(SweepError::new(format!("{} parameters are swept; one makes curves, two a map", several.len()))),
     }
 }

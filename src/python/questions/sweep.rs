@@ -1,6 +1,5 @@
 //! `sweep`: how does the balance change with a value of the layout?
 
-use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
 
 use pyo3::prelude::*;
@@ -8,13 +7,13 @@ use pyo3::types::PyDict;
 use serde_json::{Map, Value, json};
 
 use super::super::keys;
-use crate::engine::{CycleOrder, Engine};
+use crate::engine::CycleOrder;
 use crate::file::{FileResolver, Template};
 use crate::python::asked::written;
 use crate::python::error::{self, told};
 use crate::python::reading::Source;
-use crate::report::{ValueName, values_of};
-use crate::sweep::{self, Geometry, Observer, Parameter, Sweep};
+use crate::report::{ValueName, observer};
+use crate::sweep::{Geometry, Parameter, Stream, Sweep};
 
 /// The values that are swept: keywords and keys of the file, each with its range.
 pub(in crate::python) struct Ranges {
@@ -53,18 +52,9 @@ pub(in crate::python) fn sweep(
         ranges.flags.iter().map(|(flag, range)| Parameter::short_cut(&flag.replace('_', "-"), range, &template));
     let keys = ranges.keys.iter().map(|(key, range)| Parameter::parse(&format!("{key}={range}")));
     let parameters = flags.chain(keys).collect::<Result<Vec<_>, _>>().map_err(told)?;
-    let mut sweep = sweep::sweep_until(&template, &parameters, orders, &Geometry::default(), stop).map_err(told)?;
-    if !firing.is_empty() {
-        let firing: Vec<CycleOrder> = firing.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
-        sweep.firing = Some(sweep::firing_stars(&template, &sweep, &firing).map_err(told)?);
-    }
-    if !values.is_empty() {
-        let names: Vec<String> = values.iter().map(ValueName::to_string).collect();
-        let find = |engine: &Engine| values_of(engine, values);
-        sweep.observed =
-            Some(sweep::observed(&template, &sweep, &Observer { names: &names, find: &find }).map_err(told)?);
-    }
-    Ok(sweep)
+    let stream = Stream::new(&template, &parameters, orders, firing, &Geometry::default());
+    let stream = stream.and_then(|stream| stream.observing(observer(values)));
+    stream.and_then(|stream| stream.whole(stop)).map_err(told)
 }
 
 /// The ranges of a sweep: those of the keywords that are given, and those of keys of the layout.

@@ -1,12 +1,14 @@
 //! The tables of data that the program gives: of an engine, of a sweep, of a search.
 
+use std::sync::atomic::AtomicBool;
+
 use crankstar::data;
 use crankstar::engine::{CycleOrder, Engine};
 use crankstar::file::{Template, parse_diagram, parse_rotor};
 use crankstar::proof::Quantity;
 use crankstar::report::{self, Compared, FlywheelStudy, Question, RotorStudy, ValuesStudy};
 use crankstar::search::{Front, Options, Problem, search, torsion};
-use crankstar::sweep::{self, Geometry, Parameter, Sweep};
+use crankstar::sweep::{Geometry, Parameter, Stream, Sweep};
 use crankstar::table::{Table, Values};
 use crankstar::text::Untrusted;
 use crankstar::verdict::{self, Judgement};
@@ -99,10 +101,8 @@ pub fn swept(text: &str, parameters: &[&str], orders: &[u32], firing: &[&str]) -
     let template = Template::new("layout.toml", text).expect("TOML");
     let parameters: Vec<Parameter> = parameters.iter().map(|text| Parameter::parse(text).expect("a range")).collect();
     let firing: Vec<CycleOrder> = firing.iter().map(|order| order.parse().expect("an order")).collect();
-    let mut swept = sweep::sweep(&template, &parameters, orders, &Geometry::default()).expect("a sweep");
-    if !firing.is_empty() {
-        swept.firing = Some(sweep::firing_stars(&template, &swept, &firing).expect("stars"));
-    }
+    let stream = Stream::new(&template, &parameters, orders, &firing, &Geometry::default()).expect("a sweep");
+    let swept = stream.whole(&AtomicBool::new(false)).expect("points");
     let answered = Answered { question: "sweep", tables: swept.tables(), document: json_of(&swept) };
     (swept, answered)
 }
