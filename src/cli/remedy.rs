@@ -133,9 +133,10 @@ impl Remedy {
     }
 
     fn request(&self, engine: &Engine, orders: Vec<u32>) -> Result<Request, Failure> {
+        let plane = |text: &String| remedy::plane_of(engine, text).map_err(|right| misread("--planes", text, right));
         let planes = match self.planes.as_slice() {
             [] => None,
-            [first, second] => Some([plane(engine, first)?, plane(engine, second)?]),
+            [first, second] => Some([plane(first)?, plane(second)?]),
             more => {
                 let message = format!("--planes: {} positions; give two, such as 0.12,-0.12", more.len());
                 return Err(Failure::new(message));
@@ -172,19 +173,5 @@ fn factor(flag: &str, text: &str) -> Result<BigRational, Failure> {
     if let Some(odd) = file::odd_value(&key, text) {
         write::warn(&format!("warning: {odd}"));
     }
-    match parse_number(text) {
-        Ok(value) if value.is_negative() => Err(misread(flag, text, "a balance factor is 0 or more")),
-        Ok(value) => Ok(value),
-        Err(error) => Err(misread(flag, text, error)),
-    }
-}
-
-/// A position in the unit of the engine.
-fn plane(engine: &Engine, text: &str) -> Result<BigRational, Failure> {
-    let (value, unit) = parse_length(text).map_err(|right| misread("--planes", text, right))?;
-    if unit == LengthUnit::Metre && !engine.positions_given() {
-        let right = "the cylinders are one spacing apart, and positions count in spacings";
-        return Err(misread("--planes", text, right));
-    }
-    Ok(value)
+    remedy::factor_of(text).map_err(|right| misread(flag, text, right))
 }

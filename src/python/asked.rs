@@ -12,6 +12,7 @@ use crate::exact::Turn;
 use crate::file::{parse_angle, parse_number};
 use crate::firing::Weights;
 use crate::order::Masses;
+use crate::remedy;
 use crate::report::ValueName;
 use crate::search::{self, Limit};
 
@@ -36,7 +37,7 @@ pub(super) fn in_turns(angle: &Turn) -> String {
 }
 
 /// Rising, each once.
-pub(super) fn rising(mut orders: Vec<u32>) -> Vec<u32> {
+pub(super) fn rising<T: Ord>(mut orders: Vec<T>) -> Vec<T> {
     orders.sort_unstable();
     orders.dedup();
     orders
@@ -44,22 +45,13 @@ pub(super) fn rising(mut orders: Vec<u32>) -> Vec<u32> {
 
 /// The masses that the verdicts are about.
 pub(super) fn masses(name: &str) -> PyResult<Masses> {
-    match name {
-        "reciprocating" => Ok(Masses::Reciprocating),
-        "rotating" => Ok(Masses::Rotating),
-        "counterweights" => Ok(Masses::Counterweights),
-        "all" => Ok(Masses::All),
-        other => Err(told(format!("masses `{other}`; allowed are reciprocating, rotating, counterweights or all"))),
-    }
+    let known = serde_json::from_value(name.into());
+    known.map_err(|_| told(format!("masses `{name}`; allowed are reciprocating, rotating, counterweights or all")))
 }
 
 /// The working cycle.
 pub(super) fn cycle(name: &str) -> PyResult<Cycle> {
-    match name {
-        "two-stroke" => Ok(Cycle::TwoStroke),
-        "four-stroke" => Ok(Cycle::FourStroke),
-        other => Err(told(format!("cycle `{other}`; two-stroke or four-stroke"))),
-    }
+    Cycle::of(name).ok_or_else(|| told(format!("cycle `{name}`; two-stroke or four-stroke")))
 }
 
 /// Two positions along the crankshaft, as they are written.
@@ -71,13 +63,8 @@ pub(super) fn planes(value: &Bound<'_, PyAny>) -> PyResult<[String; 2]> {
 
 /// Balance factors: none, one for all, or one per throw.
 pub(super) fn factors(value: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<BigRational>> {
-    let read = |text: String| match exact("balance_factor", &text)? {
-        value if value.is_negative() => {
-            Err(told(format!("balance_factor: cannot read `{text}`: a balance factor is 0 or more")))
-        }
-        value => Ok(value),
-    };
-    all(value)?.into_iter().map(read).collect()
+    let refused = |text: &str, why: String| told(format!("balance_factor: cannot read `{text}`: {why}"));
+    all(value)?.iter().map(|text| remedy::factor_of(text).map_err(|why| refused(text, why))).collect()
 }
 
 /// Rod ratios: none, one, or several.

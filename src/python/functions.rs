@@ -93,9 +93,7 @@ pub(super) fn search(
     let bank_angle = bank_angle.map(|angle| asked::bank_angle(&keys::number(angle)?)).transpose()?;
     let pin_split = pin_split.map(|angle| asked::angle("pin_split", &keys::number(angle)?)).transpose()?;
     let bank_offset = bank_offset.map(|length| asked::exact("bank_offset", &keys::number(length)?)).transpose()?;
-    let mut minor_orders = asked::cycle_orders(minor_orders)?;
-    minor_orders.sort_unstable();
-    minor_orders.dedup();
+    let minor_orders = asked::rising(asked::cycle_orders(minor_orders)?);
     let shape = asked::deflections(mode_shape)?;
     if shape.is_some() && !torsion && minor_orders.is_empty() {
         return Err(error::told(

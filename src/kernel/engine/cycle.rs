@@ -12,6 +12,19 @@ pub enum Cycle {
 }
 
 impl Cycle {
+    /// The word of a layout file for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Cycle::TwoStroke => "two-stroke",
+            Cycle::FourStroke => "four-stroke",
+        }
+    }
+
+    /// The cycle of this word.
+    pub fn of(word: &str) -> Option<Self> {
+        [Cycle::TwoStroke, Cycle::FourStroke].into_iter().find(|cycle| cycle.word() == word)
+    }
+
     /// Length of the cycle in turns of the crank.
     pub fn turns(self) -> BigRational {
         BigRational::from_integer(match self {

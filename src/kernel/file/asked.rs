@@ -8,7 +8,7 @@ use serde_spanned::Spanned;
 
 use super::error::LayoutError;
 use super::number::parse_number;
-use super::quantities::{self, choice, misread};
+use super::quantities::{self, misread};
 use super::written::{Text, place};
 use crate::engine::{Cycle, DELTA, Effects, Family, LengthUnit, ORDERS, PHI};
 
@@ -63,12 +63,9 @@ pub(super) fn check_values(table: &Option<BTreeMap<String, Text>>, family: &Fami
     }
 }
 
-/// The cycles as a file has them.
-pub(super) const CYCLES: [(&str, Cycle); 2] = [("four-stroke", Cycle::FourStroke), ("two-stroke", Cycle::TwoStroke)];
-
 /// Two-stroke or four-stroke.
 pub(super) fn cycle(text: &Text) -> Result<Cycle, LayoutError> {
-    choice(text, "cycle", "\"four-stroke\" or \"two-stroke\"", &CYCLES)
+    Cycle::of(&text.get_ref().0).ok_or_else(|| misread(text, "cycle", "\"four-stroke\" or \"two-stroke\""))
 }
 
 /// The part of the largest order from which on an order is listed separately, of its percentage.

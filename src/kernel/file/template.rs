@@ -6,7 +6,6 @@ use std::fmt;
 use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::asked::CYCLES;
 use super::error::LayoutError;
 use super::file_resolver::FileResolver;
 use super::layout::{Layout, read_layout};
@@ -91,8 +90,7 @@ impl<'a> Template<'a> {
 
     /// Two-stroke or four-stroke, where the file says so.
     pub fn cycle(&self) -> Option<Cycle> {
-        let written = self.table.get_ref().get("cycle")?.get_ref().as_str()?;
-        CYCLES.iter().find_map(|(word, cycle)| (*word == written).then_some(*cycle))
+        Cycle::of(self.table.get_ref().get("cycle")?.get_ref().as_str()?)
     }
 
     /// Whether the file holds a key, of the form `speed` or `vee.throws`.

@@ -32,7 +32,7 @@ pub use file::{CorrectedFile, FileError, corrected_file};
 pub use height::{PairHeight, PairRoll, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use parts::{counterweight_parts, mass_step, power_of_ten_below};
-pub use planes::{Built, Replaced};
+pub use planes::{Built, Replaced, factor_of, plane_of};
 use planes::{ends, usual_planes};
 pub use shafts::{Kind, LEAST, Shaft, shaft, shafts, without_slight};
 pub use weight::Weight;

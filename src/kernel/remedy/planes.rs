@@ -1,14 +1,14 @@
 //! What has an engine in the planes of a remedy already, and what becomes of it?
 
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 
 use super::comparable_engine::ComparableEngine;
 use super::error::RemedyError;
 use super::weight::Weight;
-use crate::engine::{Engine, throws};
+use crate::engine::{Engine, LengthUnit, throws};
 use crate::exact::Term;
-use crate::file::shown_position;
+use crate::file::{parse_length, parse_number, shown_position};
 use crate::order::{self, MassGroup, OrderSum, Source, TurningMass};
 use crate::proof::Sense;
 
@@ -150,4 +150,26 @@ fn everywhere(engine: &Engine) -> Vec<BigRational> {
 
 fn outermost(list: &[BigRational]) -> Option<[BigRational; 2]> {
     Some([list.iter().min()?.clone(), list.iter().max()?.clone()])
+}
+
+/// A position that is asked for, in the unit of the engine.
+///
+/// # Errors
+/// What would be right.
+pub fn plane_of(engine: &Engine, text: &str) -> Result<BigRational, String> {
+    match parse_length(text)? {
+        (_, LengthUnit::Metre) if !engine.positions_given() => {
+            Err("the cylinders are one spacing apart, and positions count in spacings".to_owned())
+        }
+        (position, _) => Ok(position),
+    }
+}
+
+/// A balance factor that is asked for.
+///
+/// # Errors
+/// What would be right.
+pub fn factor_of(text: &str) -> Result<BigRational, String> {
+    let value = parse_number(text).map_err(|error| error.to_string())?;
+    if value.is_negative() { Err("a balance factor is 0 or more".to_owned()) } else { Ok(value) }
 }

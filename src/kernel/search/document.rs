@@ -175,7 +175,7 @@ pub fn document(front: &Front) -> FrontDocument {
     FrontDocument {
         format: "crankstar search 1",
         engine: found::name(problem),
-        cycle: found::cycle(problem),
+        cycle: problem.cycle.word(),
         orders: problem.orders.clone(),
         neighbours: problem.neighbours,
         pin_split: problem.pin_split.as_ref().map(|split| split.turns().to_string()),

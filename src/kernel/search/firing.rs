@@ -95,14 +95,6 @@ pub(super) fn even(order: &[usize], cycle: Cycle) -> Firing {
     Firing { cycle, shots: order.iter().enumerate().map(shot).collect() }
 }
 
-/// The name of a cycle in a layout file.
-pub(super) fn cycle_name(cycle: Cycle) -> &'static str {
-    match cycle {
-        Cycle::TwoStroke => "two-stroke",
-        Cycle::FourStroke => "four-stroke",
-    }
-}
-
 /// All orders in which cylinders can fire that may do so at these steps.
 pub(super) fn orders_of(steps: &[&[usize]]) -> Vec<Vec<usize>> {
     let mut orders: Vec<Vec<usize>> = vec![vec![0]];

@@ -85,7 +85,7 @@ impl FoundStar {
     pub fn layout_file(&self, problem: &Problem) -> String {
         let quoted: Vec<String> = self.throws.iter().map(|throw| format!("\"{} turn\"", throw.turns())).collect();
         let form = if problem.bank_angle.is_some() { "vee" } else { "inline" };
-        let mut text = format!("title = \"{}\"\ncycle = \"{}\"\n", self.title(problem), cycle(problem));
+        let mut text = format!("title = \"{}\"\ncycle = \"{}\"\n", self.title(problem), problem.cycle.word());
         if let Some(order) = &self.firing_order {
             let _ = writeln!(text, "firing_order = \"{}\"", dashed(order));
         }
@@ -141,10 +141,6 @@ fn arm(place: usize, throws: usize) -> BigRational {
 /// `1-3-4-2`.
 pub(super) fn dashed(order: &[usize]) -> String {
     order.iter().map(|cylinder| (cylinder + 1).to_string()).collect::<Vec<_>>().join("-")
-}
-
-pub(super) fn cycle(problem: &Problem) -> &'static str {
-    firing::cycle_name(problem.cycle)
 }
 
 /// An angle of up to half a turn either way, in degrees.

@@ -4,12 +4,12 @@ use num_bigint::BigUint;
 use serde::{Deserialize, Serialize};
 
 use super::front::StarValues;
+use super::judged;
 use super::plan::Plan;
 use super::problem::Problem;
 use super::space::Space;
 use super::tables::Tables;
 use super::walk::Counts;
-use super::{firing, judged};
 use crate::shard::Question;
 
 /// A judged piece.
@@ -46,7 +46,7 @@ pub(super) fn question(problem: &Problem, plan: &Plan) -> Question {
     let directions = problem.directions.map_or(String::new(), |count| format!(", {count} directions"));
     let grid = problem.grid.map_or(String::new(), |grid| format!(", grid {grid}"));
     let neighbours = if problem.neighbours { ", neighbours" } else { "" };
-    let (cycle, cylinders, orders) = (firing::cycle_name(problem.cycle), problem.cylinders, &problem.orders);
+    let (cycle, cylinders, orders) = (problem.cycle.word(), problem.cylinders, &problem.orders);
     let (way, pieces) = (plan.name(), plan.len());
     let split = problem.pin_split.as_ref().map_or(String::new(), |split| format!(", split {} turn", split.turns()));
     let offset = problem.bank_offset.as_ref().map_or(String::new(), |offset| format!(", offset {offset}"));

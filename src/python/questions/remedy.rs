@@ -4,9 +4,9 @@ use num_rational::BigRational;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 
-use crate::engine::{Engine, LengthUnit};
+use crate::engine::Engine;
 use crate::exact::Turn;
-use crate::file::{FileResolver, parse_length, parse_radius};
+use crate::file::{FileResolver, parse_radius};
 use crate::loads;
 use crate::python::again::Reduced;
 use crate::python::answer::{Answer, asked_again};
@@ -72,8 +72,10 @@ pub(in crate::python) fn remedy(
     source: &Source,
     wanted: &Wanted,
 ) -> PyResult<(remedy::Remedy, Remedy)> {
-    let planes =
-        wanted.planes.as_ref().map(|[first, second]| Ok::<_, PyErr>([plane(engine, first)?, plane(engine, second)?]));
+    let plane = |text: &String| {
+        remedy::plane_of(engine, text).map_err(|right| told(format!("planes: cannot read `{text}`: {right}")))
+    };
+    let planes = wanted.planes.as_ref().map(|[first, second]| Ok::<_, PyErr>([plane(first)?, plane(second)?]));
     let Wanted { orders, factors, skews, .. } = wanted;
     let radius = wanted
         .radius
@@ -93,14 +95,4 @@ pub(in crate::python) fn remedy(
         .map_err(|error| error.to_string());
     let holds = cured.holds();
     Ok((cured, Remedy { holds, layout }))
-}
-
-/// A position in the unit of the engine.
-fn plane(engine: &Engine, text: &str) -> PyResult<BigRational> {
-    let refused = |right: &str| told(format!("planes: cannot read `{text}`: {right}"));
-    let (value, unit) = parse_length(text).map_err(|right| refused(&right))?;
-    if unit == LengthUnit::Metre && !engine.positions_given() {
-        return Err(refused("the cylinders are one spacing apart, and positions count in spacings"));
-    }
-    Ok(value)
 }

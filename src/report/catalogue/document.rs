@@ -54,10 +54,7 @@ pub fn catalogue_document(engines: &[(Entry, Engine)]) -> CatalogueDocument<'_> 
             title: engine.title().written(),
             source: engine.source().map(Untrusted::written),
             cylinders: engine.cylinders().len(),
-            cycle: engine.cycle().map(|cycle| match cycle {
-                Cycle::TwoStroke => "two-stroke",
-                Cycle::FourStroke => "four-stroke",
-            }),
+            cycle: engine.cycle().map(Cycle::word),
             firing: engine.firing().map(|firing: &Firing| if firing.is_even() { "even" } else { "uneven" }),
             force,
             moment,
