@@ -622,7 +622,7 @@ fn a_vector_that_the_angle_does_not_turn_is_never_zero_or_always_beside_masses_t
 fn an_order_that_no_piston_has_is_zero_in_a_sweep_without_rods_too() {
     for (text, key) in [
         ("vee = { bank_angle = 60, throws = [0, 90], bank_offset = \"1/5\" }", "vee.bank_angle=30..90:30"),
-        ("boxer = { throws = [0, 120, 240], spacing = 1, stagger = \"1/4\" }", "boxer.spacing=1..3:1"),
+        ("boxer = { throws = [0, 90], spacing = 1, stagger = \"1/4\" }", "boxer.spacing=1..3:1"),
         ("[radial]\ncylinders = 3\n", "radial.cylinders=3..9:1"),
     ] {
         for rods in ["", "mechanism = { rod_ratio = 0.25 }\n"] {
@@ -630,8 +630,10 @@ fn an_order_that_no_piston_has_is_zero_in_a_sweep_without_rods_too() {
             for point in &sweep.points {
                 let third = &point.orders[2];
                 assert!(third.force.largest.vanishes && third.moment.largest.vanishes, "{rods}{text}: {third:?}");
-                assert!(!point.orders[0].moment.largest.vanishes || !point.orders[1].force.largest.vanishes);
             }
+            let first =
+                |point: &SweptEngine| point.orders[0].force.largest.vanishes && point.orders[0].moment.largest.vanishes;
+            assert!(!sweep.points.iter().all(first), "{rods}{text}");
         }
     }
 }
