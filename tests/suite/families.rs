@@ -8,7 +8,7 @@ use crankstar::family::{self, NotComparable, OpenVerdict, Remaining, When};
 use crankstar::file::{self, Layout};
 use crankstar::numbers::Form;
 use crankstar::page::{Format, Math};
-use crankstar::proof::{Planar, Quantity};
+use crankstar::proof::{ConditionClaim, Planar, Quantity};
 use crankstar::{order, report};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -418,5 +418,20 @@ fn the_largest_value_is_that_of_angles_in_the_range_where_fractions_of_them_ente
         let orders = family::classify(&family, &[order]).expect("an order");
         let told = pages::text(&report::family_answer(&family, &orders), Format::PLAIN).replace('\n', " ");
         assert!(told.contains(largest), "{told}");
+    }
+}
+
+#[test]
+fn a_third_condition_on_both_angles_is_asked_of_where_the_first_two_meet() {
+    let condition = |phi: i64, delta: i64, turn: BigRational| ConditionClaim {
+        phi: fraction(phi, 1),
+        delta: fraction(delta, 1),
+        turn,
+    };
+    let (sixth, quarter) = (fraction(1, 6), fraction(1, 4));
+    let both = [condition(1, 0, sixth.clone()), condition(0, 1, quarter.clone())];
+    for (third, expected) in [(&sixth + &quarter, true), (fraction(1, 3), false)] {
+        let all = [both.as_slice(), &[condition(1, 1, third)]].concat();
+        assert_eq!(family::in_range(&all).is_some(), expected);
     }
 }

@@ -52,12 +52,12 @@ impl Place {
     }
 }
 
-/// Whether these places, one or two, have φ and δ from 0 to a turn in common.
+/// Whether these places, on multiples that are not of one angle, have φ and δ from 0 to a turn in common.
 pub fn is_in_range(places: &[Place]) -> bool {
-    let [one, other] = match places {
+    let (one, other, rest) = match places {
         [] => return true,
         [only] => return !only.lifted().is_empty(),
-        [one, other, ..] => [one, other],
+        [one, other, rest @ ..] => (one, other, rest),
     };
     let ([a, b], [c, d]) = (&one.times, &other.times);
     let determinant = a * d - b * c;
@@ -70,7 +70,13 @@ pub fn is_in_range(places: &[Place]) -> bool {
         others.iter().any(|v| {
             let phi = sum(&scaled(u, &(d / &determinant)), &scaled(v, &(-b / &determinant)));
             let delta = sum(&scaled(v, &(a / &determinant)), &scaled(u, &(-c / &determinant)));
-            [phi, delta].iter().all(|[low, high]| *low <= BigRational::from_integer(1.into()) && !high.is_negative())
+            let holds = |place: &Place| {
+                let [low, high] = sum(&scaled(&phi, &place.times[0]), &scaled(&delta, &place.times[1]));
+                place.lifted().iter().any(|[from, to]| *from <= high && low <= *to)
+            };
+            let ends =
+                |[low, high]: &[BigRational; 2]| *low <= BigRational::from_integer(1.into()) && !high.is_negative();
+            [&phi, &delta].into_iter().all(ends) && rest.iter().all(holds)
         })
     })
 }
