@@ -111,6 +111,7 @@ fn legend(front: &Front) -> Vec<Text> {
     let problem = &front.problem;
     let equal = if front.counts_whole_classes() { text::equal_stars() } else { text::equal_stars_in_part() };
     let mut lines = vec![text::moments()];
+    lines.extend(problem.orders.iter().any(|order| order % 2 == 1 && *order > 1).then(text::odd_orders));
     lines.extend(problem.bank_angle.as_ref().map(|_| text::vectors()));
     lines.push(text::throws());
     lines.extend(problem.neighbours.then(text::neighbours));
