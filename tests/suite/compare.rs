@@ -331,4 +331,8 @@ fn a_cure_names_the_counterweights_of_a_faster_crankshaft_and_the_shaft_that_is_
     assert!(row.contains("on crankshaft fast") && row.contains("shaft −2"), "{row}");
     let row = cures(&needless, &faster);
     assert!(row.contains("Lanchester pair ±2; the engine's shaft −1 taken away"), "{row}");
+    let weight = |throw: u32| format!("[[counterweight]]\nthrow = {throw}\nmass_radius = '10 kg mm'\n");
+    let heavy = path("heavy.toml", format!("speed = 3000\n{four}{mechanism}{}{}", weight(1), weight(4)));
+    let row = cures(&heavy, &faster);
+    assert!(row.contains("Lanchester pair ±2; the engine's counterweights taken away"), "{row}");
 }
