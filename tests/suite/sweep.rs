@@ -637,3 +637,34 @@ fn an_order_that_no_piston_has_is_zero_in_a_sweep_without_rods_too() {
         }
     }
 }
+
+#[test]
+fn beside_a_shaft_of_an_order_that_no_piston_has_the_other_vector_is_zero_everywhere() {
+    let vee = "[vee]\nbank_angle = 60\nthrows = [0, 180]\nspacing = \"100 mm\"\n[mechanism]\ncrank_radius = \"40 mm\"\nrod_length = \"140 mm\"\nreciprocating_mass = 0.5\n";
+    for (turns, other) in [("against", Zeros::Direct), ("with", Zeros::Reverse)] {
+        let shaft = format!(
+            "[[balancer]]\norder = 3\nsense = \"{turns}\"\nmass_radius = \"1 kg mm\"\nangle = 180\nposition = \"-50 mm\"\n"
+        );
+        let sweep = good(&format!("{vee}{shaft}"), &["vee.bank_angle=10..100:30"], &[3]);
+        let sets = sweep.zeros.expect("an angle");
+        let of_other: Vec<_> = sets.iter().filter(|set| set.of == other).collect();
+        assert!(of_other.len() == 2 && of_other.iter().all(|set| set.exists && set.everywhere), "{of_other:?}");
+    }
+}
+
+#[test]
+fn the_most_even_firing_is_that_of_the_files_order_where_it_can_be_fired_and_else_said_to_be_another() {
+    let six = |order: &str| format!("cycle = \"four-stroke\"\n{order}[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\n");
+    let told = |order: &str| {
+        let sweep = good(&six(order), &["vee.bank_angle=0..180:10"], &[1]);
+        in_plain_text(&report::sweep_answer(&sweep)).replace('\n', " ")
+    };
+    let other = "in the most even order";
+    assert!(
+        told("firing_order = \"1-4-3-2-5-6\"\n").contains("Firing: most even, at intervals from 60° to 240°, at 60°.")
+    );
+    for order in ["", "firing_order = \"1-4-2-5-3-6\"\n"] {
+        let told = told(order);
+        assert!(told.contains("Firing: even, every 120°") && told.contains(other), "{told}");
+    }
+}

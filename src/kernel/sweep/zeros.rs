@@ -15,7 +15,7 @@ use crate::exact::fraction;
 use crate::family::{self, Component, OpenVerdict, Solutions, component_zeros};
 use crate::file::{self, Layout, Template};
 use crate::order::{self, Path};
-use crate::proof::{Planar, Sense};
+use crate::proof::{Planar, Quantity, Sense};
 
 /// What vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -150,6 +150,8 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
     let (range, is_whole) = range(parameter, &per_unit)?;
     let mut sets = Vec::new();
     for order in family::classify(&open, orders).ok()? {
+        // A balancer shaft may have an order that no piston has: the star of the pistons says nothing there.
+        let of_pistons = engine.pistons_have_order(Quantity::FORCE, order.order);
         for (quantity, verdicts) in [(Planar::Force, &order.force), (Planar::Moment, &order.moment)] {
             for of in Zeros::ALL {
                 if !has_order(&engine, order.order) {
@@ -157,7 +159,7 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
                     continue;
                 }
                 let found = find(&open, quantity, order.order, verdicts, of, range.each_ref());
-                let turns = same_rods && !with_turning_masses(&engine, order.order, of);
+                let turns = same_rods && of_pistons && !with_turning_masses(&engine, order.order, of);
                 let is_so = |value: &BigRational| {
                     let engine = reader.engine(std::slice::from_ref(value));
                     engine.is_ok_and(|engine| vanishes(&engine, quantity, order.order, of))

@@ -100,7 +100,12 @@ pub(super) fn dead_centres(point: &SweptEngine) -> Option<[f64; 2]> {
 
 /// Where the cylinders fire most evenly, in one sentence, where that changes over the sweep.
 fn firing_sentence(sweep: &Sweep) -> Option<Text> {
-    let known = || sweep.points.iter().filter_map(|point| Some((point.evenness.as_ref()?, point)));
+    let fires = |point: &SweptEngine| point.evenness.as_ref().is_some_and(|evenness| evenness.of_the_file);
+    let of_the_file = sweep.points.iter().any(fires);
+    let known = || {
+        let known = sweep.points.iter().filter_map(|point| Some((point.evenness.as_ref()?, point)));
+        known.filter(|(evenness, _)| evenness.of_the_file == of_the_file)
+    };
     let best = known().map(|(evenness, _)| evenness).min_by_key(|evenness| evenness.unevenness())?;
     let at: Vec<&SweptEngine> =
         known().filter(|(evenness, _)| evenness.unevenness() == best.unevenness()).map(|(_, point)| point).collect();
@@ -110,7 +115,7 @@ fn firing_sentence(sweep: &Sweep) -> Option<Text> {
     let at = listed(at.into_iter().map(|point| place(sweep, point)).collect());
     let [shortest, longest] = [&best.shortest, &best.longest].map(number::turns);
     Some(match shortest == longest {
-        true => text::even_firing(shortest, at),
-        false => text::most_even_firing(shortest, longest, at),
+        true => text::even_firing(shortest, at, of_the_file),
+        false => text::most_even_firing(shortest, longest, at, of_the_file),
     })
 }
