@@ -126,10 +126,11 @@ fn staging(parent: &Path, name: &str) -> io::Result<(PathBuf, Handle)> {
             Err(error) if error.kind() == ErrorKind::AlreadyExists => continue,
             created => created?,
         }
-        let lock = lock_staging(&staging)?;
-        // Before the lock was held, somebody may have taken it for abandoned.
-        if staging.is_dir() {
-            return Ok((staging, lock));
+        // Before the lock is held, somebody may take it for abandoned and remove it.
+        match lock_staging(&staging) {
+            Err(error) if error.kind() == ErrorKind::NotFound => continue,
+            lock if staging.is_dir() => return Ok((staging, lock?)),
+            _ => continue,
         }
     }
 }
