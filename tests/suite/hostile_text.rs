@@ -492,7 +492,7 @@ fn every_field_of_a_persons_text_is_tried_here() {
         "claim/provenance.rs: source", "claim/provenance.rs: place", "claim/provenance.rs: words",
         "claim/handwritten.rs: text", "claim/star_marks.rs: written",
         "classroom/students.rs: name", "classroom/exercise.rs: name", "classroom/results.rs: files", "classroom/marking.rs: not_read",
-        "report/values.rs: rows", "sweep/run.rs: title", "report/compare/mod.rs: name", "report/atlas/entry.rs: title", "report/moments/mod.rs: name",
+        "report/values.rs: rows", "sweep/record.rs: title", "report/compare/mod.rs: name", "report/atlas/entry.rs: title", "report/moments/mod.rs: name",
         "file/diagram_keys.rs: title", "file/rotor_keys.rs: title", "file/rotor_keys.rs: name",
     ]);
     assert_eq!(found_in_source(field), known);
