@@ -36,6 +36,15 @@ impl Zeros {
     /// All of them.
     pub const ALL: [Zeros; 5] = [Zeros::Direct, Zeros::Reverse, Zeros::Largest, Zeros::Along, Zeros::Across];
 
+    /// Which vector it is, where it is one.
+    fn vector(self) -> Option<Sense> {
+        match self {
+            Zeros::Direct => Some(Sense::Direct),
+            Zeros::Reverse => Some(Sense::Reverse),
+            Zeros::Largest | Zeros::Along | Zeros::Across => None,
+        }
+    }
+
     /// Its name in tables.
     pub fn name(self) -> &'static str {
         match self {
@@ -198,12 +207,8 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
 
 /// Whether the parameter turns no term of this vector, so that it is one at every value.
 fn is_fixed(open: &Family, order: u32, of: Zeros) -> bool {
-    let sense = match of {
-        Zeros::Direct => Sense::Direct,
-        Zeros::Reverse => Sense::Reverse,
-        Zeros::Largest | Zeros::Along | Zeros::Across => return false,
-    };
-    open.cylinders().iter().all(|cylinder| family::phase(cylinder, order, sense).coefficient(PHI).is_zero())
+    let turns = |sense, cylinder| !family::phase(cylinder, order, sense).coefficient(PHI).is_zero();
+    of.vector().is_some_and(|sense| !open.cylinders().iter().any(|cylinder| turns(sense, cylinder)))
 }
 
 /// More values than this are not tried.
@@ -258,11 +263,7 @@ fn range(parameter: &Parameter, per_unit: &BigRational) -> Option<([BigRational;
 
 /// Whether masses that turn enter this vector beside the pistons.
 fn with_turning_masses(engine: &Engine, order: u32, of: Zeros) -> bool {
-    let enters = |sense: Sense| match of {
-        Zeros::Direct => sense == Sense::Direct,
-        Zeros::Reverse => sense == Sense::Reverse,
-        _ => true,
-    };
+    let enters = |sense: Sense| of.vector().is_none_or(|own| own == sense);
     order::turning_masses(engine).iter().any(|mass| mass.order == order && enters(mass.sense))
 }
 
