@@ -26,7 +26,7 @@ pub(super) fn of_both(engine: &Engine, masses: Masses, [force, moment]: [Text; 2
 
 /// Whose masses it is about, where the engine has others than pistons.
 fn whose(engine: &Engine, masses: Masses, statement: Text) -> Text {
-    let has_others = order::groups_of(engine).len() > 1;
+    let has_others = order::masses_as_built(engine) != Masses::Reciprocating;
     match masses {
         Masses::Reciprocating if has_others => text::pistons_alone(statement),
         Masses::All if has_others => text::as_built(statement),

@@ -32,7 +32,7 @@ use super::{dead_centres, family_page, firmness, mechanism_words, moving, table,
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::loads::{Missing, Needed};
-use crate::order::{self, Masses};
+use crate::order::Masses;
 use crate::page::{Block, Document, Fold, Table, Text};
 use crate::remedy::{self, Remedy, RemedyError, Request};
 use crate::verdict::Judgement;
@@ -89,7 +89,6 @@ pub fn engine_page(subject: Contents) -> Document {
     let numbers = subject.numbers();
     let known = numbers.as_ref().and_then(|numbers| numbers.as_ref().ok());
     let theorem = theorem_of(engine, judged);
-    let has_others = order::groups_of(engine).len() > 1;
     let weighed = WeighedParts::new(engine, judged, weighing);
     let stars = orders::stars(judged, &weighed);
     let is_alike = engine.mechanisms().len() < 2 && engine.faster_crank().is_none();
@@ -132,10 +131,7 @@ pub fn engine_page(subject: Contents) -> Document {
         gas_and_inertia: firing_section(engine).into(),
         torsion: torsion_section(engine).into(),
         accuracy: accuracy.into_iter().flat_map(|case| accuracy_section(std::slice::from_ref(case))).collect(),
-        family: family
-            .into_iter()
-            .flat_map(|(family, orders)| family_page::section(family, orders, has_others))
-            .collect(),
+        family: family.into_iter().flat_map(|(family, orders)| family_page::section(engine, family, orders)).collect(),
         every_order: theorem::every_order(engine, &judged.orders, &theorem).into(),
         firmness: firmness.unwrap_or_default().into(),
         proofs: orders::proofs(engine, &stars).into(),

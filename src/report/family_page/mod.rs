@@ -23,8 +23,9 @@ use num_traits::Zero;
 
 use super::convention::{differs, seen};
 use super::moving;
-use crate::engine::{DELTA, Family, PHI, WHY_NOT};
+use crate::engine::{DELTA, Engine, Family, PHI, WHY_NOT};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
+use crate::order::{Masses, masses_as_built};
 use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::Planar;
 use crate::report::texts::family as text;
@@ -75,9 +76,8 @@ pub fn family_proofs(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
 }
 
 /// What a report of a member says of all lengths and angles.
-///
-/// `has_others`: whether the member has masses that its family knows nothing of.
-pub(super) fn section(family: &Family, orders: &[OpenOrder], has_others: bool) -> Vec<Block> {
+pub(super) fn section(member: &Engine, family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
+    let has_others = masses_as_built(member) != Masses::Reciprocating;
     let mut blocks = vec![Block::Heading(1, "For all lengths".into())];
     blocks.extend(has_others.then(|| text::pistons_alone().into()));
     blocks.push(Block::Paragraph(left_open(family)));

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::super::{argument, residual, typeset};
-use super::unknowns::{NEVER, alternatives, exactly, together, unknowns};
+use super::unknowns::{NEVER, alternatives, exactly, together, unknowns, zero_where};
 use super::{boxes_words, circle_words, plane_words, quadratic_words};
 use crate::engine::{DOES_NOT_EXIST, Linear};
 use crate::exact::Turn;
@@ -35,16 +35,15 @@ pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
         Some(angles) if angles.is_empty() => NEVER.into(),
         Some(angles) => phrase!("0 at φ = {}", list(&angles)),
         None => match verdict.meeting() {
-            Some(met) => zero_where(&met, exactly),
+            Some(met) => zero_on(one_of(met.iter().map(Vec::as_slice), exactly)),
             None => Text::joined(verdict.sums.iter().filter_map(condition_of), " and at once "),
         },
     }
 }
 
-/// `0 where 2φ − δ ≡ 180°`: where one of these alternatives holds.
-fn zero_where(met: &[Vec<ConditionClaim>], shown: fn(String, &Turn) -> String) -> Text {
-    let told = alternatives(met.iter().filter_map(|one| together(one, shown)));
-    told.map_or_else(|| NEVER.into(), |told| phrase!("0 where {}", told))
+/// `0 where 2φ − δ ≡ 180°`, where these are the conditions; none in the range else.
+fn zero_on(conditions: Option<Text>) -> Text {
+    zero_where(conditions, []).unwrap_or_else(|| NEVER.into())
 }
 
 /// The same for a table: angles that are no round number of degrees as decimals, since the proofs have them exactly.
@@ -61,7 +60,7 @@ pub(super) fn cell(verdict: &OpenVerdict) -> Text {
                 }
             }
         }
-        (None, Some(met)) => zero_where(&met, nearly),
+        (None, Some(met)) => zero_on(one_of(met.iter().map(Vec::as_slice), nearly)),
         (Some(_) | None, _) => summary(verdict),
     }
 }
@@ -113,10 +112,7 @@ pub(super) fn told(when: &When) -> Option<Text> {
     match when {
         When::Always => None,
         When::Never(_) => Some("never 0".into()),
-        When::Where(angles) => Some(match conditions(angles) {
-            Some(conditions) => phrase!("0 where {}", conditions),
-            None => NEVER.into(),
-        }),
+        When::Where(angles) => Some(zero_on(conditions(angles))),
         When::Irrational { phi, delta, degrees, .. } => {
             let decimal = typeset::decimal(degrees.rem_euclid(360.0));
             Some(phrase!("0 where {} ≈ {}°", unknowns(phi, delta), decimal))
@@ -134,12 +130,16 @@ pub(super) fn told(when: &When) -> Option<Text> {
 
 /// Where a vector vanishes: `2φ − δ ≡ 180°`; none where no such condition says it.
 pub(super) fn conditions_of(verdict: &OpenVerdict) -> Option<Text> {
-    alternatives(verdict.meeting()?.iter().filter_map(|one| together(one, exactly)))
+    one_of(verdict.meeting()?.iter().map(Vec::as_slice), exactly)
+}
+
+fn conditions(angles: &Angles) -> Option<Text> {
+    one_of(angles.alternatives.iter().map(|one| one.conditions.as_slice()), exactly)
 }
 
 /// `2φ − δ ≡ 180°`, alternatives in the range joined by "or"; none where there is none.
-fn conditions(angles: &Angles) -> Option<Text> {
-    alternatives(angles.alternatives.iter().filter_map(|one| together(&one.conditions, exactly)))
+fn one_of<'a>(all: impl IntoIterator<Item = &'a [ConditionClaim]>, shown: fn(String, &Turn) -> String) -> Option<Text> {
+    alternatives(all.into_iter().filter_map(|conditions| together(conditions, shown)))
 }
 
 /// `cos(φ) = 0.25, φ ≈ ±75.52°`.
