@@ -5,7 +5,7 @@ use super::typeset;
 use crate::engine::{Engine, Firing, Shot, firing_pistons};
 use crate::page::{Text, phrase};
 use crate::proof::Planar;
-use crate::remedy::{Built, Kind, Remedy, RemedyError, Shaft};
+use crate::remedy::{Kind, Remedy, RemedyError, Shaft};
 use crate::report::texts::engine_cells as text;
 use crate::verdict::{EveryOrderTheorem, FirstLeft, NoTheorem, OrderBalance, OrderVerdict};
 
@@ -108,8 +108,7 @@ pub(super) fn remedy(remedy: &Result<Remedy, RemedyError>) -> Text {
         });
     }
     let on_the_crank = remedy.crankshaft.as_ref().filter(|shaft| !remedy.stays(&shaft.weights));
-    let weights = |plane: &Built| plane.becomes.is_on_the_crank() && !plane.replaced.counterweights.is_empty();
-    words.extend(on_the_crank.map(|shaft| match remedy.resized().iter().any(weights) {
+    words.extend(on_the_crank.map(|shaft| match remedy.changes_counterweights() {
         true => text::counterweights_taken_away(),
         false => text::taken_away(shaft.sense, shaft.order),
     }));

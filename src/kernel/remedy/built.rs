@@ -57,6 +57,13 @@ impl Remedy {
         self.built_of(weight).is_some_and(|plane| plane.is_resized())
     }
 
+    /// Whether counterweights of the engine are resized, or taken away.
+    pub fn changes_counterweights(&self) -> bool {
+        let of_the_file =
+            |plane: &Built| plane.becomes.is_on_the_crank() && !plane.replaced.counterweights.is_empty();
+        self.built().iter().any(of_the_file)
+    }
+
     /// The planes in which weights of the engine are resized.
     pub fn resized(&self) -> Vec<Built> {
         self.built().into_iter().filter(Built::is_resized).collect()

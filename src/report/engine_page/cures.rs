@@ -258,7 +258,12 @@ impl Cure<'_> {
         }
     }
 
+    /// Counterweights with their sizes; where only a balancer shaft that turns with the crank is removed, that.
     fn counterweights(&self) -> Text {
+        let goes = |remedy: &&Remedy| remedy.crankshaft.as_ref().is_some_and(|shaft| !remedy.stays(&shaft.weights));
+        if self.remedy.filter(goes).is_some_and(|remedy| !remedy.changes_counterweights()) {
+            return "balancer shafts with the crank (removed)".into();
+        }
         match self.size(Sense::Direct) {
             Some(size) => phrase!("counterweights ({})", size),
             None => "counterweights".into(),
@@ -288,7 +293,11 @@ impl Cure<'_> {
         let sizes = self.sizes(remedy, shaft)?;
         // What is there already takes the place of nothing that is added.
         let is_resized = shaft.weights.iter().any(|weight| remedy.resizes(weight));
-        Some(if is_resized { phrase!("resized to {}", sizes) } else { sizes })
+        Some(match (is_resized, remedy.stays(&shaft.weights)) {
+            (false, _) => sizes,
+            (true, true) => phrase!("resized to {}", sizes),
+            (true, false) => "removed".into(),
+        })
     }
 
     /// The mass-radius of each weight of a shaft, as it is built.
@@ -298,7 +307,7 @@ impl Cure<'_> {
         let alike = |first: f64| sizes.iter().all(|other| (other - first).abs() <= ALIKE * first);
         match sizes.as_slice() {
             _ if sizes.len() != weights.len() => None,
-            [] => (!shaft.weights.is_empty()).then(|| "nothing".into()),
+            [] => (!shaft.weights.is_empty()).then(Text::default),
             [only] => Some(mass_radius(remedy, *only)),
             [first, _] if alike(*first) => {
                 Some(self.with_distance(phrase!("2\u{a0}×\u{a0}{}", mass_radius(remedy, *first)), remedy, &weights))
