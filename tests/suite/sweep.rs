@@ -649,6 +649,10 @@ fn beside_a_shaft_of_an_order_that_no_piston_has_the_other_vector_is_zero_everyw
         let sets = sweep.zeros.expect("an angle");
         let of_other: Vec<_> = sets.iter().filter(|set| set.of == other).collect();
         assert!(of_other.len() == 2 && of_other.iter().all(|set| set.exists && set.everywhere), "{of_other:?}");
+        // Its own vector is the same at every angle: never zero, and nor is any part of the force.
+        let of_force = sets.iter().filter(|set| set.quantity == Planar::Force && set.of != other);
+        assert!(of_force.clone().count() == 4, "{sets:?}");
+        assert!(of_force.clone().all(|set| set.complete && set.at.is_empty() && !set.everywhere), "{sets:?}");
     }
 }
 

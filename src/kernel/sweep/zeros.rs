@@ -14,7 +14,7 @@ use crate::engine::{Engine, Family, PHI};
 use crate::exact::fraction;
 use crate::family::{self, Component, OpenVerdict, Solutions, component_zeros};
 use crate::file::{self, Layout, Template};
-use crate::order::{self, Path};
+use crate::order::{self, MassGroup, Path};
 use crate::proof::{Planar, Quantity, Sense};
 
 /// What vanishes.
@@ -193,7 +193,8 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
                 };
                 let own = |set: &ZeroSet| set.quantity == quantity && set.order == order.order;
                 let one_never = of == Zeros::Largest && sets.iter().any(|set| own(set) && set.is_never());
-                let complete = complete || one_never || is_fixed(&open, order.order, of);
+                let is_of_shafts = !of_pistons && only_shafts(&engine, order.order);
+                let complete = complete || one_never || is_of_shafts || is_fixed(&open, order.order, of);
                 let value = |turns: &BigRational| turns / &per_unit;
                 let at = found.exact.iter().map(value).filter(is_so).collect();
                 let irrational = found.irrational.iter().map(|ends| ends.each_ref().map(value)).collect();
@@ -209,6 +210,12 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
 fn is_fixed(open: &Family, order: u32, of: Zeros) -> bool {
     let turns = |sense, cylinder| !family::phase(cylinder, order, sense).coefficient(PHI).is_zero();
     of.vector().is_some_and(|sense| !open.cylinders().iter().any(|cylinder| turns(sense, cylinder)))
+}
+
+/// Whether all masses that turn at an order are on balancer shafts, which no angle of the engine turns.
+fn only_shafts(engine: &Engine, order: u32) -> bool {
+    let turning = order::turning_masses(engine);
+    turning.iter().filter(|mass| mass.order == order).all(|mass| mass.source.group() == MassGroup::Balancers)
 }
 
 /// More values than this are not tried.

@@ -67,6 +67,9 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
     match set {
         Some(FiringZeros { everywhere: true, .. }) => everywhere(firing.orders[place_of]),
         None if greatest.amplitude.vanishes => everywhere(firing.orders[place_of]),
+        Some(set) if set.complete && greatest.amplitude.vanishes => {
+            text::torque_zeros_alone(order, Text::zero(), exact(set))
+        }
         Some(set) if set.complete && !(set.at.is_empty() && set.irrational.is_empty()) => {
             text::torque_zeros(order, Text::zero(), exact(set), number_of(greatest.amplitude), greatest.listed(sweep))
         }
