@@ -85,7 +85,7 @@ fn engines_stand_side_by_side_with_remedy_and_first_order_left() {
     let all = line(&text, "All cures");
     assert!(all.contains("| Lanchester pair ±2; Lanchester pair ±4;"), "{text}");
     assert!(all.contains(" | 2 counterweights (couple); Lanchester pair ±4 | shafts ±2 (couple each);"), "{text}");
-    assert!(text.contains("No free force or moment below order 4, with counterweights"));
+    assert!(text.contains("No free force or moment below order 4 but for what counterweights"));
     assert!(text.lines().all(|line| line.chars().count() <= 81), "{text}");
     assert!(text.contains("Positions have no unit"));
     assert!(!text.contains("in N ") && !text.contains("Worst main bearing"));
