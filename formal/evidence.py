@@ -97,10 +97,12 @@ def check_loads(document, evidence, judged, _, left_of):
             is_size(entry.dimensionless, shown.length, 1, is_zero is True)
             shown.points(entry.phase_deg, 360, is_zero)
             left[quantity].append(is_zero is not True)
+    shaking = [entry.order for entry in document.orders if entry.quantity == "force"]
     rods = {(repr(c.rod), c.speed) for c in evidence.cylinders}
     for entry in each("coefficients", document.coefficients):
         c = evidence.cylinders[0]
         demand(len(rods) == 1 and "known" in c.rod and c.speed is None, "the cylinders have no number in common")
+        demand(entry.order in shaking, "a number of no order")
         demand(not verify.of_rod(rod_of(c.rod), entry.order)[1], "the motion has no such order")
         of_rod(c.rod.known, entry.order).has_parts(entry.re, entry.im)
     for quantity, largest in (("force", "force"), ("moment", "moment"), ("torque", "inertia_torque")):
@@ -112,14 +114,13 @@ def check_loads(document, evidence, judged, _, left_of):
             of_all = any(not all(is_zero is True for is_zero in zeros) for (of, _), zeros in judged.items() if of == quantity)
             nothing = is_nothing(document.largest[largest].value)
             demand(nothing if at_rest else not (nothing and of_all), "the largest contradicts the evidence")
-    shaking = [entry.order for entry in document.orders if entry.quantity == "force"]
     torque, roll = ([entry.order for entry in entries] for entries in (document.torque, document.roll or []))
     rising = all(one == sorted(set(one)) for one in (shaking, torque, [one.order for one in document.coefficients]))
     due = [(quantity, k) for quantity in ("force", "moment") for k in shaking]
     demand(due == [(entry.quantity, entry.order) for entry in document.orders] and rising and sorted({*shaking, *torque}) == evidence["orders"],
            "these are not the orders of the evidence, force and then moment, each once")
     demand(roll == (torque if "roll" in evidence["quantities"] else []), "the roll moment has the orders of the torque, where it is judged")
-    demand(len(set(effects)) == len(effects) and all(one.order in shaking for one in document.coefficients), "an effect twice, or a number of no order")
+    demand(len(set(effects)) == len(effects), "an effect twice")
     demand("reciprocating" in effects and (len(effects) == 1) == (evidence["masses"] == "reciprocating"), "these are not the effects of the masses")
     auto = document.get("auto")
     demand(auto is None or (auto.kept, auto.torque_kept) == (shaking, torque), "these are not the orders that are kept")
