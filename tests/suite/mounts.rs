@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crankstar::engine::{CycleOrder, Engine, Mounting};
 use crankstar::file;
 use crankstar::mounts::{Body, Motion, Phasors, excitation, roll_axis};
-use crankstar::report::{MountsAsked, MountsStudy, Place};
+use crankstar::report::{AtSpeed, MountsAsked, MountsStudy, Place};
 use num_complex::Complex;
 use num_traits::ToPrimitive;
 
@@ -534,5 +534,47 @@ fn an_engine_drawn_from_the_other_end_moves_as_its_mirror_image() {
     let [one, other] = [text, mirrored].map(|text| moved(&read(&text), 4).1.all());
     for (one, other) in one.iter().zip(other) {
         assert!((one.norm() - other.norm()).abs() < 1e-9 * one.norm(), "{one} for {other}");
+    }
+}
+
+/// A fine scan, of engines on mounts with little damping: their peaks are narrow.
+#[test]
+fn nothing_in_a_range_of_speeds_is_larger_than_what_its_table_tells() {
+    let mut dice = Dice::new(52);
+    for _ in 0..12 {
+        let text = random(&mut dice).replace("damping = [", "damping = [2e1, 3e1, 1e1] # [");
+        let asked = MountsAsked { from: Some(200.0), to: Some(3000.0), ..MountsAsked::default() };
+        let study = MountsStudy::new(&read(&text), &asked).unwrap_or_else(|why| panic!("{why}"));
+        for (place, order) in study.orders.iter().enumerate() {
+            let told = |of: fn(&AtSpeed) -> Option<f64>| {
+                let sizes = study.range.iter().filter(|at| at.order == place).filter_map(of);
+                sizes.fold(0.0, f64::max)
+            };
+            let [velocity, force] = [told(|at| at.velocity), told(|at| at.force)];
+            for step in 0..=4000 {
+                let rpm = 200.0 + 0.7 * f64::from(step);
+                let [load, moment] = order.excitation.at(rpm);
+                let motion = study.body.motion(order.excitation.omega(rpm), load, moment).expect("damped");
+                let largest = |parts: Phasors| parts.iter().map(|part| part.norm()).fold(0.0, f64::max);
+                let moved = largest(study.displacement(study.watched(), &motion)) * motion.omega;
+                let passed = (0..study.body.mounts()).map(|mount| largest(study.body.mount_force(mount, &motion)));
+                let passed = passed.fold(0.0, f64::max);
+                assert!(moved <= velocity * (1.0 + 1e-6), "{moved} at {rpm}, {velocity} told\n{text}");
+                assert!(passed <= force * (1.0 + 1e-6), "{passed} at {rpm}, {force} told\n{text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_order_that_meets_a_mode_without_damping_has_no_largest_value() {
+    let text = random(&mut Dice::new(53)).replace("damping = [", "# damping = [");
+    let asked = MountsAsked { from: Some(60.0), to: Some(6000.0), ..MountsAsked::default() };
+    let study = MountsStudy::new(&read(&text), &asked).unwrap_or_else(|why| panic!("{why}"));
+    let first = &study.orders[0].excitation.order;
+    for mode in &study.modes {
+        let rpm = first.rpm(mode.hertz());
+        let at = study.range.iter().find(|at| at.order == 0 && at.rpm == rpm).expect("the speed is in the range");
+        assert!(at.velocity.is_none() && at.force.is_none(), "{at:?}");
     }
 }

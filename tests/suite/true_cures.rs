@@ -78,7 +78,9 @@ fn what_another_crankshaft_carries_counts_as_no_shaft_and_forces_stand_before_co
 #[test]
 fn engines_are_compared_by_what_counterweights_leave() {
     let told = printed(&["compare", "V8-crossplane", "V8-flatplane"]);
-    assert!(told.contains("No free force or moment below order 4 but for what counterweights on the crank cancel: V8-crossplane."));
+    assert!(told.contains(
+        "No free force or moment below order 4 but for what counterweights on the crank cancel: V8-crossplane."
+    ));
 }
 
 /// Four throws lose the couple where they are not in evenly spread directions, or all in one plane.

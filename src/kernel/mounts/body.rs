@@ -11,6 +11,9 @@ use crate::engine::{Mount, Mounting};
 use crate::exact::Turn;
 use crate::numbers;
 
+/// A mode whose loss factor is no larger has none.
+const LEAST_LOSS: f64 = 1e-12;
+
 /// A rigid body on springs and dampers.
 #[derive(Clone, Debug)]
 pub struct Body {
@@ -151,6 +154,13 @@ impl Body {
     /// Whether nothing damps it.
     pub fn is_undamped(&self) -> bool {
         self.damping == Matrix6::zeros() && self.loss == Matrix6::zeros()
+    }
+
+    /// Whether a mode loses energy in the mounts, beyond rounding.
+    pub fn is_damped(&self, mode: &Mode) -> bool {
+        let shape = Vector6::from(mode.shape);
+        let lost = shape.dot(&((self.loss + self.damping * mode.omega) * shape));
+        lost > LEAST_LOSS * mode.omega * mode.omega
     }
 
     /// The motion under forces in newtons and moments about the centre of gravity in newton-metres at Ω; none at a natural frequency of

@@ -59,8 +59,7 @@ impl Remedy {
 
     /// Whether counterweights of the engine are resized, or taken away.
     pub fn changes_counterweights(&self) -> bool {
-        let of_the_file =
-            |plane: &Built| plane.becomes.is_on_the_crank() && !plane.replaced.counterweights.is_empty();
+        let of_the_file = |plane: &Built| plane.becomes.is_on_the_crank() && !plane.replaced.counterweights.is_empty();
         self.built().iter().any(of_the_file)
     }
 

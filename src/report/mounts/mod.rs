@@ -3,6 +3,7 @@
 mod data;
 mod page;
 mod plots;
+mod range;
 mod tables;
 mod words;
 
@@ -16,8 +17,6 @@ use crate::mounts::{
     usual_orders,
 };
 
-/// So many speeds of a range are computed.
-const SPEEDS: u32 = 80;
 /// A range begins at this part of its end where no beginning is asked for.
 const BEGINNING: f64 = 0.1;
 /// Faster than this, in revolutions a minute, nothing is asked.
@@ -87,7 +86,8 @@ pub struct AtSpeed {
     pub rpm: f64,
     /// Its place among the orders.
     pub order: usize,
-    /// The largest component of the velocity of the watched place, in metres a second, zero to peak; none where undamped resonance is.
+    /// The largest component of the velocity of the watched place, in metres a second, zero to peak; none where it has no bound: at a
+    /// natural frequency without damping.
     pub velocity: Option<f64>,
     /// The largest component of a mount force in newtons, zero to peak.
     pub force: Option<f64>,
@@ -110,7 +110,7 @@ pub struct MountsStudy {
     pub has_gas: bool,
     /// The orders, rising.
     pub orders: Vec<OrderMotion>,
-    /// The orders over the range of speeds, all orders of a speed together.
+    /// The orders over the range of speeds, rising: each at even distances, closer where it meets a mode, and at its peaks.
     pub range: Vec<AtSpeed>,
 }
 
@@ -157,42 +157,22 @@ impl MountsStudy {
         orders.dedup();
         let Excitation { orders, has_gas } = excitation(&engine, mounting, &orders).map_err(NoMounts::Excitation)?;
         let body = Body::new(mounting);
-        let motion = |excitation: &OrderExcitation, rpm: f64| {
-            let [force, moment] = excitation.at(rpm);
-            body.motion(excitation.omega(rpm), force, moment)
-        };
-        let at_speed = |excitation: &OrderExcitation| OrderMotion {
-            excitation: excitation.clone(),
-            load: excitation.at(speed),
-            motion: motion(excitation, speed),
+        let at_speed = |excitation: OrderExcitation| {
+            let load = excitation.at(speed);
+            let motion = body.motion(excitation.omega(speed), load[0], load[1]);
+            OrderMotion { excitation, load, motion }
         };
         let mut study = MountsStudy {
             speed,
             modes: body.modes(),
             axis: roll_axis(&body),
             has_gas,
-            orders: orders.iter().map(at_speed).collect(),
+            orders: orders.into_iter().map(at_speed).collect(),
             range: Vec::new(),
             engine,
-            body: body.clone(),
+            body,
         };
-        let speeds = (0..=SPEEDS).map(|step| from + (to - from) * f64::from(step) / f64::from(SPEEDS));
-        study.range = speeds
-            .flat_map(|rpm| orders.iter().enumerate().map(move |(place, order)| (rpm, place, order)))
-            .map(|(rpm, place, order)| {
-                let motion = motion(order, rpm);
-                let force = |motion: &Motion| {
-                    let mounts = 0..study.body.mounts();
-                    mounts.map(|mount| largest(&study.body.mount_force(mount, motion))).fold(0.0, f64::max)
-                };
-                AtSpeed {
-                    rpm,
-                    order: place,
-                    velocity: motion.as_ref().map(|motion| study.velocity(motion)),
-                    force: motion.as_ref().map(force),
-                }
-            })
-            .collect();
+        study.range = range::over(&study, [from, to]);
         Ok(study)
     }
 

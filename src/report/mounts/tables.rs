@@ -138,11 +138,13 @@ pub(super) fn rms(study: &MountsStudy) -> Table {
 /// One row per order that moves the engine: where in the range it moves the watched place most, and the mounts.
 pub(super) fn range(study: &MountsStudy) -> Table {
     let worst = |place: usize, of: fn(&super::AtSpeed) -> Option<f64>| {
+        let size = |at: &super::AtSpeed| of(at).unwrap_or(f64::INFINITY);
         let at = study.range.iter().filter(|at| at.order == place);
-        at.filter_map(|at| Some((of(at)?, at.rpm))).max_by(|one, other| one.0.total_cmp(&other.0))
+        at.map(|at| (size(at), at.rpm)).max_by(|one, other| one.0.total_cmp(&other.0))
     };
     let told = |found: Option<(f64, f64)>, scale: f64, unit: Unit| match found {
         None => ["–".into(), "–".into()],
+        Some((f64::INFINITY, speed)) => ["no bound".into(), rpm(speed)],
         Some((value, speed)) => [Text::measured(value * scale, unit), rpm(speed)],
     };
     let rows = study.moving().map(|(place, one)| {
