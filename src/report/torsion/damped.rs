@@ -11,6 +11,7 @@ use super::vibration::{
     VibrationOrder, omega,
 };
 use crate::engine::{self, CycleOrder};
+use crate::motion::golden_section;
 use crate::numbers::float;
 use crate::torsion::{
     self, DamperSetting, Excitation, HIGHEST_SPEED, Heat, Link, StressLimit, Train, forced_twist, heat, highest,
@@ -25,6 +26,10 @@ const BESIDE: [f64; 9] = [-0.04, -0.02, -0.01, -0.005, 0.0, 0.005, 0.01, 0.02, 0
 const BEGINS: f64 = 0.1;
 /// Points of a frequency range between which a peak is looked for.
 const POINTS: usize = 60;
+/// So many golden sections find the largest torque of all orders.
+const SECTIONS: u32 = 20;
+/// A peak below this part of the highest computed value is not refined.
+const LOWER: f64 = 0.8;
 /// Halvings until a speed is found.
 const HALVINGS: usize = 50;
 
@@ -93,39 +98,40 @@ impl TorsionStudy {
         Some([BEGINS * end, end])
     }
 
-    /// The orders of the torque that meet a mode in the range, the modes rising, and then the speeds falling.
+    /// The orders of the torque that meet a mode in the range, or have their peak beside one there, the modes rising, and then the speeds falling.
     pub fn resonances(&self) -> &[ResonanceOrder] {
         self.cached.resonances.get_or_init(|| self.find_resonances())
     }
 
     fn find_resonances(&self) -> Vec<ResonanceOrder> {
-        let (Some(excited), Some([from, to])) = (self.damped(), self.range()) else { return Vec::new() };
-        let mut rows = Vec::new();
-        for (index, speeds) in self.modes.iter().enumerate() {
-            for order in excited.orders() {
-                let rpm = order.rpm(speeds.mode.hertz());
-                if (from..=to).contains(&rpm) && !excited.is_still(order) {
-                    rows.extend(self.resonance(index, order, rpm));
-                }
-            }
-        }
-        rows
+        let (Some(excited), Some(range)) = (self.damped(), self.range()) else { return Vec::new() };
+        let modes = 0..self.modes.len();
+        let met = modes.flat_map(|index| excited.orders().map(move |order| (index, order)));
+        met.filter(|(_, order)| !excited.is_still(*order))
+            .filter_map(|(index, order)| self.resonance(index, order, range))
+            .collect()
     }
 
-    fn resonance(&self, index: usize, order: CycleOrder, rpm: f64) -> Option<ResonanceOrder> {
+    /// An order that meets a mode in the range, or has its peak there: with damping that is at another speed.
+    fn resonance(&self, index: usize, order: CycleOrder, [from, to]: [f64; 2]) -> Option<ResonanceOrder> {
         let hertz = |at: usize| self.modes.get(at).map(|speeds| speeds.mode.hertz());
         let own = hertz(index)?;
         let below = index.checked_sub(1).and_then(hertz).map_or(0.5 * own, |other| 0.5 * (other + own));
         let above = hertz(index + 1).map_or(1.5 * own, |other| 0.5 * (other + own));
-        let [low, high] = [below, above].map(|hertz| order.rpm(hertz));
-        let peak = highest(low, high, POINTS, &|speed| self.largest_torque(&self.train, order, speed).1);
+        let [low, rpm, high] = [below, own, above].map(|hertz| order.rpm(hertz));
+        if high < from || low > to {
+            return None;
+        }
+        let is_in_range = |speed: f64| (from..=to).contains(&speed);
+        let of = |speed: f64| self.largest_torque(&self.train, order, speed).1;
+        let sides = [[low, rpm], [rpm, high]].map(|[low, high]| highest(low, high, POINTS / 2, &of));
+        let peak = if sides[0].1 > sides[1].1 { sides[0] } else { sides[1] };
         let is_inside = low + 1e-3 * (high - low) < peak.0 && peak.0 < high - 1e-3 * (high - low);
-        let (shaft, torque) = self.largest_torque(&self.train, order, rpm);
         let peak = is_inside.then_some(peak);
-        let at_peak = peak.filter(|(speed, _)| self.range().is_some_and(|[from, to]| (from..=to).contains(speed)));
-        let at_peak = at_peak.map(|(rpm, _)| (rpm, self.largest_torque(&self.train, order, rpm)));
-        let (at, (shaft_there, torque_there)) = at_peak.unwrap_or((rpm, (shaft, torque)));
-        let exceeding = self.exceeding(rpm);
+        let at_peak = peak.map(|(speed, _)| speed).filter(|speed| is_in_range(*speed));
+        let at = at_peak.or_else(|| is_in_range(rpm).then_some(rpm))?;
+        let (shaft, torque) = self.largest_torque(&self.train, order, rpm);
+        let exceeding = is_in_range(rpm).then(|| self.exceeding(rpm)).flatten();
         let rated = self.torsion().rated_speed.as_ref().map(float).filter(|_| exceeding.is_some());
         let may_be_barred = |rated: &f64| rpm < torsion::UNBARRED * rated;
         Some(ResonanceOrder {
@@ -137,10 +143,35 @@ impl TorsionStudy {
             shaft,
             torque,
             peak,
-            largest: LargestTorque { rpm: at, shaft: shaft_there, torque: torque_there },
+            largest: self.largest_at(order, at),
             barred: rated.filter(may_be_barred).and_then(|rated| self.barred(rpm, rated, exceeding?)),
             is_unbarred: rated.is_some_and(|rated| !may_be_barred(&rated)),
         })
+    }
+
+    fn largest_at(&self, order: CycleOrder, rpm: f64) -> LargestTorque {
+        let (shaft, torque) = self.largest_torque(&self.train, order, rpm);
+        LargestTorque { order, rpm, shaft, torque }
+    }
+
+    /// The largest torque of one order that has it inside the range, and less at speeds beside it.
+    pub fn strongest_resonance(&self) -> Option<LargestTorque> {
+        let (excited, speeds) = (self.damped()?, self.speeds());
+        let torque = |order: CycleOrder, speed: f64| self.largest_torque(&self.train, order, speed).1;
+        let peaks_of = |order: CycleOrder| {
+            let values: Vec<f64> = speeds.iter().map(|speed| torque(order, *speed)).collect();
+            let is_peak = |place: &usize| values[*place] >= values[place - 1] && values[*place] >= values[place + 1];
+            let inside = (1..speeds.len().saturating_sub(1)).filter(is_peak);
+            inside.map(|place| (order, place, values[place])).collect::<Vec<_>>()
+        };
+        let peaks: Vec<_> = excited.orders().filter(|order| !excited.is_still(*order)).flat_map(peaks_of).collect();
+        let highest = peaks.iter().map(|(.., torque)| *torque).fold(0.0, f64::max);
+        let high = peaks.into_iter().filter(|(.., torque)| *torque >= LOWER * highest);
+        let refined = high.map(|(order, place, _)| {
+            let (low, high) = (speeds[place - 1], speeds[place + 1]);
+            self.largest_at(order, golden_section(low, high, SECTIONS, |speed| torque(order, speed)))
+        });
+        refined.max_by(|one, other| one.torque.total_cmp(&other.torque))
     }
 
     /// Where the vibration at a speed becomes heat, with the power there in watts.
@@ -185,17 +216,41 @@ impl TorsionStudy {
         speeds
     }
 
-    /// The vibration over the range, all orders together; nothing without damping.
+    /// The vibration over the range, all orders together, at the largest torque of each shaft and gear too; nothing without damping.
     pub fn over_range(&self) -> &[TwistAtSpeed] {
         self.cached.range.get_or_init(|| {
-            let at = |speed: f64| {
-                let vibration = self.vibration(speed)?;
-                let torques = (0..self.train.shafts).map(|shaft| vibration.torque(shaft)).collect();
-                let meshes = (0..self.train.gears.len()).map(|gear| vibration.mesh(gear)).collect();
-                Some(TwistAtSpeed { speed, first: vibration.twist(0), torques, meshes })
+            let mut range: Vec<TwistAtSpeed> = self.speeds().into_iter().filter_map(|rpm| self.twist_at(rpm)).collect();
+            let beside = |values: &mut dyn Iterator<Item = f64>| {
+                let top = |most: (usize, f64), one: (usize, f64)| if one.1 > most.1 { one } else { most };
+                let (place, _) = values.enumerate().fold((0, 0.0), top);
+                [place.saturating_sub(1), (place + 1).min(range.len().saturating_sub(1))].map(|at| range[at].speed)
             };
-            self.speeds().into_iter().filter_map(at).collect()
+            let largest = |[low, high]: [f64; 2], of: &dyn Fn(&Vibration) -> f64| {
+                golden_section(low, high, SECTIONS, |rpm| self.vibration(rpm).map_or(0.0, |at| of(&at)))
+            };
+            let mut tops: Vec<f64> = Vec::new();
+            if !range.is_empty() {
+                let shafts = 0..self.train.shafts;
+                tops.extend(shafts.map(|shaft| {
+                    largest(beside(&mut range.iter().map(|at| at.torques[shaft])), &|at| at.torque(shaft))
+                }));
+                let gears = 0..self.train.gears.len();
+                tops.extend(
+                    gears.map(|gear| largest(beside(&mut range.iter().map(|at| at.meshes[gear])), &|at| at.mesh(gear))),
+                );
+            }
+            range.extend(tops.into_iter().filter_map(|rpm| self.twist_at(rpm)));
+            range.sort_by(|one, other| one.speed.total_cmp(&other.speed));
+            range.dedup_by(|one, other| one.speed == other.speed);
+            range
         })
+    }
+
+    fn twist_at(&self, speed: f64) -> Option<TwistAtSpeed> {
+        let vibration = self.vibration(speed)?;
+        let torques = (0..self.train.shafts).map(|shaft| vibration.torque(shaft)).collect();
+        let meshes = (0..self.train.gears.len()).map(|gear| vibration.mesh(gear)).collect();
+        Some(TwistAtSpeed { speed, first: vibration.twist(0), torques, meshes })
     }
 
     /// Where stresses of all orders are larger than τ_C, shaft by shaft, the ends found by halving.

@@ -102,7 +102,7 @@ pub struct ResonanceOrder {
     pub torque: f64,
     /// Where the largest torque of this order near it is: the speed and the torque; none where it has no peak there.
     pub peak: Option<(f64, f64)>,
-    /// The largest torque of this order in the range, near it: that at the peak where the peak is in the range.
+    /// The largest torque of this order in the range, near it: that at the peak where the peak is in the range, else at the critical speed.
     pub largest: LargestTorque,
     /// What IACS UR M68 bars around it, where a stress of all orders is larger there than permitted.
     pub barred: Option<Barred>,
@@ -113,6 +113,8 @@ pub struct ResonanceOrder {
 /// The largest torque of an order, with its place.
 #[derive(Clone, Debug)]
 pub struct LargestTorque {
+    /// The order κ.
+    pub order: CycleOrder,
     /// The speed in revolutions a minute.
     pub rpm: f64,
     /// The shaft, from 0.

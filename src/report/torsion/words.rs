@@ -102,7 +102,7 @@ fn damping(value: f64) -> Text {
     Piece::Quantity(value, Unit::NEWTON_METRE_SECOND).into()
 }
 
-/// The forced vibration with damping: at the speed, at the strongest resonance, stresses, dampers.
+/// The forced vibration with damping: at the speed, over the range, stresses, dampers.
 fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
     if study.torsion().is_damped() && study.is_still() {
         return std::iter::once(text::still()).chain(gears::answer(study)).collect();
@@ -125,14 +125,9 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
         });
     }
     lines.extend(gears::answer(study));
-    let strongest = study.resonances().iter().max_by(|one, other| one.largest.torque.total_cmp(&other.largest.torque));
-    if let Some(one) = strongest {
-        lines.push(text::strongest_resonance(
-            one.order.to_string(),
-            rpm(one.largest.rpm),
-            torque(one.largest.torque),
-            shaft(study, one.largest.shaft),
-        ));
+    if let Some(most) = study.strongest_resonance() {
+        let (order, where_it_is) = (most.order.to_string(), shaft(study, most.shaft));
+        lines.push(text::strongest_resonance(order, rpm(most.rpm), torque(most.torque), where_it_is));
     }
     for excess in study.excesses() {
         let [from, to] = range(excess.speeds);
