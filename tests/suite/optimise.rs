@@ -425,6 +425,27 @@ fn a_bounded_couple_is_kept_and_makes_a_lighter_crankshaft() {
     assert!(newtons(&bounded.points[1]) < newtons(&zero.points[1]) * (1.0 + 1e-4));
 }
 
+/// The solver leaves room for rounding: crankshafts of a slightly larger bound use it, and none of them is below the least possible of this one.
+#[test]
+fn no_crankshaft_that_keeps_the_bounded_couple_is_below_the_least_possible() {
+    let i3 = engine("[0, 120, 240]", "[0.15, 0.05, -0.05, -0.15]", WEBS);
+    let of_one_mass = |tenths: i64| {
+        let front = solved(&i3, Couple::AtMost(BigRational::new(tenths.into(), 10.into())), 1);
+        front.uniform.into_iter().map(|uniform| uniform.best).collect::<Vec<_>>()
+    };
+    let bounded = of_one_mass(2000);
+    let mut compared = 0;
+    for (wider, own) in (2001..=2003).flat_map(|tenths| of_one_mass(tenths).into_iter().zip(&bounded)) {
+        let (Some(wider), Some(own)) = (wider, own) else { continue };
+        if matches!(wider.design.couple, Residual::Between(_, high) if high <= 200.0) {
+            let load = wider.design.peak();
+            assert!(load >= own.least * (1.0 - 1e-9), "{load} for at least {}", own.least);
+            compared += 1;
+        }
+    }
+    assert!(compared > 2, "{compared}");
+}
+
 #[test]
 fn a_bound_below_what_rounding_leaves_is_kept_by_no_couple_at_all() {
     let i3 = engine("[0, 120, 240]", "[0.15, 0.05, -0.05, -0.15]", WEBS);

@@ -29,7 +29,7 @@ impl Bound {
         let of_balance: Vec<_> = solution.of_balance.iter().map(|pair| pair.map(|one| one / size)).collect();
         let product = |multiplier: Complex<f64>, value: Complex<f64>| (multiplier.conj() * value).re;
         let loads: f64 = of_samples().map(|(sample, y)| product(y, sample.load)).sum();
-        let most = problem.most_couples().unwrap_or_else(|| vec![0.0; problem.shafts.len()]);
+        let most = problem.of_shafts(problem.asked_couple.unwrap_or(0.0));
         let of_shaft = |((shaft, [of_force, of_couple]), most): ((&Shaft, &[Complex<f64>; 2]), f64)| {
             product(*of_force, shaft.left[0]) + product(*of_couple, shaft.left[1]) - of_couple.norm() * most
         };

@@ -35,6 +35,8 @@ pub(super) struct Problem {
     /// Distance of each place from the reference plane.
     pub arms: Vec<f64>,
     /// What the couple may be, in multiples of m r times the unit of the positions; none where it has to vanish.
+    pub asked_couple: Option<f64>,
+    /// The same for the solver, which leaves room for rounding.
     pub most_couple: Option<f64>,
 }
 
@@ -118,6 +120,7 @@ impl Problem {
             parts,
             shafts,
             shaft_of: places.iter().map(|place| place.crank).collect(),
+            asked_couple: most_couple,
             most_couple,
         })
     }
@@ -127,10 +130,9 @@ impl Problem {
         self.shafts.iter().all(|shaft| shaft.is_exact)
     }
 
-    /// What the couple of each crankshaft may be, as a mass-radius; none where it has to vanish.
-    pub fn most_couples(&self) -> Option<Vec<f64>> {
-        let most = self.most_couple?;
-        Some(self.shafts.iter().map(|shaft| most / shaft.turning.force()).collect())
+    /// A couple of the engine for each crankshaft, as a mass-radius.
+    pub fn of_shafts(&self, couple: f64) -> Vec<f64> {
+        self.shafts.iter().map(|shaft| couple / shaft.turning.force()).collect()
     }
 
     /// The places on a crankshaft.

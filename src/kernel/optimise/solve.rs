@@ -93,7 +93,7 @@ pub(super) fn solve(problem: &Problem, samples: &[Sample], goal: Goal) -> Result
     };
     let shafts = 0..problem.shafts.len();
     let forces: Vec<usize> = shafts.clone().map(|shaft| balance(&mut rows, shaft, 0)).collect();
-    let most_couples = problem.most_couples();
+    let most_couples = problem.most_couple.map(|most| problem.of_shafts(most));
     let mut couples: Vec<usize> = match most_couples {
         None => shafts.clone().map(|shaft| balance(&mut rows, shaft, 1)).collect(),
         Some(_) => Vec::new(),
