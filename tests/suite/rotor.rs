@@ -184,6 +184,12 @@ fn a_locomotive_has_the_values_of_the_theory() {
     let size = |sum: &PhasorSum| numbers::length(numbers::evaluate(sum)) * omega * omega;
     assert_near(size(&locomotive.hammer_blow[0]), 27724.98186, 1e-5);
     assert_near(size(&locomotive.hammer_blow[1]), 27724.98186, 1e-5);
+    // The cranks are alike, so that the weight for the share is in one direction with the whole.
+    for (place, blow) in [0, 1].into_iter().zip(&locomotive.hammer_blow) {
+        let blow = numbers::evaluate(blow);
+        let degrees = blow.im.atan2(blow.re).to_degrees().rem_euclid(360.0);
+        assert_near(degrees, solutions[0][place].angle, 1e-9);
+    }
     assert_near(size(&locomotive.tractive), 25123.91112, 1e-5);
     assert_near(size(&locomotive.swaying), 8793.368892, 1e-6);
 }

@@ -8,6 +8,7 @@ use num_traits::{One, Zero};
 
 use super::cycle::Cycle;
 use super::cylinder::{Cylinder, firing_pistons};
+use crate::exact::fraction;
 
 /// One firing of the cycle.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -117,9 +118,9 @@ fn top_dead_centre(cylinders: &[Cylinder], to: usize, from: usize) -> BigRationa
     (&cylinders[to].top_dead_centre() - &cylinders[from].top_dead_centre()).turns().clone()
 }
 
-/// Turns in degrees, not reduced.
-pub(super) fn degrees(turns: &BigRational) -> BigRational {
-    turns * BigRational::from_integer(360.into())
+/// Turns in degrees, not reduced, for a message.
+pub(super) fn degrees(turns: &BigRational) -> String {
+    fraction::written(&(turns * BigRational::from_integer(360.into())))
 }
 
 /// The order of an odd number of cylinders on one crankpin that fire every second one, by their names; none of other engines.

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 
 /// One word over another, which is above 0.
 pub fn ratio(numerator: i64, denominator: i64) -> BigRational {
@@ -58,6 +58,25 @@ pub fn common_unit<'a>(numbers: impl IntoIterator<Item = &'a BigRational>) -> Bi
             (divisor.gcd(number.numer()), multiple.lcm(number.denom()))
         });
     BigRational::new(divisor, multiple)
+}
+
+/// A decimal where it ends within twelve places, else a fraction: what a person would type.
+pub fn written(value: &BigRational) -> String {
+    let ten = BigRational::from_integer(10.into());
+    let (mut scaled, mut places) = (value.abs(), 0);
+    while !scaled.is_integer() && places < 12 {
+        scaled *= &ten;
+        places += 1;
+    }
+    if !scaled.is_integer() {
+        return value.to_string();
+    }
+    let sign = if value.is_negative() { "-" } else { "" };
+    let digits = format!("{:0>width$}", scaled.to_integer().to_string(), width = places + 1);
+    match digits.split_at(digits.len() - places) {
+        (whole, "") => format!("{sign}{whole}"),
+        (whole, fraction) => format!("{sign}{whole}.{fraction}"),
+    }
 }
 
 /// `a/b ± c/d` with the gcd g of the denominators: `(a·d/g ± c·b/g) / (b·d/g)`, in which only a divisor of g is left to take out (Knuth,

@@ -1,9 +1,9 @@
 //! How is a layout file written with other weights? The tables of weights, and the text without those that it has.
 
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
 
 use crate::engine::{Balancer, Convention, Counterweight, Engine, throws};
+use crate::exact::fraction;
 use crate::proof::Sense;
 
 /// A balancer shaft as a table of a layout file; its mass-radius is written in multiples of m r, where `unit` is m r in
@@ -67,26 +67,11 @@ pub fn counted_from_its_throw(
     table(&turned).replacen('\n', &format!("\nthrow = {}\n", index + 1), 1)
 }
 
-/// An exact number as a layout file has it: a decimal where it ends, else a fraction in quotes.
+/// An exact number as a layout file has it: a decimal where it ends and its whole part fits a float's digits, else a fraction in quotes.
 pub fn exact_number(value: &BigRational) -> String {
-    let ten = BigRational::from_integer(10.into());
-    let mut scaled = value.abs();
-    let mut places = 0;
-    while !scaled.is_integer() && places < 12 {
-        scaled *= &ten;
-        places += 1;
-    }
-    if !scaled.is_integer() {
-        return format!("\"{value}\"");
-    }
-    let sign = if value.is_negative() { "-" } else { "" };
-    let digits = format!("{:0>width$}", scaled.to_integer().to_string(), width = places + 1);
-    let (whole, fraction) = digits.split_at(digits.len() - places);
-    match (fraction.is_empty() || scaled.is_zero(), whole.len() > 18) {
-        (_, true) => format!("\"{value}\""),
-        (true, _) => format!("{sign}{whole}"),
-        (false, _) => format!("{sign}{whole}.{fraction}"),
-    }
+    let written = fraction::written(value);
+    let whole = written.split('.').next().unwrap_or_default().trim_start_matches('-');
+    if written.contains('/') || whole.len() > 18 { format!("\"{value}\"") } else { written }
 }
 
 /// The text of a layout file without `[[balancer]]` tables.

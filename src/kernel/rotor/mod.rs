@@ -44,7 +44,7 @@ pub fn balance(rotor: &Rotor) -> Result<Answer, NotSolved> {
 /// in kilogram-metres and kilogram square metres: times ω² they are newtons and newton-metres.
 #[derive(Clone, Debug)]
 pub struct Locomotive {
-    /// The hammer blow of each wheel.
+    /// The hammer blow of each wheel: of the part of its weight that balances the share.
     pub hammer_blow: [PhasorSum; 2],
     /// Variation of the tractive force.
     pub tractive: PhasorSum,
@@ -68,8 +68,9 @@ pub fn locomotive(rotor: &Rotor) -> Option<Locomotive> {
     let [force, couple] = sums(rotor, |mass| Some(&mass.reciprocating * mass.radius.as_ref()?));
     let rest = BigRational::from_integer(1.into()) - &rotor.share;
     let middle = (*one + *other) / BigRational::from_integer(2.into());
+    // The weight is opposite to what it balances.
     let part =
-        |at: &BigRational, from: &BigRational| couple.minus(&force.scaled(from)).scaled(&(&rotor.share / (at - from)));
+        |at: &BigRational, from: &BigRational| couple.minus(&force.scaled(from)).scaled(&(&rotor.share / (from - at)));
     Some(Locomotive {
         hammer_blow: [part(one, other), part(other, one)],
         tractive: force.scaled(&rest),

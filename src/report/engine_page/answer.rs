@@ -35,14 +35,21 @@ pub(super) fn lines(
 /// What shakes of the pistons alone, where the verdicts are on more.
 fn pistons(judged: &Judgement, weighed: &WeighedParts) -> Option<Text> {
     let existing: Vec<&OrderVerdict> = judged.pistons.as_ref()?.iter().filter(|order| order.exists()).collect();
-    let left = left(&existing, weighed.pistons.as_ref());
-    Some(if left.is_empty() { text::pistons_still() } else { text::pistons_alone(Text::joined(left, " ")) })
+    Some(text::pistons_alone(what_shakes(&existing, weighed.pistons.as_ref())))
 }
 
 /// What is left, order by order, at which speed.
 fn shaking(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Text {
+    let what = what_shakes(orders, weighed);
+    match circumstances(weighed) {
+        None => text::shakes(what),
+        Some(circumstances) => text::shakes_under(circumstances, what),
+    }
+}
+
+fn what_shakes(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Text {
     let left = left(orders, weighed);
-    let what = match left.is_empty() {
+    match left.is_empty() {
         false => Text::joined(left, " "),
         true if orders.iter().all(|order| order.force.is_balanced() && order.moment.is_balanced()) => {
             text::nothing_shakes()
@@ -51,10 +58,6 @@ fn shaking(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Text {
             Some(weighed) => text::all_below(percent_at_most(weighed.above())),
             None => text::nothing_known(),
         },
-    };
-    match circumstances(weighed) {
-        None => text::shakes(what),
-        Some(circumstances) => text::shakes_under(circumstances, what),
     }
 }
 
@@ -111,16 +114,14 @@ fn of_one_sum(order: &OrderVerdict, quantity: Planar) -> Option<Text> {
     is_of_turning.then(|| residual::largest(only.balance(quantity)).into())
 }
 
-/// The largest orders of the roll moment, where it is given: the largest of all in any case.
+/// The largest orders of the roll moment, where it is given.
 fn about_the_axis(weighed: &Weighed) -> Option<Text> {
     let quantity = weighed.loads.rolling()?;
     let mut falling = weighed.about_the_axis(quantity);
     falling.retain(|(_, size)| *size > 0.0);
     falling.sort_by(|(_, one), (_, other)| other.total_cmp(one));
-    let largest = falling.first().map(|(order, _)| *order);
-    let is_told = |order: u32| Some(order) == largest || weighed.is_told(order, Quantity::Axial(quantity));
-    let told: Vec<(u32, f64)> = falling.into_iter().filter(|(order, _)| is_told(*order)).collect();
-    let (large, small) = told.split_at(told.len().min(MOST_OF_ROLL));
+    falling.retain(|(order, _)| weighed.is_told(*order, Quantity::Axial(quantity)));
+    let (large, small) = falling.split_at(falling.len().min(MOST_OF_ROLL));
     let large = large
         .iter()
         .map(|(order, size)| Some(phrase!("{} (order {})", weighed.amount(*size, Quantity::Axial(quantity))?, *order)));

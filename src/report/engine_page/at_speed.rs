@@ -106,8 +106,7 @@ fn size(value: f64, unit: Unit) -> Text {
 /// What an order of the roll moment is called, and all others.
 const ROLL: [&str; 2] = ["Roll moment", "All other roll moments"];
 
-/// The orders of the torque, and of the roll moment where it is another, that stand out; the largest in any case, since the torque was asked for. Then those
-/// that vanish.
+/// The orders of the torque, and of the roll moment where it is another, that stand out. Then those that vanish.
 fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
     let rolls = weighed.loads.rolling() == Some(Axial::Torque);
     let of_torque = if rolls { ROLL } else { ["Inertia torque", "All other torques"] };
@@ -118,9 +117,9 @@ fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
         let orders = weighed.about_the_axis(quantity);
         let most = orders.iter().map(|(_, size)| *size).fold(0.0, f64::max);
         let unit = weighed.unit(Quantity::Axial(quantity)).for_values_up_to(most);
-        let is_shown = |order: u32, value: f64| value >= most || weighed.is_told(order, Quantity::Axial(quantity));
+        let is_shown = |order: u32| weighed.is_told(order, Quantity::Axial(quantity));
         let (shown, small): (Vec<_>, Vec<_>) =
-            orders.into_iter().filter(|(_, value)| *value > 0.0).partition(|(order, value)| is_shown(*order, *value));
+            orders.into_iter().filter(|(_, value)| *value > 0.0).partition(|(order, _)| is_shown(*order));
         for (order, value) in shown {
             rows.push(uncured(name.into(), order.into(), size(value, unit)));
         }

@@ -174,10 +174,12 @@ impl<'a> Weighed<'a> {
         self.weighing.limit(&self.engine, quantity, self.most(quantity))
     }
 
-    /// Whether what is left of an order is reported by itself.
+    /// Whether what is left of an order is reported by itself. Of torque and roll moment, which are asked for, the largest order is in any case.
     pub fn is_told(&self, order: u32, quantity: impl Into<Quantity>) -> bool {
         let quantity = quantity.into();
-        self.tells_all || self.size(order, quantity) >= self.limit(quantity)
+        let size = self.size(order, quantity);
+        let is_largest = |quantity| matches!(quantity, Quantity::Axial(_)) && size > 0.0 && size >= self.most(quantity);
+        self.tells_all || size >= self.limit(quantity) || is_largest(quantity)
     }
 
     /// Whether so much, in multiples of m r ω², is worth a shaft.

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::words::{OwnZero, names};
-use crate::engine::{Engine, Heat, PressureLaw, Setting};
+use crate::engine::{Cycle, Engine, Heat, PressureLaw, Setting};
 use crate::page::{Table, Text, Unit, number};
 use crate::report::texts::torque as text;
 use crate::torque::EngineTorque;
@@ -89,7 +89,10 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
                 row("rows of the table of pressures".into(), rows.rows().len().into(), false);
             }
             PressureLaw::Cycle(ideal) => {
-                for (setting, name, written) in SHOWN {
+                // After its blowdown a two-stroke has the pressure of the intake, and no other.
+                let is_of_cycle =
+                    |of: Setting| of != Setting::ExhaustPressure || engine.cycle() != Some(Cycle::TwoStroke);
+                for (setting, name, written) in SHOWN.into_iter().filter(|(setting, ..)| is_of_cycle(*setting)) {
                     let pressure = in_place_of_heat(&ideal.heat).filter(|_| setting == Setting::Heat);
                     let (name, written) = pressure.unwrap_or((name, written));
                     if let Some(value) = ideal.value(setting) {
