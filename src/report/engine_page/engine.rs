@@ -22,14 +22,14 @@ pub(super) fn seen_from_the_side(engine: &Engine) -> Picture {
 /// In which order and at which intervals it fires.
 pub(super) fn fires(engine: &Engine, firing: &Firing) -> Text {
     let names: Vec<&str> = firing.shots.iter().map(|shot| engine.cylinders()[shot.cylinder].name.as_str()).collect();
-    text::firing_order(names.join("–"), firing.cycle).and(" ").and(intervals(firing))
+    text::firing_order(names.join("–"), firing.cycle).and(" ").and(intervals(engine, firing))
 }
 
 /// Even or uneven, and which.
-fn intervals(firing: &Firing) -> Text {
-    let intervals = firing.intervals();
+fn intervals(engine: &Engine, firing: &Firing) -> Text {
+    let (intervals, in_line) = (firing.intervals(), engine.has_dead_centres_apart());
     match intervals.as_slice() {
-        [first, ..] if firing.is_even() => text::fires_evenly(typeset::turns_in_decimals(first)),
-        uneven => text::fires_unevenly(uneven.iter().map(typeset::turns).collect::<Vec<_>>().join(", ")),
+        [first, ..] if firing.is_even() => text::fires_evenly(in_line, typeset::turns_in_decimals(first)),
+        uneven => text::fires_unevenly(in_line, uneven.iter().map(typeset::turns).collect::<Vec<_>>().join(", ")),
     }
 }

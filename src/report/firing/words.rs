@@ -18,14 +18,14 @@ const MOST_INTERVALS: usize = 16;
 pub(super) fn evenness(engine: &Engine) -> Option<Text> {
     let firing = engine.firing()?;
     let degrees = |turns: &BigRational| Text::from(typeset::turns(turns));
-    let intervals = firing.intervals();
+    let (intervals, in_line) = (firing.intervals(), engine.has_dead_centres_apart());
     Some(match (intervals.as_slice(), firing.is_even()) {
         ([only], _) => text::one_cylinder(degrees(only)),
-        ([first, ..], true) => text::even(degrees(first)),
+        ([first, ..], true) => text::even(in_line, degrees(first)),
         (_, _) if intervals.len() <= MOST_INTERVALS => {
-            text::uneven_intervals(Text::joined(intervals.iter().map(degrees), ", "))
+            text::uneven_intervals(in_line, Text::joined(intervals.iter().map(degrees), ", "))
         }
-        _ => text::uneven(),
+        _ => text::uneven(in_line),
     })
 }
 

@@ -114,8 +114,9 @@ fn firing_sentence(sweep: &Sweep) -> Option<Text> {
     }
     let at = listed(at.into_iter().map(|point| place(sweep, point)).collect());
     let [shortest, longest] = [&best.shortest, &best.longest].map(number::turns);
+    let in_line = sweep.points.iter().any(|point| point.dead_centres_apart);
     Some(match shortest == longest {
-        true => text::even_firing(shortest, at, of_the_file),
-        false => text::most_even_firing(shortest, longest, at, of_the_file),
+        true => text::even_firing(in_line, shortest, at, of_the_file),
+        false => text::most_even_firing(in_line, shortest, longest, at, of_the_file),
     })
 }
