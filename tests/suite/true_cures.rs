@@ -157,3 +157,18 @@ fn weights_stand_apart_in_millimetres_where_masses_are_in_kilograms() {
     }
     assert!(layout("0.1", "").contains("0.2 a apart"));
 }
+
+/// A shaft that the layout has is resized: what rolls the engine is all of it, as that of a layout without shafts.
+#[test]
+fn a_resized_shaft_rolls_the_engine_with_its_whole_force() {
+    let twin = "speed = 9000\ninline = { throws = [0, 90], spacing = '88 mm' }\n[mechanism]\nstroke = '68.6 mm'\nrod_length = '120 mm'\n\
+        reciprocating_mass = '0.3 kg'\nrotating_mass = '0.4 kg'\n";
+    let shaft = "[[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '6 kg mm'\nangle = 135\nposition = '40 mm'\nheight = '-40 mm'\noffset = '90 mm'\n";
+    let force = |layout: &str| {
+        let told = said("remedy", layout, &["--orders", "1"]);
+        told.split_once("shaft 1 with ").map(|(_, rest)| rest.split('.').next().unwrap_or_default().to_owned())
+    };
+    let bare = force(twin).expect("a force");
+    let resized = force(&format!("{twin}{shaft}")).expect("a force");
+    assert!(bare.ends_with(" N") && bare == resized, "{bare} {resized}");
+}

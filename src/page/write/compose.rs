@@ -246,7 +246,9 @@ impl<'a> Composer<'a> {
         let body = self.blocks(&fold.blocks);
         self.labels.leave();
         // What is folded inside has its number by now.
-        let folded = Folded { summary, body, number: self.folds.len() + 1, label };
+        let place = if label.is_some() { "section" } else { "appendix" };
+        let place = [place, "page"].map(|words| self.text(&words.into()));
+        let folded = Folded { summary, body, number: self.folds.len() + 1, label, place };
         let here = self.fill("folded", &folded);
         if self.writer.is_print() {
             self.folds.push(folded);

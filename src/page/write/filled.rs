@@ -22,6 +22,8 @@ pub(super) struct Folded {
     pub body: String,
     /// The label of a fragment.
     pub label: Option<String>,
+    /// What print says before the numbers of where it is: `appendix`, of a fragment `section`, and `page`.
+    pub place: [String; 2],
 }
 
 /// The document.

@@ -78,16 +78,17 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
         .done()
 }
 
-/// With which force each shaft rolls the engine, times the distance of its axis; of a pair its heights are told. Nothing without a speed, and
-/// where the layout has shafts already: its weights are then parts of theirs.
+/// With which force each shaft, as it is built, rolls the engine, times the distance of its axis; of a pair its heights are told. Nothing
+/// without a speed.
 pub(super) fn rolling_shafts(remedy: &Remedy) -> Option<Text> {
     let engine = remedy.subject.engine();
     let (scale, speed) = (scale(engine)?, engine.dimensions().speed.as_ref()?);
-    if !engine.crankshaft().balancers.is_empty() || !engine.geared_cranks().is_empty() {
+    if !engine.geared_cranks().is_empty() {
         return None;
     }
     let pulls = |(index, shaft): (usize, &Shaft)| {
-        let sum = remedy.subject.force(shaft.order, shaft.sense);
+        let built = shaft.weights.iter().filter_map(|weight| remedy.as_built(weight));
+        let sum = built.map(|weight| weight.adds()).reduce(|sum, one| sum.plus(&one))?;
         let vector = remedy.subject.value(&sum, shaft.order, shaft.sense)?;
         let newtons = Piece::Quantity(numbers::length(vector) / 2.0 * scale.force(), Unit::NEWTON);
         (!shaft.lanchester && shaft.kind != Kind::Couple).then(|| phrase!("shaft {} with {}", index + 1, newtons))
