@@ -55,6 +55,15 @@ const KEYS: &[(&str, usize, &str)] = &[
     ("cylinder = [1, 2]",                                         1, "`1` is in the wrong place"),
     ("[inline]\nthrows = [0]\nthrows = [1]",                      3, "duplicate key"),
     ("inline.throws = [0]\n[inline]\nspacing = 1",                2, "duplicate key"),
+    ("cycle = four-stroke\ninline.throws = [0]",                 1, "text stands in quotes"),
+    ("cycle = two-stroke\ninline.throws = [0]",                  1, "text stands in quotes"),
+    ("effects = [torque]\ninline.throws = [0]",                  1, "text stands in quotes"),
+    ("firing_order = 1-3-4-2\ninline.throws = [0]",              1, "text stands in quotes"),
+    ("title = 'V6\ninline.throws = [0]",                         1, "expected `'`"),
+    ("title = \"V6\ninline.throws = [0]",                        1, "its closing quote"),
+    ("orders = 1,2\ninline.throws = [0]",                        1, "such as [1, 2]"),
+    ("speed = 6,000\ninline.throws = [0]",                       1, "decimals have a point"),
+    ("cycle = 'four-stroke'\nfiring_order = '1342'\ninline.throws = [0, 180, 180, 0]", 2, "with hyphens between them"),
 ];
 
 /// Mistakes in what turns; each file begins with an engine of two throws, its masses and its crank: four lines.
@@ -216,7 +225,7 @@ const NO_TOML: &[(&str, usize, &str)] = &[
     ("title",                          1, "key with no value"),
     ("= 3",                            1, "keys cannot be empty"),
     ("title = 'no end",                1, "invalid literal string"),
-    ("inline.throws = [0] and more",   1, "unexpected key or value"),
+    ("inline.throws = [0] and more",   1, "a value ends before this"),
     ("inline.throws = [.5]",           1, "expected digits"),
     ("inline.throws = [01]",           1, "leading zero"),
     ("title = 'a\0b'",                 1, "invalid literal string"),

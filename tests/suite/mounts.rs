@@ -547,7 +547,7 @@ fn nothing_in_a_range_of_speeds_is_larger_than_what_its_table_tells() {
         let study = MountsStudy::new(&read(&text), &asked).unwrap_or_else(|why| panic!("{why}"));
         for (place, order) in study.orders.iter().enumerate() {
             let told = |of: fn(&AtSpeed) -> Option<f64>| {
-                let sizes = study.range.iter().filter(|at| at.order == place).filter_map(of);
+                let sizes = study.range().iter().filter(|at| at.order == place).filter_map(of);
                 sizes.fold(0.0, f64::max)
             };
             let [velocity, force] = [told(|at| at.velocity), told(|at| at.force)];
@@ -574,7 +574,7 @@ fn an_order_that_meets_a_mode_without_damping_has_no_largest_value() {
     let first = &study.orders[0].excitation.order;
     for mode in &study.modes {
         let rpm = first.rpm(mode.hertz());
-        let at = study.range.iter().find(|at| at.order == 0 && at.rpm == rpm).expect("the speed is in the range");
+        let at = study.range().iter().find(|at| at.order == 0 && at.rpm == rpm).expect("the speed is in the range");
         assert!(at.velocity.is_none() && at.force.is_none(), "{at:?}");
     }
 }

@@ -138,7 +138,11 @@ fn firing_angles_of_displaced_axes_say_what_they_count_and_how_far_apart_the_dea
 fn a_sweep_and_a_comparison_of_displaced_axes_say_what_firing_intervals_count() {
     let told = said("sweep", VR6, &["--set", "vr.pin_splay=15..24:1"]);
     let moved = "Offsets move the top dead centres: these are most even at 22, ≈ 119.9° to ≈ 120.1° apart.";
-    assert!(told.contains("Firing: even, every 120°, at 15.") && told.contains(moved), "{told}");
+    assert!(
+        told.contains("Firing, counted between crankpins in line with their cylinders: even, every 120°, at 15.")
+            && told.contains(moved),
+        "{told}"
+    );
     // Where the offset grows from 0 the dead centres are at first those of the pins.
     let offsets = VR6.replace("pin_splay = 22", "pin_splay = 15");
     let told = said("sweep", &offsets, &["--set", "vr.pin_offset=0mm..20mm:5mm"]);

@@ -60,8 +60,9 @@ impl FiringOrder {
         if self.0.is_empty() {
             return Err(LayoutError::new("the firing order is empty", "such as \"1-3-4-2\" or [1, 3, 4, 2]", span));
         }
+        let hyphens = if self.0.len() == 1 && names.len() > 1 { ", with hyphens between them" } else { "" };
         let mistake = |message: String| {
-            LayoutError::new(message, format!("each of the {} cylinders once", names.len()), span.clone())
+            LayoutError::new(message, format!("each of the {} cylinders once{hyphens}", names.len()), span.clone())
         };
         let mut order = Vec::with_capacity(names.len());
         for name in &self.0 {

@@ -95,7 +95,7 @@ const USUAL: &[(&str, Kind, i64, i64)] = &[
     ("distance", OF_SPACING, 2, 20_000),
     ("circumradius", OF_SPACING, 2, 20_000),
     ("mass", MASS, 0, 100_000_000),
-    ("speed", SPEED, 1_000, 100_000_000),
+    ("speed", SPEED, 10_000, 100_000_000),
     ("peak_pressure", PRESSURE, 1_000 * *USUAL_PEAK_BAR.start(), 1_000 * *USUAL_PEAK_BAR.end()),
     ("mean_pressure", PRESSURE, 10, 60_000),
     ("balance_factor", SHARE, 0, 5_000),

@@ -175,6 +175,9 @@ fn numbers_as_text(value: &mut DeValue<'_>) {
     *value = DeValue::String(text.into());
 }
 
+/// What the reader says of text without quotes: it takes `two-stroke` for a beginning `true`, and `1-3-4-2` for a date.
+const UNQUOTED: [&str; 3] = ["string values must be quoted", "invalid boolean", "invalid date"];
+
 /// The reader's message in the words of this program.
 fn toml_error(error: toml::de::Error) -> LayoutError {
     let message = error.message().lines().collect::<Vec<_>>().join("; ");
@@ -195,10 +198,18 @@ fn toml_error(error: toml::de::Error) -> LayoutError {
             (what.to_owned(), "this key is in the file before, perhaps as [key] beside [[key]]".to_owned())
         }
         _ if what.contains("recurs") => ("lists or tables nest too deeply".to_owned(), "no key needs that".to_owned()),
-        _ if what == "string values must be quoted" => (
+        _ if UNQUOTED.iter().any(|unquoted| what.starts_with(unquoted)) => (
             "this is neither a number nor a text in quotes".to_owned(),
             "text stands in quotes, and between the values of a list stand commas".to_owned(),
         ),
+        _ if what == "unexpected key or value" => (
+            "a value ends before this".to_owned(),
+            "a line has one key and one value; a list stands in brackets, such as [1, 2], and decimals have a point"
+                .to_owned(),
+        ),
+        _ if what == "invalid basic string" && expected == "`\"`" => {
+            ("a text without its closing quote".to_owned(), "a text ends in its line, with \"".to_owned())
+        }
         (_, "" | "nothing") => (what.to_owned(), "this is not TOML".to_owned()),
         (_, expected) => (what.to_owned(), format!("expected {expected}")),
     };

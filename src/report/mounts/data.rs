@@ -118,7 +118,7 @@ fn rms(study: &MountsStudy) -> Table {
 }
 
 fn speeds(study: &MountsStudy) -> Table {
-    let mut table = Filling::new("mounts.speeds", &study.range).keyed(2);
+    let mut table = Filling::new("mounts.speeds", study.range()).keyed(2);
     table.decimal("speed_{unit}", Unit::PER_MINUTE, |at| Some(at.rpm));
     table.exact("order", Unit::NONE, |at| order(&study.orders[at.order]));
     table.decimal("velocity_{unit}", Unit::MILLIMETRE_PER_SECOND, |at| Some(at.velocity? * 1e3));

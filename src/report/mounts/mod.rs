@@ -7,6 +7,8 @@ mod range;
 mod tables;
 mod words;
 
+use std::sync::OnceLock;
+
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
@@ -110,8 +112,10 @@ pub struct MountsStudy {
     pub has_gas: bool,
     /// The orders, rising.
     pub orders: Vec<OrderMotion>,
-    /// The orders over the range of speeds, rising: each at even distances, closer where it meets a mode, and at its peaks.
-    pub range: Vec<AtSpeed>,
+    /// The ends of the range of speeds.
+    ends: [f64; 2],
+    /// The orders over it, once they are asked for.
+    over_range: OnceLock<Vec<AtSpeed>>,
 }
 
 /// Length of a component, the same on every machine.
@@ -162,18 +166,17 @@ impl MountsStudy {
             let motion = body.motion(excitation.omega(speed), load[0], load[1]);
             OrderMotion { excitation, load, motion }
         };
-        let mut study = MountsStudy {
+        Ok(MountsStudy {
             speed,
             modes: body.modes(),
             axis: roll_axis(&body),
             has_gas,
             orders: orders.into_iter().map(at_speed).collect(),
-            range: Vec::new(),
+            ends: [from, to],
+            over_range: OnceLock::new(),
             engine,
             body,
-        };
-        study.range = range::over(&study, [from, to]);
-        Ok(study)
+        })
     }
 
     fn mounting(&self) -> &Mounting {

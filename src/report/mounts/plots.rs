@@ -18,20 +18,16 @@ pub(super) fn pictures(study: &MountsStudy) -> Vec<Picture> {
 }
 
 fn of_order(study: &MountsStudy, order: usize) -> impl Iterator<Item = &AtSpeed> {
-    study.range.iter().filter(move |at| at.order == order)
+    study.range().iter().filter(move |at| at.order == order)
 }
 
 fn greatest(study: &MountsStudy, order: usize) -> f64 {
     of_order(study, order).filter_map(|at| at.velocity).fold(0.0, f64::max)
 }
 
-fn ends(study: &MountsStudy) -> Option<(f64, f64)> {
-    Some((study.range.first()?.rpm, study.range.last()?.rpm))
-}
-
 /// The response above the line of each order, over the speed, with a dot where the order meets a mode.
 fn map(study: &MountsStudy) -> Option<Picture> {
-    let (from, to) = ends(study)?;
+    let [from, to] = study.ends;
     let kappa = |order: usize| study.orders[order].excitation.order.value();
     let count = study.orders.len();
     let steps = (1..count).map(|order| kappa(order) - kappa(order - 1));
@@ -70,7 +66,7 @@ fn map(study: &MountsStudy) -> Option<Picture> {
 
 /// The velocity of the watched place in the strongest orders.
 fn speeds(study: &MountsStudy) -> Option<Picture> {
-    let (from, to) = ends(study)?;
+    let [from, to] = study.ends;
     let mut strongest: Vec<usize> = (0..study.orders.len()).filter(|order| greatest(study, *order) > 0.0).collect();
     strongest.sort_by(|one, other| greatest(study, *other).total_cmp(&greatest(study, *one)));
     strongest.truncate(MOST_CURVES);

@@ -13,14 +13,19 @@ const SECTIONS: u32 = 30;
 /// A peak below this part of the highest computed value is not looked for.
 const LOWER: f64 = 0.5;
 
-/// The orders over a range, rising speeds: at even distances, closer where an order meets a mode, and at its peaks.
-pub(super) fn over(study: &MountsStudy, [from, to]: [f64; 2]) -> Vec<AtSpeed> {
-    let even = (0..=SPEEDS).map(|step| from + (to - from) * f64::from(step) / f64::from(SPEEDS));
-    let even: Vec<f64> = even.collect();
-    let orders = 0..study.orders.len();
-    let mut range: Vec<AtSpeed> = orders.flat_map(|order| of_order(study, order, &even)).collect();
-    range.sort_by(|one, other| one.rpm.total_cmp(&other.rpm).then(one.order.cmp(&other.order)));
-    range
+impl MountsStudy {
+    /// The orders over the range of speeds, rising: each at even distances, closer where it meets a mode, and at its peaks.
+    pub fn range(&self) -> &[AtSpeed] {
+        self.over_range.get_or_init(|| {
+            let [from, to] = self.ends;
+            let even = (0..=SPEEDS).map(|step| from + (to - from) * f64::from(step) / f64::from(SPEEDS));
+            let even: Vec<f64> = even.collect();
+            let orders = 0..self.orders.len();
+            let mut range: Vec<AtSpeed> = orders.flat_map(|order| of_order(self, order, &even)).collect();
+            range.sort_by(|one, other| one.rpm.total_cmp(&other.rpm).then(one.order.cmp(&other.order)));
+            range
+        })
+    }
 }
 
 fn of_order(study: &MountsStudy, place: usize, even: &[f64]) -> Vec<AtSpeed> {

@@ -139,7 +139,7 @@ pub(super) fn rms(study: &MountsStudy) -> Table {
 pub(super) fn range(study: &MountsStudy) -> Table {
     let worst = |place: usize, of: fn(&super::AtSpeed) -> Option<f64>| {
         let size = |at: &super::AtSpeed| of(at).unwrap_or(f64::INFINITY);
-        let at = study.range.iter().filter(|at| at.order == place);
+        let at = study.range().iter().filter(|at| at.order == place);
         at.map(|at| (size(at), at.rpm)).max_by(|one, other| one.0.total_cmp(&other.0))
     };
     let told = |found: Option<(f64, f64)>, scale: f64, unit: Unit| match found {
