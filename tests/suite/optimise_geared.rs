@@ -24,7 +24,8 @@ fn assert_twice(two: &Engine, one: &Front, couple: &Couple, what: &str) {
         assert_close(float(&two.design.mass), 2.0 * float(&one.design.mass), 1e-4, what);
         // As many steps of mass-radius are coarser beside half the mass of each.
         assert_close(two.design.peak(), one.design.peak(), 2e-3, what);
-        assert_close(two.least, one.least, 2e-3, what);
+        // What is kept of a bounded couple for that differs as well.
+        assert_close(two.least, one.least, 4e-3, what);
         assert_eq!((two.design.force, one.design.force), (Residual::Zero, Residual::Zero), "{what}");
         if *couple == Couple::Zero {
             assert_eq!(two.design.couple, Residual::Zero, "{what}");
