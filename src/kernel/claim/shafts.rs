@@ -58,7 +58,7 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
         Ok(remedy) => remedy,
         Err(refused) => return Answer::nothing(&refused.to_string()),
     };
-    if remedy.resized().iter().any(|plane| !plane.becomes.is_on_the_crank() || plane.becomes.vector.vanishes()) {
+    if remedy.resized().any(|plane| !plane.becomes.is_on_the_crank() || plane.becomes.vector.vanishes()) {
         return Answer::nothing(OWN);
     }
     // Counterweights on a crankshaft are the shaft that turns as it does.

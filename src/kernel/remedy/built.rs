@@ -4,40 +4,59 @@
 //! are resized, so that no weight is added beside another that it cancels again.
 
 use super::Remedy;
-use super::planes::{Built, there};
+use super::comparable_engine::ComparableEngine;
+use super::planes::{Replaced, there};
 use super::shafts::Shaft;
 use super::weight::Weight;
 
-impl Remedy {
-    /// What is in each plane in which the remedy has weights, each plane once.
-    pub fn built(&self) -> Vec<Built> {
-        let mut planes: Vec<Built> = Vec::new();
-        for weight in self.weights() {
-            match planes.iter_mut().find(|plane| is_with(&plane.becomes, &weight)) {
-                Some(plane) => plane.becomes.vector = plane.becomes.vector.plus(&weight.vector),
-                None => {
-                    let (replaced, there) = there(&self.subject, weight.order, weight.sense, &weight.position);
-                    let becomes = Weight { vector: there.plus(&weight.vector), ..weight.clone() };
-                    planes.push(Built { replaced, was: Weight { vector: there, ..weight }, becomes });
-                }
+/// A plane of a shaft, or of the crankshaft, in which a remedy has weights.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Built {
+    /// What is there in the engine as it is, by index among its counterweights and its balancer shafts.
+    pub replaced: Replaced,
+    /// Its mass-radius in the engine as it is; zero where nothing is there.
+    pub was: Weight,
+    /// That in the corrected engine; zero where the weight is taken away.
+    pub becomes: Weight,
+}
+
+impl Built {
+    /// Whether something is there in the engine as it is.
+    pub fn is_resized(&self) -> bool {
+        !self.replaced.counterweights.is_empty() || !self.replaced.balancers.is_empty()
+    }
+}
+
+/// What is in each plane in which a remedy has these weights, each plane once.
+pub(super) fn built(subject: &ComparableEngine, weights: Vec<Weight>) -> Vec<Built> {
+    let mut planes: Vec<Built> = Vec::new();
+    for weight in weights {
+        match planes.iter_mut().find(|plane| is_with(&plane.becomes, &weight)) {
+            Some(plane) => plane.becomes.vector = plane.becomes.vector.plus(&weight.vector),
+            None => {
+                let (replaced, there) = there(subject, weight.order, weight.sense, &weight.position);
+                let becomes = Weight { vector: there.plus(&weight.vector), ..weight.clone() };
+                planes.push(Built { replaced, was: Weight { vector: there, ..weight }, becomes });
             }
         }
-        planes
     }
+    planes
+}
 
+impl Remedy {
     /// The plane of a weight of the remedy.
-    pub fn built_of(&self, weight: &Weight) -> Option<Built> {
-        self.built().into_iter().find(|plane| is_with(&plane.becomes, weight))
+    fn built_of(&self, weight: &Weight) -> Option<&Built> {
+        self.built.iter().find(|plane| is_with(&plane.becomes, weight))
     }
 
     /// A weight of the remedy as it is built: itself, or what one that is there becomes; none where that is taken away. What a balance
     /// factor asks for takes the place of what is there, and what cancels the rest in the same plane is told by itself.
     pub fn as_built(&self, weight: &Weight) -> Option<Weight> {
-        let Some(plane) = self.built_of(weight).filter(Built::is_resized) else { return Some(weight.clone()) };
+        let Some(plane) = self.built_of(weight).filter(|plane| plane.is_resized()) else { return Some(weight.clone()) };
         let shown = match self.bays.iter().find(|bay| is_with(bay, weight)) {
-            Some(bay) if bay == weight => Weight { vector: plane.was.vector.plus(&bay.vector), ..plane.was },
+            Some(bay) if bay == weight => Weight { vector: plane.was.vector.plus(&bay.vector), ..plane.was.clone() },
             Some(_) => weight.clone(),
-            None => plane.becomes,
+            None => plane.becomes.clone(),
         };
         (!shown.vector.vanishes()).then_some(shown)
     }
@@ -54,18 +73,18 @@ impl Remedy {
 
     /// Whether the engine has a weight where this one belongs, which is resized.
     pub fn resizes(&self, weight: &Weight) -> bool {
-        self.built_of(weight).is_some_and(|plane| plane.is_resized())
+        self.built_of(weight).is_some_and(Built::is_resized)
     }
 
     /// Whether counterweights of the engine are resized, or taken away.
     pub fn changes_counterweights(&self) -> bool {
         let of_the_file = |plane: &Built| plane.becomes.is_on_the_crank() && !plane.replaced.counterweights.is_empty();
-        self.built().iter().any(of_the_file)
+        self.built.iter().any(of_the_file)
     }
 
     /// The planes in which weights of the engine are resized.
-    pub fn resized(&self) -> Vec<Built> {
-        self.built().into_iter().filter(Built::is_resized).collect()
+    pub fn resized(&self) -> impl Iterator<Item = &Built> {
+        self.built.iter().filter(|plane| plane.is_resized())
     }
 }
 

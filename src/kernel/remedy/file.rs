@@ -57,7 +57,7 @@ pub fn corrected_file(remedy: &Remedy, name: &str, beside: FileResolver<'_>) -> 
     if source.trim().is_empty() {
         return Err(FileError::NoFile);
     }
-    let built = remedy.built();
+    let built = &remedy.built;
     let of_links: Vec<Weight> = built.iter().map(|plane| plane.becomes.clone()).filter(is_of_link).collect();
     if of_links.iter().any(|weight| rounded(&remedy.subject, weight).is_none()) {
         return Err(FileError::OfLinks);

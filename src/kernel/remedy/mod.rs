@@ -23,6 +23,7 @@ mod weight;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
+pub use built::Built;
 pub use comparable_engine::ComparableEngine;
 pub use corrected::{Corrected, corrected};
 pub use counterweights::{bay_by_bay, one_plane, two_planes};
@@ -32,7 +33,7 @@ pub use file::{CorrectedFile, FileError, corrected_file};
 pub use height::{PairHeight, PairRoll, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use parts::{counterweight_parts, mass_step, power_of_ten_below};
-pub use planes::{Built, Replaced, factor_of, plane_of};
+pub use planes::{Replaced, factor_of, plane_of};
 use planes::{ends, usual_planes};
 pub use shafts::{Kind, LEAST, Shaft, shaft, shafts, without_slight};
 pub use weight::Weight;
@@ -95,6 +96,8 @@ pub struct Remedy {
     pub speeds: Vec<BigRational>,
     /// Heights at which the Lanchester pairs cancel the roll moment of their order too.
     pub heights: Vec<PairHeight>,
+    /// What is in each plane in which the remedy has weights, each plane once.
+    pub built: Vec<Built>,
     /// The sums of the corrected engine.
     pub corrected: Vec<Corrected>,
 }
@@ -112,8 +115,7 @@ impl Remedy {
     pub fn crankshaft_mass(&self) -> Option<f64> {
         let engine = self.subject.engine();
         let there = &engine.crankshaft().counterweights;
-        let planes = self.built();
-        let on_the_crank = planes.iter().filter(|plane| plane.becomes.is_on_the_crank());
+        let on_the_crank = self.built.iter().filter(|plane| plane.becomes.is_on_the_crank());
         let more = on_the_crank.map(|plane| {
             let before = plane.replaced.counterweights.iter().map(|index| there[*index].mass.to_f64());
             let becomes = plane.becomes.mass_radius(&self.subject)? / self.radius_in(plane).to_f64()?;
@@ -232,8 +234,10 @@ pub fn remedy(engine: &Engine, request: &Request) -> Result<Remedy, RemedyError>
         radius: request.radius.clone(),
         speeds: request.speeds.clone(),
         heights,
+        built: Vec::new(),
         corrected: Vec::new(),
     };
+    remedy.built = built::built(&remedy.subject, remedy.weights());
     remedy.corrected = corrected(&remedy.subject, &remedy.orders, &remedy.weights());
     Ok(remedy)
 }

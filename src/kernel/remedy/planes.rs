@@ -12,17 +12,6 @@ use crate::file::{parse_length, parse_number, shown_position};
 use crate::order::{self, MassGroup, OrderSum, Source, TurningMass};
 use crate::proof::Sense;
 
-/// A plane of a shaft, or of the crankshaft, in which a remedy has weights.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Built {
-    /// What is there in the engine as it is, by index among its counterweights and its balancer shafts.
-    pub replaced: Replaced,
-    /// Its mass-radius in the engine as it is; zero where nothing is there.
-    pub was: Weight,
-    /// That in the corrected engine; zero where the weight is taken away.
-    pub becomes: Weight,
-}
-
 /// Weights of an engine by their indices.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Replaced {
@@ -30,13 +19,6 @@ pub struct Replaced {
     pub counterweights: Vec<usize>,
     /// Balancer shafts.
     pub balancers: Vec<usize>,
-}
-
-impl Built {
-    /// Whether something is there in the engine as it is.
-    pub fn is_resized(&self) -> bool {
-        !self.replaced.counterweights.is_empty() || !self.replaced.balancers.is_empty()
-    }
 }
 
 /// The weights of an engine that turn so, each with its position: what is asked of the crankshaft is done by its counterweights, and by

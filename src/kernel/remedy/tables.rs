@@ -27,7 +27,7 @@ pub(super) struct Kept {
 impl Kept {
     pub fn of(remedy: &Remedy) -> Self {
         let crankshaft = remedy.subject.engine().crankshaft();
-        let resized = remedy.resized();
+        let resized: Vec<&Built> = remedy.resized().collect();
         let staying = |count: usize, of: fn(&Replaced) -> &Vec<usize>| -> Vec<usize> {
             let goes = |index: &usize| resized.iter().any(|plane| of(&plane.replaced).contains(index));
             (0..count).filter(|index| !goes(index)).collect()
@@ -71,7 +71,7 @@ pub(super) fn with_tables(remedy: &Remedy, source: &str) -> String {
     let orders = remedy.orders.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
     let head =
         format!("Cancels force and moment of these orders: {orders}. Tables at one position are parts of one weight.");
-    let built = remedy.built();
+    let built = &remedy.built;
     if !built.is_empty() {
         text += &format!("\n{}", comment(&head));
     }
@@ -79,7 +79,7 @@ pub(super) fn with_tables(remedy: &Remedy, source: &str) -> String {
         text += &comment(ROUNDED);
     }
     let mut heading = String::new();
-    for plane in &built {
+    for plane in built {
         let tables = tables(remedy, plane);
         let own = heading_of(&plane.becomes);
         if !tables.is_empty() && own != heading {
@@ -103,7 +103,7 @@ fn there(remedy: &Remedy, kept: &Kept) -> String {
         (false, [false, true]) => "The balancer shafts of the file.",
         (false, _) => "The counterweights and balancer shafts of the file.",
     };
-    let resized = remedy.resized();
+    let resized: Vec<&Built> = remedy.resized().collect();
     let was = |plane: &Built| {
         let size = plane
             .was
@@ -114,7 +114,7 @@ fn there(remedy: &Remedy, kept: &Kept) -> String {
     match resized.is_empty() {
         true => listed.to_owned(),
         false => {
-            let planes: Vec<String> = resized.iter().map(was).collect();
+            let planes: Vec<String> = resized.into_iter().map(was).collect();
             format!("{listed}\nResized, and listed below: {}.", planes.join("; "))
         }
     }

@@ -57,7 +57,7 @@ pub fn modes(train: &Train) -> Vec<Mode> {
 
 /// The mode with this many others below it, the rigid ones counted.
 fn mode(train: &Train, below: usize) -> Mode {
-    let (mut low, mut high) = (0.0, highest(train));
+    let (mut low, mut high) = (0.0, no_square_above(train));
     loop {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
@@ -73,7 +73,7 @@ fn mode(train: &Train, below: usize) -> Mode {
 }
 
 /// No square of a natural frequency is above this (Gershgorin).
-fn highest(train: &Train) -> f64 {
+fn no_square_above(train: &Train) -> f64 {
     let at = |node: usize| 2.0 * train.held(node) / train.inertias[node];
     (0..train.inertias.len()).map(at).fold(0.0, f64::max) * (1.0 + 1e-12)
 }

@@ -13,7 +13,7 @@ pub const UNBARRED: f64 = 0.8;
 /// The bracket no longer falls from this λ on.
 const LEVEL: f64 = 0.9;
 /// No stress is permitted beyond this λ.
-pub const HIGHEST: f64 = 1.05;
+pub const HIGHEST_RATIO: f64 = 1.05;
 const MEGA: f64 = 1e6;
 
 /// What the permissible stress of a shaft depends on.
@@ -42,7 +42,7 @@ impl StressLimit {
     pub fn continuous(&self, lambda: f64) -> Option<f64> {
         let bracket = if lambda < LEVEL { 3.0 - 2.0 * lambda * lambda } else { 1.38 };
         let stress = (self.strength / MEGA + 160.0) / 18.0 * self.shape * self.size * bracket;
-        (lambda <= HIGHEST).then_some(MEGA * stress)
+        (lambda <= HIGHEST_RATIO).then_some(MEGA * stress)
     }
 
     /// τ_T, for passing through quickly, below 80 % of the rated speed: 1.7 τ_C / √c_K.

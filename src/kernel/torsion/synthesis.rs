@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use super::damper::highest_beside;
+use super::peak::highest_beside;
 use crate::engine::CycleOrder;
 
 /// Points of a cycle between which the largest and the smallest value are looked for: this many in each period of the highest order.

@@ -66,9 +66,8 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
 
 /// The weights of the file that become others.
 fn resized(remedy: &Remedy) -> Vec<Text> {
-    let planes = remedy.resized();
-    let listed = Text::joined(planes.iter().map(|plane| weights::resized(remedy, plane)), "; ");
-    (!planes.is_empty()).then(|| text::resized(listed)).into_iter().collect()
+    let planes: Vec<Text> = remedy.resized().map(|plane| weights::resized(remedy, plane)).collect();
+    (!planes.is_empty()).then(|| text::resized(Text::joined(planes, "; "))).into_iter().collect()
 }
 
 /// Which shafts may be counterweights on a crankshaft that turns as they do, where crankshafts turn at different speeds.
@@ -193,8 +192,7 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
     let kilograms = |mass: f64| Piece::Quantity(mass, Unit::KILOGRAM);
     if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {
         let bare = kilograms(float(&bare));
-        let planes = remedy.resized();
-        let is_resized = planes.iter().any(|plane| plane.becomes.is_on_the_crank());
+        let is_resized = remedy.resized().any(|plane| plane.becomes.is_on_the_crank());
         let is_bare = remedy.bays.is_empty() && remedy.crankshaft.is_none();
         lines.push(match (is_bare, is_resized, &remedy.radius) {
             (_, true, _) => text::crankshaft_mass_resized(bare, kilograms(with)),

@@ -14,7 +14,7 @@ use crate::engine::{self, CycleOrder};
 use crate::motion::golden_section;
 use crate::numbers::float;
 use crate::torsion::{
-    self, DamperSetting, Excitation, HIGHEST_SPEED, Heat, Link, StressLimit, Train, forced_twist, heat, highest,
+    self, DamperSetting, Excitation, HIGHEST_RATIO, Heat, Link, StressLimit, Train, forced_twist, heat, highest,
     mesh_torques, resonance, shaft_torques,
 };
 
@@ -94,7 +94,7 @@ impl TorsionStudy {
         if let Some(speeds) = &torsion.speeds {
             return Some([float(&speeds[0]), float(&speeds[1])]);
         }
-        let end = HIGHEST_SPEED * torsion.rated_speed.as_ref().map(float).or(self.speed).filter(|end| *end > 0.0)?;
+        let end = HIGHEST_RATIO * torsion.rated_speed.as_ref().map(float).or(self.speed).filter(|end| *end > 0.0)?;
         Some([BEGINS * end, end])
     }
 
