@@ -31,7 +31,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("page", 7005),
     ("proof", 8945),
     ("python", 2630),
-    ("remedy", 1890),
+    ("remedy", 1885),
     ("report", 32135),
     ("rotor", 660),
     ("search", 3835),

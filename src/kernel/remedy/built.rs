@@ -4,44 +4,9 @@
 //! are resized, so that no weight is added beside another that it cancels again.
 
 use super::Remedy;
-use super::comparable_engine::ComparableEngine;
-use super::planes::{Replaced, there};
+use super::planes::{Built, is_with};
 use super::shafts::Shaft;
 use super::weight::Weight;
-
-/// A plane of a shaft, or of the crankshaft, in which a remedy has weights.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Built {
-    /// What is there in the engine as it is, by index among its counterweights and its balancer shafts.
-    pub replaced: Replaced,
-    /// Its mass-radius in the engine as it is; zero where nothing is there.
-    pub was: Weight,
-    /// That in the corrected engine; zero where the weight is taken away.
-    pub becomes: Weight,
-}
-
-impl Built {
-    /// Whether something is there in the engine as it is.
-    pub fn is_resized(&self) -> bool {
-        !self.replaced.counterweights.is_empty() || !self.replaced.balancers.is_empty()
-    }
-}
-
-/// What is in each plane in which a remedy has these weights, each plane once.
-pub(super) fn built(subject: &ComparableEngine, weights: Vec<Weight>) -> Vec<Built> {
-    let mut planes: Vec<Built> = Vec::new();
-    for weight in weights {
-        match planes.iter_mut().find(|plane| is_with(&plane.becomes, &weight)) {
-            Some(plane) => plane.becomes.vector = plane.becomes.vector.plus(&weight.vector),
-            None => {
-                let (replaced, there) = there(subject, weight.order, weight.sense, &weight.position);
-                let becomes = Weight { vector: there.plus(&weight.vector), ..weight.clone() };
-                planes.push(Built { replaced, was: Weight { vector: there, ..weight }, becomes });
-            }
-        }
-    }
-    planes
-}
 
 impl Remedy {
     /// The plane of a weight of the remedy.
@@ -86,9 +51,4 @@ impl Remedy {
     pub fn resized(&self) -> impl Iterator<Item = &Built> {
         self.built.iter().filter(|plane| plane.is_resized())
     }
-}
-
-/// Whether two weights are on one shaft in one plane.
-fn is_with(one: &Weight, other: &Weight) -> bool {
-    (one.order, one.sense, &one.position) == (other.order, other.sense, &other.position)
 }

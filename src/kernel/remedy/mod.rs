@@ -23,7 +23,6 @@ mod weight;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-pub use built::Built;
 pub use comparable_engine::ComparableEngine;
 pub use corrected::{Corrected, corrected};
 pub use counterweights::{bay_by_bay, one_plane, two_planes};
@@ -33,7 +32,7 @@ pub use file::{CorrectedFile, FileError, corrected_file};
 pub use height::{PairHeight, PairRoll, pair_height};
 pub use partial::{Ellipse, Partial};
 pub use parts::{counterweight_parts, mass_step, power_of_ten_below};
-pub use planes::{Replaced, factor_of, plane_of};
+pub use planes::{Built, Replaced, factor_of, plane_of};
 use planes::{ends, usual_planes};
 pub use shafts::{Kind, LEAST, Shaft, shaft, shafts, without_slight};
 pub use weight::Weight;
@@ -237,7 +236,7 @@ pub fn remedy(engine: &Engine, request: &Request) -> Result<Remedy, RemedyError>
         built: Vec::new(),
         corrected: Vec::new(),
     };
-    remedy.built = built::built(&remedy.subject, remedy.weights());
+    remedy.built = planes::built(&remedy.subject, remedy.weights());
     remedy.corrected = corrected(&remedy.subject, &remedy.orders, &remedy.weights());
     Ok(remedy)
 }

@@ -12,6 +12,24 @@ use crate::file::{parse_length, parse_number, shown_position};
 use crate::order::{self, MassGroup, OrderSum, Source, TurningMass};
 use crate::proof::Sense;
 
+/// A plane of a shaft, or of the crankshaft, in which a remedy has weights.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Built {
+    /// What is there in the engine as it is, by index among its counterweights and its balancer shafts.
+    pub replaced: Replaced,
+    /// Its mass-radius in the engine as it is; zero where nothing is there.
+    pub was: Weight,
+    /// That in the corrected engine; zero where the weight is taken away.
+    pub becomes: Weight,
+}
+
+impl Built {
+    /// Whether something is there in the engine as it is.
+    pub fn is_resized(&self) -> bool {
+        !self.replaced.counterweights.is_empty() || !self.replaced.balancers.is_empty()
+    }
+}
+
 /// Weights of an engine by their indices.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Replaced {
@@ -71,6 +89,27 @@ pub(super) fn there(
         terms.push((mass.factor, Term { angle: mass.angle, weight: mass.mass_radius }));
     }
     (replaced, OrderSum::new(terms))
+}
+
+/// What is in each plane in which a remedy has these weights, each plane once.
+pub(super) fn built(subject: &ComparableEngine, weights: Vec<Weight>) -> Vec<Built> {
+    let mut planes: Vec<Built> = Vec::new();
+    for weight in weights {
+        match planes.iter_mut().find(|plane| is_with(&plane.becomes, &weight)) {
+            Some(plane) => plane.becomes.vector = plane.becomes.vector.plus(&weight.vector),
+            None => {
+                let (replaced, there) = there(subject, weight.order, weight.sense, &weight.position);
+                let becomes = Weight { vector: there.plus(&weight.vector), ..weight.clone() };
+                planes.push(Built { replaced, was: Weight { vector: there, ..weight }, becomes });
+            }
+        }
+    }
+    planes
+}
+
+/// Whether two weights are on one shaft in one plane.
+pub(super) fn is_with(one: &Weight, other: &Weight) -> bool {
+    (one.order, one.sense, &one.position) == (other.order, other.sense, &other.position)
 }
 
 /// The planes in which the engine has weights that turn so, rising.
