@@ -53,6 +53,7 @@ fn of_order(study: &MountsStudy, place: usize, even: &[f64]) -> Vec<AtSpeed> {
         let value = |rpm| of(&at(study, place, rpm)).unwrap_or_default();
         found.extend(sides.map(|[low, high]| at(study, place, golden_section(low, high, SECTIONS, value))));
         found.sort_by(|one, other| one.rpm.total_cmp(&other.rpm));
+        found.dedup_by(|one, other| one.rpm == other.rpm);
     }
     // Where such a frequency is excited no number is the largest.
     let is_endless = |(rpm, mode): &&(f64, &Mode)| endless.contains(rpm) && is_excited(excitation, mode, *rpm);

@@ -154,7 +154,7 @@ impl TorsionStudy {
         LargestTorque { order, rpm, shaft, torque }
     }
 
-    /// The largest torque of one order that has it inside the range, and less at speeds beside it.
+    /// The highest peak of the torque of one order inside the range.
     pub fn strongest_resonance(&self) -> Option<LargestTorque> {
         let (excited, speeds) = (self.damped()?, self.speeds());
         let torque = |order: CycleOrder, speed: f64| self.largest_torque(&self.train, order, speed).1;
