@@ -650,10 +650,10 @@ fn the_strongest_resonance_and_the_largest_torque_in_the_range_are_those_of_a_fi
         };
         let mut strongest = (0.0, 0, 0.0);
         for place in 0..all[0].orders.len() {
-            for at in 1..all.len() - 1 {
-                let own = torque(at, place);
-                if own > strongest.0 && own >= torque(at - 1, place) && own >= torque(at + 1, place) {
-                    strongest = (own, place, all[at].speed);
+            let torques: Vec<f64> = (0..all.len()).map(|at| torque(at, place)).collect();
+            for (three, vibration) in torques.windows(3).zip(&all[1..]) {
+                if three[1] > strongest.0 && three[1] >= three[0] && three[1] >= three[2] {
+                    strongest = (three[1], place, vibration.speed);
                 }
             }
         }
