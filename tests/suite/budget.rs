@@ -37,7 +37,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("search", 3835),
     ("shard", 665),
     ("stars", 655),
-    ("sweep", 2190),
+    ("sweep", 2230),
     ("table", 1495),
     ("text", 475),
     ("torque", 1230),

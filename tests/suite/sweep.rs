@@ -15,7 +15,7 @@ use crankstar::{page, report};
 use num_traits::ToPrimitive;
 
 use crate::studies::section::section;
-use crate::support::program::scratch;
+use crate::support::program::{call, scratch};
 use crate::support::tables;
 use crate::support::written::fraction;
 use crate::support::{dice, every_form};
@@ -671,4 +671,52 @@ fn the_most_even_firing_is_that_of_the_files_order_where_it_can_be_fired_and_els
         let told = told(order);
         assert!(told.contains("Firing: even, every 120°") && told.contains(other), "{told}");
     }
+}
+
+/// Forms that refuse a bank angle beyond their own, with masses that turn: half of the reciprocating masses and all that turn are cancelled on
+/// each throw, so that the direct vectors of order 1 vanish at every angle, and the reverse ones alone decide.
+#[test]
+fn a_vector_that_masses_cancel_at_every_angle_vanishes_everywhere_in_forms_that_read_no_wide_angle() {
+    let masses = "[mechanism]\nstroke = '86 mm'\nrod_length = '155 mm'\nreciprocating_mass = 0.61\nrotating_mass = 0.515\n[crankshaft]\n\
+        counterweights = { rotating = 1, reciprocating = 0.5 }\ncounterweight_radius = '45 mm'\n";
+    let w = "speed = 3000\n[w]\nbank_angle = 60\nnarrow_angle = 15\nthrows = [0, 120, 240]\npin_splay = 15\nspacing = '110 mm'\n";
+    let vr = "speed = 3000\n[vr]\nbank_angle = 15\nthrows = [0, 120, 240]\nspacing = '110 mm'\n";
+    for (form, key, ranges) in [
+        (w, "w.bank_angle", ["40..160:40", "10..90:20", "30..130:7"]),
+        (w, "w.narrow_angle", ["5..25:10", "2..30:4", "9..21:5"]),
+        (vr, "vr.bank_angle", ["5..45:20", "5..25:5", "1..9:2"]),
+    ] {
+        for range in ranges {
+            let sweep = good(&format!("{form}{masses}"), &[&format!("{key}={range}")], &[1]);
+            let sets = sweep.zeros.as_ref().expect("an angle");
+            let set = |of: Zeros| sets.iter().find(|set| set.quantity == Planar::Force && set.of == of).expect("a set");
+            assert!(set(Zeros::Direct).everywhere, "{key}={range}: {:?}", set(Zeros::Direct));
+            let (reverse, all) = (set(Zeros::Reverse), set(Zeros::Largest));
+            assert_eq!((&reverse.at, reverse.complete), (&all.at, all.complete), "{key}={range}");
+            for point in &sweep.points {
+                let force = &point.orders[0].force;
+                assert!(force.direct.vanishes, "{key}={range}");
+                let is_listed = all.everywhere || all.at.contains(&point.values[0]);
+                assert_eq!(force.largest.vanishes, is_listed, "{key}={range} at {}", point.values[0]);
+            }
+        }
+    }
+}
+
+/// The first point has no offset and later ones have: their tables have the same columns all the same.
+#[test]
+fn a_sweep_that_begins_without_an_offset_is_written_row_by_row() {
+    let file = scratch("offset-from-0").join("layout.toml");
+    let text = "[vee]\nbank_angle = 90\nthrows = [0, 90, 180, 270]\npin_offset = ['0 mm', '2 mm']\nspacing = '96 mm'\n[mechanism]\n\
+        stroke = '86 mm'\nrod_length = '146 mm'\nreciprocating_mass = '0.55 kg'\n";
+    std::fs::write(&file, text).expect("written");
+    let csv = |range: &str| {
+        let set = format!("vee.pin_offset.2={range}:1 mm");
+        let output = call(&["sweep", file.to_str().expect("UTF-8"), "--set", &set, "--format", "csv"]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).expect("UTF-8")
+    };
+    let (from_0, from_1) = (csv("0..4"), csv("1..4"));
+    assert_eq!((from_0.lines().count(), from_0.lines().next()), (6, from_1.lines().next()));
+    assert_eq!(from_0.lines().last(), from_1.lines().last());
 }

@@ -35,6 +35,9 @@ pub struct Sweep {
     pub arm: Arm,
     /// Whether the amplitudes hold the coefficients c_k; else they are in multiples of them.
     pub rods_known: bool,
+    /// Whether offsets move the dead centres apart from the crankpins' positions in line with the cylinders: at the first point, in the middle
+    /// or at the last.
+    pub dead_centres_apart: bool,
     /// The assumptions behind the envelope.
     pub geometry: Geometry,
 }
@@ -59,6 +62,7 @@ impl Sweep {
             observed: None,
             arm: Arm::of(first),
             rods_known: !first.mechanisms().is_empty(),
+            dead_centres_apart: false,
             geometry: geometry.clone(),
         }
     }

@@ -55,11 +55,16 @@ impl<'a> Stream<'a> {
         can_be_judged(template, firing)?;
         let reader = Reader::new(template, parameters);
         let first = reader.engine(&reader.values(0))?;
-        let orders = if orders.is_empty() { loads::usual_orders(&first) } else { rising(orders) };
+        // What the first point has not, an offset of 0, the middle or the last one has.
+        let others = [count / 2, count - 1].map(|index| reader.engine(&reader.values(index)).ok());
+        let some = || std::iter::once(&first).chain(others.iter().flatten());
+        let usual = || some().flat_map(loads::usual_orders).collect::<Vec<u32>>();
+        let orders = rising(&if orders.is_empty() { usual() } else { orders.to_vec() });
         let firing = rising(firing);
         let star = FiringSweep { orders: firing.clone(), points: Vec::new(), curve: Vec::new(), zeros: None };
         let empty = Sweep::without_points(&first, parameters, orders, geometry);
-        let empty = Sweep { firing: (!firing.is_empty()).then_some(star), ..empty };
+        let dead_centres_apart = some().any(Engine::has_dead_centres_apart);
+        let empty = Sweep { firing: (!firing.is_empty()).then_some(star), dead_centres_apart, ..empty };
         let points = count.div_ceil(PIECES).clamp(FEWEST, MOST);
         Ok(Stream { template: template.clone(), reader, parameters, firing, observer: None, count, points, empty })
     }

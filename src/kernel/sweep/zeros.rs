@@ -117,6 +117,8 @@ impl ZeroSet {
                 && let Err(place) = self.at.binary_search(value)
             {
                 self.at.insert(place, value.clone());
+                // What a complete list lacks would be a mistake of the list.
+                self.complete = false;
             }
         }
     }
@@ -167,18 +169,30 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
                     sets.push(ZeroSet { exists: false, ..ZeroSet::everywhere(quantity, order.order, of) });
                     continue;
                 }
+                if let Some(set) = with_the_other(&sets, quantity, order.order, of) {
+                    sets.push(set);
+                    continue;
+                }
                 let found = find(&open, quantity, order.order, verdicts, of, range.each_ref());
                 let turns = same_rods && of_pistons && !with_turning_masses(&engine, order.order, of);
                 let is_so = |value: &BigRational| {
-                    let engine = reader.engine(std::slice::from_ref(value));
-                    engine.is_ok_and(|engine| vanishes(&engine, quantity, order.order, of))
+                    let engine = reader.engine(std::slice::from_ref(value)).ok()?;
+                    Some(vanishes(&engine, quantity, order.order, of))
                 };
+                let is_of_shafts = !of_pistons && only_shafts(&engine, order.order);
+                let is_fixed = is_of_shafts || is_fixed(&open, order.order, of);
+                // Not known where the file does not read one of them.
                 let by_points = || {
-                    let mut places = distinct(&open, order.order, &per_unit);
-                    places.len() > 0 && places.all(|value| is_so(&value))
+                    let mut places = distinct(&open, order.order, &per_unit, range.each_ref()).peekable();
+                    places.peek()?;
+                    places.map(|value| is_so(&value)).find(|is_so| *is_so != Some(true)).unwrap_or(Some(true))
                 };
-                let is_everywhere = if turns { found == family::Zeros::Everywhere } else { by_points() };
-                if is_everywhere {
+                let is_everywhere = match (turns, is_fixed) {
+                    (true, _) => Some(found == family::Zeros::Everywhere),
+                    (false, true) => Some(vanishes(&engine, quantity, order.order, of)),
+                    (false, false) => by_points(),
+                };
+                if is_everywhere == Some(true) {
                     sets.push(ZeroSet::everywhere(quantity, order.order, of));
                     continue;
                 }
@@ -193,10 +207,9 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
                 };
                 let own = |set: &ZeroSet| set.quantity == quantity && set.order == order.order;
                 let one_never = of == Zeros::Largest && sets.iter().any(|set| own(set) && set.is_never());
-                let is_of_shafts = !of_pistons && only_shafts(&engine, order.order);
-                let complete = complete || one_never || is_of_shafts || is_fixed(&open, order.order, of);
+                let complete = complete || one_never || is_fixed;
                 let value = |turns: &BigRational| turns / &per_unit;
-                let at = found.exact.iter().map(value).filter(is_so).collect();
+                let at = found.exact.iter().map(value).filter(|value| is_so(value) == Some(true)).collect();
                 let irrational = found.irrational.iter().map(|ends| ends.each_ref().map(value)).collect();
                 let order = order.order;
                 sets.push(ZeroSet { quantity, order, of, exists: true, everywhere: false, at, irrational, complete });
@@ -204,6 +217,15 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
         }
     }
     Some(sets)
+}
+
+/// Where one vector vanishes everywhere, all of the order vanishes where the other does, and so does each of its parts.
+fn with_the_other(sets: &[ZeroSet], quantity: Planar, order: u32, of: Zeros) -> Option<ZeroSet> {
+    let vectors =
+        || sets.iter().filter(|set| (set.quantity, set.order) == (quantity, order) && set.of.vector().is_some());
+    let is_of_both = of.vector().is_none() && vectors().any(|set| set.everywhere);
+    let other = vectors().find(|set| !set.everywhere).or_else(|| vectors().next()).filter(|_| is_of_both)?;
+    Some(ZeroSet { of, ..other.clone() })
 }
 
 /// Whether the parameter turns no term of this vector, so that it is one at every value.
@@ -221,21 +243,30 @@ fn only_shafts(engine: &Engine, order: u32) -> bool {
 /// More values than this are not tried.
 const MOST_TRIED: i64 = 2000;
 
-/// Values of the parameter at this many different angles that a vector of this order which vanishes at each vanishes everywhere; none
-/// where they would be too many.
+/// Values of the parameter in its range, at so many different angles that a vector of this order which vanishes at each vanishes everywhere;
+/// none where they would be too many.
 ///
 /// Every term, of a piston or of a mass on a throw, turns by `kβ ± (k±1)α`, and β and α by whole multiples of φ/d. So each sum is a
 /// polynomial in `e^{±iφ/d}`, with at most twice its degree of zeros.
-fn distinct(open: &Family, order: u32, per_unit: &BigRational) -> impl ExactSizeIterator<Item = BigRational> {
+fn distinct(
+    open: &Family,
+    order: u32,
+    per_unit: &BigRational,
+    [low, high]: [&BigRational; 2],
+) -> impl Iterator<Item = BigRational> {
     let angles = || open.cylinders().iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
     let steps = angles().map(|angle| angle.coefficient(PHI));
     let divisor = fraction::common_denominator(steps.clone());
     let widest = steps.map(|step| step.abs()).max().unwrap_or_else(BigRational::zero);
     let degree = widest * BigRational::from_integer(&divisor * BigInt::from(2 * order + 1));
     let count = (degree.ceil().to_integer() * 2_i32 + 1_i32).to_i64().filter(|count| *count <= MOST_TRIED).unwrap_or(0);
-    // Inside one turn, so that no two of them are alike and every layout file reads them.
-    let step = BigRational::one() / per_unit / BigRational::from_integer((count + 1).into());
-    (0..count as i32).map(move |place| &step * BigRational::from_integer((place + 1).into()))
+    // Inside the range, which the layout file reads, and inside one turn, so that no two of them are alike.
+    let turn = (high - low).min(BigRational::one());
+    let (first, step) = (low / per_unit, turn / per_unit / BigRational::from_integer((count + 1).into()));
+    let is_wide = !step.is_zero();
+    (0..count as i32)
+        .filter(move |_| is_wide)
+        .map(move |place| &first + &step * BigRational::from_integer((place + 1).into()))
 }
 
 fn find(

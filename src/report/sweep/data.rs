@@ -42,7 +42,7 @@ pub fn points(sweep: &Sweep) -> Table {
     for ([pattern, _], interval) in INTERVALS {
         table.decimal(pattern, Unit::DEGREE, |(_, point)| degrees(point, interval).as_ref().map(float));
     }
-    if sweep.points.iter().any(|point| point.dead_centres_apart) {
+    if sweep.dead_centres_apart {
         for (index, pattern) in DEAD_CENTRES.into_iter().enumerate() {
             table.decimal(pattern, Unit::DEGREE, |(_, point)| dead_centres(point).map(|ends| ends[index]));
         }
