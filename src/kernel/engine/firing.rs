@@ -120,7 +120,7 @@ fn top_dead_centre(cylinders: &[Cylinder], to: usize, from: usize) -> BigRationa
 
 /// Turns in degrees, not reduced, for a message.
 pub(super) fn degrees(turns: &BigRational) -> String {
-    fraction::written(&(turns * BigRational::from_integer(360.into())))
+    fraction::written(&(turns * BigRational::from_integer(360.into())), fraction::MOST_PLACES)
 }
 
 /// The order of an odd number of cylinders on one crankpin that fire every second one, by their names; none of other engines.

@@ -60,11 +60,14 @@ pub fn common_unit<'a>(numbers: impl IntoIterator<Item = &'a BigRational>) -> Bi
     BigRational::new(divisor, multiple)
 }
 
-/// A decimal where it ends within twelve places, else a fraction: what a person would type.
-pub fn written(value: &BigRational) -> String {
+/// Decimals of a layout file end within so many places.
+pub const MOST_PLACES: usize = 12;
+
+/// A decimal where it ends within so many places, else a fraction: what a person would type.
+pub fn written(value: &BigRational, most_places: usize) -> String {
     let ten = BigRational::from_integer(10.into());
     let (mut scaled, mut places) = (value.abs(), 0);
-    while !scaled.is_integer() && places < 12 {
+    while !scaled.is_integer() && places < most_places {
         scaled *= &ten;
         places += 1;
     }
@@ -73,10 +76,8 @@ pub fn written(value: &BigRational) -> String {
     }
     let sign = if value.is_negative() { "-" } else { "" };
     let digits = format!("{:0>width$}", scaled.to_integer().to_string(), width = places + 1);
-    match digits.split_at(digits.len() - places) {
-        (whole, "") => format!("{sign}{whole}"),
-        (whole, fraction) => format!("{sign}{whole}.{fraction}"),
-    }
+    let (whole, fraction) = digits.split_at(digits.len() - places);
+    format!("{sign}{whole}.{fraction}").trim_end_matches('.').to_owned()
 }
 
 /// `a/b ± c/d` with the gcd g of the denominators: `(a·d/g ± c·b/g) / (b·d/g)`, in which only a divisor of g is left to take out (Knuth,

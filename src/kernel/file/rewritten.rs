@@ -69,7 +69,7 @@ pub fn counted_from_its_throw(
 
 /// An exact number as a layout file has it: a decimal where it ends and its whole part fits a float's digits, else a fraction in quotes.
 pub fn exact_number(value: &BigRational) -> String {
-    let written = fraction::written(value);
+    let written = fraction::written(value, fraction::MOST_PLACES);
     let whole = written.split('.').next().unwrap_or_default().trim_start_matches('-');
     if written.contains('/') || whole.len() > 18 { format!("\"{value}\"") } else { written }
 }

@@ -3,7 +3,6 @@
 use std::fmt;
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
@@ -149,13 +148,7 @@ fn function(angle: &Turn, power: usize, style: &Style) -> String {
 
 /// `22.5`, `180/7`: a decimal where it ends after three places.
 fn plain_degrees(degrees: &BigRational) -> String {
-    let thousandths = degrees * BigRational::from_integer(1000.into());
-    if !thousandths.is_integer() {
-        return degrees.to_string();
-    }
-    let (whole, rest) = thousandths.to_integer().div_rem(&BigInt::from(1000));
-    let text = format!("{whole}.{:0>3}", rest.to_string());
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    fraction::written(degrees, 3)
 }
 
 /// Brackets and roots nested deeper than this are nobody's number.

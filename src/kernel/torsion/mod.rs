@@ -23,6 +23,6 @@ pub use forced::{Excitation, Heat, forced_twist, heat, shaft_torques};
 pub use holzer::{Mode, Node, modes};
 pub use limit::{HIGHEST_RATIO, StressLimit, UNBARRED, barred, stress};
 pub use mesh::mesh_torques;
-pub use peak::highest;
+pub use peak::{beside, highest, peaks};
 pub use synthesis::half_range;
 pub use train::{Disc, Link, Train};

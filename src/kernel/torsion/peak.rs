@@ -2,6 +2,16 @@
 
 use crate::motion::top_between;
 
+/// The places of a row of values that are no lower than this and than their neighbours: peaks, or an end beside which the values fall.
+pub fn peaks(values: &[f64], least: f64) -> impl Iterator<Item = usize> {
+    (0..values.len()).filter(move |at| beside(values, *at).into_iter().all(|side| values[*at] >= side.max(least)))
+}
+
+/// What is on both sides of a place in a row: its neighbours, itself at an end.
+pub fn beside(row: &[f64], at: usize) -> [f64; 2] {
+    [row[at.saturating_sub(1)], row[(at + 1).min(row.len() - 1)]]
+}
+
 /// A peak whose points are lower than this part of the highest one is not refined.
 const LOWER: f64 = 0.9;
 
@@ -14,18 +24,13 @@ pub fn highest(low: f64, high: f64, points: usize, of: &dyn Fn(f64) -> f64) -> (
 
 /// The same where the values of points at equal distances are known: of the peaks that are no lower than this.
 pub(super) fn highest_beside([low, high]: [f64; 2], values: &[f64], least: f64, of: &dyn Fn(f64) -> f64) -> (f64, f64) {
-    let points = values.len() - 1;
-    let at = |index: usize| low + (high - low) * index as f64 / points as f64;
-    let value = |index: usize| values.get(index).copied().unwrap_or(f64::NEG_INFINITY);
-    let is_peak = |index: &usize| {
-        let own = values[*index];
-        own >= value(index.wrapping_sub(1)) && own >= value(index + 1) && own >= least
-    };
+    let at: Vec<f64> = (0..values.len()).map(|n| low + (high - low) * n as f64 / (values.len() - 1) as f64).collect();
     let refined = |index: usize| {
-        let place = top_between(at(index.saturating_sub(1)), at((index + 1).min(points)), of);
+        let [before, after] = beside(&at, index);
+        let place = top_between(before, after, of);
         let value = of(place);
-        if value >= values[index] { (place, value) } else { (at(index), values[index]) }
+        if value >= values[index] { (place, value) } else { (at[index], values[index]) }
     };
-    let peaks = (0..=points).filter(is_peak).map(refined);
-    peaks.fold((low, f64::NEG_INFINITY), |most, one| if one.1 > most.1 { one } else { most })
+    let tops = peaks(values, least).map(refined);
+    tops.fold((low, f64::NEG_INFINITY), |most, one| if one.1 > most.1 { one } else { most })
 }

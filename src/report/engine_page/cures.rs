@@ -290,14 +290,13 @@ impl Cure<'_> {
         let remedy = self.remedy?;
         let is_meant = |shaft: &&Shaft| (shaft.order, shaft.sense) == (self.order.order, sense);
         let shaft = remedy.crankshaft.iter().chain(&remedy.shafts).find(is_meant)?;
+        if !shaft.weights.is_empty() && !remedy.stays(&shaft.weights) {
+            return Some("removed".into());
+        }
         let sizes = self.sizes(remedy, shaft)?;
         // What is there already takes the place of nothing that is added.
         let is_resized = shaft.weights.iter().any(|weight| remedy.resizes(weight));
-        Some(match (is_resized, remedy.stays(&shaft.weights)) {
-            (false, _) => sizes,
-            (true, true) => phrase!("resized to {}", sizes),
-            (true, false) => "removed".into(),
-        })
+        Some(if is_resized { phrase!("resized to {}", sizes) } else { sizes })
     }
 
     /// The mass-radius of each weight of a shaft, as it is built.
@@ -307,7 +306,7 @@ impl Cure<'_> {
         let alike = |first: f64| sizes.iter().all(|other| (other - first).abs() <= ALIKE * first);
         match sizes.as_slice() {
             _ if sizes.len() != weights.len() => None,
-            [] => (!shaft.weights.is_empty()).then(Text::default),
+            [] => None,
             [only] => Some(mass_radius(remedy, *only)),
             [first, _] if alike(*first) => {
                 Some(self.with_distance(phrase!("2\u{a0}×\u{a0}{}", mass_radius(remedy, *first)), remedy, &weights))

@@ -3,6 +3,7 @@
 use super::{AtSpeed, MountsStudy, largest};
 use crate::motion::golden_section;
 use crate::mounts::{Mode, OrderExcitation};
+use crate::torsion::{beside, peaks};
 
 /// So many speeds of a range are computed of every order.
 const SPEEDS: u32 = 80;
@@ -36,9 +37,9 @@ fn of_order(study: &MountsStudy, place: usize, even: &[f64]) -> Vec<AtSpeed> {
     let (Some(&from), Some(&to)) = (even.first(), even.last()) else { return Vec::new() };
     let met: Vec<(f64, &Mode)> = study.modes.iter().map(|mode| (excitation.order.rpm(mode.hertz()), mode)).collect();
     let endless: Vec<f64> = met.iter().filter(|(_, mode)| !study.body.is_damped(mode)).map(|(rpm, _)| *rpm).collect();
-    let beside = met.iter().flat_map(|(rpm, _)| BESIDE.map(|part| rpm * (1.0 + part)));
+    let close = met.iter().flat_map(|(rpm, _)| BESIDE.map(|part| rpm * (1.0 + part)));
     let damped = met.iter().map(|(rpm, _)| *rpm).filter(|rpm| !endless.contains(rpm));
-    let mut speeds: Vec<f64> = even.iter().copied().chain(beside).chain(damped).collect();
+    let mut speeds: Vec<f64> = even.iter().copied().chain(close).chain(damped).collect();
     speeds.retain(|speed| (from..=to).contains(speed));
     speeds.sort_by(f64::total_cmp);
     speeds.dedup_by(|one, other| (*one - *other).abs() < 1e-9 * to);
@@ -46,9 +47,9 @@ fn of_order(study: &MountsStudy, place: usize, even: &[f64]) -> Vec<AtSpeed> {
     for of in [|at: &AtSpeed| at.velocity, |at: &AtSpeed| at.force] {
         let values: Vec<f64> = found.iter().map(|at| of(at).unwrap_or_default()).collect();
         let speeds: Vec<f64> = found.iter().map(|at| at.rpm).collect();
-        let sides = peaks(&values).map(|index| [index.saturating_sub(1), (index + 1).min(speeds.len() - 1)]);
+        let least = LOWER * values.iter().copied().fold(0.0, f64::max);
+        let sides = peaks(&values, least).map(|index| beside(&speeds, index));
         // Beside a natural frequency without damping a response rises without end, or is that of rounding.
-        let sides = sides.map(|sides| sides.map(|index| speeds[index]));
         let sides = sides.filter(|[low, high]| !endless.iter().any(|rpm| (low..=high).contains(&rpm)));
         let value = |rpm| of(&at(study, place, rpm)).unwrap_or_default();
         found.extend(sides.map(|[low, high]| at(study, place, golden_section(low, high, SECTIONS, value))));
@@ -60,15 +61,6 @@ fn of_order(study: &MountsStudy, place: usize, even: &[f64]) -> Vec<AtSpeed> {
     let unbounded = met.iter().filter(is_endless).filter(|(rpm, _)| (from..=to).contains(rpm));
     found.extend(unbounded.map(|(rpm, _)| AtSpeed { rpm: *rpm, order: place, velocity: None, force: None }));
     found
-}
-
-/// The places that have no higher neighbour, among the larger values.
-fn peaks(values: &[f64]) -> impl Iterator<Item = usize> {
-    let least = LOWER * values.iter().copied().fold(0.0, f64::max);
-    let value = |index: usize| values.get(index).copied().unwrap_or(f64::NEG_INFINITY);
-    (0..values.len()).filter(move |&index| {
-        value(index) >= least && value(index) >= value(index.wrapping_sub(1)) && value(index) >= value(index + 1)
-    })
 }
 
 /// Whether an order does work in a mode at a speed, beyond rounding.

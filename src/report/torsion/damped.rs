@@ -14,8 +14,8 @@ use crate::engine::{self, CycleOrder};
 use crate::motion::golden_section;
 use crate::numbers::float;
 use crate::torsion::{
-    self, DamperSetting, Excitation, HIGHEST_RATIO, Heat, Link, StressLimit, Train, forced_twist, heat, highest,
-    mesh_torques, resonance, shaft_torques,
+    self, DamperSetting, Excitation, HIGHEST_RATIO, Heat, Link, StressLimit, Train, beside, forced_twist, heat,
+    highest, mesh_torques, peaks, resonance, shaft_torques,
 };
 
 /// A range is divided into this many speeds.
@@ -160,15 +160,14 @@ impl TorsionStudy {
         let torque = |order: CycleOrder, speed: f64| self.largest_torque(&self.train, order, speed).1;
         let peaks_of = |order: CycleOrder| {
             let values: Vec<f64> = speeds.iter().map(|speed| torque(order, *speed)).collect();
-            let is_peak = |place: &usize| values[*place] >= values[place - 1] && values[*place] >= values[place + 1];
-            let inside = (1..speeds.len().saturating_sub(1)).filter(is_peak);
+            let inside = peaks(&values, 0.0).filter(|place| (1..values.len().saturating_sub(1)).contains(place));
             inside.map(|place| (order, place, values[place])).collect::<Vec<_>>()
         };
-        let peaks: Vec<_> = excited.orders().filter(|order| !excited.is_still(*order)).flat_map(peaks_of).collect();
-        let highest = peaks.iter().map(|(.., torque)| *torque).fold(0.0, f64::max);
-        let high = peaks.into_iter().filter(|(.., torque)| *torque >= LOWER * highest);
+        let all: Vec<_> = excited.orders().filter(|order| !excited.is_still(*order)).flat_map(peaks_of).collect();
+        let highest = all.iter().map(|(.., torque)| *torque).fold(0.0, f64::max);
+        let high = all.into_iter().filter(|(.., torque)| *torque >= LOWER * highest);
         let refined = high.map(|(order, place, _)| {
-            let (low, high) = (speeds[place - 1], speeds[place + 1]);
+            let [low, high] = beside(&speeds, place);
             self.largest_at(order, golden_section(low, high, SECTIONS, |speed| torque(order, speed)))
         });
         refined.max_by(|one, other| one.torque.total_cmp(&other.torque))
@@ -220,24 +219,18 @@ impl TorsionStudy {
     pub fn over_range(&self) -> &[TwistAtSpeed] {
         self.cached.range.get_or_init(|| {
             let mut range: Vec<TwistAtSpeed> = self.speeds().into_iter().filter_map(|rpm| self.twist_at(rpm)).collect();
-            let beside = |values: &mut dyn Iterator<Item = f64>| {
-                let top = |most: (usize, f64), one: (usize, f64)| if one.1 > most.1 { one } else { most };
-                let (place, _) = values.enumerate().fold((0, 0.0), top);
-                [place.saturating_sub(1), (place + 1).min(range.len().saturating_sub(1))].map(|at| range[at].speed)
-            };
-            let largest = |[low, high]: [f64; 2], of: &dyn Fn(&Vibration) -> f64| {
+            let speeds: Vec<f64> = range.iter().map(|at| at.speed).collect();
+            let top = |found: &dyn Fn(&TwistAtSpeed) -> f64, of: &dyn Fn(&Vibration) -> f64| {
+                let largest = |most: (usize, f64), one: (usize, f64)| if one.1 > most.1 { one } else { most };
+                let (place, _) = range.iter().map(found).enumerate().fold((0, 0.0), largest);
+                let [low, high] = beside(&speeds, place);
                 golden_section(low, high, SECTIONS, |rpm| self.vibration(rpm).map_or(0.0, |at| of(&at)))
             };
             let mut tops: Vec<f64> = Vec::new();
             if !range.is_empty() {
-                let shafts = 0..self.train.shafts;
-                tops.extend(shafts.map(|shaft| {
-                    largest(beside(&mut range.iter().map(|at| at.torques[shaft])), &|at| at.torque(shaft))
-                }));
-                let gears = 0..self.train.gears.len();
-                tops.extend(
-                    gears.map(|gear| largest(beside(&mut range.iter().map(|at| at.meshes[gear])), &|at| at.mesh(gear))),
-                );
+                let (shafts, gears) = (0..self.train.shafts, 0..self.train.gears.len());
+                tops.extend(shafts.map(|shaft| top(&|at| at.torques[shaft], &|at| at.torque(shaft))));
+                tops.extend(gears.map(|gear| top(&|at| at.meshes[gear], &|at| at.mesh(gear))));
             }
             range.extend(tops.into_iter().filter_map(|rpm| self.twist_at(rpm)));
             range.sort_by(|one, other| one.speed.total_cmp(&other.speed));
