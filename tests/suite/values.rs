@@ -181,6 +181,9 @@ fn parts_that_differ_have_no_one_value() {
         named(&engine, "firing.orders.1.major").expect("alike in both").value().map(|one| one.to_string()).as_deref(),
         Some("false")
     );
+    let why = named(&engine, "classify.orders.2.force").expect_err("two rods");
+    assert!(why.contains("it is told of each part alone: cylinders 1, 3; cylinders 2, 4"), "{why}");
+    assert!(named(&engine, "classify.orders.2.force_vanishes").is_ok(), "the order has a verdict");
 }
 
 #[test]

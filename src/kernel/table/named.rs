@@ -116,6 +116,8 @@ pub enum NotNamed {
     Keys(Vec<String>),
     /// So many rows have these keys, and other values.
     Several(usize),
+    /// The row is of several parts, and has no value of its own: what they are called.
+    Parts(Vec<String>),
 }
 
 impl NotNamed {
@@ -147,6 +149,7 @@ impl fmt::Display for NotNamed {
             NotNamed::Several(rows) => {
                 write!(f, "{rows} rows have these keys and differ in this column: it has no one value")
             }
+            NotNamed::Parts(parts) => write!(f, "it is told of each part alone: {}", harmless(&parts.join("; "))),
             NotNamed::Keys(keys) => write!(f, "a row is named by {}, then a column", keys.join(", then ")),
         }
     }
@@ -198,11 +201,17 @@ impl Table {
         })?;
         let single = |row: usize| found.values().of_rows(row..row + 1);
         let (first, others) = rows.split_first().ok_or_else(NotNamed::nothing)?;
+        let of = values.iter().find(|column| column.name() == "of");
+        let part = |row: &usize| Some(of?.values().get(*row)?.to_string());
+        let parts: Vec<String> = rows.iter().filter_map(part).collect();
         // A row of no part stands before its parts.
-        let is_whole = values.iter().any(|column| column.name() == "of" && column.values().get(*first).is_none());
-        match is_whole || others.iter().all(|other| single(*other) == single(*first)) {
-            true => Ok(Single { unit: found.unit(), about: found.about(), values: single(*first) }),
-            false => Err(NotNamed::Several(rows.len())),
+        let is_whole = of.is_some() && part(first).is_none();
+        match found.values().get(*first) {
+            None if is_whole && parts.len() > 1 => Err(NotNamed::Parts(parts)),
+            _ if is_whole || others.iter().all(|other| single(*other) == single(*first)) => {
+                Ok(Single { unit: found.unit(), about: found.about(), values: single(*first) })
+            }
+            _ => Err(NotNamed::Several(rows.len())),
         }
     }
 
