@@ -388,6 +388,19 @@ fn conditions_on_both_angles_that_exclude_each_other_are_never_met() {
 }
 
 #[test]
+fn counterweights_cancel_order_1_only_where_it_remains() {
+    let told = |form: &str| {
+        let family = open(&format!("{form}\nmechanism = {{ rod_ratio = 0.25 }}"));
+        let orders = family::classify(&family, &[1, 2]).expect("orders");
+        pages::text(&report::family_answer(&family, &orders), Format::PLAIN).replace('\n', " ")
+    };
+    let twin = told("u = { throws = [0, 180], sense = 'against', phase = 'phi', distance = 3 }");
+    assert!(twin.contains("At φ = 180° order 1 vanishes; order 2 remains: force 4"), "{twin}");
+    let vee = told(V_TWIN);
+    assert!(vee.contains("counterweights cancel order 1") && !vee.contains("order 1 vanishes"), "{vee}");
+}
+
+#[test]
 fn a_family_with_masses_that_turn_says_that_it_is_about_the_pistons() {
     let told = |masses: &str| {
         let family = open(&format!("{V4}\nmechanism = {{ reciprocating_mass = 1{masses} }}"));

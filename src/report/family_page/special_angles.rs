@@ -1,4 +1,4 @@
-//! At which angles do counterweights cancel order 1, and what remains of order 2 there?
+//! At which angles does order 1 vanish or do counterweights cancel it, and what remains of order 2 there?
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,18 +14,18 @@ use crate::verdict::Judgement;
 
 /// A sentence for each group of angles where the same remains; none where order 1 always or never loses its reverse vectors.
 pub(super) fn sentences(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
-    let mut groups: Vec<(BTreeSet<Turn>, Option<Text>)> = Vec::new();
-    for angle in angles(orders).unwrap_or_default() {
-        let remains = remains(family, &angle);
-        let plain = |text: &Option<Text>| text.as_ref().map(Text::plain);
-        match groups.iter_mut().find(|(_, other)| plain(other) == plain(&remains)) {
+    let mut groups: Vec<(BTreeSet<Turn>, (bool, Option<Text>))> = Vec::new();
+    for (angle, vanishes) in angles(orders).unwrap_or_default() {
+        let there = (vanishes, remains(family, &angle));
+        let plain = |(vanishes, text): &(bool, Option<Text>)| (*vanishes, text.as_ref().map(Text::plain));
+        match groups.iter_mut().find(|(_, other)| plain(other) == plain(&there)) {
             Some((angles, _)) => _ = angles.insert(angle),
-            None => groups.push((BTreeSet::from([angle]), remains)),
+            None => groups.push((BTreeSet::from([angle]), there)),
         }
     }
-    let sentence = |(angles, remains): (BTreeSet<Turn>, Option<Text>)| match remains {
-        Some(remains) => text::counterweights_leave(words::list(&angles), remains),
-        None => text::counterweights_at(words::list(&angles)),
+    let sentence = |(angles, (vanishes, remains)): (BTreeSet<Turn>, (bool, Option<Text>))| match remains {
+        Some(remains) => text::first_cancelled_rest(words::list(&angles), vanishes, remains),
+        None => text::first_cancelled(words::list(&angles), vanishes),
     };
     groups.into_iter().map(sentence).chain(of_two_angles(family, orders)).collect()
 }
@@ -40,16 +40,20 @@ fn of_two_angles(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
     is_one_of_two.then(|| text::counterweights_where(condition))
 }
 
-/// The bank angles at which both reverse vectors of order 1 vanish.
-fn angles(orders: &[OpenOrder]) -> Option<BTreeSet<Turn>> {
+/// The bank angles at which both reverse vectors of order 1 vanish, and whether both direct ones, which counterweights cancel, do so too.
+fn angles(orders: &[OpenOrder]) -> Option<Vec<(Turn, bool)>> {
     let first = orders.iter().find(|order| order.order == 1)?;
-    let [force, moment] = [&first.force, &first.moment].map(|[_, reverse]| reverse);
-    match (force.always(), moment.always()) {
-        (true, true) => None,
-        (true, false) => moment.bank_angles(),
-        (false, true) => force.bank_angles(),
-        (false, false) => Some(force.bank_angles()?.intersection(&moment.bank_angles()?).cloned().collect()),
-    }
+    let [direct, reverse] = [0, 1].map(|sense| [&first.force[sense], &first.moment[sense]]);
+    let angles = match reverse.map(|vector| vector.always()) {
+        [true, true] => None,
+        [true, false] => reverse[1].bank_angles(),
+        [false, true] => reverse[0].bank_angles(),
+        [false, false] => Some(reverse[0].bank_angles()?.intersection(&reverse[1].bank_angles()?).cloned().collect()),
+    };
+    let vanishes = |angle: &Turn| {
+        direct.iter().all(|vector| vector.always() || vector.bank_angles().is_some_and(|angles| angles.contains(angle)))
+    };
+    Some(angles?.into_iter().map(|angle| (angle.clone(), vanishes(&angle))).collect())
 }
 
 /// What remains of order 2 at an angle; none where lengths are open besides, or no piston has the order.
