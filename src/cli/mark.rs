@@ -69,6 +69,9 @@ const DEEPEST: usize = 5;
 impl Mark {
     /// Prints the table of marks, and writes the pages into the folder.
     pub fn run(&self) -> Result<(), Failure> {
+        if !self.handed_in.exists() {
+            return Err(Failure::new(format!("there is no file or folder `{}`", layouts::shown(&self.handed_in))));
+        }
         let beside = if self.handed_in.is_dir() { Some(self.handed_in.as_path()) } else { self.handed_in.parent() };
         let key = self.exercise.clone().unwrap_or_else(|| beside.unwrap_or(Path::new("")).join(KEY));
         if self.exercise.is_none() && !key.is_file() {

@@ -64,6 +64,7 @@ const KEYS: &[(&str, usize, &str)] = &[
     ("orders = 1,2\ninline.throws = [0]",                        1, "such as [1, 2]"),
     ("speed = 6,000\ninline.throws = [0]",                       1, "decimals have a point"),
     ("cycle = 'four-stroke'\nfiring_order = '1342'\ninline.throws = [0, 180, 180, 0]", 2, "with hyphens between them"),
+    ("throws = [0, 90]\n[vee]\nbank_angle = 90",                 1, "`throws` is a key of `inline`, `vee`"),
 ];
 
 /// Mistakes in what turns; each file begins with an engine of two throws, its masses and its crank: four lines.

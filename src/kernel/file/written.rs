@@ -219,7 +219,7 @@ fn toml_error(error: toml::de::Error) -> LayoutError {
 /// One slip of the hand for so many letters of a key is one: a letter too many, too few, another, or two exchanged.
 const LETTERS_A_SLIP: usize = 3;
 
-/// What may be meant by an unknown key: one that is nearly it, one of the file as a whole or of the only table that has it, or any of those that are expected.
+/// What may be meant by an unknown key: one that is nearly it, one of the file as a whole or of the tables that have it, or any of those that are expected.
 fn what_is_known(unknown: &str, expected: &str) -> String {
     let keys: Vec<&str> = expected.split('`').skip(1).step_by(2).collect();
     let near = keys.iter().map(|key| (strsim::osa_distance(unknown, key), key));
@@ -227,12 +227,16 @@ fn what_is_known(unknown: &str, expected: &str) -> String {
     let has = |is_meant: &dyn Fn(&str, &[&str]) -> bool| tables().any(|(table, own)| is_meant(table, &own));
     let is_of_a_layout = has(&|_, own| own == keys);
     let is_of_the_file = is_of_a_layout && has(&|table, own| table.is_empty() && own.contains(&unknown));
+    let is_above_the_tables = has(&|table, own| table.is_empty() && own == keys);
     let owners: Vec<&str> =
         tables().filter(|(_, own)| is_of_a_layout && own.contains(&unknown)).map(|(table, _)| table).collect();
     match near {
         Some((_, key)) => format!("did you mean `{key}`?"),
         None if is_of_the_file => format!("`{unknown}` belongs above the first table"),
-        None if owners.len() == 1 => format!("`{unknown}` is a key of `{}`", owners[0]),
+        // In a table, what it expects tells more than a list of other tables.
+        None if owners.len() == 1 || is_above_the_tables && !owners.is_empty() => {
+            format!("`{unknown}` is a key of `{}`", owners.join("`, `"))
+        }
         None => format!("expected {expected}"),
     }
 }
