@@ -8,9 +8,10 @@ use std::collections::BTreeSet;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
+use super::SweepError;
 use super::amplitude::{Amplitude, float};
+use super::opened::opened_with_firing;
 use super::parameter::Parameter;
-use super::{SweepError, zeros};
 use crate::engine::{CycleOrder, Engine, NoSpans};
 use crate::exact::PhasorSum;
 use crate::family::{self, OpenStar, Solutions};
@@ -117,7 +118,7 @@ fn amplitude(sum: &PhasorSum) -> Amplitude {
 
 /// Where the stars vanish; `None` where the parameter is no angle, or the rods differ.
 pub(super) fn found(template: &Template, parameter: &Parameter, orders: &[CycleOrder]) -> Option<Vec<FiringZeros>> {
-    let (open, per_unit) = zeros::opened_with_firing(template, parameter)?;
+    let (open, per_unit) = opened_with_firing(template, parameter)?;
     let unknown = open.open_angles().into_iter().next()?;
     let ends = [parameter.range.value(0), parameter.range.last()].map(|end| end * &per_unit);
     let range = [ends.iter().min()?, ends.iter().max()?];

@@ -12,6 +12,7 @@ mod evenness;
 mod firing;
 mod integers;
 mod observed;
+mod opened;
 mod parameter;
 mod range;
 mod reader;
@@ -27,13 +28,14 @@ pub use envelope::{Envelope, Geometry, envelope};
 pub use evenness::{Evenness, dead_centre_intervals, evenness, most_even_firings};
 pub use firing::{FiringSweep, FiringZeros, StarLength};
 pub use observed::{Observed, ObservedSweep, Observer};
+pub use opened::zeros;
 pub use parameter::{Parameter, SHORT_CUTS};
 pub use range::{MOST_POINTS, Range};
 pub use record::Sweep;
 pub use run::sweep;
 pub use stream::Stream;
 pub use swept_engine::{SweptEngine, SweptOrder, judge};
-pub use zeros::{ZeroSet, Zeros, zeros};
+pub use zeros::{ZeroSet, Zeros};
 
 use crate::file::LayoutError;
 

@@ -8,13 +8,13 @@ use num_rational::BigRational;
 use super::SweepError;
 use super::envelope::Geometry;
 use super::firing::{found, lengths};
+use super::opened::{is_angle, zeros};
 use super::parameter::Parameter;
 use super::range::MOST_POINTS;
 use super::reader::on_all_cores;
 use super::record::Sweep;
 use super::stream::Stream;
 use super::swept_engine::{Motions, SweptEngine};
-use super::zeros::{is_angle, zeros};
 use crate::file::Template;
 
 /// Curves between the points of a coarse grid are drawn from about this many points.

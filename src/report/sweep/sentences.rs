@@ -67,15 +67,15 @@ pub(super) fn gone_sentence(gone: &[(Planar, u32)]) -> Option<Text> {
 
 /// Where the cylinders fire most evenly; where offsets move the top dead centres, by what that is counted, and where these are most even.
 pub(super) fn firing_sentences(sweep: &Sweep) -> impl Iterator<Item = Text> {
-    let counted = sweep.points.iter().any(|point| point.dead_centres_apart).then(|| match most_even_centres(sweep) {
+    let counted = sweep.dead_centres_apart.then(|| match most_even_centres(sweep) {
         Some((at, [least, most])) => text::firing_beside_dead_centres(at, least, most),
         None => text::firing_in_line(),
     });
     firing_sentence(sweep).into_iter().chain(counted)
 }
 
-/// Decimals that differ by less are one value.
-const ALIKE: f64 = 1e-9;
+/// Unevennesses that differ by fewer degrees are one value.
+const ALIKE_DEGREES: f64 = 1e-9;
 
 /// Where the top dead centres in firing order come most evenly, and at which intervals; none where the layout gives no firing order.
 fn most_even_centres(sweep: &Sweep) -> Option<(Text, [Text; 2])> {
@@ -85,7 +85,7 @@ fn most_even_centres(sweep: &Sweep) -> Option<(Text, [Text; 2])> {
         .filter_map(|point| dead_centres(point).map(|[least, most]| (most - least, [least, most], point)))
         .collect();
     let (uneven, ends, _) = known.iter().min_by(|one, other| one.0.total_cmp(&other.0))?;
-    let best = known.iter().filter(|(other, ..)| other - uneven <= ALIKE);
+    let best = known.iter().filter(|(other, ..)| other - uneven <= ALIKE_DEGREES);
     let at: Vec<Text> = best.map(|(.., point)| place(sweep, point)).collect();
     let at = if at.len() == sweep.points.len() { "every value".into() } else { listed(at) };
     Some((at, ends.map(Text::figures)))
@@ -114,7 +114,7 @@ fn firing_sentence(sweep: &Sweep) -> Option<Text> {
     }
     let at = listed(at.into_iter().map(|point| place(sweep, point)).collect());
     let [shortest, longest] = [&best.shortest, &best.longest].map(number::turns);
-    let in_line = sweep.points.iter().any(|point| point.dead_centres_apart);
+    let in_line = sweep.dead_centres_apart;
     Some(match shortest == longest {
         true => text::even_firing(in_line, shortest, at, of_the_file),
         false => text::most_even_firing(in_line, shortest, longest, at, of_the_file),

@@ -112,7 +112,7 @@ fn others(sweep: &Sweep) -> Table {
         Some(phrase!("{} to {}", number::turns(&evenness.shortest), number::turns(&evenness.longest)))
     });
     add("longest less shortest".into(), &|point| Some(number::turns(&point.evenness.as_ref()?.unevenness()).into()));
-    if sweep.points.iter().any(|point| point.dead_centres_apart) {
+    if sweep.dead_centres_apart {
         add("Top dead centres apart by".into(), &|point| {
             let [least, most] = dead_centres(point)?.map(Text::figures);
             Some(phrase!("≈ {}° to ≈ {}°", least, most))
