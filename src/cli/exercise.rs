@@ -98,7 +98,11 @@ impl Exercise {
         let written = self.files(&exercise, &scheme).and_then(|files| self.pages.write_files(&files));
         let namesakes = students.iter().filter(|student| student.is_namesake);
         namesakes.for_each(|student| write::warn(&namesake(student)));
-        write::to_stdout(&format!("{} sheets, with solutions. Seed {}.\n{}", students.len(), self.seed, written?))
+        let sheets = match students.len() {
+            1 => "1 sheet".to_owned(),
+            count => format!("{count} sheets"),
+        };
+        write::to_stdout(&format!("{sheets}, with solutions. Seed {}.\n{}", self.seed, written?))
     }
 
     fn vary(&self) -> Result<Vary, Failure> {

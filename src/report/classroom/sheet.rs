@@ -46,7 +46,7 @@ pub(super) fn given(pupil: &Pupil) -> Vec<Block> {
 
 const PHASES: &str =
     "\\varphi_{j}^{+} = k\\beta_j - (k-1)\\alpha_j, \\qquad \\varphi_{j}^{-} = -k\\beta_j + (k+1)\\alpha_j";
-const SUMS: &str = "P_k^{\\pm} = \\sum_j m_j\\, e^{i\\varphi_{j}^{\\pm}}, \\qquad C_k^{\\pm} = \\sum_j m_j\\, z_j\\, e^{i\\varphi_{j}^{\\pm}}";
+const SUMS: &str = "P_k^{\\pm} = \\sum_j w_j\\, e^{i\\varphi_{j}^{\\pm}}, \\qquad C_k^{\\pm} = \\sum_j w_j\\, z_j\\, e^{i\\varphi_{j}^{\\pm}}";
 
 /// A table to fill in for each order.
 fn tables(pupil: &Pupil, orders: &[u32]) -> Vec<Block> {
