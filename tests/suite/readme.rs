@@ -39,7 +39,9 @@ fn the_commands_of_the_readme_run() {
     fs::create_dir(folder.join("examples")).expect("a folder");
     fs::write(folder.join("examples/four.toml"), text("examples/four.toml")).expect("a file");
     let mut run = 0;
-    for span in spans(&text("README.md")) {
+    let spans = spans(&text("README.md"));
+    assert!(spans.iter().any(|span| span == "cargo test"), "who has a clone finds its tests");
+    for span in spans {
         let ways = ["crankstar ", "cargo run -- ", "uvx crankstar ", "docker run --rm crankstar "];
         let Some(arguments) = ways.iter().find_map(|way| span.strip_prefix(way)) else { continue };
         let out = program().args(arguments.split(' ')).current_dir(&folder).output().expect("the program starts");
