@@ -35,6 +35,8 @@ pub enum Piece {
     Bearing(Bearing),
     /// A decimal with its unit, to sensible figures: a unit says that it is one.
     Quantity(f64, Unit),
+    /// A bound with its unit, which is never rounded down, whatever figures the reader asks for.
+    AtMost(f64, Unit),
     /// A decimal whose unit is given elsewhere, as over its column, and how it is set.
     Measured(f64, Unit, Setting),
     /// An irrational number with its decimals, whose unit is given elsewhere: the form holds in that unit alone.

@@ -93,8 +93,31 @@ fn orders_that_are_small_beside_others_are_those_of_the_force_or_of_the_moment()
         "{text}"
     );
     // Whose mass the multiples are of.
-    assert!(text.contains("m being the reciprocating mass of the first cylinder that has one"), "{text}");
+    assert!(text.contains("in m r ω² c_k with m = 0.65 kg:"), "{text}");
     assert!(!text.contains("times kilograms"), "{text}");
+}
+
+#[test]
+fn the_mass_of_the_multiples_is_the_one_that_they_count() {
+    let told = |above: &str| {
+        let one = |throw: u32| {
+            format!("[[cylinder]]\nthrow = {throw}\nbank = 0\nposition = 0\nreciprocating_mass = '0.8 kg'\n")
+        };
+        let text = pages::text(&pages::document(&engine(&(above.to_owned() + &one(0) + &one(90)))), Format::PLAIN);
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    // √2 of two masses of 0.8 kg is 1.13 of one kilogram.
+    assert!(told("").contains("m being the unit of the reciprocating masses in the table of cylinders:"));
+    assert!(told("[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\n").contains("with m = 1 kg:"));
+}
+
+#[test]
+fn a_bound_in_newtons_is_never_rounded_down() {
+    let yokes = "speed = '3000 rpm'\n[mechanism]\nstroke = '80 mm'\nscotch_yoke = true\nreciprocating_mass = ['1 kg', '1.00614 kg']\n\
+        [[cylinder]]\nthrow = 0\nbank = -90\nposition = 0\n[[cylinder]]\nthrow = 180\nbank = 90\nposition = 0\n";
+    // 6.14 g · 40 mm · ω² = 24.24 N.
+    let text = pages::text(&pages::document(&engine(yokes)), Format::PLAIN);
+    assert!(text.contains("Order 1. At most 24.3 N of force."), "{text}");
 }
 
 #[test]

@@ -186,6 +186,24 @@ pub fn sensible(value: f64) -> String {
     text.replace('-', "−")
 }
 
+/// The least number of so many figures that is not below a positive one.
+pub(crate) fn raised_to(value: f64, figures: usize) -> f64 {
+    let places = figures.saturating_sub(1);
+    let text = format!("{value:.places$e}");
+    let near = text.parse().unwrap_or(value);
+    let next = text.split_once('e').and_then(|(digits, power)| {
+        let digits: u64 = digits.replace('.', "").parse().ok()?;
+        let power: i64 = power.parse().ok()?;
+        format!("{}e{}", digits + 1, power - places as i64).parse().ok()
+    });
+    if near >= value { near } else { next.unwrap_or(value) }
+}
+
+/// A bound to sensible figures, which is never rounded down.
+pub(crate) fn at_most(value: f64) -> String {
+    sensible(raised_to(value, 3))
+}
+
 /// The same in letters that other programs read: `-4.13e-4`.
 pub(crate) fn in_ascii(number: &str) -> String {
     let letter = |letter: char| match letter {

@@ -291,10 +291,13 @@ impl<'a> Composer<'a> {
                 Some([tex, plain]) => format!("{} {}", self.exact(&tex, &plain), self.numbers(&bearing.degrees())),
                 None => self.numbers(&bearing.degrees()),
             },
-            Piece::Quantity(value, unit) => {
+            Piece::Quantity(value, unit) | Piece::AtMost(value, unit) => {
                 let (value, unit) = self.options.units.of(*value, *unit);
                 let (value, unit) = unit.at_sight(value);
-                let number = figures.set(value, number::sensible);
+                let number = match piece {
+                    Piece::AtMost(..) => number::at_most(value),
+                    _ => figures.set(value, number::sensible),
+                };
                 let unit = Unit { name: language.fixed(unit.name), ..unit };
                 let set = self.options.siunitx.then(|| writer.quantity(&number, unit)).flatten();
                 set.unwrap_or_else(|| self.numbers(&format!("{number}{}", number::behind(unit))))

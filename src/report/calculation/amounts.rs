@@ -86,7 +86,8 @@ pub(crate) fn in_digits(value: f64, unit: Unit) -> Text {
 
 /// No less than a bound, to six digits.
 pub(crate) fn bound(most: f64, unit: Unit) -> Text {
-    Piece::Measured((most * unit.factor).next_up(), unit.unit, Setting::Fixed(digits)).into()
+    let raised = |value| digits(typeset::raised_to(value, DIGITS));
+    Piece::Measured((most * unit.factor).next_up(), unit.unit, Setting::Fixed(raised)).into()
 }
 
 /// A value in its unit, which the heading of the column names.

@@ -140,10 +140,5 @@ pub(in crate::report) fn percent(part: f64) -> String {
 /// A bound in percent, rounded up to two digits.
 pub(in crate::report) fn percent_at_most(part: f64) -> String {
     let percent = part * 100.0;
-    if percent == 0.0 {
-        return "0".to_owned();
-    }
-    let unit = 10_f64.powi(percent.log10().floor() as i32 - 1);
-    let raised = (percent / unit * (1.0 - 1e-12)).ceil() * unit;
-    digits(format!("{raised:.1e}").parse().unwrap_or(raised))
+    if percent == 0.0 { "0".to_owned() } else { digits(typeset::raised_to(percent * (1.0 - 1e-12), 2)) }
 }

@@ -178,9 +178,5 @@ fn zeros(judged: &Judgement, existing: &[&OrderVerdict]) -> Vec<Vec<Text>> {
 
 /// No less than a value, to two figures.
 fn bound(value: f64) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    let unit = 10_f64.powi(value.log10().floor() as i32 - 1);
-    number::sensible((value / unit).ceil() * unit)
+    if value == 0.0 { "0".to_owned() } else { number::sensible(number::raised_to(value, 2)) }
 }

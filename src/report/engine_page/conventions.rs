@@ -4,7 +4,7 @@ use super::super::convention::{differs, seen};
 use super::super::mechanism_words::{assumed, centres, rows};
 use super::super::table;
 use crate::engine::{Engine, LengthUnit};
-use crate::page::Text;
+use crate::page::{Text, Unit, number};
 use crate::report::texts::{engine as text, residual};
 
 /// The conventions of a report.
@@ -23,7 +23,11 @@ pub(in crate::report) fn reference_plane(engine: &Engine) -> Text {
 
 /// What the exact tables count in.
 pub(super) fn units(engine: &Engine) -> Text {
-    let forces = if engine.has_unit_masses() { text::force_unit() } else { text::force_unit_of_cylinder() };
+    let forces = match &engine.dimensions().mass {
+        _ if engine.has_unit_masses() => text::force_unit(),
+        Some(_) => text::force_unit_of_mass(number::given_with(&engine.unit_mass(), Unit::KILOGRAM)),
+        None => text::force_unit_of_table(),
+    };
     let moments = match engine.length_unit() {
         LengthUnit::Metre => text::moment_unit_metres(),
         LengthUnit::Spacing => text::moment_unit_spacing(engine.positions_given()),

@@ -279,7 +279,11 @@ impl<'a> Weighed<'a> {
         let largest = self.most(quantity);
         let rest = most.and_then(|most| match most < largest {
             true => Some(Rest::Part(most / largest)),
-            false => self.amount(most, quantity).map(Rest::Amount),
+            false => {
+                let unit = self.unit(quantity);
+                let bound = Piece::AtMost((most * unit.factor).next_up(), unit.unit);
+                (unit.factor != 0.0).then(|| Rest::Amount(bound.into()))
+            }
         });
         (small, rest)
     }

@@ -4,7 +4,7 @@ use super::super::bearings::called;
 use super::super::torque::{angle, assumptions as of_the_gas, names, quantity};
 use crate::engine::Engine;
 use crate::journal::{self, CycleBearings, CycleLoads};
-use crate::page::{Text, Unit};
+use crate::page::{Piece, Text, Unit};
 use crate::report::texts::{self, journal as text};
 
 pub(super) fn newtons(value: f64) -> Text {
@@ -97,7 +97,7 @@ fn rods(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
 
 /// How well the orders tell the loads.
 pub(super) fn missed(loads: &CycleLoads, bearings: &CycleBearings) -> Text {
-    text::missed(crate::torque::HIGHEST, newtons(loads.missed(bearings)))
+    text::missed(crate::torque::HIGHEST, Piece::AtMost(loads.missed(bearings), Unit::NEWTON))
 }
 
 /// What the numbers rest on.

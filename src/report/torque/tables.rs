@@ -7,7 +7,7 @@ use super::words::{angle, cylinders, quantity};
 use crate::engine::Engine;
 use crate::exact::PhasorSum;
 use crate::gas::CylinderGas;
-use crate::page::{Number, Table, Text, Unit, number, phrase};
+use crate::page::{Number, Piece, Table, Text, Unit, number, phrase};
 use crate::report::texts::torque as text;
 use crate::torque::{EngineTorque, Evenness, GuideMoments, TorqueOrder};
 
@@ -131,12 +131,13 @@ pub(super) fn accuracy(torque: &EngineTorque) -> Text {
     let each = |of: &dyn Fn(&crate::torque::Class) -> f64| -> f64 {
         torque.classes.iter().map(|class| of(class) * class.cylinders.len() as f64).sum()
     };
+    let at_most = |value| Text::from(Piece::AtMost(value, Unit::NEWTON_METRE));
     let bound = each(&|class| class.harmonics.bound(f64::from(crate::torque::HIGHEST)));
     text::accuracy(
         Text::label(number::decimal(torque.balance.max(f64::EPSILON))),
         crate::torque::HIGHEST,
-        quantity(torque.missed, Unit::NEWTON_METRE),
-        quantity(bound, Unit::NEWTON_METRE),
-        quantity(each(&|class| class.harmonics.errors[2]), Unit::NEWTON_METRE),
+        at_most(torque.missed),
+        at_most(bound),
+        at_most(each(&|class| class.harmonics.errors[2])),
     )
 }
