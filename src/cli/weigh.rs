@@ -8,7 +8,7 @@ use super::accuracy::ratio;
 /// What is reported one by one, and what together.
 #[derive(clap::Args)]
 pub struct Threshold {
-    /// List an order separately if it reaches this percentage of the largest; combine smaller ones [default: 1]
+    /// List an order separately if it reaches this percentage of the largest, or of one piston's force; combine smaller ones [default: 1]
     #[arg(long, value_name = "PERCENT", conflicts_with = "all", value_parser = percent)]
     above: Option<f64>,
     /// List every order separately, however small

@@ -323,6 +323,11 @@ fn a_contradiction_says_which_mirror_image_or_numbering_would_fit() {
             .is_ok()
     );
     assert_refused(
+        &format!("{head}firing_angles = [0, 261]\nvee = {{ bank_angle = 13.7 }}"),
+        2,
+        &["needs pins 112.7° apart", "they are 85.3° apart", "pin_split = 112.7 in a vee"],
+    );
+    assert_refused(
         &format!("{small_block}vee = {{ bank_angle = 90, numbering = 'alternating', pin_split = 0 }}"),
         2,
         &["pins of cylinders 1 and 2 180° apart, and they are 0°", exchanged],

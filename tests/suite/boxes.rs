@@ -69,6 +69,20 @@ fn box_of(name: &str, weighing: &Weighing) -> String {
     lines(&file::find(name).expect("an engine").engine().expect("it reads"), weighing).join("\n")
 }
 
+/// The first-order vectors of a crankshaft that turns twice as fast are of order 2: rods that nobody gave decide what they leave of it.
+#[test]
+fn a_part_of_the_largest_is_one_of_a_size_that_is_shown() {
+    let text = "[[crankshaft]]\nname = 'A'\nsense = 'with'\noffset = -2\n[[crankshaft]]\nname = 'B'\nsense = 'with'\noffset = 2\nspeed = 2\n\
+        [[cylinder]]\ncrankshaft = 'A'\nthrow = 270\nbank = 40.24902\nposition = 0\n\
+        [[cylinder]]\ncrankshaft = 'B'\nthrow = 137\nbank = 0\nposition = 0\n";
+    let engine = file::parse("two.toml", text).expect("it reads");
+    let told = lines(&engine, Weighing::usual()).join("\n");
+    assert!(told.contains("(order 1)") && told.contains("Not decided: whether orders 2, 4 vanish."), "{told}");
+    // Order 1 is m r ω² of one piston; of orders 4 and above the first piston alone has 2.5 %.
+    let part = told.split("Together at most ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a bound");
+    assert!(part.parse::<f64>().expect("percent") > 2.5, "{told}");
+}
+
 #[test]
 fn small_orders_are_told_together_and_large_ones_by_their_names() {
     let usual = box_of("I4", Weighing::usual());

@@ -85,6 +85,17 @@ fn multiples_and_what_is_left_out_are_no_odd_quantities() {
 }
 
 #[test]
+fn how_often_a_crankshaft_turns_is_no_odd_speed() {
+    let shafts = "speed = 3000\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.5 kg'\n\
+        [[crankshaft]]\nname = 'L'\nsense = 'with'\noffset = '60 mm'\n\
+        [[crankshaft]]\nname = 'R'\nsense = 'against'\nspeed = 2\noffset = '-60 mm'\n\
+        [[cylinder]]\ncrankshaft = 'L'\nthrow = 0\nbank = 10\nposition = 0\n\
+        [[cylinder]]\ncrankshaft = 'R'\nthrow = 30\nbank = -10\nposition = 0\n";
+    assert_eq!(warnings(shafts), Vec::<String>::new());
+    assert_eq!(warnings(&shafts.replace("speed = 3000", "speed = 3")).len(), 1);
+}
+
+#[test]
 fn marine_model_and_racing_engines_are_usual() {
     let single = |stroke: &str, rod: &str, mass: &str, speed: u32| {
         format!(

@@ -68,10 +68,13 @@ impl Linear {
         sum
     }
 
-    /// Turns as degrees, the unknowns as they are.
-    pub(crate) fn in_degrees(&self) -> Linear {
-        let constant = Constant(fraction::times(self.known(), &BigRational::from_integer(360.into())));
-        Linear { constant, symbols: self.symbols.clone() }
+    /// Turns as degrees, as a person types them; the unknowns as they are.
+    pub(crate) fn in_degrees(&self) -> String {
+        let degrees = fraction::times(self.known(), &BigRational::from_integer(360.into()));
+        match self.symbols.is_empty() {
+            true => fraction::written(&degrees, fraction::MOST_PLACES),
+            false => Linear { constant: Constant(degrees), symbols: self.symbols.clone() }.to_string(),
+        }
     }
 
     /// A multiple.

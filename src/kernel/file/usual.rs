@@ -7,6 +7,7 @@ use std::ops::{Range, RangeInclusive};
 use annotate_snippets::Level;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
+use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::LayoutError;
@@ -143,7 +144,7 @@ pub fn warnings_of_values(name: &str, source: &str) -> Vec<LayoutWarning> {
 /// What is odd about the value of a key that is not in a file, in one line.
 pub fn odd_value(key: &str, text: &str) -> Option<String> {
     let name = key.rsplit('.').find(|part| part.parse::<usize>().is_err())?;
-    let odd = quantity(name, text, 0..0)?;
+    let odd = quantity(name, text, 0..0).filter(|_| !is_ratio(key.split('.').next(), name))?;
     Some(format!("{}: {}", odd.message(), odd.right()))
 }
 
@@ -165,26 +166,29 @@ fn has_parts(layout: &Layout) -> bool {
 /// Those that are odd by themselves.
 fn odd_quantities(table: &DeTable<'_>, has_parts: bool) -> Vec<LayoutError> {
     let mut odd = Vec::new();
-    each(table, &mut |key, text, span| {
-        if !(has_parts && key == "radius") {
-            odd.extend(quantity(key, text, span));
-        }
-    });
+    for (name, value) in table {
+        let name = name.get_ref();
+        each_in(name, value, &mut |key, text, span| {
+            if !(has_parts && key == "radius") && !is_ratio(Some(name), key) {
+                odd.extend(quantity(key, text, span));
+            }
+        });
+    }
     odd
 }
 
-/// Shows every text of a table and those in it, with its key and its place.
-fn each(table: &DeTable<'_>, then: &mut impl FnMut(&str, &str, Range<usize>)) {
-    for (key, value) in table.iter().filter(|(key, _)| !OTHERS.contains(&key.get_ref().as_ref())) {
-        below(key.get_ref(), value.get_ref(), value.span(), then);
-    }
+/// A crankshaft's speed is how often it turns while the first one turns once.
+fn is_ratio(table: Option<&str>, key: &str) -> bool {
+    table == Some("crankshaft") && key == "speed"
 }
 
-fn below(key: &str, value: &DeValue<'_>, span: Range<usize>, then: &mut impl FnMut(&str, &str, Range<usize>)) {
-    match value {
-        DeValue::String(text) => then(key, text, span),
-        DeValue::Array(list) => list.iter().for_each(|value| below(key, value.get_ref(), value.span(), then)),
-        DeValue::Table(table) => each(table, then),
+/// Shows every text of a value, with its key and its place.
+fn each_in(key: &str, value: &Spanned<DeValue<'_>>, then: &mut impl FnMut(&str, &str, Range<usize>)) {
+    match value.get_ref() {
+        _ if OTHERS.contains(&key) => {}
+        DeValue::String(text) => then(key, text, value.span()),
+        DeValue::Array(list) => list.iter().for_each(|value| each_in(key, value, then)),
+        DeValue::Table(table) => table.iter().for_each(|(key, value)| each_in(key.get_ref(), value, then)),
         _ => {}
     }
 }

@@ -111,6 +111,11 @@ impl WholeOrder {
     pub fn is_left(&self) -> bool {
         self.outcomes.iter().any(|outcome| outcome.vanishes() == Some(false))
     }
+
+    /// Whether it is decided of each vector whether it vanishes.
+    pub fn is_decided(&self) -> bool {
+        self.outcomes.iter().all(|outcome| outcome.vanishes().is_some())
+    }
 }
 
 /// The parts that are not zero.

@@ -37,8 +37,7 @@ impl<'a> Sized<'a> {
     fn size(&self, order: u32, quantity: Planar) -> Text {
         let Some(verdict) = self.compared.at(order) else { return Text::default() };
         let whole = verdict.whole(quantity);
-        let is_known = whole.is_left() && whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some());
-        let weighed = self.weighed.as_ref().filter(|_| is_known);
+        let weighed = self.weighed.as_ref().filter(|_| whole.is_left() && whole.is_decided());
         match weighed.and_then(|weighed| weighed.amount(weighed.size(order, quantity), quantity)) {
             Some(size) => phrase!("{}, {}", size, residual::shape_name(whole.shape)),
             None => engine_cells::cell(verdict, quantity),
@@ -47,7 +46,7 @@ impl<'a> Sized<'a> {
 
     /// What the orders without a row, and all that are not compared, add up to at most.
     fn rest(&self, quantity: Planar) -> Text {
-        match self.weighed.as_ref().and_then(|weighed| weighed.rest(quantity).1) {
+        match self.weighed.as_ref().and_then(|weighed| weighed.rest(quantity, &self.compared.judged.orders).1) {
             None => "–".into(),
             Some(Rest::Part(part)) => phrase!("{} % of the largest", percent_at_most(part)),
             Some(Rest::Amount(amount)) => amount,

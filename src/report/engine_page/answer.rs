@@ -84,7 +84,7 @@ fn left(orders: &[&OrderVerdict], weighed: Option<&Weighed>) -> Vec<Text> {
 fn not_decided(orders: &[&OrderVerdict]) -> Option<Text> {
     let is_open = |whole: &WholeOrder| whole.shape == Shape::NotDecided && !whole.is_left();
     let open = numbers(orders.iter().copied(), |order| is_open(&order.force) || is_open(&order.moment));
-    (!open.is_empty()).then(|| text::not_decided(residual::orders_in_words(&open)))
+    (!open.is_empty()).then(|| text::not_decided(residual::orders_in_words(&open), Choice::one_or_more(open.len())))
 }
 
 /// The name of the force or moment of an order, and its size; none where it is not left, or told with others.
@@ -93,8 +93,7 @@ fn sized(order: &OrderVerdict, quantity: Planar, weighed: Option<&Weighed>) -> O
     if !whole.is_left() {
         return None;
     }
-    let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some());
-    let weighed = weighed.filter(|_| is_known);
+    let weighed = weighed.filter(|_| whole.is_decided());
     let size = match weighed {
         Some(weighed) if !weighed.is_told(order.order, quantity) => return None,
         Some(weighed) => weighed.amount(weighed.size(order.order, quantity), quantity),
@@ -169,7 +168,7 @@ fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&
     let told: Vec<u32> = judged.iter().map(|order| order.order).collect();
     let next = theorem.map_or(NextLeft::NotKnown, |theorem| theorem.next_left(&told));
     let bound = |(quantity, [of_largest, alone]): (Planar, [&'static str; 2])| {
-        let (small, rest) = weighed?.rest(quantity);
+        let (small, rest) = weighed?.rest(quantity, judged.iter().copied());
         let small: Vec<String> = small.iter().map(u32::to_string).collect();
         match rest? {
             Rest::Part(part) => Some((small, phrase!(of_largest, percent_at_most(part)))),
@@ -202,7 +201,9 @@ fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&
 
 /// Whether no order that exists is left untold.
 fn is_all_told(weighed: Option<&Weighed>) -> bool {
-    Planar::BOTH.into_iter().all(|quantity| weighed.is_none_or(|weighed| weighed.rest(quantity).0.is_empty()))
+    Planar::BOTH
+        .into_iter()
+        .all(|quantity| weighed.is_none_or(|weighed| weighed.rest_in_multiples(quantity).0.is_empty()))
 }
 
 /// What orders that are not told, and those that were not looked at, add up to at most.

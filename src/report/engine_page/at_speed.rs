@@ -57,13 +57,12 @@ fn of_order(
     (steps, named): (&[Step], &mut usize),
 ) -> Vec<Vec<Text>> {
     let whole = order.whole(quantity);
-    let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some());
-    if whole.is_balanced() || is_known && !weighed.is_told(order.order, quantity) {
+    if whole.is_balanced() || whole.is_decided() && !weighed.is_told(order.order, quantity) {
         return Vec::new();
     }
     let unit = weighed.unit_of_tables(quantity);
     let name: Text = Name::of(order, quantity, whole.shape, Some(weighed)).label.into();
-    if !is_known {
+    if !whole.is_decided() {
         return vec![uncured(name, order.order.into(), residual::whole_text(whole))];
     }
     let left = |kept: [bool; 2]| {

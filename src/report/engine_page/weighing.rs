@@ -222,12 +222,11 @@ impl<'a> Weighed<'a> {
         let unit = self.unit_of_tables(quantity);
         let cell = move |order: &OrderVerdict| {
             let whole = order.whole(quantity);
-            let is_known = whole.outcomes.iter().all(|outcome| outcome.vanishes().is_some());
             match whole.shape {
                 Shape::Balanced => Text::zero(),
                 Shape::DoesNotExist => DOES_NOT_EXIST.into(),
                 _ if unit.factor == 0.0 => Text::zero(),
-                _ if is_known => {
+                _ if whole.is_decided() => {
                     let size = self.size(order.order, quantity) * unit.factor;
                     Piece::Measured(size, unit.unit, Setting::Usual(number::decimal)).into()
                 }
@@ -272,15 +271,19 @@ impl<'a> Weighed<'a> {
     }
 
     /// The orders that are not told, of those that are looked at, and what they and all others add up to at most: a part of the largest
-    /// order where it is one, else an amount.
-    pub fn rest(&self, quantity: impl Into<Quantity>) -> (Vec<u32>, Option<Rest>) {
-        let quantity = quantity.into();
+    /// order whose size is shown where it is one, else an amount.
+    pub fn rest<'b>(
+        &self,
+        quantity: Planar,
+        judged: impl IntoIterator<Item = &'b OrderVerdict>,
+    ) -> (Vec<u32>, Option<Rest>) {
         let (small, most) = self.rest_in_multiples(quantity);
-        let largest = self.most(quantity);
+        let shown = judged.into_iter().filter(|order| order.whole(quantity).is_decided());
+        let largest = shown.map(|order| self.size(order.order, quantity)).fold(0.0, f64::max);
         let rest = most.and_then(|most| match most < largest {
             true => Some(Rest::Part(most / largest)),
             false => {
-                let unit = self.unit(quantity);
+                let unit = self.unit(quantity.into());
                 let bound = Piece::AtMost((most * unit.factor).next_up(), unit.unit);
                 (unit.factor != 0.0).then(|| Rest::Amount(bound.into()))
             }

@@ -6,6 +6,7 @@ use num_traits::Zero;
 use super::super::plot::{Axis, Curve, Plot};
 use crate::loads::{self, Scale};
 use crate::numbers::float;
+use crate::order;
 use crate::page::number::{Amount, given};
 use crate::page::{Block, Picture, Piece, Table, Text, Unit, phrase};
 use crate::remedy::{Ellipse, Partial, Remedy};
@@ -22,15 +23,20 @@ pub(super) fn blocks(remedy: &Remedy) -> Vec<Block> {
     let Some(partial) = partial(remedy) else { return Vec::new() };
     let scale = loads::scale(remedy.subject.engine());
     let scale = scale.as_ref();
-    vec![Block::Paragraph(words(&partial, scale)), picture(&partial, scale).into(), table(&partial, scale).into()]
+    let turning = !order::turning_masses(remedy.subject.engine()).is_empty();
+    vec![
+        Block::Paragraph(words(&partial, scale, turning)),
+        picture(&partial, scale).into(),
+        table(&partial, scale).into(),
+    ]
 }
 
-fn words(partial: &Partial, scale: Option<&Scale>) -> Text {
+fn words(partial: &Partial, scale: Option<&Scale>, turning: bool) -> Text {
     let at = |part: &BigRational| force(peak(&partial.ellipse(part)), scale);
     let (bare, half) = (at(&BigRational::zero()), at(&BigRational::new(1.into(), 2.into())));
     match partial.reverse.vanishes() {
-        true => text::partial_balance_vanishing(bare, half),
-        false => text::partial_balance(bare, half),
+        true => text::partial_balance_vanishing(turning, bare, half),
+        false => text::partial_balance(turning, bare, half),
     }
 }
 
