@@ -1,4 +1,4 @@
-//! Where in the cycle is a value largest, and where smallest? On a grid, then beside its tops.
+//! Where in the cycle is a value largest, and where smallest? On a grid, then between its places.
 
 use std::f64::consts::TAU;
 
@@ -43,31 +43,28 @@ pub fn largest(period: f64, grid: &[f64], values: &[f64], value: impl Fn(f64) ->
     let count = values.len().min(grid.len());
     let highest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let is_top = |&index: &usize| {
-        let beside = values[(index + count - 1) % count].max(values[(index + 1) % count]);
-        values[index] >= beside && values[index] >= highest - NEAR_TOP * (highest - lowest)
-    };
     let mut best = Extreme { value: f64::NEG_INFINITY, angle: 0.0 };
-    // Where nothing changes one place is as good as all.
-    let most = if highest > lowest { count } else { 1 };
-    for index in (0..count).filter(is_top).take(most) {
-        let before = if index == 0 { grid[count - 1] - period } else { grid[index - 1] };
-        let after = if index + 1 == count { grid[0] + period } else { grid[index + 1] };
-        let (place, found) = largest_beside(grid[index], [before, after], &value);
+    let mut take = |place: f64, found: f64| {
         if found > best.value + numbers::ALIKE * (highest - lowest) || best.value == f64::NEG_INFINITY {
             best = Extreme { value: found, angle: place.rem_euclid(period).to_degrees() };
         }
+    };
+    // Where nothing changes one place is as good as all.
+    let most = if highest > lowest { count } else { 1 };
+    let is_near =
+        |index: &usize| values[*index].max(values[(index + 1) % count]) >= highest - NEAR_TOP * (highest - lowest);
+    for index in (0..count).filter(is_near).take(most) {
+        let next = if index + 1 == count { grid[0] + period } else { grid[index + 1] };
+        let ends = [(grid[index], values[index]), (next, values[(index + 1) % count])];
+        let [(from, _), (to, _)] = if ends[0].1 >= ends[1].1 { ends } else { [ends[1], ends[0]] };
+        take(ends[0].0, ends[0].1);
+        // A top between two places is where the function still rises from the higher one: that may be lower than its neighbour beyond.
+        if value(from + HAIR * (to - from)) > value(from) {
+            let top = top_between(from.min(to), from.max(to), &value);
+            take(top, value(top));
+        }
     }
     best
-}
-
-/// Where, between a place and those beside it, a value is largest, and that value. A kink at the place itself has a slope of its own on each side.
-fn largest_beside(place: f64, beside: [f64; 2], value: &impl Fn(f64) -> f64) -> (f64, f64) {
-    let start = value(place);
-    let rises_to = |to: &f64| value(place + HAIR * (to - place)) > start;
-    let tops = beside.into_iter().filter(rises_to).map(|to| top_between(place.min(to), place.max(to), value));
-    let tops = tops.map(|top| (top, value(top)));
-    tops.fold((place, start), |best, top| if top.1 > best.1 { top } else { best })
 }
 
 /// The largest and the smallest value of such a function.
