@@ -375,6 +375,42 @@ fn peaks_are_those_of_the_model_through_the_whole_cycle() {
     }
 }
 
+/// What a link hands on has no harmonics of its own: the straight lines of a table of pressures make kinks, which samples alone step over.
+#[test]
+fn orders_of_links_are_the_harmonics_of_their_loads() {
+    let radial = "speed = 5710\ncycle = 'two-stroke'\neffects = ['gas']\nbearings = [0.1, -0.1]\n[radial]\ncylinders = 3\n\
+        [mechanism]\nstroke = '47.94 mm'\nrod_length = '68.27 mm'\nreciprocating_mass = 0.4\nrotating_mass = [0.5, 0, 0]\n\
+        [articulated]\nmaster = 1\nknuckle_radius = '14.59 mm'\nknuckle_mass = 0.1\n\
+        [gas]\nbore = '82.1 mm'\ndead_centre = 'piston'\nunit = 'bar'\npressure = [[-170.3, 1.2], [-61.7, 1.9], [-9.11, 21.3], [3.77, 50.1], [31.3, 22.9], [97.7, 4.1]]\n";
+    let loads = loads_of(&crankstar::parse("radial.toml", radial).expect("it reads"));
+    let bearing = &loads.bearings.as_ref().expect("bearings")[0].bearings[0];
+    let steps = 1 << 16;
+    let samples: Vec<Complex<f64>> = (0..steps)
+        .map(|step| loads.course.carried(&bearing.carried, TAU * f64::from(step) / f64::from(steps)))
+        .collect();
+    for order in &bearing.series.orders {
+        let turning = |step: usize| Complex::cis(-order.order.value() * TAU * step as f64 / f64::from(steps));
+        let direct = samples.iter().enumerate().map(|(step, load)| load * turning(step)).sum::<Complex<f64>>();
+        let off = (direct / f64::from(steps) - order.total()[0]).norm();
+        assert!(off < 3e-8 * bearing.peak.value, "order {}: off by {off} N", order.order);
+    }
+}
+
+/// Kinks that stand close to a place of the grid: between two of them the load rises above all others, and both are lower than what is beyond.
+#[test]
+fn a_peak_between_kinks_that_are_lower_than_their_neighbours_is_found() {
+    let text = "speed = 19478.6\ncycle = 'four-stroke'\neffects = ['gas']\nbearings = [0.1, -0.1]\n[inline]\nthrows = [346]\npositions = [0]\n\
+        [mechanism]\ncrank_radius = 0.05309\nrod_length = 0.20449\nreciprocating_mass = 0.91476\nrotating_mass = 1.3878\n\
+        [gas]\nbore = 0.1132\nunit = 'bar'\npressure = [[0, 40], [90, 1.2], [270, 1.2], [350.494, 1.703], [360.089, 1.652], [365.001, 1.388], \
+        [450, 1.2], [630, 1.2], [700, 9.5]]\n";
+    let loads = loads_of(&crankstar::parse("one.toml", text).expect("it reads"));
+    let peak = loads.cylinders[0].peaks.pin;
+    let size = |place: u32| loads.course.pin(0, (f64::from(place) / 100.0).to_radians()).norm();
+    let highest = (0..72_000).map(size).fold(0.0, f64::max);
+    assert!(peak.value >= highest && peak.value <= highest * (1.0 + 1e-6), "{} of {highest}", peak.value);
+    assert!((peak.angle - 374.27).abs() < 0.1, "{}", peak.angle);
+}
+
 #[test]
 fn orders_are_the_harmonics_of_the_model_and_the_torque_does_the_work_of_the_gas() {
     let mut dice = Dice::new(722);

@@ -19,5 +19,5 @@ pub use cylinder::CylinderGas;
 pub use error::NoGas;
 pub use geometry::Geometry;
 pub use harmonics::Harmonics;
-pub use quadrature::{integrate, integrate_short};
+pub use quadrature::{integrate, integrate_short, points_short};
 pub use warning::Warning;

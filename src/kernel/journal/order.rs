@@ -12,11 +12,11 @@ use num_rational::BigRational;
 use super::force_history::ForceHistory;
 use crate::engine::{CycleOrder, Engine};
 use crate::exact::{PhasorSum, Term, Turn};
+use crate::gas::points_short;
 use crate::loads::Swing;
-use crate::motion::harmonic;
 use crate::numbers;
 use crate::proof::Sense;
-use crate::torque::Class;
+use crate::torque::{self, Class};
 
 /// The stars of one class of equal cylinders: what turns with the crank, and against it.
 #[derive(Clone, Debug)]
@@ -111,9 +111,6 @@ pub(super) struct HandedOn {
     revolutions: u32,
 }
 
-/// Angles of a revolution at which the gas of a link is looked at.
-const STEPS: usize = 4096;
-
 /// What the gas of each cylinder hands on to its crankpin, by orders.
 pub(super) fn handed_on(engine: &Engine, course: &ForceHistory) -> Vec<HandedOn> {
     let mut all = Vec::new();
@@ -124,7 +121,7 @@ pub(super) fn handed_on(engine: &Engine, course: &ForceHistory) -> Vec<HandedOn>
             let cylinders: Vec<(usize, BigRational)> = known.filter(of_sense).collect();
             let Some((first, fires)) = cylinders.first() else { continue };
             let vectors = match engine.cylinders()[*first].link() {
-                Some(_) => by_samples(course, class, *first, numbers::float(fires)),
+                Some(_) => by_forces(course, class, *first, numbers::float(fires)),
                 None => by_harmonics(class, sense),
             };
             all.push(HandedOn { cylinders, vectors, revolutions: class.harmonics.revolutions });
@@ -143,23 +140,26 @@ fn by_harmonics(class: &Class, sense: Sense) -> Vec<[Complex<f64>; 2]> {
     both.map(vectors).collect()
 }
 
-/// From the forces themselves: what a link hands on by its master rod has no harmonics of its own.
-fn by_samples(course: &ForceHistory, class: &Class, index: usize, fires: f64) -> Vec<[Complex<f64>; 2]> {
-    let steps = STEPS * class.harmonics.revolutions as usize;
-    let start = fires * TAU;
+/// From the forces themselves: what a link hands on by its master rod has no harmonics of its own. Between kinks, and half degrees, all is smooth.
+fn by_forces(course: &ForceHistory, class: &Class, index: usize, fires: f64) -> Vec<[Complex<f64>; 2]> {
+    let (period, start) = (course.period(), fires * TAU);
     let axis = course.axis(index);
-    let samples: Vec<Complex<f64>> = (0..steps)
-        .map(|step| {
-            let theta = start + course.period() * step as f64 / steps as f64;
-            let [_, gas] = course.pin_parts(index, theta);
-            -gas * axis.conj()
-        })
-        .collect();
-    let both = |order: usize| {
-        let twice = if order == 0 { 1.0 } else { 2.0 };
-        [harmonic(&samples, order) * twice, harmonic(&samples, (steps - order) % steps) * twice]
-    };
-    (0..class.harmonics.force.len()).map(both).collect()
+    let mut grid = torque::angles_with(course.kinks(), period);
+    grid.extend(grid.first().map(|first| first + period));
+    let mut vectors = vec![[Complex::default(); 2]; class.harmonics.force.len()];
+    for (theta, weight) in grid.windows(2).flat_map(|ends| points_short(ends[0], ends[1])) {
+        let [_, gas] = course.pin_parts(index, theta);
+        let part = -gas * axis.conj() * (2.0 * weight / period);
+        let step = Complex::cis((start - theta) * TAU / period);
+        let mut turned = Complex::new(1.0, 0.0);
+        for both in &mut vectors {
+            both[0] += part * turned;
+            both[1] += part * turned.conj();
+            turned *= step;
+        }
+    }
+    vectors.iter_mut().take(1).flatten().for_each(|mean| *mean /= 2.0);
+    vectors
 }
 
 /// The series of a load that carries these parts of the pins, with what the masses add.
