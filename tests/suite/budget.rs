@@ -28,7 +28,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("numbers", 2160),
     ("optimise", 1550),
     ("order", 1820),
-    ("page", 7005),
+    ("page", 7025),
     ("proof", 8945),
     ("python", 2630),
     ("remedy", 1885),

@@ -40,7 +40,7 @@ fn the_largest_torque_of_a_compressor_is_its_largest_in_size() {
     let layout = scratch("compressor-peak").join("stage.toml");
     std::fs::write(&layout, COMPRESSOR).expect("a file");
     let page = printed(&["accuracy", layout.to_str().expect("a path")]);
-    let said = page.lines().find(|line| line.contains("Largest torque, gas and inertia")).expect("a line");
+    let said = page.lines().find(|line| line.contains("Largest torque in magnitude, gas and inertia")).expect("a line");
     let digits: String = said.chars().skip_while(|letter| !matches!(letter, '−' | '-')).skip(1).collect();
     let size: String = digits.chars().take_while(|letter| letter.is_ascii_digit() || *letter == '.').collect();
     let size: f64 = size.parse().unwrap_or_else(|_| panic!("no negative torque in {said}"));

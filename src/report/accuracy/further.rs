@@ -43,7 +43,7 @@ impl FurtherLoad {
     fn heading(self) -> &'static str {
         match self {
             FurtherLoad::Bearing => "Largest bearing load of inertia, {}",
-            FurtherLoad::Torque => "Largest torque, gas and inertia, {}",
+            FurtherLoad::Torque => "Largest torque in magnitude, gas and inertia, {}",
             FurtherLoad::BearingWithGas => "Largest bearing load, gas and masses, {}",
         }
     }
@@ -87,7 +87,7 @@ impl Further {
         }
     }
 
-    /// `Largest torque, gas and inertia, λ 0.3`.
+    /// `Largest bearing load of inertia, λ 0.3`.
     pub(super) fn heading(&self, label: Text) -> Text {
         phrase!(self.load.heading(), label)
     }

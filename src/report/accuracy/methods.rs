@@ -143,12 +143,18 @@ pub(super) fn time(time: Duration) -> String {
 
 /// A load in a table of methods, to nine digits: where they differ is what is compared.
 pub(super) fn to_nine_digits(value: f64, unit: Unit) -> Text {
-    Piece::Measured(value, unit, Setting::Fixed(|value| format!("{:.9}", Significant(value)))).into()
+    Piece::Measured(value, unit, Setting::Fixed(|value| significant(value, 9))).into()
 }
 
 /// A load to six digits.
 pub(super) fn to_digits(value: f64, unit: Unit) -> Text {
-    Piece::Measured(value, unit, Setting::Fixed(|value| format!("{:.6}", Significant(value)))).into()
+    Piece::Measured(value, unit, Setting::Fixed(|value| significant(value, 6))).into()
+}
+
+fn significant(value: f64, digits: usize) -> String {
+    let text = format!("{:.digits$}", Significant(value));
+    let power = text.split_once('e').and_then(|(digits, power)| Some((digits, power.parse().ok()?)));
+    power.map_or(text.clone(), |(digits, power)| format!("{digits}·{}", power_of_ten(power))).replace('-', "−")
 }
 
 /// A decimal with as many significant digits as its precision asks for.

@@ -31,10 +31,14 @@ fn names(loads: &BearingLoads) -> Vec<String> {
 }
 
 /// What stands first: the largest force, and what the tables count in.
-pub(in crate::report) fn first_lines(continuous: &BearingLoads, determinate: &BearingLoads) -> [Text; 3] {
+pub(in crate::report) fn first_lines(
+    engine: &Engine,
+    continuous: &BearingLoads,
+    determinate: &BearingLoads,
+) -> [Text; 3] {
     let largest = match (worst(continuous), worst(determinate)) {
         (Some(continuous), Some(determinate)) => text::largest(continuous, determinate),
-        _ => text::no_force(),
+        _ => text::no_force(left_out(engine, continuous).is_some()),
     };
     [largest, text::signs(), text::sums()]
 }
@@ -80,7 +84,7 @@ pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: 
     let mut answer_page = Document::new("bearings", engine.title());
     answer_page.push(tables::peaks(engine, continuous, determinate));
     answer_page.push(tables::orders(continuous));
-    answer_page.blocks.extend(first_lines(continuous, determinate).map(Block::Paragraph));
+    answer_page.blocks.extend(first_lines(engine, continuous, determinate).map(Block::Paragraph));
     answer_page.blocks.extend(links::answer(engine).map(Block::Paragraph));
     answer_page.blocks.extend(left_out(engine, continuous).map(Block::Paragraph));
     answer_page
@@ -88,7 +92,7 @@ pub fn bearings_answer(engine: &Engine, continuous: &BearingLoads, determinate: 
 
 /// The page, with two pictures of each bearing.
 pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &BearingLoads) -> Document {
-    let answer = first_lines(continuous, determinate).into_iter().chain(links::answer(engine));
+    let answer = first_lines(engine, continuous, determinate).into_iter().chain(links::answer(engine));
     let pictures = continuous.bearings.iter().zip(plots::drawings(engine.convention(), continuous));
     let each_bearing = pictures.flat_map(|(bearing, pictures)| {
         [Block::Heading(2, phrase!("Bearing {}", bearing.name.clone())), Block::Pictures(pictures.into())]

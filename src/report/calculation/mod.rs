@@ -96,7 +96,7 @@ fn effects(engine: &Engine, loads: &Loads) -> Vec<Block> {
 fn main_bearings(engine: &Engine, loads: &Loads) -> Vec<Block> {
     let Some([continuous, determinate]) = &loads.bearings else { return Vec::new() };
     let mut blocks = vec![heading(2, "Main bearings")];
-    blocks.extend(bearings::first_lines(continuous, determinate).map(Block::Paragraph));
+    blocks.extend(bearings::first_lines(engine, continuous, determinate).map(Block::Paragraph));
     blocks.push(bearings::peaks(engine, continuous, determinate).into());
     blocks.push(bearings::orders(continuous).into());
     blocks.extend(bearings::left_out(engine, continuous).map(Block::Paragraph));

@@ -4,7 +4,7 @@ use super::super::bearings::called;
 use super::super::torque::{angle, assumptions as of_the_gas, names, quantity};
 use crate::engine::Engine;
 use crate::journal::{self, CycleBearings, CycleLoads};
-use crate::page::{Piece, Text, Unit};
+use crate::page::{Piece, Text, Unit, number};
 use crate::report::texts::{self, journal as text};
 
 pub(super) fn newtons(value: f64) -> Text {
@@ -65,15 +65,24 @@ fn pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     if engine.only_rods().is_err() {
         return None;
     }
-    let index = first(0..loads.cylinders.len(), |index| loads.cylinders[*index].peaks.pin.value)?;
-    let peak = &loads.cylinders[index].peaks.pin;
-    Some(text::worst_crankpin(names(engine, &[index]), newtons(peak.value), angle(peak.angle)))
+    let worst = journal::worst(loads.cylinders.iter().map(|cylinder| cylinder.peaks.pin.value));
+    let peak = &loads.cylinders[*worst.first()?].peaks.pin;
+    let (names, load, angle) = (names(engine, &worst), newtons(peak.value), angle(peak.angle));
+    Some(match worst.len() {
+        1 => text::worst_crankpin(names, load, angle),
+        _ => text::worst_crankpins(names, load, angle),
+    })
 }
 
 fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
-    let pin = first(&loads.shared_pins, |pin| pin.peak.value)?;
-    let cylinders = names(engine, &pin.cylinders);
-    Some(text::worst_shared_pin(pin.throw + 1, cylinders, newtons(pin.peak.value), angle(pin.peak.angle)))
+    let worst = journal::worst(loads.shared_pins.iter().map(|pin| pin.peak.value));
+    let pin = &loads.shared_pins[*worst.first()?];
+    let (load, angle) = (newtons(pin.peak.value), angle(pin.peak.angle));
+    let pins = worst.iter().map(|index| (loads.shared_pins[*index].throw + 1).to_string());
+    Some(match worst.len() {
+        1 => text::worst_shared_pin(pin.throw + 1, names(engine, &pin.cylinders), load, angle),
+        _ => text::worst_shared_pins(number::listed(pins), load, angle),
+    })
 }
 
 fn knuckles(engine: &Engine, loads: &CycleLoads) -> Option<Text> {

@@ -135,7 +135,7 @@ pub(super) fn cylinders(engine: &Engine, torque: &EngineTorque, class: usize) ->
 /// The names of these cylinders.
 pub(in crate::report) fn names(engine: &Engine, cylinders: &[usize]) -> Text {
     let names: Vec<&str> = cylinders.iter().map(|&index| engine.cylinders()[index].name.as_str()).collect();
-    Text::label(names.join(", "))
+    Text::label(number::names(&names))
 }
 
 /// What the numbers rest on.

@@ -169,6 +169,7 @@ fn named(token: &str) -> Node<'_> {
         "\\cdot" => '·',
         "\\times" => '×',
         "\\pm" => '±',
+        "\\mp" => '∓',
         "\\circ" => '°',
         "\\parallel" => '∥',
         "\\perp" => '⊥',
