@@ -1,11 +1,11 @@
 //! `exercise`: which sheet has each student of a class, and what is right on it?
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
 use crankstar::classroom::{self, Pupil, Scheme, Student, Vary};
-use crankstar::page::File;
+use crankstar::page::{File, Units};
 use crankstar::report;
 use crankstar::text::Untrusted;
 
@@ -79,6 +79,9 @@ pub const KEY: &str = "exercise.toml";
 impl Exercise {
     /// Writes sheets, solutions and tables into the folder; without one prints a sheet.
     pub fn run(&self) -> Result<(), Failure> {
+        if self.pages.measures().units() != Units::Si {
+            return Err(Failure::misuse("a sheet gives lengths exactly, in millimetres or spacings; omit --units"));
+        }
         let vary = self.vary()?;
         let orders = self.orders()?;
         let engine = &layouts::known(&self.layout, "an exercise needs")?;
@@ -136,6 +139,9 @@ impl Exercise {
         let Some(list) = &self.students else {
             return Ok(vec![Student { name: Untrusted::new("sheet"), file: "sheet".to_owned(), is_namesake: false }]);
         };
+        if !list.exists() && list != Path::new("-") {
+            return Err(Failure::new(format!("there is no list of students `{}`", layouts::shown(list))));
+        }
         let text = layouts::read_any_text(list)?;
         classroom::students(&text).map_err(|why| Failure::new(format!("in `{}`: {why}", layouts::shown(list))))
     }

@@ -103,7 +103,8 @@ impl Figure {
         let alone = self.alone()?;
         let figures = self.figures()?;
         let names = || figures.iter().map(|figure| figure.name.as_str()).collect::<Vec<_>>();
-        let Some(name) = &self.name else { return write::to_stdout(&(names().join("\n") + "\n")) };
+        let listed = || figures.iter().map(|figure| format!("{}\n", figure.name)).collect::<String>();
+        let Some(name) = &self.name else { return write::to_stdout(&listed()) };
         let Some(figure) = figures.iter().find(|figure| figure.name == *name) else {
             let there = match names().as_slice() {
                 [] => "it has none".to_owned(),

@@ -179,6 +179,11 @@ impl PageArgs {
 }
 
 impl Pages {
+    /// In which units a page is to be.
+    pub fn measures(&self) -> &Measures {
+        self.page.measures()
+    }
+
     /// The folder that is named.
     pub fn folder(&self) -> Option<&Path> {
         self.page.folder()

@@ -371,10 +371,22 @@ fn phases_count_modulo_a_turn_and_within_their_own_digits() {
         let row = format!("[[table]]\norder = 1\nrows = [{{ cylinder = 2, direct = \"{written}\" }}]");
         marked(&exercise, &row).counts()
     };
-    for right in ["1/7 turn", "360/7", "51.43", "51,4", "51.4°", "-308.57", "411.4286", "2/7 pi rad"] {
+    for right in [
+        "1/7 turn",
+        "360/7",
+        "51.43",
+        "51,4",
+        "51.4°",
+        "-308.57",
+        "411.4286",
+        "2/7 pi rad",
+        "0.14286 turn",
+        "≈ 0,1429 turn",
+        "0.2857 pi rad",
+    ] {
         assert_eq!(counts(right).right, 1, "{right}");
     }
-    for wrong in ["51", "51.44", "51.428", "52.43", "0"] {
+    for wrong in ["51", "51.44", "51.428", "52.43", "0", "0.14285 turn", "0.2858 pi rad"] {
         assert_eq!(counts(wrong).wrong, 1, "{wrong}");
     }
     assert_eq!(counts("51.4.3").unreadable, 1);
@@ -382,6 +394,24 @@ fn phases_count_modulo_a_turn_and_within_their_own_digits() {
     let row = "[[table]]\norder = 1\nrows = [{ cylinder = 2, direct = \"-51.43\" }]";
     let sheet = marked(&exercise, row);
     assert!(sheet.counts().right == 1 && sheet.undeclared[0].clockwise);
+}
+
+/// Far away a moment is the force many times over.
+#[test]
+fn a_plane_has_a_comma_too_and_is_not_far_from_the_engine() {
+    let exercise = draw("V6-60-even", "Ada", 4);
+    let outcome = |plane: &str| {
+        let text = format!("[convention]\nplane = '{plane}'\n[[table]]\norder = 1\n");
+        mark_class(&exercise, vec![handed_in("ada.toml", text)], &Scheme::default()).remove(0).outcome
+    };
+    let near = outcome("1,5");
+    assert!(matches!(near, Outcome::Marked(_)), "{near:?}");
+    match outcome("1000000") {
+        Outcome::Unreadable(why) => {
+            assert!(why.escaped(crankstar::text::Format::Plain).contains("ten times the length"))
+        }
+        other => panic!("{other:?}"),
+    }
 }
 
 #[test]
@@ -430,6 +460,7 @@ fn lines_of_a_spreadsheet_say_the_same_as_toml() {
         .replace("Müller; José", "\"Müller, José\"")
         .replace('.', ",");
     assert_eq!(counts(format!("\u{feff}{}", german.replace('\n', "\r\n"))), [right; 3], "{german}");
+    assert_eq!(counts(format!("sep=;\r\n{german}")), [right; 3], "{german}");
 }
 
 #[test]
@@ -503,6 +534,7 @@ fn a_scheme_counts_as_it_says_and_a_wrong_one_is_told_with_its_place() {
         ("sum = 2\nconsequential = 2", "scheme.toml:2"),
         ("colour = 1", "colour"),
         ("sum = 'x'", "scheme.toml:1"),
+        ("phase = 0\nsum = 0", "no entry earns a point"),
     ] {
         let message = parse_scheme("scheme.toml", text).expect_err(text).to_string();
         assert!(message.contains(place), "{message}");
@@ -585,7 +617,8 @@ fn the_command_writes_nothing_outside_of_its_folder_and_refuses_what_makes_no_ta
         (vec!["exercise", "radial-7-master"], "articulated"),
         (vec!["exercise", "I4", "--orders", "3"], "order 3"),
         (vec!["exercise", "I4", "--vary", "nothing,throws"], "alone"),
-        (vec!["exercise", "I4", "--students", "nobody.txt"], "nobody.txt"),
+        (vec!["exercise", "I4", "--students", "nobody.txt"], "no list of students `nobody.txt`"),
+        (vec!["exercise", "I4", "--units", "inch"], "omit --units"),
         (vec!["mark", "."], "exercise.toml"),
         (vec!["mark", "class.txt", "--exercise", "out/exercise.toml"], "neither a folder nor a CSV"),
         (vec!["mark", "out", "--scheme", "class.txt"], "class.txt"),

@@ -168,6 +168,7 @@ fn what_does_not_fit_is_refused_with_its_place() {
             "torque_scale = '5 N m/mm'\nangle_scale = '1°/mm'\nareas = ['12 mm²', '-0.1225 cm²']\n",
             "; -0.25 mm² remains, -1 % of all of them",
         ),
+        ("areas = ['1296 J', '-1295 J']\n", "; 1 J remains, 0.04 % of all of them"),
         ("torque_scale = '5 N m/mm'\nangle_scale = '1°/mm'\nareas = ['12 mm²', '-12 J']\n", "all in one way"),
         ("torque_scale = '5 N m'\n", "600 N m/mm"),
         ("torque_scale = '0 mm = 5 N m'\n", "600 N m/mm"),

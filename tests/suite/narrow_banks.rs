@@ -280,6 +280,16 @@ fn cylinders_of_narrow_engines_are_numbered_as_the_file_says() {
 }
 
 #[test]
+fn an_offset_of_0_needs_no_rod() {
+    for form in [
+        "[vr]\nbank_angle = 15\nthrows = [0]\npin_offset = '0 mm'",
+        "[fan]\nbanks = [-60, 60]\nthrows = [0]\npin_offsets = [0, 0]",
+    ] {
+        assert!(parse("layout.toml", form).is_ok(), "{form}");
+    }
+}
+
+#[test]
 fn mistakes_in_narrow_banks_are_told() {
     let numbers = "[mechanism]\nstroke = '90 mm'\nrod_length = '164 mm'\n";
     let mistakes = [

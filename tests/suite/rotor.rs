@@ -281,6 +281,8 @@ fn mistakes_in_a_file_of_masses_are_told_with_their_place() {
         ("share = 2\n[[mass]]\nmass = 1\n", "from 0 to 1"),
         ("[[mass]]\nmass = 1\nreciprocating_mass = 1\n", "without a share"),
         ("share = 1\n[[mass]]\nreciprocating_mass = 1\n", "that is wanted"),
+        ("share = '2/3'\n[[mass]]\nmass = 1\nradius = 1\n", "a share without reciprocating masses"),
+        ("[[mass]]\nname = 'A'\n[[mass]]\nname = 'A'\n", "masses 1 and 2 have the same name `A`"),
     ] {
         assert!(told(text).contains(words), "{}", told(text));
     }

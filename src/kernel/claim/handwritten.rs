@@ -5,7 +5,7 @@ use num_traits::{Pow, Signed, Zero};
 
 use super::real::is_negative;
 use crate::exact::{PhasorSum, Turn};
-use crate::file::{parse_number, units};
+use crate::file::{parse_number, turns_per_unit, units};
 use crate::numbers::{self, Form};
 use crate::text::Untrusted;
 
@@ -41,8 +41,6 @@ struct Rounding {
     half: BigRational,
     /// Digits from the first that is not 0.
     digits: usize,
-    /// Digits behind the point.
-    places: usize,
 }
 
 /// How a number that was written agrees with the true one.
@@ -64,9 +62,9 @@ impl WrittenAngle {
     pub fn read(text: &str) -> Result<Self, String> {
         let Cell { plain, about } = cell(text)?;
         let turn = Turn::new(units::angle(&plain)?);
-        let degrees = ["°", "degrees", "deg"].iter().find_map(|unit| plain.strip_suffix(unit)).unwrap_or(&plain);
-        let rounding =
-            rounding(degrees, about).map(|rounding| rounding.scaled(&BigRational::new(1.into(), 360.into())));
+        let (number, unit) =
+            plain.split_at(plain.trim_end_matches(|sign: char| !sign.is_ascii_digit() && sign != '.').len());
+        let rounding = rounding(number, about).zip(turns_per_unit(unit)).map(|(rounding, unit)| rounding.scaled(&unit));
         Ok(WrittenAngle { text: Untrusted::new(text), turn, rounding })
     }
 
@@ -75,9 +73,9 @@ impl WrittenAngle {
         self.rounding.as_ref().map(|rounding| rounding.half.clone()).unwrap_or_default()
     }
 
-    /// Whether it is rounded to whole degrees, which are too few digits for one that is none.
+    /// Whether it is rounded to whole degrees or more coarsely, which are too few digits for one that is none.
     pub fn is_coarse(&self) -> bool {
-        self.rounding.as_ref().is_some_and(|rounding| rounding.places == 0)
+        self.rounding.as_ref().is_some_and(|rounding| rounding.half >= BigRational::new(1.into(), 720.into()))
     }
 
     /// Whether it is this angle, modulo a turn.
@@ -104,7 +102,7 @@ impl WrittenLength {
         let plain = without_mass_radius(&plain);
         let unit = units.iter().find_map(|(unit, parts)| Some((plain.strip_suffix(unit)?.trim_end(), *parts)));
         let (number, parts) = unit.unwrap_or((plain, 1));
-        let number = without_mass_radius(number);
+        let number = without_mass_radius(number).trim_start_matches('+');
         let scale = BigRational::new(1.into(), parts.into());
         let form = Form::parse(number).ok_or("a number such as 4, 1.732 or \"2√3\"")?;
         let rounding = rounding(number, about).map(|rounding| rounding.scaled(&scale));
@@ -154,12 +152,16 @@ fn cell(text: &str) -> Result<Cell, String> {
     let text = text.trim();
     let about = text.strip_prefix(['≈', '~']).map(str::trim_start);
     let (text, about) = (about.unwrap_or(text), about.is_some());
+    Ok(Cell { plain: with_point(text), about })
+}
+
+/// A number with a point where a comma stands between its digits.
+pub fn with_point(text: &str) -> String {
     let comma = text.split_once(',').filter(|(before, after)| {
         let digit = |letter: Option<char>| letter.is_some_and(|letter| letter.is_ascii_digit());
         digit(before.chars().next_back()) && digit(after.chars().next()) && !after.contains(',') && !text.contains('.')
     });
-    let plain = comma.map_or_else(|| text.to_owned(), |(before, after)| format!("{before}.{after}"));
-    Ok(Cell { plain, about })
+    comma.map_or_else(|| text.to_owned(), |(before, after)| format!("{before}.{after}"))
 }
 
 /// A length without `m r` behind it, which it is counted in whether that is written or not.
@@ -177,7 +179,7 @@ fn rounding(number: &str, about: bool) -> Option<Rounding> {
     let is_decimal = is_plain(whole) && is_plain(behind) && parse_number(number).is_ok();
     let digits = format!("{whole}{behind}").trim_start_matches('0').len();
     let half = || BigRational::new(1.into(), 2.into()) / BigRational::from_integer(10.into()).pow(behind.len());
-    is_decimal.then(|| Rounding { half: half(), digits, places: behind.len() })
+    is_decimal.then(|| Rounding { half: half(), digits })
 }
 
 impl Rounding {

@@ -51,7 +51,7 @@ pub use file::{Claim, Claims, Published, parse_claims, readable_claims};
 pub use find::Find;
 pub use finding::{Absolute, Agreement, Finding, LargestOf, Term, TermVerdict, Witness};
 pub use formula::{Factor, Formula, Letter, Measured, Powers, Series, Wave};
-pub use handwritten::{Agrees, WrittenAngle, WrittenLength};
+pub use handwritten::{Agrees, WrittenAngle, WrittenLength, with_point};
 pub use provenance::{Provenance, Quote};
 pub use sentence::parse_statement;
 pub use star_marks::{Filled, Judged, LEAST_DIGITS, Marked, Place, RightEntry, SUMS, Star, mark};

@@ -1,8 +1,9 @@
 //! In which convention is a table filled in? That of the sheet, or another that the student declares.
 
 use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
 
-use crate::claim::Star;
+use crate::claim::{Star, with_point};
 use crate::engine::{Engine, LengthUnit};
 use crate::file::{exact_number, parse_length};
 use crate::order;
@@ -107,14 +108,22 @@ impl Convention {
     }
 }
 
+/// No plane is farther away than so many times the length of the engine; of a metre or a spacing where it has none.
+const FARTHEST: i64 = 10;
+
 /// A position along the crankshaft, in what the positions of the sheet are counted in.
 fn plane(written: &str, engine: &Engine) -> Result<BigRational, String> {
-    let (value, unit) = parse_length(written)?;
-    match (unit, engine.length_unit()) {
-        (LengthUnit::Spacing, _) => Ok(value),
-        (LengthUnit::Metre, LengthUnit::Metre) => Ok(value),
-        (LengthUnit::Metre, LengthUnit::Spacing) => {
-            Err("a multiple of the spacing, as the positions of the sheet are, such as 1.5".to_owned())
-        }
+    let (value, unit) = parse_length(&with_point(written))?;
+    if (unit, engine.length_unit()) == (LengthUnit::Metre, LengthUnit::Spacing) {
+        return Err("a multiple of the spacing, as the positions of the sheet are, such as 1.5".to_owned());
+    }
+    // Far away a moment is the force many times over, and nobody has to compute it.
+    let positions = || engine.cylinders().iter().map(|cylinder| &cylinder.position);
+    let span = positions().max().zip(positions().min()).map(|(last, first)| last - first);
+    let length = span.filter(|span| !span.is_zero()).unwrap_or_else(BigRational::one);
+    let farthest = length * BigRational::from_integer(FARTHEST.into());
+    match (&value - engine.reference_plane()).abs() <= farthest {
+        true => Ok(value),
+        false => Err("a plane that is not farther away than ten times the length of the engine".to_owned()),
     }
 }

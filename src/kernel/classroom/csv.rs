@@ -8,11 +8,13 @@ pub(super) type Row = (usize, Vec<String>);
 /// A quotation ends on its own line, so that a quote without a partner costs no other row.
 pub(super) fn rows(text: &str) -> Vec<Row> {
     let text = text.replace("\r\n", "\n").replace('\r', "\n");
-    let first = text.lines().next().unwrap_or_default();
+    // A first line that tells a spreadsheet what separates fields.
+    let lines = || (1..).zip(text.lines()).skip(usize::from(text.starts_with("sep=")));
+    let first = lines().next().map_or("", |(_, line)| line);
     let count = |separator: &char| first.matches(*separator).count();
     // Of equally many the first counts: a comma.
     let separator = [';', '\t', ','].into_iter().max_by_key(count).unwrap_or(',');
-    filled((1..).zip(text.lines().map(|line| fields(line, separator))))
+    filled(lines().map(|(number, line)| (number, fields(line, separator))))
 }
 
 /// The rows with something on them, without spaces round their fields.

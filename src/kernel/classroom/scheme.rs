@@ -76,9 +76,15 @@ fn scheme(keys: Keys) -> Result<Scheme, LayoutError> {
     let part = "a part of the points from 0 to 1, such as 0.5";
     let not_negative = |value: &BigRational| !value.is_negative();
     let is_part = |value: &BigRational| !value.is_negative() && *value <= BigRational::one();
+    let of_sum = keys.sum.as_ref().and_then(place);
+    let (phase, sum) =
+        (number(keys.phase, usual.phase, points, not_negative)?, number(keys.sum, usual.sum, points, not_negative)?);
+    if phase.is_zero() && sum.is_zero() {
+        return Err(LayoutError::new("no entry earns a point", "phase or sum above 0", of_sum));
+    }
     Ok(Scheme {
-        phase: number(keys.phase, usual.phase, points, not_negative)?,
-        sum: number(keys.sum, usual.sum, points, not_negative)?,
+        phase,
+        sum,
         consequential: number(keys.consequential, usual.consequential, part, is_part)?,
         undeclared: number(keys.undeclared, usual.undeclared, part, is_part)?,
         digits: keys.digits.map_or(Ok(usual.digits), digits)?,

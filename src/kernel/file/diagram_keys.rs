@@ -329,9 +329,12 @@ fn areas(list: &List, scales: &Scales) -> Result<(Torque, bool), LayoutError> {
     let sum: BigRational = areas.iter().sum();
     if !sum.is_zero() {
         let size: BigRational = areas.iter().map(Signed::abs).sum();
-        let tenths = (&sum / size * BigRational::from_integer(1000.into())).round();
-        let part = exact_number(&(tenths / BigRational::from_integer(10.into())));
-        let rest = remaining(&sum, in_joules, scales);
+        let percent = &sum / size * integer(100);
+        // As many places as show that it is not 0.
+        let places = |unit: &BigRational| (&percent * unit).round() / unit;
+        let units = std::iter::successors(Some(integer(10)), |unit| Some(unit * integer(10)));
+        let part = units.map(|unit| places(&unit)).find(|part| !part.is_zero()).unwrap_or_default();
+        let (rest, part) = (remaining(&sum, in_joules, scales), exact_number(&part));
         let right = format!("areas above and below the mean whose sum is 0; {rest} remains, {part} % of all of them");
         return Err(LayoutError::new("the areas do not close over the cycle", right, place(list)));
     }

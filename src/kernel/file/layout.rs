@@ -285,10 +285,10 @@ fn dimensions(file: &File, expanded: &mut Expanded) -> Result<Dimensions, Layout
     let masses_given = tables.into_iter().any(|table| table.get_ref().0.reciprocating_mass.is_some());
     let mut dimensions = match &file.mechanism {
         Some(table) => table.0.read(&mut expanded.cylinders, masses_given, expanded.pin_offsets.as_ref())?,
-        None => match &expanded.pin_offsets {
-            None => Dimensions::default(),
-            Some(list) => return Err(mechanism_keys::offset_without_rod(list)),
-        },
+        None => {
+            expanded.pin_offsets.as_ref().map_or(Ok(()), mechanism_keys::no_offset_without_rod)?;
+            Dimensions::default()
+        }
     };
     if let Some(text) = &file.speed {
         let (speed, given) = mechanism_keys::speed(text)?;

@@ -10,7 +10,7 @@ use super::measured::{Column, Reading};
 use super::quantities::{misread, not_negative, twice, value};
 use super::rewritten::exact_number;
 use super::units;
-use super::written::{self, Text, place};
+use super::written::{self, Text, Values, Written, place};
 use crate::engine::{Cylinder, Dimensions, Given, Linear, Measure, Mechanism, Rod};
 use crate::text::Untrusted;
 
@@ -117,10 +117,7 @@ impl Keys {
             }
             (None, None, ..) => {
                 let offset = pin_offset.as_ref().or(self.offset_ratio.as_ref());
-                return match offset {
-                    None => Ok(Vec::new()),
-                    Some(offset) => Err(offset_without_rod(offset)),
-                };
+                return offset.map_or(Ok(()), no_offset_without_rod).map(|()| Vec::new());
             }
         };
         let offsets = self.offsets(table, radii, &ratios, pin_offset)?;
@@ -282,10 +279,15 @@ impl Keys {
     }
 }
 
-/// What is said of an offset where no rod is known.
-pub(super) fn offset_without_rod(offset: &written::Column) -> LayoutError {
+/// Offsets where no rod is known: 0, which is what they are where they are left out.
+pub(super) fn no_offset_without_rod(offset: &written::Column) -> Result<(), LayoutError> {
+    let is_zero = |text: &Written| units::length(&text.0).is_ok_and(|length| length.value.is_zero());
+    let are_zero = match offset.get_ref() {
+        Values::One(one) => is_zero(one),
+        Values::Each(list) => list.iter().all(|one| is_zero(one.get_ref())),
+    };
     let right = "add a rod_length or rod_ratio below [mechanism]";
-    LayoutError::new("an offset without a rod", right, place(offset))
+    if are_zero { Ok(()) } else { Err(LayoutError::new("an offset without a rod", right, place(offset))) }
 }
 
 /// Speed in revolutions a minute.

@@ -95,9 +95,23 @@ fn rotor(name: &str, file: File) -> Result<Rotor, LayoutError> {
     if masses.is_empty() {
         return Err(LayoutError::new("no masses on the shaft", right, place(tables)));
     }
+    for (index, table) in tables.get_ref().iter().enumerate() {
+        let name = &masses[index].name;
+        if let (Some(other), Some(text)) =
+            (masses[..index].iter().position(|mass| mass.name == *name), &table.get_ref().0.name)
+        {
+            let message = format!("masses {} and {} have the same name `{}`", other + 1, index + 1, text.get_ref().0);
+            return Err(LayoutError::new(message, "a name for one mass alone", place(text)));
+        }
+    }
     let reciprocating = tables.get_ref().iter().find_map(|table| table.get_ref().0.reciprocating_mass.as_ref());
     let share = match (&file.share, reciprocating) {
-        (Some(text), _) => share(text)?,
+        (Some(text), Some(_)) => share(text)?,
+        (Some(text), None) => {
+            share(text)?;
+            let right = "add reciprocating_mass to the masses that have one, or omit the share";
+            return Err(LayoutError::new("a share without reciprocating masses", right, place(text)));
+        }
         (None, None) => BigRational::zero(),
         (None, Some(text)) => {
             let right = "above the first table, which part of them is balanced: share = \"2/3\"; 0 for none";

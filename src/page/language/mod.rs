@@ -137,7 +137,7 @@ impl Language {
 
     /// What the list has as it stands.
     fn whole(self, english: &str) -> Option<String> {
-        let words = self.list().written.words.get(english).or_else(|| self.list().written.labels.get(english))?;
+        let words = self.list().written.labels.get(english).or_else(|| self.list().written.words.get(english))?;
         (!words.contains(MARKUP)).then(|| words.clone())
     }
 
@@ -152,9 +152,9 @@ impl Language {
     fn pieces(self, english: &str) -> Option<String> {
         let pieces: Vec<&str> = english.split(", ").collect();
         let known = |piece: &str| self.whole(piece).or_else(|| self.pattern(piece, |inside| self.signs(inside)));
-        // A letter by itself is a symbol: `λ = 0.2`.
-        let has_words =
-            |piece: &str| piece.split(|letter: char| !letter.is_alphabetic()).any(|word| word.chars().nth(1).is_some());
+        // A letter by itself is a symbol, `λ = 0.2`, and one beside a digit a name, `2CAe`.
+        let is_word = |word: &str| word.chars().nth(1).is_some() && word.chars().all(char::is_alphabetic);
+        let has_words = |piece: &str| piece.split(|letter: char| !letter.is_alphanumeric()).any(is_word);
         let bare = |piece: &str| (!has_words(piece)).then(|| self.numbers(piece));
         let one = |piece: &&str| known(piece).or_else(|| bare(piece));
         if pieces.len() < 2 || !english.contains(char::is_alphabetic) {
