@@ -32,7 +32,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("proof", 8945),
     ("python", 2630),
     ("remedy", 1885),
-    ("report", 32155),
+    ("report", 32180),
     ("rotor", 660),
     ("search", 3835),
     ("shard", 665),

@@ -169,7 +169,8 @@ fn odd_quantities(table: &DeTable<'_>, has_parts: bool) -> Vec<LayoutError> {
     for (name, value) in table {
         let name = name.get_ref();
         each_in(name, value, &mut |key, text, span| {
-            if !(has_parts && key == "radius") && !is_ratio(Some(name), key) {
+            let is_of_a_part = has_parts && key == "radius";
+            if !is_of_a_part && !is_ratio(Some(name), key) {
                 odd.extend(quantity(key, text, span));
             }
         });

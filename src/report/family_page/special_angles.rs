@@ -14,20 +14,34 @@ use crate::verdict::Judgement;
 
 /// A sentence for each group of angles where the same remains; none where order 1 always or never loses its reverse vectors.
 pub(super) fn sentences(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
-    let mut groups: Vec<(BTreeSet<Turn>, (bool, Option<Text>))> = Vec::new();
+    let mut groups: Vec<(BTreeSet<Turn>, There)> = Vec::new();
     for (angle, vanishes) in angles(orders).unwrap_or_default() {
-        let there = (vanishes, remains(family, &angle));
-        let plain = |(vanishes, text): &(bool, Option<Text>)| (*vanishes, text.as_ref().map(Text::plain));
-        match groups.iter_mut().find(|(_, other)| plain(other) == plain(&there)) {
+        let there = There { vanishes, remains: remains(family, &angle) };
+        match groups.iter_mut().find(|(_, other)| other.is_like(&there)) {
             Some((angles, _)) => _ = angles.insert(angle),
             None => groups.push((BTreeSet::from([angle]), there)),
         }
     }
-    let sentence = |(angles, (vanishes, remains)): (BTreeSet<Turn>, (bool, Option<Text>))| match remains {
-        Some(remains) => text::first_cancelled_rest(words::list(&angles), vanishes, remains),
-        None => text::first_cancelled(words::list(&angles), vanishes),
+    let sentence = |(angles, there): (BTreeSet<Turn>, There)| match there.remains {
+        Some(remains) => text::first_cancelled_rest(words::list(&angles), there.vanishes, remains),
+        None => text::first_cancelled(words::list(&angles), there.vanishes),
     };
     groups.into_iter().map(sentence).chain(of_two_angles(family, orders)).collect()
+}
+
+/// What an angle leaves.
+struct There {
+    /// Whether all of order 1 vanishes, without counterweights.
+    vanishes: bool,
+    /// What remains of order 2.
+    remains: Option<Text>,
+}
+
+impl There {
+    fn is_like(&self, other: &There) -> bool {
+        let plain = |there: &There| there.remains.as_ref().map(Text::plain);
+        self.vanishes == other.vanishes && plain(self) == plain(other)
+    }
 }
 
 /// Where counterweights cancel order 1 of a family with two open angles: where the one reverse vector vanishes that does not always do so.
