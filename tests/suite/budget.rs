@@ -41,7 +41,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("table", 1500),
     ("text", 475),
     ("torque", 1230),
-    ("torsion", 925),
+    ("torsion", 905),
     ("verdict", 1865),
     ("web", 885),
 ];

@@ -8,13 +8,18 @@ use crankstar::page::{Document, Format, Language};
 use crankstar::report::{Question, TorsionStudy};
 use crankstar::torsion::{Excitation, Mode, Train, critical_speeds, forced_twist, modes};
 use num_complex::Complex;
+use num_rational::BigRational;
 
 use crate::support::dice::Dice;
 use crate::support::german::phrases;
 use crate::support::pages;
 
+/// Discs in a row without damping.
 fn shaft(inertias: &[f64], stiffnesses: &[f64]) -> Train {
-    Train::row(inertias, stiffnesses)
+    let exact = |value: &f64| BigRational::from_float(*value).expect("finite");
+    let between = |(at, stiffness)| ElasticShaft::between([at, at + 1], exact(stiffness));
+    let shafts = stiffnesses.iter().enumerate().map(between).collect();
+    Train::new(&Torsion { inertias: inertias.iter().map(exact).collect(), shafts, ..Torsion::default() })
 }
 
 fn assert_near(found: f64, right: f64, part: f64) {
@@ -101,7 +106,7 @@ fn random_shafts_satisfy_their_equations_and_forced_twists_theirs() {
         for _ in 0..10 {
             let inertias: Vec<f64> = (0..count).map(|_| 10.0_f64.powf(3.0 * random() - 2.0)).collect();
             let stiffnesses: Vec<f64> = (1..count).map(|_| 10.0_f64.powf(3.0 * random() + 4.0)).collect();
-            let shaft = Train::row(&inertias, &stiffnesses);
+            let shaft = shaft(&inertias, &stiffnesses);
             let found = modes(&shaft);
             assert!(found.windows(2).all(|pair| pair[0].omega < pair[1].omega));
             for (number, mode) in found.iter().enumerate() {
@@ -171,7 +176,7 @@ fn what_is_no_shaft_is_refused_at_its_place() {
 
 #[test]
 fn a_draft_with_a_shaft_for_other_pins_is_no_engine() {
-    let one = num_rational::BigRational::from_integer(1.into());
+    let one = BigRational::from_integer(1.into());
     let shafts = vec![ElasticShaft::between([0, 1], one.clone())];
     let torsion = Torsion { inertias: vec![one.clone(), one], shafts, pins: vec![0], ..Torsion::default() };
     let mut draft = six_with_flywheel().into_draft();

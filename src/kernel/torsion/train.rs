@@ -103,28 +103,6 @@ impl Train {
         .joined()
     }
 
-    /// Discs in a row without damping, from these inertias and the stiffnesses between them.
-    pub fn row(inertias: &[f64], stiffnesses: &[f64]) -> Self {
-        let disc = |(node, inertia): (usize, &f64)| Disc { inertia: *inertia, damping: 0.0, ratio: 1.0, node };
-        let link = |(at, stiffness): (usize, &f64)| Link {
-            ends: [at, at + 1],
-            stiffness: *stiffness,
-            loss_factor: 0.0,
-            damping: 0.0,
-        };
-        Train {
-            discs: inertias.iter().enumerate().map(disc).collect(),
-            links: stiffnesses.iter().enumerate().map(link).collect(),
-            shafts: stiffnesses.len(),
-            gears: Vec::new(),
-            inertias: vec![0.0; inertias.len()],
-            order: Vec::new(),
-            parents: Vec::new(),
-            around: Vec::new(),
-        }
-        .joined()
-    }
-
     /// With its tree: which node hangs on which.
     pub(super) fn joined(mut self) -> Self {
         let count = self.inertias.len();
