@@ -45,6 +45,8 @@ pub enum Piece {
     Exactly(BigRational, Unit),
     /// The same in little room: a long number in decimals after ≈.
     Shortly(BigRational, Unit),
+    /// What holds in this unit alone: nothing where the reader counts in another.
+    InUnit(Box<Text>, Unit),
     /// The name of a unit alone.
     Unit(Unit),
     /// A formula in TeX.

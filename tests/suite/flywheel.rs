@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use crankstar::file::{Diagram, Torque, parse_diagram};
 use crankstar::flywheel::{Fluctuation, NoFluctuation, TorqueCurve, WithPi, fluctuation};
-use crankstar::page::{Format, Options};
+use crankstar::page::{Format, Options, Units};
 use crankstar::report::{FlywheelStudy, Question};
 use num_rational::BigRational;
 
@@ -54,6 +54,39 @@ fn areas_of_a_drawing_give_the_textbooks_energy_and_speed_exactly() {
     assert_eq!(before_pi(&part, -1), fraction(985, 104_976));
     assert_near(part.decimal, 0.002_986_732_6, 1e-10);
     assert!(found.mean.is_none() && found.fastest_and_slowest.is_none());
+}
+
+/// The same curve, begun a quarter turn earlier.
+#[test]
+fn a_diagram_may_begin_at_any_angle() {
+    let curve = "[[-90, 200], [0, 0], [90, 200], [180, 400], [270, 200]]";
+    let whole = "[[0, 0], [180, 400], [360, 0]]";
+    let load = |points: &str, load: &str| found(&format!("points = {points}\nload_points = {load}\n"));
+    assert_eq!(before_pi(&load(whole, curve).energy, 1), fraction(0, 1));
+    assert_eq!(before_pi(&load(curve, whole).energy, 1), fraction(0, 1));
+    let text = "points = [[-90, 0], [0, 400], [90, 0], [180, -200], [270, 0]]\nangles = [0, 180, -90, 225]\n";
+    let drawn = diagram(text);
+    let course = TorqueCurve::new(&drawn).expect("no areas");
+    for (turn, torque) in
+        [(fraction(0, 1), 400.0), (fraction(1, 2), -200.0), (fraction(3, 4), 0.0), (fraction(5, 8), -100.0)]
+    {
+        assert_near(course.at(&turn)[0], torque, 1e-9);
+    }
+    let [fastest, slowest] = found(text).fastest_and_slowest.expect("angles");
+    assert_near(fastest, 78.75, 1e-9);
+    assert_near(slowest, 281.25, 1e-9);
+}
+
+#[test]
+fn an_exact_energy_in_joules_is_no_number_of_foot_pounds() {
+    let text = "title = 'x'\npoints = [[0, 0], [90, 400], [180, 0], [270, -200], [360, 0]]\n";
+    let study = FlywheelStudy::new(diagram(text)).expect("an answer");
+    let told = |units| {
+        let options = Options { units, ..Options::default() };
+        crankstar::page::write(&study.answer(), Format::PLAIN, &options).remove(0).text
+    };
+    assert!(told(Units::Si).contains("π · 1225/8 ≈ 481"), "{}", told(Units::Si));
+    assert!(!told(Units::Inch).contains("1225/8") && told(Units::Inch).contains("355"), "{}", told(Units::Inch));
 }
 
 #[test]

@@ -288,7 +288,30 @@ fn lines(points: &Points) -> Result<Torque, LayoutError> {
             lines.push(line);
         }
     }
-    cycle(lines, points.span())
+    cycle(from_zero(lines, &start), points.span())
+}
+
+/// The lines of a cycle that begins at this angle as those from θ = 0 on: the one that the end of the cycle falls into is cut there.
+fn from_zero(lines: Vec<Line>, start: &BigRational) -> Vec<Line> {
+    let Some(length) = lines.last().map(|line| line.to.clone()) else { return lines };
+    let shift = start - (start / &length).floor() * &length;
+    let moved = |line: Line, by: &BigRational| Line { from: line.from + by, to: line.to + by, ..line };
+    let (mut early, mut late) = (Vec::new(), Vec::new());
+    for line in lines {
+        let line = moved(line, &shift);
+        if line.to <= length {
+            late.push(line);
+        } else if line.from >= length {
+            early.push(moved(line, &-&length));
+        } else {
+            let part = (&length - &line.from) / (&line.to - &line.from);
+            let there = &line.first + (&line.last - &line.first) * part;
+            late.push(Line { to: length.clone(), last: there.clone(), ..line.clone() });
+            early.push(moved(Line { from: length.clone(), first: there, ..line }, &-&length));
+        }
+    }
+    early.extend(late);
+    early
 }
 
 /// The lines, where they go through a cycle that is neither empty nor too long.

@@ -314,6 +314,10 @@ impl<'a> Composer<'a> {
                 Some((_, size)) => self.numbers(&figures.approximate(value / float(&size))),
                 None => self.piece(&Piece::Number(Number::Closed(form.clone(), *value))),
             },
+            Piece::InUnit(text, unit) => match self.options.units.instead_of(*unit) {
+                Some(_) => String::new(),
+                None => self.text(text),
+            },
             Piece::Exactly(value, unit) => self.numbers(&self.converted(value, *unit, number::number)),
             Piece::Shortly(value, unit) => self.numbers(&self.converted(value, *unit, number::short)),
             Piece::Unit(unit) => {

@@ -45,22 +45,23 @@ fn value(value: &WithPi, unit: Unit) -> Text {
         Unit::NONE => Text::figures(value.decimal),
         unit => quantity(value.decimal, unit),
     };
+    let before = |exact: Text| Text::from(Piece::InUnit(Box::new(exact), unit)).and(decimal.clone());
     let about = if unit == Unit::NONE { Number::Decimal(value.decimal).into() } else { decimal.clone() };
     let amount = value.form.clone().map(|form| Amount { decimal: form.to_float(), exact: Some(form) });
     match (amount.map(|amount| amount.number()), value.power, unit) {
         (Some(Number::Zero), ..) => Text::zero(),
         (Some(Number::Exact(exact)), 0, Unit::NONE) => Number::Exact(exact).into(),
         (Some(Number::Exact(exact)), 0, unit) => Text::from(Piece::Exactly(exact, unit)).and(" ").and(unit),
-        (Some(Number::Closed(form, _)), 0, _) => phrase!("{} ≈ {}", Piece::Form(form), decimal),
+        (Some(Number::Closed(form, _)), 0, _) => before(phrase!("{} ≈ ", Piece::Form(form))),
         (Some(number), power @ (1 | -1 | -2), _) => {
             let form = match number {
                 Number::Exact(_) | Number::Closed(..) => value.form.clone().map(Piece::Form),
                 Number::Zero | Number::Decimal(_) => None,
             };
             match (form, power) {
-                (Some(form), 1) => phrase!("π · {} ≈ {}", form, decimal),
-                (Some(form), -1) => phrase!("1/π · {} ≈ {}", form, decimal),
-                (Some(form), _) => phrase!("1/π² · {} ≈ {}", form, decimal),
+                (Some(form), 1) => before(phrase!("π · {} ≈ ", form)),
+                (Some(form), -1) => before(phrase!("1/π · {} ≈ ", form)),
+                (Some(form), _) => before(phrase!("1/π² · {} ≈ ", form)),
                 (None, _) => about,
             }
         }
