@@ -69,6 +69,27 @@ fn box_of(name: &str, weighing: &Weighing) -> String {
     lines(&file::find(name).expect("an engine").engine().expect("it reads"), weighing).join("\n")
 }
 
+/// The force of order 2 has two vectors of one length, and its moment none that turns with the crank.
+#[test]
+fn two_shafts_are_each_of_one_size_only_where_they_are() {
+    let one = |throw: u32, bank: u32, position: i32| {
+        format!(
+            "[[cylinder]]\nthrow = {throw}\nbank = {bank}\nposition = '{position} mm'\nreciprocating_mass = '0.5 kg'\n"
+        )
+    };
+    let banks = |throw, position| [0, 120, 240].map(|bank| one(throw, bank, position)).concat();
+    let text = "speed = 3000\n[mechanism]\ncrank_radius = '40 mm'\nrod_length = '140 mm'\n".to_owned()
+        + &banks(0, 100)
+        + &banks(90, -100)
+        + &one(0, 0, 0);
+    let told = lines(&file::parse("seven.toml", &text).expect("it reads"), Weighing::usual()).join("\n");
+    assert!(!told.contains("one each way (each") && told.contains("2.55\u{202f}kg·mm + 1.82\u{202f}kg·mm"), "{told}");
+    let vee = "mechanism.rod_ratio = 0.25\nvee = { bank_angle = 70, throws = [0] }\norders = [10]";
+    let told =
+        lines(&file::parse("vee.toml", vee).expect("it reads"), &Weighing { all: true, ..Weighing::usual().clone() });
+    assert!(!told.join("\n").contains("(each"), "{told:?}");
+}
+
 /// The first-order vectors of a crankshaft that turns twice as fast are of order 2: rods that nobody gave decide what they leave of it.
 #[test]
 fn a_part_of_the_largest_is_one_of_a_size_that_is_shown() {

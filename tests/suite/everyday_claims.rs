@@ -239,6 +239,43 @@ fn numbers_of_a_series_are_as_exact_as_they_are_written() {
 }
 
 #[test]
+fn decimals_of_an_irrational_multiple_of_the_rod_ratio_are_rounded() {
+    let vee = "mechanism.rod_ratio = 0.25\nvee = { bank_angle = 60, throws = [0] }";
+    for (number, expected) in [
+        ("√3/2", TermVerdict::UpTo(1)),
+        ("0.866", TermVerdict::Rounded),
+        ("0.87", TermVerdict::Rounded),
+        ("0.867", TermVerdict::Wrong),
+        ("433/500", TermVerdict::Wrong),
+    ] {
+        let says = format!("shaking force along = m r ω² (1.5 cos θ + {number} λ cos 2θ)");
+        assert_eq!(verdicts(&answer(vee, &says))[1].2, expected, "{says}");
+    }
+}
+
+/// The second-order vectors of both throws are opposite, so that a force is left nowhere but the moment is that of a couple.
+#[test]
+fn a_moment_that_is_0_about_one_plane_alone_is_said_to_be_so() {
+    let twin = "inline.throws = [0, 180]";
+    for says in ["second-order moment = 0", "second-order moment vanishes"] {
+        let status = answer(twin, says).status;
+        assert!(matches!(status, Status::TrueOnlyIf { met: true, .. }), "{says}: {status:?}");
+    }
+}
+
+/// c_10 of λ = 1/4 is 4·10⁻⁸: nothing is proposed, and both vectors are there, of different lengths.
+#[test]
+fn vectors_too_slight_for_a_weight_are_needed_all_the_same() {
+    let vee = "mechanism.rod_ratio = 0.25\nvee = { bank_angle = 70, throws = [0] }";
+    for (needs, expected) in
+        [("nothing", Status::False), ("two balancer shafts", Status::True), ("a Lanchester pair", Status::NotDecided)]
+    {
+        let answer = answer(vee, &format!("order 10 needs {needs}"));
+        assert_eq!(answer.status, expected, "{needs}");
+    }
+}
+
+#[test]
 fn a_series_is_compared_term_by_term() {
     use TermVerdict::{Missing, NoRatio, Right, Rounded, UpTo, Wrong, WrongUnit};
     let two = "inline.throws = [0, 0]";

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use num_rational::BigRational;
-use num_traits::One;
+use num_traits::{One, Zero};
 
 use super::absolute::{self, Numbers};
 use super::answer::{Answer, Condition, Evidence, Status};
@@ -77,6 +77,12 @@ pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, n
         Predicate::Is(shape) if vectors.shape == Some(*shape) => Status::True,
         Predicate::Is(_) => Status::False,
         Predicate::Plane(angle) => direction(&vectors, angle, true, &mut evidence),
+        // What is said to be 0 is said to vanish, about this plane or about each.
+        Predicate::Equals(value, None)
+            if vectors.vanish() && value.form.as_rational().is_some_and(|zero| zero.is_zero()) =>
+        {
+            vanishing(engine, subject, &order, true, true)
+        }
         Predicate::Equals(value, angle) => {
             let is_of_pistons = matches!(subject.masses, Masses::Reciprocating | Masses::All);
             let size = match value.unit {

@@ -26,6 +26,8 @@ const NEEDS: [(&str, Shafts); 9] = [
 const OWN: &str =
     "the engine has weights of this order, which the remedy resizes or takes away: claim what it needs without them";
 
+const SLIGHT: &str = "weights of less than a millionth of the load are not proposed, and whether the two shafts would be alike is not decided";
+
 /// `order 2 needs a Lanchester pair`; none where the words are of another claim.
 pub(super) fn parse(text: &str) -> Option<Result<Statement, ClaimError>> {
     let (order, needs) = text.strip_prefix("order ")?.split_once(" needs ")?;
@@ -64,6 +66,9 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
     // Counterweights on a crankshaft are the shaft that turns as it does.
     let with = direct && !engine.has_crank_turning(order, Sense::Direct);
     let against = reverse && !engine.has_crank_turning(order, Sense::Reverse);
+    // Of a vector too slight for a weight nothing is proposed, and it is there.
+    let has_shaft = |sense| remedy.shafts.iter().any(|shaft| shaft.sense == sense);
+    let is_proposed = (!with || has_shaft(Sense::Direct)) && (!against || has_shaft(Sense::Reverse));
     let is_so = match claimed {
         Shafts::Nothing => !direct && !reverse,
         Shafts::None => !with && !against,
@@ -73,9 +78,14 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
         Shafts::AmongThemWith => with,
         Shafts::AmongThemAgainst => against,
         Shafts::Two => with && against,
+        Shafts::Lanchester if with && against && !is_proposed => return Answer::nothing(SLIGHT),
         Shafts::Lanchester => with && against && remedy.shafts.iter().all(|shaft| shaft.lanchester),
     };
-    Answer { status: Status::of(is_so), finding: Finding::Remedy(Box::new(remedy)), evidence: evidence(verdict) }
+    let finding = match is_proposed {
+        true => Finding::Remedy(Box::new(remedy)),
+        false => Finding::CombinedOrders(vec![verdict.clone()]),
+    };
+    Answer { status: Status::of(is_so), finding, evidence: evidence(verdict) }
 }
 
 /// Whether the direct and the reverse vector of force or moment are left; none where that is not decided.

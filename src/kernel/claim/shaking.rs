@@ -128,13 +128,22 @@ fn judged(said: &[(Powers, Factor)], right: &PhasorSum, order: u32, ratio: Optio
     let powers: BTreeMap<i32, &Factor> = said.iter().map(|([.., lambda], factor)| (*lambda, factor)).collect();
     let series = coefficient(order, POWERS);
     let is_multiple = |form: &Form, by: &BigRational| is_number(form, &right.scaled(by));
+    let is_rounded = |factor: &Factor, by: &BigRational| {
+        let known = factor.form.as_rational().zip(factor.rounding.as_ref().filter(|rounding| !rounding.is_zero()));
+        known.is_some_and(|(value, half)| is_within_of(&right.scaled(by), &value, half))
+    };
     // In powers of λ: as many of the first ones as there are.
+    let begun = || series.iter().zip(&powers);
     let is_begun = powers.len() <= series.len()
-        && series.iter().zip(&powers).all(|((power, number), (said, factor))| {
-            i64::from(*power) == i64::from(*said) && is_multiple(&factor.form, number)
+        && begun().all(|((power, number), (said, factor))| {
+            i64::from(*power) == i64::from(*said) && (is_multiple(&factor.form, number) || is_rounded(factor, number))
         });
     if is_begun {
-        return if order == 1 { TermVerdict::Right } else { TermVerdict::UpTo(series[powers.len() - 1].0) };
+        return match begun().all(|((_, number), (_, factor))| is_multiple(&factor.form, number)) {
+            false => TermVerdict::Rounded,
+            true if order == 1 => TermVerdict::Right,
+            true => TermVerdict::UpTo(series[powers.len() - 1].0),
+        };
     }
     let only_numbers = order > 1 && powers.keys().all(|power| *power == 0);
     // That of order 1 is 1 whatever the ratio is.
@@ -148,19 +157,16 @@ fn judged(said: &[(Powers, Factor)], right: &PhasorSum, order: u32, ratio: Optio
     }
     let parts = powers.iter().map(|(power, factor)| factor.scaled(&at(*power)));
     let none = Factor::exact(Form::rational(BigRational::zero()));
-    let Factor { form: value, rounding } = parts.fold(none, |sum, part| sum.plus(&part));
+    let value = parts.fold(none, |sum, part| sum.plus(&part));
     let mut sum = BigRational::zero();
     for (power, number) in &series {
         sum += number * at(*power as i32);
-        if is_multiple(&value, &sum) {
+        if is_multiple(&value.form, &sum) {
             return TermVerdict::UpTo(*power);
         }
     }
     let whole = coefficient(order, ALL_POWERS).iter().map(|(power, number)| number * at(*power as i32)).sum();
-    match value.as_rational().zip(rounding.filter(|rounding| !rounding.is_zero())) {
-        Some((value, half)) if is_within_of(&right.scaled(&whole), &value, &half) => TermVerdict::Rounded,
-        _ => TermVerdict::Wrong,
-    }
+    if is_rounded(&value, &whole) { TermVerdict::Rounded } else { TermVerdict::Wrong }
 }
 
 /// Whether a number is this real sum.

@@ -159,12 +159,13 @@ impl Cure<'_> {
             (_, [false, true]) => vec![shaft(Sense::Reverse)],
             (_, [true, true]) => {
                 let [with, against] = [REVERSE, DIRECT].map(|rest| self.decimal_left(rest));
-                let is_sized = self.remedy.is_some() && Sense::BOTH.into_iter().all(|sense| self.has_size(sense));
-                // The one that cancels more stands first.
-                match is_sized && (with - against).abs() >= ALIKE {
-                    false => vec![(Means::Pair, NOTHING)],
-                    true if with < against => vec![shaft(Sense::Direct), last(Sense::Reverse)],
-                    true => vec![shaft(Sense::Reverse), last(Sense::Direct)],
+                let equally_long = (with - against).abs() < ALIKE;
+                match self.are_alike() {
+                    None => vec![(Means::Pair, NOTHING)],
+                    Some(true) if equally_long => vec![(Means::Pair, NOTHING)],
+                    // The one that cancels more stands first. Vectors of the force may be equally long where those of the moment differ.
+                    Some(_) if equally_long || with < against => vec![shaft(Sense::Direct), last(Sense::Reverse)],
+                    Some(_) => vec![shaft(Sense::Reverse), last(Sense::Direct)],
                 }
             }
         }
@@ -175,7 +176,7 @@ impl Cure<'_> {
         match means {
             Means::Counterweights => self.counterweights(),
             Means::Shaft(sense) => self.shaft(sense),
-            Means::Pair => match self.size(Sense::Direct) {
+            Means::Pair => match self.size(Sense::Direct).filter(|_| self.are_alike().is_some()) {
                 Some(size) => text::pair_of_size(times(self.order.order), size),
                 None => text::pair(times(self.order.order)),
             },
@@ -209,11 +210,12 @@ impl Cure<'_> {
         })
     }
 
-    /// Whether it is known how large what takes a vector away is.
-    fn has_size(&self, sense: Sense) -> bool {
+    /// Whether what takes both vectors away has the same sizes; none where one is not known, or too slight to be proposed.
+    fn are_alike(&self) -> Option<bool> {
         // What is told of distances is told by the sentence itself.
-        let told = RefCell::default();
-        Cure { told: &told, ..*self }.size(sense).is_some()
+        let told = || RefCell::default();
+        let size = |sense| Some(Cure { told: &told(), ..*self }.size(sense)?.plain());
+        Some(size(Sense::Direct)? == size(Sense::Reverse)?)
     }
 
     /// Which of both vectors are left, and large enough for a weight.
