@@ -133,16 +133,17 @@ fn judged(said: &[(Powers, Factor)], right: &PhasorSum, order: u32, ratio: Optio
         known.is_some_and(|(value, half)| is_within_of(&right.scaled(by), &value, half))
     };
     // In powers of λ: as many of the first ones as there are.
-    let begun = || series.iter().zip(&powers);
-    let is_begun = powers.len() <= series.len()
-        && begun().all(|((power, number), (said, factor))| {
-            i64::from(*power) == i64::from(*said) && (is_multiple(&factor.form, number) || is_rounded(factor, number))
-        });
-    if is_begun {
-        return match begun().all(|((_, number), (_, factor))| is_multiple(&factor.form, number)) {
-            false => TermVerdict::Rounded,
-            true if order == 1 => TermVerdict::Right,
-            true => TermVerdict::UpTo(series[powers.len() - 1].0),
+    let is_exact = |((power, number), (said, factor)): (&(u32, BigRational), (&i32, &&Factor))| match *said {
+        said if i64::from(*power) != i64::from(said) => None,
+        _ if is_multiple(&factor.form, number) => Some(true),
+        _ => is_rounded(factor, number).then_some(false),
+    };
+    let are_exact: Option<Vec<bool>> = series.iter().zip(&powers).map(is_exact).collect();
+    if let Some(are_exact) = are_exact.filter(|_| powers.len() <= series.len()) {
+        return match are_exact.contains(&false) {
+            true => TermVerdict::Rounded,
+            false if order == 1 => TermVerdict::Right,
+            false => TermVerdict::UpTo(series[powers.len() - 1].0),
         };
     }
     let only_numbers = order > 1 && powers.keys().all(|power| *power == 0);

@@ -80,13 +80,11 @@ impl Opened<'_> {
         let exists = has_order(&self.engine, order);
         let mut sets = Vec::new();
         for of in Zeros::ALL {
-            let vector = Vector { quantity, order, of };
-            let everywhere = ZeroSet::everywhere(quantity, order, of);
+            let is_never = || of == Zeros::Largest && sets.iter().any(ZeroSet::is_never);
             sets.push(match with_the_other(&sets, of) {
-                _ if !exists => ZeroSet { exists, ..everywhere },
+                _ if !exists => ZeroSet { exists, ..ZeroSet::everywhere(quantity, order, of) },
                 Some(set) => set,
-                None if self.is_everywhere(vector, verdicts) => everywhere,
-                None => self.in_places(vector, verdicts, of == Zeros::Largest && sets.iter().any(ZeroSet::is_never)),
+                None => self.set(Vector { quantity, order, of }, verdicts, is_never()),
             });
         }
         sets
@@ -105,22 +103,20 @@ impl Opened<'_> {
         !of_pistons && only_shafts(&self.engine, order) || is_fixed(&self.open, order, of)
     }
 
-    /// Whether it is proved to vanish at every value.
-    fn is_everywhere(&self, vector: Vector, verdicts: &[OpenVerdict; 2]) -> bool {
-        if self.is_of_pistons(vector) {
-            return self.found(vector, verdicts) == family::Zeros::Everywhere;
+    /// Where it vanishes; `is_never`: it is that of two vectors of which one never does.
+    fn set(&self, vector: Vector, verdicts: &[OpenVerdict; 2], is_never: bool) -> ZeroSet {
+        let Vector { quantity, order, of } = vector;
+        let (found, of_pistons, is_fixed) =
+            (self.found(vector, verdicts), self.is_of_pistons(vector), self.is_fixed(vector));
+        let is_everywhere = match (of_pistons, is_fixed) {
+            (true, _) => found == family::Zeros::Everywhere,
+            (false, true) => vector.vanishes(&self.engine),
+            (false, false) => self.vanishes_at_enough(vector),
+        };
+        if is_everywhere {
+            return ZeroSet::everywhere(quantity, order, of);
         }
-        if self.is_fixed(vector) {
-            return vector.vanishes(&self.engine);
-        }
-        let mut places = distinct(&self.open, vector.order, &self.per_unit, self.range.each_ref()).peekable();
-        places.peek().is_some() && places.all(|value| self.vanishes_at(vector, &value))
-    }
-
-    /// Where it vanishes that does not do so everywhere.
-    fn in_places(&self, vector: Vector, verdicts: &[OpenVerdict; 2], is_never: bool) -> ZeroSet {
-        let of_pistons = self.is_of_pistons(vector);
-        let (found, all) = match self.found(vector, verdicts) {
+        let (found, all) = match found {
             family::Zeros::Everywhere | family::Zeros::NotSolved => (Solutions::default(), false),
             family::Zeros::At(found) if of_pistons => {
                 let all = self.is_whole && found.open.is_empty();
@@ -132,9 +128,14 @@ impl Opened<'_> {
         let value = |turns: &BigRational| turns / &self.per_unit;
         let at = found.exact.iter().map(value).filter(|value| self.vanishes_at(vector, value)).collect();
         let irrational = found.irrational.iter().map(|ends| ends.each_ref().map(value)).collect();
-        let complete = all || is_never || self.is_fixed(vector);
-        let Vector { quantity, order, of } = vector;
+        let complete = all || is_never || is_fixed;
         ZeroSet { quantity, order, of, exists: true, everywhere: false, at, irrational, complete }
+    }
+
+    /// Whether it vanishes at so many values that it does so at every one.
+    fn vanishes_at_enough(&self, vector: Vector) -> bool {
+        let mut places = distinct(&self.open, vector.order, &self.per_unit, self.range.each_ref()).peekable();
+        places.peek().is_some() && places.all(|value| self.vanishes_at(vector, &value))
     }
 
     /// Where the pistons' part of it vanishes.
