@@ -1,6 +1,6 @@
 //! `exercise`: which sheet has each student of a class, and what is right on it?
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 
@@ -139,7 +139,7 @@ impl Exercise {
         let Some(list) = &self.students else {
             return Ok(vec![Student { name: Untrusted::new("sheet"), file: "sheet".to_owned(), is_namesake: false }]);
         };
-        if !list.exists() && list != Path::new("-") {
+        if !list.exists() && !layouts::is_standard_input(list) {
             return Err(Failure::new(format!("there is no list of students `{}`", layouts::shown(list))));
         }
         let text = layouts::read_any_text(list)?;

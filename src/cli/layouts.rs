@@ -114,7 +114,8 @@ pub fn shown(path: &Path) -> String {
     if is_standard_input(path) { STANDARD_INPUT.1.to_owned() } else { harmless(&path.to_string_lossy()) }
 }
 
-fn is_standard_input(path: &Path) -> bool {
+/// Whether a path is `-`.
+pub fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == STANDARD_INPUT.0
 }
 

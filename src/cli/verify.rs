@@ -47,7 +47,11 @@ impl Verify {
 
     /// What holds of one document.
     fn checked(&self, file: &Path) -> Result<String, Failure> {
-        let name = if file == Path::new("-") { "standard input".to_owned() } else { format!("`{}`", file.display()) };
+        let name = if layouts::is_standard_input(file) {
+            "standard input".to_owned()
+        } else {
+            format!("`{}`", file.display())
+        };
         let json = read(file).map_err(|error| Failure::new(format!("cannot read {name}: {error}")))?;
         let is_layout = file.extension().is_some_and(|ending| ending == "toml");
         let document = read_document(&json).map_err(|error| match is_layout {
@@ -74,7 +78,7 @@ impl Verify {
 fn read(file: &Path) -> std::io::Result<Vec<u8>> {
     let mut json = Vec::new();
     let most = LARGEST_DOCUMENT as u64 + 1;
-    match file == Path::new("-") {
+    match layouts::is_standard_input(file) {
         true => std::io::stdin().take(most).read_to_end(&mut json)?,
         false => std::fs::File::open(file)?.take(most).read_to_end(&mut json)?,
     };
