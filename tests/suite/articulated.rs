@@ -303,6 +303,8 @@ fn a_scotch_yoke_has_order_one_of_the_force_and_order_two_of_the_torque() {
     let left: Vec<u32> =
         torque.orders.iter().filter(|one| one.vector.value.norm() > 0.0).map(|one| one.order).collect();
     assert_eq!(left, [2]);
+    let left_out = loads::left_out(&engine, &[1], &[2]).expect("numbers");
+    assert!(left_out.force.is_none() && left_out.torque.is_none(), "nothing is left out: {left_out:?}");
     let with_rod = "inline.throws = [0]\n[mechanism]\nscotch_yoke = true\nrod_ratio = 0.3";
     let error = file::parse("engine.toml", with_rod).expect_err("a mistake").to_string();
     assert!(error.contains("a Scotch yoke with a connecting rod"), "{error}");

@@ -70,21 +70,29 @@ pub(super) struct Choice {
     pub lengths: Vec<(u32, f64)>,
     /// What those above and all doubts have.
     pub rest: f64,
+    /// No order above those looked at exists: what is kept is all.
+    pub is_whole: bool,
     /// The load peaks at least at this.
     pub peak: f64,
 }
 
 impl Choice {
     fn new(spectrum: &Spectrum, quantity: Quantity) -> Self {
-        let rest = spectrum.rest(quantity) + spectrum.doubt(quantity);
+        let above = spectrum.rest(quantity);
+        let rest = above + spectrum.doubt(quantity);
         let peak = spectrum.waveform(quantity).peak_of(quantity);
-        Choice { lengths: spectrum.lengths(quantity), rest, peak: (peak.value - rest).max(0.0) }
+        let peak = (peak.value - rest).max(0.0);
+        Choice { lengths: spectrum.lengths(quantity), rest, is_whole: above == 0.0, peak }
     }
 
     /// What is omitted where just these orders are kept.
     fn bound(&self, kept: &[u32]) -> Option<Bound> {
-        let dropped = self.lengths.iter().filter(|(order, _)| !kept.contains(order)).map(|(_, length)| length);
-        let most = dropped.sum::<f64>() + self.rest;
+        let dropped: Vec<f64> =
+            self.lengths.iter().filter(|(order, _)| !kept.contains(order)).map(|(_, length)| *length).collect();
+        if self.is_whole && dropped.is_empty() {
+            return None;
+        }
+        let most = dropped.iter().sum::<f64>() + self.rest;
         (most > 0.0).then(|| Bound { most: most.next_up(), peak: self.peak })
     }
 

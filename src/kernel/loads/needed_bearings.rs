@@ -52,8 +52,8 @@ fn choices(engine: &Engine) -> Result<Vec<Choice>, Missing> {
             (0..loads.bearings.len()).map(|index| rest(engine, &tails, &loads, index, highest)).collect();
         let most = rests.iter().copied().fold(0.0, f64::max);
         let peak = (largest(&loads) - most).max(0.0);
-        found =
-            rests.into_iter().enumerate().map(|(index, rest)| Choice { lengths: lengths(index), rest, peak }).collect();
+        let choice = |(index, rest)| Choice { lengths: lengths(index), rest, is_whole: rest == 0.0, peak };
+        found = rests.into_iter().enumerate().map(choice).collect();
         if most <= FOR_THE_REST * USUAL * peak {
             break;
         }

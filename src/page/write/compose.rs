@@ -318,8 +318,8 @@ impl<'a> Composer<'a> {
                 Some(_) => String::new(),
                 None => self.text(text),
             },
-            Piece::Exactly(value, unit) => self.numbers(&self.converted(value, *unit, number::number)),
-            Piece::Shortly(value, unit) => self.numbers(&self.converted(value, *unit, number::short)),
+            Piece::Exactly(value, unit) => self.numbers(&self.in_units(value, *unit, number::is_rounded)),
+            Piece::Shortly(value, unit) => self.numbers(&self.in_units(value, *unit, number::is_long)),
             Piece::Unit(unit) => {
                 let unit = self.options.units.of(0.0, *unit).1;
                 let name = self.words(&language.label(unit.name));
@@ -332,11 +332,14 @@ impl<'a> Composer<'a> {
         }
     }
 
-    /// An exact number in the units of the reader; as it is set where they are its own.
-    fn converted(&self, value: &BigRational, unit: Unit, set: fn(&BigRational) -> String) -> String {
-        match self.options.units.instead_of(unit) {
-            Some((_, size)) => number::in_decimals(&(value / size)),
-            None => set(value),
+    /// An exact number in the units of the reader: in decimals where it is too long, or converted to a fraction.
+    fn in_units(&self, value: &BigRational, unit: Unit, is_long: fn(&BigRational) -> bool) -> String {
+        let converted = self.options.units.instead_of(unit).map(|(_, size)| value / size);
+        let value = converted.as_ref().unwrap_or(value);
+        let is_fraction = converted.is_some() && !number::terminates(value);
+        match is_fraction || is_long(value) {
+            true => self.options.figures.approximate(float(value)),
+            false => number::number(value),
         }
     }
 

@@ -57,7 +57,7 @@ pub(super) fn words(measure: Measure) -> (Text, &'static str, &'static str) {
 /// A value that was given, in the units of the reader.
 fn value(given: &Given) -> Text {
     match (unit(given.quantity), given.quantity == Measure::Speed) {
-        (Some(unit), _) => phrase!("{} {}", Piece::Exactly(given.value.clone(), unit), unit),
+        (Some(unit), _) => phrase!("{} {}", Piece::Shortly(given.value.clone(), unit), unit),
         (None, true) => phrase!("{} rpm", typeset::number(&given.value)),
         (None, false) => Text::label(typeset::number(&given.value)),
     }
