@@ -78,8 +78,7 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
     amplitude.curves.push(Curve::new(0, "", points(&|at| at.first.to_degrees())));
     let mut torque = Plot::new("Vibration torque", x(), Axis::amplitude("Torque in {}").counted_in(Unit::NEWTON_METRE));
     for (number, &shaft) in shafts.iter().take(MOST_SHAFTS).enumerate() {
-        let name = format!("shaft {}", amounts::shaft(study, shaft));
-        torque.curves.push(Curve::new(number, name, points(&|at| at.torques[shaft])));
+        torque.curves.push(Curve::new(number, shaft_name(study, shaft), points(&|at| at.torques[shaft])));
     }
     let mut pictures = vec![
         Picture { name: "torsion-amplitude".to_owned(), caption: text::amplitude(), figure: amplitude.figure() },
@@ -89,12 +88,11 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
         shafts.into_iter().filter(|shaft| study.stress(*shaft, 1.0).is_some()).take(MOST_SHAFTS).collect();
     let mut stress = Plot::new("Vibration stress", x(), Axis::amplitude("Stress in {}").counted_in(Unit::MEGAPASCAL));
     for (number, &shaft) in stressed.iter().enumerate() {
-        let name = amounts::shaft(study, shaft);
         let of = |at: &TwistAtSpeed| 1e-6 * study.stress(shaft, at.torques[shaft]).unwrap_or(f64::NAN);
-        stress.curves.push(Curve::new(number, format!("shaft {name}"), points(&of)));
+        stress.curves.push(Curve::new(number, shaft_name(study, shaft), points(&of)));
         if study.limit(shaft).is_some() {
             let limit = |at: &TwistAtSpeed| 1e-6 * study.permissible(shaft, at.speed).unwrap_or(f64::NAN);
-            let curve = Curve::new(number, format!("τ_C {name}"), points(&limit));
+            let curve = Curve::new(number, format!("τ_C {}", amounts::shaft(study, shaft)), points(&limit));
             stress.curves.push(Curve { ink: Ink::Grey, ..curve });
         }
     }
@@ -102,4 +100,10 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
         pictures.push(Picture { name: "torsion-stress".to_owned(), caption: text::stress(), figure: stress.figure() });
     }
     pictures
+}
+
+/// A shaft between two discs, in a drawing.
+fn shaft_name(study: &TorsionStudy, shaft: usize) -> String {
+    let [one, other] = study.torsion().shafts[shaft].ends;
+    format!("shaft {}–{}", one + 1, other + 1)
 }
