@@ -12,7 +12,8 @@ use crate::text::SUPERSCRIPTS;
 
 /// More decimal places than this make a fraction easier to read.
 const MOST_PLACES: usize = 6;
-const POWERS_OF_TEN: [u64; MOST_PLACES + 1] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000];
+/// Beside a long fraction that many do not.
+const MOST_PLACES_OF_LONG: usize = 9;
 /// Longer exact numbers than this are shown in decimals, after `≈`; the JSON document holds them exactly.
 const MOST_LETTERS: usize = 20;
 /// The longest fraction that is shown as one.
@@ -29,7 +30,9 @@ pub(crate) fn number(value: &BigRational) -> String {
     if is_rounded(value) {
         return approximate(float(value));
     }
-    let text = exact_text(value);
+    let fraction = exact_text(value);
+    let is_short = !fraction.contains('/') || fraction.len() <= LONGEST_FRACTION;
+    let text = if is_short { fraction } else { decimals(value, MOST_PLACES_OF_LONG).unwrap_or(fraction) };
     if value.is_negative() { format!("−{text}") } else { text }
 }
 
@@ -64,9 +67,14 @@ pub(crate) fn is_long(value: &BigRational) -> bool {
 
 /// The decimal form of a modulus, where it ends after a few places.
 fn terminating(value: &BigRational) -> Option<String> {
+    decimals(value, MOST_PLACES)
+}
+
+fn decimals(value: &BigRational, most: usize) -> Option<String> {
     // It ends after this many places where its denominator divides that power of ten.
     let denominator = value.denom().to_u64()?;
-    let (places, power) = (0..=MOST_PLACES).zip(POWERS_OF_TEN).find(|(_, power)| power.is_multiple_of(denominator))?;
+    let powers = std::iter::successors(Some(1_u64), |power| Some(10 * power));
+    let (places, power) = (0..=most).zip(powers).find(|(_, power)| power.is_multiple_of(denominator))?;
     let scaled = value.numer().magnitude() * (power / denominator);
     let digits = format!("{:0>width$}", scaled.to_string(), width = places + 1);
     let (whole, fraction) = digits.split_at(digits.len() - places);
@@ -81,7 +89,7 @@ pub(crate) fn terminates(value: &BigRational) -> bool {
 /// An exact number of degrees: `22.5°`, `(360/7)°`.
 pub fn degrees(value: &BigRational) -> String {
     let text = number(value);
-    if terminates(value) {
+    if !text.contains('/') {
         return format!("{text}°");
     }
     let modulus = value.abs();
