@@ -243,10 +243,15 @@ impl<'a> Weighed<'a> {
         (unit.factor != 0.0).then(|| Piece::Quantity(value * unit.factor, unit.unit).into())
     }
 
-    /// How long the coefficient is that all vectors of an order have; none where no common one was called for.
-    fn coefficient(&self, order: u32) -> Option<f64> {
+    /// The coefficient that all vectors of an order have, named: its length where an offset turns them. None where no common one was called for,
+    /// and where it is 1.
+    fn coefficient(&self, order: u32, named: String) -> Option<String> {
         let of_order = self.loads.orders.iter().find(|of| of.order == order)?;
-        Some(numbers::length(of_order.coefficient.as_ref()?.to_complex()))
+        let value = of_order.coefficient.as_ref()?.to_complex();
+        let length = numbers::length(value);
+        let name = if value.im == 0.0 { named } else { format!("|{named}|") };
+        let sign = if value.im == 0.0 && value.re < 0.0 { "−" } else { "" };
+        (length != 1.0).then(|| format!("{name} ≈ {sign}{}", number::sensible(length)))
     }
 
     /// What the two stars of an order make together at most, below them: the number of the box, plain and as prose. Nothing where that is zero or not decided.
@@ -261,13 +266,11 @@ impl<'a> Weighed<'a> {
         let (value, unit) = unit.at_sight(value);
         let amount = format!("≈ {}{}", number::sensible(value), number::behind(unit));
         let words = format!("together at most {amount}");
-        Some(match self.coefficient(order) {
-            Some(length) if length != 1.0 => {
-                let named = |name: String| format!("{words} ({name} ≈ {})", number::sensible(length));
-                [format!("c{}", number::lowered(order)), format!("$c_{{{order}}}$")].map(named)
-            }
-            _ => [words.clone(), words],
-        })
+        let names = [format!("c{}", number::lowered(order)), format!("$c_{{{order}}}$")];
+        Some(names.map(|name| match self.coefficient(order, name) {
+            Some(coefficient) => format!("{words} ({coefficient})"),
+            None => words.clone(),
+        }))
     }
 
     /// The orders that are not told, of those that are looked at, and what they and all others add up to at most: a part of the largest
