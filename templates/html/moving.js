@@ -286,11 +286,12 @@
         }
       });
       axes(panels[2]);
-      const [direct, whole] = ends(order, theta);
+      const itself = (turned) => ends(order, turned, [1, order.coefficient?.[1] ?? 0]); // in its own direction, the length that of the stars
+      const [direct, whole] = itself(theta);
       const wide = RADIUS / (order[quantity].senses.map((sense) => size(sumOf(sense)) / 2).reduce((a, b) => a + b) || 1);
       const isLeft = order.exists && senses.some((sense) => outcome(sense) !== "zero");
       if (isLeft) {
-        path(panels[2], "path", line(...ROUND.map((turned) => times(ends(order, turned)[1], wide))));
+        path(panels[2], "path", line(...ROUND.map((turned) => times(itself(turned)[1], wide))));
         const [middle, end] = [direct, whole].map((point) => times(point, wide));
         path(panels[2], "half", arrow(CENTRE, middle, 7) + arrow(middle, end, 7));
         path(panels[2], "sum", arrow(CENTRE, end, 12));
