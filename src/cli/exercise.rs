@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 
 use crankstar::classroom::{self, Pupil, Scheme, Student, Vary};
+use crankstar::engine::Engine;
 use crankstar::page::{File, Units};
+use crankstar::proof::Quantity;
 use crankstar::report;
 use crankstar::text::Untrusted;
 
@@ -83,9 +85,9 @@ impl Exercise {
             return Err(Failure::misuse("a sheet gives lengths exactly, in millimetres or spacings; omit --units"));
         }
         let vary = self.vary()?;
-        let orders = self.orders()?;
         let engine = &layouts::known(&self.layout, "an exercise needs")?;
         classroom::can_be_set(engine).map_err(|why| Failure::new(format!("no vector-star table: {why}")))?;
+        let orders = self.orders(engine)?;
         let students = self.students()?;
         if self.pages.folder().is_none() && self.students.is_some() {
             return Err(Failure::misuse("sheets of a class need a folder; name it with --output"));
@@ -122,13 +124,14 @@ impl Exercise {
         }
     }
 
-    fn orders(&self) -> Result<Vec<u32>, Failure> {
+    fn orders(&self, engine: &Engine) -> Result<Vec<u32>, Failure> {
         let mut orders = self.orders.clone();
         orders.sort_unstable();
         orders.dedup();
-        match orders.iter().find(|order| **order > 1 && **order % 2 == 1) {
+        match orders.iter().find(|order| !engine.pistons_have_order(Quantity::FORCE, **order)) {
             Some(order) => Err(Failure::misuse(format!(
-                "order {order} does not exist: the orders of an engine whose axes meet the crankshaft are 1 and the even ones"
+                "order {order} does not exist: the orders of an engine whose axes meet the crankshaft are 1 and the even ones, \
+                 with infinitely long rods 1 alone"
             ))),
             None => Ok(orders),
         }

@@ -57,7 +57,7 @@ pub fn can_be_set(engine: &Engine) -> Result<(), &'static str> {
     match engine.all_rods() {
         Rods::Without(_) => Err("its rods are articulated, or not on the crankpins: a piston has several vectors"),
         _ if !engine.geared_cranks().is_empty() => Err("it has several crankshafts, and a table has throws of one"),
-        Rods::Differ => Err("its rods differ, so that an order is several sums"),
+        Rods::Differ => Err("its rods or their offsets differ, so that an order is several sums"),
         Rods::Alike(rod) if !rod.is_centric() => {
             Err("its cylinder axes miss the crankshaft, which turns the vectors of order 1")
         }
