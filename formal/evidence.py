@@ -28,7 +28,7 @@ types("""amplitudes = zero-to-peak; force-unit = N m_r_ω²; moment-unit = N_m N
     comparison: format=text orders=[count] amplitudes engines=[compared] not_checked=[text] evidence=[document]""")
 
 
-# What nothing is compared with, but whether it is 0: the document names it itself.
+# What nothing is compared with, but whether peaks and largest values are 0: the document names it itself.
 NOT_CHECKED = {"loads": ["units.moment", "largest", "left_out", "peaks", "coefficients_computed", "auto"],
                "compare": ["position_unit", "firing", "worst_bearings", "worst_bearing_with_gas"]}
 
@@ -43,7 +43,7 @@ def check(tree, notes):
         proved.append((read(one, "classify"), *found))
     demand(proved and (kind != "loads" or len(proved) == 1), "there is no evidence, or too much")
     equal(document, not_checked=NOT_CHECKED[kind])
-    notes.add("the numbers that the document names in `not_checked`, but whether a size is 0")
+    notes.add("the numbers that the document names in `not_checked`, but whether the values of `peaks` and `largest` are 0")
     if kind == "loads":
         check_loads(document, *proved[0])
     if kind == "compare":
