@@ -111,6 +111,8 @@ fn what_is_no_formula_is_told_and_nothing_panics() {
         ("side force is large", "not a formula that can be checked"),
         ("side force = r^5", "exponent"),
         ("side force", "not a formula that can be checked"),
+        ("rod length = 146 mm", "`146 mm` has a unit"),
+        ("piston displacement = 0.1 m", "`0.1 m` has a unit"),
         ("largest side force with gas = 3", "in N"),
         ("largest side force with gas = 3 N·m", "another quantity"),
         ("largest rod force with gas is 3 N", "not understood"),

@@ -85,6 +85,29 @@ fn kilonewtons_are_a_thousand_newtons_with_their_digits_and_tolerances() {
         assert_eq!(status(&flat_four(), says), wanted, "{says}");
     }
     assert!(claim::parse_statement("sixth-order moment = 1 kN").is_err());
+    // A whole number of kilonewtons is a rounded one.
+    for (says, wanted) in [("F2 = 11 kN", Status::True), ("F2 = 12 kN", Status::False)] {
+        assert_eq!(status(&in_line_four(), says), wanted, "{says}");
+    }
+}
+
+#[test]
+fn an_engine_at_rest_has_no_newtons_and_a_crank_that_turns_alone_has_its_own() {
+    let single =
+        "inline.throws = [0]\n[mechanism]\nstroke = '80 mm'\nrod_length = '150 mm'\nreciprocating_mass = '0.5 kg'\n";
+    let at = |speed: &str| file::parse("single.toml", &format!("speed = {speed}\n{single}")).expect("it reads");
+    assert_eq!(status(&at("0"), "first-order force = 0 N"), Status::True);
+    assert_eq!(status(&at("1"), "first-order force = 0 N"), Status::False);
+    // Order 1 is that of the slow crankshaft alone.
+    let rods = single.split_once('\n').expect("two parts").1;
+    let geared = format!(
+        "speed = 1000\n[[crankshaft]]\nname = 'A'\nsense = 'with'\n[[crankshaft]]\nname = 'B'\nsense = 'against'\nspeed = 2\n{rods}\
+         [[cylinder]]\ncrankshaft = 'A'\nthrow = 0\nbank = 0\nposition = 0\n[[cylinder]]\ncrankshaft = 'B'\nthrow = 0\nbank = 0\nposition = 0\n"
+    );
+    let geared = file::parse("geared.toml", &geared).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(status(&geared, "first-order force = 219.3 N"), Status::True);
+    assert_eq!(status(&geared, "first-order force = 1"), Status::True);
+    assert_eq!(status(&geared, "second-order force = 1"), Status::NotDecided);
 }
 
 /// Four in line whose second-order force is 11248 N along 0°, 10999 N by the first term of c_2.

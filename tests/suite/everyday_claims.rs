@@ -25,7 +25,9 @@ fn answer(layout: &str, says: &str) -> Answer {
 
 fn verdicts(answer: &Answer) -> Vec<(u32, bool, TermVerdict)> {
     match &answer.finding {
-        Finding::Terms(terms) => terms.iter().map(|term| (term.wave.order, term.wave.is_sine, term.verdict)).collect(),
+        Finding::Terms { terms, .. } => {
+            terms.iter().map(|term| (term.wave.order, term.wave.is_sine, term.verdict)).collect()
+        }
         other => panic!("{other:?}"),
     }
 }
@@ -281,6 +283,7 @@ fn a_series_is_compared_term_by_term() {
     let two = "inline.throws = [0, 0]";
     let quarter = "mechanism.rod_ratio = 0.25\ninline.throws = [0, 0]";
     let turned = "inline.throws = [0, 90]";
+    let yoke = "mechanism.scotch_yoke = true\ninline.throws = [0, 0]";
     for (layout, says, status, expected) in [
         (two, "F = 2 m r w^2 (cos(θ) + λ cos 2θ)", Status::True, vec![Right, UpTo(1)]),
         (two, "F = 2 m r ω² cos θ + 2 m r² ω²/L cos(2θ)", Status::True, vec![Right, UpTo(1)]),
@@ -303,18 +306,35 @@ fn a_series_is_compared_term_by_term() {
         (turned, "F = √2 m r ω² cos(θ − 45°)", Status::False, vec![Right, Wrong]),
         ("I4", "F = 4 m r ω² λ cos 2θ", Status::True, vec![UpTo(1)]),
         ("I4", "F = 4 m r ω² (cos θ + λ cos 2θ)", Status::False, vec![Wrong, UpTo(1)]),
-        ("I6", "F = 0", Status::True, vec![]),
+        // A zero without an order is one of every order, and a term that is said to be 0 is a claim.
+        ("I6", "F = 0", Status::False, vec![Missing]),
+        ("I3", "shaking force along = 0.0", Status::False, vec![Missing]),
+        ("I6", "F = 0 cos 4θ", Status::True, vec![]),
+        ("I6", "F = 0 cos 6θ", Status::False, vec![Missing]),
+        ("I4", "F = 4 m r ω² λ cos 2θ + 0 cos 4θ", Status::False, vec![UpTo(1), Missing]),
+        ("I4", "F = 4 m r ω² λ cos 2θ + m r ω² λ cos 4θ − m r ω² λ cos 4θ", Status::False, vec![UpTo(1), Missing]),
+        ("I4", "F = 4 m r ω² (λ + 0 λ³) cos 2θ", Status::False, vec![Wrong]),
+        ("I4", "F = 4 m r ω² (λ + 0 λ²) cos 2θ", Status::True, vec![UpTo(1)]),
+        // A Scotch yoke has order 1 alone.
+        (yoke, "F = 2 m r ω² cos θ", Status::True, vec![Right]),
+        (yoke, "F = 2 m r ω² cos θ + 0 cos 2θ", Status::True, vec![Right]),
+        (yoke, "F = 2 m r ω² (cos θ + λ cos 2θ)", Status::False, vec![Right, Wrong]),
+        ("mechanism.scotch_yoke = true\ninline.throws = [0, 180]", "F = 0", Status::True, vec![]),
     ] {
         let answer = answer(layout, says);
         let found: Vec<TermVerdict> = verdicts(&answer).into_iter().map(|(_, _, verdict)| verdict).collect();
         assert_eq!((&answer.status, &found), (&status, &expected), "{layout}: {says}");
     }
-    let told = answer("V8-flatplane", "F = 0");
+    let told = answer("V8-flatplane", "F = m r ω² cos θ");
     assert!(
         matches!(&told.finding, Finding::Nothing(why) if why.contains("along")) && told.status == Status::NotDecided,
         "{told:?}"
     );
-    assert_eq!(answer("V8-flatplane", "shaking force along = 0").status, Status::True);
+    assert_eq!(answer("V8-flatplane", "F = 0").status, Status::False);
+    for (component, status) in [("along", Status::False), ("across", Status::False)] {
+        assert_eq!(answer("V8-flatplane", &format!("shaking force {component} = 0")).status, status, "{component}");
+    }
+    assert_eq!(answer("V8-crossplane", "shaking force across = 0").status, Status::True);
     for wrong in [
         "F = m r ω² cos(θ/2)",
         "F = m r ω² tan θ",
@@ -389,9 +409,13 @@ fn findings_of_series_have_german_for_every_phrase() {
 #[test]
 fn a_claim_that_no_force_remains_is_answered_with_its_orders() {
     let statement = parse_statement("F = 0").expect("a claim");
-    let text = report::claim_finding(&statement, &claim::answer(&engine("I6"), &statement, None));
-    let told = crankstar::page::text_in(&text, crankstar::page::Format::PLAIN);
-    assert!(told.contains("orders 1 and 2"), "{told}");
+    for (layout, words) in
+        [("I6", "cos 6θ: missing"), ("mechanism.scotch_yoke = true\ninline.throws = [0, 180]", "at any order")]
+    {
+        let text = report::claim_finding(&statement, &claim::answer(&engine(layout), &statement, None));
+        let told = crankstar::page::text_in(&text, crankstar::page::Format::PLAIN);
+        assert!(told.contains(words), "{told}");
+    }
 }
 
 /// The statement, be its value named m r ω² or not.

@@ -1,6 +1,7 @@
 //! How large is it in newtons? Decimals only: the exact factor of the star times m r ω² c_k.
 
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use super::answer::{Condition, Status};
 use super::compare::{half_of_lengths, half_width, is_exact_zero};
@@ -95,7 +96,10 @@ pub(super) fn answer(
     };
     let absolute = Absolute { first_term: first.map(|first| scale * first), whole: scale * whole };
     if is_exact_zero(value) {
-        return Ok((Status::of(vanishes), absolute));
+        // At rest nothing shakes.
+        let parts = [&numbers.speed, &numbers.reciprocating_mass, &numbers.crank_radius];
+        let is_none = parts.into_iter().any(|part| part.is_zero());
+        return Ok((Status::of(vanishes || is_none), absolute));
     }
     let within = half_width(value).ok_or("newtons are known in decimals: give decimals, or give a tolerance")?;
     let is_within = |known: f64| (value.form.to_float() - known).abs() <= within;

@@ -156,15 +156,10 @@ pub(super) fn half_of_lengths(sums: [&PhasorSum; 2]) -> (Option<Form>, f64) {
 
 /// How far decimals may be from a claimed value; none of one that is said to be exact.
 pub(super) fn half_width(value: &Value) -> Option<f64> {
-    let is_whole = || value.form.as_rational().is_some_and(|claimed| claimed.is_integer());
     match &value.tolerance {
         Tolerance::Within(within) => Some(float(within)),
         Tolerance::Part(part) => Some(float(part) * value.form.to_float()),
-        Tolerance::Exact { rounding: Some(half) } => Some(float(half)),
-        // A whole number of newtons is a rounded one; nothing is a rounding of none.
-        Tolerance::Exact { rounding: None } => {
-            (value.unit.is_some() && is_whole() && !is_exact_zero(value)).then_some(0.5)
-        }
+        Tolerance::Exact { rounding } => rounding.as_ref().map(float),
     }
 }
 

@@ -64,6 +64,6 @@ fn asked<'a>(order: &'a OrderBalance, quantities: &'a [Planar]) -> impl Iterator
 }
 
 /// The even period of all phases kβ − (k−1)α and −kβ + (k+1)α.
-fn period(engine: &Engine) -> Option<u32> {
+pub(super) fn period(engine: &Engine) -> Option<u32> {
     verdict::period(engine).to_u32().filter(|period| *period <= LONGEST_PERIOD)
 }

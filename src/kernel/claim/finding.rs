@@ -33,6 +33,8 @@ pub enum Finding {
     NothingLeft,
     /// All pistons are in one plane.
     OnePlane,
+    /// The throws allow no even firing, in whichever order.
+    NoEvenFiring,
     /// Firing stars: those asked about, or the strongest of minor orders.
     FiringStars(Vec<StarOrder>),
     /// The firing intervals in turns, where the layout says them.
@@ -52,7 +54,12 @@ pub enum Finding {
     /// How far a formula of one cylinder is off.
     Agreement(Agreement),
     /// The terms of a series.
-    Terms(Vec<Term>),
+    Terms {
+        /// Those claimed, and those that are there.
+        terms: Vec<Term>,
+        /// Through which order; none where all are compared.
+        through: Option<u32>,
+    },
     /// Counterweights, found for a claim that some can do it.
     Witness(Box<Witness>),
     /// Nothing could be found out, for this reason.

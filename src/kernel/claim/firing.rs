@@ -34,7 +34,13 @@ pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
                 (true, false, false) => {
                     return Answer::nothing("the layout gives no firing order, and its throws allow an even one");
                 }
-                (false, _, claimed) => (Status::of(!claimed), None),
+                (false, _, claimed) => {
+                    return Answer {
+                        status: Status::of(!claimed),
+                        finding: Finding::NoEvenFiring,
+                        evidence: Vec::new(),
+                    };
+                }
             }
         }
     };

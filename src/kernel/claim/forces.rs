@@ -11,6 +11,7 @@ use super::moving_parts::Parts;
 use super::statement::{Loaded, OfCylinder, Statement, Unit, Value};
 use super::written_value::{part_of_the_largest, value};
 use crate::engine::Engine;
+use crate::file::parse_number;
 use crate::journal::cycle_loads;
 use crate::numbers;
 use crate::proof::Quantity;
@@ -74,7 +75,16 @@ fn load(rest: &str) -> Result<Value, ClaimError> {
 
 fn of_cylinder(rest: &str, what: Measured) -> Result<OfCylinder, ClaimError> {
     let right = "such as \"side force = F tan β\" or \"cylinder torque ≈ F r (sin θ + λ/2 sin 2θ) ± 3 %\"; its letters are in the README of the room";
-    let formula = |text: &str| Formula::read(text).map_err(|mistake| ClaimError::new(mistake, right));
+    let formula = |text: &str| {
+        // `146 mm` would be 146 times the mass m twice.
+        let is_length = matches!(what, Measured::RodLength | Measured::Displacement);
+        let number = text.trim().trim_end_matches(['c', 'm', ' ']);
+        if is_length && number.len() < text.trim().len() && parse_number(number).is_ok() {
+            let right = "a length in metres without a unit: m is the mass";
+            return Err(ClaimError::new(format!("`{}` has a unit", text.trim()), right));
+        }
+        Formula::read(text).map_err(|mistake| ClaimError::new(mistake, right))
+    };
     if let Some(text) = rest.strip_prefix('=') {
         return Ok(OfCylinder { what, formula: formula(text)?, within: None });
     }

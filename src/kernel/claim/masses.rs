@@ -27,7 +27,8 @@ pub(super) fn judged(engine: &Engine, order: u32, masses: Masses) -> Result<Orde
 /// The one sum that the order is, where it is one. Order 1 of centric rods and of links is, whatever the rods are, and an order that does not exist.
 pub(super) fn one_sum(engine: &Engine, whole: &OrderVerdict, masses: Masses) -> Option<OrderBalance> {
     match masses {
-        _ if engine.faster_crank().is_some() && whole.exists() => None,
+        // A crank that turns faster has not every order.
+        _ if engine.faster_crank().is_some() && whole.exists() => only(&whole.parts),
         Masses::Reciprocating if whole.parts.len() > 1 && whole.exists() => None,
         Masses::Reciprocating => whole.parts.first().cloned(),
         Masses::Rotating | Masses::Counterweights | Masses::All => only(&whole.parts),

@@ -11,6 +11,7 @@ use num_traits::{Pow, Zero};
 
 use super::answer::{Answer, Status};
 use super::error::ClaimError;
+use super::every;
 use super::finding::{Finding, Term, TermVerdict};
 use super::formula::{Factor, Formula, Powers, Series, Wave};
 use super::handwritten::is_within_of;
@@ -60,18 +61,32 @@ pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
         }
     };
     let waves = says.series.waves();
-    let highest = waves.keys().map(|wave| wave.order).max().unwrap_or(0).max(TOLD);
+    let written = waves.keys().map(|wave| wave.order).max().unwrap_or(0);
+    // A force that is 0, without any order, is one of every order: a period of them tells.
+    let is_zero = written == 0 && waves.values().flatten().all(|(_, factor)| factor.is_zero());
+    let through = if is_zero { None } else { Some(written.max(TOLD)) };
+    let Some(highest) = through.or_else(|| every::period(engine).map(|period| period + 1)) else {
+        return Answer::nothing("the phases repeat only after more than 2000 orders: claim the orders one by one");
+    };
+    let is_endless = ratio.as_ref().is_some_and(Zero::is_zero);
     let exact = |across: bool| -> BTreeMap<Wave, PhasorSum> {
-        let orders = (1..=highest).filter(|order| *order == 1 || order % 2 == 0);
-        let found = orders.flat_map(|order| [false, true].map(|is_sine| Wave { order, is_sine }));
-        found.map(|wave| (wave, amplitude(engine, wave, across))).filter(|(_, sum)| !sum.vanishes()).collect()
+        let orders = (1..=highest).filter(|order| *order == 1 || (order.is_multiple_of(2) && !is_endless));
+        let of_order = |order: u32| {
+            let found = [false, true].map(|is_sine| Wave { order, is_sine });
+            let sums = found.map(|wave| (wave, amplitude(engine, wave, across)));
+            sums.into_iter().filter(|(_, sum)| !sum.vanishes()).collect::<Vec<_>>()
+        };
+        let mut orders = orders.map(of_order).filter(|found| !found.is_empty());
+        // Where all are claimed to be 0, the first that is not will do.
+        if is_zero { orders.next().into_iter().flatten().collect() } else { orders.flatten().collect() }
     };
     let across = match says.across {
         Some(across) => across,
-        // Which part is meant is asked where there are two.
+        None if is_zero => exact(false).is_empty(),
+        // Which part is meant is asked where there is another.
         None if !exact(true).is_empty() => {
             return Answer::nothing(
-                "the force of this engine has a part along the reference direction and one across it: claim \"shaking force along = …\" or \
+                "the force of this engine has a part across the reference direction: claim \"shaking force along = …\" or \
                  \"shaking force across = …\"",
             );
         }
@@ -82,13 +97,14 @@ pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
     let zero = PhasorSum::new(Vec::new());
     let terms: Vec<Term> = all
         .into_iter()
-        .map(|wave| {
-            let said = waves.get(&wave).cloned().unwrap_or_default();
+        .filter_map(|wave| {
+            let (zeros, said): (Vec<_>, Vec<_>) =
+                waves.get(&wave).cloned().unwrap_or_default().into_iter().partition(|(_, factor)| factor.is_zero());
             let right = exact.get(&wave).unwrap_or(&zero);
-            let verdict = judged(&said, right, wave.order, ratio.as_ref());
+            let verdict = judged([&said, &zeros], right, wave.order, ratio.as_ref())?;
             let coefficient = coefficient(wave.order, 2);
             let said = said.into_iter().map(|(powers, factor)| (powers, factor.form)).collect();
-            Term { wave, said, right: (numbers::real(right), numbers::evaluate(right).re), coefficient, verdict }
+            Some(Term { wave, said, right: (numbers::real(right), numbers::evaluate(right).re), coefficient, verdict })
         })
         .collect();
     let is = |wanted: &[TermVerdict]| terms.iter().any(|term| wanted.contains(&term.verdict));
@@ -98,7 +114,7 @@ pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
         () if is(&[TermVerdict::Rounded]) => Status::TrueAsRounded,
         () => Status::True,
     };
-    Answer { status, finding: Finding::Terms(terms), evidence: Vec::new() }
+    Answer { status, finding: Finding::Terms { terms, through }, evidence: Vec::new() }
 }
 
 /// What stands before a wave and m r ω² c_k, a real sum.
@@ -115,18 +131,36 @@ fn amplitude(engine: &Engine, wave: Wave, across: bool) -> PhasorSum {
     }
 }
 
-fn judged(said: &[(Powers, Factor)], right: &PhasorSum, order: u32, ratio: Option<&BigRational>) -> TermVerdict {
+/// What is said of a wave, zeros apart; nothing where that is 0, and is.
+fn judged(
+    [said, zeros]: [&[(Powers, Factor)]; 2],
+    right: &PhasorSum,
+    order: u32,
+    ratio: Option<&BigRational>,
+) -> Option<TermVerdict> {
+    let is_force = |powers: &Powers| powers[..3] == [1, 1, 2];
     if said.is_empty() {
-        return TermVerdict::Missing;
+        return (!right.vanishes()).then_some(TermVerdict::Missing);
     }
-    if said.iter().any(|([m, r, omega, _], _)| [*m, *r, *omega] != [1, 1, 2]) {
-        return TermVerdict::WrongUnit;
+    if !said.iter().all(|(powers, _)| is_force(powers)) {
+        return Some(TermVerdict::WrongUnit);
     }
-    if right.vanishes() {
-        return TermVerdict::Wrong;
-    }
-    let powers: BTreeMap<i32, &Factor> = said.iter().map(|([.., lambda], factor)| (*lambda, factor)).collect();
     let series = coefficient(order, POWERS);
+    let is_power = |lambda: i32| series.iter().any(|(power, _)| i64::from(*power) == i64::from(lambda));
+    if right.vanishes() || zeros.iter().any(|(powers, _)| is_force(powers) && is_power(powers[3])) {
+        return Some(TermVerdict::Wrong);
+    }
+    Some(compared(said, &series, right, order, ratio))
+}
+
+fn compared(
+    said: &[(Powers, Factor)],
+    series: &[(u32, BigRational)],
+    right: &PhasorSum,
+    order: u32,
+    ratio: Option<&BigRational>,
+) -> TermVerdict {
+    let powers: BTreeMap<i32, &Factor> = said.iter().map(|([.., lambda], factor)| (*lambda, factor)).collect();
     let is_multiple = |form: &Form, by: &BigRational| is_number(form, &right.scaled(by));
     let is_rounded = |factor: &Factor, by: &BigRational| {
         let known = factor.form.as_rational().zip(factor.rounding.as_ref().filter(|rounding| !rounding.is_zero()));
@@ -160,7 +194,7 @@ fn judged(said: &[(Powers, Factor)], right: &PhasorSum, order: u32, ratio: Optio
     let none = Factor::exact(Form::rational(BigRational::zero()));
     let value = parts.fold(none, |sum, part| sum.plus(&part));
     let mut sum = BigRational::zero();
-    for (power, number) in &series {
+    for (power, number) in series {
         sum += number * at(*power as i32);
         if is_multiple(&value.form, &sum) {
             return TermVerdict::UpTo(*power);

@@ -6,7 +6,7 @@ use num_traits::{One, Signed, Zero};
 use super::error::ClaimError;
 use super::formula::half_of_place;
 use super::statement::{Angle, Bearing, Tolerance, Unit, Value};
-use crate::file::{parse_number, units};
+use crate::file::{NumberError, parse_number, units};
 use crate::numbers::Form;
 use crate::proof::Quantity;
 
@@ -31,7 +31,13 @@ pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value
     let unit = of_number.or(of_tolerance);
     let right = "a number such as 4, 2√3, √(5 − 2√5), 1.732 or 3·cos(40°), 0 or more";
     let form = Form::parse(number).filter(|form| form.to_float() >= 0.0);
-    let form = form.ok_or_else(|| ClaimError::new(format!("cannot read the value `{number}`"), right))?;
+    let form = form.ok_or_else(|| {
+        let mistake = format!("cannot read the value `{number}`");
+        match parse_number(number) {
+            Err(comma @ NumberError::DecimalComma) => ClaimError::new(mistake, &comma.to_string()),
+            _ => ClaimError::new(mistake, right),
+        }
+    })?;
     let fits = |unit: Unit| match unit {
         Unit::Newton => quantity == Quantity::FORCE,
         Unit::NewtonMetre | Unit::Spacing => quantity == Quantity::MOMENT,
@@ -43,11 +49,19 @@ pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value
         ));
     }
     let size = |unit: Option<(Unit, i32)>| BigRational::from_integer(unit.map_or(1, |(_, size)| size).into());
-    let tolerance = match tolerance {
-        Some(text) => self::tolerance(text)?.times(&size(of_tolerance.or(unit))),
-        None => size_unstated(number, about).times(&size(unit)),
+    let tolerance = match (tolerance, size_unstated(number, about)) {
+        (Some(text), _) => self::tolerance(text)?.times(&size(of_tolerance.or(unit))),
+        // A whole number of newtons or kilonewtons is a rounded one; nothing is a rounding of none.
+        (None, Tolerance::Exact { rounding: None }) if unit.is_some() && is_whole(&form) => {
+            Tolerance::Exact { rounding: Some(half_of_place(0) * size(unit)) }
+        }
+        (None, unstated) => unstated.times(&size(unit)),
     };
     Ok(Value { form: form.scaled(&size(unit)), tolerance, unit: unit.map(|(unit, _)| unit), is_bare: false })
+}
+
+fn is_whole(form: &Form) -> bool {
+    form.as_rational().is_some_and(|number| number.is_integer() && !number.is_zero())
 }
 
 /// A number without its unit, and the unit.

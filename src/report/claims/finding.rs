@@ -73,6 +73,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         (Finding::NothingLeft, _) => text::nothing_left(statement.topic() == Topic::FreeMoment),
         (Finding::OnePlane, _) => text::one_plane(),
         (Finding::FiringStars(orders), _) => gas_torque::found(orders, statement),
+        (Finding::NoEvenFiring, _) => text::no_even_firing(),
         (Finding::Firing(None), _) => text::no_firing_order(),
         (Finding::Firing(Some(intervals)), _) => {
             let degrees = intervals.iter().map(|interval| typeset::turns(interval).into());
@@ -82,7 +83,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         (Finding::Bearings(loads), _) => super::super::bearings::peaks_in_words(loads),
         (Finding::CombinedOrders(orders), _) => Text::joined(orders.iter().map(of_several_rods), " "),
         (Finding::Remedy(remedy), _) => needs(remedy),
-        (Finding::Terms(terms), _) => shaking::found(terms),
+        (Finding::Terms { terms, through }, _) => shaking::found(terms, *through),
         (Finding::Largest(found), _) => forces::largest(found),
         (Finding::Agreement(found), _) => forces::agreement(found),
         (Finding::Witness(found), _) => counterweights::found(found, &answer.status),

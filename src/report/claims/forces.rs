@@ -16,6 +16,11 @@ pub(super) fn agreement(found: &Agreement) -> Text {
     let percent = || Text::from(number::decimal(100.0 * found.part()));
     match (found.equal, constant) {
         (true, true) => text::constant_agrees(largest),
+        // A percentage of 0 says nothing.
+        (false, true) if found.largest.value == 0.0 => text::constant_is(largest),
+        (false, false) if found.largest.value == 0.0 => {
+            text::curve_is(largest, measure(found.what, found.off.value), angle(found.off.angle))
+        }
         (false, true) => text::constant_off(largest, percent()),
         (true, false) => text::curve_agrees(found.angles, largest, angle(found.largest.angle)),
         (false, false) => text::curve_off(

@@ -11,8 +11,12 @@ use crate::page::{Text, phrase};
 use crate::report::texts::claims as text;
 
 /// Each term with what is said of it.
-pub(super) fn found(terms: &[Term]) -> Text {
-    if terms.is_empty() { text::no_low_order_force() } else { Text::joined(terms.iter().map(sentence), " ") }
+pub(super) fn found(terms: &[Term], through: Option<u32>) -> Text {
+    match (terms, through) {
+        ([], Some(order)) => text::no_such_force_through(order),
+        ([], None) => text::no_such_force(),
+        (terms, _) => Text::joined(terms.iter().map(sentence), " "),
+    }
 }
 
 fn sentence(term: &Term) -> Text {

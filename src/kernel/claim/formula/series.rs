@@ -56,13 +56,18 @@ impl Factor {
         Some(Factor { form: self.form.times(&other.form)?, rounding })
     }
 
+    /// Whether it is 0.
+    pub(in super::super) fn is_zero(&self) -> bool {
+        self.form.terms().is_empty()
+    }
+
     /// That of its form where nothing in it is rounded.
     fn of_exact(&self, form: Form) -> Self {
         Factor { form, rounding: self.rounding.clone().filter(Zero::is_zero) }
     }
 }
 
-/// Σ number · m^a r^b ω^c λ^d · cos kθ or sin kθ, each product once, no number zero.
+/// Σ number · m^a r^b ω^c λ^d · cos kθ or sin kθ, each product once; those before which 0 stands, for what is claimed to be 0 is claimed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Series(BTreeMap<(Wave, Powers), Factor>);
 
@@ -114,7 +119,11 @@ impl Series {
                     let number = inside.number().filter(|number| *number >= BigRational::zero());
                     let number = number.ok_or("a root in a series is that of a number, 0 or more")?;
                     let root = Form::rational(number).square_root();
-                    let root = inside.0.values().next().map_or(Factor::exact(root.clone()), |one| one.of_exact(root));
+                    let root = inside
+                        .not_zero()
+                        .first()
+                        .map(|(_, factor)| *factor)
+                        .map_or(Factor::exact(root.clone()), |one| one.of_exact(root));
                     Series::constant(root, [0; 4])
                 }
             },
@@ -132,7 +141,7 @@ impl Series {
             all.insert(key, sum);
         }
         // The sine of no angle is no wave.
-        all.retain(|(wave, _), factor| !factor.form.terms().is_empty() && (wave.order > 0 || !wave.is_sine));
+        all.retain(|(wave, _), _| wave.order > 0 || !wave.is_sine);
         Series(all)
     }
 
@@ -164,18 +173,20 @@ impl Series {
     /// One over a product of numbers and letters.
     fn inverse(&self) -> Result<Self, String> {
         let no = || "a series is divided by a product of numbers and letters only".to_owned();
-        let [(((wave, powers), factor), ())] = self.0.iter().map(|term| (term, ())).collect::<Vec<_>>()[..] else {
-            return Err(no());
-        };
+        let [((wave, powers), factor)] = self.not_zero()[..] else { return Err(no()) };
         let number = factor.form.as_rational().filter(|_| *wave == CONSTANT);
         let number = number.filter(|number| !number.is_zero()).ok_or_else(no)?;
         let inverse = factor.of_exact(Form::rational(number.recip()));
         Ok(Series::constant(inverse, powers.map(|power| -power)))
     }
 
+    fn not_zero(&self) -> Vec<(&(Wave, Powers), &Factor)> {
+        self.0.iter().filter(|(_, factor)| !factor.is_zero()).collect()
+    }
+
     /// The number that it is, where it is one.
     fn number(&self) -> Option<BigRational> {
-        match self.0.iter().collect::<Vec<_>>().as_slice() {
+        match self.not_zero().as_slice() {
             [] => Some(BigRational::zero()),
             [((wave, powers), factor)] if *wave == CONSTANT && *powers == [0; 4] => factor.form.as_rational(),
             _ => None,
@@ -253,7 +264,8 @@ fn wave(argument: &Formula, is_sine: bool) -> Result<Series, String> {
     let k = u32::try_from(order.unsigned_abs()).map_err(|_| no())?;
     let [of_cosine, of_sine] = if is_sine { [sine, sign(cosine)] } else { [cosine, sign(minus(&sine))] };
     let term = |is_sine, form| ((Wave { order: k, is_sine }, [0; 4]), Factor::exact(form));
-    Ok(Series::new([term(false, of_cosine), term(true, of_sine)]))
+    let terms = [term(false, of_cosine), term(true, of_sine)];
+    Ok(Series::new(terms.into_iter().filter(|(_, factor)| !factor.is_zero())))
 }
 
 /// How often θ, and how many turns beside it.
