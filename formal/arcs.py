@@ -78,4 +78,4 @@ def circle(claim, polynomial, notes):
             notes.add("arcs of the circle on which nothing is claimed")
         low = high
     demand(low == claim["from"] + 1, "the arcs do not make one turn")
-    CHECKED[0] += 1
+    CHECKED[1] += 1

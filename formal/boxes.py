@@ -113,4 +113,4 @@ def check(claim, left, notes):
             demand(letter == "?", "a box is of no such kind")
             notes.add("boxes of two open angles in which nothing is claimed")
     demand(not waiting, "the tree ends before all boxes are reported")
-    CHECKED[0] += 1
+    CHECKED[1] += 1

@@ -20,7 +20,7 @@ def triangle(claim, left, notes):
     demand(len(claim.alternatives) <= most, f"{len(claim.alternatives)} triangles are named, and there are {most}")
     turns = [alternative(one, left) for one in each("alternatives", claim.alternatives)]
     demand(len(turns) < 2 or turns[0] != turns[1], "the two triangles are the same")
-    CHECKED[0] += 1
+    CHECKED[1] += 1
 
 
 def sign_of(shape, number):

@@ -37,7 +37,7 @@ types("""masses = reciprocating rotating counterweights all; quantity = force mo
     whole: quantity order=count sense=sense? outcome; shape: quantity order=count shape=form certificate? pairs?=[certificate] bits?=count;
     classify: format=text title=text masses orders=[count] quantities=[quantity] reference_plane cylinders=[cylinder] all_orders=truth
         turning_masses=[mass] verdicts=[verdict] wholes=[whole] shapes=[shape] theorems=[theorem] recurrences?=[recurrence]""")
-CHECKED = [0]  # certificates so far
+CHECKED = [0, 0]  # certificates so far, and what is proved without one of its own: arcs, boxes
 
 
 # ---- 2. Sums and certificates ----------------------------------------------------------------------------------------------
@@ -219,7 +219,7 @@ def plain(terms):
 
 def check_classify(tree, notes):
     """Returns {(quantity, order): [whether it is zero, per sense; None if that is not decided]}, the shapes, and what is left."""
-    if tree.get("all_orders"):
+    if any(tree.get(key) for key in ("all_orders", "theorems", "recurrences")):
         beside("every_order")
     document = read(tree, "classify")
     cylinders, turning, quantities = document.cylinders, document.turning_masses, document.quantities
@@ -330,7 +330,7 @@ def demand_document(holds, why):
 
 def verify(path, references):
     """Returns how many certificates hold, and what is not checked."""
-    CHECKED[0] = 0
+    CHECKED[:] = 0, 0
     PLACE.clear()
     tree, notes = opened(path), {"titles and names"}
     file = CHECKS[tree["format"][10:]]
