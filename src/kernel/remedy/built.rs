@@ -7,6 +7,7 @@ use super::Remedy;
 use super::planes::{Built, is_with};
 use super::shafts::Shaft;
 use super::weight::Weight;
+use crate::engine::ShaftAxis;
 
 impl Remedy {
     /// The plane of a weight of the remedy.
@@ -34,6 +35,20 @@ impl Remedy {
     /// The balancer shafts that the remedy leaves the engine with at its orders.
     pub fn shafts_built(&self) -> impl Iterator<Item = &Shaft> {
         self.shafts.iter().filter(|shaft| self.stays(&shaft.weights))
+    }
+
+    /// The axes of what a shaft of the remedy resizes, each once: weights that the file has on several axes are as many shafts.
+    pub fn axes(&self, shaft: &Shaft) -> Vec<&ShaftAxis> {
+        let there = &self.subject.engine().crankshaft().balancers;
+        let replaced =
+            shaft.weights.iter().filter_map(|weight| self.built_of(weight)).flat_map(|plane| &plane.replaced.balancers);
+        let mut axes: Vec<&ShaftAxis> = Vec::new();
+        for axis in replaced.filter_map(|index| there[*index].axis.as_ref()) {
+            if !axes.contains(&axis) {
+                axes.push(axis);
+            }
+        }
+        axes
     }
 
     /// Whether the engine has a weight where this one belongs, which is resized.

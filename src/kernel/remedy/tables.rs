@@ -178,9 +178,11 @@ fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
     // What is resized keeps its throw.
     let resized = plane.replaced.counterweights.first();
     let throw = resized.and_then(|index| engine.crankshaft().counterweights[*index].throw);
-    // A shaft that is there keeps its axis.
-    let axis = plane.replaced.balancers.first().map(|index| &engine.crankshaft().balancers[*index]);
-    let axis = axis.filter(|there| (there.order, there.sense) != (1, Sense::Direct));
+    // A shaft that is there keeps its axis, and a weight that it gets besides stands on that.
+    let others =
+        remedy.built.iter().filter(|other| (other.becomes.order, other.becomes.sense) == (weight.order, weight.sense));
+    let there = std::iter::once(plane).chain(others).flat_map(|plane| &plane.replaced.balancers).next();
+    let axis = there.map(|index| &engine.crankshaft().balancers[*index]);
     let counterweight = |angle: Turn, mass: BigRational| {
         let (radius, position) = (radius.clone(), weight.position.clone());
         Counterweight { throw, angle, mass, radius, position, crank: 0 }

@@ -91,7 +91,8 @@ pub(super) fn rolling_shafts(remedy: &Remedy) -> Option<Text> {
         let sum = built.map(|weight| weight.adds()).reduce(|sum, one| sum.plus(&one))?;
         let vector = remedy.subject.value(&sum, shaft.order, shaft.sense)?;
         let newtons = Piece::Quantity(numbers::length(vector) / 2.0 * scale.force(), Unit::NEWTON);
-        (!shaft.lanchester && shaft.kind != Kind::Couple).then(|| phrase!("shaft {} with {}", index + 1, newtons))
+        let is_one = !shaft.lanchester && shaft.kind != Kind::Couple && remedy.axes(shaft).len() < 2;
+        is_one.then(|| phrase!("shaft {} with {}", index + 1, newtons))
     };
     let all: Vec<Text> = remedy.shafts.iter().enumerate().filter_map(pulls).collect();
     (!all.is_empty())

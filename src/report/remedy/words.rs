@@ -67,7 +67,12 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
 /// The weights of the file that become others.
 fn resized(remedy: &Remedy) -> Vec<Text> {
     let planes: Vec<Text> = remedy.resized().map(|plane| weights::resized(remedy, plane)).collect();
-    (!planes.is_empty()).then(|| text::resized(Text::joined(planes, "; "))).into_iter().collect()
+    let several = |(index, shaft): (usize, &Shaft)| match remedy.axes(shaft).len() {
+        0 | 1 => None,
+        axes => Some(text::on_several_axes(index + 1, axes)),
+    };
+    let resized = (!planes.is_empty()).then(|| text::resized(Text::joined(planes, "; ")));
+    resized.into_iter().chain(remedy.shafts_built().enumerate().filter_map(several)).collect()
 }
 
 /// Which shafts may be counterweights on a crankshaft that turns as they do, where crankshafts turn at different speeds.
