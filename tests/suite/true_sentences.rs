@@ -2,10 +2,11 @@
 
 use crankstar::claim::{self, Status, parse_statement};
 use crankstar::engine::Engine;
+use crankstar::file::FileResolver;
 use crankstar::loads::{Loads, usual_orders};
 use crankstar::page::Format;
-use crankstar::proof::{Axial, read_document};
-use crankstar::remedy::{Request, remedy};
+use crankstar::proof::{Axial, Sense, read_document};
+use crankstar::remedy::{Request, corrected_file, remedy};
 use crankstar::report::{Question, TorqueStudy};
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -366,4 +367,56 @@ fn planes_in_millimetres_have_their_unit_in_every_engine() {
     assert!(said.contains("at z = −30 mm") && said.contains("at z = 30 mm"), "{said}");
     let alike = call(&["remedy", "examples/radial.toml", "--planes", "30mm,0.03m"]);
     assert!(String::from_utf8_lossy(&alike.stderr).contains("both planes are at 30 mm"), "{alike:?}");
+}
+
+/// A pair of shafts at crank speed beside one cylinder, each on its side of the crankshaft.
+const PAIR: &str = "speed = 3000\norders = [1, 2]\neffects = ['torque']\n[inline]\nspacing = '100 mm'\nthrows = [0]\n\
+    [mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.5 kg'\n\
+    [[balancer]]\norder = 1\nsense = 'with'\nmass_radius = '3 kg mm'\nangle = 180\nposition = '0 mm'\nheight = '0 mm'\noffset = '90 mm'\n\
+    [[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '3 kg mm'\nangle = 180\nposition = '0 mm'\nheight = '0 mm'\noffset = '-90 mm'\n";
+
+#[test]
+fn a_shaft_that_turns_with_the_crank_is_no_counterweight_and_keeps_its_axis() {
+    let found = remedy(&engine(PAIR), &Request { orders: vec![1], ..Request::default() }).expect("a remedy");
+    let text = corrected_file(&found, "pair.toml", FileResolver::nothing()).expect("a layout").text;
+    let corrected = engine(&text);
+    let axes: Vec<bool> = corrected.crankshaft().balancers.iter().map(|shaft| shaft.axis.is_some()).collect();
+    assert_eq!(axes, [true, true], "{text}");
+    assert_eq!(corrected.crankshaft().counterweights.len(), 1, "{text}");
+    let told = said("remedy", PAIR, &["--orders", "1"]);
+    assert!(told.contains("counterweight 1×, with 0 7.00 kg·mm"), "{told}");
+}
+
+#[test]
+fn weights_of_one_order_on_two_axes_are_two_shafts_and_a_new_one_takes_the_axis_of_its_shaft() {
+    let two = PAIR.replace("order = 1\nsense = 'with'", "order = 2\nsense = 'with'");
+    let two = two.replace("order = 1\nsense = 'against'", "order = 2\nsense = 'with'");
+    let two =
+        two.replacen("position = '0 mm'", "position = '50 mm'", 1).replacen("throws = [0]", "throws = [0, 90]", 1);
+    let told = said("remedy", &two, &["--orders", "2"]);
+    assert!(told.contains("The weights called shaft 1 are on 2 axes in the file"), "{told}");
+    let one =
+        two.replacen("position = '0 mm'", "position = '50 mm'", 1).replacen("offset = '-90 mm'", "offset = '90 mm'", 1);
+    let found = remedy(&engine(&one), &Request { orders: vec![2], ..Request::default() }).expect("a remedy");
+    let text = corrected_file(&found, "one.toml", FileResolver::nothing()).expect("a layout").text;
+    let corrected = engine(&text);
+    let with: Vec<_> = corrected.crankshaft().balancers.iter().filter(|shaft| shaft.sense == Sense::Direct).collect();
+    assert!(with.len() > 1 && !said("remedy", &one, &["--orders", "2"]).contains("called shaft"), "{text}");
+    assert!(with.iter().all(|shaft| shaft.axis.is_some()), "{text}");
+}
+
+#[test]
+fn no_load_is_told_of_one_rod_where_links_hang_on_it() {
+    let fan = "speed = 2400\nbearings = ['60 mm', '-60 mm']\n[fan]\nbanks = [-60, 0, 60]\nthrows = [0]\npositions = ['0 mm']\n\
+        [mechanism]\ncrank_radius = '60 mm'\nrod_length = '200 mm'\nreciprocating_mass = '1.3 kg'\n\
+        [articulated]\nmaster = [2]\nknuckle_radius = '50 mm'\nlink_length = '154 mm'\n";
+    let page = |layout: &str| {
+        let folder = scratch("one-rod");
+        let output = call(&["bearings", written(layout).as_str(), "--output", folder.to_str().expect("UTF-8")]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        std::fs::read_to_string(folder.join("bearings.md")).expect("a page")
+    };
+    let plain = fan.split("[articulated]").next().expect("a layout");
+    assert!(page(plain).contains("## Crankpins") && !page(fan).contains("## Crankpins"));
+    assert!(page(fan).contains("## Articulated rods"));
 }

@@ -239,6 +239,12 @@ impl<A, L: Length> Engine<A, L> {
 }
 
 impl Engine {
+    /// Whether the rod of a cylinder loads its crankpin by itself: it is no link, and has none.
+    pub fn has_plain_rod(&self, cylinder: usize) -> bool {
+        let own = &self.cylinders()[cylinder];
+        own.link().is_none() && !self.cylinders().iter().any(|other| own.is_master_of(other))
+    }
+
     /// The same engine with these masses on its crankshaft and these shafts.
     ///
     /// # Errors

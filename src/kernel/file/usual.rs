@@ -315,7 +315,10 @@ fn measured(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
         let (angle, pascals) = rows.rows().iter().max_by(|one, other| one.1.cmp(&other.1))?;
         let bar = pascals / integer(100_000);
         if !is_usual(&bar, &USUAL_PEAK_BAR) {
-            let message = format!("the largest pressure of the table is {} bar", bar.round());
+            // In thousandths, but for what has none.
+            let rounded = (&bar * integer(1000)).round() / integer(1000);
+            let shown = exact_number(if rounded.is_zero() { &bar } else { &rounded });
+            let message = format!("the largest pressure of the table is {shown} bar");
             let (least, most) = (USUAL_PEAK_BAR.start(), USUAL_PEAK_BAR.end());
             let right = format!("engines have {least} to {most} bar: is the unit right?");
             return Some(LayoutError::new(message, right, span.clone()));

@@ -118,6 +118,9 @@ impl CycleLoads {
 impl SharedPin {
     /// The largest load of one of its rods alone, and the cylinder of that rod, by index.
     pub fn largest_of_a_rod(&self, loads: &CycleLoads) -> Option<(usize, CyclePeak)> {
+        if loads.knuckles.iter().any(|knuckle| self.cylinders.contains(&knuckle.cylinder)) {
+            return None;
+        }
         let rods = self.cylinders.iter().map(|&cylinder| (cylinder, loads.cylinders[cylinder].peaks.pin));
         // Of loads that are equal but for roundings the first is named.
         rods.reduce(|most, rod| if rod.1.value > most.1.value * (1.0 + 1e-9) { rod } else { most })

@@ -104,7 +104,7 @@ pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &B
         peaks: tables::peaks(engine, continuous, determinate).into(),
         orders: by_orders(engine, continuous).into(),
         each_bearing: each_bearing.collect(),
-        pins: pins.ok().map(|pins| tables::pins(engine, &pins)).into(),
+        pins: pins.ok().and_then(|pins| tables::pins(engine, &pins)).into(),
         articulated_rods: links::blocks(engine).into(),
         parts: parts_of_a_load(engine, continuous).into(),
         assumptions: text::assumptions().into(),

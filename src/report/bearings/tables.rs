@@ -102,7 +102,7 @@ pub(super) fn numbers(engine: &Engine, loads: &BearingLoads) -> Option<Table> {
 }
 
 /// The largest load of every crankpin, by cylinder.
-pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Table {
+pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Option<Table> {
     let unit = Unit::of_force(pins.scale.as_ref());
     let left_out = left_out_of_pins(engine, pins).unwrap_or_default();
     let others = |index: usize| match left_out.get(index) {
@@ -111,14 +111,19 @@ pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Table {
         Some(most) => calculation::bound(*most, unit),
     };
     let rows = engine.cylinders().iter().zip(&pins.pins);
-    Table::of(rows.enumerate().map(|(index, (cylinder, pin))| (cylinder, pin, index)))
+    // What a master rod and its links do to their crankpin is told of all together.
+    let plain = rows.enumerate().filter(|(index, _)| engine.has_plain_rod(*index));
+    let plain: Vec<_> = plain.map(|(index, (cylinder, pin))| (cylinder, pin, index)).collect();
+    let is_any = !plain.is_empty();
+    let table = Table::of(plain)
         .column("Cylinder", |(cylinder, ..)| cylinder.name.clone())
         .column(phrase!("Largest load in {}", unit.label()), |(_, pin, _)| amounts::size(&pin.peak, unit))
         .column("at θ", |(_, pin, _)| amounts::angle(&pin.peak))
         .column(phrase!("Along the throw in {}", unit.label()), |(_, pin, _)| amounts::size(&pin.along, unit))
         .column(phrase!("Across it in {}", unit.label()), |(_, pin, _)| amounts::size(&pin.across, unit))
         .column(phrase!("Other orders at most in {}", unit.label()), |(.., index)| others(*index))
-        .done()
+        .done();
+    is_any.then_some(table)
 }
 
 /// The part of a unit load that each bearing carries: a row a position of a load.

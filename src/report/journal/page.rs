@@ -41,6 +41,8 @@ fn notes(engine: &Engine, loads: &CycleLoads) -> Vec<Block> {
 pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &BearingLoads) -> Document {
     let both = loads.bearings.as_ref();
     let drawn = |table: Table, pictures: Vec<Picture>| vec![table.into(), Block::Pictures(pictures)];
+    // What a master rod and its links do to their crankpin is told of all together.
+    let has_plain = (0..engine.cylinders().len()).any(|index| engine.has_plain_rod(index));
     let shared_pins = || drawn(tables::shared_pins(engine, loads), plots::shared_pins(engine, loads));
     let knuckle_pins = || drawn(tables::knuckles(engine, loads), plots::knuckles(engine, loads));
     let orders = |[continuous, _]: &[CycleBearings; 2]| -> Vec<Block> {
@@ -52,7 +54,8 @@ pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &Bear
         notes: both.map(|_| notes(engine, loads)).unwrap_or_default().into(),
         bearings: both.map(|both| tables::bearings(engine, both)).into(),
         each_bearing: both.map(|both| each_bearing(engine, loads, &both[0])).unwrap_or_default().into(),
-        pins: drawn(tables::pins(engine, loads), plots::pins(engine, loads)).into(),
+        pins: if has_plain { drawn(tables::pins(engine, loads), plots::pins(engine, loads)) } else { Vec::new() }
+            .into(),
         shared_pins: if loads.shared_pins.is_empty() { Vec::new() } else { shared_pins() }.into(),
         knuckle_pins: if loads.knuckles.is_empty() { Vec::new() } else { knuckle_pins() }.into(),
         rods: tables::rods(engine, loads).into(),

@@ -105,7 +105,8 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
             picture("crank", "Force in {}; 0° is outward along the throw", from_crank, &turning),
         ]
     };
-    course.alike().iter().take(MOST_PINS).flat_map(draw).collect()
+    let alike = course.alike();
+    alike.iter().filter(|group| engine.has_plain_rod(group[0])).take(MOST_PINS).flat_map(draw).collect()
 }
 
 /// The paths of the loads of the knuckle pins of every master rod, seen from it, as many as are told apart.

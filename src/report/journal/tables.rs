@@ -34,9 +34,10 @@ pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearin
         .done()
 }
 
-/// The largest load of every crankpin, with and without gas.
+/// The largest load of every crankpin by a rod without links, with and without gas.
 pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
-    Table::of(loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
+    let all = loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate();
+    Table::of(all.filter(|(index, _)| engine.has_plain_rod(*index)))
         .column("Cylinder", |(index, _)| names(engine, &[*index]))
         .column(phrase!("Load of the crankpin in {}", Unit::NEWTON), |(_, peaks)| size(peaks.pin.value))
         .column("at θ", |(_, peaks)| at_peak(&peaks.pin))
@@ -47,6 +48,7 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
 
 /// The load of every crankpin that rods share, and that of the rod that loads it the most.
 pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
+    let has_plain = loads.shared_pins.iter().any(|pin| pin.largest_of_a_rod(loads).is_some());
     Table::of(&loads.shared_pins)
         .column("Crankpin", |pin| pin.throw + 1)
         .column("Rods of cylinders", |pin| names(engine, &pin.cylinders))
@@ -54,7 +56,7 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
         .column("at θ", |pin| at_peak(&pin.peak))
         .column(phrase!("Gas component in {}", Unit::NEWTON), |pin| size(pin.peak.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |pin| size(pin.inertia.value))
-        .column(phrase!("One rod alone in {}", Unit::NEWTON), |pin| {
+        .column_if(has_plain, phrase!("One rod alone in {}", Unit::NEWTON), |pin| -> Text {
             let of_one = pin.largest_of_a_rod(loads);
             of_one.map_or_else(Text::default, |(index, peak)| {
                 phrase!("{} (cylinder {})", size(peak.value), names(engine, &[index]))
