@@ -14,7 +14,7 @@ use super::layouts;
 pub struct Torsion {
     /// A name of the catalogue, or the path of a layout file with a table [torsion]
     layout: PathBuf,
-    /// The orders whose critical speeds are shown, such as 1/2,1,3/2 [default: up to 12]
+    /// The orders whose critical speeds are shown, such as 1/2,1,3/2 [default: up to 12, or the firings in a revolution]
     #[arg(long, value_delimiter = ',')]
     orders: Vec<CycleOrder>,
     /// The speed at which the forced vibration is shown, such as 70 [default: that of the layout]

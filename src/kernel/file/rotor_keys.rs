@@ -8,7 +8,7 @@ use serde_spanned::Spanned;
 use super::error::LayoutError;
 use super::kind::Kind;
 use super::number::parse_number;
-use super::quantities::{known_angle, mass, metres, misread, positive_metres, value};
+use super::quantities::{known_angle, mass, metres, misread, not_negative, positive_metres, value};
 use super::units;
 use super::written::{Table, Text, place};
 use crate::exact::Turn;
@@ -122,7 +122,10 @@ fn rotor(name: &str, file: File) -> Result<Rotor, LayoutError> {
         let right = "with secondary = true every mass reciprocates: write it as mass, without a share";
         return Err(LayoutError::new("a reciprocating mass beside masses that reciprocate", right, place(text)));
     }
-    let speed = file.speed.as_ref().map(|text| value(text, "speed", units::speed));
+    let speed = file
+        .speed
+        .as_ref()
+        .map(|text| value(text, "speed", units::speed).and_then(|speed| not_negative(speed, "speed", text)));
     Ok(Rotor {
         title: file.title.map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
         speed: speed.transpose()?,

@@ -46,11 +46,12 @@ pub enum Reason {
 pub struct Found {
     /// Which mass, by its index.
     pub index: usize,
-    /// Mass times radius in kilogram-metres; below 0 it is at half a turn more than the angle of the file.
+    /// Mass times radius in kilogram-metres, 0 or more.
     pub mass_radius: Real,
     /// The vector itself, where it is a sum of vectors at rational angles.
     pub vector: Option<PhasorSum>,
-    /// The direction in degrees from 0 to 360; of a mass of 0 any would do.
+    /// The direction in degrees from 0 to 360, half a turn from that of the file where a mass there would have to be below 0; of a mass of 0 any
+    /// would do.
     pub angle: f64,
     /// The cosine of the direction against that of the first mass without an angle, where that is rational.
     pub cosine: Option<BigRational>,

@@ -91,10 +91,12 @@ fn direction(mass: &RotorMass) -> PhasorSum {
     PhasorSum::new(vec![Term { angle, weight: BigRational::from_integer(1.into()) }])
 }
 
-/// A mass in its given direction: `above/below` long.
+/// A mass in its given direction, `above/below` long, or opposite to it where that is below 0.
 fn of_size(index: usize, mass: &RotorMass, [above, below]: [&PhasorSum; 2], position: Option<Real>) -> Found {
-    let mass_radius = Real::quotient(above, below);
-    let angle = degrees(&direction(mass)) + if mass_radius.decimal < 0.0 { 180.0 } else { 0.0 };
+    let along = Real::quotient(above, below);
+    let (mass_radius, turned) =
+        if along.decimal < 0.0 { (Real::quotient(&negative(above), below), 180.0) } else { (along, 0.0) };
+    let angle = degrees(&direction(mass)) + turned;
     Found { index, mass_radius, vector: None, angle: angle.rem_euclid(360.0), cosine: None, position }
 }
 

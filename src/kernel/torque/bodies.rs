@@ -198,7 +198,7 @@ pub fn bodies(engine: &Engine) -> Vec<Bodies> {
 }
 
 /// Those with harmonics up to this order.
-pub(super) fn up_to(engine: &Engine, highest: u32) -> Vec<Bodies> {
+pub fn up_to(engine: &Engine, highest: u32) -> Vec<Bodies> {
     let cylinders = engine.cylinders();
     let moves = |index: usize| (&cylinders[index].mechanism, &cylinders[index].crank_radius);
     let mut all: Vec<Bodies> = Vec::new();

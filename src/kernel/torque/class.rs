@@ -65,7 +65,10 @@ pub fn classes(engine: &Engine) -> Result<Vec<Class>, Missing> {
 }
 
 /// Those with harmonics up to this order.
-pub(super) fn up_to(engine: &Engine, highest: u32) -> Result<Vec<Class>, Missing> {
+///
+/// # Errors
+/// What the layout lacks.
+pub fn up_to(engine: &Engine, highest: u32) -> Result<Vec<Class>, Missing> {
     let Some(gas) = engine.gas() else { return Err(NoGas::Gas.into()) };
     let fires = fires(engine)?;
     let inertias = bodies::up_to(engine, highest);

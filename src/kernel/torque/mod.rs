@@ -13,8 +13,8 @@ mod order;
 mod peak;
 
 pub use crate::loads::PeakMethod;
-pub use bodies::{Bodies, HIGHEST, Inertia, bodies};
-pub use class::{Class, classes, warnings};
+pub use bodies::{Bodies, HIGHEST, Inertia, bodies, up_to as bodies_up_to};
+pub use class::{Class, classes, up_to as classes_up_to, warnings};
 pub use curve::TorqueCurve;
 pub use evenness::{Evenness, evenness};
 pub use extreme::{Extreme, angles, angles_with, extremes, largest};

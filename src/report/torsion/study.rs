@@ -13,7 +13,7 @@ use crate::firing::{self, NoStar};
 use crate::page::{Number, Text, Unit};
 use crate::torsion::{Critical, CriticalSpeeds, Train, critical_speeds};
 
-/// Orders up to this one are shown where none are asked for, in halves.
+/// Orders up to this one, and to the first major order, are shown where none are asked for, in halves.
 const USUAL_HALVES: u32 = 24;
 /// Stars that differ by less than this part are equally long for all that decimals tell.
 const ALIKE: f64 = 1e-9;
@@ -59,16 +59,21 @@ pub enum NoTorsion {
 }
 
 impl TorsionStudy {
-    /// The modes with the critical speeds of these orders; of those up to 12 where there are none.
+    /// The modes with the critical speeds of these orders; of those up to 12, and to the first major order, where there are none.
     ///
     /// # Errors
     /// See [`NoTorsion`].
     pub fn new(engine: &Engine, orders: &[CycleOrder]) -> Result<Self, NoTorsion> {
         let torsion = engine.torsion().ok_or(NoTorsion::NoShaft)?;
-        let cycle = firing::firing_of(engine).map_err(NoTorsion::NoStar)?.cycle;
+        let firing = firing::firing_of(engine).map_err(NoTorsion::NoStar)?;
+        let cycle = firing.cycle;
         let orders: BTreeSet<CycleOrder> = match orders {
             [] => {
-                let all = (1..=USUAL_HALVES).filter_map(CycleOrder::of_halves);
+                // The first major order is as high as the engine fires often in a revolution.
+                let firings =
+                    (BigRational::from_integer(firing.shots.len().into()) / cycle.turns()).ceil().to_integer();
+                let first_major = firings.to_u32().unwrap_or(0);
+                let all = (1..=USUAL_HALVES.max(2 * first_major)).filter_map(CycleOrder::of_halves);
                 let given = torsion.harmonics.iter().map(|harmonic| harmonic.order);
                 all.filter(|order| order.exists_in(cycle)).chain(given).collect()
             }
