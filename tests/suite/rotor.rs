@@ -498,3 +498,12 @@ fn what_may_be_omitted_is_said_as_it_is() {
     let told = balance(&rotor(&beside)).expect_err("too many unknowns").to_string();
     assert!(told.contains("of one or two masses, and of one that is wanted alone its position too"), "{told}");
 }
+
+#[test]
+fn a_mass_that_belongs_opposite_to_its_direction_is_told_there_and_not_below_0() {
+    let text = file(&[["5", "100", "0", "100"], ["?", "100", "0", "200"], ["?", "100", "180", "300"]]);
+    let solutions = solved(&text);
+    let told: Vec<[f64; 2]> = solutions[0].iter().map(|one| [one.mass_radius.decimal, one.angle]).collect();
+    assert_eq!(told, [[1.0, 180.0], [0.5, 0.0]]);
+    assert!(left(&rotor(&text), &solutions[0]) < 1e-12);
+}

@@ -228,3 +228,24 @@ fn a_boxer_pair_counts_as_one_crankpin_and_cylinders_of_their_own_as_two() {
     let cylinders = "[[cylinder]]\nbank = -90\nthrow = -90\nposition = '10 mm'\n[[cylinder]]\nbank = 90\nthrow = 90\nposition = '-10 mm'\n";
     assert!(file::parse("two.toml", &format!("{cylinders}{shaft}crankpins_at = [1, 2]\n")).is_ok());
 }
+
+/// Seven of the first twelve orders were the strongest that a two-stroke of fourteen cylinders could have.
+#[test]
+fn the_first_major_order_of_many_cylinders_is_shown_and_has_the_strongest_resonance() {
+    let discs = vec!["0.02"; 14].join(", ");
+    let names: Vec<String> = (1..=14).map(|name| name.to_string()).collect();
+    let text = format!(
+        "cycle = 'two-stroke'\nspeed = 1000\nfiring_order = '{}'\n[inline]\nspacing = 0.1\n\
+         [mechanism]\nstroke = '90 mm'\nrod_length = '150 mm'\nreciprocating_mass = '600 g'\n\
+         [gas]\nbore = '80 mm'\nunit = 'bar'\ncrankcase = '1 bar'\n\
+         pressure = [[-180, 1.1], [-90, 3], [-20, 20], [0, 45], [12.5, 70], [30, 40], [90, 6], [140, 3], [180, 1.1]]\n\
+         [torsion]\ninertias = [{discs}, 0.4]\nstiffnesses = [{}]\nmagnifier = 40\n",
+        names.join("-"),
+        vec!["1e6"; 14].join(", "),
+    );
+    let engine = file::parse("fourteen.toml", &text).unwrap_or_else(|error| panic!("{error}"));
+    let study = TorsionStudy::new(&engine, &[]).expect("a study");
+    let answer = pages::text(&study.answer(), Format::PLAIN);
+    assert!(answer.contains("order 14 has the strongest") && answer.contains("707"), "{answer}");
+    assert!(answer.contains("of 14 are shown"), "{answer}");
+}
