@@ -160,9 +160,9 @@ fn firing_angles_of_displaced_axes_say_what_they_count_and_how_far_apart_the_dea
 #[test]
 fn a_sweep_and_a_comparison_of_displaced_axes_say_what_firing_intervals_count() {
     let told = said("sweep", VR6, &["--set", "vr.pin_splay=15..24:1"]);
-    let moved = "Offsets move the top dead centres: these are most even at 22, ≈ 119.9° to ≈ 120.1° apart.";
+    let moved = "Offsets move the top dead centres: these are most even at 22°, ≈ 119.9° to ≈ 120.1° apart.";
     assert!(
-        told.contains("Firing, counted between crankpins in line with their cylinders: even, every 120°, at 15.")
+        told.contains("Firing, counted between crankpins in line with their cylinders: even, every 120°, at 15°.")
             && told.contains(moved),
         "{told}"
     );
@@ -366,4 +366,18 @@ fn planes_in_millimetres_have_their_unit_in_every_engine() {
     assert!(said.contains("at z = −30 mm") && said.contains("at z = 30 mm"), "{said}");
     let alike = call(&["remedy", "examples/radial.toml", "--planes", "30mm,0.03m"]);
     assert!(String::from_utf8_lossy(&alike.stderr).contains("both planes are at 30 mm"), "{alike:?}");
+}
+
+const FAN: &str = "speed = 2000\n[fan]\nbanks = [-60, 0, 60]\nthrows = [0, 240, 120]\nspacing = '150 mm'\n\
+    [mechanism]\nstroke = '150 mm'\nrod_length = '280 mm'\nreciprocating_mass = [2, 2, 2, 2.1, 2, 2, 2, 2, 1.9]\n";
+
+#[test]
+fn a_speed_that_is_swept_has_its_unit() {
+    let swept = ["--speed", "500..2000:500"];
+    let told = said("sweep", FAN, &swept);
+    assert!(told.contains("speed from 500 rpm to 2000 rpm") && told.contains(" at 2000 rpm."), "{told}");
+    let page = said("sweep", FAN, &[&swept[..], &["--format", "html"]].concat());
+    assert!(page.contains("speed in rpm</th>") && page.contains(">speed in rpm<"), "{page}");
+    let german = said("sweep", FAN, &[&swept[..], &["--format", "html", "--lang", "de"]].concat());
+    assert!(german.contains("Drehzahl in 1/min</th>") && german.contains(">größter</th>"), "{german}");
 }
