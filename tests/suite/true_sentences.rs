@@ -381,3 +381,12 @@ fn a_speed_that_is_swept_has_its_unit() {
     let german = said("sweep", FAN, &[&swept[..], &["--format", "html", "--lang", "de"]].concat());
     assert!(german.contains("Drehzahl in 1/min</th>") && german.contains(">größter</th>"), "{german}");
 }
+
+#[test]
+fn an_angle_that_is_swept_is_in_degrees_and_a_length_in_its_unit() {
+    let vee = "[vee]\nbank_angle = 90\nthrows = [0, 90]\nspacing = '90 mm'\n";
+    let told = said("sweep", vee, &["--set", "vee.pin_split=0..30:15", "--lang", "de"]);
+    assert!(told.contains("Hubzapfenversatz durchlaufen") && told.contains("von 0° bis 30°"), "{told}");
+    let told = said("sweep", vee, &["--spacing", "80..120:20 mm", "--lang", "de"]);
+    assert!(told.contains("Zylinderabstand durchlaufen") && told.contains("bis 120 mm"), "{told}");
+}
