@@ -390,3 +390,15 @@ fn an_angle_that_is_swept_is_in_degrees_and_a_length_in_its_unit() {
     let told = said("sweep", vee, &["--spacing", "80..120:20 mm", "--lang", "de"]);
     assert!(told.contains("Zylinderabstand durchlaufen") && told.contains("bis 120 mm"), "{told}");
 }
+
+#[test]
+fn a_pure_couple_rolls_nothing_wherever_its_axis_is() {
+    let delta = "cycle = 'two-stroke'\nspeed = 1500\neffects = ['remedy']\n[delta]\nrows = [0, 120, 240, 60, 180, 300]\ncircumradius = '500 mm'\n\
+        spacing = '250 mm'\n[mechanism]\nstroke = '184 mm'\nrod_length = '380 mm'\nreciprocating_mass = 8\nrotating_mass = 5\n";
+    let told = said("remedy", delta, &[]);
+    assert!(told.contains("Force, moment and roll moment do not depend on where its axis is."), "{told}");
+    let one = "speed = 1500\neffects = ['remedy']\n[u]\nthrows = [0]\nsense = 'against'\ndistance = '110 mm'\n[mechanism]\n\
+        stroke = '54 mm'\nrod_length = '104 mm'\nreciprocating_mass = 1\n";
+    let told = said("remedy", one, &[]);
+    assert!(told.contains("Force and moment do not depend on where its axis is, the roll moment does."), "{told}");
+}
