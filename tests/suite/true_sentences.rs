@@ -402,3 +402,11 @@ fn a_pure_couple_rolls_nothing_wherever_its_axis_is() {
     let told = said("remedy", one, &[]);
     assert!(told.contains("Force and moment do not depend on where its axis is, the roll moment does."), "{told}");
 }
+
+#[test]
+fn arrows_are_resultants_of_crankshafts_where_all_of_a_drawing_are() {
+    let h = "[h]\nthrows = [0, 90, 270, 180]\nsense = 'against'\ndistance = 5\nphase = 45\n";
+    let told = said("report", h, &["--format", "markdown"]);
+    assert!(told.contains("An arrow with the name of a crankshaft is its resultant."), "{told}");
+    assert!(!told.contains("Each arrow is the resultant"), "{told}");
+}

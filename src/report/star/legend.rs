@@ -39,7 +39,10 @@ pub(super) fn legend(drawn: &[(Quantity, Star, Scale)]) -> Text {
         any(&|_, star| star.polygons.iter().any(|polygon| (least..=most).contains(&polygon.sides)))
     };
     words.extend(any(&|quantity, _| matches!(quantity, Quantity::Planar(_))).then(text::halved));
-    words.extend(any(&|_, star| star.by_crank).then(text::by_crankshaft));
+    words.extend(any(&|_, star| star.by_crank).then(|| match any(&|_, star| !star.by_crank) {
+        false => text::by_crankshaft(),
+        true => text::some_by_crankshaft(),
+    }));
     words.extend(match (sides(2, 2), sides(3, u64::MAX)) {
         (false, false) => None,
         (true, false) => Some(text::bars()),
