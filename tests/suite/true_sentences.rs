@@ -410,3 +410,14 @@ fn arrows_are_resultants_of_crankshafts_where_all_of_a_drawing_are() {
     assert!(told.contains("An arrow with the name of a crankshaft is its resultant."), "{told}");
     assert!(!told.contains("Each arrow is the resultant"), "{told}");
 }
+
+#[test]
+fn a_pair_whose_heights_are_not_told_adds_to_the_roll_moment() {
+    let one = "speed = '100 Hz'\neffects = ['remedy']\n[inline]\nthrows = ['23.45678']\n[mechanism]\nstroke = '2.5 in'\n\
+        rod_length = '4.25 in'\npin_offset = '0.05 in'\npiston_mass = '10 oz'\npin_mass = '3 oz'\nrod_mass = '1 lb'\nrod_centre = '1.2 in'\n";
+    let told = said("remedy", one, &[]);
+    assert!(!told.contains("Lanchester pair of order 2: where"), "{told}");
+    assert!(told.contains("shaft 2 with") && told.contains("shaft 3 with"), "{told}");
+    let told = said("remedy", &one.replace("pin_offset = '0.05 in'\n", ""), &[]);
+    assert!(told.contains("Lanchester pair of order 2: where") && !told.contains("shaft 2 with"), "{told}");
+}
