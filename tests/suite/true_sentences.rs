@@ -421,3 +421,11 @@ fn a_pair_whose_heights_are_not_told_adds_to_the_roll_moment() {
     let told = said("remedy", &one.replace("pin_offset = '0.05 in'\n", ""), &[]);
     assert!(told.contains("Lanchester pair of order 2: where") && !told.contains("shaft 2 with"), "{told}");
 }
+
+#[test]
+fn an_order_0_of_links_is_told_as_theirs() {
+    let links = "speed = 2000\nbearings = ['0.1 m', '-0.1 m']\n[radial]\ncylinders = 7\n[mechanism]\nstroke = '150 mm'\n\
+        rod_length = '280 mm'\nreciprocating_mass = 2\n[articulated]\nmaster = '1'\nknuckle_radius = '60 mm'\nlink_length = '220 mm'\n";
+    let told = said("bearings", links, &["--format", "markdown"]);
+    assert!(told.contains("pistons with an offset or with links on their rods"), "{told}");
+}
