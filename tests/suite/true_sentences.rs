@@ -429,3 +429,11 @@ fn an_order_0_of_links_is_told_as_theirs() {
     let told = said("bearings", links, &["--format", "markdown"]);
     assert!(told.contains("pistons with an offset or with links on their rods"), "{told}");
 }
+
+#[test]
+fn no_code_is_quoted_with_signs_of_one_format() {
+    let mounted = "speed = 1000\n[inline]\nthrows = [0, 180]\nspacing = '90 mm'\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\n\
+        reciprocating_mass = 0.5\n[block]\nmass = 60\ninertia = [2, 2, 1]\ncentre = [0, 0, 0]\n[[mount]]\nplace = [0.2, 0, 0]\nstiffness = 200000\n\
+        [[mount]]\nplace = [-0.2, 0, 0.1]\nstiffness = 200000\n[[mount]]\nplace = [0, -0.2, 0.1]\nstiffness = 200000\n";
+    assert!(!said("mounts", mounted, &["--format", "html"]).contains("`loads`"));
+}
