@@ -60,7 +60,7 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
             }
         }
         None if remedy.shafts_built().next().is_none() => {}
-        None => lines.push(text::only_order_1()),
+        None => lines.push(text::only_order_1(Choice::one_or_more(remedy.shafts_built().count()))),
     }
     lines
 }
