@@ -423,6 +423,18 @@ fn a_pair_whose_heights_are_not_told_adds_to_the_roll_moment() {
 }
 
 #[test]
+fn a_scotch_yoke_has_no_rod() {
+    let yoke = "speed = 1500\neffects = ['torque', 'remedy']\n[inline]\nthrows = [0]\n[mechanism]\nscotch_yoke = true\nstroke = '50 mm'\n\
+        reciprocating_mass = '0.3 kg'\nrotating_mass = '0.2 kg'\n";
+    let told = said("report", yoke, &["--format", "markdown"]);
+    for rod in ["how the rod", "big end", "rods, pistons", "l\\sqrt", "rod ratio r/l", "equal rods", "orders 1 |"] {
+        assert!(!told.contains(rod), "{rod}: {told}");
+    }
+    assert!(told.contains("| order 1 |") && told.contains("cannot replace this shaft: they act"), "{told}");
+    assert!(said("report", yoke, &["--lang", "de", "--format", "markdown"]).contains("| Ordnung 1 |"));
+}
+
+#[test]
 fn an_order_0_of_links_is_told_as_theirs() {
     let links = "speed = 2000\nbearings = ['0.1 m', '-0.1 m']\n[radial]\ncylinders = 7\n[mechanism]\nstroke = '150 mm'\n\
         rod_length = '280 mm'\nreciprocating_mass = 2\n[articulated]\nmaster = '1'\nknuckle_radius = '60 mm'\nlink_length = '220 mm'\n";
