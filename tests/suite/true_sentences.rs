@@ -449,3 +449,11 @@ fn no_code_is_quoted_with_signs_of_one_format() {
         [[mount]]\nplace = [-0.2, 0, 0.1]\nstiffness = 200000\n[[mount]]\nplace = [0, -0.2, 0.1]\nstiffness = 200000\n";
     assert!(!said("mounts", mounted, &["--format", "html"]).contains("`loads`"));
 }
+
+#[test]
+fn headings_have_the_units_of_what_is_below() {
+    let unequal = "[inline]\nthrows = [0, 180]\nspacing = '90 mm'\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = [1, 1.05]\n";
+    assert!(said("report", unequal, &["--format", "markdown"]).contains("| Reciprocating mass / m |"));
+    let open = "values = { a = '22 mm' }\n[vee]\nbank_angle = 'phi'\nthrows = [0, 180]\npositions = ['3a', '-3a']\n";
+    assert!(said("report", open, &["--format", "markdown"]).contains("| Position z (m) |"));
+}
