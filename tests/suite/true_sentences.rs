@@ -457,3 +457,13 @@ fn headings_have_the_units_of_what_is_below() {
     let open = "values = { a = '22 mm' }\n[vee]\nbank_angle = 'phi'\nthrows = [0, 180]\npositions = ['3a', '-3a']\n";
     assert!(said("report", open, &["--format", "markdown"]).contains("| Position z (m) |"));
 }
+
+#[test]
+fn lines_of_verify_are_of_at_most_80_columns() {
+    let path = written("[inline]\nthrows = [0, 180]\nspacing = '90 mm'\n");
+    let document = scratch("true-sentences").join("document.json");
+    std::fs::write(&document, call(&["classify", &path, "--json"]).stdout).expect("a document");
+    let output = call(&["verify", document.to_str().expect("UTF-8")]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(told.contains("not covered") && told.lines().all(|line| line.chars().count() <= 80), "{told}");
+}
