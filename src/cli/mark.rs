@@ -146,11 +146,11 @@ impl Mark {
         found.sort_by(|(one, _), (other, _)| one.cmp(other));
         // A student may be called so: what is a table there is read.
         let is_solution = |path: &Path| solutions.as_ref().is_some_and(|folder| path.starts_with(folder));
-        let handed_in = |(path, left_out): (PathBuf, Option<&str>)| {
+        let handed_in = |(path, left_out): (PathBuf, Option<&'static str>)| {
             let name = layouts::shown(path.strip_prefix(&self.handed_in).unwrap_or(&path));
             let named = |content| HandedIn { name, content };
             let file = match left_out {
-                Some(why) => named(Content::LeftOut(why.to_owned())),
+                Some(why) => named(Content::LeftOut(why)),
                 None => named(Content::Bytes(Vec::new())),
             };
             match file.is_table() {

@@ -4,6 +4,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crankstar::file::Layout;
+use crankstar::page;
 use crankstar::proof::{AnyDocument, Checked, Counts, Difference, LARGEST_DOCUMENT, Unreadable, read_document};
 use crankstar::report::{self, Question};
 
@@ -144,6 +145,9 @@ fn compare(name: &str, engine: &AnyDocument, layout: &Path, beside: (&AnyDocumen
     }
 }
 
+/// Letters of a line, less what broken ones stand in by.
+const WIDTH: usize = 76;
+
 /// What holds, what it is about, and what is not covered.
 fn summary(document: &AnyDocument, checked: &Checked, engine: &str) -> String {
     let Counts { polygons, residues, splittings, decimals } = checked.counts;
@@ -177,6 +181,8 @@ fn summary(document: &AnyDocument, checked: &Checked, engine: &str) -> String {
         format!("  {engine}"),
     ];
     lines.extend(checked.not_covered.iter().map(|what| format!("  not covered: {what}")));
+    let wrapped = |line: &String| page::wrapped(line, WIDTH).replace('\n', "\n    ");
+    lines[1..].iter_mut().for_each(|line| *line = wrapped(line));
     lines.join("\n") + "\n"
 }
 

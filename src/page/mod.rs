@@ -33,4 +33,4 @@ pub use text::{Choice, Piece, Setting, Text};
 pub use tikz::tikz;
 pub use unit::Units;
 pub(crate) use write::say;
-pub use write::{Alone, File, Format, Math, Options, blocks_in, text_in, write};
+pub use write::{Alone, File, Format, Math, Options, blocks_in, text_in, wrapped, write};

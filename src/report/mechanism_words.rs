@@ -22,6 +22,7 @@ pub(super) fn assumed(engine: &Engine) -> Text {
         (false, true) => text::every_order(),
         (false, false) if engine.has_offset() => text::endless_offset_rods(),
         (false, false) if unequal => text::centric_orders(),
+        (false, false) if engine.has_yokes_alone() => return text::yokes(),
         (false, false) => return text::equal_rods(),
     };
     text::rigid().and(if unequal { text::rods_differ() } else { Text::default() }).and(" ").and(orders)
@@ -65,19 +66,26 @@ pub(super) fn counted_from(engine: &Engine) -> Text {
 /// The formulas of the motion of a piston with what they say, in TeX.
 pub(super) fn motion(engine: &Engine) -> Vec<(Text, String)> {
     let offset = engine.has_offset();
+    let coefficients = match (offset, engine.has_yokes_alone()) {
+        (true, _) => text::offset_coefficients(),
+        (false, true) => text::yoke_coefficients(),
+        (false, false) => text::centric_coefficients(),
+    };
     let root = if offset { "(\\lambda\\sin\\psi - \\delta)^2" } else { "\\lambda^2\\,{\\sin}^2\\psi" };
+    let rod = if engine.has_yokes_alone() { String::new() } else { format!(" + l\\sqrt{{1 - {root}}}") };
     vec![
         (
             text::position(),
-            format!("s(\\psi) = r\\cos\\psi + l\\sqrt{{1 - {root}}}, \\qquad \\psi = \\theta + \\beta - \\alpha"),
+            format!("s(\\psi) = r\\cos\\psi{rod}, \\qquad \\psi = \\theta + \\beta - \\alpha"),
         ),
         (
             text::inertia_force(),
             "-m\\,\\ddot s = m\\,r\\,\\omega^2\\, \\mathrm{Re} \\sum_{k\\ge1} c_k\\, e^{ik\\psi}".to_owned(),
         ),
         (
-            if offset { text::offset_coefficients() } else { text::centric_coefficients() },
+            coefficients,
             match offset {
+                false if engine.has_yokes_alone() => "c_1 = 1, \\qquad c_2 = c_3 = \\dots = 0".to_owned(),
                 true => "c_k = [k=1] + \\frac{k^2}{\\pi\\lambda} \\int_0^{2\\pi} \\sqrt{1 - (\\lambda\\sin\\psi - \\delta)^2}\\; e^{-ik\\psi}\\, d\\psi".to_owned(),
                 false => "\\begin{aligned} c_1 &= 1, \\qquad c_3 = c_5 = \\dots = 0, \\\\ c_{2n} &= 8 n^2 (-1)^n \\sum_{j\\ge n} (-1)^j \\binom{1/2}{j} \\binom{2j}{j-n} \\frac{\\lambda^{2j-1}}{4^{j}} \\end{aligned}".to_owned(),
             },

@@ -124,7 +124,7 @@ pub(super) fn cylinders(engine: &Engine) -> Table {
         .column("Throw β", |cylinder| typeset::angle(&cylinder.throw))
         .column("Bank α", |cylinder| bank(&cylinder.bank))
         .column(position_heading(engine), |cylinder| position(engine, &cylinder.position))
-        .column_if(!engine.has_unit_masses(), "Reciprocating mass", |one| Number::exact(&one.reciprocating_mass))
+        .column_if(!engine.has_unit_masses(), "Reciprocating mass / m", |one| Number::exact(&one.reciprocating_mass))
         .column_if(counts_otherwise, "Throw as drawn", |one| typeset::angle(&convention.as_written(&one.throw)))
         .column_if(counts_otherwise, "Bank as drawn", |cylinder| bank(&convention.as_written(&cylinder.bank)))
         .done()

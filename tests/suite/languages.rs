@@ -22,7 +22,7 @@ use crankstar::text::Untrusted;
 
 use crate::studies::catalogue;
 use crate::support::german::{
-    has_words, is_said, literals, pages_of, pages_of_folders, pages_of_the_catalogue, phrases, places,
+    has_words, is_said, literals, names_of_keys, pages_of, pages_of_folders, pages_of_the_catalogue, phrases, places,
 };
 use crate::support::pages;
 use crate::support::tables::{searched, swept};
@@ -411,6 +411,38 @@ fn every_name_in_a_drawing_has_german() {
     }
     assert!(missing.is_empty(), "no German for {missing:#?}");
 }
+
+#[test]
+fn every_number_of_a_layout_file_has_a_german_name() {
+    let keys = include_str!("../../src/kernel/file/schema/keys.txt");
+    let kind = |line: &str| Some(line.split_once(": ")?.1.split_once(" = ")?.0.to_owned());
+    let is_number = |line: &&str| {
+        kind(line).is_some_and(|kind| NUMBERS.iter().any(|number| kind.trim_matches('[').starts_with(number)))
+    };
+    let numbers = keys.lines().filter(is_number);
+    let names: BTreeSet<String> = numbers.flat_map(names_of_keys).collect();
+    assert!(names.len() > 60, "{}", names.len());
+    let own = |name: &String| Language::De.entries().any(|(english, german)| english == name && !german.contains("{}"));
+    let missing: Vec<&String> = names.iter().filter(|name| !own(name)).collect();
+    assert!(missing.is_empty(), "no German for {missing:?}");
+}
+
+/// Kinds of keys that can be swept.
+const NUMBERS: [&str; 13] = [
+    "angle",
+    "length",
+    "mass",
+    "speed",
+    "pressure",
+    "inertia",
+    "stress",
+    "torque",
+    "spring",
+    "number",
+    "heat",
+    "damping",
+    "stiffness",
+];
 
 fn words_of(text: &str) -> impl Iterator<Item = &str> {
     text.split(|letter: char| !letter.is_alphabetic())

@@ -252,7 +252,8 @@ fn nothing_that_is_said_of_a_csv_speaks_of_toml() {
     let mut hand_in = |name: &str, content: Vec<u8>| {
         for result in mark_class(&exercise, vec![bytes(name, content)], &Scheme::default()) {
             match &result.outcome {
-                Outcome::Unreadable(why) | Outcome::NotRead(why) => told.push_str(&(why.escaped(Format::Plain) + "\n")),
+                Outcome::Unreadable(why) => told.push_str(&(why.escaped(Format::Plain) + "\n")),
+                Outcome::NotRead(why) => told.push_str(&format!("{why}\n")),
                 Outcome::Marked(sheet) => {
                     sheet.not_read.iter().for_each(|row| told.push_str(&(row.escaped(Format::Plain) + "\n")));
                 }

@@ -161,9 +161,9 @@ fn firing_angles_of_displaced_axes_say_what_they_count_and_how_far_apart_the_dea
 #[test]
 fn a_sweep_and_a_comparison_of_displaced_axes_say_what_firing_intervals_count() {
     let told = said("sweep", VR6, &["--set", "vr.pin_splay=15..24:1"]);
-    let moved = "Offsets move the top dead centres: these are most even at 22, ≈ 119.9° to ≈ 120.1° apart.";
+    let moved = "Offsets move the top dead centres: these are most even at 22°, ≈ 119.9° to ≈ 120.1° apart.";
     assert!(
-        told.contains("Firing, counted between crankpins in line with their cylinders: even, every 120°, at 15.")
+        told.contains("Firing, counted between crankpins in line with their cylinders: even, every 120°, at 15°.")
             && told.contains(moved),
         "{told}"
     );
@@ -419,4 +419,104 @@ fn no_load_is_told_of_one_rod_where_links_hang_on_it() {
     let plain = fan.split("[articulated]").next().expect("a layout");
     assert!(page(plain).contains("## Crankpins") && !page(fan).contains("## Crankpins"));
     assert!(page(fan).contains("## Articulated rods"));
+}
+
+const FAN: &str = "speed = 2000\n[fan]\nbanks = [-60, 0, 60]\nthrows = [0, 240, 120]\nspacing = '150 mm'\n\
+    [mechanism]\nstroke = '150 mm'\nrod_length = '280 mm'\nreciprocating_mass = [2, 2, 2, 2.1, 2, 2, 2, 2, 1.9]\n";
+
+#[test]
+fn a_speed_that_is_swept_has_its_unit() {
+    let swept = ["--speed", "500..2000:500"];
+    let told = said("sweep", FAN, &swept);
+    assert!(told.contains("speed from 500 rpm to 2000 rpm") && told.contains(" at 2000 rpm."), "{told}");
+    let page = said("sweep", FAN, &[&swept[..], &["--format", "html"]].concat());
+    assert!(page.contains("speed in rpm</th>") && page.contains(">speed in rpm<"), "{page}");
+    let german = said("sweep", FAN, &[&swept[..], &["--format", "html", "--lang", "de"]].concat());
+    assert!(german.contains("Drehzahl in 1/min</th>") && german.contains(">größter</th>"), "{german}");
+}
+
+#[test]
+fn an_angle_that_is_swept_is_in_degrees_and_a_length_in_its_unit() {
+    let vee = "[vee]\nbank_angle = 90\nthrows = [0, 90]\nspacing = '90 mm'\n";
+    let told = said("sweep", vee, &["--set", "vee.pin_split=0..30:15", "--lang", "de"]);
+    assert!(told.contains("Hubzapfenversatz durchlaufen") && told.contains("von 0° bis 30°"), "{told}");
+    let told = said("sweep", vee, &["--spacing", "80..120:20 mm", "--lang", "de"]);
+    assert!(told.contains("Zylinderabstand durchlaufen") && told.contains("bis 120 mm"), "{told}");
+}
+
+#[test]
+fn a_pure_couple_rolls_nothing_wherever_its_axis_is() {
+    let delta = "cycle = 'two-stroke'\nspeed = 1500\neffects = ['remedy']\n[delta]\nrows = [0, 120, 240, 60, 180, 300]\ncircumradius = '500 mm'\n\
+        spacing = '250 mm'\n[mechanism]\nstroke = '184 mm'\nrod_length = '380 mm'\nreciprocating_mass = 8\nrotating_mass = 5\n";
+    let told = said("remedy", delta, &[]);
+    assert!(told.contains("Force, moment and roll moment do not depend on where its axis is."), "{told}");
+    let one = "speed = 1500\neffects = ['remedy']\n[u]\nthrows = [0]\nsense = 'against'\ndistance = '110 mm'\n[mechanism]\n\
+        stroke = '54 mm'\nrod_length = '104 mm'\nreciprocating_mass = 1\n";
+    let told = said("remedy", one, &[]);
+    assert!(told.contains("Force and moment do not depend on where its axis is, the roll moment does."), "{told}");
+}
+
+#[test]
+fn arrows_are_resultants_of_crankshafts_where_all_of_a_drawing_are() {
+    let h = "[h]\nthrows = [0, 90, 270, 180]\nsense = 'against'\ndistance = 5\nphase = 45\n";
+    let told = said("report", h, &["--format", "markdown"]);
+    assert!(told.contains("An arrow with the name of a crankshaft is its resultant."), "{told}");
+    assert!(!told.contains("Each arrow is the resultant"), "{told}");
+}
+
+#[test]
+fn a_pair_whose_heights_are_not_told_adds_to_the_roll_moment() {
+    let one = "speed = '100 Hz'\neffects = ['remedy']\n[inline]\nthrows = ['23.45678']\n[mechanism]\nstroke = '2.5 in'\n\
+        rod_length = '4.25 in'\npin_offset = '0.05 in'\npiston_mass = '10 oz'\npin_mass = '3 oz'\nrod_mass = '1 lb'\nrod_centre = '1.2 in'\n";
+    let told = said("remedy", one, &[]);
+    assert!(!told.contains("Lanchester pair of order 2: where"), "{told}");
+    assert!(told.contains("shaft 2 with") && told.contains("shaft 3 with"), "{told}");
+    let told = said("remedy", &one.replace("pin_offset = '0.05 in'\n", ""), &[]);
+    assert!(told.contains("Lanchester pair of order 2: where") && !told.contains("shaft 2 with"), "{told}");
+}
+
+#[test]
+fn a_scotch_yoke_has_no_rod() {
+    let yoke = "speed = 1500\neffects = ['torque', 'remedy']\n[inline]\nthrows = [0]\n[mechanism]\nscotch_yoke = true\nstroke = '50 mm'\n\
+        reciprocating_mass = '0.3 kg'\nrotating_mass = '0.2 kg'\n";
+    let told = said("report", yoke, &["--format", "markdown"]);
+    for rod in ["how the rod", "big end", "rods, pistons", "l\\sqrt", "rod ratio r/l", "equal rods", "orders 1 |"] {
+        assert!(!told.contains(rod), "{rod}: {told}");
+    }
+    assert!(told.contains("| order 1 |") && told.contains("cannot replace this shaft: they act"), "{told}");
+    assert!(said("report", yoke, &["--lang", "de", "--format", "markdown"]).contains("| Ordnung 1 |"));
+}
+
+#[test]
+fn an_order_0_of_links_is_told_as_theirs() {
+    let links = "speed = 2000\nbearings = ['0.1 m', '-0.1 m']\n[radial]\ncylinders = 7\n[mechanism]\nstroke = '150 mm'\n\
+        rod_length = '280 mm'\nreciprocating_mass = 2\n[articulated]\nmaster = '1'\nknuckle_radius = '60 mm'\nlink_length = '220 mm'\n";
+    let told = said("bearings", links, &["--format", "markdown"]);
+    assert!(told.contains("pistons with an offset or with links on their rods"), "{told}");
+}
+
+#[test]
+fn no_code_is_quoted_with_signs_of_one_format() {
+    let mounted = "speed = 1000\n[inline]\nthrows = [0, 180]\nspacing = '90 mm'\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\n\
+        reciprocating_mass = 0.5\n[block]\nmass = 60\ninertia = [2, 2, 1]\ncentre = [0, 0, 0]\n[[mount]]\nplace = [0.2, 0, 0]\nstiffness = 200000\n\
+        [[mount]]\nplace = [-0.2, 0, 0.1]\nstiffness = 200000\n[[mount]]\nplace = [0, -0.2, 0.1]\nstiffness = 200000\n";
+    assert!(!said("mounts", mounted, &["--format", "html"]).contains("`loads`"));
+}
+
+#[test]
+fn headings_have_the_units_of_what_is_below() {
+    let unequal = "[inline]\nthrows = [0, 180]\nspacing = '90 mm'\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = [1, 1.05]\n";
+    assert!(said("report", unequal, &["--format", "markdown"]).contains("| Reciprocating mass / m |"));
+    let open = "values = { a = '22 mm' }\n[vee]\nbank_angle = 'phi'\nthrows = [0, 180]\npositions = ['3a', '-3a']\n";
+    assert!(said("report", open, &["--format", "markdown"]).contains("| Position z (m) |"));
+}
+
+#[test]
+fn lines_of_verify_are_of_at_most_80_columns() {
+    let path = written("[inline]\nthrows = [0, 180]\nspacing = '90 mm'\n");
+    let document = scratch("true-sentences").join("document.json");
+    std::fs::write(&document, call(&["classify", &path, "--json"]).stdout).expect("a document");
+    let output = call(&["verify", document.to_str().expect("UTF-8")]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(told.contains("not covered") && told.lines().all(|line| line.chars().count() <= 80), "{told}");
 }

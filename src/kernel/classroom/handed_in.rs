@@ -23,7 +23,7 @@ pub enum Content {
     /// It cannot be read, for this reason.
     Unreadable(String),
     /// It is not looked at, for this reason.
-    LeftOut(String),
+    LeftOut(&'static str),
 }
 
 /// What a table is written as.
@@ -38,7 +38,7 @@ const KINDS: [(&str, Kind); 3] = [("toml", Kind::Toml), ("csv", Kind::Csv), ("xl
 
 impl HandedIn {
     /// Why it is no table of a student; none where it is looked at.
-    pub(super) fn left_out(&self) -> Option<&str> {
+    pub(super) fn left_out(&self) -> Option<&'static str> {
         match &self.content {
             Content::LeftOut(why) => Some(why),
             Content::Bytes(_) | Content::Unreadable(_) => self.kind().is_none().then_some(NO_TABLE),
@@ -60,7 +60,8 @@ impl HandedIn {
         let kind = self.kind();
         let content = match self.content {
             Content::Bytes(bytes) => bytes,
-            Content::Unreadable(why) | Content::LeftOut(why) => return Err(why),
+            Content::Unreadable(why) => return Err(why),
+            Content::LeftOut(why) => return Err(why.to_owned()),
         };
         match kind {
             None => Err(NO_TABLE.to_owned()),

@@ -71,7 +71,8 @@ fn remark(result: &StudentResult) -> Option<Untrusted> {
             sheet.not_read.iter().map(|row| row.escaped(Format::Plain)).collect::<Vec<_>>().join("; ")
         }
         Outcome::Marked(_) | Outcome::NotHandedIn => return None,
-        Outcome::Unreadable(why) | Outcome::NotRead(why) => format!("{}: {}", files(), why.escaped(Format::Plain)),
+        Outcome::Unreadable(why) => format!("{}: {}", files(), why.escaped(Format::Plain)),
+        Outcome::NotRead(why) => format!("{}: {why}", files()),
         Outcome::HandedInTwice => files(),
     };
     Some(Untrusted::new(words))

@@ -19,7 +19,7 @@ pub enum Outcome {
     /// It was handed in more than once, and which one counts is not said.
     HandedInTwice,
     /// It is no table, and was not read, for this reason.
-    NotRead(Untrusted),
+    NotRead(&'static str),
 }
 
 /// A line of the table of marks.
@@ -48,8 +48,8 @@ impl Found {
 
 /// Marks all that was handed in: students in the order of the exercise, then sheets that belong to nobody, then files that are no tables.
 pub fn mark_class<'a>(exercise: &'a Exercise, handed_in: Vec<HandedIn>, scheme: &Scheme) -> Vec<StudentResult<'a>> {
-    let left_out = handed_in.iter().filter_map(|file| Some((file.name.clone(), file.left_out()?.to_owned())));
-    let left_out: Vec<(String, String)> = left_out.collect();
+    let left_out = handed_in.iter().filter_map(|file| Some((file.name.clone(), file.left_out()?)));
+    let left_out: Vec<(String, &'static str)> = left_out.collect();
     let handed_in = handed_in.into_iter().filter(HandedIn::is_table);
     let mut of_pupils: Vec<Vec<Found>> = exercise.pupils.iter().map(|_| Vec::new()).collect();
     let mut of_nobody = Vec::new();
@@ -77,9 +77,10 @@ pub fn mark_class<'a>(exercise: &'a Exercise, handed_in: Vec<HandedIn>, scheme: 
         let why = found.whose.as_ref().err().cloned().unwrap_or_default();
         StudentResult { pupil: None, files: files(&[found]), outcome: Outcome::Unreadable(Untrusted::new(why)) }
     }));
-    results.extend(left_out.into_iter().map(|(name, why)| {
-        let outcome = Outcome::NotRead(Untrusted::new(why));
-        StudentResult { pupil: None, files: vec![Untrusted::new(name)], outcome }
+    results.extend(left_out.into_iter().map(|(name, why)| StudentResult {
+        pupil: None,
+        files: vec![Untrusted::new(name)],
+        outcome: Outcome::NotRead(why),
     }));
     results
 }

@@ -196,6 +196,11 @@ impl<A, L> Engine<A, L> {
         }
     }
 
+    /// Whether Scotch yokes without an offset, which are read as endless rods, move all pistons.
+    pub fn has_yokes_alone(&self) -> bool {
+        matches!(self.all_rods(), Rods::Alike(rod) if rod.ratio.is_zero() && rod.offset.is_zero())
+    }
+
     /// Whether no piston is moved otherwise than by a rod of its own on the crankpin, or nothing is known of it.
     ///
     /// # Errors

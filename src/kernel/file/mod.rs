@@ -65,7 +65,7 @@ pub use rewritten::{
     without_balancers, without_counterweights,
 };
 pub use rotor_keys::{Rotor, RotorMass, parse_rotor};
-pub use schema::{schema, tables};
+pub use schema::{number_kind, schema, tables};
 pub use template::{Key, Template};
 pub use units::turns_per_unit;
 pub use usual::{

@@ -61,6 +61,7 @@ impl Source {
     pub fn label(self, engine: &Engine) -> String {
         match self {
             Source::Piston(_) => self.name(engine),
+            Source::BigEnd(index) if engine.has_yokes_alone() => format!("rot {}", engine.cylinders()[index].name),
             Source::BigEnd(index) => format!("rod {}", engine.cylinders()[index].name),
             Source::Knuckle(index) => format!("kn {}", engine.cylinders()[index].name),
             Source::KnuckleAtPin(index) => format!("kn {} on", engine.cylinders()[index].name),
@@ -76,6 +77,9 @@ impl Source {
     pub fn name(self, engine: &Engine) -> String {
         match self {
             Source::Piston(index) => engine.cylinders()[index].name.clone(),
+            Source::BigEnd(index) if engine.has_yokes_alone() => {
+                format!("rotating mass of cylinder {}", engine.cylinders()[index].name)
+            }
             Source::BigEnd(index) => format!("big end of cylinder {}", engine.cylinders()[index].name),
             Source::Knuckle(index) => format!("knuckle of cylinder {}", engine.cylinders()[index].name),
             Source::KnuckleAtPin(index) => {

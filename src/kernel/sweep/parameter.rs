@@ -4,7 +4,7 @@ use num_rational::BigRational;
 
 use super::SweepError;
 use super::range::Range;
-use crate::file::{Key, Template};
+use crate::file::{self, Key, Template};
 
 /// A value of the layout file and the values that it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -104,6 +104,15 @@ impl Parameter {
         let range = Range::parse(range).map_err(|error| SweepError::new(format!("--{flag}: {error}")))?;
         let key = Key::parse(key).map_err(SweepError::new)?;
         Ok(Parameter { label: flag.replace('-', " "), key, range, instead_of: known.instead_of })
+    }
+
+    /// The unit of its values: that of the range, else the one in which a bare number of this key counts; empty where that has none.
+    pub fn unit(&self) -> &str {
+        match (self.range.unit(), file::number_kind(&self.key)) {
+            ("", Some("speed")) => "rpm",
+            ("", Some("angle")) => "°",
+            (unit, _) => unit,
+        }
     }
 
     /// The template without the keys that give way to this parameter.

@@ -1,5 +1,7 @@
 //! How does a table fit a printed page? Columns as wide as their cells, else broken into lines, else a table after the other.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 
 use super::templates;
@@ -86,6 +88,8 @@ const TEXT_WIDTH: f64 = 166.0;
 const MOST_LINES: usize = 36;
 /// A table of this many lines, its header among them, is not broken: what it leaves empty on a page is little.
 const SHORT: usize = 17;
+/// More columns than this name no row.
+const MOST_KEYS: usize = 3;
 /// Letters that the space between two columns takes.
 const GAP: usize = 3;
 
@@ -120,19 +124,30 @@ impl Cells {
         bands.into_iter().map(set).collect()
     }
 
-    /// The columns in parts that fit, each with the first column before it.
+    /// The first columns that tell every row from all others, where there are no more than three; else the first.
+    fn keys(&self) -> usize {
+        let is_key = |count: &usize| {
+            let mut seen = BTreeSet::new();
+            self.rows.iter().all(|row| row.get(..*count).is_some_and(|named| seen.insert(named)))
+        };
+        (1..=MOST_KEYS).find(is_key).unwrap_or(1)
+    }
+
+    /// The columns in parts that fit, each with those before it that name a row.
     fn bands(&self, fits: impl Fn(&[usize]) -> bool) -> Vec<Vec<usize>> {
         let all: Vec<usize> = (0..self.header.len()).collect();
-        let [first, rest @ ..] = all.as_slice() else { return Vec::new() };
-        if rest.is_empty() || fits(&all) {
+        if all.len() < 2 || fits(&all) {
             return vec![all];
         }
-        let mut rest = rest;
+        // A column that has no room beside all keys stands beside the first alone.
+        let keys = self.keys();
+        let has_room = |keys: usize| (keys..all.len()).all(|at| fits(&[&all[..keys], &[at]].concat()));
+        let (named, mut rest) = all.split_at(if has_room(keys) { keys } else { 1 });
         let mut bands = Vec::new();
         while !rest.is_empty() {
-            let with_first = |count: usize| [&[*first], &rest[..count]].concat();
-            let count = (1..=rest.len()).rev().find(|&count| fits(&with_first(count))).unwrap_or(1);
-            bands.push(with_first(count));
+            let with_keys = |count: usize| [named, &rest[..count]].concat();
+            let count = (1..=rest.len()).rev().find(|&count| fits(&with_keys(count))).unwrap_or(1);
+            bands.push(with_keys(count));
             rest = &rest[count..];
         }
         bands

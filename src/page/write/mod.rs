@@ -25,6 +25,7 @@ use compose::Composer;
 pub use markdown::Math;
 pub use options::Options;
 pub(crate) use templates::say;
+pub use terminal::wrapped;
 pub use writer::File;
 use writer::Writer;
 

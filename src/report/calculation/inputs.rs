@@ -83,7 +83,7 @@ pub(super) fn turning(engine: &Engine) -> Table {
     let mut table = Table::new([
         "Turning mass".into(),
         phrase!("Mass in {}", Unit::KILOGRAM),
-        phrase!("Radius in {}", Unit::METRE),
+        phrase!("Radius ({})", Unit::METRE),
         "Angle at θ = 0".into(),
         position_heading(engine),
         Text::from("Turns per revolution"),

@@ -6,16 +6,17 @@ use super::inputs;
 use crate::engine::{Engine, Measure};
 use crate::loads::{Arm, Loads};
 use crate::order::MassGroup;
-use crate::page::{Table, Text, phrase};
+use crate::page::{Table, Text};
 use crate::proof::Quantity;
 use crate::report::texts::loads as text;
 use crate::verdict;
 
 /// What every number rests on.
 pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
-    let mut lines = vec![text::rigid(), text::neglected()];
+    let is_yoke = engine.has_yokes_alone();
+    let mut lines = vec![text::rigid(is_yoke), text::neglected()];
     let has_rod_mass = engine.dimensions().given.iter().any(|given| given.quantity == Measure::RodMass);
-    lines.push(if has_rod_mass { text::rod_as_masses() } else { text::masses_given() });
+    lines.push(if has_rod_mass { text::rod_as_masses() } else { text::masses_given(is_yoke) });
     if loads.groups.len() == 1 {
         lines.push(text::no_rotating_masses());
     }
@@ -54,8 +55,13 @@ pub(super) fn nomenclature(engine: &Engine, loads: &Loads) -> Table {
     if !has(Measure::CrankRadius) && engine.dimensions().crank_radius.is_some() {
         rows.push(row("r", "crank radius", "m"));
     }
-    if !has(Measure::RodRatio) {
-        rows.push(row("\\lambda", "rod ratio r/l", "–"));
+    if !engine.has_yokes_alone() {
+        if !has(Measure::RodLength) {
+            rows.push(row("l", "rod length between centres", "m"));
+        }
+        if !has(Measure::RodRatio) {
+            rows.push(row("\\lambda", "rod ratio r/l", "–"));
+        }
     }
     if !has(Measure::ReciprocatingMass) && engine.dimensions().mass.is_some() {
         rows.push(row("m", "reciprocating mass per cylinder", "kg"));
@@ -100,11 +106,11 @@ pub(super) struct EffectRow {
 
 /// What is in the scene and what is not, and why.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
-    let orders: Vec<String> = loads.orders.iter().map(|order| order.order.to_string()).collect();
+    let orders: Vec<u32> = loads.orders.iter().map(|order| order.order).collect();
     let masses = MassGroup::ALL.into_iter().map(|group| {
         let inside = loads.groups.iter().any(|loads| loads.group == group);
         let why = match (group, inside) {
-            (MassGroup::Reciprocating, _) => phrase!("orders {}", orders.join(", ")),
+            (MassGroup::Reciprocating, _) => orders_in_words(&orders),
             (_, true) => "given in the file".into(),
             (_, false) => "none given".into(),
         };

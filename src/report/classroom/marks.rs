@@ -137,13 +137,13 @@ fn remarks(results: &[StudentResult], scheme: &Scheme) -> Option<Block> {
 
 /// The files that are no tables, by why they are none.
 fn not_read(results: &[StudentResult]) -> Vec<Text> {
-    let mut by_reason: Vec<(&Untrusted, Vec<Text>)> = Vec::new();
+    let mut by_reason: Vec<(&'static str, Vec<Text>)> = Vec::new();
     for result in results {
         let Outcome::NotRead(why) = &result.outcome else { continue };
         let files = result.files.iter().map(Text::from);
-        match by_reason.iter_mut().find(|(reason, _)| *reason == why) {
+        match by_reason.iter_mut().find(|(reason, _)| reason == why) {
             Some((_, there)) => there.extend(files),
-            None => by_reason.push((why, files.collect())),
+            None => by_reason.push((*why, files.collect())),
         }
     }
     by_reason.into_iter().map(|(why, files)| text::not_read(why, Text::joined(files, ", "))).collect()

@@ -2,7 +2,7 @@
 
 use super::super::table::phase_formula;
 use super::{unknowns, words};
-use crate::engine::Family;
+use crate::engine::{Family, LengthUnit};
 use crate::family::{self, OpenOrder};
 use crate::page::{Table, Text, phrase};
 use crate::proof::Sense;
@@ -17,24 +17,32 @@ pub(super) fn summary(orders: &[OpenOrder]) -> Table {
     table
 }
 
+/// Words with the unit of lengths that may be open: they stay in metres for every reader.
+fn heading(family: &Family, in_metres: &'static str, bare: &'static str) -> Text {
+    match family.length_unit() {
+        LengthUnit::Metre => phrase!(in_metres, "m".to_owned()),
+        LengthUnit::Spacing => bare.into(),
+    }
+}
+
 /// One row per cylinder.
 pub(super) fn cylinders(family: &Family) -> Table {
     Table::of(family.cylinders())
         .column("Cylinder", |cylinder| cylinder.name.clone())
         .column("Throw β", |cylinder| unknowns::open_angle(&cylinder.throw))
         .column("Bank α", |cylinder| unknowns::open_angle(&cylinder.bank))
-        .column("Position z", |cylinder| unknowns::open_length(&cylinder.position))
+        .column(heading(family, "Position z ({})", "Position z"), |cylinder| unknowns::open_length(&cylinder.position))
         .done()
 }
 
 /// The vector-star table of order k, the unknowns visible.
 pub(super) fn phases(family: &Family, order: u32) -> Table {
-    let heading = |sense| phase_formula(i64::from(order), sense, true);
+    let formula = |sense| phase_formula(i64::from(order), sense, true);
     let phase = |cylinder, sense| unknowns::open_angle(&family::phase(cylinder, order, sense));
     Table::of(family.cylinders())
         .column("Cylinder", |cylinder| cylinder.name.clone())
-        .column("Arm z", |cylinder| unknowns::open_length(&family.arm(cylinder)))
-        .column(phrase!("Direct phase {}", heading(Sense::Direct)), |cylinder| phase(cylinder, Sense::Direct))
-        .column(phrase!("Reverse phase {}", heading(Sense::Reverse)), |cylinder| phase(cylinder, Sense::Reverse))
+        .column(heading(family, "Arm z ({})", "Arm z"), |cylinder| unknowns::open_length(&family.arm(cylinder)))
+        .column(phrase!("Direct phase {}", formula(Sense::Direct)), |cylinder| phase(cylinder, Sense::Direct))
+        .column(phrase!("Reverse phase {}", formula(Sense::Reverse)), |cylinder| phase(cylinder, Sense::Reverse))
         .done()
 }

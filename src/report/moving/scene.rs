@@ -240,7 +240,7 @@ impl Default for Words {
             not_zero: "not 0",
             undecided: "not decided here",
             at: "at",
-            largest: "largest",
+            largest: "at most",
             play: "Play",
             pause: "Pause",
         }

@@ -78,7 +78,7 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
         .done()
 }
 
-/// With which force each shaft, as it is built, rolls the engine, times the distance of its axis; of a pair its heights are told. Nothing
+/// With which force each shaft, as it is built, rolls the engine, times the distance of its axis; of a pair its heights are told, where they are known. Nothing
 /// without a speed.
 pub(super) fn rolling_shafts(remedy: &Remedy) -> Option<Text> {
     let engine = remedy.subject.engine();
@@ -86,12 +86,13 @@ pub(super) fn rolling_shafts(remedy: &Remedy) -> Option<Text> {
     if !engine.geared_cranks().is_empty() {
         return None;
     }
+    let is_placed = |shaft: &Shaft| shaft.lanchester && remedy.heights.iter().any(|of| of.order == shaft.order);
     let pulls = |(index, shaft): (usize, &Shaft)| {
         let built = shaft.weights.iter().filter_map(|weight| remedy.as_built(weight));
         let sum = built.map(|weight| weight.adds()).reduce(|sum, one| sum.plus(&one))?;
         let vector = remedy.subject.value(&sum, shaft.order, shaft.sense)?;
         let newtons = Piece::Quantity(numbers::length(vector) / 2.0 * scale.force(), Unit::NEWTON);
-        let is_one = !shaft.lanchester && shaft.kind != Kind::Couple && remedy.axes(shaft).len() < 2;
+        let is_one = !is_placed(shaft) && shaft.kind != Kind::Couple && remedy.axes(shaft).len() < 2;
         is_one.then(|| phrase!("shaft {} with {}", index + 1, newtons))
     };
     let all: Vec<Text> = remedy.shafts.iter().enumerate().filter_map(pulls).collect();

@@ -2,6 +2,7 @@
 
 use super::super::engine_page::assumed_ratio;
 use super::super::residual;
+use super::super::table::position_heading;
 use super::super::typeset::short;
 use crate::engine::{Engine, LengthUnit, Rod};
 use crate::numbers;
@@ -20,10 +21,7 @@ const LONGEST_FORM: usize = 24;
 /// A row a weight; none where no weight is needed.
 pub(super) fn table(remedy: &Remedy) -> Option<Table> {
     let in_numbers = remedy.subject.scale().is_some();
-    let position = match remedy.subject.engine().length_unit() {
-        LengthUnit::Metre => phrase!("Position z in {}", Unit::MILLIMETRE),
-        LengthUnit::Spacing => "Position z".into(),
-    };
+    let position = position_heading(remedy.subject.engine());
     let mut rows: Vec<(Text, Weight)> = Vec::new();
     let mut add = |name: Text, weight: &Weight| {
         // Several parts of a remedy resize a weight together.

@@ -7,6 +7,7 @@ use super::super::calculation::percent_at_most;
 use super::super::engine_page::is_usually_cured;
 use super::super::typeset;
 use super::{ranked, weights};
+use crate::engine::GearedCrank;
 use crate::numbers::float;
 use crate::page::{Choice, Number, Piece, Text, Unit};
 use crate::remedy::{Kind, PairHeight, Remedy, Shaft};
@@ -52,14 +53,14 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
         return lines;
     }
     match on_a_crankshaft(remedy) {
-        Some((crank, others)) => {
-            lines.push(text::on_reverse_crankshaft(crank));
+        Some((shaft, crank, others)) => {
+            lines.push(text::on_reverse_crankshaft(crank, rolls(shaft)));
             if others > 0 {
                 lines.push(text::only_own_order());
             }
         }
         None if remedy.shafts_built().next().is_none() => {}
-        None => lines.push(text::only_order_1()),
+        None => lines.push(text::only_order_1(Choice::one_or_more(remedy.shafts_built().count()))),
     }
     lines
 }
@@ -78,8 +79,10 @@ fn resized(remedy: &Remedy) -> Vec<Text> {
 /// Which shafts may be counterweights on a crankshaft that turns as they do, where crankshafts turn at different speeds.
 fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
     let on_crank = remedy.shafts_built().filter_map(|shaft| Some((shaft, remedy.crank_of(shaft)?)));
-    let mut lines: Vec<Text> =
-        on_crank.map(|(shaft, crank)| text::on_crankshaft(shaft.order, shaft.sense, crank.name.clone())).collect();
+    let on = |(shaft, crank): (&Shaft, &GearedCrank)| {
+        text::on_crankshaft(shaft.order, shaft.sense, crank.name.clone(), rolls(shaft))
+    };
+    let mut lines: Vec<Text> = on_crank.map(on).collect();
     if lines.len() < remedy.shafts_built().count() {
         lines.push(text::only_own_crankshaft(lines.is_empty()));
     }
@@ -87,9 +90,14 @@ fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
 }
 
 /// The first crankshaft that turns against the reference, where a shaft of the remedy turns as it does, and how many other shafts there are.
-fn on_a_crankshaft(remedy: &Remedy) -> Option<(Text, usize)> {
-    let crank = remedy.shafts_built().find_map(|shaft| remedy.crank_of(shaft))?;
-    Some((crank.name.clone().into(), remedy.shafts_built().count() - 1))
+fn on_a_crankshaft(remedy: &Remedy) -> Option<(&Shaft, Text, usize)> {
+    let (shaft, crank) = remedy.shafts_built().find_map(|shaft| Some((shaft, remedy.crank_of(shaft)?)))?;
+    Some((shaft, crank.name.clone().into(), remedy.shafts_built().count() - 1))
+}
+
+/// Whether the roll moment depends on where the axis of a shaft is: that of weights which sum to 0 does not.
+fn rolls(shaft: &Shaft) -> bool {
+    shaft.kind != Kind::Couple
 }
 
 fn on_the_crankshaft(remedy: &Remedy, shaft: &Shaft) -> Text {
@@ -131,7 +139,7 @@ fn proof(remedy: &Remedy) -> Text {
 
 /// What is good to know besides: fewest shafts, heights of pairs, masses.
 pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
-    let on_a_crankshaft = on_a_crankshaft(remedy).map(|(_, others)| others);
+    let on_a_crankshaft = on_a_crankshaft(remedy).map(|(_, _, others)| others);
     let fewest = match on_a_crankshaft.unwrap_or_else(|| remedy.shafts_built().count()) {
         0 => None,
         count if on_a_crankshaft.is_some() => Some(text::shafts_beside_crankshaft(count)),

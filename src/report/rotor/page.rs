@@ -128,13 +128,13 @@ fn table(study: &RotorStudy, solution: &[Found]) -> Table {
     Table::of(solution)
         .column("Mass", |one| &of(one).name)
         .column(phrase!("Mass in {}", Unit::KILOGRAM), |one| Text::or_dash(mass(one)))
-        .column(phrase!("Radius in {}", Unit::MILLIMETRE), |one| Text::or_dash(radius(one)))
+        .column(phrase!("Radius ({})", Unit::MILLIMETRE), |one| Text::or_dash(radius(one)))
         .column(phrase!("Mass times radius in {}", Unit::KILOGRAM_METRE), |one| {
             amount(&one.mass_radius, &BigRational::one(), Unit::KILOGRAM_METRE)
         })
         .column("Angle", |one| direction(one))
         .column_if(has_cosine, "cos", |one| Text::or_dash(one.cosine.as_ref().map(Number::exact)))
-        .column_if(has_position, phrase!("Position in {}", Unit::MILLIMETRE), |one| {
+        .column_if(has_position, phrase!("Position ({})", Unit::MILLIMETRE), |one| {
             Text::or_dash(one.position.as_ref().map(|position| amount(position, &thousand, Unit::MILLIMETRE)))
         })
         .done()

@@ -20,7 +20,7 @@ pub(in crate::report) fn star_legend(engine: &Engine, order: &OrderBalance) -> T
         let scale = Scale::of([&star], verdict.quantity, engine);
         (verdict.quantity, star, scale)
     });
-    legend(&drawn.collect::<Vec<_>>())
+    legend(engine, &drawn.collect::<Vec<_>>())
 }
 
 /// What is below stars that are drawn to one scale: those of the inertia torque, and firing stars.
@@ -28,18 +28,21 @@ pub(in crate::report) fn legend_of_one_scale(engine: &Engine, judged: &[JudgedSt
     let stars: Vec<Star> = judged.iter().map(|judged| Star::new(*judged)).collect();
     let Some(first) = judged.first() else { return Text::default() };
     let scale = Scale::of(&stars, first.quantity, engine);
-    legend(&judged.iter().zip(stars).map(|(judged, star)| (judged.quantity, star, scale)).collect::<Vec<_>>())
+    legend(engine, &judged.iter().zip(stars).map(|(judged, star)| (judged.quantity, star, scale)).collect::<Vec<_>>())
 }
 
 /// The words for what is in stars of these quantities.
-pub(super) fn legend(drawn: &[(Quantity, Star, Scale)]) -> Text {
+pub(super) fn legend(engine: &Engine, drawn: &[(Quantity, Star, Scale)]) -> Text {
     let mut words: Vec<Text> = vec![text::direction()];
     let any = |holds: &dyn Fn(Quantity, &Star) -> bool| drawn.iter().any(|(quantity, star, _)| holds(*quantity, star));
     let sides = |least: u64, most: u64| {
         any(&|_, star| star.polygons.iter().any(|polygon| (least..=most).contains(&polygon.sides)))
     };
     words.extend(any(&|quantity, _| matches!(quantity, Quantity::Planar(_))).then(text::halved));
-    words.extend(any(&|_, star| star.by_crank).then(text::by_crankshaft));
+    words.extend(any(&|_, star| star.by_crank).then(|| match any(&|_, star| !star.by_crank) {
+        false => text::by_crankshaft(),
+        true => text::some_by_crankshaft(),
+    }));
     words.extend(match (sides(2, 2), sides(3, u64::MAX)) {
         (false, false) => None,
         (true, false) => Some(text::bars()),
@@ -58,7 +61,7 @@ pub(super) fn legend(drawn: &[(Quantity, Star, Scale)]) -> Text {
         drawn.iter().flat_map(|(_, star, scale)| labelled(star).iter().flat_map(|ray| ray.arrows(scale.millimetres)));
     let counted = arrows.map(|(_, count)| count).find(|count| *count > 1);
     words.extend(counted.map(text::drawn_as_one));
-    words.extend(short_names(drawn.iter().flat_map(|(_, star, _)| labelled(star))));
+    words.extend(short_names(engine, drawn.iter().flat_map(|(_, star, _)| labelled(star))));
     if any(&|_, star| star.rays.len() > MOST_LABELS) {
         words.push("Stars with this many directions are not labelled; the table has them.".into());
     }
@@ -71,13 +74,13 @@ fn labelled(star: &Star) -> &[Ray] {
 }
 
 /// What the names of masses that turn mean, as far as they are there.
-fn short_names<'a>(rays: impl Iterator<Item = &'a Ray>) -> Option<Text> {
+fn short_names<'a>(engine: &Engine, rays: impl Iterator<Item = &'a Ray>) -> Option<Text> {
     let mut kinds = BTreeMap::new();
     let mut counted = None;
     for ray in rays {
         match ray.counts_turning() {
             true => counted = counted.or(Some(ray.turning().count())),
-            false => kinds.extend(ray.turning().filter_map(kind)),
+            false => kinds.extend(ray.turning().filter_map(|source| kind(engine, source))),
         }
     }
     let counted = counted.map(|count| phrase!("+{} for {} rotating masses", count, count));
@@ -86,9 +89,10 @@ fn short_names<'a>(rays: impl Iterator<Item = &'a Ray>) -> Option<Text> {
 }
 
 /// A short name, and what it stands for.
-fn kind(source: Source) -> Option<(&'static str, Text)> {
+fn kind(engine: &Engine, source: Source) -> Option<(&'static str, Text)> {
     match source {
         Source::Piston(_) => None,
+        Source::BigEnd(_) if engine.has_yokes_alone() => Some(("rot", text::turning_with_pin())),
         Source::BigEnd(_) => Some(("rod", text::big_end())),
         Source::Knuckle(_) => Some(("kn", text::knuckle())),
         Source::KnuckleAtPin(_) => Some(("kn on", text::knuckle_at_pin())),

@@ -131,5 +131,5 @@ pub(in crate::report) fn whole_legend(stars: &WholeStars, order: u32) -> Text {
             (quantity.into(), star, scale)
         })
     });
-    text::own_coefficients().and(" ").and(legend(&scaled.collect::<Vec<_>>()))
+    text::own_coefficients().and(" ").and(legend(&stars.weighed.engine, &scaled.collect::<Vec<_>>()))
 }

@@ -103,8 +103,9 @@ pub(super) fn with_unit(sweep: &Sweep, quantity: Planar, part: Amplitude) -> Tex
 
 /// A value of a parameter with its unit.
 pub(super) fn value(parameter: &Parameter, at: &BigRational, is_angle: bool) -> Text {
-    match parameter.range.unit() {
-        "" | "°" | "deg" if is_angle => number::degrees(at).into(),
+    match parameter.unit() {
+        "" if is_angle => number::degrees(at).into(),
+        "°" | "deg" => number::degrees(at).into(),
         "" => number::number(at).into(),
         unit => phrase!("{} {}", number::number(at), unit.to_owned()),
     }
@@ -141,14 +142,28 @@ pub(super) fn place_cells(point: &SweptEngine) -> impl Iterator<Item = Text> {
 
 /// The headings above the values of the parameters: `bank angle in °`.
 pub(super) fn place_headings(sweep: &Sweep) -> impl Iterator<Item = Text> {
-    sweep.axes().map(|(parameter, is_angle)| axis_name(parameter, is_angle).into())
+    sweep.axes().map(|(parameter, is_angle)| match unit_of_axis(parameter, is_angle) {
+        "" => parameter.label.clone().into(),
+        unit => phrase!("{} in {}", parameter.label.clone(), unit.to_owned()),
+    })
 }
 
 /// `bank angle in °`.
 pub(super) fn axis_name(parameter: &Parameter, is_angle: bool) -> String {
-    match parameter.range.unit() {
-        "" | "°" | "deg" if is_angle => format!("{} in °", parameter.label),
+    match unit_of_axis(parameter, is_angle) {
         "" => parameter.label.clone(),
-        unit => format!("{} in {unit}", parameter.label),
+        // Patterns of whole names, for other languages.
+        "°" => format!("{} in °", parameter.label),
+        "rpm" => format!("{} in rpm", parameter.label),
+        "mm" => format!("{} in mm", parameter.label),
+        unit => format!("{} ({unit})", parameter.label),
+    }
+}
+
+fn unit_of_axis(parameter: &Parameter, is_angle: bool) -> &str {
+    match parameter.unit() {
+        "" if is_angle => "°",
+        "deg" => "°",
+        unit => unit,
     }
 }

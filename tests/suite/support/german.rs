@@ -155,6 +155,8 @@ pub fn literals(folders: &[&str]) -> BTreeSet<String> {
             Some("md") if path.parent().is_some_and(|folder| folder.ends_with("templates/pages")) => {
                 found.extend(page_texts::said(&source));
             }
+            // A sweep calls what it sweeps by the name of its key.
+            Some("txt") if path.ends_with("schema/keys.txt") => found.extend(names_of_keys(&source)),
             // In a template quotes stand within quotes.
             _ => found.extend(source.split('"').map(str::to_owned)),
         }
@@ -162,6 +164,12 @@ pub fn literals(folders: &[&str]) -> BTreeSet<String> {
     let bare: Vec<String> = found.iter().map(|text| with_bare_places(text)).collect();
     found.extend(bare);
     found
+}
+
+/// The keys of this list as a sweep calls them, `pin split`.
+pub fn names_of_keys(list: &str) -> impl Iterator<Item = String> + '_ {
+    let keys = list.lines().filter_map(|line| line.split_once(": "));
+    keys.map(|(key, _)| key.trim_end_matches('!').replace('_', " "))
 }
 
 /// The texts between quotes, outside of comments; a broken line goes on where its words do.

@@ -87,6 +87,16 @@ fn keys_of(tables: &[Table], named: &str) -> Vec<Key> {
     of.filter(|key| wanted.is_none_or(|wanted| wanted == key.name)).copied().collect()
 }
 
+/// What the number behind this key of a layout file is: `speed`, `angle`; none of a table whose keys are not listed.
+pub fn number_kind(key: &super::Key) -> Option<&'static str> {
+    let path = key.to_string();
+    let names: Vec<&str> = path.split('.').filter(|part| part.parse::<usize>().is_err()).collect();
+    let (name, table) = names.split_last()?;
+    let of = read().into_iter().find(|known| known.name == table.join("."))?;
+    let kind = of.keys.into_iter().find(|known| known.name == *name)?.kind;
+    Some(kind.trim_matches(['[', ']']))
+}
+
 /// The JSON Schema (draft 2020-12) of layout files, whose tables editors take for objects. It refuses nothing that is read.
 #[must_use]
 pub fn schema() -> Value {
