@@ -34,7 +34,7 @@ pub(super) fn value(text: &str, about: bool, quantity: Quantity) -> Result<Value
     let form = form.ok_or_else(|| {
         let mistake = format!("cannot read the value `{number}`");
         match parse_number(number) {
-            Err(comma @ NumberError::DecimalComma) => ClaimError::new(mistake, &comma.to_string()),
+            Err(comma @ NumberError::DecimalComma) => ClaimError::new(mistake, comma.to_string()),
             _ => ClaimError::new(mistake, right),
         }
     })?;
