@@ -469,8 +469,11 @@ fn every_number_in_inches_is_that_of_the_si_converted() {
         let (si, inch) = (rows(&study, Units::Si), rows(&study, Units::Inch));
         assert_eq!(si.len(), inch.len());
         // What a unit at the end of a cell or of a heading is in the unit of the inch.
+        let ends_with = |cell: &str, unit: &str| {
+            cell.trim().ends_with(&format!(" {unit}")) || cell.trim().ends_with(&format!("({unit})"))
+        };
         let size = |cell: &str| {
-            let unit = sizes.iter().find(|(unit, _)| cell.trim().ends_with(&format!(" {}", unit.name)));
+            let unit = sizes.iter().find(|(unit, _)| ends_with(cell, unit.name));
             unit.map(|(unit, inch)| (float(&unit.inch().expect("an inch").1), *inch))
         };
         let mut converted = 0;
@@ -479,7 +482,7 @@ fn every_number_in_inches_is_that_of_the_si_converted() {
             let heading = si[..place].iter().enumerate().rev().find(|(before, _)| is_heading(*before));
             for (column, (own, found)) in row.iter().zip(other).enumerate() {
                 let unit = size(own).or_else(|| size(heading?.1.get(column)?).filter(|_| !is_heading(place)));
-                let in_cell = size(own).is_none_or(|(_, inch)| found.trim().ends_with(&format!(" {inch}")));
+                let in_cell = size(own).is_none_or(|(_, inch)| ends_with(found, inch));
                 let by = unit.map_or(1.0, |(by, _)| by);
                 let (value, changed) = (last_number(own).unwrap_or(0.0), last_number(found).unwrap_or(0.0));
                 assert!(in_cell && (changed * by - value).abs() <= 5e-4 * value.abs(), "{own} is not {found}: {by}");

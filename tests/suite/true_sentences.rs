@@ -513,7 +513,7 @@ fn headings_have_the_units_of_what_is_below() {
 
 #[test]
 fn lines_of_verify_are_of_at_most_80_columns() {
-    let path = written("[inline]\nthrows = [0, 180]\nspacing = '90 mm'\n");
+    let path = written("title = 'Two'\n[inline]\nthrows = [0, 180]\nspacing = '90 mm'\n");
     let document = scratch("true-sentences").join("document.json");
     std::fs::write(&document, call(&["classify", &path, "--json"]).stdout).expect("a document");
     let output = call(&["verify", document.to_str().expect("UTF-8")]);

@@ -108,7 +108,7 @@ impl Parameter {
 
     /// The unit of its values: that of the range, else the one in which a bare number of this key counts; empty where that has none.
     pub fn unit(&self) -> &str {
-        match (self.range.unit(), file::number_kind(&self.key)) {
+        match (self.range.unit(), file::number_kind(&self.key.to_string())) {
             ("", Some("speed")) => "rpm",
             ("", Some("angle")) => "°",
             (unit, _) => unit,

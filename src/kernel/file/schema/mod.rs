@@ -88,8 +88,7 @@ fn keys_of(tables: &[Table], named: &str) -> Vec<Key> {
 }
 
 /// What the number behind this key of a layout file is: `speed`, `angle`; none of a table whose keys are not listed.
-pub fn number_kind(key: &super::Key) -> Option<&'static str> {
-    let path = key.to_string();
+pub fn number_kind(path: &str) -> Option<&'static str> {
     let names: Vec<&str> = path.split('.').filter(|part| part.parse::<usize>().is_err()).collect();
     let (name, table) = names.split_last()?;
     let of = read().into_iter().find(|known| known.name == table.join("."))?;
