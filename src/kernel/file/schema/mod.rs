@@ -6,6 +6,8 @@
 
 mod kind;
 
+use std::sync::LazyLock;
+
 use serde_json::{Map, Value, json};
 
 /// The forms of engine: a file has one of them.
@@ -64,6 +66,8 @@ impl Key {
 }
 
 /// Every table; the first is the top of the file.
+static TABLES: LazyLock<Vec<Table>> = LazyLock::new(read);
+
 fn read() -> Vec<Table> {
     let mut tables: Vec<Table> = Vec::new();
     for line in KEYS.lines() {
@@ -91,15 +95,15 @@ fn keys_of(tables: &[Table], named: &str) -> Vec<Key> {
 pub fn number_kind(path: &str) -> Option<&'static str> {
     let names: Vec<&str> = path.split('.').filter(|part| part.parse::<usize>().is_err()).collect();
     let (name, table) = names.split_last()?;
-    let of = read().into_iter().find(|known| known.name == table.join("."))?;
-    let kind = of.keys.into_iter().find(|known| known.name == *name)?.kind;
+    let of = TABLES.iter().find(|known| known.name == table.join("."))?;
+    let kind = of.keys.iter().find(|known| known.name == *name)?.kind;
     Some(kind.trim_matches(['[', ']']))
 }
 
 /// The JSON Schema (draft 2020-12) of layout files, whose tables editors take for objects. It refuses nothing that is read.
 #[must_use]
 pub fn schema() -> Value {
-    let tables = read();
+    let tables = &*TABLES;
     let definitions = tables.iter().skip(1).map(|table| (table.name.to_owned(), object(table)));
     let mut schema = Map::new();
     schema.insert("$schema".to_owned(), json!("https://json-schema.org/draft/2020-12/schema"));
@@ -115,7 +119,7 @@ pub fn schema() -> Value {
 
 /// The tables by their names in the file (that of its top is empty, `crankshaft.geared` is that of one of several), and the keys of each.
 pub fn tables() -> impl Iterator<Item = (&'static str, Vec<&'static str>)> {
-    read().into_iter().map(|table| (table.name, table.keys.iter().map(|key| key.name).collect()))
+    TABLES.iter().map(|table| (table.name, table.keys.iter().map(|key| key.name).collect()))
 }
 
 fn object(table: &Table) -> Value {
