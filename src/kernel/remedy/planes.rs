@@ -39,14 +39,14 @@ pub struct Replaced {
     pub balancers: Vec<usize>,
 }
 
-/// The weights of an engine that turn so, each with its position: what is asked of the crankshaft is done by its counterweights. A shaft that
-/// turns as it does stays as it is, on its own axis.
+/// The weights of an engine that turn so and that a remedy resizes, each with its position.
 fn turning_so(engine: &Engine, order: u32, sense: Sense) -> Vec<TurningMass> {
-    let is_of_the_crank = (order, sense) == (1, Sense::Direct);
     let is_of_a_remedy = |source: Source| match source {
         // Those of other crankshafts are none of the reference one.
-        Source::Counterweight(index) => is_of_the_crank && engine.crankshaft().counterweights[index].crank == 0,
-        Source::Balancer(index) => !is_of_the_crank || is_of_coefficient(&engine.crankshaft().balancers[index]),
+        Source::Counterweight(index) => {
+            (order, sense) == (1, Sense::Direct) && engine.crankshaft().counterweights[index].crank == 0
+        }
+        Source::Balancer(index) => is_resized(&engine.crankshaft().balancers[index]),
         _ => false,
     };
     let turning = order::turning_masses(engine).into_iter();
@@ -54,10 +54,10 @@ fn turning_so(engine: &Engine, order: u32, sense: Sense) -> Vec<TurningMass> {
     so.filter(|mass| is_of_a_remedy(mass.source)).collect()
 }
 
-/// Whether a weight that turns as the crankshaft does is a remedy's own, against the part that an offset makes of order 1: no counterweight
-/// is as large as a coefficient.
-fn is_of_coefficient(shaft: &Balancer) -> bool {
-    shaft.coefficient_of.is_some()
+/// Whether a remedy resizes a shaft: what is asked of the crankshaft is done by its counterweights, and one that turns as it does stays as it
+/// is, on its own axis. But against the part that an offset makes of order 1, a coefficient, a remedy has such a shaft itself.
+fn is_resized(shaft: &Balancer) -> bool {
+    (shaft.order, shaft.sense) != (1, Sense::Direct) || shaft.coefficient_of.is_some()
 }
 
 /// The weights on a shaft in one plane that have no mass yet: a file keeps a place by them, and what is found takes it.
@@ -68,8 +68,7 @@ fn without_mass(engine: &Engine, order: u32, sense: Sense, position: &BigRationa
         .filter(|(_, weight)| weight.crank == 0 && weight.position == *position && weight.mass_radius().is_zero());
     let balancers = (crankshaft.balancers.iter().enumerate())
         .filter(|(_, shaft)| (shaft.order, shaft.sense, &shaft.position) == (order, sense, position))
-        .filter(|(_, shaft)| (order, sense) != (1, Sense::Direct) || is_of_coefficient(shaft))
-        .filter(|(_, shaft)| shaft.mass_radius.is_zero());
+        .filter(|(_, shaft)| is_resized(shaft) && shaft.mass_radius.is_zero());
     Replaced {
         counterweights: counterweights.map(|(index, _)| index).collect(),
         balancers: balancers.map(|(index, _)| index).collect(),

@@ -181,7 +181,7 @@ fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
     // A shaft that is there keeps its axis, and a weight that it gets besides stands on that.
     let others =
         remedy.built.iter().filter(|other| (other.becomes.order, other.becomes.sense) == (weight.order, weight.sense));
-    let there = std::iter::once(plane).chain(others).flat_map(|plane| &plane.replaced.balancers).next();
+    let there = std::iter::once(plane).chain(others).find_map(|plane| plane.replaced.balancers.first());
     let axis = there.map(|index| &engine.crankshaft().balancers[*index]);
     let counterweight = |angle: Turn, mass: BigRational| {
         let (radius, position) = (radius.clone(), weight.position.clone());

@@ -78,8 +78,8 @@ fn table(remedy: &Remedy, all: Vec<Cure>) -> Table {
         .done()
 }
 
-/// With which force each shaft, as it is built, rolls the engine, times the distance of its axis; of a pair its heights are told, where they are known. Nothing
-/// without a speed.
+/// With which force each shaft, as it is built, rolls the engine, times the distance of its axis; of a pair its heights are told, where
+/// they are known. Nothing without a speed.
 pub(super) fn rolling_shafts(remedy: &Remedy) -> Option<Text> {
     let engine = remedy.subject.engine();
     let (scale, speed) = (scale(engine)?, engine.dimensions().speed.as_ref()?);
