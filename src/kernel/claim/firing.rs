@@ -9,13 +9,13 @@ use crate::exact::Turn;
 
 /// Answers a claim about the firing intervals; a layout without a firing order is asked for one that is even.
 pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
-    let (status, intervals) = match engine.firing() {
+    let (status, finding) = match engine.firing() {
         Some(_) if engine.has_dead_centres_apart() => {
             return Answer::nothing(
                 "firing angles count where crankpins are in line with their cylinders, and offsets move the dead centres of this engine apart",
             );
         }
-        Some(firing) => (Status::of(firing.is_even() == claimed), Some(firing.intervals())),
+        Some(firing) => (Status::of(firing.is_even() == claimed), Finding::Firing(Some(firing.intervals()))),
         None if engine.faster_crank().is_some() => {
             return Answer::nothing("when the cylinders of crankshafts of different speeds fire is not decided");
         }
@@ -29,22 +29,16 @@ pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
                     );
                 }
                 (true, false, true) => {
-                    (Status::TrueOnlyIf { conditions: vec![Condition::FiringOrder], met: true }, None)
+                    (Status::TrueOnlyIf { conditions: vec![Condition::FiringOrder], met: true }, Finding::Firing(None))
                 }
                 (true, false, false) => {
                     return Answer::nothing("the layout gives no firing order, and its throws allow an even one");
                 }
-                (false, _, claimed) => {
-                    return Answer {
-                        status: Status::of(!claimed),
-                        finding: Finding::NoEvenFiring,
-                        evidence: Vec::new(),
-                    };
-                }
+                (false, _, claimed) => (Status::of(!claimed), Finding::NoEvenFiring),
             }
         }
     };
-    Answer { status, finding: Finding::Firing(intervals), evidence: Vec::new() }
+    Answer { status, finding, evidence: Vec::new() }
 }
 
 /// An engine of n cylinders fires evenly in some order iff its top dead centres, modulo a revolution, are those of the firing angles, 2j/n turns

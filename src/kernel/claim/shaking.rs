@@ -68,9 +68,8 @@ pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
     let Some(highest) = through.or_else(|| every::period(engine).map(|period| period + 1)) else {
         return Answer::nothing("the phases repeat only after more than 2000 orders: claim the orders one by one");
     };
-    let is_endless = ratio.as_ref().is_some_and(Zero::is_zero);
     let exact = |across: bool| -> BTreeMap<Wave, PhasorSum> {
-        let orders = (1..=highest).filter(|order| *order == 1 || (order.is_multiple_of(2) && !is_endless));
+        let orders = (1..=highest).filter(|order| engine.pistons_have_order(Quantity::FORCE, *order));
         let of_order = |order: u32| {
             let found = [false, true].map(|is_sine| Wave { order, is_sine });
             let sums = found.map(|wave| (wave, amplitude(engine, wave, across)));
@@ -80,9 +79,9 @@ pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
         // Where all are claimed to be 0, the first that is not will do.
         if is_zero { orders.next().into_iter().flatten().collect() } else { orders.flatten().collect() }
     };
-    let across = match says.across {
-        Some(across) => across,
-        None if is_zero => exact(false).is_empty(),
+    let exact = match says.across {
+        Some(across) => exact(across),
+        None if is_zero => [false, true].into_iter().map(exact).find(|found| !found.is_empty()).unwrap_or_default(),
         // Which part is meant is asked where there is another.
         None if !exact(true).is_empty() => {
             return Answer::nothing(
@@ -90,9 +89,8 @@ pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
                  \"shaking force across = …\"",
             );
         }
-        None => false,
+        None => exact(false),
     };
-    let exact = exact(across);
     let all: std::collections::BTreeSet<Wave> = waves.keys().chain(exact.keys()).copied().collect();
     let zero = PhasorSum::new(Vec::new());
     let terms: Vec<Term> = all

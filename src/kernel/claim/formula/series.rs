@@ -119,12 +119,11 @@ impl Series {
                     let number = inside.number().filter(|number| *number >= BigRational::zero());
                     let number = number.ok_or("a root in a series is that of a number, 0 or more")?;
                     let root = Form::rational(number).square_root();
-                    let root = inside
-                        .not_zero()
-                        .first()
-                        .map(|(_, factor)| *factor)
-                        .map_or(Factor::exact(root.clone()), |one| one.of_exact(root));
-                    Series::constant(root, [0; 4])
+                    let factor = match inside.not_zero().first() {
+                        Some((_, one)) => one.of_exact(root),
+                        None => Factor::exact(root),
+                    };
+                    Series::constant(factor, [0; 4])
                 }
             },
         })
