@@ -97,14 +97,14 @@ pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &B
     let each_bearing = pictures.flat_map(|(bearing, pictures)| {
         [Block::Heading(2, phrase!("Bearing {}", bearing.name.clone())), Block::Pictures(pictures.into())]
     });
-    let pins = pin_loads(engine, &orders_of(continuous));
+    let pins = pin_loads(engine, &orders_of(continuous)).map(|pins| tables::pins(engine, &pins));
     text::Page {
         engine: engine.title().into(),
         answer: Block::Answer(answer.collect()).into(),
         peaks: tables::peaks(engine, continuous, determinate).into(),
         orders: by_orders(engine, continuous).into(),
         each_bearing: each_bearing.collect(),
-        pins: pins.ok().and_then(|pins| tables::pins(engine, &pins)).into(),
+        pins: pins.ok().filter(|pins| !pins.rows.is_empty()).into(),
         articulated_rods: links::blocks(engine).into(),
         parts: parts_of_a_load(engine, continuous).into(),
         assumptions: text::assumptions().into(),

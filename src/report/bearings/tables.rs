@@ -101,8 +101,8 @@ pub(super) fn numbers(engine: &Engine, loads: &BearingLoads) -> Option<Table> {
     Some(table.done())
 }
 
-/// The largest load of every crankpin, by cylinder.
-pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Option<Table> {
+/// The largest load of every crankpin by a rod without links, by cylinder.
+pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Table {
     let unit = Unit::of_force(pins.scale.as_ref());
     let left_out = left_out_of_pins(engine, pins).unwrap_or_default();
     let others = |index: usize| match left_out.get(index) {
@@ -113,17 +113,14 @@ pub(super) fn pins(engine: &Engine, pins: &PinLoads) -> Option<Table> {
     let rows = engine.cylinders().iter().zip(&pins.pins);
     // What a master rod and its links do to their crankpin is told of all together.
     let plain = rows.enumerate().filter(|(index, _)| engine.has_plain_rod(*index));
-    let plain: Vec<_> = plain.map(|(index, (cylinder, pin))| (cylinder, pin, index)).collect();
-    let is_any = !plain.is_empty();
-    let table = Table::of(plain)
+    Table::of(plain.map(|(index, (cylinder, pin))| (cylinder, pin, index)))
         .column("Cylinder", |(cylinder, ..)| cylinder.name.clone())
         .column(phrase!("Largest load in {}", unit.label()), |(_, pin, _)| amounts::size(&pin.peak, unit))
         .column("at θ", |(_, pin, _)| amounts::angle(&pin.peak))
         .column(phrase!("Along the throw in {}", unit.label()), |(_, pin, _)| amounts::size(&pin.along, unit))
         .column(phrase!("Across it in {}", unit.label()), |(_, pin, _)| amounts::size(&pin.across, unit))
         .column(phrase!("Other orders at most in {}", unit.label()), |(.., index)| others(*index))
-        .done();
-    is_any.then_some(table)
+        .done()
 }
 
 /// The part of a unit load that each bearing carries: a row a position of a load.

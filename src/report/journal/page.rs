@@ -41,8 +41,7 @@ fn notes(engine: &Engine, loads: &CycleLoads) -> Vec<Block> {
 pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &BearingLoads) -> Document {
     let both = loads.bearings.as_ref();
     let drawn = |table: Table, pictures: Vec<Picture>| vec![table.into(), Block::Pictures(pictures)];
-    // What a master rod and its links do to their crankpin is told of all together.
-    let has_plain = (0..engine.cylinders().len()).any(|index| engine.has_plain_rod(index));
+    let pins = tables::pins(engine, loads);
     let shared_pins = || drawn(tables::shared_pins(engine, loads), plots::shared_pins(engine, loads));
     let knuckle_pins = || drawn(tables::knuckles(engine, loads), plots::knuckles(engine, loads));
     let orders = |[continuous, _]: &[CycleBearings; 2]| -> Vec<Block> {
@@ -54,8 +53,7 @@ pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &Bear
         notes: both.map(|_| notes(engine, loads)).unwrap_or_default().into(),
         bearings: both.map(|both| tables::bearings(engine, both)).into(),
         each_bearing: both.map(|both| each_bearing(engine, loads, &both[0])).unwrap_or_default().into(),
-        pins: if has_plain { drawn(tables::pins(engine, loads), plots::pins(engine, loads)) } else { Vec::new() }
-            .into(),
+        pins: if pins.rows.is_empty() { Vec::new() } else { drawn(pins, plots::pins(engine, loads)) }.into(),
         shared_pins: if loads.shared_pins.is_empty() { Vec::new() } else { shared_pins() }.into(),
         knuckle_pins: if loads.knuckles.is_empty() { Vec::new() } else { knuckle_pins() }.into(),
         rods: tables::rods(engine, loads).into(),

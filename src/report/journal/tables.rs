@@ -36,6 +36,7 @@ pub(super) fn bearings(engine: &Engine, [continuous, determinate]: &[CycleBearin
 
 /// The largest load of every crankpin by a rod without links, with and without gas.
 pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Table {
+    // What a master rod and its links do to their crankpin is told of all together.
     let all = loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate();
     Table::of(all.filter(|(index, _)| engine.has_plain_rod(*index)))
         .column("Cylinder", |(index, _)| names(engine, &[*index]))

@@ -103,9 +103,8 @@ pub(super) fn with_unit(sweep: &Sweep, quantity: Planar, part: Amplitude) -> Tex
 
 /// A value of a parameter with its unit.
 pub(super) fn value(parameter: &Parameter, at: &BigRational, is_angle: bool) -> Text {
-    match parameter.unit() {
-        "" if is_angle => number::degrees(at).into(),
-        "°" | "deg" => number::degrees(at).into(),
+    match unit_of_axis(parameter, is_angle) {
+        "°" => number::degrees(at).into(),
         "" => number::number(at).into(),
         unit => phrase!("{} {}", number::number(at), unit.to_owned()),
     }

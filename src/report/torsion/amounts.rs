@@ -28,6 +28,16 @@ pub(super) fn torque(value: f64) -> Text {
 
 /// The discs at both ends of a shaft: `7–8`.
 pub(super) fn shaft(study: &TorsionStudy, shaft: usize) -> String {
-    let [one, other] = study.torsion().shafts[shaft].ends;
-    format!("{}–{}", one + 1, other + 1)
+    let [one, other] = ends(study, shaft);
+    format!("{one}–{other}")
+}
+
+/// The same in a drawing, whole: the pattern of another language has both places.
+pub(super) fn shaft_drawn(study: &TorsionStudy, shaft: usize) -> String {
+    let [one, other] = ends(study, shaft);
+    format!("shaft {}–{}", one, other)
+}
+
+fn ends(study: &TorsionStudy, shaft: usize) -> [usize; 2] {
+    study.torsion().shafts[shaft].ends.map(|disc| disc + 1)
 }

@@ -78,7 +78,7 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
     amplitude.curves.push(Curve::new(0, "", points(&|at| at.first.to_degrees())));
     let mut torque = Plot::new("Vibration torque", x(), Axis::amplitude("Torque in {}").counted_in(Unit::NEWTON_METRE));
     for (number, &shaft) in shafts.iter().take(MOST_SHAFTS).enumerate() {
-        torque.curves.push(Curve::new(number, shaft_name(study, shaft), points(&|at| at.torques[shaft])));
+        torque.curves.push(Curve::new(number, amounts::shaft_drawn(study, shaft), points(&|at| at.torques[shaft])));
     }
     let mut pictures = vec![
         Picture { name: "torsion-amplitude".to_owned(), caption: text::amplitude(), figure: amplitude.figure() },
@@ -89,7 +89,7 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
     let mut stress = Plot::new("Vibration stress", x(), Axis::amplitude("Stress in {}").counted_in(Unit::MEGAPASCAL));
     for (number, &shaft) in stressed.iter().enumerate() {
         let of = |at: &TwistAtSpeed| 1e-6 * study.stress(shaft, at.torques[shaft]).unwrap_or(f64::NAN);
-        stress.curves.push(Curve::new(number, shaft_name(study, shaft), points(&of)));
+        stress.curves.push(Curve::new(number, amounts::shaft_drawn(study, shaft), points(&of)));
         if study.limit(shaft).is_some() {
             let limit = |at: &TwistAtSpeed| 1e-6 * study.permissible(shaft, at.speed).unwrap_or(f64::NAN);
             let curve = Curve::new(number, format!("τ_C {}", amounts::shaft(study, shaft)), points(&limit));
@@ -100,10 +100,4 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
         pictures.push(Picture { name: "torsion-stress".to_owned(), caption: text::stress(), figure: stress.figure() });
     }
     pictures
-}
-
-/// A shaft between two discs, in a drawing.
-fn shaft_name(study: &TorsionStudy, shaft: usize) -> String {
-    let [one, other] = study.torsion().shafts[shaft].ends;
-    format!("shaft {}–{}", one + 1, other + 1)
 }
