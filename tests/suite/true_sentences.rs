@@ -419,6 +419,16 @@ fn no_load_is_told_of_one_rod_where_links_hang_on_it() {
     let plain = fan.split("[articulated]").next().expect("a layout");
     assert!(page(plain).contains("## Crankpins") && !page(fan).contains("## Crankpins"));
     assert!(page(fan).contains("## Articulated rods"));
+    // Nor is it drawn.
+    let gas = "cycle = 'four-stroke'\nfiring_angles = [0, 60, 480]\neffects = ['gas']\n";
+    let gas = format!(
+        "{gas}{fan}[gas]\nbore = '100 mm'\ndead_centre = 'crank'\npressure = [[0, '40 bar'], [180, '2 bar'], [540, '1 bar'], [720, '40 bar']]\n"
+    );
+    let folder = scratch("one-rod-drawn");
+    let output = call(&["bearings", written(&gas).as_str(), "--output", folder.to_str().expect("UTF-8")]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let drawn = std::fs::read_to_string(folder.join("shared-pin-1-crank.svg")).expect("a drawing");
+    assert!(drawn.contains("Crankpin 1") && !drawn.contains("cylinder 1"), "{drawn}");
 }
 
 const FAN: &str = "speed = 2000\n[fan]\nbanks = [-60, 0, 60]\nthrows = [0, 240, 120]\nspacing = '150 mm'\n\

@@ -116,9 +116,14 @@ impl CycleLoads {
 }
 
 impl SharedPin {
-    /// The largest load of one of its rods alone, and the cylinder of that rod, by index.
+    /// Whether one of its rods is a link, on the knuckle pin of another: that one loads the crankpin for all.
+    pub fn has_links(&self, loads: &CycleLoads) -> bool {
+        loads.knuckles.iter().any(|knuckle| self.cylinders.contains(&knuckle.cylinder))
+    }
+
+    /// The largest load of one of its rods alone, and the cylinder of that rod, by index; none where there are links.
     pub fn largest_of_a_rod(&self, loads: &CycleLoads) -> Option<(usize, CyclePeak)> {
-        if loads.knuckles.iter().any(|knuckle| self.cylinders.contains(&knuckle.cylinder)) {
+        if self.has_links(loads) {
             return None;
         }
         let rods = self.cylinders.iter().map(|&cylinder| (cylinder, loads.cylinders[cylinder].peaks.pin));

@@ -138,14 +138,15 @@ pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
     masters.into_iter().map(draw).collect()
 }
 
-/// The path of the load of every crankpin that rods share, seen from the crank, with those of its rods where they are few.
+/// The path of the load of every crankpin that rods share, seen from the crank, with those of its rods where they are few and none is a link.
 pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
     let course = &loads.course;
     let angles = angles(course);
     let draw = |pin: &SharedPin| {
         let path = |law: &dyn Fn(f64) -> Complex<f64>| angles.iter().map(|theta| tip(law(*theta))).collect::<Vec<_>>();
         let number = pin.throw + 1;
-        let few = if pin.cylinders.len() <= MOST_RODS { pin.cylinders.as_slice() } else { &[] };
+        let are_drawn = pin.cylinders.len() <= MOST_RODS && !pin.has_links(loads);
+        let few = if are_drawn { pin.cylinders.as_slice() } else { &[] };
         let mut curves =
             vec![Curve::new(style::WHOLE, "all rods", path(&|theta| pin.load_on_the_crank(course, theta)))];
         curves.extend(style::RODS.into_iter().zip(few).map(|(style, &index)| {
@@ -158,7 +159,7 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         polar.marks.push(largest_at(tip(largest), pin.peak.angle));
         Picture {
             name: format!("shared-pin-{number}-crank"),
-            caption: text::shared_pin(number, names(engine, &pin.cylinders)),
+            caption: text::shared_pin(number, names(engine, &pin.cylinders), pin.has_links(loads)),
             figure: polar.figure(),
         }
     };
