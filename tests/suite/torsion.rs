@@ -6,6 +6,7 @@ use crankstar::engine::{CycleOrder, ElasticShaft, Engine, Torsion};
 use crankstar::file;
 use crankstar::page::{Document, Format, Language};
 use crankstar::report::{Question, TorsionStudy};
+use crankstar::table;
 use crankstar::torsion::{Excitation, Mode, Train, critical_speeds, forced_twist, modes};
 use num_complex::Complex;
 use num_rational::BigRational;
@@ -229,11 +230,10 @@ fn a_boxer_pair_counts_as_one_crankpin_and_cylinders_of_their_own_as_two() {
     assert!(file::parse("two.toml", &format!("{cylinders}{shaft}crankpins_at = [1, 2]\n")).is_ok());
 }
 
-/// Seven of the first twelve orders were the strongest that a two-stroke of fourteen cylinders could have.
-#[test]
-fn the_first_major_order_of_many_cylinders_is_shown_and_has_the_strongest_resonance() {
-    let discs = vec!["0.02"; 14].join(", ");
-    let names: Vec<String> = (1..=14).map(|name| name.to_string()).collect();
+/// A two-stroke in line with a stiff shaft.
+fn many_in_line(cylinders: usize) -> Engine {
+    let discs = vec!["0.02"; cylinders].join(", ");
+    let names: Vec<String> = (1..=cylinders).map(|name| name.to_string()).collect();
     let text = format!(
         "cycle = 'two-stroke'\nspeed = 1000\nfiring_order = '{}'\n[inline]\nspacing = 0.1\n\
          [mechanism]\nstroke = '90 mm'\nrod_length = '150 mm'\nreciprocating_mass = '600 g'\n\
@@ -241,11 +241,24 @@ fn the_first_major_order_of_many_cylinders_is_shown_and_has_the_strongest_resona
          pressure = [[-180, 1.1], [-90, 3], [-20, 20], [0, 45], [12.5, 70], [30, 40], [90, 6], [140, 3], [180, 1.1]]\n\
          [torsion]\ninertias = [{discs}, 0.4]\nstiffnesses = [{}]\nmagnifier = 40\n",
         names.join("-"),
-        vec!["1e6"; 14].join(", "),
+        vec!["1e6"; cylinders].join(", "),
     );
-    let engine = file::parse("fourteen.toml", &text).unwrap_or_else(|error| panic!("{error}"));
-    let study = TorsionStudy::new(&engine, &[]).expect("a study");
+    file::parse("many.toml", &text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Seven of the first twelve orders were the strongest that a two-stroke of fourteen cylinders could have.
+#[test]
+fn the_first_major_order_of_many_cylinders_is_shown_and_has_the_strongest_resonance() {
+    let study = TorsionStudy::new(&many_in_line(14), &[]).expect("a study");
     let answer = pages::text(&study.answer(), Format::PLAIN);
     assert!(answer.contains("order 14 has the strongest") && answer.contains("707"), "{answer}");
     assert!(answer.contains("of 14 are shown"), "{answer}");
+}
+
+/// Orders were added up to 24 alone.
+#[test]
+fn of_more_cylinders_than_24_the_first_major_order_is_added_too() {
+    let study = TorsionStudy::new(&many_in_line(26), &[]).expect("a study");
+    let resonances = table::csv(&study.table("resonances").expect("a table"));
+    assert!(resonances.lines().any(|row| row.starts_with("1,26,")), "{resonances}");
 }

@@ -4,7 +4,7 @@
 //! who fires later has the throw further behind (theory, section 1).
 
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 
 use super::cycle::Cycle;
 use super::cylinder::{Cylinder, firing_pistons};
@@ -29,6 +29,12 @@ pub struct Firing {
 }
 
 impl Firing {
+    /// The first major order: as high as the engine fires often in a revolution, up to the next whole one.
+    pub fn first_major_order(&self) -> u32 {
+        let in_a_turn = BigRational::from_integer(self.shots.len().into()) / self.cycle.turns();
+        in_a_turn.ceil().to_integer().to_u32().unwrap_or(0)
+    }
+
     /// Crank angle from each firing to the next, in turns, the last back to the first.
     pub fn intervals(&self) -> Vec<BigRational> {
         let next = self.shots.iter().skip(1).map(|shot| shot.angle.clone()).chain([self.cycle.turns()]);

@@ -100,9 +100,13 @@ impl ExcitedOrder {
     }
 }
 
-/// Orders of gas and inertia are added up to this one: the major order of a two-stroke engine of as many cylinders, of a four-stroke one of
-/// twice as many.
+/// Orders of gas and inertia are added up to this one, and to the first major order.
 const HIGHEST: u32 = 24;
+
+/// The highest order of gas and inertia that is added.
+pub(super) fn highest(engine: &Engine) -> u32 {
+    engine.firing().map_or(HIGHEST, |firing| HIGHEST.max(firing.first_major_order()))
+}
 
 impl Excited {
     /// That of an engine; none where the layout has neither harmonics nor gas with a speed.
@@ -129,7 +133,8 @@ impl Excited {
             return Some(Excited { orders, speed: None, twist_alone, first: BigRational::zero() });
         }
         let speed = engine.dimensions().speed.as_ref().map(float)?;
-        let (classes, bodies) = (torque::classes_up_to(engine, HIGHEST).ok()?, torque::bodies_up_to(engine, HIGHEST));
+        let highest = highest(engine);
+        let (classes, bodies) = (torque::classes_up_to(engine, highest).ok()?, torque::bodies_up_to(engine, highest));
         let of_class = |class: &torque::Class| {
             let cylinders = class.cylinders.iter().zip(&class.fires);
             Alike::new(cylinders.map(|(&cylinder, fires)| (disc(cylinder), fires.clone(), BigRational::one())))
@@ -146,7 +151,7 @@ impl Excited {
             inertias.iter().for_each(|(own, alike)| one.add(train, alike, own.at(order)[0], true));
             one
         };
-        let all = (1..=2 * HIGHEST).filter_map(CycleOrder::of_halves);
+        let all = (1..=2 * highest).filter_map(CycleOrder::of_halves);
         let orders = all.filter(|order| engine.cycle().is_none_or(|cycle| order.exists_in(cycle)));
         let orders: Vec<ExcitedOrder> = orders.map(of_order).collect();
         let twist_alone = match classes.as_slice() {

@@ -69,11 +69,7 @@ impl TorsionStudy {
         let cycle = firing.cycle;
         let orders: BTreeSet<CycleOrder> = match orders {
             [] => {
-                // The first major order is as high as the engine fires often in a revolution.
-                let firings =
-                    (BigRational::from_integer(firing.shots.len().into()) / cycle.turns()).ceil().to_integer();
-                let first_major = firings.to_u32().unwrap_or(0);
-                let all = (1..=USUAL_HALVES.max(2 * first_major)).filter_map(CycleOrder::of_halves);
+                let all = (1..=USUAL_HALVES.max(2 * firing.first_major_order())).filter_map(CycleOrder::of_halves);
                 let given = torsion.harmonics.iter().map(|harmonic| harmonic.order);
                 all.filter(|order| order.exists_in(cycle)).chain(given).collect()
             }
