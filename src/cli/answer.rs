@@ -14,7 +14,7 @@ use super::failure::Failure;
 use super::measures::Measures;
 use super::pages::PageArgs;
 use super::tables::{Tables, Wanted};
-use super::{tables, verify, write};
+use super::{tables, verify};
 
 /// What a person may say of an answer that is a page or data.
 #[derive(clap::Args)]
@@ -119,6 +119,8 @@ impl Answer {
     /// # Errors
     /// What cannot be had, before anything is computed.
     pub fn wanted(&self, question: &'static str) -> Result<Option<Wanted<'_>>, Failure> {
+        let folder = self.output().filter(|_| !self.is_data()).map(|_| page::Format::GITHUB);
+        self.page.is_said_of(self.page_format().or(folder))?;
         let format = match self.format() {
             Some(Format::Data(DataFormat::Table(format))) => Some(format),
             Some(Format::Data(DataFormat::Json)) => self.tables.json(),
@@ -187,12 +189,7 @@ impl Answer {
         page: impl FnOnce() -> Document,
         beside: impl FnOnce() -> Result<Vec<File>, Failure>,
     ) -> Result<(), Failure> {
-        let files = || self.page.files(&page(), self.page_format());
-        if self.format.is_some() && self.page.folder().is_none() {
-            return write::to_stdout(&files()?[0].text);
-        }
-        let written = self.page.write(|| Ok(files()?.into_iter().chain(beside()?).collect()))?;
-        write::to_stdout(&(self.page.shown(answer)? + &written))
+        self.page.give(self.page_format(), answer, page, beside)
     }
 
     /// A document for the terminal.
@@ -200,10 +197,11 @@ impl Answer {
         self.page.shown(document)
     }
 
-    fn page_format(&self) -> page::Format {
+    /// The format of the page that is named.
+    fn page_format(&self) -> Option<page::Format> {
         match self.format {
-            Some(Format::Page(format)) => format,
-            Some(Format::Data(_)) | None => page::Format::GITHUB,
+            Some(Format::Page(format)) => Some(format),
+            Some(Format::Data(_)) | None => None,
         }
     }
 }

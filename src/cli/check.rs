@@ -27,7 +27,7 @@ impl Check {
         let text = layouts::read_text(&self.file)?;
         let folder = self.file.parent().unwrap_or(Path::new(""));
         let (claims, unread) = readable_claims(&name, &text, &|engine| find(folder, engine))?;
-        self.pages.show(&report::claims_answer(&claims), || report::claims_page(&claims))?;
+        self.pages.show(&report::claims_answer(&claims), || report::claims_page(&claims), Vec::new)?;
         unread.map_or_else(|| Ok(u8::from(!all_hold(&claims))), |mistakes| Err(mistakes.into()))
     }
 }

@@ -86,6 +86,7 @@ impl Classify {
             loads::Missing::unless_torque_is_judged(&engine, "verdicts on the inertia torque").map_err(Failure::new)?;
         }
         let engine = if self.torque { with_torque(*engine)? } else { *engine };
+        let weighing = self.weigh.read(&engine, self.about.are_asked())?;
         let quantities = verdict::quantities(&engine, self.torque);
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if let Some(wanted) = wanted {
@@ -93,11 +94,7 @@ impl Classify {
             return wanted.give(data::classify(&engine, &judged, &document));
         }
         if !self.is_json() && !self.data.is_coq() {
-            return self.show(&report::engine_answer_weighed(
-                &engine,
-                &judged,
-                &self.weigh.read(self.about.are_asked()),
-            ));
+            return self.show(&report::engine_answer_weighed(&engine, &judged, &weighing));
         }
         let theorem = self.all_orders.then(|| verdict::every_order(&engine, judged.masses));
         let theorem = theorem.transpose().map_err(Failure::new)?;

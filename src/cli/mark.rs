@@ -69,6 +69,13 @@ const DEEPEST: usize = 5;
 impl Mark {
     /// Prints the table of marks, and writes the pages into the folder.
     pub fn run(&self) -> Result<(), Failure> {
+        let folder = self.page.folder().map(|_| page::Format::GITHUB);
+        let page_format = match self.format {
+            Some(Format::Csv) => None,
+            Some(Format::Page(format)) => Some(format),
+            None => folder,
+        };
+        self.page.is_said_of(page_format)?;
         if !self.handed_in.exists() {
             return Err(Failure::new(format!("there is no file or folder `{}`", layouts::shown(&self.handed_in))));
         }
@@ -84,28 +91,21 @@ impl Mark {
         let scheme = layouts::scheme(self.scheme.as_deref())?;
         let results = classroom::mark_class(&exercise, self.handed_in(&key)?, &scheme);
         let csv = || File { name: MARKS.to_owned(), text: table::csv(&classroom::marks_table(&results)) };
-        match self.format {
-            Some(Format::Csv) if self.page.folder().is_none() => return write::to_stdout(&csv().text),
-            Some(Format::Page(format)) if self.page.folder().is_none() => {
-                let page = report::marks_page(&exercise, &results, &scheme);
-                return write::to_stdout(&self.page.files(&page, format)?[0].text);
+        let answer = || report::marks_answer(&results, &scheme);
+        match page_format {
+            Some(format) => {
+                let page = || report::marks_page(&exercise, &results, &scheme);
+                let of_students = || self.pages_of_students(&results, &scheme, format);
+                let beside = || Ok(std::iter::once(csv()).chain(of_students()?).collect());
+                self.page.give(Some(format), &answer(), page, beside)
             }
-            Some(_) | None => {}
+            None if self.format.is_none() => write::to_stdout(&self.page.shown(&answer())?),
+            None if self.page.folder().is_none() => write::to_stdout(&csv().text),
+            None => {
+                let written = self.page.write(|| Ok(vec![csv()]))?;
+                write::to_stdout(&(self.page.shown(&answer())? + &written))
+            }
         }
-        let written = self.page.write(|| match self.format {
-            Some(Format::Csv) => Ok(vec![csv()]),
-            format => {
-                let format = match format {
-                    Some(Format::Page(format)) => format,
-                    Some(Format::Csv) | None => page::Format::GITHUB,
-                };
-                let mut files = self.page.files(&report::marks_page(&exercise, &results, &scheme), format)?;
-                files.push(csv());
-                files.extend(self.pages_of_students(&results, &scheme, format)?);
-                Ok(files)
-            }
-        })?;
-        write::to_stdout(&(self.page.shown(&report::marks_answer(&results, &scheme))? + &written))
     }
 
     /// A page for each sheet that is marked, named as the student's files are.

@@ -17,9 +17,9 @@ use super::{folder, layouts, tables, write};
 /// What a person may say of a page.
 #[derive(clap::Args)]
 pub struct Pages {
-    /// What the page is written in
-    #[arg(long, value_enum, default_value = "markdown")]
-    format: Format,
+    /// What the page is written in [default: markdown]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
     #[command(flatten)]
     page: PageArgs,
 }
@@ -27,9 +27,9 @@ pub struct Pages {
 /// What a person may say of a page whatever it is written in.
 #[derive(clap::Args)]
 pub struct PageArgs {
-    /// How formulas are marked in Markdown
-    #[arg(long, value_enum, default_value = "github")]
-    math: Math,
+    /// How formulas are marked in Markdown [default: github]
+    #[arg(long, value_enum)]
+    math: Option<Math>,
     /// Folder for the page and its pictures
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -114,9 +114,33 @@ fn prefix(text: &str) -> Result<String, String> {
 impl PageArgs {
     fn format(&self, format: Format) -> Format {
         match (format, self.math) {
-            (Format::Markdown(_), Math::Dollars) => Format::Markdown(page::Math::Dollars),
+            (Format::Markdown(_), Some(Math::Dollars)) => Format::Markdown(page::Math::Dollars),
             (format, _) => format,
         }
+    }
+
+    /// Refuses what is said of another format than that of the page; of all of them where no page is written.
+    ///
+    /// # Errors
+    /// The option, and the formats that it is for.
+    pub fn is_said_of(&self, page: Option<Format>) -> Result<(), Failure> {
+        let told: [(&str, bool, &str, fn(Format) -> bool); 3] = [
+            ("--math", self.math.is_some(), "Markdown", |format| matches!(format, Format::Markdown(_))),
+            ("--siunitx", self.siunitx, "LaTeX", |format| format == Format::Latex),
+            ("--fragment", self.fragment, "LaTeX, Typst and HTML", |format| {
+                matches!(format, Format::Latex | Format::Typst | Format::Html)
+            }),
+        ];
+        let strange = told.iter().find(|(_, given, _, takes)| *given && !page.is_some_and(takes));
+        strange.map_or(Ok(()), |(option, _, formats, _)| {
+            let written = match page {
+                Some(_) => "this page is in another format",
+                None => "no page is written",
+            };
+            Err(Failure::misuse(format!(
+                "{option} is for pages in {formats}, and {written}; omit it, or change --format"
+            )))
+        })
     }
 
     /// The files of a page, the main one first.
@@ -155,6 +179,23 @@ impl PageArgs {
         let files = files()?;
         folder::write(folder, &files)?;
         Ok(format!("\n{}", folder::written(folder, &files)))
+    }
+
+    /// Prints the short answer and writes the page with other files beside it into the folder where one is named; without a folder the page alone
+    /// where its format is named.
+    pub fn give(
+        &self,
+        format: Option<Format>,
+        answer: &Document,
+        page: impl FnOnce() -> Document,
+        beside: impl FnOnce() -> Result<Vec<File>, Failure>,
+    ) -> Result<(), Failure> {
+        let files = || self.files(&page(), format.unwrap_or(Format::GITHUB));
+        if format.is_some() && self.output.is_none() {
+            return write::to_stdout(&files()?[0].text);
+        }
+        let written = self.write(|| Ok(files()?.into_iter().chain(beside()?).collect()))?;
+        write::to_stdout(&(self.shown(answer)? + &written))
     }
 
     /// A short answer for the terminal, in the notation of the reader.
@@ -196,32 +237,27 @@ impl Pages {
 
     /// Whether the page runs scripts.
     pub fn runs_scripts(&self) -> bool {
-        self.format == Format::Html
+        self.format == Some(Format::Html)
     }
 
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document) -> Result<Vec<File>, Failure> {
-        self.page.files(document, self.format)
+        let format = self.format.unwrap_or(Format::GITHUB);
+        self.page.is_said_of(Some(format))?;
+        self.page.files(document, format)
     }
 
-    /// A short answer for the terminal, in the notation of the reader.
-    pub fn shown(&self, answer: &Document) -> Result<String, Failure> {
-        self.page.shown(answer)
-    }
-
-    /// Prints the short answer, and writes the page into the folder where one is named.
-    pub fn show(&self, answer: &Document, page: impl FnOnce() -> Document) -> Result<(), Failure> {
-        let written = self.write(page, Vec::new)?;
-        write::to_stdout(&(self.shown(answer)? + &written))
-    }
-
-    /// Writes the page with other files beside it into the folder where one is named; says what was written.
-    pub fn write(
+    /// Prints the short answer, and writes the page with other files beside it into the folder where one is named; without a folder the page alone
+    /// where its format is named.
+    pub fn show(
         &self,
+        answer: &Document,
         page: impl FnOnce() -> Document,
         beside: impl FnOnce() -> Vec<File>,
-    ) -> Result<String, Failure> {
-        self.page.write(|| Ok(self.files(&page())?.into_iter().chain(beside()).collect()))
+    ) -> Result<(), Failure> {
+        let folder = self.page.folder().map(|_| Format::GITHUB);
+        self.page.is_said_of(self.format.or(folder))?;
+        self.page.give(self.format, answer, page, || Ok(beside()))
     }
 
     /// Writes the page into the folder and the short answer to the terminal; without a folder the page alone to standard output.
@@ -230,7 +266,7 @@ impl Pages {
         let Some(folder) = &self.page.output else { return write::to_stdout(&files[0].text) };
         self.page.is_for_a_folder()?;
         folder::write(folder, &files)?;
-        write::to_stdout(&format!("{}\n{}", self.shown(&answer())?, folder::written(folder, &files)))
+        write::to_stdout(&format!("{}\n{}", self.page.shown(&answer())?, folder::written(folder, &files)))
     }
 }
 

@@ -52,7 +52,7 @@ impl Report {
                 let open = classified(family.as_deref(), orders)?;
                 let family = open.as_ref().map(|(family, orders)| (*family, orders.as_slice()));
                 let accuracy = self.accuracy.then(|| accuracy_of(engine)).transpose()?;
-                let weighing = self.weigh.read(self.about.are_asked());
+                let weighing = self.weigh.read(engine, self.about.are_asked())?;
                 let subject = report::Contents {
                     engine,
                     judged: &judged,

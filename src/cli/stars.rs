@@ -10,7 +10,7 @@ use crankstar::search::Options;
 
 use super::failure::Failure;
 use super::pages::Pages;
-use super::{layouts, progress, write};
+use super::{layouts, progress};
 
 /// Arguments of `stars`.
 #[derive(clap::Args)]
@@ -33,8 +33,7 @@ impl Stars {
         }
         progress::doing("searching the stars of up to 12 cylinders");
         let study = StarsStudy::new(&Options::default()).map_err(Failure::new)?;
-        let written = self.pages.write(|| stars_page(&study), || stars_layouts(&study))?;
-        write::to_stdout(&(self.pages.shown(&stars_answer(&study))? + &written))
+        self.pages.show(&stars_answer(&study), || stars_page(&study), || stars_layouts(&study))
     }
 
     /// The atlas of minimal stars.
@@ -55,7 +54,6 @@ impl Stars {
             }
         }
         let atlas = StarAtlas::new(&engines);
-        let written = self.pages.write(|| star_atlas_page(&atlas), Vec::new)?;
-        write::to_stdout(&(self.pages.shown(&star_atlas_answer(&atlas))? + &written))
+        self.pages.show(&star_atlas_answer(&atlas), || star_atlas_page(&atlas), Vec::new)
     }
 }

@@ -1,9 +1,11 @@
 //! `--above`, `--all`, `--rod-ratio`: which orders are reported one by one, and how large are they where no rod is given?
 
+use crankstar::engine::Engine;
 use crankstar::report::Weighing;
 use num_rational::BigRational;
 
 use super::accuracy::ratio;
+use super::failure::Failure;
 
 /// What is reported one by one, and what together.
 #[derive(clap::Args)]
@@ -42,7 +44,15 @@ impl Threshold {
 
 impl Weigh {
     /// What is reported of an engine whose orders were asked for, or were not.
-    pub fn read(&self, asked: bool) -> Weighing {
-        Weighing { rod_ratio: self.rod_ratio.clone(), ..self.above.read(asked) }
+    ///
+    /// # Errors
+    /// A ratio for rods that the layout gives.
+    pub fn read(&self, engine: &Engine, asked: bool) -> Result<Weighing, Failure> {
+        if self.rod_ratio.is_some() && engine.cylinders().iter().all(|cylinder| cylinder.mechanism.is_some()) {
+            return Err(Failure::misuse(
+                "--rod-ratio is for layouts without rods, and this layout gives its own; omit it",
+            ));
+        }
+        Ok(Weighing { rod_ratio: self.rod_ratio.clone(), ..self.above.read(asked) })
     }
 }

@@ -252,6 +252,33 @@ fn without_a_folder_the_text_alone_is_printed() {
 }
 
 #[test]
+fn an_option_of_another_format_is_refused() {
+    let of_pages = ["--math", "--siunitx", "--fragment"];
+    let told = |arguments: &[&str], formats: &str, why: &str| {
+        let told = fails(arguments, 2);
+        assert!(told.contains(&format!("is for pages in {formats}, and {why}")), "{arguments:?}: {told}");
+    };
+    told(&["report", "I4", "--siunitx"], "LaTeX", "this page is in another format");
+    told(&["report", "I4", "--fragment"], "LaTeX, Typst and HTML", "this page is in another format");
+    told(&["report", "I4", "--format", "latex", "--math", "dollars"], "Markdown", "this page is in another format");
+    for option in of_pages {
+        let option = if option == "--math" { &[option, "dollars"][..] } else { &[option] };
+        assert!(fails(&[&["moments", "I4"], option].concat(), 2).contains("no page is written"), "{option:?}");
+        let data = ["accuracy", "examples/four.toml", "--format", "csv"];
+        assert!(fails(&[&data, option].concat(), 2).contains("no page is written"), "{option:?}");
+    }
+    assert!(fails(&["classify", "examples/four.toml", "--rod-ratio", "0.3"], 2).contains("this layout gives its own"));
+}
+
+/// Without a folder a format that is named is printed, of every command.
+#[test]
+fn a_page_whose_format_is_named_is_printed() {
+    let claims = "examples/five-claims.toml";
+    assert!(succeeds(&["check", claims, "--format", "latex"]).starts_with("\\documentclass"));
+    assert!(!succeeds(&["check", claims]).contains("documentclass"));
+}
+
+#[test]
 fn only_the_orders_asked_for_are_judged() {
     let report = succeeds(&["report", "I4", "--orders", "2"]);
     assert!(report.contains("### Order 2") && !report.contains("### Order 1") && !report.contains("order-4.svg"));

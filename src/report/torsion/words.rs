@@ -18,7 +18,11 @@ pub(super) fn assumed(study: &TorsionStudy) -> Vec<Text> {
         if torsion.is_damped() { text::damped() } else { text::undamped() },
     ];
     if study.at_speed().is_some() {
-        lines.push(if torsion.harmonics.is_empty() { text::pressures(super::excited::highest(&study.engine)) } else { text::harmonics() });
+        lines.push(if torsion.harmonics.is_empty() {
+            text::pressures(super::excited::highest(&study.engine))
+        } else {
+            text::harmonics()
+        });
     }
     lines.extend(text::always_assumed());
     lines.extend(mechanism_words::in_torsion(&study.engine));
