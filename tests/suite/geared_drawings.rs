@@ -163,6 +163,19 @@ fn a_crankshaft_that_turns_against_the_reference_bears_the_weight_at_minus_1() {
     assert!(answer.contains("3 balancer shafts are the fewest possible"), "{answer}");
 }
 
+#[test]
+fn it_is_said_on_which_of_several_crankshafts_the_counterweights_are() {
+    let twin = "u = { throws = [0], sense = 'against', distance = 4 }\n\
+                [mechanism]\nreciprocating_mass = 1\nrotating_mass = 1\ncrank_radius = 1\nrod_ratio = '1/4'\n";
+    let [cures, _] = said(twin, &[1]);
+    assert!(cures.contains("These counterweights are on crankshaft left, the reference."), "{cures}");
+    let [cures, _] = said(&format!("{twin}[[counterweight]]\nthrow = 2\nmass_radius = '1/4'\n"), &[1]);
+    let stay = "the reference; those of the other crankshafts stay as they are.";
+    assert!(cures.contains(stay), "{cures}");
+    let [cures, _] = said("inline.throws = [0]", &[1]);
+    assert!(!cures.contains("These counterweights are"), "{cures}");
+}
+
 /// A weight at −1 on such a crankshaft is a counterweight there: the engine with it has nothing left at order 1.
 #[test]
 fn the_weight_at_minus_1_stands_on_that_crankshaft_as_it_is_proposed() {

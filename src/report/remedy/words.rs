@@ -35,6 +35,7 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
     }
     let crankshaft = remedy.crankshaft.iter().filter(|shaft| remedy.stays(&shaft.weights));
     lines.extend(crankshaft.map(|shaft| on_the_crankshaft(remedy, shaft)));
+    lines.extend(of_several_crankshafts(remedy));
     let mut shafts = remedy.shafts_built().peekable();
     while let Some(shaft) = shafts.next() {
         let partner = shafts.next_if(|next| next.order == shaft.order && next.kind == shaft.kind);
@@ -74,6 +75,15 @@ fn resized(remedy: &Remedy) -> Vec<Text> {
     };
     let resized = (!planes.is_empty()).then(|| text::resized(Text::joined(planes, "; ")));
     resized.into_iter().chain(remedy.shafts_built().enumerate().filter_map(several)).collect()
+}
+
+/// On which of several crankshafts the counterweights are.
+fn of_several_crankshafts(remedy: &Remedy) -> Option<Text> {
+    let engine = remedy.subject.engine();
+    let reference = engine.geared_cranks().first()?;
+    let others = engine.crankshaft().counterweights.iter().any(|weight| weight.crank != 0);
+    let are_there = remedy.built.iter().any(|plane| plane.becomes.is_on_the_crank());
+    are_there.then(|| text::on_reference(reference.name.clone(), others))
 }
 
 /// Which shafts may be counterweights on a crankshaft that turns as they do, where crankshafts turn at different speeds.
