@@ -124,15 +124,15 @@ impl PageArgs {
     /// # Errors
     /// The option, and the formats that it is for.
     pub fn is_said_of(&self, page: Option<Format>) -> Result<(), Failure> {
-        let told: [(&str, bool, &str, fn(Format) -> bool); 3] = [
-            ("--math", self.math.is_some(), "Markdown", |format| matches!(format, Format::Markdown(_))),
-            ("--siunitx", self.siunitx, "LaTeX", |format| format == Format::Latex),
-            ("--fragment", self.fragment, "LaTeX, Typst and HTML", |format| {
-                matches!(format, Format::Latex | Format::Typst | Format::Html)
-            }),
+        let is_markdown = matches!(page, Some(Format::Markdown(_)));
+        let has_preamble = matches!(page, Some(Format::Latex | Format::Typst | Format::Html));
+        let told = [
+            ("--math", "Markdown", self.math.is_some() && !is_markdown),
+            ("--siunitx", "LaTeX", self.siunitx && page != Some(Format::Latex)),
+            ("--fragment", "LaTeX, Typst and HTML", self.fragment && !has_preamble),
         ];
-        let strange = told.iter().find(|(_, given, _, takes)| *given && !page.is_some_and(takes));
-        strange.map_or(Ok(()), |(option, _, formats, _)| {
+        let strange = told.into_iter().find(|(_, _, is_strange)| *is_strange);
+        strange.map_or(Ok(()), |(option, formats, _)| {
             let written = match page {
                 Some(_) => "this page is in another format",
                 None => "no page is written",

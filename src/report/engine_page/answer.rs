@@ -35,7 +35,12 @@ pub(super) fn lines(
 /// What shakes of the pistons alone, where the verdicts are on more.
 fn pistons(judged: &Judgement, weighed: &WeighedParts) -> Option<Text> {
     let existing: Vec<&OrderVerdict> = judged.pistons.as_ref()?.iter().filter(|order| order.exists()).collect();
-    Some(text::pistons_alone(what_shakes(&existing, weighed.pistons.as_ref())))
+    let as_built: Vec<&OrderVerdict> = judged.orders.iter().filter(|order| order.exists()).collect();
+    let what = what_shakes(&existing, weighed.pistons.as_ref());
+    Some(match what.plain() == what_shakes(&as_built, weighed.as_judged.as_ref()).plain() {
+        true => text::pistons_alone_alike(),
+        false => text::pistons_alone(what),
+    })
 }
 
 /// What is left, order by order, at which speed.
