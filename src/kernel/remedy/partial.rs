@@ -37,8 +37,9 @@ pub struct Ellipse {
 }
 
 impl Partial {
-    /// The first order of a layout; `None` with a pin offset or a corrected knuckle angle, whose c_1 is no longer 1, and with masses at knuckle
-    /// pins, of which a part moves as the master piston does.
+    /// The first order of a layout; `None` with a pin offset or a corrected knuckle angle, whose c_1 is no longer 1, with masses at knuckle
+    /// pins, of which a part moves as the master piston does, with a crankshaft that turns against the reference, whose counterweights change
+    /// P⁻, and with balancer shafts of order 1.
     ///
     /// ```standalone_crate
     /// # use crankstar_kernel as crankstar;
@@ -60,7 +61,9 @@ impl Partial {
             PhasorSum::new(cylinders.map(term).collect()).tidied()
         };
         let has_knuckles = engine.cylinders().iter().any(|cylinder| !cylinder.knuckle_mass.is_zero());
-        (engine.is_centric() && !has_knuckles)
+        let has_shafts = engine.crankshaft().balancers.iter().any(|shaft| shaft.order == 1);
+        let is_plain = engine.is_centric() && !has_knuckles && !has_shafts;
+        (is_plain && !engine.has_crank_turning(1, Sense::Reverse))
             .then(|| Partial { direct: sum(Sense::Direct), reverse: sum(Sense::Reverse) })
     }
 
