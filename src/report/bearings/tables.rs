@@ -67,18 +67,26 @@ fn exact(sum: &OrderSum, order: u32) -> Text {
     if sum.parts().keys().any(Factor::is_decimal) {
         return "decimal only".into();
     }
-    let rods: BTreeSet<&Rod> = sum.parts().keys().filter_map(Factor::rod).collect();
-    if rods.len() > 1 {
+    // Of an offset to the other side the side force alone is that of the same rod.
+    let rods: BTreeSet<Rod> = sum.parts().keys().filter_map(Factor::rod).map(Rod::unsigned).collect();
+    let symbols: Vec<(Option<char>, u32)> = sum.parts().keys().map(|factor| symbol(factor, order)).collect();
+    if rods.len() > 1 || symbols.iter().collect::<BTreeSet<_>>().len() < symbols.len() {
         return "rods differ".into();
     }
-    let parts = sum.parts().iter().map(|(factor, sum)| {
+    let parts = sum.parts().values().zip(symbols).map(|(sum, symbol)| {
         let length = residual::modulus_of(sum);
-        match factor.letter() {
-            None => length.into(),
-            Some(letter) => phrase!("{} {}", length, Text::formula(format!("{letter}_{{{order}}}"))),
+        match symbol {
+            (None, _) => length.into(),
+            (Some(letter), own) => phrase!("{} {}", length, Text::formula(format!("{letter}_{{{own}}}"))),
         }
     });
     Text::joined(parts, ", ")
+}
+
+/// The letter of what a sum is multiplied by, and the order of its own crank that is this order of the engine.
+fn symbol(factor: &Factor, order: u32) -> (Option<char>, u32) {
+    let (own, order) = factor.own(order);
+    (own.letter(), order)
 }
 
 /// The numbers of the motion that the sums of these orders are multiplied by, where all pistons move alike and without an offset.
