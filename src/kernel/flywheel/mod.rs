@@ -87,6 +87,7 @@ pub fn fluctuation(diagram: &Diagram) -> Result<Fluctuation, NoFluctuation> {
     let power = power.map(|(mean, speed)| mean.times(&(speed / BigRational::from_integer(30.into())), 1));
     // The given inertia turns the excess into an acceleration; without one that which is needed.
     let inertia = diagram.inertia.as_ref().map(numbers::float).or(needed.as_ref().map(|one| one.decimal));
+    let inertia = inertia.filter(|inertia| *inertia > 0.0);
     let course = if diagram.angles.is_empty() { None } else { Some(TorqueCurve::new(diagram)?) };
     let at = |(angle, course): (&BigRational, &TorqueCurve<'_>)| {
         let [torque, load] = course.at(angle);

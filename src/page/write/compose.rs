@@ -296,6 +296,8 @@ impl<'a> Composer<'a> {
                 let (value, unit) = unit.at_sight(value);
                 let number = match piece {
                     Piece::AtMost(..) => number::at_most(value),
+                    // Of either sign.
+                    _ if value == 0.0 => "0".to_owned(),
                     _ => figures.set(value, number::sensible),
                 };
                 let unit = Unit { name: language.fixed(unit.name), ..unit };

@@ -107,9 +107,15 @@ pub fn bearings_page(engine: &Engine, continuous: &BearingLoads, determinate: &B
         pins: pins.ok().filter(|pins| !pins.rows.is_empty()).into(),
         articulated_rods: links::blocks(engine).into(),
         parts: parts_of_a_load(engine, continuous).into(),
-        assumptions: text::assumptions().into(),
+        assumptions: beam_assumptions(engine).into(),
     }
     .document()
+}
+
+/// What the loads of the main bearings rest on.
+pub(in crate::report) fn beam_assumptions(engine: &Engine) -> [Text; 4] {
+    let [shaft, loads, rods, determinate] = text::assumptions();
+    [shaft, loads, if engine.has_yokes_alone() { text::yokes() } else { rods }, determinate]
 }
 
 /// The largest value of each order, what is omitted, and the exact vectors.

@@ -35,7 +35,7 @@ use crate::engine::{Engine, Measure};
 use crate::loads::{Loads, Missing, Needed};
 use crate::page::{Block, Fold, Text};
 use crate::proof::Planar;
-use crate::report::texts::{self, loads as text};
+use crate::report::texts::loads as text;
 use expression::Line;
 
 /// The loads of a layout that holds numbers; none where the file gives none.
@@ -122,7 +122,7 @@ pub(super) fn working(engine: &Engine, numbers: &Numbers) -> Vec<Block> {
     let assumed = assumed.chain(engine.title_block().assumptions.iter().map(Text::from));
     blocks.extend([heading(2, "Assumptions"), Block::List(assumed.collect())]);
     if loads.bearings.is_some() {
-        blocks.push(Block::List(texts::bearings::assumptions().into()));
+        blocks.push(Block::List(super::bearings::beam_assumptions(engine).into()));
     }
     blocks.extend([heading(2, "Limits of validity"), Block::List(words::limits(engine, loads))]);
     blocks.push(Block::Folded(Fold { summary: "Symbols and equations".into(), blocks: equations(engine, loads) }));

@@ -282,17 +282,29 @@ impl Cure<'_> {
             (None, order, sense) => text::shaft(times(order), sense),
         };
         match self.size(sense) {
+            Some(_) if self.is_removed(sense) => phrase!("the removal of {}", shaft),
             Some(size) => phrase!("{} ({})", shaft, size),
             None => shaft,
         }
     }
 
-    /// The mass-radius of what takes a vector away.
-    fn size(&self, sense: Sense) -> Option<Text> {
+    /// What takes a vector away, in the remedy.
+    fn shaft_of(&self, sense: Sense) -> Option<(&Remedy, &Shaft)> {
         let remedy = self.remedy?;
         let is_meant = |shaft: &&Shaft| (shaft.order, shaft.sense) == (self.order.order, sense);
-        let shaft = remedy.crankshaft.iter().chain(&remedy.shafts).find(is_meant)?;
-        if !shaft.weights.is_empty() && !remedy.stays(&shaft.weights) {
+        Some((remedy, remedy.crankshaft.iter().chain(&remedy.shafts).find(is_meant)?))
+    }
+
+    /// Whether weights of the layout are taken away for it, and none are left.
+    fn is_removed(&self, sense: Sense) -> bool {
+        let of = self.shaft_of(sense);
+        of.is_some_and(|(remedy, shaft)| !shaft.weights.is_empty() && !remedy.stays(&shaft.weights))
+    }
+
+    /// The mass-radius of what takes a vector away.
+    fn size(&self, sense: Sense) -> Option<Text> {
+        let (remedy, shaft) = self.shaft_of(sense)?;
+        if self.is_removed(sense) {
             return Some("removed".into());
         }
         let sizes = self.sizes(remedy, shaft)?;

@@ -373,6 +373,8 @@ fn with_sizes(engine: &Engine, masses: Masses, weighing: &Weighing) -> Option<En
     let torque = engine.effects().torque || !engine.geared_cranks().is_empty() && engine.has_judged_torque();
     draft.effects = Effects { torque, ..Effects::default() };
     draft.bearings = Vec::new();
+    // At rest nothing shakes; what would is told in multiples, as where no speed is given.
+    draft.dimensions.speed = draft.dimensions.speed.filter(|speed| !speed.is_zero());
     (draft.gas, draft.torsion) = (None, None);
     draft.build().ok()
 }

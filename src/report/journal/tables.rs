@@ -52,12 +52,12 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
     let has_plain = loads.shared_pins.iter().any(|pin| pin.largest_of_a_rod(loads).is_some());
     Table::of(&loads.shared_pins)
         .column("Crankpin", |pin| pin.throw + 1)
-        .column("Rods of cylinders", |pin| names(engine, &pin.cylinders))
-        .column(phrase!("All rods together in {}", Unit::NEWTON), |pin| size(pin.peak.value))
+        .column("Cylinders", |pin| names(engine, &pin.cylinders))
+        .column(phrase!("All together in {}", Unit::NEWTON), |pin| size(pin.peak.value))
         .column("at θ", |pin| at_peak(&pin.peak))
         .column(phrase!("Gas component in {}", Unit::NEWTON), |pin| size(pin.peak.gas_along()))
         .column(phrase!("Without gas in {}", Unit::NEWTON), |pin| size(pin.inertia.value))
-        .column_if(has_plain, phrase!("One rod alone in {}", Unit::NEWTON), |pin| -> Text {
+        .column_if(has_plain, phrase!("One alone in {}", Unit::NEWTON), |pin| -> Text {
             let of_one = pin.largest_of_a_rod(loads);
             of_one.map_or_else(Text::default, |(index, peak)| {
                 phrase!("{} (cylinder {})", size(peak.value), names(engine, &[index]))
@@ -78,13 +78,14 @@ pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Table {
         .done()
 }
 
-/// How far every rod is pressed and pulled, what its bolts bear, and the side force of its piston.
+/// How far every rod is pressed and pulled, what its bolts bear, and the side force of its piston; nothing of yokes.
 pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
+    let cylinders = if engine.has_yokes_alone() { &[][..] } else { &loads.cylinders };
     // What never is says nothing of an angle.
     let force = |one: Extreme| if one.value > 0.0 { size(one.value) } else { Text::zero() };
     let at = |one: Extreme| if one.value > 0.0 { angle(one.angle) } else { "–".into() };
     let pulled = |[_, stretched]: [Extreme; 2]| Extreme { value: -stretched.value, ..stretched };
-    Table::of(loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
+    Table::of(cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
         .column("Cylinder", |(index, _)| names(engine, &[*index]))
         .column(phrase!("Rod compression in {}", Unit::NEWTON), |(_, peaks)| force(peaks.rod[0]))
         .column("at θ", |(_, peaks)| at(peaks.rod[0]))

@@ -1,11 +1,11 @@
 //! What is said of the complete loads: first, and at the end?
 
-use super::super::bearings::called;
+use super::super::bearings::{beam_assumptions, called};
 use super::super::torque::{angle, assumptions as of_the_gas, names, quantity};
 use crate::engine::Engine;
 use crate::journal::{self, CycleBearings, CycleLoads};
 use crate::page::{Piece, Text, Unit, number};
-use crate::report::texts::{self, journal as text};
+use crate::report::texts::journal as text;
 
 pub(super) fn newtons(value: f64) -> Text {
     quantity(value, Unit::NEWTON)
@@ -51,6 +51,9 @@ fn others(continuous: &CycleBearings, determinate: &CycleBearings) -> Option<Tex
     let alone = journal::worst(sizes.clone());
     let names: Vec<String> = alone.iter().map(|index| continuous.bearings[*index].name.clone()).collect();
     let (determinate, load) = worst(determinate)?;
+    if alone.is_empty() {
+        return Some(text::no_loads_of_masses(newtons(load), determinate));
+    }
     Some(text::other_loads(newtons(sizes.fold(0.0, f64::max)), called(&names), newtons(load), determinate))
 }
 
@@ -68,9 +71,10 @@ fn pins(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
     let worst = journal::worst(loads.cylinders.iter().map(|cylinder| cylinder.peaks.pin.value));
     let peak = &loads.cylinders[*worst.first()?].peaks.pin;
     let (names, load, angle) = (names(engine, &worst), newtons(peak.value), angle(peak.angle));
+    let rods = !engine.has_yokes_alone();
     Some(match worst.len() {
-        1 => text::worst_crankpin(names, load, angle),
-        _ => text::worst_crankpins(names, load, angle),
+        1 => text::worst_crankpin(rods, names, load, angle),
+        _ => text::worst_crankpins(rods, names, load, angle),
     })
 }
 
@@ -92,6 +96,9 @@ fn knuckles(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
 }
 
 fn rods(engine: &Engine, loads: &CycleLoads) -> Option<Text> {
+    if engine.has_yokes_alone() {
+        return None;
+    }
     let rod = |index: usize| &loads.cylinders[index].peaks.rod;
     let pressed = first(0..loads.cylinders.len(), |index| rod(*index)[0].value)?;
     let pulled = first(0..loads.cylinders.len(), |index| -rod(*index)[1].value)?;
@@ -111,8 +118,8 @@ pub(super) fn missed(loads: &CycleLoads, bearings: &CycleBearings) -> Text {
 
 /// What the numbers rest on.
 pub(super) fn assumptions(engine: &Engine) -> Vec<Text> {
-    let [shaft, _, rods, determinate] = texts::bearings::assumptions();
-    let mut list = vec![shaft, text::loads(), rods, determinate];
+    let [shaft, _, pistons, determinate] = beam_assumptions(engine);
+    let mut list = vec![shaft, text::loads(), pistons, determinate];
     list.extend(of_the_gas(engine));
     list
 }

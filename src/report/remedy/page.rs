@@ -50,7 +50,7 @@ fn results(remedy: &Remedy, level: u8) -> Vec<Block> {
     let notes = words::notes(remedy);
     let table = weights::table(remedy);
     if table.is_some() || !notes.is_empty() {
-        blocks.push(Block::Heading(level, "The weights".into()));
+        blocks.push(Block::Heading(level, if table.is_some() { "The weights" } else { "Notes" }.into()));
     }
     blocks.extend(table.map(Block::Table));
     blocks.extend((!notes.is_empty()).then_some(Block::List(notes)));

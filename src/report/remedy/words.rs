@@ -143,7 +143,10 @@ fn proof(remedy: &Remedy) -> Text {
     }
     match remedy.weights().is_empty() {
         true => text::no_weight(number, orders(remedy)),
-        false => text::vanishing(number, orders(remedy), sums),
+        false => {
+            let has_weights = remedy.built.iter().any(|plane| !plane.becomes.vector.vanishes());
+            text::vanishing(has_weights, number, orders(remedy), sums)
+        }
     }
 }
 

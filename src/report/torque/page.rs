@@ -67,7 +67,8 @@ pub(super) fn page(TorqueStudy { engine, torque }: &TorqueStudy) -> Document {
 
 /// The orders, and what they do to the frame.
 fn by_orders(engine: &Engine, torque: &EngineTorque) -> Vec<Block> {
-    vec![text::star().into(), tables::orders(torque).into(), words::roll(engine, torque).into()]
+    let star = if torque.classes.len() > 1 { text::stars_of_classes() } else { text::star() };
+    vec![star.into(), tables::orders(torque).into(), words::roll(engine, torque).into()]
 }
 
 /// What the flywheel has to do.

@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use crate::engine::{DeadCentre, Engine, Heat, PressureLaw};
+use crate::engine::{Cycle, DeadCentre, Engine, Heat, PressureLaw};
 use crate::gas::Warning;
 use crate::page::{Number, Piece, Setting, Text, Unit, number, phrase};
 use crate::report::texts::torque as text;
@@ -141,21 +141,29 @@ pub(in crate::report) fn names(engine: &Engine, cylinders: &[usize]) -> Text {
 /// What the numbers rest on.
 pub(in crate::report) fn assumptions(engine: &Engine) -> Vec<Text> {
     let mut list: Vec<Text> = text::assumptions().into();
+    list.extend((!engine.has_yokes_alone()).then(text::rod));
     list.extend(own_angles(engine));
     if let Some(sides) = double_acting(engine) {
         list.extend([sides, text::double_acting_mean()]);
     }
     list.extend(opposed(engine));
     let laws = engine.gas().map_or(&[][..], |gas| &gas.laws);
-    if laws.iter().any(|law| matches!(law, PressureLaw::Cycle(_))) {
-        list.push(text::ideal_cycle());
+    let heats: Vec<bool> = laws.iter().filter_map(finds_heat).collect();
+    if !heats.is_empty() {
+        list.push(text::ideal_cycle(engine.cycle() != Some(Cycle::TwoStroke)));
     }
-    let finds_heat =
-        |law: &PressureLaw| matches!(law, PressureLaw::Cycle(ideal) if !matches!(ideal.heat, Heat::Released(_)));
-    if laws.iter().any(finds_heat) {
-        list.push(text::heat());
+    if heats.contains(&true) {
+        list.push(text::heat(!heats.contains(&false)));
     }
     list
+}
+
+/// Whether the heat of an ideal cycle is found from its pressure; none of another law.
+fn finds_heat(law: &PressureLaw) -> Option<bool> {
+    match law {
+        PressureLaw::Cycle(ideal) => Some(!matches!(ideal.heat, Heat::Released(_))),
+        _ => None,
+    }
 }
 
 /// Where the angle 0 of the gas is in a cylinder.
