@@ -4,7 +4,7 @@ use super::residual::shape_name;
 use super::theorem_words::of_both;
 use super::typeset;
 use crate::engine::Engine;
-use crate::page::{Text, phrase};
+use crate::page::{Choice, Text, phrase};
 use crate::proof::Shape;
 use crate::report::texts::recurrence as text;
 use crate::verdict::{ClassPattern, FactorPattern, Recurrence, Recurrences, Stars, WholeOrder};
@@ -107,9 +107,17 @@ pub(super) fn why(all: &Recurrences) -> Vec<Text> {
         return Vec::new();
     }
     let mut paragraphs = vec![text::period_alone(verdicts, Text::code("classify --json --all-orders"))];
-    if classes().any(|class| matches!(class.stars, Stars::Banks { .. })) {
-        paragraphs.push(text::banks_alike());
-    }
+    let of_banks = [&all.force, &all.moment].map(|of| {
+        let mut classes = of.iter().flat_map(|one| one.even.iter().chain(&one.odd));
+        classes.any(|class| matches!(class.stars, Stars::Banks { .. }))
+    });
+    let banks = match of_banks {
+        [false, false] => None,
+        [true, true] => Some(0),
+        [true, false] => Some(1),
+        [false, true] => Some(2),
+    };
+    paragraphs.extend(banks.map(|of| text::banks_alike(Choice::of(of))));
     if let Some(longest) = factors().filter_map(|factor| factor.sieved).max() {
         paragraphs.push(text::few_decided(longest));
     }

@@ -41,7 +41,7 @@ pub(in crate::report) fn figures(engine: &Engine, loads: &Loads) -> Vec<Picture>
     };
     let end = engine.convention().turns_anticlockwise_from();
     let same = |heading: &'static str| (heading, Text::from(heading));
-    let force = [same("Force along the reference direction"), same("Force across it, in the plane of the cylinders")];
+    let force = [same("Force along the reference direction"), same("Force across the reference direction")];
     let moment = [("Pitching moment", text::pitching()), ("Yawing moment", text::yawing())];
     let both = [
         (Planar::Force, "Force in {}", force, "Path of the force in a revolution"),

@@ -106,11 +106,14 @@ pub(super) struct EffectRow {
 
 /// What is in the scene and what is not, and why.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
-    let orders: Vec<u32> = loads.orders.iter().map(|order| order.order).collect();
+    let orders = loads.orders.iter().map(|order| order.order);
+    let of_pistons: Vec<u32> = orders.clone().filter(|order| engine.pistons_have_order(Quantity::FORCE, *order)).collect();
+    let is_odd = |order: u32| order > 1 && !order.is_multiple_of(2);
+    let has_odd = orders.clone().any(is_odd) || engine.faster_crank().is_some();
     let masses = MassGroup::ALL.into_iter().map(|group| {
         let inside = loads.groups.iter().any(|loads| loads.group == group);
         let why = match (group, inside) {
-            (MassGroup::Reciprocating, _) => orders_in_words(&orders),
+            (MassGroup::Reciprocating, _) => orders_in_words(&of_pistons),
             (_, true) => "given in the file".into(),
             (_, false) => "none given".into(),
         };
@@ -123,13 +126,14 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
         group: None,
     };
     let is_decided = verdict::quantities(engine, false).contains(&Quantity::TORQUE);
-    let unequal = engine.mechanisms().len() > 1 || !engine.has_unit_masses();
+    let turn_alike = engine.cylinders().windows(2).all(|pair| pair[0].rotating_mass == pair[1].rotating_mass);
+    let unequal = engine.mechanisms().len() > 1 || !engine.has_unit_masses() || !turn_alike;
     let others = [
         row(
             "pin offset",
             engine.has_offset(),
             if engine.has_odd_orders() { "given: odd orders appear" } else { "given: no odd orders but 1" }.into(),
-            if engine.is_centric() { "none: no odd orders but 1" } else { "none" }.into(),
+            if engine.is_centric() && !has_odd { "none: no odd orders but 1" } else { "none" }.into(),
         ),
         row("unequal cylinders", unequal, "masses, radii, rods or offsets differ".into(), "all are alike".into()),
         row(

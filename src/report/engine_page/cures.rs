@@ -8,7 +8,7 @@ use super::super::calculation::percent;
 use super::super::typeset::short;
 use super::left::{is_as_built, left_vectors};
 use super::weighing::{Weighed, Weighing};
-use crate::engine::{Engine, LengthUnit};
+use crate::engine::{Draft, Engine, LengthUnit};
 use crate::loads::Arm;
 use crate::order;
 use crate::page::{Piece, Text, Unit, phrase};
@@ -53,7 +53,11 @@ impl<'a> Cures<'a> {
         let (cured, accepted): (Vec<&OrderVerdict>, Vec<&OrderVerdict>) = worth_it.into_iter().partition(is_cured);
         let request = Request { orders: cured.iter().map(|order| order.order).collect(), ..Request::default() };
         let is_sized = is_as_built(engine, judged) || judged.masses == crate::order::Masses::Reciprocating;
-        let remedy = weighed.filter(|_| is_sized).and_then(|weighed| remedy::remedy(&weighed.engine, &request).ok());
+        let remedy = weighed.filter(|_| is_sized).and_then(|weighed| {
+            // The outermost bearings are the ends of the shaft, between which weights are.
+            let draft = Draft { bearings: engine.bearings().to_vec(), ..weighed.engine.clone().into_draft() };
+            remedy::remedy(&draft.build().ok()?, &request).ok()
+        });
         Cures { engine, cured, accepted, weighed, remedy, told: RefCell::default() }
     }
 

@@ -122,12 +122,12 @@ fn roll_argued(engine: &Engine, part: &TorquePart) -> Text {
 
 fn argued(engine: &Engine, part: &TorquePart) -> Text {
     let verdict = &part.verdict;
-    if !part.exists {
-        return text::torque_missing(verdict.order, WHY_NOT);
-    }
-    let argument = argument::argument(engine, verdict);
-    match &part.class {
-        None => text::torque_of_order(verdict.order, value(verdict), argument),
-        Some(class) => text::torque_of_class(verdict.order, residual::class_sources(class), value(verdict), argument),
+    let argument = || argument::argument(engine, verdict);
+    let sources = part.class.as_ref().map(residual::class_sources);
+    match (sources, part.exists) {
+        (None, false) => text::torque_missing(verdict.order, WHY_NOT),
+        (Some(class), false) => text::torque_missing_of_class(verdict.order, class, WHY_NOT),
+        (None, true) => text::torque_of_order(verdict.order, value(verdict), argument()),
+        (Some(class), true) => text::torque_of_class(verdict.order, class, value(verdict), argument()),
     }
 }

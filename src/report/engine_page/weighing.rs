@@ -174,11 +174,10 @@ impl<'a> Weighed<'a> {
         self.weighing.limit(&self.engine, quantity, self.most(quantity))
     }
 
-    /// Whether what is left of an order is reported by itself. Of torque and roll moment, which are asked for, the largest order is in any case.
+    /// Whether what is left of an order is reported by itself.
     pub fn is_told(&self, order: u32, quantity: impl Into<Quantity>) -> bool {
         let quantity = quantity.into();
-        let (size, is_axial) = (self.size(order, quantity), matches!(quantity, Quantity::Axial(_)));
-        self.tells_all || size >= self.limit(quantity) || is_axial && size > 0.0 && size >= self.most(quantity)
+        self.tells_all || self.size(order, quantity) >= self.limit(quantity)
     }
 
     /// Whether so much, in multiples of m r ω², is worth a shaft.
