@@ -58,6 +58,11 @@ impl OpenVerdict {
         self.exists && self.sums.iter().any(|sum| matches!(sum.when, When::Never(_)))
     }
 
+    /// Whether given lengths may make it vanish where it does not for all: the sums of several lengths may cancel.
+    pub fn hangs_on_lengths(&self) -> bool {
+        self.sums.iter().filter(|sum| !matches!(sum.when, When::Always)).count() > 1
+    }
+
     /// The conditions under which the sums of all lengths vanish at once: alternatives, none where they contradict each other or hold for no angles
     /// in the range. None where a sum vanishes by something else than such conditions.
     pub fn meeting(&self) -> Option<Vec<Vec<ConditionClaim>>> {

@@ -107,7 +107,8 @@ pub(super) struct EffectRow {
 /// What is in the scene and what is not, and why.
 pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
     let orders = loads.orders.iter().map(|order| order.order);
-    let of_pistons: Vec<u32> = orders.clone().filter(|order| engine.pistons_have_order(Quantity::FORCE, *order)).collect();
+    let of_pistons: Vec<u32> =
+        orders.clone().filter(|order| engine.pistons_have_order(Quantity::FORCE, *order)).collect();
     let is_odd = |order: u32| order > 1 && !order.is_multiple_of(2);
     let has_odd = orders.clone().any(is_odd) || engine.faster_crank().is_some();
     let masses = MassGroup::ALL.into_iter().map(|group| {

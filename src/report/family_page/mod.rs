@@ -44,7 +44,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
         family: family.title().into(),
         summary: family_summary(family, orders).into(),
         verdicts: tables::summary(orders).into(),
-        legend: [text::legend()].into(),
+        legend: [text::legend(hang_on_lengths(orders))].into(),
         amplitudes: amplitude_picture(family, orders).into(),
         maps: map::maps(family, orders).into_iter().collect(),
         in_motion: scenes.unwrap_or_default().into(),
@@ -81,7 +81,7 @@ pub(super) fn section(member: &Engine, family: &Family, orders: &[OpenOrder]) ->
     let mut blocks = vec![Block::Heading(1, "For all lengths".into())];
     blocks.extend(has_others.then(|| text::pistons_alone().into()));
     blocks.push(Block::Paragraph(left_open(family)));
-    blocks.extend([tables::summary(orders).into(), Block::Note(text::legend())]);
+    blocks.extend([tables::summary(orders).into(), Block::Note(text::legend(hang_on_lengths(orders)))]);
     blocks.extend(amplitude_picture(family, orders));
     for order in orders {
         let summary = phrase!("Order {}, all lengths", order.order);
@@ -95,7 +95,7 @@ pub fn family_answer(family: &Family, orders: &[OpenOrder]) -> Document {
     let mut page = Document::new("verdicts", family.title());
     page.blocks.extend(answer(family, orders).into_iter().map(Block::Paragraph));
     page.push(tables::summary(orders));
-    page.push(Block::Note(text::short_legend()));
+    page.push(Block::Note(text::short_legend(hang_on_lengths(orders))));
     page
 }
 
@@ -162,6 +162,11 @@ fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
     lines.extend(even_firing(family));
     lines.push(left_open(family));
     lines
+}
+
+/// Whether some moment may vanish for given lengths where it does not for all.
+fn hang_on_lengths(orders: &[OpenOrder]) -> bool {
+    orders.iter().flat_map(|order| &order.moment).any(OpenVerdict::hangs_on_lengths)
 }
 
 /// For which angles a vector vanishes, a sentence each, where that is solved.

@@ -15,11 +15,14 @@ use crate::proof::{Planar, Sense};
 
 /// λ of rods that are not given, as the drawings have it.
 const USUAL: (i64, i64) = (2, 7);
-/// The grid on which a largest value is looked for, in steps of a turn, and how finely it is then looked for. One unknown has eight points for each
-/// turn of its fastest vector, up to as many as are quickly summed.
+/// The fewest steps of the grid on which a largest value is looked for, in a turn of an unknown, and the most of one and of two unknowns, which are
+/// quickly summed; how many steps there are while two vectors turn once against each other, and how finely it is looked for from the best ones.
 const STEPS: i32 = 72;
-const MOST_STEPS: i32 = 2000;
+const MOST_STEPS: [i32; 2] = [4000, 360];
+const OF_A_TURN: f64 = 16.0;
 const FINEST: f64 = 1e-7;
+/// Between the points of such a grid a value is larger by less than this part of the largest.
+const BETWEEN: f64 = 0.1;
 /// Orders below this part of the largest one are not drawn.
 const ABOVE: f64 = 0.01;
 
@@ -101,30 +104,64 @@ impl<'a> Sizes<'a> {
         }
     }
 
-    /// The largest for angles from 0° to 360°: the best point of a grid, then ever smaller steps from it.
+    /// The largest for angles from 0° to 360°: from every point of a grid that may be near it, ever smaller steps.
     pub fn most(&self, quantity: Planar, order: u32) -> f64 {
         let unknowns = self.family.unknowns();
         let is_open = [PHI, DELTA].map(|unknown| unknowns.contains(unknown));
-        let count = match is_open {
-            [true, true] => STEPS,
-            _ => i32::try_from(8 * (order + 1)).unwrap_or(MOST_STEPS).clamp(STEPS, MOST_STEPS),
+        let steps = self.steps(quantity, order, is_open);
+        let size = self.size(quantity, order);
+        let place = |[one, other]: [i32; 2]| {
+            [(one, steps[0]), (other, steps[1])].map(|(step, of)| f64::from(step) / f64::from(of.max(1)))
         };
         // Both ends: where half of an angle enters they are two engines.
-        let steps = is_open.map(|is_open| if is_open { count } else { 0 });
-        let size = self.size(quantity, order);
-        let place = |step: i32| f64::from(step) / f64::from(count);
-        let grid = (0..=steps[0]).flat_map(|one| (0..=steps[1]).map(move |other| [place(one), place(other)]));
-        let Some(mut best) = grid.max_by(|one, other| size(*one).total_cmp(&size(*other))) else { return 0.0 };
-        let mut step = 1.0 / f64::from(count);
-        while step > FINEST {
-            let [one, other] = best;
-            let around = [[one - step, other], [one + step, other], [one, other - step], [one, other + step]];
-            let is_meant = |at: &[f64; 2]| [0, 1].iter().all(|of| (0.0..=place(steps[*of])).contains(&at[*of]));
-            match around.into_iter().filter(is_meant).max_by(|one, other| size(*one).total_cmp(&size(*other))) {
-                Some(next) if size(next) > size(best) => best = next,
-                _ => step /= 2.0,
-            }
-        }
-        size(best)
+        let grid: Vec<[i32; 2]> =
+            (0..=steps[0]).flat_map(|one| (0..=steps[1]).map(move |other| [one, other])).collect();
+        let sizes: Vec<f64> = grid.iter().map(|at| size(place(*at))).collect();
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        let at = |[one, other]: [i32; 2]| {
+            let is_there = (0..=steps[0]).contains(&one) && (0..=steps[1]).contains(&other);
+            is_there.then(|| sizes[(one * (steps[1] + 1) + other) as usize])
+        };
+        let is_top = |(at_step, value): &(&[i32; 2], &f64)| {
+            let ([one, other], value) = (**at_step, **value);
+            let around = [[one - 1, other], [one + 1, other], [one, other - 1], [one, other + 1]];
+            value >= (1.0 - BETWEEN) * largest && around.into_iter().filter_map(at).all(|beside| value >= beside)
+        };
+        let tops = grid.iter().zip(&sizes).filter(is_top);
+        let step = 1.0 / f64::from(steps[0].max(steps[1]).max(1));
+        tops.map(|(top, _)| climbed(&size, place(*top), is_open, step)).fold(largest, f64::max)
     }
+
+    /// How many steps of a grid each open angle has: none where it is known.
+    fn steps(&self, quantity: Planar, order: u32, is_open: [bool; 2]) -> [i32; 2] {
+        let terms = self.terms(quantity, order);
+        let most = MOST_STEPS[usize::from(is_open == [true; 2])];
+        [0, 1].map(|unknown| {
+            // How often two vectors of a sum turn against each other.
+            let apart = terms.iter().map(|vectors| {
+                let times = || vectors.iter().map(|(times, _, _)| times[unknown]);
+                times().fold(f64::NEG_INFINITY, f64::max) - times().fold(f64::INFINITY, f64::min)
+            });
+            let turns = apart.fold(0.0, f64::max);
+            if is_open[unknown] { ((OF_A_TURN * turns).ceil() as i32).clamp(STEPS, most) } else { 0 }
+        })
+    }
+}
+
+/// What ever smaller steps come to from a place, within the range of the open angles.
+fn climbed(size: &impl Fn([f64; 2]) -> f64, from: [f64; 2], is_open: [bool; 2], step: f64) -> f64 {
+    let (mut best, mut step) = ((from, size(from)), step);
+    while step > FINEST {
+        let [one, other] = best.0;
+        let around = [[one - step, other], [one + step, other], [one, other - step], [one, other + step]];
+        let is_meant = |at: &[f64; 2]| {
+            [0, 1].iter().all(|of| if is_open[*of] { (0.0..=1.0).contains(&at[*of]) } else { at[*of] == from[*of] })
+        };
+        let beside = around.into_iter().filter(is_meant).map(|at| (at, size(at)));
+        match beside.max_by(|(_, one), (_, other)| one.total_cmp(other)) {
+            Some(next) if next.1 > best.1 => best = next,
+            _ => step /= 2.0,
+        }
+    }
+    best.1
 }

@@ -28,16 +28,24 @@ pub(in crate::report) fn summary(verdict: &OpenVerdict) -> Text {
     if let Remaining::Factored { factor, lengths, .. } = family::remaining(verdict) {
         return factored(&factor, &lengths);
     }
-    if verdict.never() {
-        return "never 0".into();
-    }
-    match verdict.bank_angles() {
-        Some(angles) if angles.is_empty() => NEVER.into(),
-        Some(angles) => phrase!("0 at φ = {}", list(&angles)),
-        None => match verdict.meeting() {
-            Some(met) => zero_on(one_of(met.iter().map(Vec::as_slice), exactly)),
-            None => Text::joined(verdict.sums.iter().filter_map(condition_of), " and at once "),
+    zeros(verdict, |angles| phrase!("0 at φ = {}", list(angles)), exactly)
+}
+
+/// Where it is 0. With several lengths that is told of all lengths at once: given ones may make it 0 elsewhere.
+fn zeros(verdict: &OpenVerdict, at: impl Fn(&BTreeSet<Turn>) -> Text, shown: fn(String, &Turn) -> String) -> Text {
+    let found = match (verdict.never(), verdict.bank_angles()) {
+        (true, _) => None,
+        (false, Some(angles)) => (!angles.is_empty()).then(|| at(&angles)),
+        (false, None) => match verdict.meeting() {
+            Some(met) => zero_where(one_of(met.iter().map(Vec::as_slice), shown), []),
+            None => Some(Text::joined(verdict.sums.iter().filter_map(condition_of), " and at once ")),
         },
+    };
+    match (found, verdict.hangs_on_lengths()) {
+        (Some(found), false) => found,
+        (Some(found), true) => phrase!("{} for all lengths", found),
+        (None, true) => "0 for some lengths at most".into(),
+        (None, false) => if verdict.never() { "never 0" } else { NEVER }.into(),
     }
 }
 
@@ -48,20 +56,21 @@ fn zero_on(conditions: Option<Text>) -> Text {
 
 /// The same for a table: angles that are no round number of degrees as decimals, since the proofs have them exactly.
 pub(super) fn cell(verdict: &OpenVerdict) -> Text {
-    match (verdict.bank_angles(), verdict.meeting()) {
-        _ if verdict.always() || verdict.never() => summary(verdict),
-        (Some(angles), _) if angles.iter().any(is_fractional) => {
-            let (near, exact): (Vec<&Turn>, Vec<&Turn>) = angles.iter().partition(|angle| is_fractional(angle));
-            let near = Text::joined(near.into_iter().map(in_decimals), ", ");
-            match exact.is_empty() {
-                true => phrase!("0 at φ ≈ {}", near),
-                false => {
-                    phrase!("0 at φ = {} and φ ≈ {}", typeset::listed(exact.into_iter().map(typeset::angle)), near)
-                }
-            }
-        }
-        (None, Some(met)) => zero_on(one_of(met.iter().map(Vec::as_slice), nearly)),
-        (Some(_) | None, _) => summary(verdict),
+    let rounds = match (verdict.bank_angles(), verdict.meeting()) {
+        _ if verdict.always() || verdict.never() => false,
+        (Some(angles), _) => angles.iter().any(is_fractional),
+        (None, met) => met.is_some(),
+    };
+    if rounds { zeros(verdict, at_rounded, nearly) } else { summary(verdict) }
+}
+
+/// `0 at φ = 60° and φ ≈ 25.7°`.
+fn at_rounded(angles: &BTreeSet<Turn>) -> Text {
+    let (near, exact): (Vec<&Turn>, Vec<&Turn>) = angles.iter().partition(|angle| is_fractional(angle));
+    let near = Text::joined(near.into_iter().map(in_decimals), ", ");
+    match exact.is_empty() {
+        true => phrase!("0 at φ ≈ {}", near),
+        false => phrase!("0 at φ = {} and φ ≈ {}", typeset::listed(exact.into_iter().map(typeset::angle)), near),
     }
 }
 
