@@ -47,8 +47,13 @@ pub(super) fn firing_order(engine: &Engine) -> Text {
     Text::label(groups.collect::<Vec<_>>().join("-"))
 }
 
-/// The lowest order of the force and of the moment that is left, of all that exist: `2, planar`, or `none`.
-pub(super) fn first_left(engine: &Engine, theorem: &Result<EveryOrderTheorem, NoTheorem>) -> [Text; 2] {
+/// The lowest order of the force and of the moment that is left, of all that exist: `2, planar`, or `none`. Without a theorem the verdicts
+/// tell it where they are on every order up to that one.
+pub(super) fn first_left(
+    engine: &Engine,
+    theorem: &Result<EveryOrderTheorem, NoTheorem>,
+    judged: &[OrderVerdict],
+) -> [Text; 2] {
     let not_stated: &'static str = match theorem {
         Ok(theorem) => return Planar::BOTH.map(|quantity| first(theorem, engine, quantity)),
         Err(NoTheorem::PeriodTooLong(_) | NoTheorem::TooManyCandidates(_)) => "not stated: long period",
@@ -56,7 +61,23 @@ pub(super) fn first_left(engine: &Engine, theorem: &Result<EveryOrderTheorem, No
         Err(NoTheorem::FasterCrank(_)) => "not stated: crankshafts of several speeds",
         Err(NoTheorem::RodsDiffer) => "not stated: rods differ",
     };
-    [not_stated.into(), not_stated.into()]
+    Planar::BOTH.map(|quantity| first_judged(engine, judged, quantity).unwrap_or_else(|| not_stated.into()))
+}
+
+/// The lowest order that is left, where all below it are judged or do not exist.
+fn first_judged(engine: &Engine, judged: &[OrderVerdict], quantity: Planar) -> Option<Text> {
+    let turns = |order: u32| engine.crankshaft().balancers.iter().any(|shaft| shaft.order == order);
+    for order in 1..=judged.last()?.order {
+        match judged.iter().find(|verdict| verdict.order == order) {
+            Some(verdict) if verdict.whole(quantity).is_left() => {
+                return Some(phrase!("{}, {}", order, residual::shape_name(verdict.whole(quantity).shape)));
+            }
+            Some(verdict) if verdict.exists() && !verdict.whole(quantity).is_balanced() => return None,
+            None if engine.pistons_have_order(quantity.into(), order) || turns(order) => return None,
+            _ => {}
+        }
+    }
+    None
 }
 
 fn first(theorem: &EveryOrderTheorem, engine: &Engine, quantity: Planar) -> Text {

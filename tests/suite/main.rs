@@ -163,6 +163,7 @@ mod torque_conventions;
 mod torque_of_mechanisms;
 mod torsion;
 mod true_cures;
+mod true_of_odd_engines;
 mod true_sentences;
 mod two_angles;
 mod usual_quantities;

@@ -317,6 +317,13 @@ fn parallel_masses_in_two_planes_are_found() {
     assert!(left(&rotor(&text), &solutions[0]) < 1e-12);
 }
 
+/// The short answer, in one line.
+fn said(text: &str) -> String {
+    let study = RotorStudy::new(rotor(text)).expect("it is solved");
+    let answer = crankstar::page::write(&study.answer(), Format::PLAIN, &Options::default());
+    answer[0].text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 #[test]
 fn what_may_be_turned_about_the_shaft_is_said_to_be() {
     let text = file(&[
@@ -325,11 +332,6 @@ fn what_may_be_turned_about_the_shaft_is_said_to_be() {
         ["5", "200", "?", "1200"],
         ["4", "150", "?", "1800"],
     ]);
-    let said = |text: &str| {
-        let study = RotorStudy::new(rotor(text)).expect("it is solved");
-        let answer = crankstar::page::write(&study.answer(), Format::PLAIN, &Options::default());
-        answer[0].text.split_whitespace().collect::<Vec<_>>().join(" ")
-    };
     assert!(said(&text).contains("all others are these, turned about the shaft"), "{}", said(&text));
     let held = text.replacen("radius = '125 mm'\n", "radius = '125 mm'\nangle = 30\n", 1);
     assert!(said(&held).contains("mirror images of each other, and no other does"), "{}", said(&held));
@@ -508,5 +510,7 @@ fn a_mass_that_belongs_opposite_to_its_direction_is_told_there_and_not_below_0()
     let solutions = solved(&text);
     let told: Vec<[f64; 2]> = solutions[0].iter().map(|one| [one.mass_radius.decimal, one.angle]).collect();
     assert_eq!(told, [[1.0, 180.0], [0.5, 0.0]]);
+    let said = said(&text);
+    assert!(said.contains("Opposite to its given direction: 2, 3.") && !said.contains("≈ 180"), "{said}");
     assert!(left(&rotor(&text), &solutions[0]) < 1e-12);
 }

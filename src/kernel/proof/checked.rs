@@ -42,8 +42,7 @@ const FORMS: &str = "closed forms of the residual, and how robust a zero is (nei
 const OTHER_ORDERS: &str = "the masses that turn at orders not asked for: no sum of the document is about them";
 const EQUAL_RODS: &str = "that the rods are equal and centric: the document names none";
 const SAME_RODS: &str = "that the rods are equal, so that each sum is one of the engine: families name none";
-const OUTSIDE: &str =
-    "the numbers that the document names in `not_checked`, but whether the values of `peaks` and `largest` are 0";
+const OUTSIDE: &str = "the numbers that the document names in `not_checked`, but whether the values of `peaks` are 0, and that `largest` is not 0 where something is left";
 const NOT_SOLVED: &str = "the sums that are said to be `not-solved` or `equal-lengths`, and arcs and boxes that are `open`: no angles are claimed for them";
 const WEIGHTS: &str = "weights in kilograms and metres, heights of shafts, partial balance (none is in the document)";
 

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::exact::Real;
-use crate::exact::PhasorSum;
+use crate::exact::{PhasorSum, Turn};
 
 /// What is known of masses on a shaft.
 #[derive(Clone, Debug)]
@@ -53,6 +53,8 @@ pub struct Found {
     /// The direction in degrees from 0 to 360, half a turn from that of the file where a mass there would have to be below 0; of a mass of 0 any
     /// would do.
     pub angle: f64,
+    /// The same exactly, where the file gives a direction: that one, or the opposite one.
+    pub turn: Option<Turn>,
     /// The cosine of the direction against that of the first mass without an angle, where that is rational.
     pub cosine: Option<BigRational>,
     /// Where it stands, in metres, where that was wanted.

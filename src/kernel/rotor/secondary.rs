@@ -107,6 +107,7 @@ pub(super) fn four_cranks(rotor: &Rotor) -> Result<Answer, NotSolved> {
             mass_radius: Real::of(size.clone()),
             vector: None,
             angle: (sign * (angle - alpha)).rem_euclid(360.0),
+            turn: None,
             cosine: None,
             position: None,
         };

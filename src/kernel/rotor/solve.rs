@@ -43,7 +43,7 @@ fn degrees(sum: &PhasorSum) -> f64 {
 /// A mass whose vector is this sum.
 fn of_vector(index: usize, vector: PhasorSum, position: Option<Real>) -> Found {
     let angle = if vector.vanishes() { 0.0 } else { degrees(&vector) };
-    Found { index, mass_radius: Real::length(&vector), angle, cosine: None, vector: Some(vector), position }
+    Found { index, mass_radius: Real::length(&vector), angle, turn: None, cosine: None, vector: Some(vector), position }
 }
 
 fn negative(sum: &PhasorSum) -> PhasorSum {
@@ -94,10 +94,13 @@ fn direction(mass: &RotorMass) -> PhasorSum {
 /// A mass in its given direction, `above/below` long, or opposite to it where that is below 0.
 fn of_size(index: usize, mass: &RotorMass, [above, below]: [&PhasorSum; 2], position: Option<Real>) -> Found {
     let along = Real::quotient(above, below);
-    let (mass_radius, turned) =
-        if along.decimal < 0.0 { (Real::quotient(&negative(above), below), 180.0) } else { (along, 0.0) };
-    let angle = degrees(&direction(mass)) + turned;
-    Found { index, mass_radius, vector: None, angle: angle.rem_euclid(360.0), cosine: None, position }
+    let given = mass.angle.clone().unwrap_or_else(Turn::zero);
+    let (mass_radius, turn) = match along.decimal < 0.0 {
+        true => (Real::quotient(&negative(above), below), given.opposite()),
+        false => (along, given),
+    };
+    let angle = numbers::float(&turn.degrees());
+    Found { index, mass_radius, vector: None, angle, turn: Some(turn), cosine: None, position }
 }
 
 fn one_size(rotor: &Rotor, index: usize, [force, couple]: &[PhasorSum; 2]) -> Result<Answer, NotSolved> {

@@ -116,7 +116,7 @@ impl EngineRow {
                     moment: Remaining::new(judged, &judged.moment, |part| &part.moment),
                 })
                 .collect(),
-            first_left: engine_cells::first_left(layout, &verdict::every_order(layout, Masses::Reciprocating)),
+            first_left: engine_cells::first_left(layout, &verdict::every_order(layout, Masses::Reciprocating), &[]),
             remedy: engine_cells::remedy(&remedy::remedy(layout, &request)),
             unit: layout.length_unit(),
         }

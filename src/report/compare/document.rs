@@ -101,7 +101,7 @@ pub fn compare_document(engines: &[Compared]) -> CompareDocument {
 }
 
 fn engine(engine: &Compared) -> EngineEntry {
-    let first_left = engine_cells::first_left(&engine.engine, &engine.theorem);
+    let first_left = engine_cells::first_left(&engine.engine, &engine.theorem, &engine.judged.orders);
     let [first_force_left, first_moment_left] = first_left.map(|text| text.plain());
     EngineEntry {
         title: engine.engine.title().written().to_owned(),

@@ -172,7 +172,7 @@ pub(super) fn verdicts(all: &[Sized], shown: &[Sized]) -> Table {
             }
         }
     }
-    let first = |engine: &Compared| engine_cells::first_left(&engine.engine, &engine.theorem);
+    let first = |engine: &Compared| engine_cells::first_left(&engine.engine, &engine.theorem, &engine.judged.orders);
     add("Force from order".into(), &|engine| first(engine)[0].clone());
     add("Moment from order".into(), &|engine| first(engine)[1].clone());
     add("All cures".into(), &|engine| engine_cells::remedy(&engine.remedy));

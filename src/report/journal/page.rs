@@ -56,10 +56,11 @@ pub fn complete_bearings_page(engine: &Engine, loads: &CycleLoads, masses: &Bear
         pins: if pins.rows.is_empty() { Vec::new() } else { drawn(pins, plots::pins(engine, loads)) }.into(),
         shared_pins: if loads.shared_pins.is_empty() { Vec::new() } else { shared_pins() }.into(),
         knuckle_pins: if loads.knuckles.is_empty() { Vec::new() } else { knuckle_pins() }.into(),
-        rods: tables::rods(engine, loads).into(),
+        rods: (!engine.has_yokes_alone()).then(|| tables::rods(engine, loads)).into(),
         orders: both.map(orders).unwrap_or_default().into(),
         masses: by_orders(engine, masses).into(),
         parts: parts_of_a_load(engine, masses).into(),
+        method: if engine.has_yokes_alone() { text::method_of_yokes() } else { text::method() }.into(),
         assumptions: words::assumptions(engine).into(),
     };
     Document { name: "bearings", ..page.document() }

@@ -78,14 +78,13 @@ pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Table {
         .done()
 }
 
-/// How far every rod is pressed and pulled, what its bolts bear, and the side force of its piston; nothing of yokes.
+/// How far every rod is pressed and pulled, what its bolts bear, and the side force of its piston.
 pub(super) fn rods(engine: &Engine, loads: &CycleLoads) -> Table {
-    let cylinders = if engine.has_yokes_alone() { &[][..] } else { &loads.cylinders };
     // What never is says nothing of an angle.
     let force = |one: Extreme| if one.value > 0.0 { size(one.value) } else { Text::zero() };
     let at = |one: Extreme| if one.value > 0.0 { angle(one.angle) } else { "–".into() };
     let pulled = |[_, stretched]: [Extreme; 2]| Extreme { value: -stretched.value, ..stretched };
-    Table::of(cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
+    Table::of(loads.cylinders.iter().map(|cylinder| &cylinder.peaks).enumerate())
         .column("Cylinder", |(index, _)| names(engine, &[*index]))
         .column(phrase!("Rod compression in {}", Unit::NEWTON), |(_, peaks)| force(peaks.rod[0]))
         .column("at θ", |(_, peaks)| at(peaks.rod[0]))

@@ -73,6 +73,7 @@ fn found(study: &RotorStudy) -> Vec<Block> {
         blocks.push(lengths(study, &left).into());
     }
     blocks.extend(study.solutions().iter().map(|solution| Block::from(table(study, solution))));
+    blocks.extend(opposite(study).map(Block::Paragraph));
     if study.solutions().iter().flatten().any(|one| one.cosine.is_some()) {
         blocks.push(Block::Note(text::cosine()));
     }
@@ -87,6 +88,16 @@ fn found(study: &RotorStudy) -> Vec<Block> {
     blocks
 }
 
+/// Which masses belong opposite to the directions of the file.
+fn opposite(study: &RotorStudy) -> Option<Text> {
+    let given = |one: &Found| study.rotor.masses[one.index].angle.as_ref();
+    let is_opposite =
+        |one: &&Found| given(one).is_some_and(|given| one.turn.as_ref().is_some_and(|turn| turn != given));
+    let found = study.solutions().iter().flatten().filter(is_opposite);
+    let named: Vec<Text> = found.map(|one| (&study.rotor.masses[one.index].name).into()).collect();
+    (!named.is_empty()).then(|| text::opposite(Text::joined(named, ", ")))
+}
+
 /// An amount of a real number, `of` this many of it, in this unit.
 fn amount(real: &Real, of: &BigRational, unit: Unit) -> Text {
     let exact = real.exact.as_ref().map(|form| form.scaled(of));
@@ -97,6 +108,9 @@ fn amount(real: &Real, of: &BigRational, unit: Unit) -> Text {
 fn direction(one: &Found) -> Text {
     if one.vector.as_ref().is_some_and(PhasorSum::vanishes) {
         return "–".into();
+    }
+    if let Some(turn) = &one.turn {
+        return Text::label(turns(turn.turns()));
     }
     let rational = one.vector.as_ref().and_then(|vector| match numbers::direction_of(vector)? {
         Direction::Turn(turn) => Some(turn),

@@ -1,0 +1,198 @@
+//! Sentences that were false of unusual engines: at rest, with yokes, needless shafts, faster crankshafts, several lengths, unequal cylinders.
+
+use crate::true_sentences::said;
+
+const SINGLE: &str = "speed = 3000\ninline = { throws = [0] }\n\
+    mechanism = { stroke = '80 mm', rod_length = '140 mm', reciprocating_mass = '0.5 kg', rotating_mass = '0.3 kg' }\n";
+const AT_REST: &str = "speed = 0\ncycle = 'four-stroke'\nfiring_order = '1-3-4-2'\neffects = ['gas']\nbearings = ['0.2 m', '0.1 m', 0, '-0.1 m', '-0.2 m']\n\
+    inline = { throws = [0, 180, 180, 0], spacing = '100 mm' }\n\
+    mechanism = { stroke = '86 mm', rod_length = '146 mm', reciprocating_mass = '0.5 kg', rotating_mass = '0.3 kg' }\n\
+    gas = { bore = '86 mm', process = 'spark-ignition', compression_ratio = 10, mean_pressure = '9 bar' }\n";
+/// Two singles side by side, the second of `SPEED` times the speed of the first.
+const GEARED: &str = "speed = 1000\nbearings = ['0.1 m', '-0.1 m']\n\
+    [[crankshaft]]\nname = 'slow'\nsense = 'with'\noffset = '100 mm'\n\
+    [[crankshaft]]\nname = 'fast'\nsense = 'with'\nspeed = SPEED\noffset = '-100 mm'\n\
+    [mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.5 kg'\nrotating_mass = '0.2 kg'\n\
+    [[cylinder]]\ncrankshaft = 'slow'\nthrow = 0\nbank = 0\nposition = 0\n\
+    [[cylinder]]\ncrankshaft = 'fast'\nthrow = 30\nbank = 0\nposition = '10 mm'\n";
+const TWO_STROKE: &str = "speed = 1000\ncycle = 'two-stroke'\neffects = ['gas']\ninline = { throws = [0] }\n\
+    mechanism = { stroke = '80 mm', rod_length = '140 mm', reciprocating_mass = '0.5 kg' }\n\
+    gas = { bore = '80 mm', process = 'diesel', compression_ratio = 16, intake_pressure = '1.4 bar', heat = '500 J' }\n";
+const ONE_COLD: &str = "speed = 3000\ncycle = 'four-stroke'\nfiring_order = '1-2'\neffects = ['gas']\n\
+    inline = { throws = [0, 0], spacing = '90 mm' }\n\
+    mechanism = { stroke = '80 mm', rod_length = '140 mm', reciprocating_mass = '0.5 kg' }\n\
+    [gas]\nbore = '80 mm'\nprocess = 'spark-ignition'\ncompression_ratio = 9\nmean_pressure = '9 bar'\n\
+    [[gas.cylinder]]\ncylinders = [2]\nheat = 0\n";
+
+#[track_caller]
+fn tells(text: &str, told: &[&str], untold: &[&str]) {
+    for words in told {
+        assert!(text.contains(words), "`{words}` is not in: {text}");
+    }
+    for words in untold {
+        assert!(!text.contains(words), "`{words}` is in: {text}");
+    }
+}
+
+/// A crankshaft that turns against the first has counterweights that change the reverse vector; so have balancer shafts.
+#[test]
+fn what_counterweights_alone_do_is_told_where_they_change_the_direct_vector_alone() {
+    let twin =
+        SINGLE.replace("inline = { throws = [0] }", "u = { throws = [0], sense = 'against', distance = '120 mm' }");
+    let shaft = "[[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '10 kg mm'\nangle = 180\nposition = 0\n";
+    for layout in [twin, format!("{SINGLE}{shaft}")] {
+        tells(&said("remedy", &layout, &["--format", "text"]), &["The weights"], &["Counterweights alone"]);
+    }
+    tells(&said("remedy", SINGLE, &["--format", "text"]), &["Counterweights alone"], &[]);
+}
+
+#[test]
+fn the_coefficients_of_a_faster_crankshaft_are_of_its_own_orders() {
+    let told = said("bearings", &GEARED.replace("SPEED", "2"), &["--format", "markdown"]);
+    tells(&told, &["3.3 $`c_{2}`$"], &["3.3 $`c_{4}`$"]);
+    let offset = SINGLE.replace("stroke =", "pin_offset = '-2.5 mm', stroke =");
+    let told = said("bearings", &format!("bearings = ['40 mm', '-35 mm']\n{offset}"), &["--format", "text"]);
+    tells(&told, &["u₁"], &["rods differ"]);
+}
+
+#[test]
+fn at_rest_nothing_shakes_and_no_bearing_is_loaded_by_masses() {
+    tells(&said("classify", AT_REST, &[]), &["m r ω² (order 2)"], &["at 0 rpm"]);
+    tells(&said("bearings", AT_REST, &[]), &["Without gas no load is on a bearing."], &["0.000 N", "bearings ."]);
+}
+
+#[test]
+fn a_steady_torque_accelerates_nothing_and_a_mean_of_0_gives_no_power() {
+    let steady = "speed = 100\nirregularity = '2 %'\npoints = [[0, 300], [720, 300]]\nangles = [10]\n";
+    tells(&said("flywheel", steady, &["--format", "text"]), &[], &["NaN"]);
+    let none = "speed = 100\ninertia = 1\npoints = [[0, 0], [90, 100], [270, -100], [360, 0]]\n";
+    tells(&said("flywheel", none, &[]), &["At 100 rpm: 0 kW."], &["0.000"]);
+}
+
+#[test]
+fn a_needless_shaft_is_taken_away_and_none_is_added() {
+    let six = "speed = 3000\ninline = { throws = [0, 120, 240, 240, 120, 0], spacing = '0.1 m' }\n\
+               mechanism = { crank_radius = '43 mm', rod_length = '150 mm', reciprocating_mass = '0.5 kg' }\n\
+               [[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '1 kg mm'\nangle = 0\nposition = 0\nheight = 0\noffset = 0\n";
+    tells(&said("report", six, &[]), &["the removal of a shaft against the crank leaves nothing"], &["(removed)"]);
+    tells(
+        &said("remedy", six, &["--format", "text"]),
+        &["With these changes force and moment vanish"],
+        &["The weights -"],
+    );
+}
+
+#[test]
+fn cylinders_whose_turning_masses_differ_are_not_alike_and_faster_crankshafts_have_odd_orders() {
+    let unequal = SINGLE.replace("[0]", "[0, 180], spacing = '0.1 m'").replace("'0.3 kg'", "['0.3 kg', '0.9 kg']");
+    tells(
+        &said("loads", &unequal, &["--format", "markdown"]),
+        &["masses, radii, rods or offsets differ"],
+        &["all are alike"],
+    );
+    let geared = said("loads", &GEARED.replace("SPEED", "3"), &["--format", "markdown"]);
+    tells(&geared, &[], &["no odd orders but 1"]);
+    let shaft = "[[balancer]]\norder = 3\nsense = 'with'\nmass_radius = '1 kg mm'\nangle = 0\nposition = 0\n";
+    let told = said("loads", &format!("{SINGLE}{shaft}"), &["--format", "markdown"]);
+    tells(&told, &["orders 1, 2, 4, 6"], &["no odd orders but 1"]);
+}
+
+#[test]
+fn an_order_of_the_torque_that_some_pistons_lack_is_told_of_these() {
+    let rods = "speed = 2000\neffects = ['torque']\ninline = { throws = [0, 180], spacing = '60 mm' }\n\
+                mechanism = { stroke = '60 mm', rod_ratio = [0, '1/4'], reciprocating_mass = '0.5 kg' }\n";
+    let told = said("report", rods, &["--format", "text"]);
+    tells(&told, &["Order 3 (cylinder 1): the order does not exist."], &["Order 3: the order does not exist."]);
+}
+
+#[test]
+fn the_torque_of_several_classes_is_no_single_star_and_a_two_stroke_has_no_exhaust_pressure() {
+    let told = said("torque", ONE_COLD, &["--format", "text"]);
+    tells(
+        &told,
+        &["The cylinders are of several classes", "where it is not given"],
+        &["the harmonic of one cylinder times"],
+    );
+    let told = said("torque", TWO_STROKE, &["--format", "text"]);
+    tells(
+        &told,
+        &["where the pressure falls to that of the intake."],
+        &["exhaust and, in 20°", "where it is not given"],
+    );
+}
+
+#[test]
+fn nothing_is_said_of_rods_where_yokes_push_the_crankpins() {
+    let yokes = "speed = 3000\neffects = ['gas']\ncycle = 'four-stroke'\nfiring_order = '1-2'\nbearings = ['60 mm', '-60 mm']\n\
+                 boxer = { throws = [0], stagger = '40 mm' }\nmechanism = { stroke = '70 mm', scotch_yoke = true, reciprocating_mass = '0.5 kg' }\n\
+                 gas = { bore = '70 mm', process = 'spark-ignition', compression_ratio = 9, mean_pressure = '9 bar' }\n";
+    let told = said("bearings", yokes, &["--format", "text"]);
+    tells(&told, &["The yokes of cylinders 1, 2", "A Scotch yoke pushes its crankpin"], &["rod ", "rods "]);
+    tells(&said("torque", yokes, &["--format", "text"]), &[], &["connecting rod"]);
+}
+
+#[test]
+fn axes_that_miss_the_crankshaft_and_banks_alike_are_told_of_those_that_are() {
+    let three = "inline = { throws = [0, 120, 240], spacing = '60 mm' }\n\
+                 mechanism = { stroke = '60 mm', rod_length = '120 mm', pin_offset = ['2 mm', 0, 0], reciprocating_mass = '0.5 kg' }\n";
+    tells(&said("report", three, &["--format", "text"]), &["Cylinder axes miss"], &["The cylinder axes miss"]);
+    let banks = "vee = { bank_angle = 90, throws = [0, 120, 240], bank_offset = '38.1 mm', spacing = '100 mm', pin_offset = ['1 mm', '-1 mm'] }\n\
+                 mechanism = { stroke = '86 mm', rod_length = '150 mm', reciprocating_mass = '0.6 kg' }\n";
+    let told = said("report", banks, &["--format", "text"]);
+    tells(
+        &told,
+        &["at every order the sum of the force is the star of one bank"],
+        &["at every order the sum is the star"],
+    );
+}
+
+#[test]
+fn a_roll_moment_that_is_slight_beside_one_pistons_is_not_what_shakes() {
+    let long = "speed = 1200\ncycle = 'four-stroke'\neffects = ['torque']\nfiring_order = [1,24,5,20,9,16,11,14,7,18,3,22,12,13,8,17,4,21,2,23,6,19,10,15]\n\
+                inline = { spacing = '0.2 m' }\nmechanism = { stroke = '0.3 m', rod_length = '0.6 m', reciprocating_mass = '50 kg' }\n";
+    tells(&said("classify", long, &[]), &["All other roll moments"], &[]);
+}
+
+#[test]
+fn the_box_and_the_section_on_remedies_have_the_same_counterweights() {
+    let two = "speed = 1000\nbearings = ['0.2 m', '-0.2 m']\ninline = { throws = [0, 180], spacing = '0.1 m' }\n\
+               mechanism = { stroke = '80 mm', rod_length = '200 mm', reciprocating_mass = [0, '1 kg'], rotating_mass = ['1 kg', 0] }\n";
+    tells(&said("classify", two, &[]), &["20.0 kg·mm"], &["40.0 kg·mm"]);
+    tells(&said("remedy", two, &[]), &["20.0 kg·mm"], &["40.0 kg·mm"]);
+}
+
+/// The moment of an in-line six vanishes for a mirrored crankshaft, and for no angle of the other for all lengths.
+#[test]
+fn a_moment_of_several_lengths_is_told_of_all_of_them() {
+    let six = "orders = [1, 2]\ninline = { throws = [0, 120, 240, 240, 120, 0], positions = ['a', 'b', 'c', '-d', '-e', '-f'] }\n";
+    tells(&said("classify", six, &[]), &["0 for some", "where it does not for all"], &["never 0"]);
+    let two =
+        "orders = [1, 2]\nvee = { bank_angle = 'phi', throws = [0, 90], positions = ['a', 'b'], bank_offset = 'c' }\n";
+    tells(&said("classify", two, &[]), &["for all lengths", "where it does not for all"], &["never 0"]);
+    let one = "orders = [1]\nvee = { bank_angle = 'phi', throws = [0, 90], spacing = 'a' }\n";
+    tells(&said("classify", one, &[]), &[], &["for all lengths", "where it does not for all"]);
+}
+
+/// The best point of the grid was on a lower hill.
+#[test]
+fn the_largest_residual_of_a_family_is_that_of_its_highest_hill() {
+    let cylinder =
+        |throw: &str, bank: &str| format!("[[cylinder]]\nthrow = '{throw}'\nbank = '{bank}'\nposition = 0\n");
+    let three = [cylinder("90 + 7phi", "-phi"), cylinder("120 + 7phi", "0"), cylinder("120 - 4phi", "0")].concat();
+    let pins =
+        (1..=3).fold(three, |text, pin| text.replacen("position = 0\n[", &format!("position = 0\npin = {pin}\n["), 1));
+    tells(
+        &said("classify", &format!("orders = [2]\nreference_plane = 0\n{pins}pin = 3\n"), &[]),
+        &["force 0.852 m r"],
+        &[],
+    );
+    let split = "orders = [1, 2, 4, 6]\nreference_plane = 0\nvee = { bank_angle = 'phi', throws = [90, 0, 270], pin_split = '60 - phi' }\n";
+    tells(&said("classify", split, &[]), &["0.0372 m r ω² (order 4)"], &[]);
+}
+
+#[test]
+fn the_lowest_order_that_is_left_is_named_where_no_statement_is_made_on_all() {
+    let odd = "speed = 3000\nvee = { bank_angle = 77.12345, throws = [0, 131.54321, 240], pin_split = -17.5, spacing = '90 mm' }\n\
+               mechanism = { crank_radius = '40 mm', rod_length = '140 mm', reciprocating_mass = [0.5, 0.6, 0.5, 0.5, 0.6, 0.5] }\n";
+    tells(&said("compare", odd, &["I4"]), &["1, elliptical"], &["long period"]);
+}
