@@ -32,7 +32,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("proof", 8945),
     ("python", 2630),
     ("remedy", 1920),
-    ("report", 32330),
+    ("report", 32500),
     ("rotor", 660),
     ("search", 3835),
     ("shard", 665),

@@ -196,3 +196,18 @@ fn the_lowest_order_that_is_left_is_named_where_no_statement_is_made_on_all() {
                mechanism = { crank_radius = '40 mm', rod_length = '140 mm', reciprocating_mass = [0.5, 0.6, 0.5, 0.5, 0.6, 0.5] }\n";
     tells(&said("compare", odd, &["I4"]), &["1, elliptical"], &["long period"]);
 }
+
+#[test]
+fn a_report_of_an_open_layout_says_which_effects_wait_for_values() {
+    let open = "effects = ['torque', 'gas']\nvee = { bank_angle = 'phi', throws = [0, 180] }\n";
+    let words = "The layout asks for `torque`, `gas` too: a report has them once the unknowns have values.";
+    tells(&said("report", open, &[]), &[words], &[]);
+}
+
+#[test]
+fn without_a_reciprocating_mass_multiples_say_of_which_mass_they_are() {
+    let two = "inline = { throws = [0, 180], spacing = '90 mm' }\n\
+               mechanism = { crank_radius = '40 mm', rod_length = '140 mm', reciprocating_mass = 0, rotating_mass = 0.5 }\n";
+    tells(&said("classify", two, &[]), &["m is 1 kg"], &[]);
+    tells(&said("classify", &two.replace("mass = 0,", "mass = 1,"), &[]), &[], &["m is 1 kg"]);
+}

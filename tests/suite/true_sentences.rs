@@ -94,7 +94,7 @@ fn orders_that_are_small_beside_others_are_those_of_the_force_or_of_the_moment()
         "{text}"
     );
     // Whose mass the multiples are of.
-    assert!(text.contains("in m r ω² c_k with m = 0.65 kg:"), "{text}");
+    assert!(text.contains("in m r ω² c_k, m being 0.65 kg:"), "{text}");
     assert!(!text.contains("times kilograms"), "{text}");
 }
 
@@ -109,7 +109,7 @@ fn the_mass_of_the_multiples_is_the_one_that_they_count() {
     };
     // √2 of two masses of 0.8 kg is 1.13 of one kilogram.
     assert!(told("").contains("m being the unit of the reciprocating masses in the table of cylinders:"));
-    assert!(told("[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\n").contains("with m = 1 kg:"));
+    assert!(told("[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\n").contains("m being 1 kg:"));
 }
 
 #[test]
@@ -355,7 +355,7 @@ pub fn checked(layout: &str, says: &str) -> String {
         format!("[[statement]]\ntext = 'a claim'\n[[statement.claim]]\nlayout = 'layout.toml'\nsays = '{says}'\n");
     let path = folder.join("claims.toml");
     std::fs::write(&path, claims).expect("claims");
-    let output = call(&["check", path.to_str().expect("UTF-8"), "--format", "text"]);
+    let output = call(&["check", path.to_str().expect("UTF-8")]);
     String::from_utf8_lossy(&output.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
 }
 

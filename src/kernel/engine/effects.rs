@@ -14,3 +14,17 @@ pub struct Effects {
     /// Torsional vibration of the crankshaft.
     pub torsion: bool,
 }
+
+impl Effects {
+    /// The words by which a layout file asks for them.
+    pub fn asked(&self) -> Vec<&'static str> {
+        let words = [
+            ("torque", self.torque),
+            ("remedy", self.remedy),
+            ("gas", self.gas),
+            ("firing", self.firing),
+            ("torsion", self.torsion),
+        ];
+        words.into_iter().filter(|(_, asked)| *asked).map(|(word, _)| word).collect()
+    }
+}

@@ -1,5 +1,7 @@
 //! What shakes, how much, what cures it and what that leaves? What a reader sees first: five lines at most.
 
+use num_traits::Zero;
+
 use super::super::calculation::{Unit, books_line, percent_at_most};
 use super::super::roll_asked::roll_asked;
 use super::super::{mechanism_words, residual, stars, table};
@@ -304,6 +306,8 @@ fn notes(
     let given = as_judged.filter(|weighed| weighed.assumed.is_none());
     notes.extend(given.and_then(|weighed| books_line(engine, &weighed.loads, Unit::as_read)));
     notes.extend(is_exact.then(of_residual::exact_sizes));
+    let is_without_mass = engine.dimensions().mass.as_ref().is_some_and(Zero::is_zero);
+    notes.extend((is_exact && is_without_mass).then(text::mass_of_one));
     if is_exact && shows_classes(weighing, as_judged) {
         notes.extend(mechanism_words::rows(engine));
     }

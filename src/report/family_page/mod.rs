@@ -26,7 +26,7 @@ use super::moving;
 use crate::engine::{DELTA, Engine, Family, PHI, WHY_NOT};
 use crate::family::{self, OpenOrder, OpenSum, OpenVerdict, When};
 use crate::order::{Masses, masses_as_built};
-use crate::page::{Block, Document, Fold, Picture, Text, number, phrase};
+use crate::page::{Block, Choice, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::Planar;
 use crate::report::texts::family as text;
 
@@ -43,6 +43,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
     let page = text::Page {
         family: family.title().into(),
         summary: family_summary(family, orders).into(),
+        asked: asked(family).into(),
         verdicts: tables::summary(orders).into(),
         legend: [text::legend(hang_on_lengths(orders))].into(),
         amplitudes: amplitude_picture(family, orders).into(),
@@ -58,6 +59,13 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
         assumed: [super::texts::mechanism::equal_rods()].into(),
     };
     Document { name: "report", has_contents: true, ..page.document() }
+}
+
+/// Which effects that the layout asks for need values of the unknowns.
+fn asked(family: &Family) -> Option<Text> {
+    let effects = family.effects().asked();
+    let number = Choice::one_or_more(effects.len());
+    (!effects.is_empty()).then(|| text::asked(Text::joined(effects.into_iter().map(Text::code), ", "), number))
 }
 
 /// The box that the report of a family opens with, by itself.
