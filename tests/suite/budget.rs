@@ -33,7 +33,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("python", 2630),
     ("remedy", 1920),
     ("report", 32500),
-    ("rotor", 660),
+    ("rotor", 670),
     ("search", 3835),
     ("shard", 665),
     ("stars", 655),
