@@ -15,7 +15,7 @@ use super::measures::Measures;
 use super::orders::EngineAndOrders;
 use super::pages::shown;
 use super::verify::proved;
-use super::weigh::Weigh;
+use super::weigh::{DATA_HAS_ALL, OF_KNOWN, Weigh};
 use super::{layouts, write};
 
 /// Arguments of `classify`.
@@ -65,7 +65,11 @@ impl Classify {
         if self.all_orders && !self.is_json() && !self.data.is_coq() {
             return Err(Failure::misuse("--all-orders adds to the JSON document; add --json, or --format coq"));
         }
+        if wanted.is_some() || self.is_json() || self.data.is_coq() {
+            self.weigh.are_omitted(DATA_HAS_ALL)?;
+        }
         if self.firing {
+            self.weigh.are_omitted("are about orders of force and moment; omit them, or --firing")?;
             return self.run_firing(wanted.is_some());
         }
         if self.mode.is_given() {
@@ -154,6 +158,7 @@ impl Classify {
                 "--torque, --all-orders and --masses need an engine without unknowns; give them values below [values]",
             ));
         }
+        self.weigh.are_omitted(OF_KNOWN)?;
         family::comparable(family).map_err(Failure::new)?;
         let verdicts = family::classify(family, orders).map_err(Failure::new)?;
         match self.is_json() {

@@ -10,7 +10,7 @@ use super::answer::Answer;
 use super::failure::Failure;
 use super::layouts::without_unknowns;
 use super::orders::EngineAndOrders;
-use super::weigh::Threshold;
+use super::weigh::{DATA_HAS_ALL, Threshold};
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";
@@ -73,6 +73,9 @@ impl Auto {
 impl Loads {
     /// Prints the loads, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
+        if self.json || self.answer.is_data() {
+            self.above.are_omitted(DATA_HAS_ALL)?;
+        }
         self.answer.give("loads", self.json, || {
             let (layout, orders) = self.about.read()?;
             let engine = without_unknowns(layout, "loads need")?;

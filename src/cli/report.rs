@@ -13,7 +13,7 @@ use super::masses::{Masses, masses_of_a_family};
 use super::orders::{EngineAndOrders, classified};
 use super::pages::Pages;
 use super::progress;
-use super::weigh::Weigh;
+use super::weigh::{OF_KNOWN, Weigh};
 
 /// Arguments of `report`.
 #[derive(clap::Args)]
@@ -67,6 +67,7 @@ impl Report {
             }
             Layout::Open(_) if self.masses.are_given() => Err(masses_of_a_family()),
             Layout::Open(family) => {
+                self.weigh.are_omitted(OF_KNOWN)?;
                 family::comparable(family).map_err(Failure::new)?;
                 let verdicts = family::classify(family, &orders).map_err(Failure::new)?;
                 let page = report::family_page(family, &verdicts, self.pages.runs_scripts());

@@ -28,6 +28,11 @@ pub struct Weigh {
     rod_ratio: Option<BigRational>,
 }
 
+/// Why they say nothing of data.
+pub const DATA_HAS_ALL: &str = "choose what an answer lists order by order, and data has every order; omit them";
+/// Why they say nothing of a layout with unknowns.
+pub const OF_KNOWN: &str = "need an engine without unknowns; give them values below [values]";
+
 fn percent(text: &str) -> Result<f64, String> {
     match text.trim_end_matches('%').parse::<f64>() {
         Ok(value) if (0.0..=100.0).contains(&value) => Ok(value / 100.0),
@@ -36,6 +41,21 @@ fn percent(text: &str) -> Result<f64, String> {
 }
 
 impl Threshold {
+    /// Refuses them where they say nothing, for this reason.
+    ///
+    /// # Errors
+    /// One of them.
+    pub fn are_omitted(&self, why: &str) -> Result<(), Failure> {
+        match self.is_given() {
+            true => Err(Failure::misuse(format!("--above and --all {why}"))),
+            false => Ok(()),
+        }
+    }
+
+    fn is_given(&self) -> bool {
+        self.above.is_some() || self.all
+    }
+
     /// What is reported of an engine whose orders were asked for, or were not.
     pub fn read(&self, asked: bool) -> Weighing {
         Weighing { above: self.above, all: self.all, asked, rod_ratio: None }
@@ -43,6 +63,17 @@ impl Threshold {
 }
 
 impl Weigh {
+    /// Refuses them where they say nothing, for this reason.
+    ///
+    /// # Errors
+    /// One of them.
+    pub fn are_omitted(&self, why: &str) -> Result<(), Failure> {
+        match self.above.is_given() || self.rod_ratio.is_some() {
+            true => Err(Failure::misuse(format!("--above, --all and --rod-ratio {why}"))),
+            false => Ok(()),
+        }
+    }
+
     /// What is reported of an engine whose orders were asked for, or were not.
     ///
     /// # Errors

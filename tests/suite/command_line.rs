@@ -270,6 +270,31 @@ fn an_option_of_another_format_is_refused() {
     assert!(fails(&["classify", "examples/four.toml", "--rod-ratio", "0.3"], 2).contains("this layout gives its own"));
 }
 
+#[test]
+fn the_choice_of_orders_is_refused_where_none_are_listed() {
+    let folder = scratch("listed_orders");
+    fs::create_dir_all(&folder).expect("a folder");
+    let open = folder.join("open.toml");
+    fs::write(&open, "[vee]\nbank_angle = 'phi'\nthrows = [0]\n").expect("written");
+    let open = text(&open);
+    for option in [&["--above", "50"][..], &["--all"], &["--rod-ratio", "1/4"]] {
+        let refused = |arguments: &[&str], why: &str| {
+            let told = fails(&[arguments, option].concat(), 2);
+            assert!(told.contains(why), "{arguments:?} {option:?}: {told}");
+        };
+        refused(&["classify", open], "an engine without unknowns");
+        refused(&["report", open], "an engine without unknowns");
+        refused(&["classify", "I4", "--firing"], "orders of force and moment");
+        for data in [&["--json"][..], &["--format", "csv"], &["--format", "coq"]] {
+            refused(&[&["classify", "I4"], data].concat(), "data has every order");
+        }
+        if option[0] != "--rod-ratio" {
+            refused(&["loads", "examples/four.toml", "--json"], "data has every order");
+            refused(&["loads", "examples/four.toml", "--format", "csv"], "data has every order");
+        }
+    }
+}
+
 /// Without a folder a format that is named is printed, of every command.
 #[test]
 fn a_page_whose_format_is_named_is_printed() {
