@@ -106,6 +106,9 @@ impl Answer {
         ask: impl FnOnce() -> Result<Q, Failure>,
     ) -> Result<(), Failure> {
         let wanted = self.wanted(question)?;
+        if is_json {
+            self.page.is_said_of_data()?;
+        }
         let asked = ask()?;
         match wanted {
             Some(wanted) => wanted.give(asked.tables()),
@@ -121,6 +124,9 @@ impl Answer {
     pub fn wanted(&self, question: &'static str) -> Result<Option<Wanted<'_>>, Failure> {
         let folder = self.output().filter(|_| !self.is_data()).map(|_| page::Format::GITHUB);
         self.page.is_said_of(self.page_format().or(folder))?;
+        if self.is_data() {
+            self.page.is_said_of_data()?;
+        }
         let format = match self.format() {
             Some(Format::Data(DataFormat::Table(format))) => Some(format),
             Some(Format::Data(DataFormat::Json)) => self.tables.json(),

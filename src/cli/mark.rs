@@ -76,6 +76,9 @@ impl Mark {
             None => folder,
         };
         self.page.is_said_of(page_format)?;
+        if self.format == Some(Format::Csv) && folder.is_none() {
+            self.page.is_said_of_data()?;
+        }
         if !self.handed_in.exists() {
             return Err(Failure::new(format!("there is no file or folder `{}`", layouts::shown(&self.handed_in))));
         }

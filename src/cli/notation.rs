@@ -16,6 +16,11 @@ pub struct Notation {
 }
 
 impl Notation {
+    /// Whether a file is named.
+    pub fn is_given(&self) -> bool {
+        self.symbols.is_some()
+    }
+
     /// The names that the reader gives; none without a file.
     pub fn read(&self) -> Result<Symbols, Failure> {
         let Some(path) = &self.symbols else { return Ok(Symbols::default()) };

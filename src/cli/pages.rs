@@ -143,6 +143,18 @@ impl PageArgs {
         })
     }
 
+    /// Refuses what is said of pages and answers where data is written.
+    ///
+    /// # Errors
+    /// The option.
+    pub fn is_said_of_data(&self) -> Result<(), Failure> {
+        let told = [("--symbols", self.reader.notation.is_given()), ("--stamp", self.reader.stamp)];
+        let strange = told.into_iter().find(|(_, is_given)| *is_given);
+        strange.map_or(Ok(()), |(option, _)| {
+            Err(Failure::misuse(format!("{option} is for pages and answers, and data is written; omit it")))
+        })
+    }
+
     /// The files of a page, the main one first.
     pub fn files(&self, document: &Document, format: Format) -> Result<Vec<File>, Failure> {
         let (fragment, label, siunitx) = (self.fragment, self.label.clone(), self.siunitx);

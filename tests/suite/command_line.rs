@@ -267,6 +267,12 @@ fn an_option_of_another_format_is_refused() {
         let data = ["accuracy", "examples/four.toml", "--format", "csv"];
         assert!(fails(&[&data, option].concat(), 2).contains("no page is written"), "{option:?}");
     }
+    for option in [&["--symbols", "nope.toml"][..], &["--stamp"]] {
+        for data in [&["--json"][..], &["--format", "json"], &["--format", "csv"], &["--output", "loads.csv"]] {
+            let told = fails(&[&["loads", "examples/four.toml"], data, option].concat(), 2);
+            assert!(told.contains("is for pages and answers, and data is written"), "{data:?}: {told}");
+        }
+    }
     assert!(fails(&["classify", "examples/four.toml", "--rod-ratio", "0.3"], 2).contains("this layout gives its own"));
 }
 
