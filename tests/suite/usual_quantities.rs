@@ -37,7 +37,7 @@ fn a_forgotten_unit_is_told_with_its_key_and_the_unit_that_may_be_meant() {
         ("'450 g'", "450", ["a reciprocating mass of 450 kg at a stroke of 92 mm", "layout.toml:5", "\"450 g\""]),
         ("'90 mm'", "'90 m'", ["spacing is read as 90 m", "layout.toml:9", "engines have 0.002 m to 10 m"]),
         ("'45 mm'", "45", ["radius is read as 45 m", "layout.toml:13", "such as \"45 mm\""]),
-        ("'90 mm'", "0", ["spacing is 0", "layout.toml:9", "all throws are then in one plane"]),
+        ("'90 mm'", "0", ["spacing is 0", "layout.toml:9", "throws one spacing apart are then in one plane: how"]),
         ("3000", "0.5", ["speed is read as 0.5 rpm", "layout.toml:1", "such as \"0.5 rev/s\""]),
         ("3000", "'6.000 rpm'", ["speed is read as 6 rpm", "layout.toml:1", "10 rpm to"]),
         ("3000", "30000", ["speed makes a mean piston speed of 92 m/s", "layout.toml:1", "at most 40 m/s"]),

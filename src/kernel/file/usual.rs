@@ -197,7 +197,7 @@ fn each_in(key: &str, value: &Spanned<DeValue<'_>>, then: &mut impl FnMut(&str, 
 /// What is odd about a quantity by itself.
 fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
     if key == "spacing" && (LENGTH.read)(text).is_some_and(|length| length.is_zero()) {
-        let right = "all throws are then in one plane, and no moment is left: how far are they apart?";
+        let right = "throws one spacing apart are then in one plane: how far are they apart?";
         return Some(LayoutError::new("spacing is 0", right, Some(span)));
     }
     if key == "spacing" && (LENGTH.read)(text).is_some_and(|length| length.is_negative()) {
