@@ -46,6 +46,9 @@ const KEYS: &[(&str, usize, &str)] = &[
     ("[radial]",                                                  1, "`cylinders` is missing"),
     ("[radial]\ncylinders = 5\nrows = 2\nrow_throw = 180",        2, "`row_rotation` is missing"),
     ("[radial]\ncylinders = 5\nrows = 2\nrow_rotation = 36",      2, "`row_throw` is missing"),
+    ("[radial]\ncylinders = 5\nrow_throw = 180",                  3, "`row_throw` is of several rows"),
+    ("[radial]\nrow_rotation = 36\nrows = 1\ncylinders = 5",      2, "write rows = 2"),
+    ("[radial]\ncylinders = 5\nrow_spacing = '0.1 m'",            3, "`row_spacing` is of several rows"),
     ("inline = 3",                                                1, "expected one table"),
     ("inline = [[0, 180]]",                                       1, "a list in brackets is in the wrong place"),
     ("[[vee]]\nbank_angle = 60\nthrows = [0]",                    1, "expected one table"),
@@ -299,8 +302,8 @@ const HOLES: &[(&str, usize, &str)] = &[
     ("[vee]\nbank_angle = 60\nthrows = [0]\nbank_offset = @", 4, "deg"),
     ("[boxer]\nthrows = [0]\nstagger = @", 3, "g"),
     ("[fan]\nbanks = [0, @]\nthrows = [0]", 2, "m"),
-    ("[radial]\ncylinders = 5\nrow_throw = 0\nrow_rotation = @", 4, "m"),
-    ("[radial]\ncylinders = 5\nrow_spacing = @", 3, "deg"),
+    ("[radial]\ncylinders = 5\nrows = 2\nrow_throw = 0\nrow_rotation = @", 5, "m"),
+    ("[radial]\ncylinders = 5\nrows = 2\nrow_throw = 0\nrow_rotation = 0\nrow_spacing = @", 6, "deg"),
 ];
 
 #[test]

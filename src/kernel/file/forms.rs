@@ -224,6 +224,12 @@ impl Radial {
             let right = format!("up to {MOST_CYLINDERS} cylinders are read");
             return Err(misread_as(&(count * rows).to_string(), &self.cylinders, "number of cylinders", right));
         }
+        let of_rows =
+            [("row_rotation", &self.row_rotation), ("row_throw", &self.row_throw), ("row_spacing", &self.row_spacing)];
+        if let Some((key, Some(text))) = of_rows.into_iter().find(|(_, text)| rows == 1 && text.is_some()) {
+            let right = "write rows = 2, or how many there are, or leave it out";
+            return Err(LayoutError::new(format!("`{key}` is of several rows"), right, place(text)));
+        }
         let missing = |key: &str| {
             let message = format!("the key `{key}` is missing");
             LayoutError::new(message, "say by which angle each row follows the one before", place(&self.cylinders))

@@ -24,9 +24,9 @@ pub fn file(dice: &mut Dice, make: &str) -> String {
         _ => {
             let (cylinders, rows) = ([3, 4, 5, 6, 8, 9][dice.below(6) as usize], 1 + dice.below(2));
             let (rotation, throw) = (dice.below(120), 15 * dice.below(24));
-            format!(
-                "[radial]\ncylinders = {cylinders}\nrows = {rows}\nrow_rotation = {rotation}\nrow_throw = {throw}\nrow_spacing = 1\n"
-            )
+            let turned = format!("row_rotation = {rotation}\nrow_throw = {throw}\nrow_spacing = 1\n");
+            let turned = if rows > 1 { turned } else { String::new() };
+            format!("[radial]\ncylinders = {cylinders}\nrows = {rows}\n{turned}")
         }
     }
 }

@@ -24,9 +24,9 @@ pub fn file(dice: &mut Dice, form: &str, most: u64) -> String {
             let rows = dice.below(4) + 1;
             let cylinders = dice.below(most / rows - 1) + 2;
             let (rotation, throw) = (dice.below(120), dice.below(360));
-            format!(
-                "[radial]\ncylinders = {cylinders}\nrows = {rows}\nrow_rotation = {rotation}\nrow_throw = {throw}\nrow_spacing = 1\n"
-            )
+            let turned = format!("row_rotation = {rotation}\nrow_throw = {throw}\nrow_spacing = 1\n");
+            let turned = if rows > 1 { turned } else { String::new() };
+            format!("[radial]\ncylinders = {cylinders}\nrows = {rows}\n{turned}")
         }
         _ => (0..dice.below(most) + 1).map(|_| cylinder(dice)).collect(),
     };
