@@ -84,6 +84,27 @@ fn multiples_and_what_is_left_out_are_no_odd_quantities() {
     }
 }
 
+/// The value that such a warning names would be refused next.
+#[test]
+fn no_unit_is_meant_of_a_value_that_is_refused_in_every_unit() {
+    for (from, to) in [
+        ("3000", "-1"),
+        ("3000", "[1]"),
+        ("'46 mm'", "-46"),
+        ("'140 mm'", "-140"),
+        ("'0.4 kg'", "-400000"),
+        ("'45 mm'", "-45"),
+    ] {
+        let text = FOUR.replace(from, to);
+        assert!(parse_layout("layout.toml", &text).is_err(), "{to}");
+        let told: Vec<_> = file::warnings_of_values("layout.toml", &text).iter().map(ToString::to_string).collect();
+        assert_eq!(told, Vec::<String>::new(), "{to}");
+    }
+    let offset = FOUR.replace("[inline]", "pin_offset = '-5 m'\n[inline]");
+    let told = file::warnings_of_values("layout.toml", &offset);
+    assert!(told[0].to_string().contains("pin_offset is read as -5 m"), "{}", told[0]);
+}
+
 #[test]
 fn how_often_a_crankshaft_turns_is_no_odd_speed() {
     let shafts = "speed = 3000\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.5 kg'\n\

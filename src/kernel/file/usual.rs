@@ -104,6 +104,11 @@ const USUAL: &[(&str, Kind, i64, i64)] = &[
     ("reciprocating", SHARE, 0, 5_000),
     ("rotating_and_half_reciprocating", SHARE, 0, 5_000),
 ];
+/// Of these keys a value below 0 is read; of the others it is refused, whatever its unit.
+#[rustfmt::skip]
+const SIGNED: [&str; 9] = [
+    "pin_offset", "web_radius", "row_spacing", "bank_offset", "bank_offsets", "stagger", "place", "distance", "circumradius",
+];
 /// What ends so is a mass: `piston_mass`.
 const MASS_ENDS: &str = "_mass";
 /// Tables whose keys are names of other things.
@@ -188,6 +193,8 @@ fn each_in(key: &str, value: &Spanned<DeValue<'_>>, then: &mut impl FnMut(&str, 
     match value.get_ref() {
         _ if OTHERS.contains(&key) => {}
         DeValue::String(text) => then(key, text, value.span()),
+        // There is one speed; a list of them is refused.
+        DeValue::Array(_) if key == "speed" => {}
         DeValue::Array(list) => list.iter().for_each(|value| each_in(key, value, then)),
         DeValue::Table(table) => table.iter().for_each(|(key, value)| each_in(key.get_ref(), value, then)),
         _ => {}
@@ -209,7 +216,8 @@ fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
     let thousandths = |number: i64| BigRational::new(number.into(), 1000.into());
     let (least, most) = (thousandths(*least), thousandths(*most));
     let is_usual = |value: &BigRational| value.is_zero() || (value.abs() >= least && value.abs() <= most);
-    let value = (kind.read)(text).filter(|value| !is_usual(value))?;
+    let is_read = |value: &BigRational| !value.is_negative() || SIGNED.contains(&name);
+    let value = (kind.read)(text).filter(|value| is_read(value) && !is_usual(value))?;
     let meant = kind.meant.iter().map(|unit| format!("{} {unit}", text.trim()));
     let meant = meant.into_iter().find(|text| (kind.read)(text).is_some_and(|value| is_usual(&value)));
     let shown = |value: &BigRational| format!("{}{}", exact_number(value).trim_matches('"'), kind.unit);
