@@ -85,6 +85,7 @@ const MISTAKES: &[(&str, usize, &str)] = &[
     ("[mechanism]\nrod_ratio = '0.5'\nrod_length = 1\nstroke = 1",          4, "both rod_ratio and rod_length"),
     ("[mechanism]\nrod_ratio = '0.9'\noffset_ratio = '0.1'",                3, "λ + |δ|"),
     ("[mechanism]\nrod_ratio = '0.9'\noffset_ratio = '0.0999999'",          3, "0.999999"),
+    ("[mechanism]\nrod_ratio = '0.3'\noffset_ratio = '2e36/7'",             3, "λ + |δ| ≥ 10^35\n"),
     ("[mechanism]\noffset_ratio = '0.1'",                                   3, "without a rod"),
     ("[mechanism]\nrod_ratio = '0.3'\npin_offset = '1 mm'",                 4, "offset_ratio = e/l"),
     ("[mechanism]\npin_mass = 1",                                           3, "without a piston_mass"),

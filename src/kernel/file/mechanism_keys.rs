@@ -128,7 +128,10 @@ impl Keys {
             Some(index) => {
                 let Rod { ratio, offset } = &rods[index];
                 let size = ratio + offset.abs();
+                let digits = size.to_integer().to_string().len();
                 let shown = match exact_number(&size) {
+                    // A number in so many digits is seen by its power of ten.
+                    _ if digits > 15 => format!("≥ 10^{}", digits - 1),
                     fraction if fraction.starts_with('"') => {
                         let tens = BigRational::from_integer(10_000.into());
                         format!("≈ {}", exact_number(&((&size * &tens).round() / &tens)))
