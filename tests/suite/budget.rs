@@ -17,7 +17,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("engine", 4265),
     ("exact", 1755),
     ("family", 3900),
-    ("file", 8440),
+    ("file", 8450),
     ("firing", 410),
     ("flywheel", 510),
     ("gas", 1100),

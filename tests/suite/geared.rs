@@ -433,6 +433,7 @@ fn mistakes_about_crankshafts_get_a_message_at_their_place() {
         ),
         ("[delta]\nrows = [0]\ncircumradius = 6\nagainst = ['D']".into(), "\"B\" or \"C\""),
         ("[delta]\nrows = [0]\ncircumradius = 6\nagainst = ['A', 'B', 'C']".into(), "leave one corner out"),
+        ("[delta]\nrows = [0]\ncircumradius = 6\nagainst = ['A', 'A']".into(), "the corner `A` is named before"),
         ("[opposed_piston]\nthrows = [0]\nlead = 9\nleading = 'left'".into(), "\"upper\" or \"lower\""),
         ("[square_four]\nin_phase = 'rows'\nsense = 'with'\ndistance = 4".into(), "diagonals"),
         ("[h]\nthrows = [0]\nsense = 'with'".into(), "distance"),

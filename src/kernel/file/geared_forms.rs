@@ -149,6 +149,10 @@ impl Delta {
                     let Some(corner) = CORNERS.iter().position(|(name, _)| *name == written) else {
                         return Err(misread(text, "corner", "\"A\", the corner below, \"B\" or \"C\""));
                     };
+                    if senses[corner] == Sense::Reverse {
+                        let message = format!("the corner `{written}` is named before");
+                        return Err(LayoutError::new(message, "name each corner once", place(text)));
+                    }
                     senses[corner] = Sense::Reverse;
                 }
             }
