@@ -8,6 +8,7 @@ use crankstar::exact::Turn;
 use crankstar::file::{self, parse_angle, parse_length, parse_number, parse_radius};
 use crankstar::remedy::{self, Request};
 use crankstar::report;
+use crankstar::text::counted;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -138,7 +139,7 @@ impl Remedy {
             [] => None,
             [first, second] => Some([plane(first)?, plane(second)?]),
             more => {
-                let message = format!("--planes: {} positions; give two, such as 0.12,-0.12", more.len());
+                let message = format!("--planes: {}; give two, such as 0.12,-0.12", counted(more.len(), "position"));
                 return Err(Failure::new(message));
             }
         };

@@ -15,6 +15,7 @@ use crate::order::Masses;
 use crate::remedy;
 use crate::report::ValueName;
 use crate::search::{self, Limit};
+use crate::text::counted;
 
 /// Orders of force and moment: whole numbers, in a list or an array; none where they are omitted.
 pub(super) fn orders(value: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<u32>>> {
@@ -57,8 +58,8 @@ pub(super) fn cycle(name: &str) -> PyResult<Cycle> {
 /// Two positions along the crankshaft, as they are written.
 pub(super) fn planes(value: &Bound<'_, PyAny>) -> PyResult<[String; 2]> {
     let planes: Vec<String> = keys::numbers(value)?;
-    let count = planes.len();
-    planes.try_into().map_err(|_| told(format!("planes: {count} positions; give two, such as (0.12, -0.12)")))
+    let count = counted(planes.len(), "position");
+    planes.try_into().map_err(|_| told(format!("planes: {count}; give two, such as (0.12, -0.12)")))
 }
 
 /// Balance factors: none, one for all, or one per throw.

@@ -101,7 +101,7 @@ fn remedy_writes_its_page_into_a_folder() {
 fn what_remedy_cannot_take_is_told() {
     let refused = |arguments: &[&str]| fails(&[&["remedy", "I3"], arguments].concat(), 1);
     assert!(refused(&["--planes", "1,1"]).contains("both planes are at 1"));
-    assert!(refused(&["--planes", "1"]).contains("give two"));
+    assert!(refused(&["--planes", "1"]).contains("--planes: 1 position; give two"));
     assert!(refused(&["--planes", "1,x"]).contains("cannot read `x`"));
     assert!(refused(&["--planes", "1 mm,2 mm"]).contains("count in spacings"));
     assert!(refused(&["--balance-factor=-1"]).contains("0 or more"));

@@ -458,7 +458,7 @@ fn what_cannot_damp_is_refused_at_its_place() {
     let two = "inertias = [1, 1]\nstiffnesses = [1]\n";
     for (keys, words, line) in [
         (format!("{two}dampings = [0, -1]\n"), "damping 2 is below 0", 8),
-        (format!("{two}dampings = [0]\n"), "1 dampings for 2", 8),
+        (format!("{two}dampings = [0]\n"), "1 damping for 2", 8),
         (format!("{two}loss_factor = -0.1\n"), "loss factor is 0 or more", 8),
         (format!("{two}[[torsion.shaft]]\nbetween = [1, 2]\nloss_factor = -3\n"), "loss factor is 0 or more", 10),
         (format!("{two}loss_factor = 0.1\nmagnifier = 10\n"), "a loss factor and a magnifier", 9),

@@ -126,7 +126,7 @@ fn mistakes_in_a_table_name_the_row() {
     assert_told(&changed(7, "[100, 1]"), 16, &["row 8: the angle does not rise"]);
     assert_told(&changed(3, "[60, 0]"), 12, &["row 4: an absolute pressure of 0 Pa", "reading = \"gauge\""]);
     assert_told(&changed(3, "[60, -0.4]"), 12, &["row 4: an absolute pressure of -40000 Pa"]);
-    assert_told(&changed(3, "[60]"), 12, &["a row of 1 values"]);
+    assert_told(&changed(3, "[60]"), 12, &["a row of 1 value\n"]);
     assert_told(&changed(3, "[60, nan]"), 12, &["not a number"]);
     assert_told(&changed(3, "[60, inf]"), 12, &["not a number"]);
     assert_told(&changed(3, "['60 mm', 1]"), 12, &["cannot read the angle"]);

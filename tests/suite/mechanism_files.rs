@@ -94,6 +94,7 @@ const MISTAKES: &[(&str, usize, &str)] = &[
     ("[mechanism]\npiston_mass = 1\nreciprocating_mass = 1",                3, "both reciprocating_mass and piston_mass"),
     ("[mechanism]\nreciprocating_mass = '-1 g'",                            3, "0 or more"),
     ("[mechanism]\nreciprocating_mass = [1, 2, 3]",                         3, "3 values for 2 cylinders"),
+    ("[mechanism]\nreciprocating_mass = [1]",                               3, "1 value for 2 cylinders"),
     ("[mechanism]\nreciprocating_mass = []",                                3, "0 values for 2 cylinders"),
     ("[mechanism]\nreciprocating_mass = true",                              3, "is in the wrong place"),
     ("[mechanism]\nreciprocating_mass = [[1], 2]",                          3, "is in the wrong place"),

@@ -457,6 +457,10 @@ fn an_answer_on_a_grid_tells_that_balanced_stars_alone_are_compared() {
         out.contains("None of the 16 crank stars has balanced first-order force") && !out.contains("Only"),
         "{out}"
     );
+    let (_, out, _) = crankstar("--cylinders 8 --cycle four-stroke --bank-angle 90 --directions 2 --format markdown");
+    assert!(out.contains("One star does, with cylinder 1 at 0°: the one that is its own mirror image"), "{out}");
+    let (_, out, _) = crankstar("--cylinders 4 --cycle two-stroke --grid 1");
+    assert!(out.contains("There is one crank star, and its first-order force is not balanced."), "{out}");
 }
 
 #[test]

@@ -9,6 +9,7 @@ use num_traits::{One, ToPrimitive, Zero};
 use super::cycle::Cycle;
 use super::cylinder::{Cylinder, firing_pistons};
 use crate::exact::fraction;
+use crate::text::counted;
 
 /// One firing of the cycle.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -92,7 +93,7 @@ impl Firing {
     pub fn from_angles(angles: &[BigRational], cycle: Cycle, cylinders: &[Cylinder]) -> Result<Self, (String, String)> {
         let fired = firing_pistons(cylinders);
         if angles.len() != fired.len() {
-            let message = format!("{} firing angles for {} cylinders", angles.len(), fired.len());
+            let message = format!("{} for {}", counted(angles.len(), "firing angle"), counted(fired.len(), "cylinder"));
             return Err((message, "one per cylinder, in the order of the cylinders".into()));
         }
         let first = &angles[0];

@@ -8,6 +8,7 @@ use super::cycle::Cycle;
 use super::cylinder::Cylinder;
 use super::firing::Firing;
 use super::linear::Linear;
+use crate::text::counted;
 
 /// What a layout whose angles or positions are open says of its firing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,7 +24,8 @@ impl OpenFiring {
     /// be right.
     pub fn from_angles(angles: Vec<Linear>, cylinders: &[Cylinder<Linear, Linear>]) -> Result<Self, (String, String)> {
         if angles.len() != cylinders.len() {
-            let message = format!("{} firing angles for {} cylinders", angles.len(), cylinders.len());
+            let message =
+                format!("{} for {}", counted(angles.len(), "firing angle"), counted(cylinders.len(), "cylinder"));
             return Err((message, "one per cylinder, in the order of the cylinders".into()));
         }
         for (angle, cylinder) in angles.iter().zip(cylinders) {

@@ -4,6 +4,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::cycle_order::CycleOrder;
+use crate::text::counted;
 
 /// More discs are not read.
 pub const MOST_DISCS: usize = 200;
@@ -133,7 +134,7 @@ pub enum NoShaft {
         stiffnesses: usize,
     },
     /// Not one damping for each disc.
-    #[error("{dampings} dampings for {discs} moments of inertia; name one for each disc, 0 where there is none")]
+    #[error("{} for {discs} moments of inertia; name one for each disc, 0 where there is none", counted(*.dampings, "damping"))]
     Dampings {
         /// How many discs.
         discs: usize,

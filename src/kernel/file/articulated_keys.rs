@@ -260,7 +260,7 @@ impl Rows<'_> {
     /// The value of a link: that of all, or its own.
     fn value(&self, list: &Column, row: usize) -> Result<Text, LayoutError> {
         let right = "one value for all, or a list with one per link, in the order of their cylinders";
-        Ok(for_each(list, self.count, "links", right)?.swap_remove(row))
+        Ok(for_each(list, self.count, "link", right)?.swap_remove(row))
     }
 }
 

@@ -70,11 +70,11 @@ pub(super) fn cycle(text: &Text) -> Result<Cycle, LayoutError> {
 
 /// The part of the largest order from which on an order is listed separately, of its percentage.
 pub(super) fn threshold(text: &Text) -> Result<BigRational, LayoutError> {
-    let percent = parse_number(&text.get_ref().0).map_err(|error| misread(text, "above", error.to_string()))?;
+    let percent = parse_number(&text.get_ref().0).map_err(|error| misread(text, "threshold", error.to_string()))?;
     let hundred = BigRational::from_integer(100.into());
     match !percent.is_negative() && percent <= hundred {
         true => Ok(percent / hundred),
-        false => Err(misread(text, "above", "a percentage from 0 to 100, such as 1")),
+        false => Err(misread(text, "threshold", "a percentage from 0 to 100, such as 1")),
     }
 }
 

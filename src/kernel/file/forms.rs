@@ -18,6 +18,7 @@ use super::quantities::{
 use super::shared_keys::{SharedKeys, Throws};
 use super::written::{Column, Text, Values, Written, place};
 use crate::engine::{Cylinder, Form, LengthUnit, Linear, MOST_CYLINDERS};
+use crate::text::counted;
 
 /// What every form comes to.
 pub(super) struct Expanded {
@@ -193,7 +194,7 @@ impl Fan {
         };
         for (count, list) in [(splits.len(), &self.pin_splits), (offsets.len(), &self.bank_offsets)] {
             if count != axes.len() {
-                let message = format!("{count} values for {} banks", axes.len());
+                let message = format!("{} for {}", counted(count, "value"), counted(axes.len(), "bank"));
                 return Err(LayoutError::new(
                     message,
                     "one per bank, in the order of `banks`",
@@ -293,7 +294,7 @@ fn two_banks(bank_angle: &Linear, split: Linear, offset: &Linear) -> [Bank; 2] {
 fn set_pin_offsets(banks: &mut [Bank], list: Option<&List>) -> Result<(), LayoutError> {
     let Some(list) = list else { return Ok(()) };
     if list.get_ref().len() != banks.len() {
-        let message = format!("{} pin offsets for {} banks", list.get_ref().len(), banks.len());
+        let message = format!("{} for {}", counted(list.get_ref().len(), "pin offset"), counted(banks.len(), "bank"));
         let right = "one per bank; above 0 where the axis passes on the side to which the pin goes after dead centre";
         return Err(LayoutError::new(message, right, place(list)));
     }
@@ -357,7 +358,8 @@ pub(super) fn pins(
             return Err(LayoutError::new(message, "one of them is enough", place(list)));
         }
         (_, Some(list)) if list.get_ref().len() != throws.len() => {
-            let message = format!("{} positions for {} throws", list.get_ref().len(), throws.len());
+            let message =
+                format!("{} for {}", counted(list.get_ref().len(), "position"), counted(throws.len(), "throw"));
             return Err(LayoutError::new(message, "one position per throw", place(list)));
         }
         (_, Some(list)) => lengths(list, unit)?,

@@ -12,6 +12,7 @@ use super::quantities::misread;
 use super::units::{self, PressureUnit};
 use super::written::{Text, place};
 use crate::engine::{At, Cycle, GasMistake, PressureTable};
+use crate::text::counted;
 
 /// Rows in the layout file.
 pub(super) type Rows = Spanned<Vec<Spanned<Vec<Text>>>>;
@@ -35,7 +36,7 @@ pub(super) fn inline(list: &Rows, reading: &Reading, cycle: Cycle) -> Result<Pre
     let mut rows = Vec::new();
     for row in list.get_ref() {
         let [angle, pressure] = row.get_ref().as_slice() else {
-            let message = format!("a row of {} values", row.get_ref().len());
+            let message = format!("a row of {}", counted(row.get_ref().len(), "value"));
             return Err(LayoutError::new(message, "two: the angle and the pressure", place(row)));
         };
         let cell =

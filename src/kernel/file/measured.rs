@@ -34,7 +34,7 @@ impl Reading {
     pub fn column(&mut self, list: &Option<written::Column>, quantity: Measure) -> Result<Option<Column>, LayoutError> {
         let Some(list) = list else { return Ok(None) };
         let right = "one value for all, or a list with one per cylinder";
-        let places = for_each(list, self.count, "cylinders", right)?;
+        let places = for_each(list, self.count, "cylinder", right)?;
         let values = places.iter().map(|text| quantity.read(text)).collect::<Result<Vec<_>, _>>()?;
         let of_all = matches!(list.get_ref(), Values::One(_));
         let told = if of_all { 1 } else { self.count };

@@ -12,6 +12,7 @@ use super::units;
 use super::written::{Column, Text, Values, place};
 use crate::engine::{Cylinder, DELTA, LengthUnit, Linear, MOST_CYLINDERS, PHI, Throw};
 use crate::proof::Sense;
+use crate::text::counted;
 
 /// Reads an angle as a layout file does, in turns that are not reduced.
 ///
@@ -240,13 +241,14 @@ pub(super) fn texts(list: &Column) -> Vec<Text> {
     }
 }
 
-/// One for each of so many, the throws or whatever else there are.
+/// One for each of so many, of which one is called so.
 pub(super) fn for_each(list: &Column, count: usize, what: &str, right: &str) -> Result<Vec<Text>, LayoutError> {
     match (list.get_ref(), texts(list)) {
         (Values::One(_), only) => Ok(only.into_iter().cycle().take(count).collect()),
         (Values::Each(_), all) if all.len() == count => Ok(all),
         (Values::Each(_), all) => {
-            Err(LayoutError::new(format!("{} values for {count} {what}", all.len()), right, place(list)))
+            let message = format!("{} for {}", counted(all.len(), "value"), counted(count, what));
+            Err(LayoutError::new(message, right, place(list)))
         }
     }
 }
@@ -258,5 +260,5 @@ pub(super) fn each(
     read: impl FnMut(&Text) -> Result<BigRational, LayoutError>,
 ) -> Result<Vec<BigRational>, LayoutError> {
     let right = "one value for all, or a list with one per throw";
-    for_each(list, throws.len(), "throws", right)?.iter().map(read).collect()
+    for_each(list, throws.len(), "throw", right)?.iter().map(read).collect()
 }

@@ -10,6 +10,7 @@ use super::firing_order::{self, FiringOrder};
 use super::quantities::{List, angle, angles};
 use super::written::place;
 use crate::engine::{Convention, Cycle, Cylinder, Linear, MOST_CYLINDERS};
+use crate::text::counted;
 
 /// The keys above the form.
 pub(super) struct SharedKeys<'a> {
@@ -100,7 +101,11 @@ impl SharedKeys<'_> {
                 list.get_ref().iter().map(angle).collect()
             }
             (None, Some(list), Some(_)) => {
-                let message = format!("{} firing angles for {} cylinders", list.get_ref().len(), cylinders.len());
+                let message = format!(
+                    "{} for {}",
+                    counted(list.get_ref().len(), "firing angle"),
+                    counted(cylinders.len(), "cylinder")
+                );
                 Err(LayoutError::new(message, "one per cylinder, in the order of the cylinders", place(list)))
             }
             (_, _, None) | (None, None, _) => Err(missing(None)),

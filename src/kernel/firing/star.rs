@@ -6,6 +6,7 @@ use crate::engine::{CycleOrder, Engine, Firing, Mechanism};
 use crate::exact::{PhasorSum, Term};
 use crate::order::Source;
 use crate::proof::{Certificate, Quantity};
+use crate::text::counted;
 use crate::verdict::JudgedStar;
 
 /// What each cylinder's vector is multiplied by besides its crank radius.
@@ -77,7 +78,7 @@ pub enum NoStar {
     )]
     FasterCrank,
     /// The mode shape has another number of values than the engine has cylinders.
-    #[error("the mode shape has {values} values for {cylinders} cylinders; one per cylinder is needed")]
+    #[error("the mode shape has {} for {}; one per cylinder is needed", counted(*.values, "value"), counted(*.cylinders, "cylinder"))]
     ModeShape {
         /// How many values it has.
         values: usize,

@@ -6,6 +6,7 @@ use super::firing;
 use super::problem::{Problem, ProblemError};
 use crate::engine::{Cycle, CycleOrder};
 use crate::exact::{PhasorSum, Term};
+use crate::text::counted;
 
 /// Cylinders of more instants than this, two at each, may fire in more than 256 orders.
 const MOST_CHOICES: u32 = 9;
@@ -37,11 +38,11 @@ pub(super) fn deflections(
     match shape.len() == throws as usize {
         true => Ok(shape),
         false => {
-            let (what, each) =
-                if problem.bank_angle.is_some() { ("throws", "throw") } else { ("cylinders", "cylinder") };
+            let each = if problem.bank_angle.is_some() { "throw" } else { "cylinder" };
             Err(ProblemError::new(format!(
-                "the mode shape has {} values for {throws} {what}; one per {each} is needed",
-                shape.len()
+                "the mode shape has {} for {}; one per {each} is needed",
+                counted(shape.len(), "value"),
+                counted(throws as usize, each)
             )))
         }
     }

@@ -26,6 +26,12 @@ pub use script::json_in_script;
 pub use terminal::{harmless, harmless_but_colours, harmless_lines, of_equal_length};
 pub use xml::xml;
 
+/// So many of them: `1 value`, `2 values`.
+pub fn counted(count: usize, one: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {one}{plural}")
+}
+
 /// A text that a person wrote: a title, a name, a source, a path.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Untrusted {

@@ -72,6 +72,7 @@ fn best(front: &Front) -> Vec<Text> {
         0 if !limits.is_empty() => text::no_star_in_limits(limits_of(front)),
         1 if !limits.is_empty() => text::one_in_limits(front.limits.of, limits_of(front)),
         kept if !limits.is_empty() => text::several_in_limits(kept, front.limits.of, limits_of(front)),
+        0 if front.all == BigUint::from(1_u8) => text::only_star_not_balanced(),
         0 => text::no_balanced_star(number::grouped(&front.all.to_string())),
         // Where firing orders are compared too, a crank star counts once for each.
         sets => match (sets, counted.filter(|several| BigUint::from(*several) <= compared)) {

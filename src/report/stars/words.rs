@@ -63,6 +63,7 @@ fn counted(count: &Count) -> Option<Text> {
         Counted::Covers([p, q], covers) => {
             return Some(text::counted_covers(stars, *p, *q, grouped(&covers.to_string())));
         }
+        Counted::MirrorImages if count.stars == 1_u8.into() => return Some(text::counted_mirror_image()),
         Counted::MirrorImages => return Some(text::counted_mirror_images(stars)),
     };
     Some(match &count.classes {
