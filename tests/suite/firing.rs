@@ -8,7 +8,7 @@ use crankstar::file;
 use crankstar::firing::{FiringPattern, NoStar, Weights, firing_stars, pattern};
 use crankstar::motion::SliderCrank;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 use crate::support::dice::Dice;
 use crate::support::written::ratio;
@@ -170,6 +170,14 @@ fn a_node_in_the_middle_of_a_six_doubles_the_minor_orders_and_takes_away_the_maj
     assert_lengths("I6", &engine, &delta, &right);
 }
 
+#[test]
+fn a_mode_shape_without_deflection_is_none() {
+    let engine = file::find("I4").expect("known").engine().expect("reads");
+    let of = |values: &[&str]| firing_stars(&engine, &[CycleOrder::of_halves(2).expect("order 1")], &shape(values));
+    assert_eq!(of(&["0", "0", "0", "0"]).expect_err("no shape"), NoStar::NoDeflection);
+    assert!(of(&["0", "0", "0", "1"]).is_ok());
+}
+
 /// At the last order of a period all firing phases agree: it is major for a shape of any signs, as for the rigid shaft.
 #[test]
 fn major_orders_are_those_of_the_rigid_shaft_in_every_mode_shape() {
@@ -270,6 +278,10 @@ fn random_stars_are_the_sums_in_decimals_and_repeat_with_their_period() {
         let deltas: Vec<BigRational> =
             (0..cylinders).map(|_| BigRational::new((dice.below(9) as i64 - 4).into(), 3.into())).collect();
         let weights = Weights::ModeShape(deltas.clone());
+        if deltas.iter().all(Zero::is_zero) {
+            assert!(pattern(&engine, &weights).is_err(), "it deflects nothing");
+            continue;
+        }
         let pattern = pattern(&engine, &weights).expect("a short period");
         for halves in [1, 2, 3, 5, 8, 13, 40] {
             let at = CycleOrder::of_halves(halves).expect("an order");

@@ -80,8 +80,10 @@ fn the_stars_of_random_engines_hold() {
         draft.cycle = Some(cycle);
         draft.firing = Some(Firing::from_angles(&angles, cycle, &cylinders).expect("they fire at their dead centres"));
         let engine = draft.build().expect("an engine");
-        let shape = (0..count).map(|_| fraction(dice.below(9) as i64 - 4, 7)).collect();
-        assert_travels(&document_of(&engine, Weights::ModeShape(shape)));
+        let shape: Vec<BigRational> = (0..count).map(|_| fraction(dice.below(9) as i64 - 4, 7)).collect();
+        if shape.iter().any(|deflection| *deflection != fraction(0, 1)) {
+            assert_travels(&document_of(&engine, Weights::ModeShape(shape)));
+        }
         assert_travels(&document_of(&engine, Weights::Rigid));
     }
 }

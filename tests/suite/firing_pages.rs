@@ -116,7 +116,10 @@ fn pages() -> Vec<Document> {
         pages.push(report::firing_catalogue_answer(&engines, cycle));
         for (_, engine) in &engines {
             let Ok(engine) = report::run_in_cycle(engine, cycle) else { continue };
-            let shape = (0..engine.cylinders().len()).map(|index| BigRational::from_integer(index.into())).collect();
+            // A single cylinder is deflected too.
+            let from = usize::from(engine.cylinders().len() == 1);
+            let shape = (from..from + engine.cylinders().len()).map(|value| BigRational::from_integer(value.into()));
+            let shape = shape.collect();
             for weights in [Weights::Rigid, Weights::ModeShape(shape)] {
                 let study = FiringStudy::new(&engine, &[], weights).expect("stars");
                 pages.extend([report::firing_page(&study), report::firing_answer(&study)]);

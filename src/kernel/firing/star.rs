@@ -1,6 +1,7 @@
 //! What is the star of one order, and is it zero?
 
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use crate::engine::{CycleOrder, Engine, Firing, Mechanism};
 use crate::exact::{PhasorSum, Term};
@@ -36,15 +37,16 @@ impl Weights {
         }
     }
 
-    /// Whether there is one for each of this many cylinders.
+    /// Whether there is one for each of this many cylinders, and not 0 for all.
     ///
     /// # Errors
-    /// [`NoStar::ModeShape`].
+    /// [`NoStar::ModeShape`], [`NoStar::NoDeflection`].
     pub fn fit(&self, cylinders: usize) -> Result<(), NoStar> {
         match self {
             Weights::ModeShape(shape) if shape.len() != cylinders => {
                 Err(NoStar::ModeShape { values: shape.len(), cylinders })
             }
+            Weights::ModeShape(shape) if shape.iter().all(Zero::is_zero) => Err(NoStar::NoDeflection),
             Weights::Rigid | Weights::ModeShape(_) => Ok(()),
         }
     }
@@ -85,6 +87,9 @@ pub enum NoStar {
         /// How many cylinders there are.
         cylinders: usize,
     },
+    /// The mode shape deflects no throw.
+    #[error("a mode shape without deflection is none; one value at least is not 0")]
+    NoDeflection,
 }
 
 /// One order of the gas torque: a star for each class of cylinders that make the same torque from the same pressure.

@@ -1,6 +1,7 @@
 //! Which mode shape do firing orders of a search have, and what do its minor orders sum to?
 
 use num_rational::BigRational;
+use num_traits::Zero;
 
 use super::firing;
 use super::problem::{Problem, ProblemError};
@@ -36,6 +37,9 @@ pub(super) fn deflections(
     let falling = || (1..=throws).rev().map(|deflection| BigRational::from_integer(deflection.into())).collect();
     let shape: Vec<BigRational> = shape.unwrap_or_else(falling);
     match shape.len() == throws as usize {
+        true if shape.iter().all(Zero::is_zero) => {
+            Err(ProblemError::new("a mode shape without deflection is none; one value at least is not 0"))
+        }
         true => Ok(shape),
         false => {
             let each = if problem.bank_angle.is_some() { "throw" } else { "cylinder" };
