@@ -100,17 +100,27 @@ impl Figure {
                 "--digits has no effect on a drawing, whose labels have the figures that they have room for; omit it",
             ));
         }
+        if self.name.is_none() && self.output.is_some() {
+            return Err(Failure::misuse(
+                "--output needs the name of a figure, such as end-view; without --output the names are listed",
+            ));
+        }
         let alone = self.alone()?;
         let figures = self.figures()?;
         let names = || figures.iter().map(|figure| figure.name.as_str()).collect::<Vec<_>>();
         let listed = || figures.iter().map(|figure| format!("{}\n", figure.name)).collect::<String>();
-        let Some(name) = &self.name else { return write::to_stdout(&listed()) };
+        let layout = layouts::shown(&self.about.layout);
+        let Some(name) = &self.name else {
+            if figures.is_empty() {
+                write::warn(&format!("note: there is no figure of `{layout}` to draw"));
+            }
+            return write::to_stdout(&listed());
+        };
         let Some(figure) = figures.iter().find(|figure| figure.name == *name) else {
             let there = match names().as_slice() {
                 [] => "it has none".to_owned(),
                 names => format!("there are {}", names.join(", ")),
             };
-            let layout = layouts::shown(&self.about.layout);
             return Err(Failure::new(format!("`{layout}` has no figure `{}`; {there}", harmless(name))));
         };
         let text = alone.write(&figure.picture, &self.reader.options()?);

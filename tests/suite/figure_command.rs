@@ -88,6 +88,21 @@ fn a_name_that_the_layout_lacks_is_told_with_those_that_it_has() {
 }
 
 #[test]
+fn a_list_of_names_is_no_file_and_says_where_it_is_empty() {
+    let folder = scratch("figure_list");
+    let file = folder.join("list.svg");
+    let told = fails(&["figure", "I4", "--output", file.to_str().expect("a path")], 2);
+    assert!(told.contains("--output needs the name of a figure") && !file.exists(), "{told}");
+    let open = folder.join("open.toml");
+    let cylinder = |position: &str| format!("[[cylinder]]\nthrow = 0\nbank = 0\nposition = {position}\n");
+    fs::create_dir_all(&folder).expect("a folder");
+    fs::write(&open, cylinder("0") + &cylinder("'a'")).expect("written");
+    let output = call(&["figure", open.to_str().expect("a path")]);
+    assert!(output.status.success() && output.stdout.is_empty(), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("there is no figure of"), "{output:?}");
+}
+
+#[test]
 fn program_and_version_are_named_only_where_asked_for() {
     for format in ["svg", "tikz"] {
         let bare = ["figure", "I4", "end-view", "--format", format];
