@@ -11,6 +11,7 @@ use crankstar::report::Question;
 use crankstar::table;
 
 use super::failure::Failure;
+use super::layouts::shown;
 use super::measures::Measures;
 use super::pages::PageArgs;
 use super::tables::{Tables, Wanted};
@@ -155,6 +156,10 @@ impl Answer {
     /// No file, or a format.
     pub fn nothing_but_output(&self, flag: &str) -> Result<&Path, Failure> {
         match (self.format, self.output()) {
+            (None, Some(output)) if tables::is_named_as_data(output) => Err(Failure::misuse(format!(
+                "`{}` is named as a file of data, and {flag} keeps pieces; write --output NAME.shard",
+                shown(output)
+            ))),
             (None, Some(output)) => Ok(output),
             (Some(_), _) => Err(Failure::misuse(format!(
                 "{flag} keeps pieces, in no format yet; name one with --merge, when all are there"

@@ -291,6 +291,7 @@ fn options_that_do_not_go_together_are_told() {
     let ask = ["sweep", "V8-crossplane", "--bank-angle", "0..90:30"];
     for (more, word) in [
         (&["--shard", "1/2"][..], "--output NAME.shard"),
+        (&["--shard", "1/2", "--output", "x.csv"], "`x.csv` is named as a file of data"),
         (&["--shard", "3/2", "--output", file], "`3/2` is not a shard"),
         (&["--shard", "1/2", "--output", file, "--format", "csv"], "in no format yet"),
         (&["--resume", file], "--format csv or parquet"),
