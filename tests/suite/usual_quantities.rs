@@ -105,15 +105,16 @@ fn no_unit_is_meant_of_a_value_that_is_refused_in_every_unit() {
     assert!(told[0].to_string().contains("pin_offset is read as -5 m"), "{}", told[0]);
 }
 
+const SHAFTS: &str = "speed = 3000\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.5 kg'\n\
+    [[crankshaft]]\nname = 'L'\nsense = 'with'\noffset = '60 mm'\n\
+    [[crankshaft]]\nname = 'R'\nsense = 'against'\nspeed = 2\noffset = '-60 mm'\n\
+    [[cylinder]]\ncrankshaft = 'L'\nthrow = 0\nbank = 10\nposition = 0\n\
+    [[cylinder]]\ncrankshaft = 'R'\nthrow = 30\nbank = -10\nposition = 0\n";
+
 #[test]
 fn how_often_a_crankshaft_turns_is_no_odd_speed() {
-    let shafts = "speed = 3000\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.5 kg'\n\
-        [[crankshaft]]\nname = 'L'\nsense = 'with'\noffset = '60 mm'\n\
-        [[crankshaft]]\nname = 'R'\nsense = 'against'\nspeed = 2\noffset = '-60 mm'\n\
-        [[cylinder]]\ncrankshaft = 'L'\nthrow = 0\nbank = 10\nposition = 0\n\
-        [[cylinder]]\ncrankshaft = 'R'\nthrow = 30\nbank = -10\nposition = 0\n";
-    assert_eq!(warnings(shafts), Vec::<String>::new());
-    assert_eq!(warnings(&shafts.replace("speed = 3000", "speed = 3")).len(), 1);
+    assert_eq!(warnings(SHAFTS), Vec::<String>::new());
+    assert_eq!(warnings(&SHAFTS.replace("speed = 3000", "speed = 3")).len(), 1);
 }
 
 #[test]
@@ -327,4 +328,7 @@ fn an_odd_value_of_an_option_or_of_a_shaft_is_told_as_one_of_a_layout_is() {
     }
     let told = call(&["sweep", &four, "--spacing", "80..100:10 mm"]);
     assert!(told.stderr.is_empty(), "{told:?}");
+    let shafts = path("shafts.toml", SHAFTS);
+    let told = call(&["sweep", &shafts, "--set", "crankshaft.2.speed=1..3:1"]);
+    assert!(told.status.success() && told.stderr.is_empty(), "{told:?}");
 }

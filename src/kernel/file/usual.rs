@@ -149,7 +149,9 @@ pub fn warnings_of_values(name: &str, source: &str) -> Vec<LayoutWarning> {
 /// What is odd about the value of a key that is not in a file, in one line.
 pub fn odd_value(key: &str, text: &str) -> Option<String> {
     let name = key.rsplit('.').find(|part| part.parse::<usize>().is_err())?;
-    let odd = quantity(name, text, 0..0).filter(|_| !is_ratio(key.split('.').next(), name))?;
+    let table = key.split('.').next();
+    let is_other = table.is_some_and(|table| OTHERS.contains(&table)) || is_ratio(table, name);
+    let odd = quantity(name, text, 0..0).filter(|_| !is_other)?;
     Some(format!("{}: {}", odd.message(), odd.right()))
 }
 
