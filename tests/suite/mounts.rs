@@ -466,6 +466,8 @@ fn what_an_engine_on_its_mounts_lacks_is_named() {
     for speed in [0.0, -3.0, f64::NAN, f64::INFINITY, 1e7] {
         assert!(ask(&file, MountsAsked { speed: Some(speed), ..usual() }).contains("is no speed"));
     }
+    let at_rest = ask(&file.replace("speed = 3000", "speed = '0 rpm'"), usual());
+    assert!(at_rest.contains("the speed of the layout, 0 rpm, is none to shake at"), "{at_rest}");
     assert!(ask(&file, MountsAsked { from: Some(3000.0), ..usual() }).contains("is no range"));
     let orders = vec!["13".parse().expect("an order")];
     assert!(ask(&file, MountsAsked { orders, ..usual() }).contains("up to order 12"));

@@ -51,6 +51,11 @@ pub enum NoMounts {
     /// A speed that is none.
     #[error("{0} is no speed; write revolutions a minute above 0 and up to {FASTEST}, such as 3000")]
     Speed(f64),
+    /// The layout has a speed that is none.
+    #[error(
+        "the speed of the layout, {0} rpm, is none to shake at; write revolutions a minute above 0 and up to {FASTEST} there, such as speed = 3000, or ask at another speed"
+    )]
+    SpeedOfLayout(f64),
     /// A range that does not rise.
     #[error("from {0} to {1} is no range of speeds; its beginning is above 0 and below its end")]
     Range(f64, f64),
@@ -149,7 +154,7 @@ impl MountsStudy {
         let known = engine.dimensions().speed.as_ref().and_then(ToPrimitive::to_f64);
         let speed = known.ok_or(NoMounts::Excitation(NoExcitation::Scale))?;
         if !(speed > 0.0 && speed <= FASTEST) {
-            return Err(NoMounts::Speed(speed));
+            return Err(NoMounts::SpeedOfLayout(speed));
         }
         let to = asked.to.unwrap_or(speed);
         let from = asked.from.unwrap_or(BEGINNING * to);
