@@ -244,6 +244,30 @@ fn a_number_with_too_few_digits_does_not_earn_all_its_points() {
 }
 
 #[test]
+fn a_row_with_more_cells_than_columns_counts_nothing_and_is_told() {
+    let exercise = draw("I4", "Ada\nBob", &[1, 2]);
+    let whole = class_file(&exercise);
+    let place = whole.iter().position(|line| line.contains(",cylinder 2,")).expect("a row");
+    let marks = |line: String| {
+        let mut lines = whole.clone();
+        lines[place] = line;
+        mark_class(&exercise, vec![bytes("all.csv", lines.join("\n"))], &Scheme::default())
+    };
+    let (before, _) = whole[place].rsplit_once(',').expect("cells");
+    let (before, _) = before.rsplit_once(',').expect("cells");
+    for more in [",6,32,", ",6,32,7", ",0,0,0", ",,,x"] {
+        let results = marks(format!("{before}{more}"));
+        let ada = sheet(&results, 0);
+        assert_eq!((ada.counts().missing, ada.counts().wrong, ada.counts().unreadable), (2, 0, 0), "{more}");
+        let told: Vec<String> = ada.not_read.iter().map(|row| row.escaped(Format::Plain)).collect();
+        assert!(told.len() == 1 && told[0].starts_with(&format!("line {}: more cells", place + 1)), "{told:?}");
+        assert_eq!(sheet(&results, 1).not_read.len(), 0, "{more}");
+    }
+    let empty = marks(format!("{before},,,"));
+    assert!(sheet(&empty, 0).not_read.is_empty() && sheet(&empty, 0).counts().missing == 2, "{empty:?}");
+}
+
+#[test]
 fn nothing_that_is_said_of_a_csv_speaks_of_toml() {
     let exercise = draw("I4", "Ada\nAda\nBob", &[1, 2]);
     let whole = class_file(&exercise).join("\n");

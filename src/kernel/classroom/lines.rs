@@ -26,7 +26,7 @@ pub(super) fn sum_name(quantity: Planar) -> &'static str {
 impl Record {
     /// Whether it has no entry: the convention is none.
     pub fn is_empty(&self) -> bool {
-        self.row.starts_with(CONVENTION) || self.values.iter().all(String::is_empty)
+        !self.is_too_long && (self.row.starts_with(CONVENTION) || self.values.iter().all(String::is_empty))
     }
 }
 
@@ -54,7 +54,9 @@ pub(super) fn in_rows(rows: Vec<Row>) -> Result<Vec<(Owner, Submission)>, String
         let words = |column: Option<usize>| column.map(value).filter(|words| !words.is_empty());
         let whose = Owner { sheet: words(sheet), student: words(student) };
         let values = [value(direct), value(reverse)];
-        let record = Record { row_number, order: value(order), row: value(row), values };
+        let surplus = fields.get(header.len()..).unwrap_or_default();
+        let is_too_long = !surplus.is_empty() && values.iter().chain(surplus).any(|words| !words.is_empty());
+        let record = Record { row_number, order: value(order), row: value(row), values, is_too_long };
         match tables.iter_mut().find(|(there, _)| *there == whose) {
             Some((_, records)) => records.push(record),
             None => tables.push((whose, vec![record])),
@@ -72,8 +74,13 @@ fn named(column: &str) -> (String, String) {
 /// What is filled in. A row that says nothing of the table costs itself and no other.
 pub(super) fn answers(records: &[Record], engine: &Engine) -> Result<Answers, String> {
     let mut answers = Answers { convention: Convention::default(), tables: Vec::new(), not_read: Vec::new() };
-    for Record { row_number, order, row, values } in records {
+    for Record { row_number, order, row, values, is_too_long } in records {
         let wrong = |message: String, right: &str| format!("line {row_number}: {message}; {right}");
+        if *is_too_long {
+            let message = "more cells than the first line has columns".to_owned();
+            answers.not_read.push(wrong(message, "a decimal comma stands in quotes, as in \"6,32\""));
+            continue;
+        }
         if let Some(key) = row.strip_prefix(CONVENTION) {
             let declared = answers.convention.declare(key.trim(), &values[0], engine);
             declared.map_err(|right| wrong(format!("cannot read the {key} `{}`", values[0]), &right))?;

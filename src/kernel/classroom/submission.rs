@@ -30,4 +30,6 @@ pub(super) struct Record {
     pub order: String,
     pub row: String,
     pub values: [String; 2],
+    /// Whether something is filled in, and there are more cells than columns: nobody knows what belongs where.
+    pub is_too_long: bool,
 }
