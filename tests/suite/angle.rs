@@ -226,6 +226,8 @@ fn what_the_layout_leaves_out_is_left_out_and_what_is_senseless_is_refused() {
     }
     let down = AnglesAsked { gravity: Some(-9.81), ..AnglesAsked::default() };
     assert!(matches!(AngleStudy::new(&slow, &down), Err(NoAngles::Gravity(_))));
+    let weighed = AnglesAsked { gravity: Some(9.81), ..asked(&[30.0]) };
+    assert!(matches!(AngleStudy::new(&slow, &weighed), Err(NoAngles::NoMass)));
     let star = crate::support::written::of_catalogue("radial-9-master");
     assert!(
         matches!(AngleStudy::new(&star, &asked(&[0.0])), Err(NoAngles::Missing(Missing::Gas(_)))),

@@ -44,6 +44,11 @@ pub enum NoAngles {
     /// A gravity that is none.
     #[error("{0} is no gravity; write metres a square second from 0 to 1000, such as 9.81")]
     Gravity(f64),
+    /// A gravity, and nothing that weighs.
+    #[error(
+        "a weight needs masses: below [mechanism], add reciprocating_mass = \"450 g\" or piston_mass; or omit the gravity"
+    )]
+    NoMass,
     /// What the layout lacks.
     #[error("{0}")]
     Missing(Missing),
@@ -126,6 +131,9 @@ impl AngleStudy {
         }
         if let Some(wrong) = asked.gravity.filter(|gravity| !(0.0..=1000.0).contains(gravity)) {
             return Err(NoAngles::Gravity(wrong));
+        }
+        if asked.gravity.is_some() && engine.dimensions().mass.is_none() {
+            return Err(NoAngles::NoMass);
         }
         let law = Instants::new(engine, asked.gravity).map_err(NoAngles::Missing)?;
         let step = asked.every.or_else(|| asked.at.is_empty().then_some(USUAL_STEP));
