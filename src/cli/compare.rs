@@ -52,6 +52,7 @@ impl Compare {
 
     /// The engines with short names; with their arguments where two would have the same.
     fn read(&self) -> Result<Vec<(Untrusted, Engine)>, Failure> {
+        layouts::read_once(&self.layouts)?;
         if let [only] = self.layouts.as_slice() {
             let only = layouts::shown(only);
             return Err(Failure::new(format!(

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
 use crankstar::classroom::{self, Scheme};
@@ -112,6 +112,17 @@ pub fn source(layout: &Path) -> Result<(String, String), Failure> {
 /// A path in one line, to be read by a person.
 pub fn shown(path: &Path) -> String {
     if is_standard_input(path) { STANDARD_INPUT.1.to_owned() } else { harmless(&path.to_string_lossy()) }
+}
+
+/// Refuses arguments that name standard input twice: it is read once.
+///
+/// # Errors
+/// That it is.
+pub fn read_once<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+    match paths.into_iter().filter(|path| is_standard_input(path)).count() {
+        0 | 1 => Ok(()),
+        _ => Err(Failure::misuse("standard input is named twice, and can be read once; write one of them into a file")),
+    }
 }
 
 /// Whether a path is `-`.

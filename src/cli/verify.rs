@@ -27,6 +27,7 @@ pub struct Verify {
 impl Verify {
     /// Checks a document that `classify`, `remedy`, `loads` or `compare` printed as JSON.
     pub fn run(&self) -> Result<(), Failure> {
+        layouts::read_once(self.files.iter().chain(&self.engine))?;
         if let [only] = self.files.as_slice() {
             return write::to_stdout(&self.checked(only)?);
         }

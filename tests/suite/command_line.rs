@@ -137,6 +137,13 @@ fn verify_reads_standard_input() {
 }
 
 #[test]
+fn standard_input_is_named_once() {
+    for arguments in [&["verify", "-", "-"][..], &["verify", "-", "--engine", "-"], &["compare", "-", "I4", "-"]] {
+        assert!(fails(arguments, 2).contains("standard input is named twice"), "{arguments:?}");
+    }
+}
+
+#[test]
 fn verify_refuses_a_changed_verdict_and_says_where() {
     let folder = scratch("verify-changed");
     let json = succeeds(&["classify", "I4", "--json"]);
