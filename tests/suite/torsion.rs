@@ -56,6 +56,22 @@ fn equal_discs_have_the_frequencies_of_the_formula() {
     }
 }
 
+/// The inertia at another speed is a multiple of what it is at that of the file: at rest it is nothing to be multiplied.
+#[test]
+fn a_speed_of_0_in_the_file_is_read_as_none() {
+    let text = include_str!("../../reports/examples/i6-torsion/layout.toml").to_owned()
+        + "loss_factor = 0.02\nspeed_range = ['1000 rpm', '6000 rpm']\n";
+    let given = "speed = \"6000 rpm\"\n";
+    assert!(text.contains(given));
+    let told = |speed: &str| {
+        let engine = file::parse("six.toml", &text.replace(given, speed)).expect("it reads");
+        let study = TorsionStudy::new(&engine, &[]).expect("a shaft");
+        let tables = study.tables().iter().map(table::csv).collect::<Vec<_>>();
+        (study.speed, pages::text(&study.answer(), Format::PLAIN), tables)
+    };
+    assert_eq!(told("speed = 0\n"), told(""));
+}
+
 fn six_with_flywheel() -> Engine {
     let layout = "title = \"Six\"\ncycle = \"four-stroke\"\nfiring_order = \"1-5-3-6-2-4\"\n\
                   [inline]\nthrows = [0, 240, 120, 120, 240, 0]\n\

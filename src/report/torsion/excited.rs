@@ -109,7 +109,7 @@ pub(super) fn highest(engine: &Engine) -> u32 {
 }
 
 impl Excited {
-    /// That of an engine; none where the layout has neither harmonics nor gas with a speed.
+    /// That of an engine; none where the layout has neither harmonics nor gas with a speed above 0.
     pub fn new(engine: &Engine, torsion: &Torsion, train: &Train) -> Option<Self> {
         let disc = |cylinder: usize| torsion.pins[engine.cylinders()[cylinder].pin];
         let discs = torsion.inertias.len();
@@ -132,7 +132,7 @@ impl Excited {
             let twist_alone = twisting_alone(&orders, &alike);
             return Some(Excited { orders, speed: None, twist_alone, first: BigRational::zero() });
         }
-        let speed = engine.dimensions().speed.as_ref().map(float)?;
+        let speed = engine.dimensions().speed.as_ref().map(float).filter(|speed| *speed > 0.0)?;
         let highest = highest(engine);
         let (classes, bodies) = (torque::classes_up_to(engine, highest).ok()?, torque::bodies_up_to(engine, highest));
         let of_class = |class: &torque::Class| {

@@ -25,7 +25,7 @@ pub struct TorsionStudy {
     pub engine: Engine,
     /// The modes, rising.
     pub modes: Vec<CriticalSpeeds>,
-    /// The speed of the layout in revolutions a minute, where it has one.
+    /// The speed of the layout in revolutions a minute, where it has one above 0.
     pub speed: Option<f64>,
     /// Its discs and shafts in decimals.
     pub train: Train,
@@ -77,7 +77,7 @@ impl TorsionStudy {
         };
         let orders: Vec<CycleOrder> = orders.into_iter().collect();
         let modes = critical_speeds(engine, torsion, &orders).map_err(NoTorsion::NoStar)?;
-        let speed = engine.dimensions().speed.as_ref().and_then(BigRational::to_f64);
+        let speed = engine.dimensions().speed.as_ref().and_then(BigRational::to_f64).filter(|speed| *speed > 0.0);
         let train = Train::new(torsion);
         Ok(TorsionStudy {
             engine: engine.clone(),
@@ -110,7 +110,7 @@ impl TorsionStudy {
         self.torsion().shafts.iter().find(|shaft| shaft.ends == [disc, disc + 1])
     }
 
-    /// What excites the train; none where the layout has neither harmonics nor gas with a speed.
+    /// What excites the train; none where the layout has neither harmonics nor gas with a speed above 0.
     pub(super) fn excited(&self) -> Option<&Excited> {
         self.excited.get_or_init(|| Excited::new(&self.engine, self.torsion(), &self.train)).as_ref()
     }
