@@ -10,7 +10,7 @@ use crankstar::text::Untrusted;
 
 use super::answer::Answer;
 use super::failure::Failure;
-use super::layouts;
+use super::{layouts, write};
 
 /// Arguments of `compare`.
 #[derive(clap::Args)]
@@ -31,6 +31,10 @@ pub struct Compare {
     answer: Answer,
 }
 
+/// What is said where values are asked for of the document.
+const NO_VALUES: &str =
+    "the document holds what `verify` checks, without the values of --value; --format json --table engines has them";
+
 impl Compare {
     /// Prints the table, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
@@ -45,6 +49,9 @@ impl Compare {
             let compared = engines.iter().map(|(name, engine)| Compared::new(name.clone(), engine, &orders));
             let compared = compared.collect::<Result<_, _>>().map_err(Failure::new)?;
             let named = engines.iter().map(|(name, engine)| (name.clone(), engine));
+            if !self.value.is_empty() && (self.json || self.answer.is_document()) {
+                write::warn(NO_VALUES);
+            }
             let values = ValuesStudy::beside(named, &self.value);
             Ok(CompareStudy { engines: compared, values })
         })

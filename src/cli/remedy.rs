@@ -61,6 +61,9 @@ const ROUNDED: &str = "The weights against what links on a master rod leave have
 const NO_MASSES: &str =
     "the document holds what `verify` checks, without masses at a radius; --format json --table weights has them";
 
+/// What is said where places of shafts over several speeds are asked for of data.
+const NO_PLACES: &str = "data has no places of shafts over the speeds of --speeds; the answer and the page have them";
+
 /// What is said where a part of the reciprocating masses and two planes are given: the part stays on the throws.
 const ON_THE_THROWS: &str = "--reciprocating puts weights on the throws and --planes cancels what they leave; for a part of the reciprocating masses in two \
                              planes, as in the wheels of a locomotive, ask `crankstar rotor`, with `share`";
@@ -86,6 +89,9 @@ impl Remedy {
             }
             if self.radius.is_some() && (self.json || self.answer.is_document()) {
                 write::warn(NO_MASSES);
+            }
+            if !self.speeds.is_empty() && (self.json || self.answer.is_data()) {
+                write::warn(NO_PLACES);
             }
             Ok(remedy)
         })?;

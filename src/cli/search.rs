@@ -81,6 +81,9 @@ pub struct Search {
     answer: Answer,
 }
 
+/// What is said where sizes are asked for of the document.
+const NO_SIZES: &str = "the document has moments in m r ω² c a alone; --format json --table stars has those in newton-metres, as --sizes asks";
+
 impl Search {
     /// Searches, prints the front, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
@@ -110,6 +113,9 @@ impl Search {
             let limits = limits.collect::<Result<Vec<_>, _>>()?;
             let sizes = |layout: &PathBuf| Sizes::new(&layouts::known(layout, "--sizes needs")?).map_err(Failure::new);
             let sizes = self.sizes.as_ref().map(sizes).transpose()?;
+            if sizes.is_some() && (self.json || self.answer.is_document()) {
+                write::warn(NO_SIZES);
+            }
             let front = self.front(&problem)?.limited(limits, sizes).map_err(Failure::new)?;
             let torsion = self.torsion.then(|| search::torsion(&front, shape)).transpose().map_err(Failure::new)?;
             Ok(SearchStudy { front, torsion })

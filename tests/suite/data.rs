@@ -611,6 +611,17 @@ fn a_table_goes_to_standard_output_a_file_or_a_folder() {
     let document = call(&["remedy", layout, "--radius", "80 mm", "--json"]);
     assert!(String::from_utf8_lossy(&document.stderr).contains("--format json --table weights"));
     assert_eq!(document.stdout, call(&["remedy", layout, "--json"]).stdout);
+    let search = ["search", "--cylinders", "4", "--cycle", "four-stroke"];
+    for (asked, more, told) in [
+        (&search[..], &["--sizes", "examples/four.toml"][..], "--format json --table stars"),
+        (&["compare", "I4", "I5-12453"], &["--value", "classify.orders.1.order"], "--format json --table engines"),
+        (&["remedy", layout], &["--speeds", "3000"], "the answer and the page have them"),
+    ] {
+        let document = call(&[asked, more, &["--json"]].concat());
+        assert!(String::from_utf8_lossy(&document.stderr).contains(told), "{document:?}");
+        assert_eq!(document.stdout, call(&[asked, &["--json"]].concat()).stdout, "{more:?}");
+        assert!(!String::from_utf8_lossy(&call(&[asked, more].concat()).stderr).contains(told), "{more:?}");
+    }
     // An answer in German has the same tables.
     assert_eq!(printed(&["loads", layout, "--format", "csv", "--lang", "de"]), main);
 }
