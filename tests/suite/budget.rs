@@ -37,7 +37,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("search", 3835),
     ("shard", 665),
     ("stars", 655),
-    ("sweep", 2285),
+    ("sweep", 2400),
     ("table", 1500),
     ("text", 485),
     ("torque", 1230),

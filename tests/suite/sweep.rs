@@ -374,7 +374,8 @@ fn any_key_is_swept_in_its_unit_and_two_make_a_map() {
     let newtons = |point: &SweptEngine| point.newtons.expect("masses and speed");
     assert!(close(newtons(&speed.points[2]) / newtons(&speed.points[0]), 9.0));
     let masses = good(&text, &["mechanism.reciprocating_mass=0.5..1:0.5"], &[1]);
-    assert!(close(newtons(&masses.points[1]) / newtons(&masses.points[0]), 2.0));
+    let of_pistons = |point: &SweptEngine| newtons(point) * point.orders[0].moment.reverse.value;
+    assert!(close(of_pistons(&masses.points[1]) / of_pistons(&masses.points[0]), 2.0));
     let throw = good(V6, &["vee.throws.2=200..280:40"], &[1]);
     assert!(throw.points[1].orders[0].force.largest.vanishes && !throw.points[0].orders[0].force.largest.vanishes);
     let map = good(V6, &["vee.bank_angle=60..120:30", "vee.pin_split=-30..0:10"], &[1]);
@@ -719,4 +720,50 @@ fn a_sweep_that_begins_without_an_offset_is_written_row_by_row() {
     let (from_0, from_1) = (csv("0..4"), csv("1..4"));
     assert_eq!((from_0.lines().count(), from_0.lines().next()), (6, from_1.lines().next()));
     assert_eq!(from_0.lines().last(), from_1.lines().last());
+}
+
+const TWO: &str = "[inline]\nthrows = [0, 180]\nspacing = '90 mm'\n[mechanism]\ncrank_radius = '40 mm'\nrod_length = '140 mm'\nreciprocating_mass = [0.5, 0.6]\n";
+
+/// What is largest is so in newtons too, where each point has an m or r of its own; the amplitudes of other sweeps are their own.
+#[test]
+fn points_with_masses_and_crank_radii_of_their_own_are_counted_in_one_unit() {
+    let one = TWO.replace("[0.5, 0.6]", "0.5\nrotating_mass = 0.3").replace("[0, 180]", "[0]");
+    for (text, set) in [
+        (TWO, "mechanism.reciprocating_mass.1=0..0.7:0.1 kg"),
+        (TWO, "mechanism.crank_radius=40..60:10 mm"),
+        (&one, "mechanism.reciprocating_mass=0..1.5:0.5"),
+    ] {
+        let at_speed = good(&format!("speed = 3000\n{text}"), &[set], &[1, 2]);
+        let multiples = good(text, &[set], &[1, 2]);
+        let factor = at_speed.points[0].newtons.expect("a speed");
+        for (own, newtons) in multiples.points.iter().zip(&at_speed.points) {
+            assert!(close(newtons.newtons.expect("a speed") / factor, 1.0), "{set}");
+            for (own, newtons) in own.orders.iter().zip(&newtons.orders) {
+                assert!(close(own.force.largest.value, newtons.force.largest.value), "{set}");
+            }
+            let key = Key::parse(set.split('=').next().expect("a key")).expect("a key");
+            let value = format!("{}{}", own.values[0], if set.ends_with("mm") { " mm" } else { "" });
+            let text = format!("speed = 3000\n{text}");
+            let layout = Template::new("test.toml", &text).expect("it is TOML").layout(&[(&key, &value)]);
+            let Ok(Layout::Known(alone, _)) = layout else { panic!("{set}: it is known") };
+            let alone = sweep::judge(&alone, None, &[1, 2], &Geometry::default()).expect("judged");
+            for (own, alone_order) in own.orders.iter().zip(&alone.orders) {
+                let right = alone_order.force.largest.value * alone.newtons.expect("a speed");
+                assert!((own.force.largest.value * factor - right).abs() < 1e-9 * right.max(1.0), "{set}");
+            }
+        }
+        let answer = in_plain_text(&report::sweep_answer(&multiples));
+        assert!(answer.contains("Multiples are of the same unit at every value: m = "), "{answer}");
+    }
+    let answer =
+        in_plain_text(&report::sweep_answer(&good(TWO, &["mechanism.reciprocating_mass.1=0..0.7:0.1 kg"], &[1])));
+    assert!(answer.contains("m = 0.6 kg, r = 40 mm") && answer.contains("largest ≈ 1.000 m r ω², at 0 kg"), "{answer}");
+    let other = good(TWO, &["mechanism.reciprocating_mass.2=0.6..0.8:0.1 kg"], &[1]);
+    assert_eq!(other.multiples, None, "m is that of cylinder 1");
+    let page = in_plain_text(&report::sweep_page(&other));
+    assert!(!page.contains("same unit") && page.contains("m is the reciprocating mass of a cylinder"), "{page}");
+    let radii = good(TWO, &["mechanism.crank_radius=40..60:20 mm"], &[1]);
+    let heights = [0, 1].map(|at| radii.points[at].envelope.expect("a box").height);
+    // D = 2r: r + l + 3r above the shaft, and 1.6r below it, in radii of 40 mm.
+    assert!(close(heights[0], 5.6 + 3.5) && close(heights[1], 5.6 * 1.5 + 3.5), "{heights:?}");
 }

@@ -28,6 +28,11 @@ impl Amplitude {
         Amplitude { value, vanishes: false, is_undecided: false }
     }
 
+    /// The same in another unit, of which one of this is so many.
+    pub(super) fn times(self, factor: f64) -> Self {
+        Amplitude { value: self.value * factor, ..self }
+    }
+
     /// Whether it is zero; none where that is not decided.
     pub fn is_zero(self) -> Option<bool> {
         (!self.is_undecided).then_some(self.vanishes)
@@ -64,6 +69,14 @@ impl Amplitudes {
         ("direct", |all| all.direct),
         ("reverse", |all| all.reverse),
     ];
+
+    /// All of them in another unit, of which one of theirs is so many.
+    pub fn scale(&mut self, factor: f64) {
+        let Amplitudes { direct, reverse, largest, smallest, along, across } = self;
+        for part in [direct, reverse, largest, smallest, along, across] {
+            *part = part.times(factor);
+        }
+    }
 
     /// All of them by name.
     pub fn named(&self) -> [(&'static str, Amplitude); 6] {

@@ -3,6 +3,7 @@
 use super::ZeroSet;
 use super::envelope::Geometry;
 use super::firing::FiringSweep;
+use super::multiples::Multiples;
 use super::observed::ObservedSweep;
 use super::parameter::Parameter;
 use super::swept_engine::SweptEngine;
@@ -33,6 +34,8 @@ pub struct Sweep {
     pub observed: Option<ObservedSweep>,
     /// What moments are counted in.
     pub arm: Arm,
+    /// The m and r of the first point, which all multiples are counted in, where another point has others.
+    pub multiples: Option<Multiples>,
     /// Whether the amplitudes hold the coefficients c_k; else they are in multiples of them.
     pub rods_known: bool,
     /// Whether offsets move the dead centres apart from the crankpins' positions in line with the cylinders: at the first point, in the middle
@@ -61,6 +64,7 @@ impl Sweep {
             firing: None,
             observed: None,
             arm: Arm::of(first),
+            multiples: None,
             rods_known: !first.mechanisms().is_empty(),
             dead_centres_apart: false,
             geometry: geometry.clone(),

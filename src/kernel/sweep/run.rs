@@ -7,7 +7,7 @@ use num_rational::BigRational;
 
 use super::SweepError;
 use super::envelope::Geometry;
-use super::firing::{found, lengths};
+use super::firing::found;
 use super::opened::{is_angle, zeros};
 use super::parameter::Parameter;
 use super::range::MOST_POINTS;
@@ -94,7 +94,7 @@ impl Stream<'_> {
             sweep.curve.iter().flat_map(|point| &point.values).chain(at_zeros).collect();
         let on_curve = |value: &BigRational| {
             let engine = self.reader.engine(std::slice::from_ref(value))?;
-            Ok((value.clone(), lengths(&engine, &firing.orders)))
+            Ok((value.clone(), self.stars(&engine)))
         };
         firing.curve = values.into_iter().map(on_curve).collect::<Result<_, SweepError>>()?;
         Ok(())

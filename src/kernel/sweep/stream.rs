@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use num_rational::BigRational;
 
 use super::firing::{FiringSweep, StarLength, can_be_judged, lengths};
+use super::multiples::Multiples;
 use super::observed::{Observed, ObservedSweep, Observer};
 use super::parameter::Parameter;
 use super::range::MOST_COUNTED;
@@ -22,7 +23,7 @@ const FEWEST: usize = 256;
 const MOST: usize = 4096;
 const PIECES: usize = 64;
 /// What the words of a question begin with: another number where a piece changes.
-const VERSION: &str = concat!("sweep 1 of crankstar ", env!("CARGO_PKG_VERSION"));
+const VERSION: &str = concat!("sweep 2 of crankstar ", env!("CARGO_PKG_VERSION"));
 
 /// What a sweep asks, to be computed in pieces or whole.
 pub struct Stream<'a> {
@@ -34,6 +35,8 @@ pub struct Stream<'a> {
     count: usize,
     /// Points of a piece: a number that follows from the question alone.
     points: usize,
+    /// What all points are counted in.
+    multiples: Multiples,
     /// The sweep without its points.
     empty: Sweep,
 }
@@ -66,7 +69,8 @@ impl<'a> Stream<'a> {
         let dead_centres_apart = some().any(Engine::has_dead_centres_apart);
         let empty = Sweep { firing: (!firing.is_empty()).then_some(star), dead_centres_apart, ..empty };
         let points = count.div_ceil(PIECES).clamp(FEWEST, MOST);
-        Ok(Stream { template: template.clone(), reader, parameters, firing, observer: None, count, points, empty })
+        let (template, multiples) = (template.clone(), Multiples::of(&first));
+        Ok(Stream { template, reader, parameters, firing, observer: None, count, points, multiples, empty })
     }
 
     /// The same with values of other questions beside each point, where they are asked for.
@@ -148,20 +152,42 @@ impl<'a> Stream<'a> {
         let engine = self.reader.engine(&values)?;
         let judged = judge_with(&engine, self.reader.template.cycle(), orders, geometry, motions);
         let judged = judged.map_err(|missing| SweepError::new(missing.to_string()))?;
-        Ok((SweptEngine { values, ..judged }, engine))
+        let mut swept = SweptEngine { values, ..judged };
+        if let Some(own) = self.own_multiples(&engine) {
+            self.multiples.count(&mut swept, &own);
+        }
+        Ok((swept, engine))
+    }
+
+    /// The firing stars of an engine.
+    pub(super) fn stars(&self, engine: &Engine) -> Vec<StarLength> {
+        let mut stars = lengths(engine, &self.firing);
+        if let Some(own) = self.own_multiples(engine) {
+            self.multiples.count_stars(&mut stars, &own);
+        }
+        stars
+    }
+
+    /// What an engine by itself is counted in, where that is not what the sweep is.
+    fn own_multiples(&self, engine: &Engine) -> Option<Multiples> {
+        Some(Multiples::of(engine)).filter(|own| *own != self.multiples)
     }
 
     /// All that is asked of one point.
     pub(super) fn point(&self, index: usize, motions: &mut Motions) -> Result<Point, SweepError> {
         let (swept, engine) = self.swept(self.reader.values(index), motions)?;
         let observed = self.observer.as_ref().map_or_else(Vec::new, |observer| (observer.find)(&engine));
-        Ok(Point { swept, stars: lengths(&engine, &self.firing), observed })
+        let differs = self.own_multiples(&engine).is_some();
+        Ok(Point { swept, stars: self.stars(&engine), observed, differs })
     }
 
     /// The sweep with these points.
     pub(super) fn of(&self, points: Vec<Point>) -> Sweep {
         let mut sweep = self.empty.clone();
-        for Point { swept, stars, observed } in points {
+        for Point { swept, stars, observed, differs } in points {
+            if differs {
+                sweep.multiples = Some(self.multiples.clone());
+            }
             sweep.points.push(swept);
             if let Some(firing) = &mut sweep.firing {
                 firing.points.push(stars);
@@ -179,6 +205,8 @@ pub(super) struct Point {
     swept: SweptEngine,
     stars: Vec<StarLength>,
     observed: Observed,
+    /// Whether its own m and r are not those that it is counted in.
+    differs: bool,
 }
 
 /// Each once.

@@ -46,9 +46,9 @@ pub struct SweptEngine {
     pub values: Vec<BigRational>,
     /// The orders, rising.
     pub orders: Vec<SweptOrder>,
-    /// Newtons per multiple of m r ω²; none where the engine does not say.
+    /// Newtons per multiple of m r ω²; none where the engine does not say. In a sweep m and r are those of its first point.
     pub newtons: Option<f64>,
-    /// Kilograms per multiple of m; none where the engine does not say.
+    /// Kilograms at the crank radius per multiple of m r; none where the engine does not say.
     pub kilograms: Option<f64>,
     /// How evenly the cylinders fire, where that is known.
     pub evenness: Option<Evenness>,

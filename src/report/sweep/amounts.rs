@@ -7,7 +7,8 @@ use crate::numbers::float;
 use crate::page::plot::Axis;
 use crate::page::{Number, Piece, Text, Unit, number, phrase};
 use crate::proof::Planar;
-use crate::sweep::{Amplitude, Amplitudes, Envelope, Parameter, Sweep, SweptEngine};
+use crate::report::texts::sweep as text;
+use crate::sweep::{Amplitude, Envelope, Multiples, Parameter, Sweep, SweptEngine};
 
 /// A side of what an engine fits into.
 pub(super) type Side = fn(&Envelope) -> Option<f64>;
@@ -28,12 +29,7 @@ pub(super) fn counted(sweep: &Sweep) -> Sweep {
 
 fn multiply(point: &mut SweptEngine) {
     let factor = point.newtons.unwrap_or(1.0);
-    for amplitudes in point.orders.iter_mut().flat_map(|order| [&mut order.force, &mut order.moment]) {
-        let Amplitudes { direct, reverse, largest, smallest, along, across } = amplitudes;
-        for part in [direct, reverse, largest, smallest, along, across] {
-            part.value *= factor;
-        }
-    }
+    point.orders.iter_mut().flat_map(|order| [&mut order.force, &mut order.moment]).for_each(|part| part.scale(factor));
 }
 
 /// What amplitudes are counted in on a page.
@@ -48,6 +44,17 @@ pub(super) fn unit(sweep: &Sweep, quantity: Planar) -> Text {
         (false, true, true, Arm::Metre) => "$m r \\omega^2 \\cdot \\mathrm{m}$".into(),
         (false, false, true, Arm::Metre) => "$m r \\omega^2 c_k \\cdot \\mathrm{m}$".into(),
     }
+}
+
+/// The one unit of all multiples, where the points have different ones of their own and something is counted in multiples.
+pub(super) fn one_unit(sweep: &Sweep) -> Option<Text> {
+    let Multiples { mass, radius } = sweep.multiples.as_ref()?;
+    let thousand = BigRational::from_integer(1000.into());
+    let mass = mass.as_ref().map(|mass| phrase!("{} = {}", "$m$", number::given_with(mass, Unit::KILOGRAM)));
+    let millimetres = |metres: &BigRational| number::given_with(&(metres * &thousand), Unit::MILLIMETRE);
+    let radius = radius.as_ref().map(|metres| phrase!("{} = {}", "$r$", millimetres(metres)));
+    let is_counted = !in_newtons(sweep) || sweep.firing.is_some();
+    is_counted.then(|| text::one_unit(Text::joined(mass.into_iter().chain(radius), ", ")))
 }
 
 /// What forces, or moments, are counted in where they are known in newtons.

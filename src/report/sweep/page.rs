@@ -1,6 +1,6 @@
 //! What is on the page of a sweep, and on the terminal? What is zero and what is greatest first, then the plots and every point.
 
-use super::amounts::{counted, in_newtons, unit, value};
+use super::amounts::{self, counted, in_newtons, unit, value};
 use super::findings::{Finding, findings};
 use super::sentences::{firing_sentences, gone_sentence};
 use super::{firing, observed, plots, tables};
@@ -20,7 +20,7 @@ pub fn sweep_answer(sweep: &Sweep) -> Document {
     let sweep = &counted(sweep);
     let (found, gone) = findings(sweep);
     let mut answer = Document::new("sweep", title(sweep));
-    answer.push(Block::Paragraph(swept(sweep)));
+    answer.blocks.extend(swept(sweep));
     answer.blocks.extend(sentences(sweep, &found, &gone).into_iter().map(Block::Paragraph));
     answer.blocks.extend(others(sweep, &found));
     answer.blocks.extend(zeros(sweep).into_iter().flatten());
@@ -43,7 +43,7 @@ pub fn sweep_page(sweep: &Sweep) -> Document {
     text::Page {
         title: title(sweep),
         answer: Block::Answer(sentences(sweep, &found, &gone)).into(),
-        swept: swept(sweep).into(),
+        swept: swept(sweep).collect(),
         orders: others(sweep, &found).into(),
         plots: plots::drawings(sweep).into(),
         zeros: zeros(sweep).into_iter().flatten().collect(),
@@ -71,8 +71,13 @@ fn title(sweep: &Sweep) -> Text {
     }
 }
 
-/// What runs from where to where.
-fn swept(sweep: &Sweep) -> Text {
+/// What runs from where to where, and what all of it is counted in where the engines have different m and r.
+fn swept(sweep: &Sweep) -> impl Iterator<Item = Block> {
+    let of_others = sweep.multiples.as_ref().and(sweep.observed.as_ref()).map(|_| text::own_multiples());
+    [ranges(sweep)].into_iter().chain(amounts::one_unit(sweep)).chain(of_others).map(Block::Paragraph)
+}
+
+fn ranges(sweep: &Sweep) -> Text {
     let range = |(parameter, is_angle): (&Parameter, bool)| {
         let show = |at| value(parameter, at, is_angle);
         let key = Text::code(parameter.key.to_string());
@@ -115,7 +120,7 @@ fn zeros(sweep: &Sweep) -> Option<[Block; 3]> {
 fn units(sweep: &Sweep) -> impl Iterator<Item = Text> {
     let multiples = !in_newtons(sweep);
     let signs = [
-        multiples.then(text::multiples),
+        multiples.then(|| if sweep.multiples.is_none() { text::multiples() } else { text::multiples_of_one() }),
         (multiples && !sweep.rods_known).then(text::coefficient),
         (sweep.arm == Arm::Spacing).then(text::spacing),
     ];
