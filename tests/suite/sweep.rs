@@ -352,6 +352,29 @@ fn the_envelope_is_that_of_its_geometry() {
     let flat = file::parse("f.toml", "[flat]\nthrows = [0]").expect("it reads");
     let box_of = sweep::envelope(&flat, &geometry).expect("a box");
     assert!(close(box_of.breadth, 16.0) && close(box_of.height, 3.2));
+    let sizes = |text: &str| {
+        let mechanism = "[mechanism]\ncrank_radius = '40 mm'\nrod_length = '140 mm'\nreciprocating_mass = 0.5\n";
+        let engine = file::parse("e.toml", &format!("{text}\n{mechanism}")).expect(text);
+        sweep::envelope(&engine, &geometry).map(|size| [size.breadth, size.height])
+    };
+    let are = |text: &str, right: [f64; 2]| {
+        let sizes = sizes(text).expect(text);
+        assert!(sizes.iter().zip(right).all(|(size, right)| close(*size, right)), "{text}: {sizes:?}");
+    };
+    // Crankcases of radius 64 mm about two shafts; and above 180 mm of crank and rod 3 r.
+    are("[u]\nthrows = [0, 180]\nsense = 'with'\ndistance = '400 mm'", [(400.0 + 128.0) / 40.0, 1.6 + 4.5 + 3.0]);
+    are("[opposed_piston]\nlead = 9\nthrows = [0]\ndistance = '500 mm'", [3.2, (500.0 + 128.0) / 40.0]);
+    assert_eq!(sizes("[opposed_piston]\nlead = 9\nthrows = [0]"), None, "nobody knows where its crankshafts are");
+    // A bank 24 mm beside the shaft reaches 72 mm from it.
+    let top = (4.5_f64 * 4.5 - 0.6 * 0.6).sqrt() + 3.0;
+    for offset in ["24 mm", "-24 mm"] {
+        let mechanism = format!("pin_offset = '{offset}'");
+        let text =
+            format!("[inline]\nthrows = [0]\n[mechanism]\ncrank_radius = '40 mm'\nrod_length = '140 mm'\n{mechanism}");
+        let engine = file::parse("e.toml", &text).expect("it reads");
+        let size = sweep::envelope(&engine, &geometry).expect("a box");
+        assert!(close(size.breadth, 1.6 + 1.8) && close(size.height, 1.6 + top), "{size:?}");
+    }
     // Half a circle of radius 1.6, and the rectangle 2.4 wide above it with what the circle shows beside it.
     let half = 1.2_f64;
     let (reach, top) = (1.6_f64, 8.0);

@@ -1,10 +1,13 @@
 //! What does an engine fit into? Length, breadth and height from a simple geometry, all of whose numbers are stated.
 
+use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-use crate::engine::Engine;
+use crate::engine::{Engine, GearedCrank};
+use crate::exact::Term;
 use crate::loads::Arm;
+use crate::proof::Sense;
 
 /// The assumptions, as multiples of the crank radius r where nothing else is said.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,7 +55,8 @@ pub struct Envelope {
     pub metres: Option<f64>,
 }
 
-/// The box round an engine; none for one with cylinders of different strokes, and with links, whose tops lie elsewhere.
+/// The box round an engine; none for one with cylinders of different strokes, with links, whose tops lie elsewhere, and with crankshafts
+/// of which the layout does not say where they are.
 pub fn envelope(engine: &Engine, geometry: &Geometry) -> Option<Envelope> {
     let one = BigRational::from_integer(1.into());
     if engine.cylinders().iter().any(|cylinder| cylinder.crank_radius != one) {
@@ -60,24 +64,39 @@ pub fn envelope(engine: &Engine, geometry: &Geometry) -> Option<Envelope> {
     }
     let bore = geometry.bore;
     let half = geometry.half_width * bore;
-    let radius = geometry.crankcase;
-    let (mut left, mut right, mut low, mut high) = (-radius, radius, -radius, radius);
+    let axes = axes(engine)?;
+    let mut corners = Vec::new();
+    for axis in &axes {
+        let radius = geometry.crankcase;
+        corners.extend([Complex::new(radius, radius), Complex::new(-radius, -radius)].map(|corner| axis + corner));
+    }
     for cylinder in engine.cylinders() {
-        let ratio = match &cylinder.mechanism {
-            None => geometry.rod_ratio,
-            Some(mechanism) => mechanism.rod()?.ratio.to_f64().unwrap_or(0.0),
+        let (ratio, offset) = match &cylinder.mechanism {
+            None => (geometry.rod_ratio, 0.0),
+            Some(mechanism) => {
+                let rod = mechanism.rod()?;
+                (rod.ratio.to_f64()?, rod.offset.to_f64()?)
+            }
         };
         if ratio <= 0.0 {
             return None;
         }
-        let top = 1.0 + 1.0 / ratio + geometry.above_pin * bore;
-        let (sin, cos) = (std::f64::consts::TAU * cylinder.bank.turns().to_f64()?).sin_cos();
-        for (along, across) in [(top, half), (top, -half), (0.0, half), (0.0, -half)] {
-            let (up, aside) = (along * cos - across * sin, along * sin + across * cos);
-            (left, right) = (left.min(aside), right.max(aside));
-            (low, high) = (low.min(up), high.max(up));
-        }
+        let length = 1.0 / ratio;
+        // The rod of a crank that turns the other way is that of the equivalent crank, which lies on the other side.
+        let side = if engine.sense_of(cylinder) == Sense::Direct { 1.0 } else { -1.0 };
+        let aside = offset * length * side;
+        let pin = ((1.0 + length).powi(2) - aside * aside).max(0.0).sqrt();
+        let top = pin + geometry.above_pin * bore;
+        let shaft = axes.get(cylinder.crank)?;
+        let along = Complex::cis(std::f64::consts::TAU * cylinder.bank.turns().to_f64()?);
+        let bank = [(top, half), (top, -half), (0.0, half), (0.0, -half)];
+        corners.extend(bank.map(|(up, across)| shaft + along * Complex::new(up, aside + across)));
     }
+    // The reference direction is the real one.
+    let side = |part: fn(&Complex<f64>) -> f64| {
+        let parts = || corners.iter().map(part);
+        parts().fold(f64::NEG_INFINITY, f64::max) - parts().fold(f64::INFINITY, f64::min)
+    };
     let positions = || engine.cylinders().iter().map(|cylinder| &cylinder.position);
     let between = (positions().max()? - positions().min()?).to_f64()?;
     let metres =
@@ -90,8 +109,22 @@ pub fn envelope(engine: &Engine, geometry: &Geometry) -> Option<Envelope> {
     };
     Some(Envelope {
         length: length.map(|length| length + geometry.ends * bore),
-        breadth: right - left,
-        height: high - low,
+        breadth: side(|corner| corner.im),
+        height: side(|corner| corner.re),
         metres,
     })
+}
+
+/// Where the axes of the crankshafts are, in crank radii: one in the middle where there is one; none where the layout omits it.
+fn axes(engine: &Engine) -> Option<Vec<Complex<f64>>> {
+    let at = |term: &Term| {
+        let direction = Complex::cis(std::f64::consts::TAU * term.angle.turns().to_f64()?);
+        Some(direction * term.weight.to_f64()?)
+    };
+    let axis = |crank: &GearedCrank| match crank.left_out {
+        Some(_) => None,
+        None => crank.axis.iter().map(at).sum(),
+    };
+    let axes: Option<Vec<Complex<f64>>> = engine.geared_cranks().iter().map(axis).collect();
+    axes.map(|axes| if axes.is_empty() { vec![Complex::default()] } else { axes })
 }
