@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crankstar::engine::{self, Cycle};
+use crankstar::engine::{self, Cycle, PHI};
 use crankstar::family::{self, Component, component_zeros};
 use crankstar::file::{self, Key, Layout, Template};
 use crankstar::loads;
@@ -164,7 +164,7 @@ fn components_vanish_where_every_grid_of_whole_degrees_says_so() {
         for order in [1, 2, 3, 4] {
             for (component, sign) in [(Component::Along, 1.0), (Component::Across, -1.0)] {
                 let (none, turn) = (fraction(0, 1), fraction(1, 1));
-                let found = component_zeros(&open, Planar::Moment, order, component, [&none, &turn]);
+                let found = component_zeros(&open, Planar::Moment, order, component, (PHI, [&none, &turn]));
                 for degrees in (9..360).step_by(9).chain((15..360).step_by(15)) {
                     let Ok(Layout::Known(layout, _)) = template.layout(&[(&key, &degrees.to_string())]) else {
                         panic!("it is known")
@@ -789,4 +789,37 @@ fn points_with_masses_and_crank_radii_of_their_own_are_counted_in_one_unit() {
     let heights = [0, 1].map(|at| radii.points[at].envelope.expect("a box").height);
     // D = 2r: r + l + 3r above the shaft, and 1.6r below it, in radii of 40 mm.
     assert!(close(heights[0], 5.6 + 3.5) && close(heights[1], 5.6 * 1.5 + 3.5), "{heights:?}");
+}
+
+/// δ is solved for as φ is; other angles have their sign and, where nothing is solved, a word on that.
+#[test]
+fn every_angle_is_swept_in_degrees_and_delta_has_its_exact_zeros() {
+    let file =
+        "values = { phi = 60, delta = 30 }\n[vee]\nbank_angle = 'phi'\npin_split = 'delta'\nthrows = [0, 240, 120]\n";
+    let of_delta = good(file, &["values.delta=-70..180:50"], &[1, 2]);
+    let of_split = good(V6, &["vee.pin_split=-70..180:50"], &[1, 2]);
+    assert_eq!(of_delta.zeros, of_split.zeros);
+    assert_eq!(zeros(&of_delta, Planar::Moment, 2, Zeros::Reverse), ["0", "180"]);
+    let stars = "cycle = 'four-stroke'\nfiring_order = '1-4-2-5-3-6'\n";
+    let template = format!("{stars}{file}");
+    let template = Template::new("test.toml", &template).expect("it is TOML");
+    let swept = [Parameter::parse("values.delta=0..90:30").expect("a range")];
+    let orders = ["3".parse().expect("an order")];
+    let whole = sweep::Stream::new(&template, &swept, &[1], &orders, &Geometry::default()).expect("a sweep");
+    whole.whole(&std::sync::atomic::AtomicBool::new(false)).expect("swept");
+    let geared = "[[crankshaft]]\nname = 'A'\nsense = 'with'\n[[crankshaft]]\nname = 'B'\nsense = 'against'\nphase = 20\n\
+        [[cylinder]]\nthrow = 0\nbank = 0\nposition = 0\ncrankshaft = 'A'\n[[cylinder]]\nthrow = 0\nbank = 0\nposition = 1\ncrankshaft = 'B'\n";
+    let links = format!(
+        "{V6}[mechanism]\nrod_ratio = 0.25\n[articulated]\nmaster = ['1', '2', '3']\nknuckle_ratio = 0.2\nlink_ratio = 0.3\nknuckle_correction = 2\n"
+    );
+    for (text, set, range) in [
+        (file, "values.delta=0..90:45", "values.delta from 0° to 90°"),
+        (geared, "crankshaft.2.phase=0..90:45", "crankshaft.2.phase from 0° to 90°"),
+        (&links, "articulated.knuckle_correction=0..4:2", "articulated.knuckle_correction from 0° to 4°"),
+    ] {
+        let sweep = good(text, &[set], &[1]);
+        let answer = in_plain_text(&report::sweep_answer(&sweep));
+        assert!(answer.contains(range), "{answer}");
+        assert_eq!(answer.contains("between them none are sought"), sweep.zeros.is_none(), "{answer}");
+    }
 }

@@ -8,7 +8,7 @@ use num_traits::One;
 
 use super::classify::{phase, sums_of, weight};
 use super::zeros::{Zeros, sums_zeros};
-use crate::engine::{Cylinder, Family, Linear, PHI};
+use crate::engine::{Cylinder, Family, Linear};
 use crate::proof::{Planar, Sense};
 
 /// A part of the force or the moment.
@@ -20,14 +20,14 @@ pub enum Component {
     Across,
 }
 
-/// The φ in a range, in turns and with its ends, at which a component of one order vanishes; not solved where another angle is
+/// The values of an unknown, φ or δ, in a range, in turns and with its ends, at which a component of one order vanishes; not solved where another angle is
 /// open too.
 pub fn component_zeros(
     family: &Family,
     quantity: Planar,
     order: u32,
     component: Component,
-    range: [&BigRational; 2],
+    (unknown, range): (&str, [&BigRational; 2]),
 ) -> Zeros {
     let sign = BigRational::from_integer(if component == Component::Along { 1.into() } else { (-1).into() });
     let terms = family.cylinders().iter().flat_map(|cylinder: &Cylinder<Linear, Linear>| {
@@ -37,5 +37,5 @@ pub fn component_zeros(
         [(phase(cylinder, order, Sense::Direct), weight), reverse]
     });
     let terms: Vec<(Linear, Linear)> = terms.collect();
-    sums_zeros(&sums_of(&terms), PHI, range)
+    sums_zeros(&sums_of(&terms), unknown, range)
 }

@@ -10,7 +10,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::SweepError;
 use super::amplitude::{Amplitude, float};
-use super::opened::opened_with_firing;
+use super::opened::{OpenAngle, opened_with_firing};
 use super::parameter::Parameter;
 use crate::engine::{CycleOrder, Engine, NoSpans};
 use crate::exact::PhasorSum;
@@ -118,8 +118,7 @@ fn amplitude(sum: &PhasorSum) -> Amplitude {
 
 /// Where the stars vanish; `None` where the parameter is no angle, or the rods differ.
 pub(super) fn found(template: &Template, parameter: &Parameter, orders: &[CycleOrder]) -> Option<Vec<FiringZeros>> {
-    let (open, per_unit) = opened_with_firing(template, parameter)?;
-    let unknown = open.open_angles().into_iter().next()?;
+    let OpenAngle { family: open, unknown, per_unit } = opened_with_firing(template, parameter)?;
     let ends = [parameter.range.value(0), parameter.range.last()].map(|end| end * &per_unit);
     let range = [ends.iter().min()?, ends.iter().max()?];
     let stars = family::firing_stars(&open, orders, &Weights::Rigid, range, true).ok()?;

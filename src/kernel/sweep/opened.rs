@@ -1,6 +1,6 @@
 //! At which exact angles does each vector of a sweep vanish, on its grid or between its points?
 //!
-//! Any angle of a layout file may be the unknown φ, so that the room [`crate::family`] tells where a vector vanishes,
+//! Any angle of a layout file may be the unknown φ, or is the unknown δ of the file itself, so that the room [`crate::family`] tells where a vector vanishes,
 //! exactly and completely. Each such angle is put into the file and judged once more, with all masses that turn.
 
 use num_bigint::BigInt;
@@ -11,33 +11,43 @@ use super::parameter::Parameter;
 use super::reader::Reader;
 use super::swept_engine::has_order;
 use super::zeros::{ZeroSet, Zeros};
-use crate::engine::{Engine, Family, PHI};
+use crate::engine::{DELTA, Engine, Family, PHI};
 use crate::exact::fraction;
 use crate::family::{self, Component, OpenVerdict, Solutions, component_zeros};
 use crate::file::{self, Layout, Template};
 use crate::order::{self, MassGroup, Path};
 use crate::proof::{Planar, Quantity, Sense};
 
-/// The family whose unknown is the parameter, and how many turns its unit is; `None` where the parameter is no angle.
-fn opened(template: &Template, parameter: &Parameter) -> Option<(Family, BigRational)> {
+/// An engine whose angle is not known.
+pub(super) struct OpenAngle {
+    pub family: Family,
+    /// Which of its unknowns is the parameter: φ or δ.
+    pub unknown: &'static str,
+    /// How many turns the unit of the parameter is.
+    pub per_unit: BigRational,
+}
+
+/// The family whose unknown is the parameter; `None` where the parameter is no angle.
+fn opened(template: &Template, parameter: &Parameter) -> Option<OpenAngle> {
     opened_without(template, parameter, &["firing_order", "firing_angles"])
 }
 
 /// The same with what the file says of its firing, where that fits every value.
-pub(super) fn opened_with_firing(template: &Template, parameter: &Parameter) -> Option<(Family, BigRational)> {
+pub(super) fn opened_with_firing(template: &Template, parameter: &Parameter) -> Option<OpenAngle> {
     opened_without(template, parameter, &[]).or_else(|| opened(template, parameter))
 }
 
-fn opened_without(template: &Template, parameter: &Parameter, keys: &[&str]) -> Option<(Family, BigRational)> {
+fn opened_without(template: &Template, parameter: &Parameter, keys: &[&str]) -> Option<OpenAngle> {
     let per_unit = file::turns_per_unit(parameter.range.unit())?;
     let open = template.without(&["bearings", "crankshaft", "counterweight", "balancer", "torsion"]).without(keys);
     // The file itself may have an unknown angle, whose values are swept.
-    let layout = match parameter.key.to_string().strip_prefix("values.") {
-        Some(PHI) => open.without(&["values.phi"]).layout(&[]),
-        _ => open.layout(&[(&parameter.key, PHI)]),
+    let (layout, unknown) = match parameter.key.to_string().strip_prefix("values.") {
+        Some(PHI) => (open.without(&["values.phi"]).layout(&[]), PHI),
+        Some(DELTA) => (open.without(&["values.delta"]).layout(&[]), DELTA),
+        _ => (open.layout(&[(&parameter.key, PHI)]), PHI),
     };
-    let Ok(Layout::Open(open)) = layout else { return None };
-    open.unknowns().into_iter().eq([PHI]).then_some((*open, per_unit))
+    let Ok(Layout::Open(family)) = layout else { return None };
+    family.unknowns().into_iter().eq([unknown]).then_some(OpenAngle { family: *family, unknown, per_unit })
 }
 
 /// Whether a parameter is an angle of the engine.
@@ -47,13 +57,13 @@ pub(super) fn is_angle(template: &Template, parameter: &Parameter) -> bool {
 
 /// Where the vectors of these orders vanish; `None` where the parameter is no angle.
 pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Option<Vec<ZeroSet>> {
-    let (open, per_unit) = opened(template, parameter)?;
+    let open = opened(template, parameter)?;
     let parameters = [parameter.clone()];
     let reader = Reader::new(template, &parameters);
     let engine = reader.engine(&reader.values(0)).ok()?;
-    let (range, is_whole) = range(parameter, &per_unit)?;
-    let opened = Opened { reader, engine, open, per_unit, range, is_whole };
-    let orders = family::classify(&opened.open, orders).ok()?;
+    let (range, is_whole) = range(parameter, &open.per_unit)?;
+    let opened = Opened { reader, engine, open, range, is_whole };
+    let orders = family::classify(&opened.open.family, orders).ok()?;
     let sets = orders.iter().flat_map(|order| {
         let vectors = [(Planar::Force, &order.force), (Planar::Moment, &order.moment)];
         vectors.into_iter().flat_map(|(quantity, verdicts)| opened.sets(quantity, order.order, verdicts))
@@ -61,14 +71,13 @@ pub fn zeros(template: &Template, parameter: &Parameter, orders: &[u32]) -> Opti
     Some(sets.collect())
 }
 
-/// The engine of a sweep whose angle is the unknown φ.
+/// The engine of a sweep whose angle is unknown.
 struct Opened<'a> {
     reader: Reader<'a>,
     /// At the first point.
     engine: Engine,
     /// Its pistons, at any angle.
-    open: Family,
-    per_unit: BigRational,
+    open: OpenAngle,
     /// In turns.
     range: [BigRational; 2],
     is_whole: bool,
@@ -125,7 +134,7 @@ impl Opened<'_> {
             // Masses that turn beside the pistons may cancel what is not zero.
             family::Zeros::At(found) => (Solutions { irrational: Vec::new(), ..found }, false),
         };
-        let value = |turns: &BigRational| turns / &self.per_unit;
+        let value = |turns: &BigRational| turns / &self.open.per_unit;
         let at = found.exact.iter().map(value).filter(|value| self.vanishes_at(vector, value)).collect();
         let irrational = found.irrational.iter().map(|ends| ends.each_ref().map(value)).collect();
         let complete = all || is_never || is_fixed;
@@ -134,20 +143,22 @@ impl Opened<'_> {
 
     /// Whether it vanishes at so many values that it does so at every one.
     fn vanishes_at_enough(&self, vector: Vector) -> bool {
-        let mut places = distinct(&self.open, vector.order, &self.per_unit, self.range.each_ref()).peekable();
+        let mut places = distinct(&self.open, vector.order, self.range.each_ref()).peekable();
         places.peek().is_some() && places.all(|value| self.vanishes_at(vector, &value))
     }
 
     /// Where the pistons' part of it vanishes.
     fn found(&self, vector: Vector, [direct, reverse]: &[OpenVerdict; 2]) -> family::Zeros {
         let range = self.range.each_ref();
-        let component = |part| component_zeros(&self.open, vector.quantity, vector.order, part, range);
+        let unknown = self.open.unknown;
+        let component =
+            |part| component_zeros(&self.open.family, vector.quantity, vector.order, part, (unknown, range));
         match vector.of {
-            Zeros::Direct => direct.zeros(PHI, range),
-            Zeros::Reverse => reverse.zeros(PHI, range),
+            Zeros::Direct => direct.zeros(unknown, range),
+            Zeros::Reverse => reverse.zeros(unknown, range),
             Zeros::Along => component(Component::Along),
             Zeros::Across => component(Component::Across),
-            Zeros::Largest => direct.zeros(PHI, range).and(reverse.zeros(PHI, range)),
+            Zeros::Largest => direct.zeros(unknown, range).and(reverse.zeros(unknown, range)),
         }
     }
 
@@ -194,9 +205,9 @@ fn with_the_other(sets: &[ZeroSet], of: Zeros) -> Option<ZeroSet> {
 }
 
 /// Whether the parameter turns no term of this vector, so that it is one at every value.
-fn is_fixed(open: &Family, order: u32, of: Zeros) -> bool {
-    let turns = |sense, cylinder| !family::phase(cylinder, order, sense).coefficient(PHI).is_zero();
-    of.vector().is_some_and(|sense| !open.cylinders().iter().any(|cylinder| turns(sense, cylinder)))
+fn is_fixed(open: &OpenAngle, order: u32, of: Zeros) -> bool {
+    let turns = |sense, cylinder| !family::phase(cylinder, order, sense).coefficient(open.unknown).is_zero();
+    of.vector().is_some_and(|sense| !open.family.cylinders().iter().any(|cylinder| turns(sense, cylinder)))
 }
 
 /// Whether all masses that turn at an order are on balancer shafts, which no angle of the engine turns.
@@ -211,16 +222,12 @@ const MOST_TRIED: i64 = 2000;
 /// Values of the parameter in its range, at so many different angles that a vector of this order which vanishes at each vanishes everywhere;
 /// none where they would be too many.
 ///
-/// Every term, of a piston or of a mass on a throw, turns by `kβ ± (k±1)α`, and β and α by whole multiples of φ/d. So each sum is a
+/// Every term, of a piston or of a mass on a throw, turns by `kβ ± (k±1)α`, and β and α by whole multiples of φ/d (φ: the unknown). So each sum is a
 /// polynomial in `e^{±iφ/d}`, with at most twice its degree of zeros.
-fn distinct(
-    open: &Family,
-    order: u32,
-    per_unit: &BigRational,
-    [low, high]: [&BigRational; 2],
-) -> impl Iterator<Item = BigRational> {
-    let angles = || open.cylinders().iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
-    let steps = angles().map(|angle| angle.coefficient(PHI));
+fn distinct(open: &OpenAngle, order: u32, [low, high]: [&BigRational; 2]) -> impl Iterator<Item = BigRational> {
+    let OpenAngle { family, unknown, per_unit } = open;
+    let angles = || family.cylinders().iter().flat_map(|cylinder| [&cylinder.throw, &cylinder.bank]);
+    let steps = angles().map(|angle| angle.coefficient(unknown));
     let divisor = fraction::common_denominator(steps.clone());
     let widest = steps.map(|step| step.abs()).max().unwrap_or_else(BigRational::zero);
     let degree = widest * BigRational::from_integer(&divisor * BigInt::from(2 * order + 1));

@@ -8,7 +8,7 @@ use crate::loads::Arm;
 use crate::page::{Block, Document, Text};
 use crate::proof::Planar;
 use crate::report::texts::sweep as text;
-use crate::sweep::{Geometry, Parameter, Sweep, ZeroSet};
+use crate::sweep::{Geometry, Parameter, Sweep};
 
 /// More points than this are left to the table in CSV.
 const MOST_ROWS: usize = 200;
@@ -23,7 +23,7 @@ pub fn sweep_answer(sweep: &Sweep) -> Document {
     answer.blocks.extend(swept(sweep));
     answer.blocks.extend(sentences(sweep, &found, &gone).into_iter().map(Block::Paragraph));
     answer.blocks.extend(others(sweep, &found));
-    answer.blocks.extend(zeros(sweep).into_iter().flatten());
+    answer.blocks.extend(zeros(sweep));
     answer.blocks.extend(firing::answer(sweep));
     answer
 }
@@ -46,7 +46,7 @@ pub fn sweep_page(sweep: &Sweep) -> Document {
         swept: swept(sweep).collect(),
         orders: others(sweep, &found).into(),
         plots: plots::drawings(sweep).into(),
-        zeros: zeros(sweep).into_iter().flatten().collect(),
+        zeros: zeros(sweep).into(),
         firing: firing::section(sweep).into(),
         points,
         // Beside the table of zeros it is reported already.
@@ -105,15 +105,16 @@ fn others(sweep: &Sweep, found: &[Finding]) -> Option<Block> {
 }
 
 /// Where each vector vanishes, where the parameter is an angle.
-fn zeros(sweep: &Sweep) -> Option<[Block; 3]> {
-    let sets: &[ZeroSet] = sweep.zeros.as_deref().filter(|sets| !sets.is_empty())?;
-    let parameter = sweep.parameters.first()?;
-    let complete = sets.iter().all(|set| set.complete);
-    Some([
-        if complete { text::all_zeros() } else { text::some_zeros() }.into(),
-        tables::zeros(parameter, sets).into(),
-        Block::Note(text::vectors()),
-    ])
+fn zeros(sweep: &Sweep) -> Vec<Block> {
+    match (&sweep.parameters[..], sweep.zeros.as_deref()) {
+        ([one], Some(sets)) if !sets.is_empty() => {
+            let complete = sets.iter().all(|set| set.complete);
+            let about = if complete { text::all_zeros() } else { text::some_zeros() };
+            vec![about.into(), tables::zeros(one, sets).into(), Block::Note(text::vectors())]
+        }
+        ([one], None) if one.unit() == "°" => vec![text::no_zeros().into()],
+        _ => Vec::new(),
+    }
 }
 
 /// The signs in the units.

@@ -95,9 +95,16 @@ fn keys_of(tables: &[Table], named: &str) -> Vec<Key> {
 pub fn number_kind(path: &str) -> Option<&'static str> {
     let names: Vec<&str> = path.split('.').filter(|part| part.parse::<usize>().is_err()).collect();
     let (name, table) = names.split_last()?;
-    let of = TABLES.iter().find(|known| known.name == table.join("."))?;
+    if let (["values"], "phi" | "delta") = (table, *name) {
+        return Some("angle");
+    }
+    // One of several crankshafts has keys of its own.
+    let is_geared = path.split('.').nth(1).is_some_and(|part| part.parse::<usize>().is_ok());
+    let table = if table == ["crankshaft"] && is_geared { "crankshaft.geared".to_owned() } else { table.join(".") };
+    let of = TABLES.iter().find(|known| known.name == table)?;
     let kind = of.keys.iter().find(|known| known.name == *name)?.kind;
-    Some(kind.trim_matches(['[', ']']))
+    // One value for all, or a list of such.
+    Some(kind.split(" | ").next()?.trim_matches(['[', ']']))
 }
 
 /// The JSON Schema (draft 2020-12) of layout files, whose tables editors take for objects. It refuses nothing that is read.
