@@ -823,3 +823,23 @@ fn every_angle_is_swept_in_degrees_and_delta_has_its_exact_zeros() {
         assert_eq!(answer.contains("between them none are sought"), sweep.zeros.is_none(), "{answer}");
     }
 }
+
+#[test]
+fn two_values_of_one_list_or_of_one_name_are_told_apart_on_a_page() {
+    let sweep = good(V6, &["vee.throws.2=0..360:180", "vee.throws.1=0..180:60"], &[1]);
+    for document in [report::sweep_page(&sweep), report::sweep_answer(&sweep)] {
+        let text = in_plain_text(&document);
+        assert!(text.contains("throws 2 and throws 1 swept") && text.contains("throws 2 = 0° with throws 1 = "), "{text}");
+    }
+    assert!(in_plain_text(&report::sweep_page(&sweep)).contains("throws 2 in ° throws 1 in °"));
+    let german = page::Options { language: page::Language::De, ..page::Options::default() };
+    let text = page::write(&report::sweep_page(&sweep), page::Format::GITHUB, &german).swap_remove(0).text;
+    assert!(text.contains("Kröpfungswinkel 2 in °") && !text.contains("throws 2"), "{text}");
+    let masses = format!("{V6}{MASSES}[crankshaft]\npin_mass = 0.3\n[[counterweight]]\nposition = 0\nangle = 0\nmass = 1\nradius = 0.1\n");
+    let radii = ["mechanism.reciprocating_mass=0.5..0.6:0.1", "mechanism.rotating_mass=0.1..0.2:0.1"];
+    let text = in_plain_text(&report::sweep_page(&good(&masses, &radii, &[1])));
+    assert!(text.contains("reciprocating mass and rotating mass swept"), "{text}");
+    let alike = ["counterweight.1.mass=1..2:1", "vee.throws.1=0..60:60"];
+    let text = in_plain_text(&report::sweep_page(&good(&masses, &alike, &[1])));
+    assert!(text.contains("mass and throws swept"), "a name that is alone stays as it is: {text}");
+}

@@ -132,7 +132,13 @@ impl Language {
 
     pub(super) fn signs(self, english: &str) -> String {
         let known = self.whole(english).or_else(|| self.sentences(english)).or_else(|| self.sentence(english));
-        known.unwrap_or_else(|| self.numbers(english))
+        known.or_else(|| self.with_place(english)).unwrap_or_else(|| self.numbers(english))
+    }
+
+    /// A name with the place in a list behind it, `throws 2`.
+    fn with_place(self, english: &str) -> Option<String> {
+        let (name, place) = english.rsplit_once(' ').filter(|(_, place)| place.parse::<usize>().is_ok())?;
+        Some(format!("{} {place}", self.whole(name)?))
     }
 
     /// What the list has as it stands.

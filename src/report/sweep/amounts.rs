@@ -135,7 +135,11 @@ pub(super) fn zeros(parameter: &Parameter, at: &[BigRational], irrational: &[[Bi
 pub(super) fn place(sweep: &Sweep, point: &SweptEngine) -> Text {
     let named = sweep.parameters.len() > 1;
     let values = sweep.axes().zip(&point.values).map(|((parameter, is_angle), at)| match named {
-        true => phrase!("{} {}", parameter.label.clone(), value(parameter, at, is_angle)),
+        true => match name(sweep, parameter) {
+            name if name == parameter.label => phrase!("{} {}", name, value(parameter, at, is_angle)),
+            // With a number or a key in it a name needs a sign between.
+            name => phrase!("{} = {}", name, value(parameter, at, is_angle)),
+        },
         false => value(parameter, at, is_angle),
     });
     Text::joined(values, " with ")
@@ -149,20 +153,38 @@ pub(super) fn place_cells(point: &SweptEngine) -> impl Iterator<Item = Text> {
 /// The headings above the values of the parameters: `bank angle in °`.
 pub(super) fn place_headings(sweep: &Sweep) -> impl Iterator<Item = Text> {
     sweep.axes().map(|(parameter, is_angle)| match unit_of_axis(parameter, is_angle) {
-        "" => parameter.label.clone().into(),
-        unit => phrase!("{} in {}", parameter.label.clone(), unit.to_owned()),
+        "" => name(sweep, parameter).into(),
+        unit => phrase!("{} in {}", name(sweep, parameter), unit.to_owned()),
     })
 }
 
 /// `bank angle in °`.
-pub(super) fn axis_name(parameter: &Parameter, is_angle: bool) -> String {
+pub(super) fn axis_name(sweep: &Sweep, parameter: &Parameter, is_angle: bool) -> String {
+    let name = name(sweep, parameter);
     match unit_of_axis(parameter, is_angle) {
-        "" => parameter.label.clone(),
+        "" => name,
         // Patterns of whole names, for other languages.
-        "°" => format!("{} in °", parameter.label),
-        "rpm" => format!("{} in rpm", parameter.label),
-        "mm" => format!("{} in mm", parameter.label),
-        unit => format!("{} ({unit})", parameter.label),
+        "°" => format!("{name} in °"),
+        "rpm" => format!("{name} in rpm"),
+        "mm" => format!("{name} in mm"),
+        unit => format!("{name} ({unit})"),
+    }
+}
+
+/// What a parameter is called on a page: `throws`; `throws 2` beside another value of the list, and its key where even that is not clear.
+pub(super) fn name(sweep: &Sweep, parameter: &Parameter) -> String {
+    let with_places = |parameter: &Parameter| {
+        let key = parameter.key.to_string();
+        let places = key.split('.').filter(|part| part.parse::<usize>().is_ok());
+        [parameter.label.as_str()].into_iter().chain(places).collect::<Vec<_>>().join(" ")
+    };
+    let is_clear = |name: &dyn Fn(&Parameter) -> String| {
+        sweep.parameters.iter().all(|other| other == parameter || name(other) != name(parameter))
+    };
+    match parameter {
+        _ if is_clear(&|parameter| parameter.label.clone()) => parameter.label.clone(),
+        _ if is_clear(&with_places) => with_places(parameter),
+        _ => parameter.key.to_string(),
     }
 }
 

@@ -65,7 +65,7 @@ pub fn sweep_page(sweep: &Sweep) -> Document {
 
 fn title(sweep: &Sweep) -> Text {
     match &sweep.parameters[..] {
-        [one, other] => text::title_of_two(&sweep.title, one.label.clone(), other.label.clone()),
+        [one, other] => text::title_of_two(&sweep.title, amounts::name(sweep, one), amounts::name(sweep, other)),
         [one, ..] => text::title(&sweep.title, one.label.clone()),
         [] => text::title_alone(&sweep.title),
     }

@@ -77,7 +77,7 @@ fn curves(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Figure {
 /// The axis of a parameter; over all its range where it is an angle.
 pub(super) fn over(sweep: &Sweep, parameter: &Parameter) -> Axis {
     let is_angle = is_angle(sweep, parameter);
-    let label = axis_name(parameter, is_angle);
+    let label = axis_name(sweep, parameter, is_angle);
     let [from, to] = [parameter.range.value(0), parameter.range.last()].map(|end| float(&end));
     if is_angle { Axis::degrees(label, from, to) } else { Axis::linear(label) }
 }
@@ -184,7 +184,7 @@ fn map(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Figure {
         let half =
             if parameter.range.count() > 1 { (last - first) / (parameter.range.count() - 1) as f64 / 2.0 } else { 0.5 };
         let is_angle = is_angle(sweep, parameter);
-        let label = axis_name(parameter, is_angle);
+        let label = axis_name(sweep, parameter, is_angle);
         let (low, high) = (first - half, last + half);
         if is_angle { Axis::degrees(label, low, high) } else { Axis::linear(label).within(low, high) }
     };
