@@ -829,17 +829,46 @@ fn two_values_of_one_list_or_of_one_name_are_told_apart_on_a_page() {
     let sweep = good(V6, &["vee.throws.2=0..360:180", "vee.throws.1=0..180:60"], &[1]);
     for document in [report::sweep_page(&sweep), report::sweep_answer(&sweep)] {
         let text = in_plain_text(&document);
-        assert!(text.contains("throws 2 and throws 1 swept") && text.contains("throws 2 = 0° with throws 1 = "), "{text}");
+        assert!(
+            text.contains("throws 2 and throws 1 swept") && text.contains("throws 2 = 0° with throws 1 = "),
+            "{text}"
+        );
     }
     assert!(in_plain_text(&report::sweep_page(&sweep)).contains("throws 2 in ° throws 1 in °"));
     let german = page::Options { language: page::Language::De, ..page::Options::default() };
     let text = page::write(&report::sweep_page(&sweep), page::Format::GITHUB, &german).swap_remove(0).text;
     assert!(text.contains("Kröpfungswinkel 2 in °") && !text.contains("throws 2"), "{text}");
-    let masses = format!("{V6}{MASSES}[crankshaft]\npin_mass = 0.3\n[[counterweight]]\nposition = 0\nangle = 0\nmass = 1\nradius = 0.1\n");
+    let masses = format!(
+        "{V6}{MASSES}[crankshaft]\npin_mass = 0.3\n[[counterweight]]\nposition = 0\nangle = 0\nmass = 1\nradius = 0.1\n"
+    );
     let radii = ["mechanism.reciprocating_mass=0.5..0.6:0.1", "mechanism.rotating_mass=0.1..0.2:0.1"];
     let text = in_plain_text(&report::sweep_page(&good(&masses, &radii, &[1])));
     assert!(text.contains("reciprocating mass and rotating mass swept"), "{text}");
     let alike = ["counterweight.1.mass=1..2:1", "vee.throws.1=0..60:60"];
     let text = in_plain_text(&report::sweep_page(&good(&masses, &alike, &[1])));
     assert!(text.contains("mass and throws swept"), "a name that is alone stays as it is: {text}");
+}
+
+/// What nothing moves, and what big ends alone turn.
+#[test]
+fn pistons_without_mass_have_no_zeros_of_their_own() {
+    let text =
+        "[vee]\nbank_angle = 60\nthrows = [0, 240, 120]\n[mechanism]\nrod_ratio = 0.25\nreciprocating_mass = 0\n";
+    let rotating = format!("{text}rotating_mass = 0.3\n");
+    for range in ["vee.bank_angle=0..180:30", "vee.throws.1=0..180:30"] {
+        let nothing = good(text, &[range], &[1, 2, 4, 6]);
+        assert!(nothing.zeros.expect("an angle").iter().all(|set| set.everywhere && set.complete), "{range}");
+        let turning = good(&rotating, &[range], &[1, 2]);
+        let sets = turning.zeros.as_ref().expect("an angle");
+        assert!(sets.iter().all(|set| set.complete), "{range}");
+        assert!(sets.iter().all(|set| set.everywhere || set.order == 1 && set.of != Zeros::Reverse), "{range}");
+    }
+    let of_throw = good(&rotating, &["vee.throws.1=0..180:50"], &[1]);
+    assert_eq!(zeros(&of_throw, Planar::Force, 1, Zeros::Largest), ["0"]);
+    assert_eq!(zeros(&of_throw, Planar::Moment, 1, Zeros::Largest), ["120"]);
+    assert_eq!(zeros(&of_throw, Planar::Moment, 1, Zeros::Reverse), ["everywhere"]);
+    let unequal = format!("{text}rotating_mass = [0.3, 0.3, 0.3, 0.3, 0.3, 0.4]\n");
+    let sets = good(&unequal, &["vee.throws.1=0..180:50"], &[1]).zeros.expect("an angle");
+    let force = sets.iter().find(|set| set.quantity == Planar::Force && set.of == Zeros::Largest).expect("a set");
+    assert!(!force.everywhere && !force.at.contains(&fraction(0, 1)) && !force.complete);
 }

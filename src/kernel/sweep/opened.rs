@@ -15,7 +15,7 @@ use crate::engine::{DELTA, Engine, Family, PHI};
 use crate::exact::fraction;
 use crate::family::{self, Component, OpenVerdict, Solutions, component_zeros};
 use crate::file::{self, Layout, Template};
-use crate::order::{self, MassGroup, Path};
+use crate::order::{self, MassGroup, Path, Source, TurningMass};
 use crate::proof::{Planar, Quantity, Sense};
 
 /// An engine whose angle is not known.
@@ -102,14 +102,37 @@ impl Opened<'_> {
     /// Whether the star of the pistons alone tells where it vanishes: a balancer shaft may have an order that no piston has.
     fn is_of_pistons(&self, vector: Vector) -> bool {
         let same_rods = self.engine.mechanisms().len() < 2;
-        let of_pistons = self.engine.pistons_have_order(Quantity::FORCE, vector.order);
-        same_rods && of_pistons && !vector.has_turning_masses(&self.engine)
+        let alone = self.pistons_enter(vector.order) && !vector.has_turning_masses(&self.engine);
+        same_rods && (alone || self.is_of_big_ends(vector))
+    }
+
+    /// Whether the pistons have the order, and weigh something.
+    fn pistons_enter(&self, order: u32) -> bool {
+        !self.is_weightless() && self.engine.pistons_have_order(Quantity::FORCE, order)
+    }
+
+    fn is_weightless(&self) -> bool {
+        self.engine.dimensions().mass.as_ref().is_some_and(Zero::is_zero)
+    }
+
+    /// Whether it is that of equal big ends alone, whose star is that of pistons that weigh the same.
+    fn is_of_big_ends(&self, vector: Vector) -> bool {
+        let cylinders = self.engine.cylinders();
+        let turning = vector.turning_masses(&self.engine);
+        self.is_weightless()
+            && (vector.order, vector.of) == (1, Zeros::Direct)
+            && self.engine.geared_cranks().is_empty()
+            && turning.len() == cylinders.len()
+            && turning.iter().all(|mass| matches!(mass.source, Source::BigEnd(_)))
+            && cylinders.iter().all(|cylinder| cylinder.rotating_mass == cylinders[0].rotating_mass)
     }
 
     /// Whether it is the same at every value of the parameter.
-    fn is_fixed(&self, Vector { order, of, .. }: Vector) -> bool {
-        let of_pistons = self.engine.pistons_have_order(Quantity::FORCE, order);
-        !of_pistons && only_shafts(&self.engine, order) || is_fixed(&self.open, order, of)
+    fn is_fixed(&self, vector: Vector) -> bool {
+        // No angle of the engine turns a balancer shaft.
+        let is_shaft = |mass: &TurningMass| mass.source.group() == MassGroup::Balancers;
+        let only_shafts = || vector.turning_masses(&self.engine).iter().all(is_shaft);
+        !self.pistons_enter(vector.order) && only_shafts() || is_fixed(&self.open, vector.order, vector.of)
     }
 
     /// Where it vanishes; `is_never`: it is that of two vectors of which one never does.
@@ -177,10 +200,15 @@ struct Vector {
 }
 
 impl Vector {
-    /// Whether masses that turn enter it beside the pistons.
-    fn has_turning_masses(self, engine: &Engine) -> bool {
+    /// The masses that turn and enter it beside the pistons.
+    fn turning_masses(self, engine: &Engine) -> Vec<TurningMass> {
         let enters = |sense: Sense| self.of.vector().is_none_or(|own| own == sense);
-        order::turning_masses(engine).iter().any(|mass| mass.order == self.order && enters(mass.sense))
+        let all = order::turning_masses(engine).into_iter();
+        all.filter(|mass| mass.order == self.order && enters(mass.sense)).collect()
+    }
+
+    fn has_turning_masses(self, engine: &Engine) -> bool {
+        !self.turning_masses(engine).is_empty()
     }
 
     /// Whether it vanishes in this engine, decided exactly.
@@ -208,12 +236,6 @@ fn with_the_other(sets: &[ZeroSet], of: Zeros) -> Option<ZeroSet> {
 fn is_fixed(open: &OpenAngle, order: u32, of: Zeros) -> bool {
     let turns = |sense, cylinder| !family::phase(cylinder, order, sense).coefficient(open.unknown).is_zero();
     of.vector().is_some_and(|sense| !open.family.cylinders().iter().any(|cylinder| turns(sense, cylinder)))
-}
-
-/// Whether all masses that turn at an order are on balancer shafts, which no angle of the engine turns.
-fn only_shafts(engine: &Engine, order: u32) -> bool {
-    let turning = order::turning_masses(engine);
-    turning.iter().filter(|mass| mass.order == order).all(|mass| mass.source.group() == MassGroup::Balancers)
 }
 
 /// More values than this are not tried.
