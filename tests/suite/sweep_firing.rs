@@ -112,6 +112,21 @@ fn half_orders_without_a_firing_order_are_refused_and_whole_ones_are_not() {
 }
 
 #[test]
+fn stars_of_one_length_have_it_at_every_value_or_wherever_the_cylinders_fire() {
+    let text = "cycle = 'four-stroke'\nfiring_order = '1-4-2-5-3-6'\nvee = { bank_angle = 60 }";
+    let answer = |text: &str, set: &str, orders: &[&str]| {
+        let words = words_of(&report::sweep_answer(&swept(text, &[set], orders).expect("stars")));
+        words.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let told = answer(text, "vee.bank_angle=30..150:15", &["1/2", "3/2", "3"]);
+    assert!(told.contains("the firing star is ≈ 6.000 at every value.") && !told.contains("from ≈ 6.000"), "{told}");
+    // A single cylinder's star is 1 whatever its throw is.
+    let one = "cycle = 'four-stroke'\nfiring_order = '1'\ninline = { throws = [0] }";
+    let told = answer(one, "inline.throws.1=0..90:30", &["1/2", "1"]);
+    assert_eq!(told.matches("the firing star is ≈ 1.000 at every value.").count(), 2, "{told}");
+}
+
+#[test]
 fn page_table_and_document_tell_the_stars() {
     let sweep = swept(V6, &["vee.bank_angle=0..350:10"], &["1", "3/2", "3"]).expect("stars");
     let page = report::sweep_page(&sweep);

@@ -89,6 +89,11 @@ impl<'a> Extreme<'a> {
         listed(self.at.iter().map(|point| place(sweep, point)).collect())
     }
 
+    /// Whether it is reached at all of these points.
+    pub fn is_at_all(&self, points: &[(Amplitude, &SweptEngine)]) -> bool {
+        self.at.len() == points.len()
+    }
+
     /// Whether it is reached at every value.
     pub fn is_everywhere(&self, sweep: &Sweep) -> bool {
         self.at.len() == sweep.points.len()

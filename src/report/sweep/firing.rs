@@ -73,6 +73,10 @@ fn sentence(sweep: &Sweep, firing: &FiringSweep, place_of: usize) -> Text {
         Some(set) if set.complete && !(set.at.is_empty() && set.irrational.is_empty()) => {
             text::torque_zeros(order, Text::zero(), exact(set), number_of(greatest.amplitude), greatest.listed(sweep))
         }
+        _ if greatest.is_at_all(&lengths) && least.is_at_all(&lengths) => {
+            let is_everywhere = greatest.is_everywhere(sweep);
+            text::torque_alike(order, number_of(greatest.amplitude), is_everywhere)
+        }
         _ => text::torque_from_to(
             order,
             number_of(least.amplitude),
