@@ -872,3 +872,27 @@ fn pistons_without_mass_have_no_zeros_of_their_own() {
     let force = sets.iter().find(|set| set.quantity == Planar::Force && set.of == Zeros::Largest).expect("a set");
     assert!(!force.everywhere && !force.at.contains(&fraction(0, 1)) && !force.complete);
 }
+
+/// A point at rest, and a value that no point has.
+#[test]
+fn what_is_nothing_is_printed_as_that() {
+    let text = format!("speed = 3000\n{TWO}");
+    let sweep = good(&text, &["speed=0..3000:1000"], &[1, 2]);
+    let answer = in_plain_text(&report::sweep_answer(&sweep));
+    assert!(answer.contains("Force of order 1: exactly 0 at 0 rpm; largest"), "{answer}");
+    let page = page::write(&report::sweep_page(&sweep), page::Format::GITHUB, &page::Options::default());
+    let page = &page[0].text;
+    assert!(page.contains("| 0 | **0** | **0** | **0** | **0** |") && !page.contains("≈ 0 "), "{page}");
+    let at_rest = good(&format!("speed = 0\n{TWO}"), &["inline.throws.2=90..180:30"], &[1]);
+    let answer = in_plain_text(&report::sweep_answer(&at_rest));
+    assert!(answer.contains("Forces are in m r ω²") && answer.contains("Force of order 1: nowhere 0"), "{answer}");
+
+    let names = ["classify.orders.1.force_exact".parse().expect("a name")];
+    let odd = Template::new("test.toml", "[inline]\nthrows = [0, 17, 101.3]\n").expect("it is TOML");
+    let throw = [Parameter::parse("inline.throws.2=17..19:1").expect("a range")];
+    let stream = sweep::Stream::new(&odd, &throw, &[1], &[], &Geometry::default()).expect("a sweep");
+    let stream = stream.observing(report::observer(&names)).expect("a value");
+    let swept = stream.whole(&std::sync::atomic::AtomicBool::new(false)).expect("swept");
+    let answer = in_plain_text(&report::sweep_answer(&swept));
+    assert!(answer.contains("classify.orders.1.force_exact is not given at any value."), "{answer}");
+}

@@ -60,6 +60,12 @@ pub struct Amplitudes {
 pub type AmplitudeOf = fn(&Amplitudes) -> Amplitude;
 
 impl Amplitudes {
+    /// Those of what is proved to be zero.
+    pub const ZERO: Amplitudes = {
+        let zero = Amplitude::ZERO;
+        Amplitudes { direct: zero, reverse: zero, largest: zero, smallest: zero, along: zero, across: zero }
+    };
+
     /// Each of them by name, as columns and curves have them.
     pub const NAMED: [(&'static str, AmplitudeOf); 6] = [
         ("largest", |all| all.largest),

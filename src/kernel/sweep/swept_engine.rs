@@ -133,9 +133,9 @@ pub(super) fn judge_with(
     let highest = orders.iter().copied().max().unwrap_or(1).max(1);
     let rods_known = !engine.mechanisms().is_empty();
     let judged = orders.iter().map(|&order| {
-        // The coefficients of rods that are known say so themselves.
+        // An order that does not exist has the coefficient 0, which those of rods that are known say themselves.
         if !rods_known && !has_order(engine, order) {
-            return SweptOrder { order, force: no_order(), moment: no_order() };
+            return SweptOrder { order, force: Amplitudes::ZERO, moment: Amplitudes::ZERO };
         }
         let [force, moment] = match whole.as_ref().filter(|whole| whole.knows(order)) {
             Some(whole) => from_words(engine, whole, order, highest, motions),
@@ -177,7 +177,7 @@ fn from_words(
         None => Complex::new(1.0, 0.0),
     };
     if coefficient.is_zero() {
-        return [no_order(); 2];
+        return [Amplitudes::ZERO; 2];
     }
     let pairs = whole.pairs(order);
     Planar::BOTH.map(|quantity| {
@@ -188,11 +188,6 @@ fn from_words(
             direct.is_as_long_as(&reverse, order)
         })
     })
-}
-
-/// An order that does not exist: its coefficient is 0.
-fn no_order() -> Amplitudes {
-    amplitudes([Complex::zero(); 2], [true; 4], (0.0, true), &|| true)
 }
 
 /// The amplitudes of `½(P⁺, P̄⁻)`; which of P⁺, P⁻, P⁺ + P̄⁻ and P⁺ − P̄⁻ are zero is known, and whether both are equally

@@ -8,14 +8,15 @@ use crate::page::plot::Axis;
 use crate::page::{Number, Piece, Text, Unit, number, phrase};
 use crate::proof::Planar;
 use crate::report::texts::sweep as text;
-use crate::sweep::{Amplitude, Envelope, Multiples, Parameter, Sweep, SweptEngine};
+use crate::sweep::{Amplitude, Amplitudes, Envelope, Multiples, Parameter, Sweep, SweptEngine};
 
 /// A side of what an engine fits into.
 pub(super) type Side = fn(&Envelope) -> Option<f64>;
 
-/// Whether the file gives mass, crank radius, speed and rods, so that every point is known in newtons.
+/// Whether the file gives mass, crank radius, speed and rods, so that every point is known in newtons. At rest there are none to show.
 pub(super) fn in_newtons(sweep: &Sweep) -> bool {
-    sweep.points.iter().chain(&sweep.curve).all(|point| point.newtons.is_some())
+    let points = || sweep.points.iter().chain(&sweep.curve);
+    points().all(|point| point.newtons.is_some()) && points().any(|point| point.newtons != Some(0.0))
 }
 
 /// The sweep with its amplitudes in what a page counts in, which [`unit`] names.
@@ -29,7 +30,13 @@ pub(super) fn counted(sweep: &Sweep) -> Sweep {
 
 fn multiply(point: &mut SweptEngine) {
     let factor = point.newtons.unwrap_or(1.0);
-    point.orders.iter_mut().flat_map(|order| [&mut order.force, &mut order.moment]).for_each(|part| part.scale(factor));
+    for amplitudes in point.orders.iter_mut().flat_map(|order| [&mut order.force, &mut order.moment]) {
+        match factor {
+            // At rest.
+            0.0 => *amplitudes = Amplitudes::ZERO,
+            _ => amplitudes.scale(factor),
+        }
+    }
 }
 
 /// What amplitudes are counted in on a page.

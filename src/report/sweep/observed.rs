@@ -23,7 +23,12 @@ pub(super) fn sentences(sweep: &Sweep) -> Vec<Text> {
 fn of_value(sweep: &Sweep, values: &[Observed], name: &str, index: usize) -> Vec<Text> {
     let name = || Text::code(name);
     let points = sweep.points.iter().zip(values);
-    let all: Vec<At> = points.filter_map(|(point, values)| Some((point, values.get(index)?.as_ref().ok()?))).collect();
+    let known = points.filter_map(|(point, values)| Some((point, values.get(index)?.as_ref().ok()?)));
+    // A closed form, say, may be absent where the rest of its row is not.
+    let all: Vec<At> = known.filter(|(_, value)| value.value().is_some()).collect();
+    if all.is_empty() {
+        return vec![text::never_given(name())];
+    }
     let missing = sweep.points.len() - all.len();
     let lacking = (missing > 0).then(|| text::lacking(name(), missing, sweep.points.len()));
     let told = all.first().map(|(_, first)| {
