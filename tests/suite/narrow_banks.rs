@@ -316,7 +316,7 @@ fn mistakes_in_narrow_banks_are_told() {
             "cycle = 'four-stroke'\nfiring_order = '1-2-3-4'\n[w]\nbank_angle = 90\nnarrow_angle = 15\npin_split = 10",
             "needs the pins of cylinders",
         ),
-        ("[vee]\nbank_angle = 60\nthrows = [0]\npin_offset = ['1 cm']", "1 pin offsets for 2 banks"),
+        ("[vee]\nbank_angle = 60\nthrows = [0]\npin_offset = ['1 cm']", "1 pin offset for 2 banks"),
     ];
     for (text, words) in mistakes {
         let error = parse("layout.toml", text).expect_err(text).to_string();
