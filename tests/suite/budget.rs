@@ -17,7 +17,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("engine", 4280),
     ("exact", 1755),
     ("family", 3900),
-    ("file", 8465),
+    ("file", 8480),
     ("firing", 410),
     ("flywheel", 510),
     ("gas", 1100),

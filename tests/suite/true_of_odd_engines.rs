@@ -211,3 +211,18 @@ fn without_a_reciprocating_mass_multiples_say_of_which_mass_they_are() {
     tells(&said("classify", two, &[]), &["m is 1 kg"], &[]);
     tells(&said("classify", &two.replace("mass = 0,", "mass = 1,"), &[]), &[], &["m is 1 kg"]);
 }
+
+/// The line was told in coordinates that turn with the engine.
+#[test]
+fn a_line_of_mounts_has_the_direction_that_the_file_gives_it() {
+    let mount = |place: &str| format!("[[mount]]\nplace = [{place}]\nstiffness = 90000\n");
+    let two = mount("'50 mm', '320 mm', '200 mm'") + &mount("'-50 mm', '-320 mm', '-200 mm'");
+    for rotation in ["clockwise", "anticlockwise"] {
+        let layout = format!(
+            "rotation = '{rotation}'\ninline = {{ throws = [0, 180], spacing = '88 mm' }}\n\
+             block = {{ mass = 180, inertia = [13, 11, 6.5], centre = [0, 0, 0] }}\n{two}"
+        );
+        let told = crankstar::file::parse("line.toml", &layout).expect_err("one line").to_string();
+        assert!(told.contains("its direction (5/32, 1, 5/8)"), "{told}");
+    }
+}

@@ -63,8 +63,21 @@ pub(super) fn read(
         block: keys.read(convention)?,
         mounts: tables.iter().map(|table| table.get_ref().0.read(convention)).collect::<Result<_, _>>()?,
     };
-    mounting.check().map_err(|why| LayoutError::new(why.to_string(), right(&why), span(&why, keys, mounts)))?;
+    mounting.check().map_err(|why| {
+        let why = as_drawn(why, convention);
+        LayoutError::new(why.to_string(), right(&why), span(&why, keys, mounts))
+    })?;
     Ok(Some(mounting))
+}
+
+/// With a direction as the file counts it.
+fn as_drawn(why: NoMounting, convention: Convention) -> NoMounting {
+    let NoMounting::OneLine(line) = why else { return why };
+    let [x, y, z] = *line;
+    let line = [x, convention.in_the_sense_of_rotation(y), z];
+    // Its longest part, 1 or −1 now, is 1.
+    let turned = line.iter().any(|part| *part == BigRational::from_integer((-1).into()));
+    NoMounting::OneLine(Box::new(if turned { line.map(|part| -part) } else { line }))
 }
 
 fn right(why: &NoMounting) -> &'static str {
