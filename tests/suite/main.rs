@@ -153,6 +153,7 @@ mod stars_page;
 mod studies;
 mod sweep;
 mod sweep_firing;
+mod sweep_zeros;
 mod symbols;
 mod terminal;
 mod theorems;
