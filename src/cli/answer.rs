@@ -123,10 +123,9 @@ impl Answer {
     /// # Errors
     /// What cannot be had, before anything is computed.
     pub fn wanted(&self, question: &'static str) -> Result<Option<Wanted<'_>>, Failure> {
-        let folder = self.output().filter(|_| !self.is_data()).map(|_| page::Format::GITHUB);
-        self.page.is_said_of(self.page_format().or(folder))?;
-        if self.is_data() {
-            self.page.is_said_of_data()?;
+        match self.is_data() {
+            true => self.page.is_said_of(None).and_then(|()| self.page.is_said_of_data())?,
+            false => self.page.is_said_of(self.page.written(self.page_format()))?,
         }
         let format = match self.format() {
             Some(Format::Data(DataFormat::Table(format))) => Some(format),

@@ -9,7 +9,7 @@ use crankstar::engine::Engine;
 use crankstar::page::{File, Units};
 use crankstar::proof::Quantity;
 use crankstar::report;
-use crankstar::text::Untrusted;
+use crankstar::text::{Untrusted, counted};
 
 use super::failure::Failure;
 use super::pages::Pages;
@@ -103,10 +103,7 @@ impl Exercise {
         let written = self.files(&exercise, &scheme).and_then(|files| self.pages.write_files(&files));
         let namesakes = students.iter().filter(|student| student.is_namesake);
         namesakes.for_each(|student| write::warn(&namesake(student)));
-        let sheets = match students.len() {
-            1 => "1 sheet".to_owned(),
-            count => format!("{count} sheets"),
-        };
+        let sheets = counted(students.len(), "sheet");
         write::to_stdout(&format!("{sheets}, with solutions. Seed {}.\n{}", self.seed, written?))
     }
 

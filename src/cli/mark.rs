@@ -69,14 +69,13 @@ const DEEPEST: usize = 5;
 impl Mark {
     /// Prints the table of marks, and writes the pages into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        let folder = self.page.folder().map(|_| page::Format::GITHUB);
         let page_format = match self.format {
             Some(Format::Csv) => None,
             Some(Format::Page(format)) => Some(format),
-            None => folder,
+            None => self.page.written(None),
         };
         self.page.is_said_of(page_format)?;
-        if self.format == Some(Format::Csv) && folder.is_none() {
+        if self.format == Some(Format::Csv) && self.page.folder().is_none() {
             self.page.is_said_of_data()?;
         }
         if !self.handed_in.exists() {

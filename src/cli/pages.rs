@@ -119,6 +119,11 @@ impl PageArgs {
         }
     }
 
+    /// The format of the page that is written, of which this one is named; none where a short answer alone is given.
+    pub fn written(&self, named: Option<Format>) -> Option<Format> {
+        named.or(self.output.as_ref().map(|_| Format::GITHUB))
+    }
+
     /// Refuses what is said of another format than that of the page; of all of them where no page is written.
     ///
     /// # Errors
@@ -267,8 +272,7 @@ impl Pages {
         page: impl FnOnce() -> Document,
         beside: impl FnOnce() -> Vec<File>,
     ) -> Result<(), Failure> {
-        let folder = self.page.folder().map(|_| Format::GITHUB);
-        self.page.is_said_of(self.format.or(folder))?;
+        self.page.is_said_of(self.page.written(self.format))?;
         self.page.give(self.format, answer, page, || Ok(beside()))
     }
 

@@ -7,6 +7,7 @@ use crankstar::file::Layout;
 use crankstar::page;
 use crankstar::proof::{AnyDocument, Checked, Counts, Difference, LARGEST_DOCUMENT, Unreadable, read_document};
 use crankstar::report::{self, Question};
+use crankstar::text::counted;
 
 use serde_json::Value;
 
@@ -103,7 +104,7 @@ fn compare_each(name: &str, document: &AnyDocument, layouts: &[PathBuf]) -> Resu
         own => vec![own.clone()],
     };
     if engines.len() != layouts.len() {
-        let count = if engines.len() == 1 { "1 engine".to_owned() } else { format!("{} engines", engines.len()) };
+        let count = counted(engines.len(), "engine");
         return Err(Failure::new(format!(
             "{name} is about {count}, and --engine names {}; name one for each, in their order",
             layouts.len()

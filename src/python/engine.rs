@@ -149,9 +149,8 @@ impl Engine {
     }
 
     fn __repr__(&self) -> String {
-        let count = self.engine.cylinders().len();
-        let plural = if count == 1 { "" } else { "s" };
-        format!("<Engine: {}, {count} cylinder{plural}>", crate::text::harmless(self.title()))
+        let cylinders = crate::text::counted(self.engine.cylinders().len(), "cylinder");
+        format!("<Engine: {}, {cylinders}>", crate::text::harmless(self.title()))
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {

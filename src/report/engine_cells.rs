@@ -66,14 +66,13 @@ pub(super) fn first_left(
 
 /// The lowest order that is left, where all below it are judged or do not exist.
 fn first_judged(engine: &Engine, judged: &[OrderVerdict], quantity: Planar) -> Option<Text> {
-    let turns = |order: u32| engine.crankshaft().balancers.iter().any(|shaft| shaft.order == order);
     for order in 1..=judged.last()?.order {
         match judged.iter().find(|verdict| verdict.order == order) {
             Some(verdict) if verdict.whole(quantity).is_left() => {
                 return Some(phrase!("{}, {}", order, residual::shape_name(verdict.whole(quantity).shape)));
             }
             Some(verdict) if verdict.exists() && !verdict.whole(quantity).is_balanced() => return None,
-            None if engine.pistons_have_order(quantity.into(), order) || turns(order) => return None,
+            None if engine.has_order(order) => return None,
             _ => {}
         }
     }

@@ -29,6 +29,12 @@ pub struct Firing {
     pub shots: Vec<Shot>,
 }
 
+/// What is wrong with so many firing angles, and what would be right.
+pub fn not_one_each(angles: usize, cylinders: usize) -> (String, String) {
+    let message = format!("{} for {}", counted(angles, "firing angle"), counted(cylinders, "cylinder"));
+    (message, "one per cylinder, in the order of the cylinders".to_owned())
+}
+
 impl Firing {
     /// The first major order: as high as the engine fires often in a revolution, up to the next whole one.
     pub fn first_major_order(&self) -> u32 {
@@ -93,8 +99,7 @@ impl Firing {
     pub fn from_angles(angles: &[BigRational], cycle: Cycle, cylinders: &[Cylinder]) -> Result<Self, (String, String)> {
         let fired = firing_pistons(cylinders);
         if angles.len() != fired.len() {
-            let message = format!("{} for {}", counted(angles.len(), "firing angle"), counted(fired.len(), "cylinder"));
-            return Err((message, "one per cylinder, in the order of the cylinders".into()));
+            return Err(not_one_each(angles.len(), fired.len()));
         }
         let first = &angles[0];
         let revolutions = cycle.turns();

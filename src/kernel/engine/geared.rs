@@ -63,6 +63,15 @@ impl<A, L> Engine<A, L> {
     pub fn own_order(&self, cylinder: &Cylinder<A, L>, order: u32) -> Option<u32> {
         own_order(self.speed_of(cylinder), order)
     }
+
+    /// Whether force and moment have an order: pistons do, or what turns on a shaft or a crankshaft. Odd ones of centric rods have the
+    /// coefficient 0.
+    pub fn has_order(&self, order: u32) -> bool {
+        let turns_on_a_shaft = || self.crankshaft().balancers.iter().any(|shaft| shaft.order == order);
+        let turns_on_a_crank = || self.geared_cranks().iter().any(|crank| crank.speed == order);
+        self.pistons_have_order(Quantity::FORCE, order) || turns_on_a_shaft() || turns_on_a_crank()
+    }
+
     /// Whether some piston has an order; rods of which nothing is known are of finite length and without offset.
     pub fn pistons_have_order(&self, quantity: Quantity, order: u32) -> bool {
         match self.faster_crank() {

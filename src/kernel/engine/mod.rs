@@ -47,7 +47,7 @@ pub use dimensions::{Dimensions, Given, Measure};
 pub use draft::{Draft, ReferencePlane};
 pub use effects::Effects;
 pub use family::{DELTA, Family, PHI};
-pub use firing::{Firing, Shot};
+pub use firing::{Firing, Shot, not_one_each};
 pub use firing_spans::{End, FiringSpan, NoSpans};
 pub use flywheel::Flywheel;
 pub use form::Form;

@@ -6,9 +6,8 @@ use num_rational::BigRational;
 
 use super::cycle::Cycle;
 use super::cylinder::Cylinder;
-use super::firing::Firing;
+use super::firing::{Firing, not_one_each};
 use super::linear::Linear;
-use crate::text::counted;
 
 /// What a layout whose angles or positions are open says of its firing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,9 +23,7 @@ impl OpenFiring {
     /// be right.
     pub fn from_angles(angles: Vec<Linear>, cylinders: &[Cylinder<Linear, Linear>]) -> Result<Self, (String, String)> {
         if angles.len() != cylinders.len() {
-            let message =
-                format!("{} for {}", counted(angles.len(), "firing angle"), counted(cylinders.len(), "cylinder"));
-            return Err((message, "one per cylinder, in the order of the cylinders".into()));
+            return Err(not_one_each(angles.len(), cylinders.len()));
         }
         for (angle, cylinder) in angles.iter().zip(cylinders) {
             let (angle, right) = (angle.minus(&angles[0]), dead_centre(cylinder).minus(&dead_centre(&cylinders[0])));

@@ -9,6 +9,7 @@ use super::error::LayoutError;
 use super::quantities::{self, List, misread};
 use super::written::{Text, place};
 use crate::engine::{Engine, LengthUnit};
+use crate::text::counted;
 
 /// The most bearings that are read: 100 spans.
 const MOST_BEARINGS: usize = 101;
@@ -20,7 +21,7 @@ const MOST_BEARINGS: usize = 101;
 pub(super) fn read(list: &List, unit: &mut LengthUnit, positions_given: bool) -> Result<Vec<BigRational>, LayoutError> {
     let texts = list.get_ref();
     if !(2..=MOST_BEARINGS).contains(&texts.len()) {
-        let message = format!("{} {}", texts.len(), if texts.len() == 1 { "main bearing" } else { "main bearings" });
+        let message = counted(texts.len(), "main bearing");
         return Err(LayoutError::new(message, format!("a shaft lies in 2 to {MOST_BEARINGS}"), place(list)));
     }
     let mut places: BTreeMap<BigRational, usize> = BTreeMap::new();

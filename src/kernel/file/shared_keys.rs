@@ -9,8 +9,7 @@ use super::error::LayoutError;
 use super::firing_order::{self, FiringOrder};
 use super::quantities::{List, angle, angles};
 use super::written::place;
-use crate::engine::{Convention, Cycle, Cylinder, Linear, MOST_CYLINDERS};
-use crate::text::counted;
+use crate::engine::{Convention, Cycle, Cylinder, Linear, MOST_CYLINDERS, not_one_each};
 
 /// The keys above the form.
 pub(super) struct SharedKeys<'a> {
@@ -101,12 +100,8 @@ impl SharedKeys<'_> {
                 list.get_ref().iter().map(angle).collect()
             }
             (None, Some(list), Some(_)) => {
-                let message = format!(
-                    "{} for {}",
-                    counted(list.get_ref().len(), "firing angle"),
-                    counted(cylinders.len(), "cylinder")
-                );
-                Err(LayoutError::new(message, "one per cylinder, in the order of the cylinders", place(list)))
+                let (message, right) = not_one_each(list.get_ref().len(), cylinders.len());
+                Err(LayoutError::new(message, right, place(list)))
             }
             (_, _, None) | (None, None, _) => Err(missing(None)),
         }

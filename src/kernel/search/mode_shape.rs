@@ -7,6 +7,7 @@ use super::firing;
 use super::problem::{Problem, ProblemError};
 use crate::engine::{Cycle, CycleOrder};
 use crate::exact::{PhasorSum, Term};
+use crate::firing::NoStar;
 use crate::text::counted;
 
 /// Cylinders of more instants than this, two at each, may fire in more than 256 orders.
@@ -37,9 +38,7 @@ pub(super) fn deflections(
     let falling = || (1..=throws).rev().map(|deflection| BigRational::from_integer(deflection.into())).collect();
     let shape: Vec<BigRational> = shape.unwrap_or_else(falling);
     match shape.len() == throws as usize {
-        true if shape.iter().all(Zero::is_zero) => {
-            Err(ProblemError::new("a mode shape without deflection is none; one value at least is not 0"))
-        }
+        true if shape.iter().all(Zero::is_zero) => Err(ProblemError::new(NoStar::NoDeflection.to_string())),
         true => Ok(shape),
         false => {
             let each = if problem.bank_angle.is_some() { "throw" } else { "cylinder" };

@@ -9,7 +9,6 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::parameter::Parameter;
 use super::reader::Reader;
-use super::swept_engine::has_order;
 use super::zeros::{ZeroSet, Zeros};
 use crate::engine::{DELTA, Engine, Family, PHI};
 use crate::exact::fraction;
@@ -86,7 +85,7 @@ struct Opened<'a> {
 impl Opened<'_> {
     /// What vanishes where, of one order of force or moment.
     fn sets(&self, quantity: Planar, order: u32, verdicts: &[OpenVerdict; 2]) -> Vec<ZeroSet> {
-        let exists = has_order(&self.engine, order);
+        let exists = self.engine.has_order(order);
         let mut sets = Vec::new();
         for of in Zeros::ALL {
             let is_never = || of == Zeros::Largest && sets.iter().any(ZeroSet::is_never);

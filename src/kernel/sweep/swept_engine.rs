@@ -16,7 +16,7 @@ use crate::loads::{self, Missing};
 use crate::motion::coefficients_fast;
 use crate::numbers;
 use crate::order::{self, Coefficients, Factor, OrderSum, Path};
-use crate::proof::{Planar, Quantity, Sense};
+use crate::proof::{Planar, Sense};
 
 /// One order.
 #[derive(Clone, Debug, PartialEq)]
@@ -134,7 +134,7 @@ pub(super) fn judge_with(
     let rods_known = !engine.mechanisms().is_empty();
     let judged = orders.iter().map(|&order| {
         // An order that does not exist has the coefficient 0, which those of rods that are known say themselves.
-        if !rods_known && !has_order(engine, order) {
+        if !rods_known && !engine.has_order(order) {
             return SweptOrder { order, force: Amplitudes::ZERO, moment: Amplitudes::ZERO };
         }
         let [force, moment] = match whole.as_ref().filter(|whole| whole.knows(order)) {
@@ -156,13 +156,6 @@ pub(super) fn judge_with(
         counterweight: counterweight_of(engine, whole.as_ref()),
         envelope: envelope(engine, geometry),
     })
-}
-
-/// Whether the engine has the order: odd ones of centric rods have the coefficient 0, but for balancer shafts.
-pub(super) fn has_order(engine: &Engine, order: u32) -> bool {
-    let balanced = engine.crankshaft().balancers.iter().any(|shaft| shaft.order == order);
-    let geared = engine.geared_cranks().iter().any(|crank| crank.speed == order);
-    balanced || geared || engine.pistons_have_order(Quantity::FORCE, order)
 }
 
 fn from_words(
