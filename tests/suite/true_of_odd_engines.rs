@@ -1,6 +1,7 @@
 //! Sentences that were false of unusual engines: at rest, with yokes, needless shafts, faster crankshafts, several lengths, unequal cylinders.
 
-use crate::true_sentences::said;
+use crate::support::program::call;
+use crate::true_sentences::{said, written};
 
 const SINGLE: &str = "speed = 3000\ninline = { throws = [0] }\n\
     mechanism = { stroke = '80 mm', rod_length = '140 mm', reciprocating_mass = '0.5 kg', rotating_mass = '0.3 kg' }\n";
@@ -59,6 +60,15 @@ fn the_coefficients_of_a_faster_crankshaft_are_of_its_own_orders() {
 fn at_rest_nothing_shakes_and_no_bearing_is_loaded_by_masses() {
     tells(&said("classify", AT_REST, &[]), &["m r ω² (order 2)"], &["at 0 rpm"]);
     tells(&said("bearings", AT_REST, &[]), &["Without gas no load is on a bearing."], &["0.000 N", "bearings ."]);
+    let masses = AT_REST.replace("effects = ['gas']\n", "");
+    tells(&said("bearings", &masses, &[]), &["No bearing carries a force: 0 exactly"], &["worst", "≈ 0"]);
+    tells(&said("compare", &masses, &["I4"]), &["0 in all"], &["≈ 0 "]);
+    let multiples = said("compare", &masses, &["examples/four.toml"]);
+    tells(&multiples, &["the stroke and a speed above 0 of true-sentences"], &[]);
+    let weights = "[crankshaft]\nbalance_factor = 0.5\ncounterweight_radius = '50 mm'\nweb_offset = '20 mm'\n";
+    let still = call(&["optimise", &written(&format!("{masses}{weights}"))]);
+    assert_eq!(still.status.code(), Some(1), "{still:?}");
+    tells(&String::from_utf8_lossy(&still.stderr), &["at a speed of 0", "`speed` above 0, or none"], &[]);
 }
 
 #[test]

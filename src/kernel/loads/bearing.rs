@@ -27,7 +27,7 @@ pub struct BearingLoads {
     pub bearings: Vec<BearingLoad>,
     /// The part that each bearing carries of a unit load, by the load's position: exact.
     pub parts: BTreeMap<BigRational, Vec<BigRational>>,
-    /// Indices of those with the largest peak; none where no bearing feels anything.
+    /// Indices of those with the largest peak; none where no bearing feels anything, as at rest.
     pub worst: Vec<usize>,
     /// What turns multiples into newtons; none where mass, crank radius or speed is missing.
     pub scale: Option<Scale>,
@@ -72,9 +72,11 @@ pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<
     let of_crank = |crank: usize| of_crankshaft(engine, &motion, &shares, (crank, orders));
     let bearings: Vec<BearingLoad> = (0..engine.crankshafts()).flat_map(of_crank).collect();
     let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
-    let is_worst = |&index: &usize| largest > 0.0 && bearings[index].peak.value >= largest * (1.0 - EQUAL);
+    let scale = super::scale(engine);
+    let is_loaded = largest > 0.0 && scale.as_ref().is_none_or(|scale| scale.force() > 0.0);
+    let is_worst = |&index: &usize| is_loaded && bearings[index].peak.value >= largest * (1.0 - EQUAL);
     let worst = (0..bearings.len()).filter(is_worst).collect();
-    Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale: super::scale(engine) })
+    Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale })
 }
 
 fn of_crankshaft(

@@ -76,7 +76,8 @@ pub fn left_out_of_bearings(engine: &Engine, loads: &BearingLoads) -> Result<Opt
         |index: usize| looked_at(&others.bearings[index].orders) + rest(engine, &tails, loads, index, highest);
     let most = (0..loads.bearings.len()).map(of_bearing).fold(0.0, f64::max);
     let bound = Bound { most: (most * SLACK).next_up(), peak: (largest(loads) - most * SLACK).max(0.0) };
-    Ok((most > 0.0).then_some(bound))
+    let is_at_rest = loads.scale.as_ref().is_some_and(|scale| scale.force() == 0.0);
+    Ok((most > 0.0 && !is_at_rest).then_some(bound))
 }
 
 /// What the orders that are not among these add to the load of each crankpin at most, by cylinder.

@@ -73,9 +73,11 @@ pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Desi
     let unit = engine.unit_mass() * radius;
     let arm = |position: &BigRational| position - engine.reference_plane();
     let newtons = loads.scale.as_ref().map_or(1.0, Scale::force);
+    if newtons == 0.0 {
+        return Err(OptimiseError::Still);
+    }
     let (peaks, worst) = match engine.effects().gas {
         false => (loads.bearings.iter().map(|bearing| bearing.peak.value).collect(), loads.worst),
-        true if newtons == 0.0 => return Err(OptimiseError::Still),
         true => {
             let found = bearing_peaks(engine).map_err(|lack| OptimiseError::Gas(lack.to_string()))?;
             let peaks: Vec<f64> = found.iter().map(|[all, _]| all.value / newtons).collect();

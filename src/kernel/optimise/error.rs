@@ -47,10 +47,8 @@ pub enum OptimiseError {
     /// The gas is asked for, and something lacks for it.
     #[error("effects ask for the gas: {0}. Without \"gas\" in effects the loads of the masses alone are made least")]
     Gas(String),
-    /// The gas is asked for, and the crankshaft stands still: no counterweight makes a force.
-    #[error(
-        "at a speed of 0 counterweights make no force; give `speed` above the first table, or leave \"gas\" out of effects"
-    )]
+    /// The crankshaft stands still: no counterweight makes a force.
+    #[error("at a speed of 0 counterweights make no force; give a `speed` above 0, or none for loads in m r ω²")]
     Still,
     /// The solver found no solution.
     #[error("the solver found no best counterweights: {0}")]

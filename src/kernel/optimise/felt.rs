@@ -45,6 +45,10 @@ impl AllForces {
 impl Felt {
     /// Those of an engine without counterweights; `loads` are of its masses.
     pub fn new(bare: &Engine, loads: BearingLoads) -> Result<Self, OptimiseError> {
+        let unit = loads.scale.as_ref().map_or(1.0, Scale::force);
+        if unit == 0.0 {
+            return Err(OptimiseError::Still);
+        }
         let turning = loads.bearings.iter().map(|bearing| Turning::of(bare, bearing.crank)).collect::<Vec<_>>();
         if !bare.effects().gas {
             let waveforms = loads.bearings.into_iter().map(|bearing| bearing.waveform);
@@ -52,7 +56,6 @@ impl Felt {
         }
         let course = journal::course(bare).map_err(|lack| OptimiseError::Gas(lack.to_string()))?;
         let carried = journal::carried_by_bearings(bare).map_err(|lack| OptimiseError::Gas(lack.to_string()))?;
-        let unit = loads.scale.as_ref().map(Scale::force).filter(|unit| *unit > 0.0).ok_or(OptimiseError::Still)?;
         let grid: Vec<f64> = torque::angles(course.period()).collect();
         let mut all = AllForces { course, carried, turning, unit, grid, known: Vec::new() };
         let of_bearing = |bearing: usize| all.grid.iter().map(|theta| all.at(bearing, *theta)).collect();

@@ -13,13 +13,14 @@ pub(super) fn unit_of(loads: &BearingLoads) -> Unit {
 
 /// The size of a peak: a decimal, or 0.
 pub(super) fn size(peak: &Peak, unit: Unit) -> Text {
-    if peak.value == 0.0 { Text::zero() } else { Text::measured(peak.value * unit.factor, unit.unit) }
+    let size = peak.value * unit.factor;
+    if size == 0.0 { Text::zero() } else { Text::measured(size, unit.unit) }
 }
 
-/// The crank angle of a peak.
-pub(super) fn angle(peak: &Peak) -> Text {
+/// The crank angle of a peak; none of a load of 0, as all are at rest.
+pub(super) fn angle(peak: &Peak, unit: Unit) -> Text {
     match peak.angle {
-        _ if peak.value == 0.0 => "–".into(),
+        _ if peak.value * unit.factor == 0.0 => "–".into(),
         Some(angle) => phrase!("≈ {}°", Text::figures(angle)),
         None => "every θ".into(),
     }

@@ -54,9 +54,9 @@ fn masters(engine: &Engine, links: &LinkLoads, unit: Unit) -> page::Table {
         .column("Master rod", |master| names(engine, &[master.cylinder]))
         .column("Links of cylinders", |master| names(engine, &master.links))
         .column(phrase!("Load of the crankpin in {}", unit.label()), |master| amounts::size(&master.crankpin, unit))
-        .column("at θ", |master| amounts::angle(&master.crankpin))
+        .column("at θ", |master| amounts::angle(&master.crankpin, unit))
         .column(phrase!("Side force in {}", unit.label()), |master| amounts::size(&master.side, unit))
-        .column("at θ", |master| amounts::angle(&master.side))
+        .column("at θ", |master| amounts::angle(&master.side, unit))
         .column(phrase!("Without links in {}", unit.label()), |master| amounts::size(&master.own_side, unit))
         .done()
 }
@@ -66,11 +66,11 @@ fn knuckles(engine: &Engine, links: &LinkLoads, unit: Unit) -> page::Table {
         .column("Link of cylinder", |knuckle| names(engine, &[knuckle.cylinder]))
         .column("Master rod", |knuckle| names(engine, &[knuckle.master]))
         .column(phrase!("Load of the knuckle pin in {}", unit.label()), |knuckle| amounts::size(&knuckle.peak, unit))
-        .column("at θ", |knuckle| amounts::angle(&knuckle.peak))
+        .column("at θ", |knuckle| amounts::angle(&knuckle.peak, unit))
         .column(phrase!("Side force on the master's piston in {}", unit.label()), |knuckle| {
             amounts::size(&knuckle.side, unit)
         })
-        .column("at θ", |knuckle| amounts::angle(&knuckle.side))
+        .column("at θ", |knuckle| amounts::angle(&knuckle.side, unit))
         .done()
 }
 
