@@ -43,7 +43,8 @@ def check(tree, notes):
         proved.append((read(one, "classify"), *found))
     demand(proved and (kind != "loads" or len(proved) == 1), "there is no evidence, or too much")
     equal(document, not_checked=NOT_CHECKED[kind])
-    notes.add("the numbers that the document names in `not_checked`, but whether the values of `peaks` are 0, and that `largest` is not 0 where something is left")
+    but = ", but whether the values of `peaks` are 0, and that `largest` is not 0 where something is left"
+    notes.add("the numbers that the document names in `not_checked`" + (but if kind == "loads" else ""))
     if kind == "loads":
         check_loads(document, *proved[0])
     if kind == "compare":

@@ -15,6 +15,7 @@ rods, several crankshafts, sums before different numbers, every order at once, a
 """
 import importlib
 import json
+import os
 import sys
 from fractions import Fraction
 from math import gcd
@@ -363,7 +364,7 @@ def main(arguments):
         except (NoDocument, OSError) as error:
             answer = 2
             said = [f"{path}: {error}"]
-        print(*map(harmless, said), sep="\n")
+        print(*map(harmless, said), sep="\n", flush=True)
     return answer
 
 
@@ -371,4 +372,8 @@ if __name__ == "__main__":
     sys.modules["verify"] = sys.modules["__main__"]  # the files beside this one take it for what it is
     sys.dont_write_bytecode = True
     getattr(sys, "set_int_max_str_digits", lambda _: None)(0)  # numbers have up to 5,000 digits
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except BrokenPipeError:  # who reads has enough; the interpreter is not to write the rest at its end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)

@@ -4,6 +4,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crankstar::file::Layout;
+use crankstar::order::masses_as_built;
 use crankstar::page;
 use crankstar::proof::{AnyDocument, Checked, Counts, Difference, LARGEST_DOCUMENT, Unreadable, read_document};
 use crankstar::report::{self, Question};
@@ -121,10 +122,13 @@ fn compare(name: &str, engine: &AnyDocument, layout: &Path, beside: (&AnyDocumen
     let mut beside_differs = None;
     let right = match (engine, layouts::read(layout)?) {
         (AnyDocument::Classify(own), Layout::Known(layout, _)) => {
+            let mut masses = own.masses;
             if let (AnyDocument::Evidence(document), index) = beside {
                 beside_differs = document.numbers_difference(index, &report::numbers_of(&layout));
+                // Numbers are those of the engine as it is built; verdicts may be on some of its masses.
+                masses = masses_as_built(&layout);
             }
-            AnyDocument::Classify(report::document(&layout, own.masses, &[], &own.quantities, None))
+            AnyDocument::Classify(report::document(&layout, masses, &[], &own.quantities, None))
         }
         (AnyDocument::Remedy(_), Layout::Known(layout, _)) => {
             AnyDocument::Remedy(report::remedy_engine(&layout).map_err(Failure::new)?)
@@ -153,7 +157,8 @@ const WIDTH: usize = 76;
 /// What holds, what it is about, and what is not covered.
 fn summary(document: &AnyDocument, checked: &Checked, engine: &str) -> String {
     let Counts { polygons, residues, splittings, decimals } = checked.counts;
-    let title = crankstar::text::harmless(document.title());
+    let titles = document.titles();
+    let title = crankstar::text::harmless(&titles.join(", "));
     let orders: Vec<String> = checked.orders.iter().map(ToString::to_string).collect();
     let quantities: Vec<&str> = checked.quantities.iter().map(|quantity| quantity.name()).collect();
     let masses: Vec<&str> = checked.masses.iter().map(|masses| masses.name()).collect();

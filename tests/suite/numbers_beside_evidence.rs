@@ -456,7 +456,15 @@ fn the_engine_of_a_document_of_numbers_is_compared_with_a_layout() {
     let of_none = other("none.toml", "speed = '6000 rpm'", "");
     let in_newtons = file("newtons.json", &["loads", &newtons, "--json"]);
     let compared = file("compared.json", &["compare", &newtons, "I4", "--json"]);
-    for (other, words) in [(&heavier, "scale.m"), (&faster, "scale."), (&of_none, "it is null")] {
+    // Numbers are those of all masses.
+    let turning = other("turning.toml", "rod_ratio", "rotating_mass = '0.1 kg'\nrod_ratio");
+    let differing = [
+        (&heavier, "scale.m"),
+        (&faster, "scale."),
+        (&of_none, "it is null"),
+        (&turning, "turning_masses[0] is nothing"),
+    ];
+    for (other, words) in differing {
         let loads = call(&["verify", &in_newtons, "--engine", other]);
         let compare = call(&["verify", &compared, "--engine", other, "--engine", "I4"]);
         for output in [loads, compare] {

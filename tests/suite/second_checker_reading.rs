@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use crate::support::program::{call, scratch};
 use crate::support::second::{self, second_checker};
+use crate::true_sentences::written;
 
 fn told(arguments: &[&str]) -> Value {
     serde_json::from_slice(&call(&[arguments, &["--json"]].concat()).stdout).expect("JSON")
@@ -209,6 +210,17 @@ fn a_document_about_another_engine_is_refused_where_the_engine_is_named() {
     says(&[&engine, &others[0]], &pair, "not checked: masses in kilograms, the speed and units", 0);
     says(&[&others[0], &engine], &pair, "the engine is another one", 1);
     says(&[&engine], &pair, "1 engines are named by --engine, and 2 are compared", 2);
+    let bare = "speed = 3000\ninline.throws = [0]\n[mechanism]\nstroke = '80 mm'\nrod_length = '150 mm'\nreciprocating_mass = '0.5 kg'\n";
+    let [bare, turning] = [bare.to_owned(), format!("{bare}rotating_mass = '0.4 kg'\n")].map(|text| written(&text));
+    let loads = [("bare.json", &bare), ("turning.json", &turning)].map(|(name, text)| file(name, &["loads", text]));
+    says(&[&loads[1]], &loads[0], "numbers are those of all masses", 1);
+    says(
+        &[&file("all.json", &["classify", &turning, "--masses", "all"])],
+        &loads[0],
+        "numbers are those of all masses",
+        1,
+    );
+    says(&[&loads[1]], &loads[1], ": verified, ", 0);
     // Without a reference the engine is the document's own, which is said.
     let (told, _) = with(&[], &pistons);
     assert!(

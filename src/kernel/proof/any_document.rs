@@ -58,14 +58,14 @@ pub fn read_document(bytes: &[u8]) -> Result<AnyDocument, Unreadable> {
 }
 
 impl AnyDocument {
-    /// The title of the layout.
-    pub fn title(&self) -> &str {
+    /// The title of the layout; of a comparison that of each.
+    pub fn titles(&self) -> Vec<&str> {
         match self {
-            AnyDocument::Classify(document) => &document.title,
-            AnyDocument::Family(document) => &document.title,
-            AnyDocument::Remedy(document) => &document.title,
-            AnyDocument::Firing(document) => &document.title,
-            AnyDocument::Evidence(document) => document.title(),
+            AnyDocument::Classify(document) => vec![&document.title],
+            AnyDocument::Family(document) => vec![&document.title],
+            AnyDocument::Remedy(document) => vec![&document.title],
+            AnyDocument::Firing(document) => vec![&document.title],
+            AnyDocument::Evidence(document) => document.titles(),
         }
     }
 

@@ -42,7 +42,6 @@ const FORMS: &str = "closed forms of the residual, and how robust a zero is (nei
 const OTHER_ORDERS: &str = "the masses that turn at orders not asked for: no sum of the document is about them";
 const EQUAL_RODS: &str = "that the rods are equal and centric: the document names none";
 const SAME_RODS: &str = "that the rods are equal, so that each sum is one of the engine: families name none";
-const OUTSIDE: &str = "the numbers that the document names in `not_checked`, but whether the values of `peaks` are 0, and that `largest` is not 0 where something is left";
 const NOT_SOLVED: &str = "the sums that are said to be `not-solved` or `equal-lengths`, and arcs and boxes that are `open`: no angles are claimed for them";
 const WEIGHTS: &str = "weights in kilograms and metres, heights of shafts, partial balance (none is in the document)";
 
@@ -50,9 +49,13 @@ const LEFT_OUT: &str = "that the sums in `left_out` are zero: they are not, and 
 const ONE_LAW: &str =
     "the pressure: a star that vanishes is about every law that all its cylinders share, with pistons of one size";
 const TWIST: &str = "the twist of the crankshaft, which is taken to be rigid";
+const MODE_SHAPE: &str = "the mode shape that weighs the stars: no layout gives one, so --engine compares none";
 const EQUAL_RODS_OF_FIRING: &str = "that the rods are equal: the document names none";
 
 impl Checked {
+    pub(super) const OUTSIDE_OF_LOADS: &str = "the numbers that the document names in `not_checked`, but whether the values of `peaks` are 0, and that `largest` is not 0 where something is left";
+    pub(super) const OUTSIDE_OF_COMPARISON: &str = "the numbers that the document names in `not_checked`";
+
     pub(super) fn classify(document: &Document, counts: Counts) -> Self {
         let rods_known = document.rods().is_ok_and(|rods| rods.is_some());
         let unknown = (!rods_known).then_some(EQUAL_RODS);
@@ -108,18 +111,18 @@ impl Checked {
     pub(super) fn firing(document: &FiringDocument, counts: Counts) -> Self {
         let rods_known = document.cylinders.iter().all(|cylinder| cylinder.rod != RodStatement::Unknown);
         let unknown = (!rods_known).then_some(EQUAL_RODS_OF_FIRING);
-        let rigid = (!document.has_mode_shape()).then_some(TWIST);
+        let twist = if document.has_mode_shape() { MODE_SHAPE } else { TWIST };
         Checked {
             orders: document.orders.clone(),
             theorems: usize::from(document.pattern.is_some()),
-            not_covered: [ONE_LAW].into_iter().chain(rigid).chain(unknown).collect(),
+            not_covered: [ONE_LAW, twist].into_iter().chain(unknown).collect(),
             counts,
             ..Checked::default()
         }
     }
 
     /// Of a document that holds others as its evidence.
-    pub(super) fn evidence(documents: &[Document], counts: Counts) -> Self {
+    pub(super) fn evidence(documents: &[Document], outside: &'static str, counts: Counts) -> Self {
         let each: Vec<Checked> = documents.iter().map(|document| Checked::classify(document, counts)).collect();
         let total = |number: fn(&Checked) -> usize| each.iter().map(number).sum();
         Checked {
@@ -131,7 +134,7 @@ impl Checked {
             open_wholes: total(|one| one.open_wholes),
             shapes: total(|one| one.shapes),
             theorems: total(|one| one.theorems),
-            not_covered: once(each.iter().flat_map(|one| one.not_covered.clone()).chain([OUTSIDE])),
+            not_covered: once(each.iter().flat_map(|one| one.not_covered.clone()).chain([outside])),
         }
     }
 }

@@ -63,10 +63,9 @@ impl EvidenceDocument {
         Ok(EvidenceDocument { evidence, outside, tree })
     }
 
-    /// Its title, or that of its first engine.
-    pub(super) fn title(&self) -> &str {
-        let own = self.tree.get("title").and_then(Value::as_str);
-        own.or_else(|| self.evidence.first().map(|document| document.title.as_str())).unwrap_or_default()
+    /// The titles of its engines.
+    pub(super) fn titles(&self) -> Vec<&str> {
+        self.evidence.iter().map(|document| document.title.as_str()).collect()
     }
 
     /// Where what is said of one of the engines beside the verdicts is not what a layout has, and what both say there.
@@ -99,7 +98,11 @@ impl EvidenceDocument {
             (Outside::Loads(_), _) => return Err(Fault::new("evidence", "loads are those of one engine")),
             (Outside::Comparison(comparison), _) => check_comparison(comparison, &self.evidence, &judged, &audit)?,
         }
-        Ok(Checked::evidence(&self.evidence, audit.counts()))
+        let outside = match self.outside {
+            Outside::Loads(_) => Checked::OUTSIDE_OF_LOADS,
+            Outside::Comparison(_) => Checked::OUTSIDE_OF_COMPARISON,
+        };
+        Ok(Checked::evidence(&self.evidence, outside, audit.counts()))
     }
 }
 

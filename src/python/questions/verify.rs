@@ -59,7 +59,7 @@ fn unreadable(error: Unreadable) -> PyErr {
 fn told(document: &AnyDocument, checked: proof::Checked) -> Checked {
     let Counts { polygons, residues, splittings, decimals } = checked.counts;
     Checked {
-        title: document.title().to_owned(),
+        title: document.titles().join(", "),
         certificates: checked.counts.certificates(),
         polygons,
         residues,
