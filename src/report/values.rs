@@ -1,6 +1,6 @@
 //! Which values have these engines? A row an engine, a column a value, and why one has none.
 
-use super::data::{Filling, value_columns};
+use super::data::{Filling, fitting, value_columns};
 use super::question::question;
 use super::value::{ValueName, values_of};
 use crate::engine::Engine;
@@ -16,9 +16,9 @@ pub struct ValuesStudy {
     pub rows: Vec<(Untrusted, Vec<Result<Single, String>>)>,
 }
 
-/// A value below a heading with its unit.
-pub(in crate::report) fn cell(value: &Result<Single, String>) -> Text {
-    value.as_ref().map_or_else(|_| NO_VALUE.into(), |single| shown(single, Text::measured))
+/// A value below a heading with the unit of `like`.
+pub(in crate::report) fn cell(value: &Result<Single, String>, like: Option<&Single>) -> Text {
+    fitting(value, like).map_or_else(|_| NO_VALUE.into(), |single| shown(single, Text::measured))
 }
 
 /// A value in a sentence, with its unit.
@@ -54,10 +54,12 @@ impl ValuesStudy {
     }
 
     fn shown(&self) -> Shown {
-        let headings = self.names.iter().map(|name| heading(&name.to_string(), self.unit(name)));
+        let units = (0..self.names.len()).map(|place| self.like(place).map_or(Unit::NONE, |like| like.unit));
+        let headings = self.names.iter().zip(units).map(|(name, unit)| heading(&name.to_string(), unit));
         let mut table = Shown::new([Text::from("Engine")].into_iter().chain(headings));
         for (title, values) in &self.rows {
-            table.push([Text::from(title)].into_iter().chain(values.iter().map(cell)).collect());
+            let cells = values.iter().enumerate().map(|(place, value)| cell(value, self.like(place)));
+            table.push([Text::from(title)].into_iter().chain(cells).collect());
         }
         table
     }
@@ -71,8 +73,7 @@ impl ValuesStudy {
     pub(in crate::report) fn columns_into(&self, table: &mut Table) {
         for (place, name) in self.names.iter().enumerate() {
             let all: Vec<&Result<Single, String>> = self.rows.iter().map(|(_, values)| &values[place]).collect();
-            let first = all.iter().find_map(|one| one.as_ref().ok());
-            value_columns(&name.column(), first, &all).into_iter().for_each(|column| table.push(column));
+            value_columns(&name.column(), self.like(place), &all).into_iter().for_each(|column| table.push(column));
         }
     }
 
@@ -94,26 +95,26 @@ impl ValuesStudy {
         table
     }
 
-    /// What a value is counted in, where some engine has it.
-    fn unit(&self, name: &ValueName) -> Unit {
-        let place = self.names.iter().position(|other| other == name);
-        let of = |values: &Vec<Result<Single, String>>| values.get(place?)?.as_ref().ok().map(|one| one.unit);
-        self.rows.iter().find_map(|(_, values)| of(values)).unwrap_or(Unit::NONE)
+    /// The first value of a name, whose unit the others have to have; none where no engine has it.
+    fn like(&self, place: usize) -> Option<&Single> {
+        self.rows.iter().find_map(|(_, values)| values.get(place)?.as_ref().ok())
     }
 
     /// Why values are missing, each reason of an engine once.
     fn missing(&self) -> Vec<Text> {
         let mut reasons = Vec::new();
         for (title, values) in &self.rows {
-            let missing =
-                || self.names.iter().zip(values).filter_map(|(name, value)| Some((name, value.as_ref().err()?)));
-            let of_all: Vec<&String> = missing().map(|(_, why)| why).collect();
-            for (place, (_, why)) in missing().enumerate() {
-                if !of_all[..place].contains(&why) {
-                    let names = missing().filter(|(_, other)| *other == why);
-                    let names = Text::joined(names.map(|(name, _)| Text::code(name.to_string())), ", ");
-                    reasons.push(phrase!("{} has no {}: {}.", title, names, Text::label(why)));
+            let mut missing: Vec<(String, Vec<&ValueName>)> = Vec::new();
+            for (place, (name, value)) in self.names.iter().zip(values).enumerate() {
+                let Err(why) = fitting(value, self.like(place)) else { continue };
+                match missing.iter_mut().find(|(other, _)| *other == why) {
+                    Some((_, names)) => names.push(name),
+                    None => missing.push((why, vec![name])),
                 }
+            }
+            for (why, names) in missing {
+                let names = Text::joined(names.into_iter().map(|name| Text::code(name.to_string())), ", ");
+                reasons.push(phrase!("{} has no {}: {}.", title, names, Text::label(why)));
             }
         }
         reasons

@@ -263,6 +263,46 @@ fn the_command_tabulates_values_of_many_layouts_and_says_why_one_has_none() {
     assert_eq!(json["values"][1]["bearings_worst_force_N"], serde_json::Value::Null);
 }
 
+/// Newtons and multiples of m r ω² are in no column together, and what its own table leaves empty has a reason too.
+#[test]
+fn a_value_in_another_unit_than_its_column_is_left_out_with_the_reason() {
+    let folder = scratch("values-units");
+    let heavy =
+        "inline.throws = [0]\nmechanism = { stroke = '80 mm', rod_length = '150 mm', reciprocating_mass = '0.5 kg' }\n";
+    let files =
+        [("heavy.toml", format!("speed = 3000\n{heavy}")), ("light.toml", heavy.to_owned())].map(|(name, text)| {
+            let path = folder.join(name);
+            std::fs::write(&path, text).expect("a layout");
+            path.to_str().expect("a path").to_owned()
+        });
+    let ask = |files: [&String; 2], more: &[&str]| {
+        let output = call(&[&["values", files[0], files[1], "--value", "loads.orders.1.force"], more].concat());
+        String::from_utf8(output.stdout).expect("UTF-8")
+    };
+    let [heavy, light] = &files;
+    assert!(ask([heavy, light], &[]).contains("it is in m r ω², unlike the column"));
+    assert!(ask([light, heavy], &[]).contains("it is in N, unlike the column"));
+    assert!(
+        ask([heavy, light], &["--format", "csv"]).ends_with("light.toml,,\"it is in m r ω², unlike the column\"\n")
+    );
+    let told = call(&[
+        "values",
+        "I4",
+        heavy,
+        "--value",
+        "classify.sums.1.direct.moment_modulus_exact",
+        "--value",
+        "loads.orders.1.force",
+    ]);
+    assert!(String::from_utf8_lossy(&told.stdout).contains("the layout gives no rods"));
+    let alone = ["compare", heavy, light, "--format", "csv", "--value", "loads.orders.1.force"];
+    let told = |more: &[&str]| String::from_utf8(call(&[&alone[..], more].concat()).stderr).expect("UTF-8");
+    assert!(
+        told(&[]).contains("--value asks for is in the table `engines`, which is not written: add --table engines")
+    );
+    assert_eq!(told(&["--table", "engines"]), "");
+}
+
 #[test]
 fn values_are_in_the_units_of_their_headings() {
     let layout = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/examples/v8-gas/layout.toml");

@@ -17,7 +17,7 @@ pub use cells::exact_number;
 pub use classify::classify;
 pub(super) use filling::{Filling, Name};
 pub use sentences::TABLES;
-pub(super) use values::columns as value_columns;
+pub(super) use values::{columns as value_columns, fitting};
 pub(super) use verdicts::{of_orders, units};
 
 /// The names of the tables of a question, the main one first; none where it has none.

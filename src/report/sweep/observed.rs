@@ -82,7 +82,11 @@ pub(super) fn table(sweep: &Sweep) -> Option<Table> {
     let names = observed.names.iter().zip(&observed.first).map(|(name, first)| heading(name, first.unit));
     let mut table = Table::new(place_headings(sweep).chain(names));
     for (point, values) in sweep.points.iter().zip(&observed.points) {
-        table.push(place_cells(point).chain(values.iter().map(cell)).collect());
+        table.push(
+            place_cells(point)
+                .chain(values.iter().zip(&observed.first).map(|(value, like)| cell(value, Some(like))))
+                .collect(),
+        );
     }
     Some(table)
 }
