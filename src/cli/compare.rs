@@ -18,7 +18,7 @@ pub struct Compare {
     /// Names of the catalogue, or paths of layout files
     #[arg(required = true)]
     layouts: Vec<PathBuf>,
-    /// The orders to compare [default: all that the layout files ask for, else 1,2,4,6]
+    /// The orders to compare [default: all that the layout files ask for, else 1,2,4,6 and other large ones]
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
     orders: Vec<u32>,
     /// A value of any question by its name, beside the comparison: torsion.modes.1.frequency
@@ -51,6 +51,9 @@ impl Compare {
             let named = engines.iter().map(|(name, engine)| (name.clone(), engine));
             if !self.value.is_empty() && (self.json || self.answer.is_document()) {
                 write::warn(NO_VALUES);
+            }
+            if !self.value.is_empty() {
+                self.answer.tells_in_table("compare", "--value", "engines")?;
             }
             let values = ValuesStudy::beside(named, &self.value);
             Ok(CompareStudy { engines: compared, values })

@@ -80,6 +80,12 @@ impl Pieces {
     /// Writes the whole table: from the files that are merged, from the file that is gone on with, or as it is computed.
     pub fn write(&self, stream: &Stream, question: &Question, wanted: &Wanted) -> Result<(), Failure> {
         let kept = match &self.resume {
+            Some(path) if wanted.is_into(path) => {
+                let path = shown(path);
+                return Err(Failure::misuse(format!(
+                    "--resume and --output both name `{path}`; the table needs a file of its own"
+                )));
+            }
             Some(path) => {
                 keep(stream, question, Shard::WHOLE, path, self.threads())?;
                 std::slice::from_ref(path)

@@ -87,7 +87,10 @@ const NO_SIZES: &str = "the document has moments in m r ω² c a alone; --format
 impl Search {
     /// Searches, prints the front, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        self.answer.wanted("search")?;
+        match self.torsion {
+            true => self.answer.tells_in_table("search", "--torsion", "firing_orders")?,
+            false => drop(self.answer.wanted("search")?),
+        }
         let problem = self.problem()?;
         if self.mode.is_given() && !self.torsion && self.minor_orders.is_empty() {
             return Err(Failure::new(

@@ -1,7 +1,9 @@
 //! `sweep`: how does the balance change with a value of the layout file?
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
+use std::sync::{Mutex, PoisonError};
 
 use crankstar::engine::CycleOrder;
 use crankstar::file::{self, Layout, Template};
@@ -21,7 +23,7 @@ pub struct Sweep {
     layout: PathBuf,
     #[command(flatten)]
     ranges: Ranges,
-    /// The orders to decide [default: those of the layout file, else 1,2,4,6]
+    /// The orders to decide [default: those of the layout file, else 1,2,4,6 and other large ones]
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
     orders: Vec<u32>,
     /// Decide the firing stars, the orders of the gas torque, too: 1/2,1,3/2
@@ -42,7 +44,7 @@ pub struct Ranges {
     /// The angle between the banks of a V: 0..180:10
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     bank_angle: Option<String>,
-    /// How far the pin of bank 2 is ahead, in degrees
+    /// How far the pin of bank 2 is ahead, in degrees; behind where the file says that the crank turns clockwise
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     pin_split: Option<String>,
     /// The distance between neighbouring pins: "80..120:5 mm"
@@ -70,6 +72,9 @@ impl Sweep {
             return self.streamed(|stream, question| self.pieces.keep(stream, question, shard, output));
         }
         let wanted = self.answer.wanted("sweep")?;
+        if !self.value.is_empty() {
+            self.answer.tells_in_table("sweep", "--value", "points")?;
+        }
         if let Some(output) = self.pieces.merged_into_one(self.answer.output()) {
             return self.streamed(|_, question| self.pieces.merge(question, output));
         }
@@ -108,7 +113,7 @@ impl Ranges {
         })
     }
 
-    /// What `then` makes of the sweep and of the text of its layout.
+    /// What `then` makes of the sweep and of the text of its layout, with that of every file which the layout names.
     fn streamed<T>(
         &self,
         layout: &Path,
@@ -119,12 +124,20 @@ impl Ranges {
     ) -> Result<T, Failure> {
         layouts::warn_of(layout);
         let (name, text) = layouts::source(layout)?;
-        let read = |path: &str| layouts::beside(layout, path);
+        let named = Mutex::new(BTreeMap::new());
+        let read = |path: &str| {
+            let text = layouts::beside(layout, path)?;
+            named.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), text.clone());
+            Ok(text)
+        };
         let template = Template::new(&name, &text)?.with_beside(layouts::resolver(layout, &read));
         let parameters = self.parameters(&template)?;
         let stream = Stream::new(&template, &parameters, orders, firing, &Geometry::default());
         let stream = stream.and_then(|stream| stream.observing(observer(values)));
-        then(&stream.map_err(Failure::new)?, &text)
+        let stream = stream.map_err(Failure::new)?;
+        let named = named.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let all = named.iter().fold(text.clone(), |all, (path, text)| format!("{all}; {path}: {text}"));
+        then(&stream, &all)
     }
 
     fn flags(&self) -> [(&'static str, Option<&String>); 6] {

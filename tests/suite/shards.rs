@@ -228,6 +228,46 @@ fn merged_sweeps_are_the_bytes_of_one_run() {
     }
 }
 
+/// The table of pressures is in a file of its own, which two machines may have in two states.
+#[test]
+fn shards_of_layouts_that_name_other_pressures_are_of_another_question() {
+    let folder = scratch("shards-pressures");
+    let (layout, table) = (folder.join("single.toml"), folder.join("pressures.csv"));
+    let text = "cycle = 'two-stroke'\nfiring_angles = [0]\neffects = ['gas']\nspeed = 1000\ninline.throws = [0]\n\
+        mechanism = { stroke = '80 mm', rod_length = '150 mm', reciprocating_mass = '0.5 kg' }\n\
+        gas = { bore = '80 mm', unit = 'bar', table = 'pressures.csv' }\n";
+    fs::write(&layout, text).expect("a layout");
+    let file = |name: &str| folder.join(name).to_str().expect("a path").to_owned();
+    let ask = |highest: u32, more: &[&str]| {
+        fs::write(&table, format!("angle,pressure\n0,{highest}\n180,1\n360,{highest}\n")).expect("a table");
+        let values = ["--speed", "1000..1300:1", "--orders", "2", "--value", "torque.cycle.highest"];
+        call(&[&["sweep", &file("single.toml")], &values[..], more].concat())
+    };
+    for (shard, highest) in [("1/2", 50), ("2/2", 50), ("2/2", 60)] {
+        let name = file(&format!("{}-{highest}.shard", &shard[..1]));
+        assert!(ask(highest, &["--shard", shard, "--output", &name]).status.success());
+    }
+    let merged = |other: &str| ask(50, &["--format", "csv", "--merge", &file("1-50.shard"), &file(other)]);
+    assert!(merged("2-50.shard").status.success());
+    let refused = merged("2-60.shard");
+    let told = String::from_utf8_lossy(&refused.stderr);
+    assert!(!refused.status.success() && told.contains("another question"), "{told}");
+    let both = file("both.csv");
+    let one = call(&[
+        "sweep",
+        "V6-60-shared",
+        "--bank-angle",
+        "0..9:1",
+        "--format",
+        "csv",
+        "--resume",
+        &both,
+        "--output",
+        &both,
+    ]);
+    assert_eq!(one.status.code(), Some(2), "{}", String::from_utf8_lossy(&one.stderr));
+}
+
 #[test]
 fn a_worker_that_is_killed_loses_nothing_that_was_finished() {
     let folder = scratch("shards-killed");
