@@ -236,3 +236,36 @@ fn a_line_of_mounts_has_the_direction_that_the_file_gives_it() {
         assert!(told.contains("its direction (5/32, 1, 5/8)"), "{told}");
     }
 }
+
+#[test]
+fn counterweights_on_the_limit_of_a_mass_are_told_where_they_do_not_decide_a_claim() {
+    let layout = written(
+        "inline.throws = [0]\n[mechanism]\nstroke = '80 mm'\nrod_length = '150 mm'\nreciprocating_mass = '0.5 kg'\nrotating_mass = '0.4 kg'\n",
+    );
+    let claim = |mass: &str| {
+        let says = format!(
+            "counterweights at 0 can balance the direct first-order force and moment with a crankshaft lighter than {mass} kg"
+        );
+        let file = written(&format!("[[claim]]\nlayout = '{layout}'\nsays = '{says}'\n"));
+        // A claim that does not hold ends the program with 1.
+        String::from_utf8_lossy(&call(&["check", &file, "--format", "markdown"]).stdout)
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    tells(
+        &claim("1.3"),
+        &["The crankshaft's mass is then ≈ 1.300 kg, which does not decide the claim."],
+        &["No counterweights"],
+    );
+    tells(&claim("1.30001"), &["The crankshaft's mass is then ≈ 1.300 kg."], &["does not decide"]);
+    tells(&claim("1.2"), &["No counterweights at these positions do that."], &[]);
+}
+
+#[test]
+fn what_is_asked_of_the_catalogue_for_one_engine_is_refused() {
+    for arguments in [&["firing", "--orders", "1/2"][..], &["firing", "--mode-shape", "1,2"]] {
+        assert_eq!(call(arguments).status.code(), Some(2), "{arguments:?}");
+    }
+    tells(&String::from_utf8_lossy(&call(&["check", "nofile"]).stderr), &["cannot read `nofile`"], &["catalogue"]);
+}

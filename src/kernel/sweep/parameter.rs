@@ -68,8 +68,7 @@ pub const SHORT_CUTS: [ShortCut; 6] = [
 ];
 
 /// Keys of a layout file that hold no quantity.
-const TEXTS: [&str; 9] =
-    ["title", "source", "name", "document", "cycle", "effects", "orders", "firing_order", "firing_angles"];
+const TEXTS: [&str; 8] = ["title", "source", "name", "document", "cycle", "effects", "orders", "firing_order"];
 
 impl Parameter {
     /// Reads `KEY=FROM..TO:STEP`.

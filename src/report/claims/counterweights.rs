@@ -8,7 +8,8 @@ use crate::report::texts::claims as text;
 
 /// The counterweights that were found, with their masses where the layout gives numbers; that there are none where the claim is not so.
 pub(super) fn found(found: &Witness, status: &Status) -> Text {
-    if !status.holds() {
+    let is_undecided = found.crankshaft_mass.is_some() && *status == Status::NotDecided;
+    if !status.holds() && !is_undecided {
         return text::no_counterweights();
     }
     let mass = |index: usize| found.masses.as_ref().and_then(|masses| masses.get(index)).copied();
@@ -18,6 +19,7 @@ pub(super) fn found(found: &Witness, status: &Status) -> Text {
         false => text::counterweights(Text::joined(each, "; ")),
     };
     match found.crankshaft_mass {
+        Some(mass) if is_undecided => text::crankshaft_mass_undecided(told, kilograms(mass)),
         Some(mass) => text::crankshaft_mass_then(told, kilograms(mass)),
         None => told,
     }
