@@ -73,7 +73,7 @@ impl Classify {
             return self.run_firing(wanted.is_some());
         }
         if self.mode.is_given() {
-            return Err(Failure::new("--mode-shape weighs firing stars; add --firing"));
+            return Err(Failure::misuse("--mode-shape weighs firing stars; add --firing"));
         }
         let (layout, orders) = self.about.read()?;
         let engine = match layout {
@@ -119,7 +119,9 @@ impl Classify {
 
     fn run_firing(&self, as_tables: bool) -> Result<(), Failure> {
         if as_tables {
-            return Err(Failure::misuse("firing stars have no tables of data; omit --firing, or take --json"));
+            return Err(Failure::misuse(
+                "`classify` has no tables of firing stars, `crankstar firing` has them; omit --firing, or take --json",
+            ));
         }
         let engine = match layouts::read(&self.about.layout)? {
             Layout::Known(engine, _) => engine,

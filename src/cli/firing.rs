@@ -21,7 +21,7 @@ pub struct Firing {
     #[arg(long, value_enum, default_value = "four-stroke", conflicts_with = "layout")]
     cycle: super::cycle::Cycle,
     /// The orders to decide, such as 1/2,1,3/2 [default: up to the first that is major in even firing, at least 4]
-    #[arg(long, value_delimiter = ',')]
+    #[arg(long, value_delimiter = ',', requires = "layout")]
     orders: Vec<CycleOrder>,
     #[command(flatten)]
     mode: ModeShape,
@@ -42,6 +42,11 @@ impl Firing {
     pub fn run(&self) -> Result<(), Failure> {
         let Some(layout) = &self.layout else {
             self.has_no_tables("the catalogue")?;
+            if self.mode.is_given() {
+                return Err(Failure::misuse(
+                    "--mode-shape has a deflection for each throw of one engine: name its layout",
+                ));
+            }
             let engines = file::catalogue()?;
             let answer = report::firing_catalogue_answer(&engines, self.cycle.into());
             return self.answer.show(&answer, || report::firing_catalogue_page(&engines, self.cycle.into()));

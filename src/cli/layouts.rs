@@ -105,8 +105,19 @@ pub fn named(layout: &Path) -> Option<Entry> {
 pub fn source(layout: &Path) -> Result<(String, String), Failure> {
     match named(layout) {
         Some(entry) => Ok((entry.name.to_owned(), entry.text.to_owned())),
+        None if looks_like_a_name(layout) && !layout.exists() => Err(unknown(&shown(layout))),
         None => Ok((shown(layout), read_text(layout)?)),
     }
+}
+
+/// Whether an argument may be meant as a name of the catalogue: none of those has a dot.
+fn looks_like_a_name(layout: &Path) -> bool {
+    !is_standard_input(layout) && !layout.to_string_lossy().contains(['/', '\\', '.'])
+}
+
+fn unknown(layout: &str) -> Failure {
+    let hint = near(layout).unwrap_or_else(|| "`crankstar list` shows the names".to_owned());
+    Failure::new(format!("`{layout}` is neither an engine of the catalogue nor a file; {hint}"))
 }
 
 /// A path in one line, to be read by a person.
@@ -188,18 +199,12 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
 }
 
 fn not_found(layout: &str, error: &std::io::Error) -> Failure {
-    // No engine of the catalogue has a dot in its name.
-    let looks_like_path = layout.contains(['/', '\\', '.']);
-    if looks_like_path || error.kind() != std::io::ErrorKind::NotFound {
-        return Failure::new(format!("cannot read `{layout}`: {error}"));
-    }
     // Who asks has not looked it up there.
-    if file::find(layout).is_some() {
+    if error.kind() == std::io::ErrorKind::NotFound && file::find(layout).is_some() {
         let words = "is an engine of the catalogue, and this command reads a file of its own";
         return Failure::new(format!("`{layout}` {words}"));
     }
-    let hint = near(layout).unwrap_or_else(|| "`crankstar list` shows the names".to_owned());
-    Failure::new(format!("`{layout}` is neither an engine of the catalogue nor a file; {hint}"))
+    Failure::new(format!("cannot read `{layout}`: {error}"))
 }
 
 /// The engines of the catalogue whose names begin alike; none where no name does.
