@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crankstar::engine::Engine;
 use crankstar::file::Layout;
 use crankstar::loads::usual_orders;
-use crankstar::report::{CompareStudy, Compared, ValueName, ValuesStudy};
+use crankstar::report::{CompareStudy, Compared, ValueName, ValuesStudy, rising};
 use crankstar::text::Untrusted;
 
 use super::answer::Answer;
@@ -40,12 +40,10 @@ impl Compare {
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("compare", self.json, || {
             let engines = self.read()?;
-            let mut orders = match self.orders.as_slice() {
+            let orders = rising(match self.orders.as_slice() {
                 [] => engines.iter().flat_map(|(_, engine)| usual_orders(engine)).collect(),
                 asked => asked.to_vec(),
-            };
-            orders.sort_unstable();
-            orders.dedup();
+            });
             let compared = engines.iter().map(|(name, engine)| Compared::new(name.clone(), engine, &orders));
             let compared = compared.collect::<Result<_, _>>().map_err(Failure::new)?;
             let named = engines.iter().map(|(name, engine)| (name.clone(), engine));

@@ -8,7 +8,7 @@ use crankstar::classroom::{self, Pupil, Scheme, Student, Vary};
 use crankstar::engine::Engine;
 use crankstar::page::{File, Units};
 use crankstar::proof::Quantity;
-use crankstar::report;
+use crankstar::report::{self, rising};
 use crankstar::text::{Untrusted, counted};
 
 use super::failure::Failure;
@@ -122,9 +122,7 @@ impl Exercise {
     }
 
     fn orders(&self, engine: &Engine) -> Result<Vec<u32>, Failure> {
-        let mut orders = self.orders.clone();
-        orders.sort_unstable();
-        orders.dedup();
+        let orders = rising(self.orders.clone());
         match orders.iter().find(|order| !engine.pistons_have_order(Quantity::FORCE, **order)) {
             Some(order) => Err(Failure::misuse(format!(
                 "order {order} does not exist: the orders of an engine whose axes meet the crankshaft are 1 and the even ones, \

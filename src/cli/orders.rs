@@ -6,6 +6,7 @@ use crankstar::engine::{CycleOrder, Family};
 use crankstar::family::{self, OpenOrder};
 use crankstar::file::Layout;
 use crankstar::loads::{usual_bearing_orders, usual_orders};
+use crankstar::report::rising;
 
 use super::failure::Failure;
 use super::layouts;
@@ -43,14 +44,12 @@ impl EngineAndOrders {
 
     fn read_or(&self, usual: fn(&crankstar::engine::Engine) -> Vec<u32>) -> Result<(Layout, Vec<u32>), Failure> {
         let layout = layouts::read(&self.layout)?;
-        let mut orders = match (self.orders.as_slice(), &layout) {
+        let orders = match (self.orders.as_slice(), &layout) {
             ([], Layout::Known(engine, _)) => usual(engine),
             ([], Layout::Open(family)) => family.orders().to_vec(),
             (_, _) => self.asked()?,
         };
-        orders.sort_unstable();
-        orders.dedup();
-        Ok((layout, orders))
+        Ok((layout, rising(orders)))
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use crankstar::engine::CycleOrder;
 use crankstar::exact::Turn;
 use crankstar::file::{parse_angle, parse_number};
-use crankstar::report::{SearchStudy, search_theorems};
+use crankstar::report::{SearchStudy, rising, search_theorems};
 use crankstar::search::{self, Front, Limit, Options, Pieces, Problem, Progress, SearchError, Sizes, Way};
 use crankstar::shard::Shard;
 
@@ -165,9 +165,7 @@ impl Search {
 
     fn problem(&self) -> Result<Problem, Failure> {
         let cycle = self.cycle.into();
-        let mut orders = self.orders.clone();
-        orders.sort_unstable();
-        orders.dedup();
+        let orders = rising(self.orders.clone());
         let degrees = |option: &str, text: &String| {
             parse_angle(text).map_err(|right| Failure::new(format!("{option} `{text}`: {right}")))
         };
@@ -182,9 +180,7 @@ impl Search {
             parse_number(text).map_err(|error| Failure::new(format!("--bank-offset `{text}`: {error}")))
         };
         let bank_offset = self.bank_offset.as_ref().map(spacings).transpose()?;
-        let mut minor_orders = self.minor_orders.clone();
-        minor_orders.sort_unstable();
-        minor_orders.dedup();
+        let minor_orders = rising(self.minor_orders.clone());
         let mode_shape = self.mode.deflections()?;
         let asked = Problem::inline(self.cylinders, cycle, &orders);
         let asked = Problem { bank_angle, pin_split, bank_offset, directions: self.directions, ..asked };

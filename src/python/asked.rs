@@ -14,6 +14,7 @@ use crate::firing::Weights;
 use crate::order::Masses;
 use crate::remedy;
 use crate::report::ValueName;
+pub(super) use crate::report::rising;
 use crate::search::{self, Limit};
 use crate::text::counted;
 
@@ -35,13 +36,6 @@ pub(super) fn written(values: &[impl ToString]) -> Vec<String> {
 /// An angle as a text that is read again.
 pub(super) fn in_turns(angle: &Turn) -> String {
     format!("{} turn", angle.turns())
-}
-
-/// Rising, each once.
-pub(super) fn rising<T: Ord>(mut orders: Vec<T>) -> Vec<T> {
-    orders.sort_unstable();
-    orders.dedup();
-    orders
 }
 
 /// The masses that the verdicts are about.

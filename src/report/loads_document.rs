@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::calculation::{Numbers, share};
 use super::document::document;
+use super::rising;
 use crate::accuracy::Largest;
 use crate::engine::Engine;
 use crate::loads::{Arm, Bound, GroupLoads, Loads, Needed, OrderLoads, Outcome, Peak, Scale, Torque, Vector, Waveform};
@@ -298,8 +299,7 @@ fn evidence(engine: &Engine, loads: &Loads) -> Document {
     let mut quantities = vec![Quantity::FORCE, Quantity::MOMENT];
     if let Some(torque) = &loads.torque {
         orders.extend(torque.orders.iter().map(|order| order.order));
-        orders.sort_unstable();
-        orders.dedup();
+        orders = rising(orders);
         quantities.push(Quantity::TORQUE);
     }
     if loads.roll.as_ref().is_some_and(|roll| !roll.orders.is_empty()) {

@@ -26,6 +26,7 @@ mod figures;
 mod firing;
 mod firmness;
 mod flywheel;
+mod in_order;
 mod journal;
 mod loads_document;
 mod mechanism_words;
@@ -102,6 +103,7 @@ pub use firing::{
     firing_engine, firing_page, open_firing_answer, open_firing_page, run_as as run_in_cycle,
 };
 pub use flywheel::FlywheelStudy;
+pub use in_order::rising;
 pub use journal::{complete_bearings_answer, complete_bearings_page, without_gas};
 pub use loads_document::{LoadsDocument, loads_document};
 pub use moments::{Amplitude, External, MomentsRow, MomentsStudy, NoMoments};

@@ -9,6 +9,7 @@ use num_traits::{Signed, Zero};
 use super::engine_page::Weighed;
 use super::firmness;
 use super::residual;
+use super::rising;
 use super::star::WholeStars;
 use super::typeset;
 use crate::engine::{Cylinder, Engine, LengthUnit, Rotation};
@@ -321,11 +322,7 @@ pub(super) fn whole_star(engine: &Engine, stars: &WholeStars, order: u32) -> Tab
 
 /// All sources of the sums of an order, each once.
 fn sources(order: &OrderBalance) -> Vec<Source> {
-    let mut sources: Vec<Source> =
-        [&order.force.direct, &order.force.reverse].map(|verdict| verdict.sources.clone()).concat();
-    sources.sort_unstable();
-    sources.dedup();
-    sources
+    rising(order.force.verdicts().into_iter().flat_map(|verdict| verdict.sources.iter().copied()))
 }
 
 fn angle_cell(verdict: &Verdict) -> Text {

@@ -4,6 +4,7 @@ use super::mistake::Mistake;
 use crate::engine::{Engine, Family};
 use crate::family::OpenOrder;
 use crate::file::Layout;
+use crate::report::rising;
 use crate::verdict::{self, Judgement};
 use crate::{family, loads};
 
@@ -20,9 +21,7 @@ impl Judged {
     pub fn of(layout: Layout) -> Result<Self, Mistake> {
         match layout {
             Layout::Known(engine, family) => {
-                let mut orders = loads::usual_orders(&engine);
-                orders.sort_unstable();
-                orders.dedup();
+                let orders = rising(loads::usual_orders(&engine));
                 let quantities = verdict::quantities(&engine, false);
                 let judged = Judgement::new(&engine, &orders, &quantities).map_err(Mistake::of)?;
                 // Where the rods differ nothing is said of other values than those given.
@@ -35,9 +34,7 @@ impl Judged {
             }
             Layout::Open(family) => {
                 family::comparable(&family).map_err(Mistake::of)?;
-                let mut orders = family.orders().to_vec();
-                orders.sort_unstable();
-                orders.dedup();
+                let orders = rising(family.orders().iter().copied());
                 let orders = family::classify(&family, &orders).map_err(Mistake::of)?;
                 Ok(Judged::Open { family, orders })
             }

@@ -15,6 +15,7 @@ use crate::order::Source;
 use crate::page::number::angle;
 use crate::page::{Choice, Number, Text, phrase};
 use crate::proof::{Polygon, Quantity};
+use crate::report::rising;
 use crate::report::texts::argument as text;
 use crate::verdict::{JudgedStar, corners, mirror_partners, opposed_partners};
 
@@ -104,11 +105,8 @@ pub(super) fn polygons(engine: &Engine, star: JudgedStar<'_>) -> Text {
 /// The classes of minimal stars in it that are no regular polygons.
 fn class(star: JudgedStar<'_>) -> Option<Text> {
     static STARS: LazyLock<Vec<MinimalStar>> = LazyLock::new(|| minimal_stars(MOST_VECTORS));
-    let mut classes: Vec<&StarClass> =
-        taken_apart(star.sum, &STARS)?.into_iter().map(|part| &STARS[part.star].class).collect();
-    classes.retain(|class| !class.is_regular());
-    classes.sort();
-    classes.dedup();
+    let classes = taken_apart(star.sum, &STARS)?.into_iter().map(|part| &STARS[part.star].class);
+    let classes = rising(classes.filter(|class| !class.is_regular()));
     let named = |class: &StarClass| Text::formula(class.to_string());
     (!classes.is_empty()).then(|| {
         text::minimal_stars(Text::joined(classes.into_iter().map(named), ", "), Text::code("crankstar stars --atlas"))
@@ -126,9 +124,7 @@ fn sentences(engine: &Engine, star: JudgedStar<'_>) -> Vec<Text> {
     if star.polygons.iter().any(|polygon| !is_part(&star, polygon)) {
         return vec![text::made_of_polygons(Text::joined(star.polygons.iter().map(added_or_taken), "; "))];
     }
-    let mut sides: Vec<u64> = star.polygons.iter().map(|polygon| polygon.sides).collect();
-    sides.sort_unstable();
-    sides.dedup();
+    let sides = rising(star.polygons.iter().map(|polygon| polygon.sides));
     let of = |sides: u64| {
         let mut polygons: Vec<&Polygon> = star.polygons.iter().filter(|polygon| polygon.sides == sides).collect();
         let first =

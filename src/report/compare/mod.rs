@@ -11,7 +11,7 @@ pub use document::{CompareDocument, compare_document, numbers_of};
 pub use page::{compare_answer, compare_page};
 pub use question::CompareStudy;
 
-use super::moments;
+use super::{moments, rising};
 use crate::engine::{Engine, NotAnOrder};
 use crate::journal::{self, CyclePeak};
 use crate::loads::{self, BearingLoads, Loads, Method, Missing};
@@ -94,9 +94,5 @@ impl Compared {
 
 /// The orders that are compared, rising.
 fn orders_of<'a>(engines: impl IntoIterator<Item = &'a Compared>) -> Vec<u32> {
-    let orders = engines.into_iter().flat_map(|engine| &engine.judged.orders);
-    let mut orders: Vec<u32> = orders.map(|order| order.order).collect();
-    orders.sort_unstable();
-    orders.dedup();
-    orders
+    rising(engines.into_iter().flat_map(|engine| &engine.judged.orders).map(|order| order.order))
 }

@@ -9,11 +9,11 @@ mod study;
 mod tables;
 mod words;
 
-use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use crate::engine::{CycleOrder, Engine};
 use crate::firing::{self, FiringPattern, NoPattern, NoStar, StarOrder, Weights};
+use crate::report::rising;
 
 pub use catalogue::{firing_catalogue_answer, firing_catalogue_page, run_as};
 pub use document::{firing_document, firing_engine};
@@ -42,11 +42,10 @@ impl FiringStudy {
     /// Where the engine has no firing stars.
     pub fn new(engine: &Engine, orders: &[CycleOrder], weights: Weights) -> Result<Self, NoStar> {
         let cycle = firing::firing_of(engine)?.cycle;
-        let orders: BTreeSet<CycleOrder> = match orders {
-            [] => firing::usual_orders(engine.firing_pistons().len(), cycle.lowest_order()).into_iter().collect(),
-            asked => asked.iter().copied().collect(),
-        };
-        let orders: Vec<CycleOrder> = orders.into_iter().collect();
+        let orders = rising(match orders {
+            [] => firing::usual_orders(engine.firing_pistons().len(), cycle.lowest_order()),
+            asked => asked.to_vec(),
+        });
         let orders = firing::firing_stars(engine, &orders, &weights)?;
         Ok(FiringStudy { engine: engine.clone(), weights, orders, pattern: OnceLock::new() })
     }

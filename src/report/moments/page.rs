@@ -6,6 +6,7 @@ use crate::page::{Block, Document, Number, Piece, Table, Text, Unit, number, phr
 use crate::report::calculation::inputs_table;
 use crate::report::engine_cells;
 use crate::report::mechanism_words;
+use crate::report::rising;
 use crate::report::texts::moments as text;
 use crate::torque::GuideMoments;
 
@@ -179,10 +180,8 @@ fn of_firing(study: &MomentsStudy) -> Option<Table> {
 /// A row an engine, a column an order that some engine has, up to the last column and this order.
 fn guides(study: &MomentsStudy, (head, last): (&'static str, u32), of: fn(&GuideMoments) -> Amplitude) -> Table {
     let rows = || with_guides(study);
-    let mut orders: Vec<CycleOrder> =
-        rows().flat_map(|row| row.guides.iter().flat_map(|(all, _)| all.iter().map(|one| one.order))).collect();
-    orders.sort_unstable();
-    orders.dedup();
+    let mut orders =
+        rising(rows().flat_map(|row| row.guides.iter().flat_map(|(all, _)| all.iter().map(|one| one.order))));
     let has_any = |order: CycleOrder| rows().any(|row| row.guide(order).and_then(of).is_some());
     orders.retain(|order| match order.halves() <= 2 * LAST_COLUMN {
         true => order.is_whole() || has_any(*order),

@@ -13,6 +13,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::question::question;
+use super::rising;
 use crate::engine::{CycleOrder, Dimensions, Draft, Engine, Mounting};
 use crate::mounts::{
     Body, Excitation, Mode, Motion, NoExcitation, OrderExcitation, Phasors, RollAxis, excitation, roll_axis,
@@ -161,9 +162,7 @@ impl MountsStudy {
         if from >= to {
             return Err(NoMounts::Range(from, to));
         }
-        let mut orders = if asked.orders.is_empty() { usual_orders(&engine) } else { asked.orders.clone() };
-        orders.sort_unstable();
-        orders.dedup();
+        let orders = rising(if asked.orders.is_empty() { usual_orders(&engine) } else { asked.orders.clone() });
         let Excitation { orders, has_gas } = excitation(&engine, mounting, &orders).map_err(NoMounts::Excitation)?;
         let body = Body::new(mounting);
         let at_speed = |excitation: OrderExcitation| {

@@ -3,11 +3,10 @@
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
-use super::super::typeset;
+use super::super::{rising, typeset};
 use super::tables::every;
 use super::words::least_moment;
 use crate::engine::Engine;
-use crate::exact::Turn;
 use crate::page::Text;
 use crate::report::texts::stars as text;
 use crate::stars::{self, Fate, Obstruction, Pins, Star};
@@ -48,21 +47,14 @@ impl Crank {
         if !is_equal || !engine.geared_cranks().is_empty() || !engine.has_one_vector_per_order() {
             return None;
         }
-        let mut pins: Vec<(&BigRational, &Turn)> =
-            cylinders.iter().map(|cylinder| (&cylinder.position, &cylinder.throw)).collect();
-        pins.sort();
-        pins.dedup();
+        let pins = rising(cylinders.iter().map(|cylinder| (&cylinder.position, &cylinder.throw)));
         let in_banks = cylinders.len() / pins.len();
-        let mut banks: Vec<&Turn> = cylinders.iter().map(|cylinder| &cylinder.bank).collect();
-        banks.sort();
-        banks.dedup();
+        let banks = rising(cylinders.iter().map(|cylinder| &cylinder.bank));
         let is_full = banks.len() == in_banks && in_banks <= 2 && cylinders.len() == pins.len() * in_banks;
         let spacing = pins.get(1)?.0 - pins[0].0;
         let is_spaced = spacing.is_positive() && pins.windows(2).all(|pair| pair[1].0 - pair[0].0 == spacing);
         let turns: Vec<BigRational> = pins.iter().map(|(_, throw)| (*throw - pins[0].1).turns().clone()).collect();
-        let mut directions = turns.clone();
-        directions.sort();
-        directions.dedup();
+        let directions = rising(turns.clone());
         let count = u32::try_from(directions.len()).ok()?;
         let steps = turns.iter().map(|turn| {
             let steps = turn * BigRational::from_integer(count.into());

@@ -1,6 +1,5 @@
 //! Which modes has the shaft of an engine, at which critical speeds?
 
-use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use num_rational::BigRational;
@@ -11,6 +10,7 @@ use super::vibration::{DamperStudy, Excess, ResonanceOrder, TwistAtSpeed, Vibrat
 use crate::engine::{CycleOrder, ElasticShaft, Engine, Torsion};
 use crate::firing::{self, NoStar};
 use crate::page::{Number, Text, Unit};
+use crate::report::rising;
 use crate::torsion::{Critical, CriticalSpeeds, Train, critical_speeds};
 
 /// Orders up to this one, and to the first major order, are shown where none are asked for, in halves.
@@ -67,15 +67,14 @@ impl TorsionStudy {
         let torsion = engine.torsion().ok_or(NoTorsion::NoShaft)?;
         let firing = firing::firing_of(engine).map_err(NoTorsion::NoStar)?;
         let cycle = firing.cycle;
-        let orders: BTreeSet<CycleOrder> = match orders {
+        let orders = rising(match orders {
             [] => {
                 let all = (1..=USUAL_HALVES.max(2 * firing.first_major_order())).filter_map(CycleOrder::of_halves);
                 let given = torsion.harmonics.iter().map(|harmonic| harmonic.order);
                 all.filter(|order| order.exists_in(cycle)).chain(given).collect()
             }
-            asked => asked.iter().copied().collect(),
-        };
-        let orders: Vec<CycleOrder> = orders.into_iter().collect();
+            asked => asked.to_vec(),
+        });
         let modes = critical_speeds(engine, torsion, &orders).map_err(NoTorsion::NoStar)?;
         let speed = engine.dimensions().speed.as_ref().and_then(BigRational::to_f64).filter(|speed| *speed > 0.0);
         let train = Train::new(torsion);

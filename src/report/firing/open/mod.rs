@@ -4,14 +4,13 @@ mod page;
 mod picture;
 mod words;
 
-use std::collections::BTreeSet;
-
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use crate::engine::{Cycle, CycleOrder, Family, NoSpans, OpenFiring};
 use crate::family::{self, NoOpenStar, OpenStar};
 use crate::firing::{self, Weights};
+use crate::report::rising;
 
 pub use page::{open_firing_answer, open_firing_page};
 pub(in crate::report) use picture::plot_of_stars;
@@ -34,11 +33,7 @@ impl<'a> OpenFiringStudy<'a> {
     /// # Errors
     /// Where the family has no firing stars.
     pub fn new(family: &'a Family, orders: &[CycleOrder], weights: Weights) -> Result<Self, NoOpenStar> {
-        let orders: BTreeSet<CycleOrder> = match orders {
-            [] => usual_orders(family).into_iter().collect(),
-            asked => asked.iter().copied().collect(),
-        };
-        let orders: Vec<CycleOrder> = orders.into_iter().collect();
+        let orders = rising(if orders.is_empty() { usual_orders(family) } else { orders.to_vec() });
         let (none, turn) = (BigRational::zero(), BigRational::one());
         let orders = family::firing_stars(family, &orders, &weights, [&none, &turn], false)?;
         Ok(OpenFiringStudy { family, weights, orders })
