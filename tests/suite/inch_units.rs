@@ -114,7 +114,7 @@ fn assert_agrees(document: &Document) -> usize {
 fn each_quantity_in_pounds_and_inches_converts_back_to_that_of_the_si() {
     let engine = read(V8);
     let numbers = Numbers::new(&engine, &[1, 2, 4], None).expect("numbers");
-    assert!(assert_agrees(&report::loads_answer(&engine, &numbers, None)) > 1);
+    assert!(assert_agrees(&report::loads_answer(&engine, &numbers, None, None)) > 1);
     let torque = TorqueStudy::new(&engine).expect("a torque");
     assert!(assert_agrees(&torque.page()) > 10);
     let i3 = read(I3);
@@ -161,7 +161,7 @@ fn the_table_of_units_is_that_of_the_handbooks() {
 fn headings_and_drawings_change_their_units_with_the_numbers() {
     let i3 = read(I3);
     let numbers = Numbers::new(&i3, &[1, 2], None).expect("numbers");
-    let document = report::loads_answer(&i3, &numbers, None);
+    let document = report::loads_answer(&i3, &numbers, None, None);
     let files = |units| page::write(&document, Format::PLAIN, &Options { units, ..Options::default() })[0].text.clone();
     let (si, inch) = (files(Units::Si), files(Units::Inch));
     assert!(si.contains("N·m") && !si.contains("lbf"), "{si}");

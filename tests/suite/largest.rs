@@ -193,7 +193,7 @@ proptest! {
             let off = (kept.value - value).abs();
             prop_assert!(!needed.reached || off <= 1.01 * accuracy * value + error + 1e-10, "{quantity:?} {off} {needed:?}\n{text}");
         }
-        let lines = pages::text(&report::loads_answer(&layout, &numbers, Some(&needed)), Format::PLAIN);
+        let lines = pages::text(&report::loads_answer(&layout, &numbers, Some(&needed), None), Format::PLAIN);
         let mut words = lines.split(|letter: char| !letter.is_alphanumeric());
         prop_assert!(!words.any(|word| ["inf", "NaN"].contains(&word)), "{lines}");
         prop_assert_eq!(lines.contains("The accuracy is reached."), needed.reached);
@@ -256,7 +256,7 @@ fn a_force_that_begins_at_a_high_order_is_found_and_is_not_zero() {
 
 fn loads_table(engine: &Engine, orders: &[u32]) -> Vec<Vec<String>> {
     let numbers = Numbers::new(engine, orders, None).expect("numbers");
-    pages::tables(&report::loads_answer(engine, &numbers, None)).remove(0)
+    pages::tables(&report::loads_answer(engine, &numbers, None, None)).remove(0)
 }
 
 #[test]

@@ -286,7 +286,7 @@ fn the_roll_moment_of_several_crankshafts_is_on_the_page_as_in_the_document() {
         left += 1;
     }
     assert!(left >= 2, "{left}");
-    let answer = report::loads_answer(&engine, &numbers, None);
+    let answer = report::loads_answer(&engine, &numbers, None, None);
     let answer = page::write(&answer, Format::PLAIN, &Options::default())[0].text.clone();
     assert!(answer.contains("Roll in N·m"), "{answer}");
 }

@@ -28,7 +28,6 @@ pub(super) use largest::{percent, percent_at_most};
 pub use page::loads_page;
 pub use study::LoadsStudy;
 pub use summary::loads_answer;
-pub(super) use summary::loads_answer_weighed;
 
 use super::bearings;
 use crate::engine::{Engine, Measure};

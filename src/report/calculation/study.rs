@@ -4,7 +4,7 @@ use super::super::engine_page::Weighing;
 use super::super::loads_document::{LoadsDocument, loads_document};
 use super::super::question::{json_with_evidence, one_of_all, question};
 use super::data;
-use super::{Numbers, loads_answer_weighed, loads_page};
+use super::{Numbers, loads_answer, loads_page};
 use crate::engine::Engine;
 use crate::loads::{Missing, Needed};
 use crate::table::Table;
@@ -41,7 +41,7 @@ question!(
     "loads",
     |study| Some(study.engine.title()),
     one_of_all,
-    |study| loads_answer_weighed(&study.engine, &study.numbers, study.needed.as_ref(), study.weighing.as_ref()),
+    |study| loads_answer(&study.engine, &study.numbers, study.needed.as_ref(), study.weighing.as_ref()),
     |study| loads_page(&study.engine, &study.numbers, study.needed.as_ref()),
     {
         fn tables(&self) -> Vec<Table> {

@@ -10,16 +10,12 @@ use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::loads::{Loads, Needed};
 use crate::page::{Block, Document, Table, Text, phrase};
 use crate::proof::{Axial, Planar, Quantity};
+use crate::report::rising;
 use crate::report::texts::loads as text;
 
 /// The short answer: the largest force, moment and torque of each order, zero to peak, and of all orders. Scripts read its numbers, so that it counts
-/// as the document does: in newtons, however many.
-pub fn loads_answer(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Document {
-    loads_answer_weighed(engine, numbers, needed, None)
-}
-
-/// The same; neighbouring orders that are small share a row.
-pub(in crate::report) fn loads_answer_weighed(
+/// as the document does: in newtons, however many. Where it is weighed, neighbouring orders that are small share a row.
+pub fn loads_answer(
     engine: &Engine,
     numbers: &Numbers,
     needed: Option<&Needed>,
@@ -71,10 +67,7 @@ pub(super) fn by_order(engine: &Engine, loads: &Loads, unit_of: UnitOf) -> Table
 /// All orders that have a row, rising.
 fn orders(loads: &Loads) -> Vec<u32> {
     let turning = loads.torque.iter().chain(&loads.roll).flat_map(|torque| &torque.orders).map(|order| order.order);
-    let mut all: Vec<u32> = loads.orders.iter().map(|order| order.order).chain(turning).collect();
-    all.sort_unstable();
-    all.dedup();
-    all
+    rising(loads.orders.iter().map(|order| order.order).chain(turning))
 }
 
 /// Of each row, whether something is left of its order and all of that is below the threshold of its quantity.

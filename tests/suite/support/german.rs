@@ -99,9 +99,9 @@ pub fn pages_of(engine: &Engine) -> Vec<Document> {
     let remedy = remedy.ok().map(|remedy| report::remedy_page(&remedy));
     let bearings = bearings.map(|(continuous, determinate)| report::bearings_page(engine, &continuous, &determinate));
     let numbers = Numbers::new(engine, &usual_orders(engine), None).ok();
-    let loads = numbers
-        .iter()
-        .flat_map(|numbers| [report::loads_page(engine, numbers, None), report::loads_answer(engine, numbers, None)]);
+    let loads = numbers.iter().flat_map(|numbers| {
+        [report::loads_page(engine, numbers, None), report::loads_answer(engine, numbers, None, None)]
+    });
     let answer = report::engine_answer(engine, &pages::judgement(engine));
     [Some(pages::document(engine)), Some(answer), remedy, bearings].into_iter().flatten().chain(loads).collect()
 }
