@@ -18,6 +18,11 @@ pub struct Extent {
 }
 
 impl Extent {
+    /// All that is no farther from a point than this.
+    pub(crate) fn about(point: Point, reach: f64) -> Self {
+        Extent { low: point, high: point }.grown(reach)
+    }
+
     /// The smallest that holds these points.
     pub fn around(points: impl IntoIterator<Item = Point>) -> Option<Self> {
         let points = points.into_iter().filter(|point| point.is_finite());
@@ -46,27 +51,43 @@ impl Extent {
         shared(|point| point.re) && shared(|point| point.im)
     }
 
+    /// Whether the two have a point in common, be it of an edge.
+    pub(in crate::page) fn touches(&self, other: &Extent) -> bool {
+        let apart = self.high.re < other.low.re || other.high.re < self.low.re;
+        !apart && self.low.im <= other.high.im && other.low.im <= self.high.im
+    }
+
+    /// Whether a point lies inside, edges included.
+    pub(in crate::page) fn contains(&self, point: Point) -> bool {
+        (self.low.re..=self.high.re).contains(&point.re) && (self.low.im..=self.high.im).contains(&point.im)
+    }
+
     /// Whether a line passes through.
     pub fn is_crossed(&self, from: Point, to: Point) -> bool {
+        self.cut(from, to).is_some()
+    }
+
+    /// The part of a line inside, by Liang and Barsky.
+    pub(in crate::page) fn cut(&self, from: Point, to: Point) -> Option<(Point, Point)> {
         let way = to - from;
-        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
-        for (at, way, low, high) in
-            [(from.re, way.re, self.low.re, self.high.re), (from.im, way.im, self.low.im, self.high.im)]
-        {
-            if way.abs() < 1e-12 {
-                if at < low || at > high {
-                    return false;
+        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+        for (along, before, after) in [
+            (way.re, self.low.re - from.re, self.high.re - from.re),
+            (way.im, self.low.im - from.im, self.high.im - from.im),
+        ] {
+            if along == 0.0 {
+                if before > 0.0 || after < 0.0 {
+                    return None;
                 }
                 continue;
             }
-            let (one, other) = ((low - at) / way, (high - at) / way);
-            enters = enters.max(one.min(other));
-            leaves = leaves.min(one.max(other));
-            if enters > leaves {
-                return false;
-            }
+            let (first, last) = (before / along, after / along);
+            enter = enter.max(first.min(last));
+            leave = leave.min(first.max(last));
         }
-        true
+        let start = if enter == 0.0 { from } else { from + way * enter };
+        let end = if leave == 1.0 { to } else { from + way * leave };
+        (enter <= leave).then_some((start, end))
     }
 
     /// Whether the other lies inside, edges included.

@@ -1,6 +1,6 @@
 //! Which points of a curve are drawn? Those inside the frame that change what is seen.
 
-use super::super::figure::{Dash, Ink, Point, Stroke};
+use super::super::figure::{Dash, Extent, Ink, Point, Stroke};
 
 /// A curve through points in the units of the axes; a value that is not finite breaks it.
 #[derive(Clone, Debug)]
@@ -44,47 +44,6 @@ impl Curve {
     }
 }
 
-/// A rectangle of the page.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Area {
-    pub low: Point,
-    pub high: Point,
-}
-
-impl Area {
-    pub fn holds(&self, point: Point) -> bool {
-        (self.low.re..=self.high.re).contains(&point.re) && (self.low.im..=self.high.im).contains(&point.im)
-    }
-
-    pub fn meets(&self, other: &Area) -> bool {
-        let apart = self.high.re < other.low.re || other.high.re < self.low.re;
-        !apart && self.low.im <= other.high.im && other.low.im <= self.high.im
-    }
-
-    /// The part of a line inside, by Liang and Barsky.
-    fn cut(&self, from: Point, to: Point) -> Option<(Point, Point)> {
-        let way = to - from;
-        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-        for (along, before, after) in [
-            (way.re, self.low.re - from.re, self.high.re - from.re),
-            (way.im, self.low.im - from.im, self.high.im - from.im),
-        ] {
-            if along == 0.0 {
-                if before > 0.0 || after < 0.0 {
-                    return None;
-                }
-                continue;
-            }
-            let (first, last) = (before / along, after / along);
-            enter = enter.max(first.min(last));
-            leave = leave.min(first.max(last));
-        }
-        let start = if enter == 0.0 { from } else { from + way * enter };
-        let end = if leave == 1.0 { to } else { from + way * leave };
-        (enter <= leave).then_some((start, end))
-    }
-}
-
 /// Points of curves lie on a lattice of this many to a millimetre.
 ///
 /// The last digits of sines differ from machine to machine. On the lattice they are gone, and with them the chance that they choose
@@ -108,7 +67,7 @@ const MOST_POINTS: usize = 400;
 const COARSEST: f64 = 2.0;
 
 /// The pieces of a curve to be drawn: broken where a point has no place, cut at the edges of the area, thinned.
-pub(super) fn pieces(points: impl Iterator<Item = Option<Point>>, area: &Area) -> Vec<Vec<Point>> {
+pub(super) fn pieces(points: impl Iterator<Item = Option<Point>>, area: &Extent) -> Vec<Vec<Point>> {
     let points: Vec<Option<Point>> = points.collect();
     let unbroken = points.split(Option::is_none).map(|run| run.iter().copied().flatten().collect::<Vec<Point>>());
     let whole: Vec<Vec<Point>> = unbroken.flat_map(|run| clipped(&run, area)).collect();
@@ -122,9 +81,9 @@ pub(super) fn pieces(points: impl Iterator<Item = Option<Point>>, area: &Area) -
     }
 }
 
-fn clipped(run: &[Point], area: &Area) -> Vec<Vec<Point>> {
+fn clipped(run: &[Point], area: &Extent) -> Vec<Vec<Point>> {
     if let [only] = run {
-        return if area.holds(*only) { vec![vec![*only]] } else { Vec::new() };
+        return if area.contains(*only) { vec![vec![*only]] } else { Vec::new() };
     }
     let mut pieces: Vec<Vec<Point>> = Vec::new();
     let mut open = false;

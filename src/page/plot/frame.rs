@@ -1,8 +1,8 @@
 //! What stands around a plot? Axes with their ticks and labels, and the grid.
 
-use super::super::figure::{Anchor, Figure, Ink, Point, Stroke};
+use super::super::figure::{Anchor, Extent, Figure, Ink, Point, Stroke};
 use super::axis::{Ruler, Scale};
-use super::curve::{Area, snapped};
+use super::curve::snapped;
 use super::labels::LINE;
 use super::number::text_width;
 
@@ -17,7 +17,7 @@ const NUMBERS_BELOW: f64 = 3.0;
 const LABEL_BELOW: f64 = 7.4;
 /// The rectangle between the axes.
 pub(super) struct Frame {
-    pub area: Area,
+    pub area: Extent,
     pub x: Ruler,
     pub y: Ruler,
 }
@@ -36,7 +36,7 @@ impl Frame {
         let left = (EDGE + numbers + 1.6).max(EDGE + first).min(WIDTH / 3.0);
         let (low, high) = (Point::new(left, BELOW), Point::new(WIDTH - right - EDGE - last.max(1.0), BELOW + height));
         // A point on an edge stays on it.
-        Frame { area: Area { low: snapped(low), high: snapped(high) }, x, y }
+        Frame { area: Extent { low: snapped(low), high: snapped(high) }, x, y }
     }
 
     /// Where a point is on the page; none where it has no place.
@@ -54,7 +54,7 @@ impl Frame {
 
     /// A line across the frame at a value of x, or of y.
     pub fn across(&self, value: f64, upright: bool) -> Option<(Point, Point)> {
-        let Area { low, high } = self.area;
+        let Extent { low, high } = self.area;
         let ends = if upright {
             let x = self.right(&self.x, value)?;
             (Point::new(x, low.im), Point::new(x, high.im))
@@ -62,7 +62,7 @@ impl Frame {
             let y = self.up(&self.y, value)?;
             (Point::new(low.re, y), Point::new(high.re, y))
         };
-        (self.area.holds(ends.0) && self.area.holds(ends.1)).then_some(ends)
+        (self.area.contains(ends.0) && self.area.contains(ends.1)).then_some(ends)
     }
 
     /// The grid in light grey, the lines of zero darker.
@@ -84,7 +84,7 @@ impl Frame {
 
     /// The outline, ticks with numbers, and the labels of both axes; numbers that have no room are omitted.
     pub fn axes(&self, figure: &mut Figure, x_label: &str, y_label: &str) {
-        let Area { low, high } = self.area;
+        let Extent { low, high } = self.area;
         let corners = vec![low, Point::new(high.re, low.im), high, Point::new(low.re, high.im)];
         let thin = Stroke::solid(Ink::Black, 0.2);
         figure.polygon(corners, thin, None);

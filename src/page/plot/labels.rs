@@ -1,7 +1,6 @@
 //! Where does a label stand, so that it covers neither curves nor other labels?
 
-use super::super::figure::{Anchor, Figure, Ink, Mark, Point, Stroke};
-use super::curve::Area;
+use super::super::figure::{Anchor, Extent, Figure, Ink, Mark, Point, Stroke};
 use super::number::text_width;
 
 /// Height of a line of text in millimetres.
@@ -18,8 +17,8 @@ pub(crate) type Place = (Point, Anchor);
 
 /// What is on the page already, and has to be seen.
 pub(crate) struct Labels {
-    bounds: Area,
-    taken: Vec<Area>,
+    bounds: Extent,
+    taken: Vec<Extent>,
     felt: Vec<Point>,
     /// Whether a text on a line hides it.
     hides: bool,
@@ -27,18 +26,17 @@ pub(crate) struct Labels {
 
 impl Labels {
     /// Labels go inside these bounds, and beside what the figure shows in them.
-    pub fn new(bounds: Area) -> Self {
+    pub fn new(bounds: Extent) -> Self {
         Labels { bounds, taken: Vec::new(), felt: Vec::new(), hides: false }
     }
 
     /// Labels go anywhere, and are on white where they must lie on a line.
     pub fn anywhere() -> Self {
-        let far = Point::new(1e4, 1e4);
-        Labels { hides: true, ..Labels::new(Area { low: -far, high: far }) }
+        Labels { hides: true, ..Labels::new(Extent::about(Point::default(), 1e4)) }
     }
 
     /// A rectangle that has to be seen.
-    pub fn avoid_area(&mut self, area: Area) {
+    pub fn avoid_area(&mut self, area: Extent) {
         self.taken.push(area);
     }
 
@@ -53,8 +51,7 @@ impl Labels {
 
     /// A sign that has to be seen.
     pub fn avoid_sign(&mut self, at: Point, radius: f64) {
-        let half = Point::new(radius, radius);
-        self.taken.push(Area { low: at - half, high: at + half });
+        self.taken.push(Extent::about(at, radius));
     }
 
     /// Writes a text at the best of these places, the first of equals, on white where it covers cells.
@@ -63,10 +60,10 @@ impl Labels {
         let best = *places.iter().min_by_key(cost)?;
         let area = area(text, &best);
         let covers = |mark: &Mark| match mark {
-            Mark::Rectangles { corners, .. } => corners.iter().any(|&(low, high)| area.meets(&Area { low, high })),
+            Mark::Rectangles { corners, .. } => corners.iter().any(|&(low, high)| area.touches(&Extent { low, high })),
             _ => false,
         };
-        let hides = self.hides && self.felt.iter().any(|point| area.holds(*point));
+        let hides = self.hides && self.felt.iter().any(|point| area.contains(*point));
         if hides || figure.marks.iter().any(covers) {
             figure.rectangles(vec![(area.low, area.high)], Ink::Shade(0));
         }
@@ -91,8 +88,8 @@ impl Labels {
     /// Writes texts that belong together, such as the numbers of an axis: each at its place of the best row of places.
     pub fn write_row(&mut self, figure: &mut Figure, texts: &[String], rows: &[Vec<Place>]) {
         let cost = |row: &&Vec<Place>| {
-            let areas: Vec<Area> = texts.iter().zip(row.iter()).map(|(text, place)| area(text, place)).collect();
-            let neighbours = areas.windows(2).filter(|pair| pair[0].meets(&pair[1])).count();
+            let areas: Vec<Extent> = texts.iter().zip(row.iter()).map(|(text, place)| area(text, place)).collect();
+            let neighbours = areas.windows(2).filter(|pair| pair[0].touches(&pair[1])).count();
             areas.iter().map(|area| self.cost(area)).sum::<usize>() + COLLISION * neighbours
         };
         for (text, place) in texts.iter().zip(rows.iter().min_by_key(cost).into_iter().flatten()) {
@@ -127,17 +124,17 @@ impl Labels {
         }
     }
 
-    fn cost(&self, area: &Area) -> usize {
-        let outside = !(self.bounds.holds(area.low) && self.bounds.holds(area.high));
-        let taken = self.taken.iter().filter(|taken| taken.meets(area)).count();
-        let felt = self.felt.iter().filter(|point| area.holds(**point)).count();
+    fn cost(&self, area: &Extent) -> usize {
+        let outside = !(self.bounds.contains(area.low) && self.bounds.contains(area.high));
+        let taken = self.taken.iter().filter(|taken| taken.touches(area)).count();
+        let felt = self.felt.iter().filter(|point| area.contains(**point)).count();
         COLLISION * (taken + usize::from(outside)) + felt
     }
 }
 
 /// What a text covers, with a little air.
-pub(crate) fn area(text: &str, (at, anchor): &Place) -> Area {
+pub(crate) fn area(text: &str, (at, anchor): &Place) -> Extent {
     let width = text_width(text);
     let low = Point::new(at.re - anchor.before(width) - 0.4, at.im - LINE / 2.0 + 0.1);
-    Area { low, high: low + Point::new(width + 0.8, LINE - 0.2) }
+    Extent { low, high: low + Point::new(width + 0.8, LINE - 0.2) }
 }

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::super::figure::{Anchor, Figure, Ink, Point, Stroke};
+use super::super::figure::{Anchor, Extent, Figure, Ink, Point, Stroke};
 use super::axis::{Axis, Ruler};
 use super::contour::contour;
-use super::curve::{Area, Curve, pieces};
+use super::curve::{Curve, pieces};
 use super::frame::{BELOW, Frame, LABEL_ABOVE, LABEL_UP, WIDTH};
 use super::head::{Head, Key};
 use super::labels::Labels;
@@ -112,7 +112,7 @@ impl Map {
     fn draw_contours(
         &self,
         figure: &mut Figure,
-        area: &Area,
+        area: &Extent,
         value: &Ruler,
         (columns, rows): (usize, usize),
         labels: &mut Labels,
@@ -142,7 +142,7 @@ impl Map {
     }
 
     /// Neighbours of one shade in a row are one rectangle, and all of one shade are one mark.
-    fn draw_cells(&self, figure: &mut Figure, area: &Area, value: &Ruler, (columns, rows): (usize, usize)) {
+    fn draw_cells(&self, figure: &mut Figure, area: &Extent, value: &Ruler, (columns, rows): (usize, usize)) {
         let size = area.high - area.low;
         let (wide, high) = (size.re / columns.max(1) as f64, size.im / rows.max(1) as f64);
         let mut of_shade: BTreeMap<u8, Vec<(Point, Point)>> = BTreeMap::new();
@@ -171,7 +171,7 @@ impl Map {
     }
 }
 
-fn reach_under(corner: Point, area: &Area) -> Point {
+fn reach_under(corner: Point, area: &Extent) -> Point {
     Point::new((corner.re + OVERLAP).min(area.high.re), (corner.im + OVERLAP).min(area.high.im))
 }
 
@@ -182,7 +182,7 @@ fn shade(value: &Ruler, of: f64) -> Option<u8> {
 }
 
 /// The bar of the scale right of the frame, as high as it.
-fn draw_bar(figure: &mut Figure, area: &Area, value: &Ruler) {
+fn draw_bar(figure: &mut Figure, area: &Extent, value: &Ruler) {
     let low = Point::new(area.high.re + BAR_GAP, area.low.im);
     let high = Point::new(low.re + BAR, area.high.im);
     let level = |part: f64| low.im + (high.im - low.im) * part;

@@ -57,7 +57,7 @@ impl PointMark {
 /// Draws the marked points that lie in the frame, then their names.
 pub(super) fn draw_marks(figure: &mut Figure, marks: &[PointMark], frame: &Frame, labels: &mut Labels) {
     let placed = marks.iter().filter_map(|mark| Some((mark, frame.at(mark.at)?)));
-    let placed: Vec<(&PointMark, Point)> = placed.filter(|(_, at)| frame.area.holds(*at)).collect();
+    let placed: Vec<(&PointMark, Point)> = placed.filter(|(_, at)| frame.area.contains(*at)).collect();
     for (mark, at) in &placed {
         mark.sign(figure, *at);
         labels.avoid_sign(*at, 0.9);

@@ -1,9 +1,9 @@
 //! Where does a vector point while it turns? The curve of its tip, to equal scales.
 
 use super::super::Unit;
-use super::super::figure::{Anchor, Dash, Figure, Ink, Point, Stroke};
+use super::super::figure::{Anchor, Dash, Extent, Figure, Ink, Point, Stroke};
 use super::axis::Axis;
-use super::curve::{Area, Curve, pieces, snapped};
+use super::curve::{Curve, pieces, snapped};
 use super::draw_pieces;
 use super::head::{Head, Key};
 use super::labels::{LINE, Labels, Place};
@@ -102,8 +102,7 @@ impl Polar {
             let tip = Point::new((right / full).clamp(-1e4, 1e4), (up / full).clamp(-1e4, 1e4));
             (right.is_finite() && up.is_finite()).then(|| snapped(centre + tip * RADIUS))
         };
-        let corner = Point::new(RADIUS, RADIUS);
-        let area = Area { low: centre - corner, high: centre + corner };
+        let area = Extent::about(centre, RADIUS);
         let mut labels = Labels::new(area);
         let circles: Vec<_> = ruler.ticks.iter().filter(|tick| tick.value > 0.0).collect();
         for tick in &circles {
@@ -120,7 +119,7 @@ impl Polar {
             draw_pieces(&mut figure, run, curve, &mut labels);
         }
         let placed = self.marks.iter().filter_map(|mark| Some((mark, at(mark.at)?)));
-        let placed: Vec<(&PointMark, Point)> = placed.filter(|(_, at)| area.holds(*at)).collect();
+        let placed: Vec<(&PointMark, Point)> = placed.filter(|(_, at)| area.contains(*at)).collect();
         for (mark, at) in &placed {
             mark.sign(&mut figure, *at);
             labels.avoid_sign(*at, 0.9);

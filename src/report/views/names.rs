@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::figure::{Anchor, Figure, Ink, Point, Stroke};
-use super::super::plot::curve::Area;
+use super::super::figure::{Anchor, Extent, Figure, Ink, Point, Stroke};
 use super::super::plot::labels::{LINE, Labels, Place};
 use super::super::typeset;
 use super::linkage::{CROWN, HEAD, Linkage, SKIRT};
@@ -99,12 +98,8 @@ pub(super) fn name_pistons(figure: &mut Figure, labels: &mut Labels, linkages: &
             let from = if is_alone { head } else { middle };
             if !is_alone {
                 // The names of a bank stay outside its cylinders.
-                let corners = [half, -half].map(|side| middle + across * side);
-                let (low, high) = (corners[0], corners[1]);
-                labels.avoid_area(Area {
-                    low: Point::new(low.re.min(high.re), low.im.min(high.im)),
-                    high: Point::new(low.re.max(high.re), low.im.max(high.im)),
-                });
+                let bank = Extent::around([half, -half].map(|side| middle + across * side));
+                bank.into_iter().for_each(|bank| labels.avoid_area(bank));
             }
             // The line begins at the wall of the cylinder.
             if let Some((at, _)) = labels.write(figure, &typeset::names(&names), &places) {
