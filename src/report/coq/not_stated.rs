@@ -1,59 +1,45 @@
 //! Which engines can a file of Coq not state?
 
-use std::fmt;
-
 use num_traits::Signed;
+use thiserror::Error;
 
 use crate::proof::{Cylinder, Document, Masses, Quantity};
 use crate::text::harmless;
 
+/// What every reason begins with.
+const NO_FILE: &str = "no file of Coq can state this engine";
+
 /// Why there is no file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum NotStated {
     /// A cylinder has no rod of its own on the crankpin.
+    #[error("{NO_FILE}: cylinder {} has no rod on the crankpin, but several vectors in an order", harmless(.0))]
     NoRod(String),
     /// Several crankshafts, and the roll moment with them.
+    #[error("{NO_FILE}: it has several crankshafts; formal/Engine.v knows one, that turns once in a revolution")]
     SeveralCrankshafts,
     /// A shaft is sized by the number c_k of a rod.
+    #[error("{NO_FILE}: {} is sized by the number c_k of a rod, which is not rational", harmless(.0))]
     SizedByRod(String),
     /// An odd order of this cylinder has its sign turned, as its offset is below 0.
+    #[error(
+        "{NO_FILE}: cylinder {} has an offset below 0, which turns the sign of its odd orders above 1; omit them and --all-orders",
+        harmless(.0)
+    )]
     Reversed(String),
     /// What makes all weights whole holds the prime of a residue once more than what makes the collected ones whole.
+    #[error(
+        "{NO_FILE}: the weights of order {order} of the {} have a denominator that the prime of its evidence divides; scale masses and \
+         lengths by another number",
+        .quantity.name()
+    )]
     Scale {
         /// Of what.
         quantity: Quantity,
         /// The order.
         order: u32,
     },
-}
-
-impl fmt::Display for NotStated {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("no file of Coq can state this engine: ")?;
-        match self {
-            NotStated::NoRod(name) => {
-                write!(f, "cylinder {} has no rod on the crankpin, but several vectors in an order", harmless(name))
-            }
-            NotStated::SeveralCrankshafts => {
-                f.write_str("it has several crankshafts; formal/Engine.v knows one, that turns once in a revolution")
-            }
-            NotStated::SizedByRod(name) => {
-                write!(f, "{} is sized by the number c_k of a rod, which is not rational", harmless(name))
-            }
-            NotStated::Reversed(name) => write!(
-                f,
-                "cylinder {} has an offset below 0, which turns the sign of its odd orders above 1; omit them and --all-orders",
-                harmless(name)
-            ),
-            NotStated::Scale { quantity, order } => write!(
-                f,
-                "the weights of order {order} of the {} have a denominator that the prime of its evidence divides; scale masses and \
-                 lengths by another number",
-                quantity.name()
-            ),
-        }
-    }
 }
 
 /// Whether pistons are among the masses that the verdicts are about.
