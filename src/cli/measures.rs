@@ -1,6 +1,5 @@
 //! In which units does a person want to read, and to how many figures?
 
-use clap::ValueEnum;
 use crankstar::page::{Figures, Language, Options, Units};
 
 /// In which units, and to how many figures, a person wants to read.
@@ -8,7 +7,7 @@ use crankstar::page::{Figures, Language, Options, Units};
 pub struct Measures {
     /// The units of forces, lengths and masses on pages and in answers; JSON stays in those of the SI
     #[arg(long, value_enum, default_value = "si")]
-    units: System,
+    units: Units,
     /// Significant figures of decimals, 2 to 12 [default: three or four]; bounds, drawings and data keep their own
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(2..=Figures::MOST as i64))]
     digits: Option<u8>,
@@ -28,18 +27,6 @@ impl Measures {
 
     /// The units.
     pub fn units(&self) -> Units {
-        match self.units {
-            System::Si => Units::Si,
-            System::Inch => Units::Inch,
-        }
+        self.units
     }
-}
-
-/// A system of units.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum System {
-    /// Newtons, metres, kilograms
-    Si,
-    /// Pounds, inches, feet, horsepower
-    Inch,
 }

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
-use crankstar::page::{self, Document, File, Format, Language, Options};
+use crankstar::page::{self, Document, File, Format, Language, Math, Options};
 
 use super::failure::Failure;
 use super::language::LanguageArgs;
@@ -86,15 +86,6 @@ impl ValueEnum for Format {
     }
 }
 
-/// How formulas are marked in Markdown.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Math {
-    /// Dollars with backticks, as code-hosting pages read it
-    Github,
-    /// Dollars alone, as pandoc, Quarto and Jupyter read it
-    Dollars,
-}
-
 /// Whether a path has the ending of a page.
 fn is_named_as_a_page(path: &Path) -> bool {
     const ENDINGS: [&str; 7] = ["html", "htm", "md", "tex", "pdf", "txt", "typ"];
@@ -114,7 +105,7 @@ fn prefix(text: &str) -> Result<String, String> {
 impl PageArgs {
     fn format(&self, format: Format) -> Format {
         match (format, self.math) {
-            (Format::Markdown(_), Some(Math::Dollars)) => Format::Markdown(page::Math::Dollars),
+            (Format::Markdown(_), Some(math)) => Format::Markdown(math),
             (format, _) => format,
         }
     }

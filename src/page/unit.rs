@@ -7,6 +7,7 @@ use crate::table::Unit;
 
 /// The units that a page counts in; documents of data stay in those of the SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[non_exhaustive]
 pub enum Units {
     /// Newtons, metres, kilograms.

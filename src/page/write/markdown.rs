@@ -8,11 +8,12 @@ use crate::text::{self, Format, Untrusted};
 
 /// How formulas are marked in Markdown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[non_exhaustive]
 pub enum Math {
-    /// As `` $`…`$ ``, which code-hosting pages render.
+    /// Dollars with backticks, as code-hosting pages read it.
     Github,
-    /// As `$…$`, which pandoc, Quarto and Jupyter read.
+    /// Dollars alone, as pandoc, Quarto and Jupyter read it.
     Dollars,
 }
 
