@@ -5,7 +5,7 @@ use crate::loads::PeakMethod;
 use crate::report::accuracy::{methods, words};
 use crate::report::data::Filling;
 use crate::report::data::exact_number;
-use crate::report::{AccuracyCase, AccuracyStudy, Further, FurtherLoad};
+use crate::report::{AccuracyStudy, Further, FurtherLoad};
 use crate::table::{Table, Unit};
 
 /// A table of what accuracy costs.
@@ -108,12 +108,8 @@ fn of_further(case: usize, load: &Further) -> impl Iterator<Item = Found> {
 
 fn peaks(study: &AccuracyStudy) -> Option<Table> {
     let cases = (1..).zip(&study.cases);
-    let rows: Vec<(usize, &AccuracyCase, &Study)> =
-        cases.flat_map(|(number, case)| case.studies.iter().map(move |load| (number, case, load))).collect();
-    if rows.is_empty() {
-        return None;
-    }
-    let mut table = Filling::new("accuracy.peaks", &rows).keyed(2);
+    let rows = cases.flat_map(|(number, case)| case.studies.iter().map(move |load| (number, case, load)));
+    let mut table = Filling::new("accuracy.peaks", rows).keyed(2);
     table.whole("case", |(number, ..)| *number);
     table.words("load", |(.., load)| Some(words::name(load.quantity).to_owned()));
     table.exact("rod_ratio", Unit::NONE, |(_, case, _)| case.ratio.as_ref().map(exact_number));
@@ -123,5 +119,5 @@ fn peaks(study: &AccuracyStudy) -> Option<Table> {
     table.decimal("multiple", Unit::NONE, |(.., load)| Some(methods::unit(&study.engine, load.quantity).1));
     table.decimal("rounding", Unit::NONE, |(.., load)| Some(load.rounding));
     table.decimal("reference_error", Unit::NONE, |(.., load)| Some(load.doubt));
-    Some(table.done())
+    table.done_if_any()
 }

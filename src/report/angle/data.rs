@@ -17,8 +17,7 @@ pub fn table(study: &AngleStudy, name: &str) -> Option<Table> {
 }
 
 fn pistons(study: &AngleStudy) -> Table {
-    let rows: Vec<(f64, &PistonAt)> = study.pistons().collect();
-    let mut table = Filling::new("angle.pistons", &rows).keyed(2);
+    let mut table = Filling::new("angle.pistons", study.pistons()).keyed(2);
     table.decimal("theta_{unit}", Unit::DEGREE, |row| Some(row.0));
     table.whole("cylinder", |row| row.1.cylinder + 1);
     type Value = fn(&PistonAt) -> Option<f64>;
@@ -56,16 +55,12 @@ fn torque(study: &AngleStudy) -> Table {
 }
 
 fn bearings(study: &AngleStudy) -> Option<Table> {
-    let rows: Vec<_> = study.bearings().collect();
-    if rows.is_empty() {
-        return None;
-    }
-    let mut table = Filling::new("angle.bearings", &rows).keyed(2);
+    let mut table = Filling::new("angle.bearings", study.bearings()).keyed(2);
     table.decimal("theta_{unit}", Unit::DEGREE, |row| Some(row.0));
     table.whole("bearing", |row| row.1);
     crankshafts(&mut table, &study.engine, |row| study.crank_of(row.1));
     table.decimal("force_{unit}", Unit::NEWTON, |row| Some(row.2.norm()));
     table.decimal("force_y_{unit}", Unit::NEWTON, |row| Some(row.2.re));
     table.decimal("force_x_{unit}", Unit::NEWTON, |row| Some(0.0 - row.2.im));
-    Some(table.done())
+    table.done_if_any()
 }

@@ -1,7 +1,6 @@
 //! Which columns hold what the main bearings feel of the masses? A row a bearing, an order, a crank angle, a crankpin, a part of a load.
 
 use num_complex::Complex;
-use num_rational::BigRational;
 
 use super::columns::{components, crankshafts, peak, position_unit};
 use super::{gas_data, links};
@@ -42,18 +41,16 @@ fn methods(study: &BearingsStudy) -> [(&'static str, &BearingLoads); 2] {
 }
 
 /// Each bearing by each method.
-fn each(study: &BearingsStudy) -> Vec<(&'static str, usize, &BearingLoad)> {
-    let all = methods(study).into_iter().flat_map(|(method, loads)| {
+fn each(study: &BearingsStudy) -> impl Iterator<Item = (&'static str, usize, &BearingLoad)> {
+    methods(study).into_iter().flat_map(|(method, loads)| {
         loads.bearings.iter().enumerate().map(move |(index, bearing)| (method, index + 1, bearing))
-    });
-    all.collect()
+    })
 }
 
 fn of_bearings(study: &BearingsStudy, units: Units) -> Table {
     let left_out = methods(study).map(|(_, loads)| left_out_of_bearings(&study.engine, loads).ok().flatten());
     let of_method = |method: &str| usize::from(method != "continuous");
-    let rows = each(study);
-    let mut table = Filling::new("bearings.bearings", &rows).keyed(2);
+    let mut table = Filling::new("bearings.bearings", each(study)).keyed(2);
     table.words("method", |(method, ..)| Some((*method).to_owned()));
     table.whole("bearing", |(_, number, _)| *number);
     crankshafts(&mut table, &study.engine, |(.., bearing)| bearing.crank);
@@ -88,8 +85,7 @@ fn worst(study: &BearingsStudy, units: Units) -> Option<Table> {
         Some((index, peak.value, Some(peak.angle)))
     });
     let with_gas = of_all.is_some();
-    let rows = [of_all.or_else(of_masses)?];
-    let mut table = Filling::new("bearings.worst", &rows).keyed(0);
+    let mut table = Filling::new("bearings.worst", [of_all.or_else(of_masses)?]).keyed(0);
     table.whole("bearing", |(index, ..)| index + 1);
     table.decimal("force_zero_to_peak_{unit}", units.force, |(_, force, _)| Some(*force));
     table.decimal("theta_{unit}", Unit::DEGREE, |(.., angle)| *angle);
@@ -117,11 +113,9 @@ fn vectors<R>(table: &mut Filling<R>, units: Units, of: impl Fn(&R) -> (u32, &[O
 }
 
 fn orders(study: &BearingsStudy, units: Units) -> Table {
-    let rows: Vec<_> = each(study)
-        .into_iter()
-        .flat_map(|(method, number, bearing)| bearing.orders.iter().map(move |order| (method, number, order)))
-        .collect();
-    let mut table = Filling::new("bearings.orders", &rows).keyed(3);
+    let rows = each(study)
+        .flat_map(|(method, number, bearing)| bearing.orders.iter().map(move |order| (method, number, order)));
+    let mut table = Filling::new("bearings.orders", rows).keyed(3);
     table.words("method", |(method, ..)| Some((*method).to_owned()));
     table.whole("bearing", |(_, number, _)| *number);
     table.whole("order", |(.., order)| order.order as usize);
@@ -216,8 +210,8 @@ fn pins(study: &BearingsStudy, units: Units) -> Option<Table> {
     let loads = pins_of(study)?;
     let left_out = left_out_of_pins(&study.engine, &loads).ok();
     let pins = study.engine.cylinders().iter().zip(&loads.pins).enumerate();
-    let rows: Vec<_> = pins.map(|(index, (cylinder, pin))| (cylinder, pin, index)).collect();
-    let mut table = Filling::new("bearings.pins", &rows);
+    let rows = pins.map(|(index, (cylinder, pin))| (cylinder, pin, index));
+    let mut table = Filling::new("bearings.pins", rows);
     table.person("cylinder", |(cylinder, ..)| Some(Untrusted::new(&*cylinder.name)));
     crankshafts(&mut table, &study.engine, |(cylinder, ..)| cylinder.crank);
     table.exact("position_{unit}", position_unit(&study.engine), |(_, pin, _)| Some(exact_number(&pin.position)));
@@ -236,9 +230,8 @@ fn pins(study: &BearingsStudy, units: Units) -> Option<Table> {
 fn pin_orders(study: &BearingsStudy, units: Units) -> Option<Table> {
     let loads = pins_of(study)?;
     let pairs = study.engine.cylinders().iter().zip(&loads.pins);
-    let rows: Vec<_> =
-        pairs.flat_map(|(cylinder, pin)| pin.orders.iter().map(move |order| (cylinder, order))).collect();
-    let mut table = Filling::new("bearings.pin_orders", &rows).keyed(2);
+    let rows = pairs.flat_map(|(cylinder, pin)| pin.orders.iter().map(move |order| (cylinder, order)));
+    let mut table = Filling::new("bearings.pin_orders", rows).keyed(2);
     table.person("cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
     table.whole("order", |(_, order)| order.order as usize);
     vectors(&mut table, units, |(_, order)| (order.order, &order.sums, &order.swing));
@@ -246,15 +239,12 @@ fn pin_orders(study: &BearingsStudy, units: Units) -> Option<Table> {
 }
 
 fn parts(study: &BearingsStudy) -> Table {
-    let rows: Vec<(&'static str, &BigRational, usize, &BigRational)> = methods(study)
-        .into_iter()
-        .flat_map(|(method, loads)| {
-            loads.parts.iter().flat_map(move |(at, parts)| {
-                parts.iter().enumerate().map(move |(index, part)| (method, at, index + 1, part))
-            })
+    let rows = methods(study).into_iter().flat_map(|(method, loads)| {
+        loads.parts.iter().flat_map(move |(at, parts)| {
+            parts.iter().enumerate().map(move |(index, part)| (method, at, index + 1, part))
         })
-        .collect();
-    let mut table = Filling::new("bearings.parts", &rows).keyed(3);
+    });
+    let mut table = Filling::new("bearings.parts", rows).keyed(3);
     table.words("method", |(method, ..)| Some((*method).to_owned()));
     table.exact("load_position_{unit}", position_unit(&study.engine), |(_, at, ..)| Some(exact_number(at)));
     table.whole("bearing", |(_, _, bearing, _)| *bearing);

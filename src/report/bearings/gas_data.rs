@@ -4,7 +4,7 @@ use num_complex::Complex;
 
 use super::columns::{components, crankshafts, position_unit};
 use crate::engine::Engine;
-use crate::journal::{CycleBearing, CycleBearings, CycleLoads, CyclePeak, CylinderLoads, JournalOrder, SharedPin};
+use crate::journal::{CycleBearing, CycleBearings, CycleLoads, CyclePeak, CylinderLoads, JournalOrder};
 use crate::report::data::{Filling, exact_number};
 use crate::table::{Table, Unit};
 use crate::text::Untrusted;
@@ -31,13 +31,11 @@ fn methods(loads: &CycleLoads) -> impl Iterator<Item = (&'static str, &CycleBear
 }
 
 fn of_bearings(engine: &Engine, loads: &CycleLoads) -> Table {
-    let rows: Vec<_> = methods(loads)
-        .flat_map(|(method, all)| {
-            let missed = loads.missed(all);
-            all.bearings.iter().enumerate().map(move |(index, bearing)| (method, index, all, missed, bearing))
-        })
-        .collect();
-    let mut table = Filling::new("bearings.gas_bearings", &rows).keyed(2);
+    let rows = methods(loads).flat_map(|(method, all)| {
+        let missed = loads.missed(all);
+        all.bearings.iter().enumerate().map(move |(index, bearing)| (method, index, all, missed, bearing))
+    });
+    let mut table = Filling::new("bearings.gas_bearings", rows).keyed(2);
     table.words("method", |row| Some(row.0.to_owned()));
     table.whole("bearing", |row| row.1 + 1);
     crankshafts(&mut table, engine, |row| row.4.crank);
@@ -71,8 +69,7 @@ fn with_and_without_gas<R>(table: &mut Filling<R>, of: impl Fn(&R) -> [&CyclePea
 }
 
 fn of_cylinders(engine: &Engine, loads: &CycleLoads) -> Table {
-    let rows: Vec<_> = engine.cylinders().iter().zip(&loads.cylinders).collect();
-    let mut table = Filling::new("bearings.gas_cylinders", &rows);
+    let mut table = Filling::new("bearings.gas_cylinders", engine.cylinders().iter().zip(&loads.cylinders));
     table.person("cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
     with_and_without_gas(&mut table, |(_, loads)| [&loads.peaks.pin, &loads.peaks.pin_of_inertia]);
     type Pick = fn(&CylinderLoads) -> Extreme;
@@ -96,12 +93,11 @@ fn of_knuckles(engine: &Engine, loads: &CycleLoads) -> Option<Table> {
     table.person("cylinder", |knuckle| person(knuckle.cylinder));
     table.person("master", |knuckle| person(knuckle.master));
     with_and_without_gas(&mut table, |knuckle| [&knuckle.peak, &knuckle.inertia]);
-    (!loads.knuckles.is_empty()).then(|| table.done())
+    table.done_if_any()
 }
 
 fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
-    let rows: Vec<&SharedPin> = loads.shared_pins.iter().collect();
-    let mut table = Filling::new("bearings.gas_pins", &rows);
+    let mut table = Filling::new("bearings.gas_pins", &loads.shared_pins);
     table.whole("crankpin", |pin| pin.throw + 1);
     table.words("cylinders", |pin| {
         let numbers: Vec<String> = pin.cylinders.iter().map(|index| (index + 1).to_string()).collect();
@@ -113,14 +109,13 @@ fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Table {
 }
 
 fn orders(loads: &CycleLoads) -> Table {
-    let rows: Vec<_> = methods(loads)
-        .flat_map(|(method, all)| {
-            all.bearings.iter().enumerate().flat_map(move |(index, bearing)| {
-                bearing.series.orders.iter().map(move |order| (method, index + 1, order))
-            })
-        })
-        .collect();
-    let mut table = Filling::new("bearings.gas_orders", &rows).keyed(3);
+    let rows = methods(loads).flat_map(|(method, all)| {
+        all.bearings
+            .iter()
+            .enumerate()
+            .flat_map(move |(index, bearing)| bearing.series.orders.iter().map(move |order| (method, index + 1, order)))
+    });
+    let mut table = Filling::new("bearings.gas_orders", rows).keyed(3);
     table.words("method", |(method, ..)| Some((*method).to_owned()));
     table.whole("bearing", |(_, bearing, _)| *bearing);
     of_orders(&mut table, |(.., order)| order);
@@ -129,9 +124,8 @@ fn orders(loads: &CycleLoads) -> Table {
 
 fn pin_orders(engine: &Engine, loads: &CycleLoads) -> Table {
     let pairs = engine.cylinders().iter().zip(&loads.cylinders);
-    let rows: Vec<_> =
-        pairs.flat_map(|(cylinder, loads)| loads.pin.orders.iter().map(move |order| (cylinder, order))).collect();
-    let mut table = Filling::new("bearings.gas_pin_orders", &rows).keyed(2);
+    let rows = pairs.flat_map(|(cylinder, loads)| loads.pin.orders.iter().map(move |order| (cylinder, order)));
+    let mut table = Filling::new("bearings.gas_pin_orders", rows).keyed(2);
     table.person("cylinder", |(cylinder, _)| Some(Untrusted::new(&*cylinder.name)));
     of_orders(&mut table, |(_, order)| order);
     table.done()

@@ -39,8 +39,8 @@ pub fn tables(engine: &Engine, numbers: &Numbers, document: &LoadsDocument) -> V
 
 fn orders(document: &LoadsDocument, units: Units) -> Table {
     let of = |quantity| document.orders.iter().filter(move |entry| entry.quantity == quantity);
-    let rows: Vec<[&OrderEntry; 2]> = of("force").zip(of("moment")).map(|(force, moment)| [force, moment]).collect();
-    let mut table = Filling::new("loads.orders", &rows);
+    let rows = of("force").zip(of("moment")).map(|(force, moment)| [force, moment]);
+    let mut table = Filling::new("loads.orders", rows);
     table.whole("order", |[force, _]| force.order as usize);
     table.truth("exists", |[force, _]| Some(force.exists));
     for (place, quantity, unit) in [(0, "force", units.force), (1, "moment", units.moment)] {

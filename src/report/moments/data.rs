@@ -5,7 +5,6 @@ use num_traits::ToPrimitive;
 use crate::report::data::Filling;
 use crate::report::moments::{External, MomentsRow, MomentsStudy};
 use crate::table::{Table, Unit};
-use crate::torque::GuideMoments;
 
 /// A table of the moments of engines.
 pub fn table(study: &MomentsStudy, name: &str) -> Option<Table> {
@@ -68,12 +67,8 @@ fn external(study: &MomentsStudy) -> Table {
 
 fn guides(study: &MomentsStudy) -> Option<Table> {
     let all = study.built().filter_map(|row| Some((row, &row.guides.as_ref().ok()?.0)));
-    let rows: Vec<(&MomentsRow, &GuideMoments)> =
-        all.flat_map(|(row, all)| all.iter().map(move |moments| (row, moments))).collect();
-    if rows.is_empty() {
-        return None;
-    }
-    let mut table = Filling::new("moments.guides", &rows).keyed(keys(study));
+    let rows = all.flat_map(|(row, all)| all.iter().map(move |moments| (row, moments)));
+    let mut table = Filling::new("moments.guides", rows).keyed(keys(study));
     table.decimal("order", Unit::NONE, |row| row.1.order.exact().to_f64());
     table.person("engine", |row| Some(row.0.name.clone()));
     let unit = Unit::KILONEWTON_METRE;
@@ -81,5 +76,5 @@ fn guides(study: &MomentsStudy) -> Option<Table> {
     table.truth("h_vanishes", |row| Some(row.1.rocking.is_none()));
     table.decimal("x_{unit}", unit, |row| Some(row.1.twisting.unwrap_or(0.0) / 1e3));
     table.truth("x_vanishes", |row| Some(row.1.twisting.is_none()));
-    Some(table.done())
+    table.done_if_any()
 }

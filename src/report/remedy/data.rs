@@ -20,14 +20,13 @@ pub fn table(remedy: &Remedy, name: &str) -> Option<Table> {
 
 fn weights(remedy: &Remedy) -> Table {
     let weights = remedy.weights();
-    let weights: Vec<(usize, Weight)> =
-        weights.iter().filter_map(|weight| remedy.as_built(weight)).enumerate().collect();
+    let weights = weights.iter().filter_map(|weight| remedy.as_built(weight)).enumerate();
     let position = match remedy.subject.engine().length_unit() {
         LengthUnit::Metre => Unit::METRE,
         LengthUnit::Spacing => Unit::SPACING,
     };
     let polar = |weight: &Weight, place: usize| weight.decimals(&remedy.subject).map(|polar| polar[place]);
-    let mut table = Filling::new("remedy.weights", &weights);
+    let mut table = Filling::new("remedy.weights", weights);
     table.whole("weight", |(index, _)| index + 1);
     table.whole("order", |(_, weight)| weight.order as usize);
     table.words("sense", |(_, weight)| Some(weight.sense.name().to_owned()));
@@ -44,9 +43,9 @@ fn weights(remedy: &Remedy) -> Table {
 
 /// The cures of its orders, those first that remove most for each shaft.
 fn cures(remedy: &Remedy) -> Table {
-    let rows: Vec<(usize, Cure)> = remedy::cures(&remedy.subject, &remedy.orders).into_iter().enumerate().collect();
+    let rows = remedy::cures(&remedy.subject, &remedy.orders).into_iter().enumerate();
     let is_force = |cure: &Cure| cure.kind == Kind::Force;
-    let mut table = Filling::new("remedy.cures", &rows);
+    let mut table = Filling::new("remedy.cures", rows);
     table.whole("rank", |(index, _)| index + 1);
     table.whole("order", |(_, cure)| cure.order as usize);
     table.words("cancels", |(_, cure)| Some(if is_force(cure) { "force" } else { "couple" }.to_owned()));

@@ -25,8 +25,7 @@ pub fn table(study: &TorqueStudy, name: &str) -> Option<Table> {
 }
 
 fn cycle(torque: &EngineTorque) -> Table {
-    let rows = [torque];
-    let mut table = Filling::new("torque.cycle", &rows).keyed(0);
+    let mut table = Filling::new("torque.cycle", [torque]).keyed(0);
     let moment = Unit::NEWTON_METRE;
     table.decimal("mean_{unit}", moment, |torque| Some(torque.mean));
     type Pick = fn(&EngineTorque) -> Option<Extreme>;
@@ -75,8 +74,7 @@ fn orders(torque: &EngineTorque) -> Table {
 }
 
 fn flywheel(evenness: &Evenness) -> Table {
-    let rows = [evenness];
-    let mut table = Filling::new("torque.flywheel", &rows).keyed(0);
+    let mut table = Filling::new("torque.flywheel", [evenness]).keyed(0);
     let inertia = Unit::KILOGRAM_SQUARE_METRE;
     table.decimal("energy_{unit}", Unit::JOULE, |one| Some(one.energy));
     table.decimal("reciprocating_inertia_{unit}", inertia, |one| Some(one.reciprocating));
@@ -92,8 +90,7 @@ fn flywheel(evenness: &Evenness) -> Table {
 }
 
 fn classes(torque: &EngineTorque) -> Table {
-    let rows: Vec<_> = torque.classes.iter().enumerate().collect();
-    let mut table = Filling::new("torque.classes", &rows);
+    let mut table = Filling::new("torque.classes", torque.classes.iter().enumerate());
     table.whole("class", |(index, _)| index + 1);
     let joined = |texts: Vec<String>| Some(texts.join(" "));
     table
@@ -116,8 +113,7 @@ fn classes(torque: &EngineTorque) -> Table {
 }
 
 fn guides(engine: &Engine, torque: &EngineTorque) -> Option<Table> {
-    let rows = guide_moments(engine, torque)?;
-    let mut table = Filling::new("torque.guides", &rows);
+    let mut table = Filling::new("torque.guides", guide_moments(engine, torque)?);
     table.decimal("order", Unit::NONE, |one| one.order.exact().to_f64());
     table.decimal("h_zero_to_peak_{unit}", Unit::NEWTON_METRE, |one| Some(one.rocking.unwrap_or(0.0)));
     table.decimal("x_zero_to_peak_{unit}", Unit::NEWTON_METRE, |one| Some(one.twisting.unwrap_or(0.0)));
@@ -125,9 +121,6 @@ fn guides(engine: &Engine, torque: &EngineTorque) -> Option<Table> {
 }
 
 fn shafts(engine: &Engine, torque: &EngineTorque) -> Option<Table> {
-    if torque.shafts.is_empty() {
-        return None;
-    }
     let mut table = Filling::new("torque.shafts", &torque.shafts);
     let moment = Unit::NEWTON_METRE;
     table.words("crankshaft", |one| Some(engine.geared_cranks()[one.shaft].name.clone()));
@@ -138,7 +131,7 @@ fn shafts(engine: &Engine, torque: &EngineTorque) -> Option<Table> {
         table.decimal(value, moment, move |one| Some(one.extremes[place].value));
         table.decimal(angle, Unit::DEGREE, move |one| Some(one.extremes[place].angle));
     }
-    Some(table.done())
+    table.done_if_any()
 }
 
 fn theta(torque: &EngineTorque) -> Table {
