@@ -84,7 +84,7 @@ fn picture(cylinder: &Cylinder, order: u32) -> Picture {
         1 => text::two_angles(name),
         _ => text::two_angles_of_order(name, order),
     };
-    Picture { name: "direct-and-reverse".to_owned(), caption, figure }
+    Picture::new("direct-and-reverse", caption, figure)
 }
 
 /// `k(θ + β − α)`: how far the vectors are turned from the axis.

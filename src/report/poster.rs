@@ -28,7 +28,7 @@ const MOST_COLUMNS: usize = 16;
 /// The poster: a drawing for a browser, and a file for pdflatex.
 pub fn poster(engines: &[(Entry, Engine)], language: Language) -> Vec<File> {
     let title = title(engines.len());
-    let drawn = Picture { name: "poster".to_owned(), caption: title.clone(), figure: poster_sheet(engines) };
+    let drawn = Picture::new("poster", title.clone(), poster_sheet(engines));
     let figure = language.picture(&drawn).figure;
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
     vec![

@@ -92,7 +92,7 @@ fn pictures(study: &AngleStudy) -> Vec<Picture> {
             }
         }
         plot.rules.clone_from(&rules);
-        (!plot.curves.is_empty()).then(|| Picture { name: name.to_owned(), caption, figure: plot.figure() })
+        (!plot.curves.is_empty()).then(|| Picture::new(name, caption, plot.figure()))
     };
     let acceleration = draw(
         "angle-acceleration",

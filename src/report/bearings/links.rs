@@ -106,16 +106,16 @@ fn drawn(engine: &Engine, links: &LinkLoads, master: &MasterLoad, unit: Unit) ->
     )
     .counted_in(unit.unit);
     [
-        Picture {
-            name: format!("master-{}-crankpin", master.cylinder + 1),
-            caption: text::crankpin(names(engine, &[master.cylinder])),
-            figure: pin.figure(),
-        },
-        Picture {
-            name: format!("master-{}-knuckles", master.cylinder + 1),
-            caption: text::knuckle_pins(names(engine, &[master.cylinder]), MOST_LINKS),
-            figure: pins.figure(),
-        },
+        Picture::new(
+            format!("master-{}-crankpin", master.cylinder + 1),
+            text::crankpin(names(engine, &[master.cylinder])),
+            pin.figure(),
+        ),
+        Picture::new(
+            format!("master-{}-knuckles", master.cylinder + 1),
+            text::knuckle_pins(names(engine, &[master.cylinder]), MOST_LINKS),
+            pins.figure(),
+        ),
     ]
 }
 

@@ -113,7 +113,7 @@ fn drawn(
     polar.marks.extend(peak.angle.map(|angle| largest_at(tip(peak.vector * unit.factor), angle)));
     let caption = text::path(name.clone(), convention.turns_anticlockwise_from());
     [
-        Picture { name: format!("bearing-{number}"), caption: text::components(name.clone()), figure: components },
-        Picture { name: format!("bearing-{number}-polar"), caption, figure: polar.figure() },
+        Picture::new(format!("bearing-{number}"), text::components(name.clone()), components),
+        Picture::new(format!("bearing-{number}-polar"), caption, polar.figure()),
     ]
 }

@@ -114,7 +114,7 @@ fn curves(
         plots.push(second);
     }
     let figure = stacked(plots.iter().map(Plot::figure).collect());
-    Some(Picture { name: format!("{}{mark}", drawing.name), caption, figure })
+    Some(Picture::new(format!("{}{mark}", drawing.name), caption, figure))
 }
 
 /// What the plots of a component show: the orders in the first, and those below.
@@ -172,5 +172,5 @@ fn path(drawing: &Drawing, (heading, caption): (&'static str, Text)) -> Picture 
     let curve = Curve::new(0, "", tips.clone());
     let mut polar = Polar::new(heading, drawing.axis, vec![curve]).counted_in(drawing.unit.unit);
     polar.mark_quarters(&tips, STEPS);
-    Picture { name: format!("{}-path", drawing.name), caption, figure: polar.figure() }
+    Picture::new(format!("{}-path", drawing.name), caption, polar.figure())
 }

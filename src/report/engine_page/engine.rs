@@ -9,14 +9,14 @@ use crate::report::texts::engine as text;
 
 /// The engine from its free end, beside the first star that is left, or else the first of all.
 pub(super) fn first_pictures(engine: &Engine, stars: &[StarOf]) -> Vec<Picture> {
-    let end = Picture { name: "end-view".to_owned(), caption: end_view_caption(engine), figure: end_view(engine) };
+    let end = Picture::new("end-view", end_view_caption(engine), end_view(engine));
     let left = stars.iter().find(|star| star.is_left()).or(stars.first());
     [end].into_iter().chain(left.and_then(|star| star.picture(engine))).collect()
 }
 
 /// The crankshaft from the side.
 pub(super) fn seen_from_the_side(engine: &Engine) -> Picture {
-    Picture { name: "side-view".to_owned(), caption: side_view_caption(engine), figure: side_view(engine) }
+    Picture::new("side-view", side_view_caption(engine), side_view(engine))
 }
 
 /// In which order and at which intervals it fires.

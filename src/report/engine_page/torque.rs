@@ -36,11 +36,11 @@ pub(super) fn section(engine: &Engine, judged: &Judgement, numbers: Option<&Numb
     }
     let verdicts: Vec<_> = parts.iter().filter(|part| part.exists).map(|part| &part.verdict).collect();
     let judged: Vec<JudgedStar> = verdicts.iter().map(|verdict| JudgedStar::from(*verdict)).collect();
-    let stars = Picture {
-        name: "torque-stars".to_owned(),
-        caption: text::torque_stars(legend_of_one_scale(engine, &judged)),
-        figure: torque_figure(engine, &verdicts),
-    };
+    let stars = Picture::new(
+        "torque-stars",
+        text::torque_stars(legend_of_one_scale(engine, &judged)),
+        torque_figure(engine, &verdicts),
+    );
     let mut blocks = vec![
         Block::Heading(1, "Inertia torque".into()),
         text::torque_amplitude().into(),

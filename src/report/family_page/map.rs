@@ -27,11 +27,11 @@ pub(super) fn maps(family: &Family, orders: &[OpenOrder]) -> Vec<Picture> {
         let Some(unit) = unit(family, Some(&sizes), quantity) else { continue };
         for (order, _) in sizes.told(quantity, orders).0.into_iter().take(MOST) {
             let name = quantity.name();
-            maps.push(Picture {
-                name: format!("map-{name}-{order}"),
-                caption: text::map(order, sizes.circumstances()),
-                figure: map(&sizes, quantity, order, &unit).figure(),
-            });
+            maps.push(Picture::new(
+                format!("map-{name}-{order}"),
+                text::map(order, sizes.circumstances()),
+                map(&sizes, quantity, order, &unit).figure(),
+            ));
         }
     }
     maps

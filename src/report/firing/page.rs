@@ -119,11 +119,11 @@ fn picture(study: &FiringStudy) -> Picture {
         })
         .collect();
     let drawn: Vec<JudgedStar<'_>> = headed.iter().map(|(_, star)| *star).collect();
-    Picture {
-        name: "firing-stars".to_owned(),
-        caption: phrase!("Firing stars. {}", legend_of_one_scale(&study.engine, &drawn)),
-        figure: firing_figure(&study.engine, headed),
-    }
+    Picture::new(
+        "firing-stars",
+        phrase!("Firing stars. {}", legend_of_one_scale(&study.engine, &drawn)),
+        firing_figure(&study.engine, headed),
+    )
 }
 
 /// A line per star.

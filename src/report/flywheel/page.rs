@@ -169,5 +169,5 @@ fn picture(study: &FlywheelStudy) -> Option<Picture> {
     let mut plot = Plot::new("Torque", x, Axis::amplitude("Torque in {}").counted_in(Unit::NEWTON_METRE));
     plot.curves.push(Curve::new(0, "torque", curve(0)));
     plot.curves.push(Curve::new(1, "load", curve(1)));
-    Some(Picture { name: "turning-moment".to_owned(), caption: text::torque_and_load(), figure: plot.figure() })
+    Some(Picture::new("turning-moment", text::torque_and_load(), plot.figure()))
 }

@@ -10,6 +10,7 @@ use crate::engine::{Convention, Engine};
 use crate::journal::{CycleBearing, CycleBearings, CycleLoads, ForceHistory, SharedPin};
 use crate::page::plot::{Curve, Polar};
 use crate::page::{Picture, Text, Unit};
+use crate::report::rising;
 use crate::report::texts::journal as text;
 
 /// The tips of a force through the cycle, to the right and up.
@@ -68,12 +69,8 @@ fn drawn(
     polar.marks.push(largest_at(tip(bearing.peak.vector), bearing.peak.angle));
     let caption = text::path(name.clone(), convention.turns_anticlockwise_from());
     [
-        Picture {
-            name: format!("bearing-{number}-cycle"),
-            caption: text::components(name.clone()),
-            figure: components,
-        },
-        Picture { name: format!("bearing-{number}-cycle-polar"), caption, figure: polar.figure() },
+        Picture::new(format!("bearing-{number}-cycle"), text::components(name.clone()), components),
+        Picture::new(format!("bearing-{number}-cycle-polar"), caption, polar.figure()),
     ]
 }
 
@@ -90,7 +87,7 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
             let mut polar = Polar::new(format!("Crankpin of cylinder {name}"), label, vec![curve]);
             polar.mark_quarters(&tips, STEPS);
             let figure = polar.counted_in(Unit::NEWTON).figure();
-            Picture { name: format!("pin-{}-{end}", index + 1), caption, figure }
+            Picture::new(format!("pin-{}-{end}", index + 1), caption, figure)
         };
         let from_engine = text::crankpin(names(engine, &[index]));
         let from_crank = match group.len() {
@@ -113,9 +110,7 @@ pub(super) fn pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
 pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
     let course = &loads.course;
     let angles = angles(course);
-    let mut masters: Vec<usize> = loads.knuckles.iter().map(|knuckle| knuckle.master).collect();
-    masters.sort_unstable();
-    masters.dedup();
+    let masters = rising(loads.knuckles.iter().map(|knuckle| knuckle.master));
     let draw = |master: usize| {
         let path = |link: usize| {
             let seen = |theta: &f64| {
@@ -129,11 +124,11 @@ pub(super) fn knuckles(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         let curves = links.map(|(style, link)| Curve::new(style, format!("link {}", name(link)), path(link))).collect();
         let label = "Force in {}; 0° is away from the crankpin";
         let polar = Polar::new(format!("Knuckle pins of master rod {}", name(master)), label, curves);
-        Picture {
-            name: format!("master-{}-knuckles-cycle", master + 1),
-            caption: text::knuckle_pins(name(master), MOST_LINKS),
-            figure: polar.counted_in(Unit::NEWTON).figure(),
-        }
+        Picture::new(
+            format!("master-{}-knuckles-cycle", master + 1),
+            text::knuckle_pins(name(master), MOST_LINKS),
+            polar.counted_in(Unit::NEWTON).figure(),
+        )
     };
     masters.into_iter().map(draw).collect()
 }
@@ -157,11 +152,11 @@ pub(super) fn shared_pins(engine: &Engine, loads: &CycleLoads) -> Vec<Picture> {
         let mut polar = Polar::new(format!("Crankpin {number}"), label, curves).counted_in(Unit::NEWTON);
         let largest = pin.load_on_the_crank(course, pin.peak.angle.to_radians());
         polar.marks.push(largest_at(tip(largest), pin.peak.angle));
-        Picture {
-            name: format!("shared-pin-{number}-crank"),
-            caption: text::shared_pin(number, names(engine, &pin.cylinders), pin.has_links(loads)),
-            figure: polar.figure(),
-        }
+        Picture::new(
+            format!("shared-pin-{number}-crank"),
+            text::shared_pin(number, names(engine, &pin.cylinders), pin.has_links(loads)),
+            polar.figure(),
+        )
     };
     loads.shared_pins.iter().take(MOST_SHARED).map(draw).collect()
 }

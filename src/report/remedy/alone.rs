@@ -85,7 +85,7 @@ fn picture(partial: &Partial, scale: Option<&Scale>) -> Picture {
     let mut plot = Plot::new("First-order force", x, force);
     plot.curves.push(Curve::new(0, "largest in a revolution", points(|ellipse| ellipse.peak_decimal)));
     plot.curves.push(Curve::new(1, "smallest in a revolution", points(|ellipse| ellipse.least_decimal)));
-    Picture { name: "partial-balance".into(), caption: text::largest_and_smallest(), figure: plot.figure() }
+    Picture::new("partial-balance", text::largest_and_smallest(), plot.figure())
 }
 
 /// The partial balance, where the first order is asked for and counterweights change it but leave a reverse vector, or

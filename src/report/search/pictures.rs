@@ -23,17 +23,16 @@ pub(in crate::report) fn pictures_at(
     order: Option<u32>,
 ) -> Vec<Picture> {
     let Ok(engine) = star.engine(problem) else { return Vec::new() };
-    let from_the_end = Picture {
-        name: format!("star-{number}"),
-        caption: text::crankshaft(number, end_view_caption(&engine)),
-        figure: end_view(&engine),
-    };
+    let from_the_end =
+        Picture::new(format!("star-{number}"), text::crankshaft(number, end_view_caption(&engine)), end_view(&engine));
     let judged = order.and_then(|order| classify(&engine, &[order], Masses::Reciprocating, &Quantity::PLANAR).ok());
     let parts = judged.iter().flatten().flat_map(|order| order.parts.first());
-    let vectors = parts.map(|order| Picture {
-        name: format!("star-{number}-order-{}", order.order),
-        caption: text::star_vectors(number, order.order, star_legend(&engine, order)),
-        figure: star_figure(&engine, order),
+    let vectors = parts.map(|order| {
+        Picture::new(
+            format!("star-{number}-order-{}", order.order),
+            text::star_vectors(number, order.order, star_legend(&engine, order)),
+            star_figure(&engine, order),
+        )
     });
     [from_the_end].into_iter().chain(vectors).collect()
 }

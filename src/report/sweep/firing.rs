@@ -135,7 +135,7 @@ fn picture(sweep: &Sweep, firing: &FiringSweep) -> Option<Picture> {
         return None;
     }
     let plots = drawn.chunks(MOST_CURVES).map(|chunk| plot(sweep, firing, chunk)).collect();
-    Some(Picture { name: "firing-stars".to_owned(), caption: text::firing_stars_drawn(), figure: stacked(plots) })
+    Some(Picture::new("firing-stars", text::firing_stars_drawn(), stacked(plots)))
 }
 
 fn plot(sweep: &Sweep, firing: &FiringSweep, orders: &[usize]) -> Figure {

@@ -32,7 +32,7 @@ pub(super) fn torque(torque: &EngineTorque) -> Picture {
     }
     plot.curves.push(Curve::new(0, "torque", points(&|theta| course.total(theta))));
     plot.rules.push(Rule { at: torque.mean, upright: false, label: "mean".to_owned() });
-    Picture { name: "gas-torque".to_owned(), caption: text::cycle(), figure: plot.figure() }
+    Picture::new("gas-torque", text::cycle(), plot.figure())
 }
 
 /// The pressure over the angle, and over the volume.
@@ -74,7 +74,7 @@ pub(super) fn pressure(engine: &Engine, torque: &EngineTorque) -> [Picture; 2] {
         }
     }
     [
-        Picture { name: "pressure".to_owned(), caption: text::pressure_over_angle(), figure: over_angle.figure() },
-        Picture { name: "loop".to_owned(), caption: text::pressure_over_volume(), figure: loops.figure() },
+        Picture::new("pressure", text::pressure_over_angle(), over_angle.figure()),
+        Picture::new("loop", text::pressure_over_volume(), loops.figure()),
     ]
 }

@@ -81,8 +81,8 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
         torque.curves.push(Curve::new(number, amounts::shaft_drawn(study, shaft), points(&|at| at.torques[shaft])));
     }
     let mut pictures = vec![
-        Picture { name: "torsion-amplitude".to_owned(), caption: text::amplitude(), figure: amplitude.figure() },
-        Picture { name: "torsion-torque".to_owned(), caption: text::torque(), figure: torque.figure() },
+        Picture::new("torsion-amplitude", text::amplitude(), amplitude.figure()),
+        Picture::new("torsion-torque", text::torque(), torque.figure()),
     ];
     let stressed: Vec<usize> =
         shafts.into_iter().filter(|shaft| study.stress(*shaft, 1.0).is_some()).take(MOST_SHAFTS).collect();
@@ -97,7 +97,7 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
         }
     }
     if !stressed.is_empty() {
-        pictures.push(Picture { name: "torsion-stress".to_owned(), caption: text::stress(), figure: stress.figure() });
+        pictures.push(Picture::new("torsion-stress", text::stress(), stress.figure()));
     }
     pictures
 }

@@ -28,11 +28,8 @@ pub(super) fn lengths(study: &OpenFiringStudy<'_>) -> Option<Picture> {
     let is_drawn = |star: &&OpenStar| !star.always() && star.spans.as_ref().is_ok_and(|spans| !spans.is_empty());
     let drawn: Vec<&OpenStar> = study.orders.iter().filter(is_drawn).take(MOST_ORDERS).collect();
     let plots: Vec<Figure> = drawn.chunks(MOST_CURVES).map(|chunk| plot(study, unknown, chunk)).collect();
-    (!plots.is_empty()).then(|| Picture {
-        name: "firing-lengths".to_owned(),
-        caption: text::lengths(which_angle(study.family, unknown)),
-        figure: stacked(plots),
-    })
+    (!plots.is_empty())
+        .then(|| Picture::new("firing-lengths", text::lengths(which_angle(study.family, unknown)), stacked(plots)))
 }
 
 fn plot(study: &OpenFiringStudy<'_>, unknown: &str, stars: &[&OpenStar]) -> Figure {
