@@ -31,6 +31,20 @@ pub fn bearing(sum: &PhasorSum) -> Bearing {
     Bearing { exact: numbers::direction_of(sum), decimal: numbers::degrees(numbers::evaluate(sum)) }
 }
 
+/// That a sum vanishes, or how long it is and where it points, by its symbol in TeX.
+pub(super) fn value<'a>(symbol: &str, judged: impl Into<JudgedStar<'a>>) -> Text {
+    let judged = judged.into();
+    match judged.vanishes() {
+        true => Text::formula(format!("{symbol} = 0")),
+        false => phrase!(
+            "{}, length {}, angle {}",
+            Text::formula(format!("{symbol} \\ne 0")),
+            modulus(judged),
+            bearing(judged.sum)
+        ),
+    }
+}
+
 /// The largest value through a revolution, `½(|P⁺| + |P⁻|)`.
 pub fn largest(balance: &Balance) -> Amount {
     let [direct, reverse] = balance.verdicts().map(|verdict| &verdict.sum);

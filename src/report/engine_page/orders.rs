@@ -173,16 +173,7 @@ pub(in crate::report) fn symbol(verdict: &Verdict) -> String {
 
 /// That a sum vanishes, or how long it is and where it points.
 pub(super) fn value(verdict: &Verdict) -> Text {
-    let symbol = symbol(verdict);
-    match verdict.vanishes() {
-        true => Text::formula(format!("{symbol} = 0")),
-        false => phrase!(
-            "{}, length {}, angle {}",
-            Text::formula(format!("{symbol} \\ne 0")),
-            residual::modulus(verdict),
-            residual::bearing(&verdict.sum)
-        ),
-    }
+    residual::value(&symbol(verdict), verdict)
 }
 
 /// A verdict with its argument.

@@ -135,15 +135,7 @@ fn each(study: &FiringStudy, line: fn(&FiringStudy, &StarOrder, &FiringStar) -> 
 pub(super) fn argued(study: &FiringStudy, order: &StarOrder, star: &FiringStar) -> Text {
     let argument = argument::argument(&study.engine, star);
     let name = order.order.to_string();
-    let value = match star.vanishes() {
-        true => Text::formula(format!("{} = 0", symbol(order))),
-        false => phrase!(
-            "{}, length {}, angle {}",
-            Text::formula(format!("{} \\ne 0", symbol(order))),
-            residual::modulus(star),
-            residual::bearing(&star.sum)
-        ),
-    };
+    let value = residual::value(&symbol(order), star);
     match order.only() {
         Some(_) => phrase!("**Order {}:** {}. {}", name, value, argument),
         None => phrase!("**Order {} ({}):** {}. {}", name, names_of(&study.engine, star), value, argument),
