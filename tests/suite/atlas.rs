@@ -16,6 +16,7 @@ use crankstar::report;
 use crankstar::search::{self, Best, Options, Problem};
 
 use crate::studies::catalogue;
+use crate::support::figure_texts::FigureTexts;
 use crate::support::german::{has_words, phrases};
 use crate::support::program::{program, scratch};
 use crate::support::{golden, pages};

@@ -12,6 +12,7 @@ use crankstar::torque::{TorqueOrder, torque};
 use crate::angle::steam_engine;
 use crate::languages::assert_known;
 use crate::support::dice::Dice;
+use crate::support::figure_texts::FigureTexts;
 use crate::support::gas_table::{self, pressure};
 use crate::support::pages;
 use crate::support::written::assert_near;

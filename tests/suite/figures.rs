@@ -8,6 +8,7 @@ use crankstar::report::{self, Column};
 use crankstar::verdict::{Judgement, torque};
 
 use crate::support::dice::Dice;
+use crate::support::figure_texts::FigureTexts;
 use crate::support::pages::{self, judgement};
 use crate::support::written::engine;
 use crate::support::{engines, every_form};

@@ -15,6 +15,7 @@ use crankstar::proof::check_certificate;
 use crankstar::report::{self, FiringStudy};
 use num_rational::BigRational;
 
+use crate::support::figure_texts::FigureTexts;
 use crate::support::german::phrases;
 use crate::support::golden;
 use crate::support::pages::text;

@@ -4,6 +4,7 @@ use crankstar::file;
 use crankstar::page::{Document, Language, Picture};
 
 use crate::studies::catalogue;
+use crate::support::figure_texts::FigureTexts;
 use crate::support::german::{pages_of_folders, pages_of_the_catalogue};
 use crate::views::unreadable_texts;
 

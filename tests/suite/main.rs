@@ -185,6 +185,7 @@ mod support {
     pub mod engines;
     pub mod every_form;
     pub mod every_verdict;
+    pub mod figure_texts;
     pub mod fine;
     pub mod gas_table;
     pub mod german;

@@ -13,6 +13,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use crate::support::figure_texts::FigureTexts;
 use crate::support::german::{has_words, phrases};
 use crate::support::written::fraction;
 

@@ -12,6 +12,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 
 use crate::support::dice::Dice;
+use crate::support::figure_texts::FigureTexts;
 use crate::support::german::phrases;
 use crate::support::pages;
 

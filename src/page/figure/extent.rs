@@ -188,20 +188,6 @@ impl Figure {
         self.marks.iter().filter_map(|mark| mark.text_box(self.letters)).collect()
     }
 
-    /// The pairs of texts that lie on each other.
-    pub fn overlaps(&self) -> Vec<(&str, &str)> {
-        let boxes = self.text_boxes();
-        let pairs =
-            boxes.iter().enumerate().flat_map(|(index, one)| boxes[index + 1..].iter().map(move |two| (one, two)));
-        pairs.filter(|(one, two)| one.1.meets(&two.1)).map(|(one, two)| (one.0, two.0)).collect()
-    }
-
-    /// The texts that do not lie on the page.
-    pub fn leaving(&self) -> Vec<&str> {
-        let page = self.page();
-        self.text_boxes().into_iter().filter(|(_, text)| !page.holds(text)).map(|(text, _)| text).collect()
-    }
-
     /// The same marks on a page that holds all their texts, which may have become longer in another language.
     pub fn with_room_for_texts(self) -> Figure {
         let page = self.page();
