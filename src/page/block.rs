@@ -172,6 +172,11 @@ impl<R> Columns<R> {
     pub fn done(self) -> Table {
         self.table
     }
+
+    /// The table; none where it has no rows.
+    pub fn done_if_any(self) -> Option<Table> {
+        (!self.of.is_empty()).then_some(self.table)
+    }
 }
 
 /// A drawing with the words below it.

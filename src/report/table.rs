@@ -41,12 +41,11 @@ pub(super) fn summary(
 /// The exact sums of orders that are made of several: what is multiplied by one number each.
 pub(super) fn sums(orders: &[OrderVerdict]) -> Option<Table> {
     let parts = orders.iter().filter(|order| order.parts.len() > 1).flat_map(|order| &order.parts);
-    let table = Table::of(parts)
+    Table::of(parts)
         .column("Order", |part| residual::order_name(part))
         .column("Force", |part| residual::force(part))
         .column("Moment", |part| residual::moment(part))
-        .done();
-    (!table.rows.is_empty()).then_some(table)
+        .done_if_any()
 }
 
 /// Order, and force and moment: how large, where that is known, and exactly.

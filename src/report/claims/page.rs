@@ -184,11 +184,10 @@ fn certificates<'a>(claims: impl Iterator<Item = &'a Answered<'a>>) -> Option<Bl
 fn tables(claims: &Claims) -> Option<Table> {
     let mut judged: Vec<_> = claims.tables.iter().zip(claims.judged_tables()).collect();
     judged.sort_by_key(|(_, verdict)| verdict.holds());
-    let table = Table::of(judged)
+    Table::of(judged)
         .column("Engine", |(table, _)| &table.engine)
         .column("Vector-star table of order", |(table, _)| table.order)
         .column("Answer", |(_, verdict)| if verdict.holds() { "**true**" } else { "**false**" })
         .column("Finding", |(table, verdict)| student::table_finding(table, verdict))
-        .done();
-    (!table.rows.is_empty()).then_some(table)
+        .done_if_any()
 }

@@ -173,10 +173,9 @@ fn title_block(engine: &Engine) -> Vec<Block> {
     let table = Table::of(&block.rows)
         .column(Text::default(), |(name, _)| *name)
         .column(Text::default(), |(_, written)| written)
-        .done();
-    let table = (!table.rows.is_empty()).then_some(Block::Table(table));
+        .done_if_any();
     let objective = block.objective.as_ref().map(|words| Block::Paragraph(text::objective(words)));
-    table.into_iter().chain(objective).collect()
+    table.map(Block::Table).into_iter().chain(objective).collect()
 }
 
 /// What is left of each order.

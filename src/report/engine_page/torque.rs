@@ -82,10 +82,8 @@ pub(super) fn results(engine: &Engine, judged: &Judgement) -> Vec<Block> {
         .column("Order", |(order, _)| order.order)
         .column("Torque", |(_, torque)| residual::torque(torque))
         .column_if(has_roll, "Roll", |(order, _)| order.roll.as_ref().map(residual::roll).unwrap_or_default())
-        .done();
-    if table.rows.is_empty() {
-        return Vec::new();
-    }
+        .done_if_any();
+    let Some(table) = table else { return Vec::new() };
     let asked = geared::roll_asked_of(engine).map(Block::Paragraph);
     [table.into(), Block::Note(of_residual::torque_and_roll())].into_iter().chain(asked).collect()
 }

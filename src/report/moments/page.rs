@@ -163,8 +163,7 @@ fn with_guides(study: &MomentsStudy) -> impl Iterator<Item = &MomentsRow> {
 /// H at one, two and three times the firing frequency, where it is largest; none where no engine fires evenly.
 fn of_firing(study: &MomentsStudy) -> Option<Table> {
     let unit = Unit::KILONEWTON_METRE;
-    let even: Vec<_> = with_guides(study).filter_map(|row| Some((row, order_of_firing(&row.engine)?))).collect();
-    let is_any = !even.is_empty();
+    let even = with_guides(study).filter_map(|row| Some((row, order_of_firing(&row.engine)?)));
     let mut table = Table::of(even)
         .column(phrase!("H at the firing frequency, {}", unit), |(row, _)| name(row))
         .column("Order", |(_, order)| Text::label(order.to_string()));
@@ -174,7 +173,7 @@ fn of_firing(study: &MomentsStudy) -> Option<Table> {
             moments.map_or_else(|| "–".into(), |moments| amount(moments.rocking, unit))
         });
     }
-    is_any.then(|| table.done())
+    table.done_if_any()
 }
 
 /// A row an engine, a column an order that some engine has, up to the last column and this order.

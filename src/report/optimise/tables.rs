@@ -33,7 +33,7 @@ pub(super) fn compared(layout: &Engine, front: &Front) -> Option<Table> {
             None => load,
         }
     };
-    let table = Table::of(&front.uniform)
+    Table::of(&front.uniform)
         .column("One balance factor", |uniform| given(&uniform.factor))
         .column("Crankshaft mass", |uniform| amounts::kilograms(&uniform.design.mass))
         .column("Largest bearing load", |uniform| amounts::load(&uniform.design, units))
@@ -44,8 +44,7 @@ pub(super) fn compared(layout: &Engine, front: &Front) -> Option<Table> {
             Some(point) => amounts::kilograms(&point.design.mass),
             None => "none".into(),
         })
-        .done();
-    (!table.rows.is_empty()).then_some(table)
+        .done_if_any()
 }
 
 /// The counterweights of each point: their balance factor and skew, by plane.

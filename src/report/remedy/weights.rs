@@ -34,7 +34,6 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
     for (index, shaft) in remedy.shafts_built().enumerate() {
         shaft.weights.iter().for_each(|weight| add(phrase!("shaft {}", index + 1), weight));
     }
-    let is_any = !rows.is_empty();
     let mut table = Table::of(rows)
         .column("Weight", |(name, _)| name.clone())
         .column("Turns", |(_, weight)| turns(weight))
@@ -46,7 +45,7 @@ pub(super) fn table(remedy: &Remedy) -> Option<Table> {
         let mass = |weight: &Weight| Some(Piece::Quantity(remedy.mass(weight)?, Unit::KILOGRAM).into());
         table = table.column(phrase!("Mass at {}", radius), |(_, weight)| -> Text { mass(weight).unwrap_or_default() });
     }
-    is_any.then(|| table.column("Angle at θ = 0", |(_, weight)| direction(remedy, weight)).done())
+    table.column("Angle at θ = 0", |(_, weight)| direction(remedy, weight)).done_if_any()
 }
 
 fn turns(weight: &Weight) -> Text {
