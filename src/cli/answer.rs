@@ -1,19 +1,16 @@
 //! What is an answer written in: a page in one of its formats, or data?
 
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
-
-use clap::ValueEnum;
-use clap::builder::PossibleValue;
 
 use crankstar::page::{self, Document, File};
 use crankstar::report::Question;
 use crankstar::table;
 
+use super::choice::Choices;
 use super::failure::Failure;
 use super::layouts::shown;
 use super::measures::Measures;
-use super::pages::PageArgs;
+use super::pages::{PageArgs, formats};
 use super::tables::{Tables, Wanted};
 use super::{tables, verify, write};
 
@@ -22,7 +19,7 @@ use super::{tables, verify, write};
 #[command(mut_arg("output", |output| output.help("Folder for the page and its pictures; for data a file, or a folder for all tables")))]
 pub struct Answer {
     /// What is printed, or written into the folder [default: a short answer; into the folder markdown]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = data_formats().each(Format::Data).and(formats().each(Format::Page)))]
     format: Option<Format>,
     #[command(flatten)]
     tables: Tables,
@@ -50,49 +47,18 @@ impl DataFormat {
     /// What a file of this name holds, by its ending.
     fn of_file(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_str()?;
-        let is_called = |format: &&Self| format.to_possible_value().is_some_and(|name| name.matches(ending, true));
-        Self::value_variants().iter().find(is_called).copied()
+        data_formats().named(ending, true).copied()
     }
 }
 
-impl ValueEnum for DataFormat {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            DataFormat::Table(table::Format::Csv),
-            DataFormat::Table(table::Format::Xlsx),
-            DataFormat::Table(table::Format::Parquet),
-            DataFormat::Json,
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let (name, help) = match self {
-            DataFormat::Table(table::Format::Csv) => ("csv", "Tables of comma-separated values"),
-            DataFormat::Table(table::Format::Xlsx) => ("xlsx", "A workbook for spreadsheets, a sheet a table"),
-            DataFormat::Table(table::Format::Parquet) => ("parquet", "Tables for notebooks and databases"),
-            DataFormat::Table(table::Format::Json) | DataFormat::Json => {
-                ("json", "The output of --json, or for a sweep the points and the exact zeros")
-            }
-        };
-        Some(PossibleValue::new(name).help(help))
-    }
-}
-
-impl ValueEnum for Format {
-    fn value_variants<'a>() -> &'a [Self] {
-        static ALL: LazyLock<Vec<Format>> = LazyLock::new(|| {
-            let data = DataFormat::value_variants().iter().copied().map(Format::Data);
-            data.chain(page::Format::value_variants().iter().copied().map(Format::Page)).collect()
-        });
-        &ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        match self {
-            Format::Data(format) => format.to_possible_value(),
-            Format::Page(format) => format.to_possible_value(),
-        }
-    }
+/// The formats of data.
+fn data_formats() -> Choices<DataFormat> {
+    Choices::new([
+        ("csv", "Tables of comma-separated values", DataFormat::Table(table::Format::Csv)),
+        ("xlsx", "A workbook for spreadsheets, a sheet a table", DataFormat::Table(table::Format::Xlsx)),
+        ("parquet", "Tables for notebooks and databases", DataFormat::Table(table::Format::Parquet)),
+        ("json", "The output of --json, or for a sweep the points and the exact zeros", DataFormat::Json),
+    ])
 }
 
 impl Answer {
@@ -237,28 +203,16 @@ enum VerdictFormat {
     Coq,
 }
 
-impl ValueEnum for VerdictFormat {
-    fn value_variants<'a>() -> &'a [Self] {
-        static ALL: LazyLock<Vec<VerdictFormat>> = LazyLock::new(|| {
-            let data = DataFormat::value_variants().iter().copied().map(VerdictFormat::Data);
-            data.chain(std::iter::once(VerdictFormat::Coq)).collect()
-        });
-        &ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        match self {
-            VerdictFormat::Data(format) => format.to_possible_value(),
-            VerdictFormat::Coq => Some(PossibleValue::new("coq").help("Theorems for the proof assistant Coq")),
-        }
-    }
+fn verdict_formats() -> Choices<VerdictFormat> {
+    let coq = Choices::new([("coq", "Theorems for the proof assistant Coq", VerdictFormat::Coq)]);
+    data_formats().each(VerdictFormat::Data).and(coq)
 }
 
 /// What a person may say of an answer that is data or a few lines.
 #[derive(clap::Args)]
 pub struct DataAnswer {
     /// Write data in place of the answer
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = verdict_formats())]
     format: Option<VerdictFormat>,
     #[command(flatten)]
     tables: Tables,

@@ -7,7 +7,7 @@ use crankstar::report;
 use crankstar::search::{self, Best, Options};
 
 use super::failure::Failure;
-use super::pages::PageArgs;
+use super::pages::{PageArgs, formats};
 use super::{folder, layouts, progress, write};
 
 /// Arguments of `atlas`.
@@ -18,7 +18,7 @@ pub struct Atlas {
     #[arg(long, conflicts_with_all = ["format", "math", "fragment", "siunitx", "stamp", "symbols"])]
     poster: bool,
     /// What the page is written in [default: README.md, atlas.tex and atlas.html]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = formats())]
     format: Option<Format>,
     /// The folder with a report of each engine, NAME/report.md, to which their names lead
     #[arg(long, value_name = "FOLDER", conflicts_with = "poster")]

@@ -1,21 +1,13 @@
 //! `--cycle`: how often does each cylinder fire?
 
-use clap::ValueEnum;
-use crankstar::engine;
+use crankstar::engine::Cycle;
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Cycle {
-    /// Every cylinder fires once a revolution
-    TwoStroke,
-    /// Every cylinder fires once in two revolutions
-    FourStroke,
-}
+use super::choice::Choices;
 
-impl From<Cycle> for engine::Cycle {
-    fn from(cycle: Cycle) -> Self {
-        match cycle {
-            Cycle::TwoStroke => engine::Cycle::TwoStroke,
-            Cycle::FourStroke => engine::Cycle::FourStroke,
-        }
-    }
+/// The working cycles.
+pub fn cycles() -> Choices<Cycle> {
+    Choices::new([
+        ("two-stroke", "Every cylinder fires once a revolution", Cycle::TwoStroke),
+        ("four-stroke", "Every cylinder fires once in two revolutions", Cycle::FourStroke),
+    ])
 }

@@ -2,13 +2,14 @@
 
 use std::path::PathBuf;
 
-use crankstar::engine::{CycleOrder, Engine, Family};
+use crankstar::engine::{Cycle, CycleOrder, Engine, Family};
 use crankstar::file::{self, Layout, parse_number};
 use crankstar::firing::Weights;
 use crankstar::report::{self, FiringStudy, OpenFiringStudy};
 use num_rational::BigRational;
 
 use super::answer::Answer;
+use super::cycle::cycles;
 use super::failure::Failure;
 use super::layouts;
 
@@ -18,8 +19,8 @@ pub struct Firing {
     /// A name of the catalogue, or the path of a layout file; all of the catalogue where none is named
     layout: Option<PathBuf>,
     /// The cycle that the catalogue is run in
-    #[arg(long, value_enum, default_value = "four-stroke", conflicts_with = "layout")]
-    cycle: super::cycle::Cycle,
+    #[arg(long, value_parser = cycles(), default_value = "four-stroke", conflicts_with = "layout")]
+    cycle: Cycle,
     /// The orders to decide, such as 1/2,1,3/2 [default: up to the first that is major in even firing, at least 4]
     #[arg(long, value_delimiter = ',', requires = "layout")]
     orders: Vec<CycleOrder>,
@@ -48,8 +49,8 @@ impl Firing {
                 ));
             }
             let engines = file::catalogue()?;
-            let answer = report::firing_catalogue_answer(&engines, self.cycle.into());
-            return self.answer.show(&answer, || report::firing_catalogue_page(&engines, self.cycle.into()));
+            let answer = report::firing_catalogue_answer(&engines, self.cycle);
+            return self.answer.show(&answer, || report::firing_catalogue_page(&engines, self.cycle));
         };
         match layouts::read(layout)? {
             Layout::Known(engine, _) => self.answer.give("firing", false, || study(&engine, &self.orders, &self.mode)),

@@ -2,18 +2,15 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
-
-use clap::ValueEnum;
-use clap::builder::PossibleValue;
 
 use crankstar::classroom::{self, Content, HandedIn, Outcome, Scheme, StudentResult};
 use crankstar::page::{self, File};
 use crankstar::{report, table};
 
+use super::choice::Choices;
 use super::exercise::KEY;
 use super::failure::Failure;
-use super::pages::PageArgs;
+use super::pages::{PageArgs, formats};
 use super::{layouts, write};
 
 /// Arguments of `mark`.
@@ -29,7 +26,7 @@ pub struct Mark {
     #[arg(long, value_name = "FILE")]
     scheme: Option<PathBuf>,
     /// What is printed, or written into the folder [default: the table of marks; into the folder markdown]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = every_format())]
     format: Option<Format>,
     #[command(flatten)]
     page: PageArgs,
@@ -42,21 +39,8 @@ enum Format {
     Page(page::Format),
 }
 
-impl ValueEnum for Format {
-    fn value_variants<'a>() -> &'a [Self] {
-        static ALL: LazyLock<Vec<Format>> = LazyLock::new(|| {
-            let pages = page::Format::value_variants().iter().copied().map(Format::Page);
-            [Format::Csv].into_iter().chain(pages).collect()
-        });
-        &ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        match self {
-            Format::Csv => Some(PossibleValue::new("csv").help("One line a student")),
-            Format::Page(format) => format.to_possible_value(),
-        }
-    }
+fn every_format() -> Choices<Format> {
+    Choices::new([("csv", "One line a student", Format::Csv)]).and(formats().each(Format::Page))
 }
 
 /// The table of marks for a spreadsheet, beside the page.

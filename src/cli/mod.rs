@@ -6,6 +6,7 @@ mod answer;
 mod atlas;
 mod bearings;
 mod check;
+mod choice;
 mod classify;
 mod closed;
 mod compare;

@@ -1,13 +1,10 @@
 //! How is a page written: in which format, into which folder, with what at its foot?
 
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
-
-use clap::ValueEnum;
-use clap::builder::PossibleValue;
 
 use crankstar::page::{self, Document, File, Format, Language, Math, Options};
 
+use super::choice::Choices;
 use super::failure::Failure;
 use super::language::LanguageArgs;
 use super::measures::Measures;
@@ -18,7 +15,7 @@ use super::{folder, layouts, tables, write};
 #[derive(clap::Args)]
 pub struct Pages {
     /// What the page is written in [default: markdown]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = formats())]
     format: Option<Format>,
     #[command(flatten)]
     page: PageArgs,
@@ -74,16 +71,9 @@ impl Reader {
     }
 }
 
-impl ValueEnum for Format {
-    fn value_variants<'a>() -> &'a [Self] {
-        static NAMED: LazyLock<Vec<Format>> = LazyLock::new(|| Format::NAMED.map(|(_, format, _)| format).into());
-        &NAMED
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let (name, _, about) = Format::NAMED.into_iter().find(|(_, format, _)| format == self)?;
-        Some(PossibleValue::new(name).help(about))
-    }
+/// The formats of pages.
+pub fn formats() -> Choices<Format> {
+    Choices::new(Format::NAMED.map(|(name, format, about)| (name, about, format)))
 }
 
 /// Whether a path has the ending of a page.

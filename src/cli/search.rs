@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
-use crankstar::engine::CycleOrder;
+use crankstar::engine::{Cycle, CycleOrder};
 use crankstar::exact::Turn;
 use crankstar::file::{parse_angle, parse_number};
 use crankstar::report::{SearchStudy, rising, search_theorems};
@@ -11,7 +11,7 @@ use crankstar::search::{self, Front, Limit, Options, Pieces, Problem, Progress, 
 use crankstar::shard::Shard;
 
 use super::answer::Answer;
-use super::cycle::Cycle;
+use super::cycle::cycles;
 use super::failure::Failure;
 use super::firing::ModeShape;
 use super::layouts::{self, shown};
@@ -24,7 +24,7 @@ pub struct Search {
     #[arg(long)]
     cylinders: u32,
     /// The working cycle
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = cycles())]
     cycle: Cycle,
     /// The orders whose moments are compared
     #[arg(long, value_delimiter = ',', default_value = "1,2")]
@@ -164,7 +164,6 @@ impl Search {
     }
 
     fn problem(&self) -> Result<Problem, Failure> {
-        let cycle = self.cycle.into();
         let orders = rising(self.orders.clone());
         let degrees = |option: &str, text: &String| {
             parse_angle(text).map_err(|right| Failure::new(format!("{option} `{text}`: {right}")))
@@ -182,7 +181,7 @@ impl Search {
         let bank_offset = self.bank_offset.as_ref().map(spacings).transpose()?;
         let minor_orders = rising(self.minor_orders.clone());
         let mode_shape = self.mode.deflections()?;
-        let asked = Problem::inline(self.cylinders, cycle, &orders);
+        let asked = Problem::inline(self.cylinders, self.cycle, &orders);
         let asked = Problem { bank_angle, pin_split, bank_offset, directions: self.directions, ..asked };
         Ok(Problem { grid: self.grid, neighbours: self.neighbours, minor_orders, mode_shape, ..asked })
     }
