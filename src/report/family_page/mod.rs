@@ -30,7 +30,7 @@ use crate::page::{Block, Choice, Document, Fold, Picture, Text, number, phrase};
 use crate::proof::Planar;
 use crate::report::texts::family as text;
 
-pub(super) use unknowns::{unknowns, written};
+pub(super) use unknowns::{only_open_angle, unknowns, written};
 
 /// The report of a family.
 ///

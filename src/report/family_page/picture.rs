@@ -8,7 +8,8 @@ use num_traits::{One, Zero};
 
 use super::super::typeset;
 use super::sizes::Sizes;
-use crate::engine::{DELTA, Family, Linear, PHI};
+use super::unknowns::only_open_angle;
+use crate::engine::{Family, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{OpenOrder, OpenVerdict, Solutions, Zeros, phase};
 use crate::numbers::float;
@@ -32,7 +33,7 @@ const MOST_DOTS: usize = 24;
 /// that vanish for all angles are not drawn. `None` where no angle or two are open, or nothing is left to draw. The moment is
 /// drawn where its arms are known, or multiples of one open length, which is the unit then.
 pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
-    let unknown = open_angle(family)?;
+    let unknown = only_open_angle(family)?;
     let axis_name = axis_name(family, unknown);
     let mut plots = Vec::new();
     let sizes = sizes(family, orders);
@@ -81,7 +82,7 @@ pub(in crate::report) fn axis_name(family: &Family, unknown: &str) -> &'static s
 
 /// What the drawing of [`amplitudes`] shows.
 pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text> {
-    let unknown = open_angle(family)?;
+    let unknown = only_open_angle(family)?;
     let drawn = shown(family, orders);
     let mut words = vec![text::largest_over_angle(which_angle(family, unknown))];
     let sizes = sizes(family, orders);
@@ -119,16 +120,6 @@ pub fn amplitudes_caption(family: &Family, orders: &[OpenOrder]) -> Option<Text>
 
 fn numbers(orders: &[&OfOrder]) -> String {
     typeset::listed(orders.iter().map(|(order, _)| order))
-}
-
-/// The one open angle; none where two are open.
-fn open_angle(family: &Family) -> Option<&'static str> {
-    let unknowns = family.unknowns();
-    match (unknowns.contains(PHI), unknowns.contains(DELTA)) {
-        (true, false) => Some(PHI),
-        (false, true) => Some(DELTA),
-        (true, true) | (false, false) => None,
-    }
 }
 
 type OfOrder<'a> = (u32, &'a [OpenVerdict; 2]);

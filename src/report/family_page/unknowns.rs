@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::super::typeset;
-use crate::engine::{DELTA, Linear, PHI};
+use crate::engine::{DELTA, Family, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::in_range;
 use crate::page::{Text, phrase};
@@ -38,6 +38,16 @@ pub(in crate::report) fn unknowns(phi: &BigRational, delta: &BigRational) -> Str
         [None, None] => "0".to_owned(),
         [Some(only), None] | [None, Some(only)] => only,
         [Some(phi), Some(delta)] => format!("{phi} + {delta}").replace("+ −", "− "),
+    }
+}
+
+/// The one open angle of a family, φ or δ; none where two are open, or lengths alone.
+pub(in crate::report) fn only_open_angle(family: &Family) -> Option<&'static str> {
+    let open = family.open_angles();
+    match [PHI, DELTA].map(|angle| open.contains(angle)) {
+        [true, false] => Some(PHI),
+        [false, true] => Some(DELTA),
+        [true, true] | [false, false] => None,
     }
 }
 

@@ -7,10 +7,10 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-use super::super::family_page::summary;
+use super::super::family_page::{only_open_angle, summary};
 use super::super::typeset;
 use super::scene::{Mark, MovingAngle, Zeros};
-use crate::engine::{DELTA, Engine, Family, Linear, PHI};
+use crate::engine::{Engine, Family, Linear, PHI};
 use crate::exact::Turn;
 use crate::family::{self, OpenOrder, OpenVerdict, Solutions};
 use crate::order::{Masses, Source};
@@ -55,15 +55,10 @@ impl<'a> OpenAngle<'a> {
         if judged.masses != Masses::Reciprocating || family::comparable(family).is_err() {
             return None;
         }
-        let unknowns = family.unknowns();
-        let unknown = match [PHI, DELTA].map(|angle| unknowns.contains(angle)) {
-            [true, false] => PHI,
-            [false, true] => DELTA,
-            [true, true] | [false, false] => return None,
-        };
+        let unknown = only_open_angle(family)?;
         let start = value_in(family, engine, unknown)?;
-        let mut open =
-            OpenAngle { family, orders, unknown, start, lengths_open: unknowns.len() > 1, per_turn: 360 * STEPS };
+        let lengths_open = family.unknowns().len() > 1;
+        let mut open = OpenAngle { family, orders, unknown, start, lengths_open, per_turn: 360 * STEPS };
         open.per_turn = open.finest()?;
         Some(open)
     }

@@ -39,13 +39,6 @@ impl<'a> OpenFiringStudy<'a> {
         Ok(OpenFiringStudy { family, weights, orders })
     }
 
-    /// The one open angle; none where two are open, or lengths alone.
-    fn unknown(&self) -> Option<&'a str> {
-        let unknowns = self.family.open_angles();
-        let mut unknowns = unknowns.into_iter();
-        unknowns.next().filter(|_| unknowns.next().is_none())
-    }
-
     /// The cylinders in the order of their firing, where the layout gives one.
     fn order(&self) -> Option<String> {
         let OpenFiring::Order(order) = self.family.open_firing()? else { return None };

@@ -1,6 +1,6 @@
 //! What is on the page of firing stars with open angles, and on the terminal?
 
-use super::super::super::family_page::{argument, left_open};
+use super::super::super::family_page::{argument, left_open, only_open_angle};
 use super::super::super::residual;
 use super::super::page::{assumed, meaning};
 use super::{OpenFiringStudy, picture, words};
@@ -53,7 +53,7 @@ fn answer(study: &OpenFiringStudy<'_>) -> Vec<Text> {
     }
     for star in study.orders.iter().filter(|star| !star.always() && !star.never()) {
         let values = words::values(study, star).filter(|values| !values.is_empty());
-        if let Some((values, unknown)) = values.zip(study.unknown()) {
+        if let Some((values, unknown)) = values.zip(only_open_angle(study.family)) {
             let values = format!("{} = {}", words::symbol(unknown), words::list(&values));
             lines.push(text::vanish_at(star.order.to_string(), values));
         }

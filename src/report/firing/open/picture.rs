@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex;
 use num_rational::BigRational;
 
-use super::super::super::family_page::{axis_name, which_angle};
+use super::super::super::family_page::{axis_name, only_open_angle, which_angle};
 use super::super::super::typeset;
 use super::{OpenFiringStudy, words};
 use crate::engine::{FiringSpan, PHI};
@@ -24,7 +24,7 @@ const MOST_CURVES: usize = 3;
 
 /// Curves of the orders that do not always vanish, in 0° to 360°; none where no angle or two are open.
 pub(super) fn lengths(study: &OpenFiringStudy<'_>) -> Option<Picture> {
-    let unknown = study.unknown()?;
+    let unknown = only_open_angle(study.family)?;
     let is_drawn = |star: &&OpenStar| !star.always() && star.spans.as_ref().is_ok_and(|spans| !spans.is_empty());
     let drawn: Vec<&OpenStar> = study.orders.iter().filter(is_drawn).take(MOST_ORDERS).collect();
     let plots: Vec<Figure> = drawn.chunks(MOST_CURVES).map(|chunk| plot(study, unknown, chunk)).collect();

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::super::super::family_page::{condition_of, unknowns, written};
+use super::super::super::family_page::{condition_of, only_open_angle, unknowns, written};
 use super::super::super::residual;
 use super::super::super::typeset::{self, Amount};
 use super::OpenFiringStudy;
@@ -36,7 +36,7 @@ pub(super) fn summary(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Text {
 /// The values in (0°, 360°) of the one open angle at which a star vanishes; none where it does for a whole range, or is not solved.
 pub(super) fn values(study: &OpenFiringStudy<'_>, star: &OpenStar) -> Option<BTreeSet<BigRational>> {
     let [none, turn] = ends();
-    star.values(study.unknown()?, [&none, &turn]).map(inside)
+    star.values(only_open_angle(study.family)?, [&none, &turn]).map(inside)
 }
 
 /// From where to where the open angle runs.
@@ -53,7 +53,7 @@ fn inside(mut values: BTreeSet<BigRational>) -> BTreeSet<BigRational> {
 /// When a star vanishes in one span.
 pub(super) fn of_span(study: &OpenFiringStudy<'_>, star: &SpanStar) -> Text {
     let [none, turn] = ends();
-    let values = study.unknown().and_then(|unknown| star.values(unknown, [&none, &turn]));
+    let values = only_open_angle(study.family).and_then(|unknown| star.values(unknown, [&none, &turn]));
     match (&star.sum.when, values) {
         (When::Always, _) => Text::zero(),
         (When::Never(_), _) => "never 0".into(),
@@ -63,7 +63,7 @@ pub(super) fn of_span(study: &OpenFiringStudy<'_>, star: &SpanStar) -> Text {
 }
 
 fn at(study: &OpenFiringStudy<'_>, values: &BTreeSet<BigRational>) -> Text {
-    let symbol = symbol(study.unknown().unwrap_or(PHI));
+    let symbol = symbol(only_open_angle(study.family).unwrap_or(PHI));
     match values.is_empty() {
         true => "never 0 in (0°, 360°)".into(),
         false if symbol == "φ" => phrase!("0 at φ = {}", list(values)),
@@ -137,7 +137,7 @@ pub(super) fn symbol(unknown: &str) -> &'static str {
 
 /// `0° < φ ≤ 120°`; none where a span holds all values.
 pub(super) fn label(study: &OpenFiringStudy<'_>, span: &FiringSpan) -> Option<String> {
-    let ([low, high], symbol) = (span.within.as_ref()?, symbol(study.unknown()?));
+    let ([low, high], symbol) = (span.within.as_ref()?, symbol(only_open_angle(study.family)?));
     if low.at == high.at {
         return Some(format!("{symbol} = {}", typeset::turns(&low.at)));
     }
@@ -166,7 +166,7 @@ pub(super) fn can_fire(study: &OpenFiringStudy<'_>) -> Option<Text> {
         |span: &FiringSpan| span.within.as_ref().is_none_or(|[low, high]| low.at == none && high.at == turn);
     Some(match spans.as_slice() {
         [] => text::cannot_fire(order),
-        [_] if study.unknown().is_none() => text::fires(order),
+        [_] if only_open_angle(study.family).is_none() => text::fires(order),
         [only] if is_everywhere(only) => text::fires_everywhere(order),
         _ => text::fires_where(order, Text::joined(labels.into_iter().map(Text::label), " or ")),
     })
