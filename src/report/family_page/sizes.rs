@@ -6,6 +6,7 @@ use num_complex::Complex;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive};
 
+use super::super::engine_page::assumed_ratio;
 use crate::engine::{DELTA, Family, PHI, Rods};
 use crate::family::{OpenOrder, OpenVerdict, phase};
 use crate::motion::coefficients_fast;
@@ -13,8 +14,6 @@ use crate::numbers::float;
 use crate::page::{Text, phrase};
 use crate::proof::{Planar, Sense};
 
-/// λ of rods that are not given, as the drawings have it.
-const USUAL: (i64, i64) = (2, 7);
 /// The fewest steps of the grid on which a largest value is looked for, in a turn of an unknown, and the most of one and of two unknowns, which are
 /// quickly summed; how many steps there are while two vectors turn once against each other, and how finely it is looked for from the best ones.
 const STEPS: i32 = 72;
@@ -46,7 +45,7 @@ impl<'a> Sizes<'a> {
             Rods::Alike(rod) if rod.is_centric() => Some(&rod.ratio),
             Rods::Alike(_) | Rods::Differ | Rods::Without(_) => return None,
         };
-        let ratio = known.cloned().unwrap_or_else(|| BigRational::new(USUAL.0.into(), USUAL.1.into()));
+        let ratio = known.cloned().unwrap_or_else(assumed_ratio);
         let coefficients = coefficients_fast(ratio.to_f64()?, highest);
         coefficients.iter().all(|number| number.is_finite()).then_some(())?;
         Some(Sizes { family, ratio, is_assumed: known.is_none(), coefficients })

@@ -2,6 +2,7 @@
 
 use num_rational::BigRational;
 
+use super::super::engine_page::assumed_ratio;
 use super::super::typeset;
 use super::super::views::axes;
 use super::open_angle::{OpenAngle, decimal};
@@ -10,13 +11,9 @@ use crate::engine::{Cylinder, Engine, Link};
 use crate::proof::Sense;
 use crate::report::texts::moving as text;
 
-/// Rod ratio that rods are drawn with where none is given: 2/7.
-const USUAL_RATIO: (i64, i64) = (2, 7);
 /// Rods of a smaller ratio would not fit on the page.
-const LEAST_RATIO: (i64, i64) = (1, 8);
-
-fn ratio((numerator, denominator): (i64, i64)) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
+fn least_ratio() -> BigRational {
+    BigRational::new(1.into(), 8.into())
 }
 
 /// The cylinders from the free end on.
@@ -79,7 +76,7 @@ fn body(engine: &Engine, index: usize, open: Option<&OpenAngle>) -> Body {
             let (length, knuckle) = link_on_its_knuckle(link, radius);
             (length, BigRational::default(), Some(knuckle))
         }
-        (None, None) => (radius / ratio(USUAL_RATIO), BigRational::default(), None),
+        (None, None) => (radius / assumed_ratio(), BigRational::default(), None),
     };
     Body {
         name: cylinder.name.clone(),
@@ -102,7 +99,7 @@ fn body(engine: &Engine, index: usize, open: Option<&OpenAngle>) -> Body {
 
 /// The ratio that a rod is drawn with.
 fn drawn(given: &BigRational) -> BigRational {
-    given.clone().max(ratio(LEAST_RATIO))
+    given.clone().max(least_ratio())
 }
 
 /// Length of a link, and the pin that it is on.
@@ -121,9 +118,8 @@ fn link_on_its_knuckle(link: &Link, radius: &BigRational) -> (BigRational, Knuck
 pub(super) fn notes(engine: &Engine) -> Vec<String> {
     let unknown = engine.cylinders().iter().any(|cylinder| cylinder.rod().is_none() && cylinder.link().is_none());
     let links = engine.cylinders().iter().filter_map(Cylinder::link).map(|link| &link.ratio);
-    let short = engine.rods().map(|rod| &rod.ratio).chain(links).any(|given| *given < ratio(LEAST_RATIO));
-    let named = |of: (i64, i64)| typeset::number(&ratio(of));
-    let (usual, least) = (named(USUAL_RATIO), named(LEAST_RATIO));
+    let short = engine.rods().map(|rod| &rod.ratio).chain(links).any(|given| *given < least_ratio());
+    let [usual, least] = [assumed_ratio(), least_ratio()].map(|ratio| typeset::number(&ratio));
     let notes = [
         (unknown, text::rods_not_given(usual)),
         (short, text::long_rods(least)),
