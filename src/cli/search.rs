@@ -87,9 +87,9 @@ const NO_SIZES: &str = "the document has moments in m r ω² c a alone; --format
 impl Search {
     /// Searches, prints the front, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        match self.torsion {
-            true => self.answer.tells_in_table("search", "--torsion", "firing_orders")?,
-            false => drop(self.answer.wanted("search")?),
+        self.answer.wanted("search")?;
+        if self.torsion {
+            self.answer.tells_in_table("search", "--torsion", "firing_orders")?;
         }
         let problem = self.problem()?;
         if self.mode.is_given() && !self.torsion && self.minor_orders.is_empty() {
