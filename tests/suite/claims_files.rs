@@ -315,3 +315,24 @@ fn moments_of_a_layout_in_metres_are_told_to_be_in_metres() {
     let (status, spacings) = told("1");
     assert!(status == Some(0) && !spacings.contains("are in metres"), "{spacings}");
 }
+
+/// An order of unlike rods is several sums, one of offset axes is turned: no star of one vector for each cylinder.
+#[test]
+fn a_vector_star_table_is_of_an_engine_whose_orders_are_one_star_each() {
+    let folder = scratch("table-of-several-sums");
+    for (layout, why) in [
+        ("rod_length = ['120 mm', '200 mm']", "rods or their offsets differ"),
+        ("rod_length = '140 mm', pin_offset = ['10 mm', '-10 mm']", "rods or their offsets differ"),
+        ("rod_length = '140 mm', pin_offset = '10 mm'", "axes miss the crankshaft"),
+    ] {
+        let layout = format!("inline = {{ throws = [0, 90] }}\nmechanism = {{ stroke = '80 mm', {layout} }}\n");
+        fs::write(folder.join("engine.toml"), layout).expect("a layout");
+        let table = "[[table]]\nlayout = 'engine.toml'\norder = 1\nrows = [{ cylinder = 1, direct = 0 }]\n";
+        let file = folder.join("table.toml");
+        fs::write(&file, table).expect("a table");
+        let output = program::call(&["check", &file.display().to_string()]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{told}");
+        assert!(told.contains("no vector-star table") && told.contains(why), "{told}");
+    }
+}

@@ -6,7 +6,7 @@ use serde_spanned::Spanned;
 use super::find::{Find, engine};
 use super::handwritten::{WrittenAngle, WrittenLength};
 use super::star_marks::{self, Filled, Judged, Marked, Place, RightEntry, Star};
-use crate::engine::Engine;
+use crate::engine::{Engine, Rods};
 use crate::exact::Turn;
 use crate::file::LayoutError;
 use crate::file::quantities::misread;
@@ -93,17 +93,10 @@ pub(crate) struct Sums {
 
 pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError> {
     let layout = engine(&table.layout, find)?;
-    if layout.faster_crank().is_some() {
-        return Err(misread(
-            &table.layout,
-            "layout",
-            "an engine whose crankshafts turn equally fast: the others have a star for each speed",
-        ));
-    }
-    if !layout.has_one_vector_per_order() {
-        let right = "an engine whose rods all are on the crankpin: a link has several vectors";
-        return Err(LayoutError::new("a vector-star table has a row per cylinder", right, place(&table.layout)));
-    }
+    one_star(&layout).map_err(|why| {
+        let right = "an engine whose rods are alike, on the crankpins and without offsets, and whose crankshafts turn equally fast";
+        LayoutError::new(format!("no vector-star table: {why}"), right, place(&table.layout))
+    })?;
     let order = order(&table.order)?;
     let filled = filled(&layout, table.rows.iter().flatten(), table.sums.as_ref())?;
     if filled.phases.is_empty() && filled.sums.is_empty() {
@@ -120,6 +113,24 @@ pub(super) fn read(table: &Written, find: Find) -> Result<StarTable, LayoutError
             let (what, text) = wrong.unwrap_or(("order", &table.order));
             Err(misread(text, what, right))
         }
+    }
+}
+
+/// Whether each order of the pistons is one star, in which each cylinder has a direct and a reverse vector.
+///
+/// # Errors
+/// Why it is not.
+pub(crate) fn one_star(engine: &Engine) -> Result<(), &'static str> {
+    match engine.all_rods() {
+        _ if engine.faster_crank().is_some() => {
+            Err("its crankshafts turn at different speeds, each with orders of its own")
+        }
+        Rods::Without(_) => Err("its rods are articulated, or not on the crankpins: a piston has several vectors"),
+        Rods::Differ => Err("its rods or their offsets differ, so that an order is several sums"),
+        Rods::Alike(rod) if !rod.is_centric() => {
+            Err("its cylinder axes miss the crankshaft, which turns the vectors of order 1")
+        }
+        Rods::Alike(_) | Rods::Unknown => Ok(()),
     }
 }
 
