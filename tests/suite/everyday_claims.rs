@@ -466,3 +466,14 @@ fn a_value_may_name_the_multiples_that_the_program_prints() {
     assert!(refused.right.contains("c_2"), "{refused:?}");
     assert!(parse_statement("second-order force = 4 a").is_err());
 }
+
+/// The pistons of a crank of twice the speed have order 1 where the others have order 2.
+#[test]
+fn a_series_of_crankshafts_of_different_speeds_is_not_decided() {
+    let geared = "crankshaft = [{ name = 'a', sense = 'with' }, { name = 'b', sense = 'with', speed = 2, offset = '-100 mm' }]\n\
+        mechanism = { stroke = '80 mm', rod_ratio = 0.25 }\n\
+        [[cylinder]]\ncrankshaft = 'a'\nthrow = 0\nbank = 0\nposition = 0\n\
+        [[cylinder]]\ncrankshaft = 'b'\nthrow = 0\nbank = 0\nposition = 0\nreciprocating_mass = '1/4'\n";
+    let found = answer(geared, "F = m r ω² (cos θ + 2 λ cos 2θ)");
+    assert_eq!(found.status, Status::NotDecided, "{found:?}");
+}

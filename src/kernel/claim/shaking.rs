@@ -51,6 +51,9 @@ pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
 
 /// Answers a claim that a series is the shaking force of the pistons.
 pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
+    if engine.faster_crank().is_some() {
+        return Answer::nothing("a series is compared where all crankshafts turn equally fast");
+    }
     let ratio = match engine.all_rods() {
         Rods::Unknown => None,
         Rods::Alike(rod) if rod.is_centric() => Some(rod.ratio.clone()),
