@@ -336,3 +336,13 @@ fn a_vector_star_table_is_of_an_engine_whose_orders_are_one_star_each() {
         assert!(told.contains("no vector-star table") && told.contains(why), "{told}");
     }
 }
+
+#[test]
+fn a_series_takes_the_rod_ratio_of_the_numbers_of_its_claim() {
+    let numbers = "numbers = { reciprocating_mass = \"0.5 kg\", crank_radius = \"43 mm\", rod_length = \"143 mm\", speed = \"6000 rpm\" }\n";
+    for (factor, expected) in [("0.3007", Status::False), ("0.3078", Status::TrueAsRounded), ("43/143", Status::True)] {
+        let text = claim("I4", &format!("F = 4 m r ω² ({factor} cos 2θ)")) + numbers;
+        let claims = claims(&text).expect("it reads");
+        assert_eq!(claims.statements[0].claims[0].answer().status, expected, "{factor}");
+    }
+}

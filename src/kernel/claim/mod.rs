@@ -88,7 +88,7 @@ pub fn answer(engine: &Engine, statement: &Statement, numbers: Option<&Numbers>)
         Statement::BearingLoad(value) => masses::bearing_load(engine, value),
         Statement::WorstBearings(numbers) => masses::worst_bearings(engine, numbers),
         Statement::LargestLoad(of, value) => forces::largest(engine, *of, value),
-        Statement::ShakingForce(says) => shaking::answer(engine, says),
+        Statement::ShakingForce(says) => shaking::answer(engine, says, numbers),
         Statement::Formula(says) => forces::formula(engine, says),
         Statement::GasTorque { orders, says, weights } => gas_torque::answer(engine, orders, *says, weights),
         Statement::FiresEvenly { evenly } => firing::answer(engine, *evenly),

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 use num_traits::{Pow, Zero};
 
+use super::absolute::Numbers;
 use super::answer::{Answer, Status};
 use super::error::ClaimError;
 use super::every;
@@ -49,20 +50,21 @@ pub(super) fn parse(words: &str) -> Option<Result<Statement, ClaimError>> {
     })
 }
 
-/// Answers a claim that a series is the shaking force of the pistons.
-pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
+/// Answers a claim that a series is the shaking force of the pistons, with the rod ratio of the claim's own numbers where it has some.
+pub(super) fn answer(engine: &Engine, says: &ShakingForce, numbers: Option<&Numbers>) -> Answer {
     if engine.faster_crank().is_some() {
         return Answer::nothing("a series is compared where all crankshafts turn equally fast");
     }
     let ratio = match engine.all_rods() {
         Rods::Unknown => None,
-        Rods::Alike(rod) if rod.is_centric() => Some(rod.ratio.clone()),
+        Rods::Alike(rod) if rod.is_centric() => Some(&rod.ratio),
         Rods::Alike(_) | Rods::Differ | Rods::Without(_) => {
             return Answer::nothing(
                 "a series is compared where all rods are alike, on the crankpin, and no axis is offset",
             );
         }
     };
+    let ratio = numbers.map(|numbers| &numbers.rod.ratio).or(ratio);
     let waves = says.series.waves();
     let written = waves.keys().map(|wave| wave.order).max().unwrap_or(0);
     // A force that is 0, without any order, is one of every order: a period of them tells.
@@ -102,7 +104,7 @@ pub(super) fn answer(engine: &Engine, says: &ShakingForce) -> Answer {
             let (zeros, said): (Vec<_>, Vec<_>) =
                 waves.get(&wave).cloned().unwrap_or_default().into_iter().partition(|(_, factor)| factor.is_zero());
             let right = exact.get(&wave).unwrap_or(&zero);
-            let verdict = judged([&said, &zeros], right, wave.order, ratio.as_ref())?;
+            let verdict = judged([&said, &zeros], right, wave.order, ratio)?;
             let coefficient = coefficient(wave.order, 2);
             let said = said.into_iter().map(|(powers, factor)| (powers, factor.form)).collect();
             Some(Term { wave, said, right: (numbers::real(right), numbers::evaluate(right).re), coefficient, verdict })
