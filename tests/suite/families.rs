@@ -15,6 +15,7 @@ use num_traits::ToPrimitive;
 
 use crate::support::pages;
 use crate::support::written::fraction;
+use crate::true_sentences::said;
 
 const V_TWIN: &str = "vee = { bank_angle = 'phi', throws = [0] }";
 const V4: &str = "vee = { bank_angle = 'phi', throws = [0, 180] }";
@@ -447,4 +448,15 @@ fn a_third_condition_on_both_angles_is_asked_of_where_the_first_two_meet() {
         let all = [both.as_slice(), &[condition(1, 1, third)]].concat();
         assert_eq!(family::in_range(&all).is_some(), expected);
     }
+}
+
+#[test]
+fn the_conditions_of_several_lengths_are_told_once_each_and_lists_of_alternatives_in_brackets() {
+    let vee = "orders = [1]\nvee = { bank_angle = 'phi', throws = [0, 'delta'], SIZES, bank_offset = 'b' }\n";
+    let text = |sizes: &str| said("report", &vee.replace("SIZES", sizes), &["--format", "markdown"]);
+    let apart = text("spacing = 'a'");
+    let told = "(0 where δ ≡ 0°; 0 where 2φ ≡ 180°) and at once (0 where δ ≡ 180°; 0 where 2φ ≡ 0°) for all lengths";
+    assert!(apart.contains(told), "{apart}");
+    let placed = text("positions = ['a+c', '-d']");
+    assert!(placed.contains("| 0 where δ ≡ 0° for all lengths |"), "{placed}");
 }

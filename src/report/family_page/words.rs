@@ -13,7 +13,7 @@ use crate::exact::Turn;
 use crate::family::{self, Angles, EvenFiring, Never, OpenSum, OpenVerdict, Part, Product, Remaining, When};
 use crate::numbers::{Form, float};
 use crate::page::number::Bearing;
-use crate::page::{Piece, Setting, Text, Unit, phrase};
+use crate::page::{Format, Piece, Setting, Text, Unit, phrase, text_in};
 use crate::proof::{ConditionClaim, CosineClaim};
 use crate::report::texts::family as text;
 
@@ -38,7 +38,7 @@ fn zeros(verdict: &OpenVerdict, at: impl Fn(&BTreeSet<Turn>) -> Text, shown: fn(
         (false, Some(angles)) => (!angles.is_empty()).then(|| at(&angles)),
         (false, None) => match verdict.meeting() {
             Some(met) => zero_where(one_of(met.iter().map(Vec::as_slice), shown), []),
-            None => Some(Text::joined(verdict.sums.iter().filter_map(condition_of), " and at once ")),
+            None => Some(at_once(verdict)),
         },
     };
     match (found, verdict.hangs_on_lengths()) {
@@ -46,6 +46,17 @@ fn zeros(verdict: &OpenVerdict, at: impl Fn(&BTreeSet<Turn>) -> Text, shown: fn(
         (Some(found), true) => phrase!("{} for all lengths", found),
         (None, true) => "0 for some lengths at most".into(),
         (None, false) => if verdict.never() { "never 0" } else { NEVER }.into(),
+    }
+}
+
+/// The conditions of all lengths, each told once; in brackets where there are several, since one may be a list of alternatives.
+fn at_once(verdict: &OpenVerdict) -> Text {
+    let mut known = BTreeSet::new();
+    let conditions = verdict.sums.iter().filter_map(condition_of);
+    let told: Vec<Text> = conditions.filter(|condition| known.insert(text_in(condition, Format::PLAIN))).collect();
+    match told.len() {
+        0 | 1 => Text::joined(told, ""),
+        _ => Text::joined(told.into_iter().map(|condition| phrase!("({})", condition)), " and at once "),
     }
 }
 
