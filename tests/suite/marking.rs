@@ -7,6 +7,7 @@ use crankstar::classroom::{
     Distribution, Exercise, Outcome, Pupil, Scheme, Vary, mark_class, parse_exercise, parse_scheme, students,
 };
 use crankstar::file;
+use crankstar::page;
 use crankstar::report;
 use crankstar::text::Format;
 use crankstar::{BigRational, numbers};
@@ -379,4 +380,16 @@ fn a_workbook_that_cannot_be_read_is_told_with_what_reads_it() {
     let results = mark_class(&exercise, vec![bytes("all.xlsx", b"PK\x03\x04")], &Scheme::default());
     let told = format!("{results:?}");
     assert!(told.contains("without the feature `xlsx`") && told.contains("CSV") && results.len() == 3, "{told}");
+}
+
+#[test]
+fn a_right_entry_is_called_so_and_no_direction() {
+    let exercise = draw("I4", "Ada", &[1]);
+    let pupil = &exercise.pupils[0];
+    let table = toml(pupil, "", &[right(&pupil.engine, 1, 4)]);
+    let results = mark_class(&exercise, vec![bytes("ada.toml", table)], &Scheme::default());
+    let page = report::marked_page(pupil, sheet(&results, 0), &Scheme::default());
+    let german = page::Options { language: page::Language::De, ..page::Options::default() };
+    let page = page::write(&page, page::Format::GITHUB, &german).remove(0).text;
+    assert!(page.contains("| richtig |") && !page.contains("rechts"), "{page}");
 }

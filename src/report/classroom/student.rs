@@ -82,7 +82,7 @@ fn one() -> BigRational {
 
 fn answer(judged: Judged) -> Text {
     match judged {
-        Judged::Right => "right".into(),
+        Judged::Right => "correct".into(),
         Judged::Coarse => "**too few digits**".into(),
         Judged::Consequential => "**follows**".into(),
         Judged::Wrong => "**wrong**".into(),
