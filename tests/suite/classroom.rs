@@ -671,3 +671,17 @@ fn the_generator_is_splitmix64_from_an_fnv_1a_hash() {
         assert_eq!(draw.bits(), splitmix64(&mut state));
     }
 }
+
+#[test]
+fn a_layout_that_is_drawn_clockwise_is_given_as_it_is_drawn() {
+    let layout = "rotation = 'clockwise'\nseen_from = 'flywheel'\n\
+        vee = { bank_angle = 70, throws = [10, 130, 250], pin_split = 20, spacing = '100 mm', bank_offset = '20 mm' }\n";
+    let engine = file::parse("layout.toml", layout).expect("it reads");
+    let exercise = Exercise::draw(&engine, &[1], &students("Ada").expect("a list"), 1, Vary::NOTHING).expect("engines");
+    let given = &exercise.pupils[0].engine;
+    assert_eq!(given.convention(), engine.convention());
+    let angles = |engine: &Engine| -> Vec<_> {
+        engine.cylinders().iter().map(|one| (one.throw.clone(), one.bank.clone(), one.position.clone())).collect()
+    };
+    assert_eq!(angles(given), angles(&engine));
+}

@@ -12,7 +12,7 @@ use num_traits::{One, Zero};
 use super::draw::Draw;
 use crate::claim::student::one_star;
 use crate::claim::{SUMS, Star};
-use crate::engine::{Cylinder, Engine, LengthUnit};
+use crate::engine::{Convention, Cylinder, Engine, LengthUnit, Rotation, SeenFrom};
 use crate::exact::Turn;
 use crate::file::exact_number;
 use crate::proof::Sense;
@@ -61,7 +61,7 @@ pub fn can_be_set(engine: &Engine) -> Result<(), &'static str> {
     }
 }
 
-/// The layout file of a student, with cylinders in the sense of rotation and masses in multiples; what was varied is in it.
+/// The layout file of a student, drawn as the given one is, with cylinders and masses in multiples; what was varied is in it.
 ///
 /// The engine is one that [`can_be_set`].
 pub fn varied(engine: &Engine, orders: &[u32], vary: Vary, mut draw: Draw) -> String {
@@ -88,6 +88,7 @@ struct Plain {
     plane: BigRational,
     plane_given: bool,
     unit: LengthUnit,
+    convention: Convention,
 }
 
 impl Plain {
@@ -97,6 +98,7 @@ impl Plain {
             plane: engine.reference_plane().clone(),
             plane_given: engine.reference_plane_given(),
             unit: engine.length_unit(),
+            convention: engine.convention(),
         }
     }
 
@@ -122,13 +124,19 @@ impl Plain {
             let mass = BigRational::new(draw.one_of(&HALVES).into(), 2.into());
             cylinders.iter_mut().for_each(|cylinder| cylinder.reciprocating_mass *= &mass);
         }
-        Plain { cylinders, plane, plane_given: self.plane_given, unit }
+        Plain { cylinders, plane, plane_given: self.plane_given, unit, convention: self.convention }
     }
 
     /// As a layout file.
     fn layout(&self, orders: &[u32]) -> String {
         let orders: Vec<String> = orders.iter().map(u32::to_string).collect();
         let mut text = format!("title = \"Vector-star exercise\"\norders = [{}]\n", orders.join(", "));
+        if self.convention.rotation == Rotation::Clockwise {
+            text.push_str("rotation = \"clockwise\"\n");
+        }
+        if self.convention.seen_from == SeenFrom::Flywheel {
+            text.push_str("seen_from = \"flywheel\"\n");
+        }
         if self.plane_given {
             text.push_str(&format!("reference_plane = {}\n", self.length(&self.plane)));
         }
@@ -136,8 +144,8 @@ impl Plain {
             text.push_str(&format!(
                 "\n[[cylinder]]\nname = {}\nthrow = {}\nbank = {}\nposition = {}\npin = {}\n",
                 quoted(&cylinder.name),
-                exact_number(&cylinder.throw.degrees()),
-                exact_number(&signed(&cylinder.bank)),
+                exact_number(&self.drawn(&cylinder.throw).degrees()),
+                exact_number(&signed(&self.drawn(&cylinder.bank))),
                 self.length(&cylinder.position),
                 cylinder.pin + 1,
             ));
@@ -146,6 +154,14 @@ impl Plain {
             }
         }
         text
+    }
+
+    /// An angle of the sense of rotation as the drawing has it.
+    fn drawn(&self, angle: &Turn) -> Turn {
+        match self.convention.rotation {
+            Rotation::Anticlockwise => angle.clone(),
+            Rotation::Clockwise => -angle,
+        }
     }
 
     fn length(&self, length: &BigRational) -> String {
