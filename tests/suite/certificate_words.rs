@@ -10,6 +10,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use crate::support::every_verdict::{all_engines, all_verdicts};
+use crate::true_sentences::said;
 
 /// `9\,e^{i\,40^{\circ}}` and the like.
 fn read_sum(text: &str) -> PhasorSum {
@@ -72,4 +73,15 @@ fn a_residue_certificate_prints_the_sum_and_its_image_and_both_recompute() {
         }
     }
     assert!(printed > 100, "only {printed}");
+}
+
+/// A single vector needs no step that splits the sum.
+#[test]
+fn the_certificate_of_one_vector_has_no_empty_clause() {
+    let one = "inline = { throws = ['0.12345'] }\n";
+    let told = said("report", one, &["--orders", "1", "--format", "text"]);
+    assert!(told.contains("It is one vector, and it is not zero.") && !told.contains("then ;"), "{told}");
+    let three = "inline = { throws = [0, '100.00001', 200] }\n";
+    let told = said("report", three, &["--orders", "1", "--format", "text", "--lang", "de"]);
+    assert!(told.contains("Wäre sie null, so müsste gelten: "), "{told}");
 }

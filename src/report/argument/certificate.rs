@@ -97,5 +97,8 @@ fn of_splitting(collected: &[Term], steps: &[Step]) -> Text {
             text::classes(first.to_string(), second.to_string(), prime.to_string())
         }
     };
+    if steps.is_empty() {
+        return text::lone_vector(the_sum(collected));
+    }
     text::splitting(the_sum(collected), Text::joined(steps.iter().map(step), "; of these, "))
 }
