@@ -36,6 +36,10 @@ fn assert_stored(name: &str, page: &Document) {
 fn the_pages_of_both_cycles_are_as_stored() {
     let engines = file::catalogue().expect("the catalogue reads");
     assert_stored("four-stroke.md", &report::firing_catalogue_page(&engines, Cycle::FourStroke));
+    // An engine whose orders are several stars has no strongest one of those that it leaves.
+    let page = text(&report::firing_catalogue_answer(&engines, Cycle::FourStroke), Format::GITHUB);
+    let row = page.lines().find(|line| line.contains("[radial-9-master]")).expect("its row");
+    assert!(row.ends_with("| several stars |"), "{row}");
     assert_stored("two-stroke.md", &report::firing_catalogue_page(&engines, Cycle::TwoStroke));
 }
 

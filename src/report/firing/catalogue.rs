@@ -6,7 +6,7 @@ use super::words;
 use super::{FiringStudy, page};
 use crate::engine::{Cycle, Engine, Firing};
 use crate::file::Entry;
-use crate::firing::{NoStar, Weights};
+use crate::firing::{FiringPattern, NoStar, Weights};
 use crate::page::{Block, Document, Table, Text, phrase};
 use crate::report::texts::firing_catalogue as text;
 
@@ -82,8 +82,7 @@ pub fn firing_catalogue_page(engines: &[(Entry, Engine)], cycle: Cycle) -> Docum
 
 /// What holds of all of them: counted, not supposed.
 fn found(studies: &[(Entry, FiringStudy)]) -> Vec<Text> {
-    let leaves_minor =
-        |study: &FiringStudy| study.pattern().is_ok_and(|pattern| pattern.left().any(|order| !order.is_major()));
+    let leaves_minor = |study: &FiringStudy| study.pattern().is_ok_and(leaves_minor);
     let is_even = |study: &FiringStudy| study.engine.firing().is_some_and(Firing::is_even);
     let count = |holds: &dyn Fn(&FiringStudy) -> bool| studies.iter().filter(|(_, study)| holds(study)).count();
     let even = count(&is_even);
@@ -92,6 +91,10 @@ fn found(studies: &[(Entry, FiringStudy)]) -> Vec<Text> {
         minor => text::even_with_minor(even, studies.len(), minor),
     };
     vec![fires, text::with_minor(count(&leaves_minor))]
+}
+
+fn leaves_minor(pattern: &FiringPattern) -> bool {
+    pattern.left().any(|order| !order.is_major())
 }
 
 /// Engines × (intervals, orders left, strongest minor order).
@@ -105,7 +108,11 @@ fn table(studies: &[(Entry, FiringStudy)]) -> Table {
             Err(why) => words::no_pattern(why),
         })
         .column("Strongest minor order", |(_, study)| match study.pattern() {
-            Ok(pattern) => words::strongest_in_short(pattern).unwrap_or_else(|| "none".into()),
+            // Orders of several stars have no length to be compared by.
+            Ok(pattern) if leaves_minor(pattern) => {
+                words::strongest_in_short(pattern).unwrap_or_else(|| "several stars".into())
+            }
+            Ok(_) => "none".into(),
             Err(_) => "–".into(),
         })
         .done()
