@@ -460,3 +460,12 @@ fn the_conditions_of_several_lengths_are_told_once_each_and_lists_of_alternative
     let placed = text("positions = ['a+c', '-d']");
     assert!(placed.contains("| 0 where δ ≡ 0° for all lengths |"), "{placed}");
 }
+
+#[test]
+fn throws_that_are_open_are_called_angles_and_no_pin_split() {
+    let throws = said("report", "orders = [1]\ninline = { throws = ['phi', 'delta', 0] }\n", &["--format", "markdown"]);
+    assert!(throws.contains("Largest value of order 1 over the angles φ and δ, "), "{throws}");
+    let throw = said("report", "orders = [1]\ninline = { throws = [0, 'delta'] }\n", &["--format", "markdown"]);
+    assert!(throw.contains("over the angle δ.") && !throw.contains("the pin split δ"), "{throw}");
+    assert!(said("report", V6_SPLIT, &["--format", "markdown"]).contains("over bank angle and pin split, "));
+}

@@ -31,6 +31,14 @@ impl Family {
         self.cylinders().iter().any(|cylinder| cylinder.bank.symbols().contains_key(PHI))
     }
 
+    /// Whether δ turns the parts of a crankpin against each other, not whole throws alone.
+    pub fn has_open_splits(&self) -> bool {
+        let of_split = |one: &Linear, other: &Linear| one.coefficient(DELTA) != other.coefficient(DELTA);
+        let mut cylinders = self.cylinders().iter();
+        cylinders
+            .any(|one| self.cylinders().iter().any(|other| one.pin == other.pin && of_split(&one.throw, &other.throw)))
+    }
+
     /// The family with some unknowns known: angles in turns, lengths in the unit of the positions.
     ///
     /// # Errors

@@ -61,23 +61,25 @@ pub fn amplitudes(family: &Family, orders: &[OpenOrder]) -> Option<Figure> {
     (!plots.is_empty()).then(|| stacked(plots))
 }
 
-/// Which open angle it is, of bank angle φ, angle φ and pin split δ: φ is the bank angle where it turns banks.
+/// Which open angle it is, of bank angle φ, angle φ, pin split δ and angle δ: φ is the bank angle where it turns banks, δ a pin split
+/// where it turns parts of a pin.
 fn kind_of_angle(family: &Family, unknown: &str) -> usize {
-    match (unknown == PHI, family.has_open_banks()) {
-        (true, true) => 0,
-        (true, false) => 1,
-        (false, _) => 2,
+    match unknown == PHI {
+        true if family.has_open_banks() => 0,
+        true => 1,
+        false if family.has_open_splits() => 2,
+        false => 3,
     }
 }
 
-/// For a place such as `{bank angle φ|angle φ|pin split δ}`.
+/// For a place such as `{bank angle φ|angle φ|pin split δ|angle δ}`.
 pub(in crate::report) fn which_angle(family: &Family, unknown: &str) -> Choice {
     Choice::of(kind_of_angle(family, unknown))
 }
 
 /// What the axis of an open angle is called.
 pub(in crate::report) fn axis_name(family: &Family, unknown: &str) -> &'static str {
-    ["Bank angle φ in °", "Angle φ in °", "Pin split δ in °"][kind_of_angle(family, unknown)]
+    ["Bank angle φ in °", "Angle φ in °", "Pin split δ in °", "Angle δ in °"][kind_of_angle(family, unknown)]
 }
 
 /// What the drawing of [`amplitudes`] shows.

@@ -171,7 +171,8 @@ impl<'a> OpenAngle<'a> {
         let (symbol, name, margin) = match self.unknown {
             PHI if self.family.has_open_banks() => ("φ", "Bank angle φ", step),
             PHI => ("φ", "Angle φ", step),
-            _ => ("δ", "Pin split δ", 0),
+            _ if self.family.has_open_splits() => ("δ", "Pin split δ", 0),
+            _ => ("δ", "Angle δ", 0),
         };
         let text = typeset::turns(&self.start);
         let start = Mark { at: self.whole(&self.start), text, of: Vec::new(), both: false };
