@@ -269,3 +269,15 @@ fn what_is_asked_of_the_catalogue_for_one_engine_is_refused() {
     }
     tells(&String::from_utf8_lossy(&call(&["check", "nofile"]).stderr), &["cannot read `nofile`"], &["catalogue"]);
 }
+
+#[test]
+fn cylinders_that_are_alike_and_weigh_more_than_the_unit_have_no_weight_of_1() {
+    let told = |mass: &str| {
+        let cylinder =
+            |throw: u32| format!("{{ throw = {throw}, bank = 0, position = 0, reciprocating_mass = '{mass}' }}");
+        let layout = format!("cylinder = [{}, {}]\n", cylinder(0), cylinder(90));
+        said("report", &layout, &["--format", "markdown"])
+    };
+    tells(&told("5/2"), &["in multiples of"], &["1 where all cylinders are alike"]);
+    tells(&told("1"), &["1 where all cylinders are alike"], &[]);
+}

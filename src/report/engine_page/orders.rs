@@ -1,12 +1,12 @@
 //! How is each order proved? Its star, what is left, and the argument for each vector.
 
-use num_traits::Signed;
+use num_traits::{One, Signed};
 
 use super::super::residual_words::{sentence, whole_sentence};
 use super::super::star::{WholeStars, sized_star_figure, star_figure, star_legend, whole_legend, whole_star_figure};
 use super::super::{argument, example, mechanism_words, residual, table};
 use super::weighing::{Weighed, WeighedParts};
-use crate::engine::{DOES_NOT_EXIST, Engine, WHY_NOT};
+use crate::engine::{Cylinder, DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::exact::Turn;
 use crate::page::{Block, Fold, Picture, Text, phrase};
 use crate::proof::{Quantity, Sense};
@@ -81,6 +81,12 @@ fn has_offset_below_zero(engine: &Engine) -> bool {
     engine.mechanisms().iter().filter_map(|mechanism| mechanism.rod()).any(|rod| rod.offset.is_negative())
 }
 
+/// Whether all cylinders are alike, and their masses no unit: given so, as multiples.
+fn has_other_unit(engine: &Engine) -> bool {
+    let mut weights = engine.cylinders().iter().map(Cylinder::weight);
+    weights.next().is_some_and(|first| !first.is_one() && weights.all(|other| other == first))
+}
+
 /// The proofs, order by order.
 pub(super) fn proofs(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
     let has_banks = engine.cylinders().iter().any(|cylinder| cylinder.bank != Turn::zero());
@@ -90,7 +96,7 @@ pub(super) fn proofs(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
         text::force_vectors().into(),
         Block::Formula(FORCE.to_owned(), Some(1)),
         Block::Formula(PHASES.to_owned(), Some(2)),
-        text::moment_vectors().into(),
+        text::moment_vectors(!has_other_unit(engine)).into(),
     ]);
     let offset = has_offset_below_zero(engine).then(text::offset_below_zero);
     let banks = (has_banks && engine.faster_crank().is_none()).then(text::bank_phases);
